@@ -1,0 +1,184 @@
+package haltere.core.chain;
+
+import haltere.core.event.SensorGeometry;
+import haltere.core.json.Json;
+import haltere.core.json.JsonProblem;
+import haltere.core.settings.SettingsJson;
+import haltere.core.settings.SettingsProblem;
+import haltere.core.settings.SettingsSchema;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * A chain as JSON: the filters' names in order, whether they are on, and their settings.
+ *
+ * <pre>{@code
+ * {"filters": [
+ *   {"filter": "background-activity", "settings": {"correlationTimeUs": 25000}},
+ *   {"filter": "refractory", "enabled": false},
+ *   {"name": "tracking", "filters": [{"filter": "cluster-tracker"}]}
+ * ]}
+ * }</pre>
+ *
+ * <p>Settings that are left out have their defaults, so a chain saved by an older version opens.
+ *
+ * <p>Thread rule: all methods may be called from any thread.
+ */
+public final class ChainFile {
+  private ChainFile() {}
+
+  /**
+   * Reads a chain.
+   *
+   * @param file JSON
+   * @param geometry the sensor whose events the chain will see
+   * @return a chain of new filters
+   * @throws JsonProblem if the file is not JSON or not a chain; the message names the file
+   * @throws IOException if the file cannot be read
+   */
+  public static FilterChain read(Path file, SensorGeometry geometry) throws IOException {
+    return parse(Files.readString(file), file.toString(), geometry);
+  }
+
+  /**
+   * Reads a chain from text.
+   *
+   * @param text JSON
+   * @param name what to call the text in an error message
+   * @param geometry the sensor whose events the chain will see
+   * @return a chain of new filters
+   * @throws JsonProblem if the text is not a chain
+   */
+  public static FilterChain parse(String text, String name, SensorGeometry geometry)
+      throws JsonProblem {
+    Object value = Json.parse(text, name);
+    try {
+      return chain(value, geometry, "");
+    } catch (SettingsProblem | ChainProblem problem) {
+      throw new JsonProblem(name + ": " + problem.getMessage());
+    }
+  }
+
+  private static FilterChain chain(Object value, SensorGeometry geometry, String place) {
+    Map<?, ?> object = object(value, place.isEmpty() ? "the chain" : place);
+    for (Object key : object.keySet()) {
+      if (!List.of("filters", "name", "enabled", "comment").contains(key)) {
+        throw new ChainProblem(
+            "a chain has \"filters\", \"name\", \"enabled\" and \"comment\", not \"" + key + "\"");
+      }
+    }
+    if (!(object.get("filters") instanceof List<?> entries)) {
+      throw new ChainProblem(
+          (place.isEmpty() ? "the chain" : place) + " needs \"filters\", an array of filters");
+    }
+    FilterChain chain = new FilterChain(geometry);
+    int number = 0;
+    for (Object entry : entries) {
+      number++;
+      addStage(chain, object(entry, "filter " + number), place + "filter " + number);
+    }
+    return chain;
+  }
+
+  private static void addStage(FilterChain chain, Map<?, ?> entry, String place) {
+    boolean enabled = enabled(entry, place);
+    if (entry.containsKey("filters")) {
+      Object name = entry.get("name");
+      chain.add(
+          name == null ? "chain" : name.toString(),
+          chain(entry, chain.geometry(), place + ", "),
+          enabled,
+          chain.stages().size());
+      return;
+    }
+    for (Object key : entry.keySet()) {
+      if (!List.of("filter", "enabled", "settings", "comment").contains(key)) {
+        throw new ChainProblem(
+            place
+                + " has \"filter\", \"enabled\", \"settings\" and \"comment\", not \""
+                + key
+                + "\"");
+      }
+    }
+    if (!(entry.get("filter") instanceof String kind)) {
+      throw new ChainProblem(place + " needs \"filter\", the name of a filter");
+    }
+    Object settings = entry.get("settings");
+    EventFilter filter;
+    try {
+      filter =
+          create(
+              Filters.named(kind),
+              chain.geometry(),
+              settings == null ? Map.of() : object(settings, "its settings"));
+    } catch (SettingsProblem | ChainProblem problem) {
+      throw new ChainProblem(place + " (" + kind + "): " + problem.getMessage());
+    }
+    chain.add(kind, filter, enabled, chain.stages().size());
+  }
+
+  private static boolean enabled(Map<?, ?> entry, String place) {
+    Object enabled = entry.containsKey("enabled") ? entry.get("enabled") : Boolean.TRUE;
+    if (!(enabled instanceof Boolean flag)) {
+      throw new ChainProblem(place + ": \"enabled\" is true or false, not " + enabled);
+    }
+    return flag;
+  }
+
+  private static <S extends Record> EventFilter create(
+      FilterProvider<S> provider, SensorGeometry geometry, Map<?, ?> settings) {
+    return provider.create(geometry, SettingsJson.fromMap(settings, provider.schema()));
+  }
+
+  private static Map<?, ?> object(Object value, String what) {
+    if (value instanceof Map<?, ?> map) {
+      return map;
+    }
+    throw new ChainProblem(what + " must be a JSON object, it is " + value);
+  }
+
+  /**
+   * A chain as JSON text.
+   *
+   * @param chain a chain
+   * @return text that {@link #parse} makes an equal chain from
+   */
+  public static String write(FilterChain chain) {
+    return Json.write(toMap(chain)) + "\n";
+  }
+
+  private static Map<String, Object> toMap(FilterChain chain) {
+    List<Object> entries = new ArrayList<>();
+    for (ChainStage stage : chain.stages()) {
+      Map<String, Object> entry = new LinkedHashMap<>();
+      if (stage.filter() instanceof FilterChain nested) {
+        entry.put("name", stage.kind());
+        entry.put("enabled", stage.isEnabled());
+        entry.putAll(toMap(nested));
+      } else {
+        entry.put("filter", stage.kind());
+        entry.put("enabled", stage.isEnabled());
+        if (stage.filter() instanceof ConfigurableFilter<?> configurable) {
+          Map<String, Object> settings = settings(configurable.settings());
+          if (!settings.isEmpty()) {
+            entry.put("settings", settings);
+          }
+        }
+      }
+      entries.add(entry);
+    }
+    Map<String, Object> object = new LinkedHashMap<>();
+    object.put("filters", entries);
+    return object;
+  }
+
+  @SuppressWarnings("unchecked")
+  private static <S extends Record> Map<String, Object> settings(S settings) {
+    return SettingsJson.toMap(settings, SettingsSchema.of((Class<S>) settings.getClass()));
+  }
+}

@@ -1,0 +1,124 @@
+package haltere.core.chain;
+
+import haltere.core.event.EventPacket;
+import haltere.core.stream.Reset;
+import haltere.core.stream.StreamNotification;
+import java.util.Objects;
+
+/**
+ * One place in a chain: a filter, whether it is on, and what it has cost.
+ *
+ * <p>Thread rule: as the chain, but {@link #timing()}, {@link #isEnabled()} and the names may be
+ * read from any thread.
+ */
+public final class ChainStage {
+  private final String name;
+  private final String kind;
+  private final EventFilter filter;
+  private volatile boolean enabled;
+  private volatile FilterTiming timing = FilterTiming.NONE;
+  private long packets;
+  private long eventsIn;
+  private long eventsOut;
+  private long busyNanos;
+  private long lastSeenUs = StreamNotification.NO_TIME_US;
+  private boolean resetPending;
+
+  ChainStage(String name, String kind, EventFilter filter, boolean enabled) {
+    this.name = Objects.requireNonNull(name, "name");
+    this.kind = Objects.requireNonNull(kind, "kind");
+    this.filter = Objects.requireNonNull(filter, "filter");
+    this.enabled = enabled;
+  }
+
+  /**
+   * Name of the stage, unique in its chain.
+   *
+   * @return the filter's name, with a number behind it where the chain has several
+   */
+  public String name() {
+    return name;
+  }
+
+  /**
+   * Name of the filter's provider.
+   *
+   * @return as {@link FilterProvider#name()}, or {@code chain} for a nested chain
+   */
+  public String kind() {
+    return kind;
+  }
+
+  /**
+   * The filter.
+   *
+   * @return the same filter at each call
+   */
+  public EventFilter filter() {
+    return filter;
+  }
+
+  /**
+   * Whether packets go through the filter.
+   *
+   * @return false if they pass it by, untouched
+   */
+  public boolean isEnabled() {
+    return enabled;
+  }
+
+  /**
+   * What the stage has done so far, as of the last packet.
+   *
+   * @return a reading
+   */
+  public FilterTiming timing() {
+    return timing;
+  }
+
+  void setEnabled(boolean on) {
+    if (on && !enabled) {
+      resetPending = true;
+    }
+    enabled = on;
+  }
+
+  void process(EventPacket packet) {
+    int in = packet.size();
+    if (resetPending) {
+      resetPending = false;
+      filter.notified(
+          new Reset(
+              Reset.Cause.RE_ENABLED,
+              lastSeenUs,
+              in == 0 ? StreamNotification.NO_TIME_US : packet.firstTimeUs()));
+    }
+    if (in > 0) {
+      lastSeenUs = packet.lastTimeUs();
+    }
+    long start = System.nanoTime();
+    try {
+      filter.process(packet);
+    } catch (RuntimeException thrown) {
+      throw thrown instanceof FilterFailure named ? named : new FilterFailure(this, thrown);
+    }
+    busyNanos += System.nanoTime() - start;
+    packets++;
+    eventsIn += in;
+    eventsOut += packet.size();
+    timing = new FilterTiming(packets, eventsIn, eventsOut, busyNanos);
+  }
+
+  void notified(StreamNotification notification) {
+    if (notification.endsContinuity()) {
+      resetPending = false;
+      lastSeenUs = StreamNotification.NO_TIME_US;
+    }
+    filter.notified(notification);
+  }
+
+  @Override
+  public String toString() {
+    return name + (enabled ? "" : " (off)");
+  }
+}

@@ -1,0 +1,69 @@
+package haltere.core.chain;
+
+import haltere.core.event.EventPacket;
+import haltere.core.overlay.OverlayLayer;
+import haltere.core.stream.StreamNotification;
+import java.util.List;
+
+/**
+ * A stage of the chain: works on each packet in place, and may publish results to its outlets.
+ *
+ * <p>The contract, which {@code EventFilterContract} tests for every filter:
+ *
+ * <ul>
+ *   <li>what a filter does and publishes does not depend on how the stream is cut into packets;
+ *       what should happen at regular times is driven by the times of the events;
+ *   <li>after {@link #reset()} it is in the state of a new filter (identities that it has given
+ *       out are not given out again);
+ *   <li>it keeps no reference to a packet after the call, and may drop or change events but not
+ *       add or reorder them;
+ *   <li>{@link #process} allocates nothing per event, takes no lock and throws nothing for any
+ *       packet whose pixels lie on the sensor.
+ * </ul>
+ *
+ * <p>Thread rule: all methods are called on the processing thread.
+ */
+public interface EventFilter {
+  /**
+   * Works on a packet in place.
+   *
+   * @param packet borrowed for the length of the call; may be empty
+   */
+  void process(EventPacket packet);
+
+  /** Forgets everything that events have taught it. */
+  void reset();
+
+  /**
+   * Is told what happened between the last packet and the next. A filter that can bridge a gap, or
+   * that holds results to give out at the end, overrides this.
+   *
+   * @param notification what happened; one without meaning for the filter is ignored
+   */
+  default void notified(StreamNotification notification) {
+    if (notification.endsContinuity()) {
+      reset();
+    }
+  }
+
+  /**
+   * Where the filter publishes its results.
+   *
+   * @return always the same outlets
+   */
+  default List<Outlet<?>> outlets() {
+    return List.of();
+  }
+
+  /**
+   * What can be drawn of the filter's results.
+   *
+   * @return always the same layers
+   */
+  default List<OverlayLayer<?>> overlays() {
+    return List.of();
+  }
+
+  /** Frees what the filter holds; nothing is called after it. */
+  default void close() {}
+}

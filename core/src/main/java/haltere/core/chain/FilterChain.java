@@ -1,0 +1,288 @@
+package haltere.core.chain;
+
+import haltere.core.event.EventAddress;
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.overlay.OverlayLayer;
+import haltere.core.stream.Reset;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import haltere.core.stream.StreamStarted;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Objects;
+import java.util.concurrent.CopyOnWriteArrayList;
+
+/**
+ * Filters in a row: each packet goes through those that are enabled, in order, and each
+ * notification goes to all of them. A chain is itself a filter, so chains nest.
+ *
+ * <p>Events whose pixel is not on the sensor are dropped before the first filter and counted; a
+ * filter may rely on their absence.
+ *
+ * <p>Thread rule: all changes and all processing on one thread; {@link #stages()} and the numbers
+ * in it may be read from any thread.
+ */
+public final class FilterChain implements EventFilter, StreamHandler {
+  private final SensorGeometry geometry;
+  private final CopyOnWriteArrayList<ChainStage> stages = new CopyOnWriteArrayList<>();
+  private volatile long outsideSensor;
+
+  /**
+   * An empty chain.
+   *
+   * @param geometry the sensor whose events it will see
+   */
+  public FilterChain(SensorGeometry geometry) {
+    this.geometry = Objects.requireNonNull(geometry, "geometry");
+  }
+
+  /**
+   * The sensor that the chain was made for.
+   *
+   * @return its geometry
+   */
+  public SensorGeometry geometry() {
+    return geometry;
+  }
+
+  /**
+   * The stages in order.
+   *
+   * @return an unmodifiable live view that any thread may read
+   */
+  public List<ChainStage> stages() {
+    return Collections.unmodifiableList(stages);
+  }
+
+  /**
+   * Events dropped before the first filter because their pixel is not on the sensor.
+   *
+   * @return a count since the chain was made
+   */
+  public long outsideSensor() {
+    return outsideSensor;
+  }
+
+  /**
+   * Adds a filter with default settings at the end.
+   *
+   * @param provider makes the filter
+   * @return the new stage
+   */
+  public ChainStage add(FilterProvider<?> provider) {
+    return add(provider.name(), provider.create(geometry), true, stages.size());
+  }
+
+  /**
+   * Adds a filter at the end.
+   *
+   * @param kind the provider's name, or a name for a filter that has none
+   * @param filter the filter, which the chain owns from now on
+   * @return the new stage
+   */
+  public ChainStage add(String kind, EventFilter filter) {
+    return add(kind, filter, true, stages.size());
+  }
+
+  /**
+   * Adds a filter.
+   *
+   * @param kind the provider's name, or a name for a filter that has none
+   * @param filter the filter, which the chain owns from now on
+   * @param enabled whether it is on
+   * @param position 0 for the first place
+   * @return the new stage
+   */
+  public ChainStage add(String kind, EventFilter filter, boolean enabled, int position) {
+    ChainStage stage = new ChainStage(freeName(kind), kind, filter, enabled);
+    stages.add(position, stage);
+    return stage;
+  }
+
+  private String freeName(String kind) {
+    String name = kind;
+    for (int number = 2; find(name) != null; number++) {
+      name = kind + "-" + number;
+    }
+    return name;
+  }
+
+  private ChainStage find(String name) {
+    for (ChainStage stage : stages) {
+      if (stage.name().equals(name)) {
+        return stage;
+      }
+    }
+    return null;
+  }
+
+  /**
+   * The stage of a name.
+   *
+   * @param name as {@link ChainStage#name()}
+   * @return the stage
+   * @throws ChainProblem if there is none
+   */
+  public ChainStage stage(String name) {
+    ChainStage stage = find(name);
+    if (stage == null) {
+      throw new ChainProblem("the chain has no stage named " + name + ", it has " + stages);
+    }
+    return stage;
+  }
+
+  /**
+   * Takes a stage out and closes its filter.
+   *
+   * @param stage a stage of this chain
+   */
+  public void remove(ChainStage stage) {
+    require(stage);
+    stages.remove(stage);
+    stage.filter().close();
+  }
+
+  /**
+   * Moves a stage to another place. The filters behind it see another stream from now on, so they
+   * and the moved one are reset before the next packet.
+   *
+   * @param stage a stage of this chain
+   * @param position its place once it has moved, 0 for the first
+   */
+  public void move(ChainStage stage, int position) {
+    require(stage);
+    List<ChainStage> order = new ArrayList<>(stages);
+    order.remove(stage);
+    order.add(position, stage);
+    stages.clear();
+    stages.addAll(order);
+    notified(new Reset(Reset.Cause.USER));
+  }
+
+  /**
+   * Switches a stage on or off. One that comes back is told so before its next packet.
+   *
+   * @param stage a stage of this chain
+   * @param enabled whether packets go through it
+   */
+  public void setEnabled(ChainStage stage, boolean enabled) {
+    require(stage);
+    stage.setEnabled(enabled);
+  }
+
+  private void require(ChainStage stage) {
+    if (!stages.contains(stage)) {
+      throw new ChainProblem("stage " + stage.name() + " is not in this chain");
+    }
+  }
+
+  /**
+   * Gives a filter new settings.
+   *
+   * @param stage a stage of this chain
+   * @param settings a record of the type that the filter takes
+   * @throws ChainProblem if the filter takes no such record
+   */
+  public void apply(ChainStage stage, Record settings) {
+    require(stage);
+    if (!(stage.filter() instanceof ConfigurableFilter<?> configurable)
+        || configurable.settings().getClass() != settings.getClass()) {
+      throw new ChainProblem(
+          "stage " + stage.name() + " does not take " + settings.getClass().getSimpleName());
+    }
+    applyUnchecked(configurable, settings);
+  }
+
+  @SuppressWarnings("unchecked")
+  private static <S extends Record> void applyUnchecked(
+      ConfigurableFilter<S> filter, Record settings) {
+    filter.apply((S) settings);
+  }
+
+  @Override
+  public void process(EventPacket packet) {
+    dropOutside(packet);
+    for (ChainStage stage : stages) {
+      if (stage.isEnabled()) {
+        stage.process(packet);
+      }
+    }
+  }
+
+  private void dropOutside(EventPacket packet) {
+    int[] addresses = packet.addresses();
+    int size = packet.size();
+    int largestY = 0;
+    int largestX = 0;
+    for (int i = 0; i < size; i++) {
+      largestY = Math.max(largestY, EventAddress.y(addresses[i]));
+      largestX = Math.max(largestX, EventAddress.x(addresses[i]));
+    }
+    if (largestY < geometry.height() && largestX < geometry.width()) {
+      return;
+    }
+    int kept = 0;
+    for (int i = 0; i < size; i++) {
+      if (geometry.contains(packet.x(i), packet.y(i))) {
+        packet.move(i, kept++);
+      }
+    }
+    outsideSensor += size - kept;
+    packet.truncate(kept);
+  }
+
+  @Override
+  public void packet(EventPacket packet) {
+    process(packet);
+  }
+
+  @Override
+  public void notified(StreamNotification notification) {
+    if (notification instanceof StreamStarted started
+        && (started.geometry().width() != geometry.width()
+            || started.geometry().height() != geometry.height())) {
+      throw new ChainProblem(
+          "the chain was made for a sensor of "
+              + geometry
+              + " pixels, the source has "
+              + started.geometry());
+    }
+    for (ChainStage stage : stages) {
+      stage.notified(notification);
+    }
+  }
+
+  @Override
+  public void reset() {
+    notified(new Reset(Reset.Cause.USER));
+  }
+
+  @Override
+  public List<Outlet<?>> outlets() {
+    List<Outlet<?>> outlets = new ArrayList<>();
+    for (ChainStage stage : stages) {
+      outlets.addAll(stage.filter().outlets());
+    }
+    return outlets;
+  }
+
+  @Override
+  public List<OverlayLayer<?>> overlays() {
+    List<OverlayLayer<?>> overlays = new ArrayList<>();
+    for (ChainStage stage : stages) {
+      if (stage.isEnabled()) {
+        overlays.addAll(stage.filter().overlays());
+      }
+    }
+    return overlays;
+  }
+
+  @Override
+  public void close() {
+    for (ChainStage stage : stages) {
+      stage.filter().close();
+    }
+  }
+}

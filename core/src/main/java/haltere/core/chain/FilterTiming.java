@@ -1,0 +1,37 @@
+package haltere.core.chain;
+
+/**
+ * What a stage of the chain has done so far.
+ *
+ * @param packets packets that went through
+ * @param eventsIn events that came in
+ * @param eventsOut events that it let through
+ * @param busyNanos time spent in the filter
+ */
+public record FilterTiming(long packets, long eventsIn, long eventsOut, long busyNanos) {
+  /** A stage that has done nothing. */
+  public static final FilterTiming NONE = new FilterTiming(0, 0, 0, 0);
+
+  /**
+   * Cost of the filter.
+   *
+   * @return microseconds per thousand events, 0 before the first event
+   */
+  public double microsPerThousandEvents() {
+    return eventsIn == 0 ? 0 : busyNanos / (double) eventsIn;
+  }
+
+  /**
+   * What happened since an earlier reading.
+   *
+   * @param earlier an earlier reading of the same stage
+   * @return the difference
+   */
+  public FilterTiming since(FilterTiming earlier) {
+    return new FilterTiming(
+        packets - earlier.packets,
+        eventsIn - earlier.eventsIn,
+        eventsOut - earlier.eventsOut,
+        busyNanos - earlier.busyNanos);
+  }
+}

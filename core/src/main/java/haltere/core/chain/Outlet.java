@@ -1,0 +1,88 @@
+package haltere.core.chain;
+
+import java.util.Objects;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Consumer;
+
+/**
+ * Where a filter publishes results of one type. Results are immutable; where they are rows of a
+ * table they are records whose component names are the column names, units included.
+ *
+ * <p>Thread rule: {@link #publish} runs on the processing thread and calls the subscribers there,
+ * so they must be quick; subscribing is allowed from any thread.
+ *
+ * @param <T> type of the results
+ */
+public final class Outlet<T> {
+  /** Ends a subscription. */
+  public interface Subscription extends AutoCloseable {
+    @Override
+    void close();
+  }
+
+  private final String name;
+  private final Class<T> type;
+  private final CopyOnWriteArrayList<Consumer<? super T>> subscribers =
+      new CopyOnWriteArrayList<>();
+
+  /**
+   * An outlet.
+   *
+   * @param name lower case words joined by hyphens, unique within the filter
+   * @param type class of the results
+   */
+  public Outlet(String name, Class<T> type) {
+    this.name = Objects.requireNonNull(name, "name");
+    this.type = Objects.requireNonNull(type, "type");
+  }
+
+  /**
+   * The outlet's name.
+   *
+   * @return unique within its filter
+   */
+  public String name() {
+    return name;
+  }
+
+  /**
+   * The type of the results.
+   *
+   * @return a class
+   */
+  public Class<T> type() {
+    return type;
+  }
+
+  /**
+   * Whether anyone listens; a filter may skip making results that nobody takes.
+   *
+   * @return true with at least one subscriber
+   */
+  public boolean hasSubscribers() {
+    return !subscribers.isEmpty();
+  }
+
+  /**
+   * Listens to results.
+   *
+   * @param subscriber called on the processing thread for each result
+   * @return ends the subscription when closed
+   */
+  public Subscription subscribe(Consumer<? super T> subscriber) {
+    Objects.requireNonNull(subscriber, "subscriber");
+    subscribers.add(subscriber);
+    return () -> subscribers.remove(subscriber);
+  }
+
+  /**
+   * Hands a result to all subscribers.
+   *
+   * @param result immutable
+   */
+  public void publish(T result) {
+    for (Consumer<? super T> subscriber : subscribers) {
+      subscriber.accept(result);
+    }
+  }
+}

@@ -1,0 +1,74 @@
+package haltere.core.format;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.RandomAccessFile;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+
+/**
+ * The start and the end of a file, read once for all formats to look at. The arrays are shared:
+ * nobody changes them.
+ *
+ * @param path the file
+ * @param head its first bytes, at most {@link #HEAD_BYTES}
+ * @param tail its last bytes, at most {@link #TAIL_BYTES}
+ * @param size bytes in the file
+ */
+public record FileHead(Path path, byte[] head, byte[] tail, long size) {
+  /** How much of the start is read. */
+  public static final int HEAD_BYTES = 64 * 1024;
+
+  /** How much of the end is read. */
+  public static final int TAIL_BYTES = 4 * 1024;
+
+  /**
+   * Reads head and tail of a file.
+   *
+   * @param path a readable file
+   * @return its head
+   * @throws IOException if it cannot be read
+   */
+  public static FileHead read(Path path) throws IOException {
+    long size = Files.size(path);
+    byte[] head;
+    try (InputStream in = Files.newInputStream(path)) {
+      head = in.readNBytes(HEAD_BYTES);
+    }
+    byte[] tail = new byte[(int) Math.min(TAIL_BYTES, size)];
+    try (RandomAccessFile file = new RandomAccessFile(path.toFile(), "r")) {
+      file.seek(size - tail.length);
+      file.readFully(tail);
+    }
+    return new FileHead(path, head, tail, size);
+  }
+
+  /**
+   * Whether the file starts with a text.
+   *
+   * @param text ASCII
+   * @return true if it does
+   */
+  public boolean startsWith(String text) {
+    byte[] wanted = text.getBytes(StandardCharsets.ISO_8859_1);
+    return head.length >= wanted.length
+        && java.util.Arrays.equals(head, 0, wanted.length, wanted, 0, wanted.length);
+  }
+
+  /**
+   * The ending of the file's name.
+   *
+   * @return lower case, without the dot; empty if there is none
+   */
+  public String extension() {
+    return extension(path);
+  }
+
+  static String extension(Path path) {
+    String name = path.getFileName() == null ? "" : path.getFileName().toString();
+    int dot = name.lastIndexOf('.');
+    return dot < 0 ? "" : name.substring(dot + 1).toLowerCase(Locale.ROOT);
+  }
+}

@@ -1,0 +1,17 @@
+package haltere.core.format;
+
+import java.util.Objects;
+
+/**
+ * What a format says about a file.
+ *
+ * @param support how sure it is
+ * @param reason why, in a few words for a person
+ */
+public record ProbeResult(Support support, String reason) {
+  /** Checks that nothing is missing. */
+  public ProbeResult {
+    Objects.requireNonNull(support, "support");
+    Objects.requireNonNull(reason, "reason");
+  }
+}

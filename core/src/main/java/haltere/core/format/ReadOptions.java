@@ -1,0 +1,59 @@
+package haltere.core.format;
+
+import haltere.core.event.SensorGeometry;
+import java.util.Objects;
+import java.util.Optional;
+
+/**
+ * What a user says about a recording that its file does not.
+ *
+ * @param sensor the sensor's size where the file does not state it; the file's own word wins
+ * @param format name of the format to read it as, whatever its content looks like
+ * @param packetEvents events per packet at the most, 1 to 1,048,576
+ */
+public record ReadOptions(
+    Optional<SensorGeometry> sensor, Optional<String> format, int packetEvents) {
+  /** What everybody starts with. */
+  public static final ReadOptions DEFAULT =
+      new ReadOptions(Optional.empty(), Optional.empty(), 8192);
+
+  /** Checks the values. */
+  public ReadOptions {
+    Objects.requireNonNull(sensor, "sensor");
+    Objects.requireNonNull(format, "format");
+    if (packetEvents < 1 || packetEvents > 1 << 20) {
+      throw new IllegalArgumentException(
+          "packets hold 1 to " + (1 << 20) + " events, not " + packetEvents);
+    }
+  }
+
+  /**
+   * The same options but for the sensor.
+   *
+   * @param geometry the sensor's size
+   * @return new options
+   */
+  public ReadOptions withSensor(SensorGeometry geometry) {
+    return new ReadOptions(Optional.of(geometry), format, packetEvents);
+  }
+
+  /**
+   * The same options but for the format.
+   *
+   * @param name a format's name
+   * @return new options
+   */
+  public ReadOptions withFormat(String name) {
+    return new ReadOptions(sensor, Optional.of(name), packetEvents);
+  }
+
+  /**
+   * The same options but for the size of packets.
+   *
+   * @param events events per packet at the most
+   * @return new options
+   */
+  public ReadOptions withPacketEvents(int events) {
+    return new ReadOptions(sensor, format, events);
+  }
+}

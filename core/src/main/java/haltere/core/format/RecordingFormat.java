@@ -1,0 +1,65 @@
+package haltere.core.format;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.Set;
+
+/**
+ * A file format. Formats are found as services ({@code
+ * META-INF/services/haltere.core.format.RecordingFormat}), so another jar can add one; see {@link
+ * Recordings}.
+ *
+ * <p>Thread rule: all methods may be called from any thread.
+ */
+public interface RecordingFormat {
+  /**
+   * The name by which a user can ask for the format.
+   *
+   * @return lower case, such as {@code aedat2}
+   */
+  String name();
+
+  /**
+   * What the format is, in a few words for a person.
+   *
+   * @return such as "AEDAT-2.0 (jAER)"
+   */
+  String description();
+
+  /**
+   * Endings of names that files of this format usually have. The first one is what a writer of this
+   * format answers to.
+   *
+   * @return lower case, without the dot, in order
+   */
+  Set<String> extensions();
+
+  /**
+   * Says whether a file is of this format, by its content.
+   *
+   * @param head start and end of the file
+   * @return how sure and why
+   */
+  ProbeResult probe(FileHead head);
+
+  /**
+   * Opens a recording.
+   *
+   * @param file a file that is, or is said to be, of this format
+   * @param options what the user says about it
+   * @return a reader at its start
+   * @throws IOException a {@link RecordingProblem} where the file is not what it should be
+   */
+  RecordingReader open(Path file, ReadOptions options) throws IOException;
+
+  /**
+   * Starts to write a recording.
+   *
+   * @param file where it will be
+   * @param options about the events
+   * @return a writer, or empty for a format that is only read
+   * @throws IOException if the file cannot be written
+   */
+  Optional<RecordingWriter> create(Path file, WriteOptions options) throws IOException;
+}

@@ -1,0 +1,94 @@
+package haltere.core.format;
+
+import haltere.core.stream.EventSource;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+
+/**
+ * A recording as a source of events. It streams: memory is bounded whatever the file's size or what
+ * its headers claim.
+ *
+ * <p>A jump back of the recording's clock that is no wrap becomes a {@code
+ * Reset(CLOCK_RESTARTED)}; the stretches between such jumps are the recording's segments.
+ *
+ * <p>Thread rule: one thread at a time.
+ */
+public interface RecordingReader extends EventSource {
+  /**
+   * The format's name.
+   *
+   * @return as {@link RecordingFormat#name()}, with the version where there are several
+   */
+  String formatName();
+
+  /**
+   * The file.
+   *
+   * @return its path
+   */
+  Path path();
+
+  /**
+   * Bytes of the file decoded so far, for a progress bar.
+   *
+   * @return 0 to {@link #sizeBytes()}
+   */
+  long positionBytes();
+
+  /**
+   * Size of the file.
+   *
+   * @return bytes
+   */
+  long sizeBytes();
+
+  /**
+   * What was wrong or left out so far.
+   *
+   * @return live counts
+   */
+  ViolationCounts violations();
+
+  /**
+   * What a user should know about how the file was read, such as a sensor size that was assumed.
+   *
+   * @return one line each
+   */
+  List<String> remarks();
+
+  /**
+   * The stretches of continuous time, in file order. The first call may read through the file.
+   *
+   * @return at least one segment unless the recording has no event
+   * @throws IOException if the file can no longer be read
+   */
+  List<TimeSegment> segments() throws IOException;
+
+  /**
+   * Goes on at the first event at or after a time within a segment; behind the segment's end that
+   * is the start of the next. The next thing handed over is a {@code Reset(SEEK)} (before the first
+   * call of {@link #next} it is the start of the stream). May be called after the end of the stream,
+   * which then starts anew.
+   *
+   * @param segment index into {@link #segments()}
+   * @param timeUs time on the recording's clock
+   * @throws IOException if the file can no longer be read
+   */
+  void seek(int segment, long timeUs) throws IOException;
+
+  /**
+   * Goes on at the first event at or after a time, in the first segment that reaches that far.
+   *
+   * @param timeUs time on the recording's clock
+   * @throws IOException if the file can no longer be read
+   */
+  default void seek(long timeUs) throws IOException {
+    List<TimeSegment> segments = segments();
+    int segment = 0;
+    while (segment < segments.size() - 1 && segments.get(segment).lastUs() < timeUs) {
+      segment++;
+    }
+    seek(segment, timeUs);
+  }
+}

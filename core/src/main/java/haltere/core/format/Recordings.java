@@ -1,0 +1,165 @@
+package haltere.core.format;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.ServiceLoader;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+
+/**
+ * The way into every recording: the content decides which format reads it.
+ *
+ * <p>Thread rule: all methods may be called from any thread.
+ */
+public final class Recordings {
+  private static final class Found {
+    static final Map<String, RecordingFormat> BY_NAME = load();
+
+    private static Map<String, RecordingFormat> load() {
+      Map<String, RecordingFormat> found = new TreeMap<>();
+      for (RecordingFormat format : ServiceLoader.load(RecordingFormat.class)) {
+        found.putIfAbsent(format.name(), format);
+      }
+      return java.util.Collections.unmodifiableMap(found);
+    }
+  }
+
+  private Recordings() {}
+
+  /**
+   * All formats.
+   *
+   * @return by name, in alphabetical order
+   */
+  public static Map<String, RecordingFormat> formats() {
+    return Found.BY_NAME;
+  }
+
+  /**
+   * Opens a recording.
+   *
+   * @param file any file
+   * @param options what the user says about it
+   * @return a reader at its start
+   * @throws RecordingProblem if it is not a readable file, or of no known format; the message says
+   *     what each format saw in it
+   * @throws IOException if reading fails
+   */
+  public static RecordingReader open(Path file, ReadOptions options) throws IOException {
+    checkReadable(file);
+    if (options.format().isPresent()) {
+      return named(file, options.format().get()).open(file, options);
+    }
+    return detect(file).open(file, options);
+  }
+
+  /**
+   * Opens a recording whose file says everything.
+   *
+   * @param file any file
+   * @return a reader at its start
+   * @throws IOException as {@link #open(Path, ReadOptions)}
+   */
+  public static RecordingReader open(Path file) throws IOException {
+    return open(file, ReadOptions.DEFAULT);
+  }
+
+  /**
+   * Tells which format a file has.
+   *
+   * @param file a readable file
+   * @return the one format that is surest
+   * @throws RecordingProblem if none is, or several are equally sure
+   * @throws IOException if reading fails
+   */
+  public static RecordingFormat detect(Path file) throws IOException {
+    checkReadable(file);
+    FileHead head = FileHead.read(file);
+    if (head.size() == 0) {
+      throw new RecordingProblem(file, "the file is empty; record or copy it again");
+    }
+    Map<RecordingFormat, ProbeResult> answers = new LinkedHashMap<>();
+    Support best = Support.NONE;
+    for (RecordingFormat format : formats().values()) {
+      ProbeResult answer = format.probe(head);
+      answers.put(format, answer);
+      if (answer.support().compareTo(best) > 0) {
+        best = answer.support();
+      }
+    }
+    List<RecordingFormat> surest = new ArrayList<>();
+    for (Map.Entry<RecordingFormat, ProbeResult> answer : answers.entrySet()) {
+      if (answer.getValue().support() == best && best != Support.NONE) {
+        surest.add(answer.getKey());
+      }
+    }
+    if (surest.size() == 1) {
+      return surest.get(0);
+    }
+    String reasons =
+        answers.entrySet().stream()
+            .filter(answer -> surest.isEmpty() || surest.contains(answer.getKey()))
+            .map(answer -> answer.getKey().name() + ": " + answer.getValue().reason())
+            .collect(Collectors.joining("; "));
+    throw new RecordingProblem(
+        file,
+        (surest.isEmpty() ? "no known format (" : "several formats fit (")
+            + reasons
+            + "); name one with --format");
+  }
+
+  /**
+   * The format that writes files of a name, by its ending.
+   *
+   * @param file where the recording will be
+   * @return a format whose first extension it is
+   * @throws RecordingProblem if there is none, listing the endings there are
+   */
+  public static RecordingFormat forWriting(Path file) throws RecordingProblem {
+    String extension = FileHead.extension(file);
+    for (RecordingFormat format : formats().values()) {
+      if (format.extensions().iterator().next().equals(extension)) {
+        return format;
+      }
+    }
+    throw new RecordingProblem(
+        file,
+        "nothing is known that writes files ending in ."
+            + extension
+            + "; name it with one of "
+            + formats().values().stream()
+                .map(format -> "." + format.extensions().iterator().next())
+                .distinct()
+                .collect(Collectors.joining(", ")));
+  }
+
+  private static RecordingFormat named(Path file, String name) throws RecordingProblem {
+    RecordingFormat format = formats().get(name);
+    if (format == null) {
+      throw new RecordingProblem(
+          file,
+          "there is no format named "
+              + name
+              + "; there are "
+              + String.join(", ", formats().keySet()));
+    }
+    return format;
+  }
+
+  private static void checkReadable(Path file) throws RecordingProblem {
+    if (!Files.exists(file)) {
+      throw new RecordingProblem(file, "there is no such file");
+    }
+    if (Files.isDirectory(file)) {
+      throw new RecordingProblem(file, "this is a folder; name a recording in it");
+    }
+    if (!Files.isReadable(file)) {
+      throw new RecordingProblem(file, "no permission to read it; change its mode or owner");
+    }
+  }
+}

@@ -1,0 +1,13 @@
+package haltere.core.format;
+
+/** How sure a format is that a file is its own, from not at all to certain. */
+public enum Support {
+  /** The content speaks against it. */
+  NONE,
+  /** Only the file's name speaks for it. */
+  EXTENSION_ONLY,
+  /** The content looks like it, but other formats' content can too. */
+  PLAUSIBLE,
+  /** The content says so. */
+  CERTAIN
+}

@@ -1,0 +1,43 @@
+package haltere.core.format;
+
+/** What can be wrong in the bytes of a recording. Decoders count these and go on where they can. */
+public enum Violation {
+  /** An event's pixel is not on the sensor; the event is left out. */
+  OUTSIDE_SENSOR("events outside of the sensor were left out"),
+  /** The clock went back without being a wrap; the stream has a notice there. */
+  CLOCK_WENT_BACK("jumps back of the clock"),
+  /** The file ends in the middle of an event or a packet; what was whole has been read. */
+  CUT_OFF("the file ends in the middle of an event or packet"),
+  /** Words that the format does not define; they are left out. */
+  UNKNOWN_WORD("words without a meaning in this format were left out"),
+  /** A length, count or size that cannot be true; what it belongs to is left out. */
+  LYING_LENGTH("lengths or counts that cannot be true"),
+  /** A packet that cannot be unpacked; it is left out. */
+  DAMAGED_PACKET("damaged packets were left out"),
+  /** Data of another kind than polarity events (frames, inertial samples, triggers). */
+  OTHER_DATA("words of frames, inertial samples or triggers were skipped");
+
+  private final String sentence;
+
+  Violation(String sentence) {
+    this.sentence = sentence;
+  }
+
+  /**
+   * What it means, for a person.
+   *
+   * @return a few words that can follow a count
+   */
+  public String sentence() {
+    return sentence;
+  }
+
+  /**
+   * Whether it says that the file is damaged, rather than that it holds more than is read.
+   *
+   * @return true for damage
+   */
+  public boolean isDamage() {
+    return this != OTHER_DATA;
+  }
+}

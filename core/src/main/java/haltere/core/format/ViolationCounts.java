@@ -1,0 +1,85 @@
+package haltere.core.format;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Counts violations by kind and remembers where each kind was first seen.
+ *
+ * <p>Thread rule: one thread.
+ */
+public final class ViolationCounts {
+  private static final Violation[] KINDS = Violation.values();
+
+  private final long[] counts = new long[KINDS.length];
+  private final long[] firstOffsets = new long[KINDS.length];
+
+  /**
+   * Counts one.
+   *
+   * @param kind what was wrong
+   * @param offset byte offset in the file
+   */
+  public void add(Violation kind, long offset) {
+    add(kind, offset, 1);
+  }
+
+  /**
+   * Counts several of a kind.
+   *
+   * @param kind what was wrong
+   * @param offset byte offset of the first of them
+   * @param count how many, at least 0
+   */
+  public void add(Violation kind, long offset, long count) {
+    if (count == 0) {
+      return;
+    }
+    int index = kind.ordinal();
+    if (counts[index] == 0) {
+      firstOffsets[index] = offset;
+    }
+    counts[index] += count;
+  }
+
+  /**
+   * How often a kind was seen.
+   *
+   * @param kind what was wrong
+   * @return at least 0
+   */
+  public long count(Violation kind) {
+    return counts[kind.ordinal()];
+  }
+
+  /**
+   * Where a kind was first seen.
+   *
+   * @param kind what was wrong
+   * @return byte offset, or -1 if it was never seen
+   */
+  public long firstOffset(Violation kind) {
+    return counts[kind.ordinal()] == 0 ? -1 : firstOffsets[kind.ordinal()];
+  }
+
+  /** Forgets all counts. */
+  public void clear() {
+    java.util.Arrays.fill(counts, 0);
+  }
+
+  /**
+   * A line per kind that was seen.
+   *
+   * @return for a person
+   */
+  public List<String> describe() {
+    List<String> lines = new ArrayList<>();
+    for (Violation kind : KINDS) {
+      if (count(kind) > 0) {
+        lines.add(
+            count(kind) + " " + kind.sentence() + " (first at byte " + firstOffset(kind) + ")");
+      }
+    }
+    return lines;
+  }
+}

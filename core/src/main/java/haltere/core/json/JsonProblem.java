@@ -1,0 +1,17 @@
+package haltere.core.json;
+
+import java.io.IOException;
+
+/** A text that is not the JSON it should be; the message names the file and the line. */
+public final class JsonProblem extends IOException {
+  private static final long serialVersionUID = 1L;
+
+  /**
+   * A problem.
+   *
+   * @param message names the place and what is wrong there
+   */
+  public JsonProblem(String message) {
+    super(message);
+  }
+}

@@ -1,0 +1,63 @@
+package haltere.core.overlay;
+
+import java.util.Objects;
+
+/**
+ * How a mark looks, by its meaning; whoever draws it chooses colour and width.
+ *
+ * @param role what the mark stands for
+ * @param identity marks of the same identity look alike; -1 for marks without one
+ */
+public record MarkStyle(Role role, int identity) {
+  /** What a mark stands for. */
+  public enum Role {
+    /** A thing that was found. */
+    OBJECT,
+    /** Where a thing has been. */
+    PATH,
+    /** How a thing moves. */
+    VELOCITY,
+    /** A raw measurement. */
+    MEASUREMENT,
+    /** What an estimator makes of the measurements. */
+    ESTIMATE,
+    /** How uncertain an estimate is. */
+    UNCERTAINTY,
+    /** A region, line or point that a person has set. */
+    REGION,
+    /** Something on the left of a body. */
+    LEFT,
+    /** Something on the right of a body. */
+    RIGHT,
+    /** Words. */
+    LABEL,
+    /** Something that needs attention. */
+    WARNING
+  }
+
+  /** Checks that the role is there. */
+  public MarkStyle {
+    Objects.requireNonNull(role, "role");
+  }
+
+  /**
+   * A style without identity.
+   *
+   * @param role what the mark stands for
+   * @return a style
+   */
+  public static MarkStyle of(Role role) {
+    return new MarkStyle(role, -1);
+  }
+
+  /**
+   * A style with identity.
+   *
+   * @param role what the mark stands for
+   * @param identity any number at least 0
+   * @return a style
+   */
+  public static MarkStyle of(Role role, int identity) {
+    return new MarkStyle(role, identity);
+  }
+}

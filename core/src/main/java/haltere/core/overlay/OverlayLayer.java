@@ -1,0 +1,24 @@
+package haltere.core.overlay;
+
+import java.util.Objects;
+import java.util.function.Consumer;
+import java.util.function.Function;
+
+/**
+ * Something that can be drawn over the picture: where its snapshots come from and how one is
+ * drawn.
+ *
+ * @param name what a person calls the layer
+ * @param subscribe registers a taker of snapshots and returns what ends the registration
+ * @param overlay draws a snapshot
+ * @param <T> type of the snapshots
+ */
+public record OverlayLayer<T>(
+    String name, Function<Consumer<? super T>, AutoCloseable> subscribe, Overlay<T> overlay) {
+  /** Checks that nothing is missing. */
+  public OverlayLayer {
+    Objects.requireNonNull(name, "name");
+    Objects.requireNonNull(subscribe, "subscribe");
+    Objects.requireNonNull(overlay, "overlay");
+  }
+}

@@ -1,0 +1,20 @@
+package haltere.core.settings;
+
+import java.lang.annotation.Documented;
+import java.lang.annotation.ElementType;
+import java.lang.annotation.Retention;
+import java.lang.annotation.RetentionPolicy;
+import java.lang.annotation.Target;
+
+/** One sentence that tells a person what a setting does. */
+@Documented
+@Retention(RetentionPolicy.RUNTIME)
+@Target(ElementType.RECORD_COMPONENT)
+public @interface Help {
+  /**
+   * The sentence.
+   *
+   * @return ends with a full stop
+   */
+  String value();
+}

@@ -1,0 +1,76 @@
+package haltere.core.settings;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/**
+ * Settings as the plain values of a JSON object, and back. Nested records are nested objects; an
+ * enum is its name in lower case; what a text leaves out keeps its default.
+ */
+public final class SettingsJson {
+  private SettingsJson() {}
+
+  /**
+   * All values of a record.
+   *
+   * @param settings a settings record
+   * @param schema its schema
+   * @param <S> the record
+   * @return maps, numbers, booleans and strings, in the order of the record
+   */
+  public static <S extends Record> Map<String, Object> toMap(
+      S settings, SettingsSchema<S> schema) {
+    Map<String, Object> root = new LinkedHashMap<>();
+    for (Parameter parameter : schema.parameters()) {
+      Map<String, Object> object = root;
+      String[] path = parameter.name().split("\\.");
+      for (int i = 0; i < path.length - 1; i++) {
+        object = child(object, path[i]);
+      }
+      Object value = schema.get(settings, parameter.name());
+      object.put(
+          path[path.length - 1],
+          value instanceof Enum<?> constant
+              ? constant.name().toLowerCase(java.util.Locale.ROOT).replace('_', '-')
+              : value);
+    }
+    return root;
+  }
+
+  @SuppressWarnings("unchecked")
+  private static Map<String, Object> child(Map<String, Object> object, String name) {
+    return (Map<String, Object>) object.computeIfAbsent(name, key -> new LinkedHashMap<>());
+  }
+
+  /**
+   * A record from the values of a JSON object.
+   *
+   * @param values names and values; what is missing keeps its default
+   * @param schema the record's schema
+   * @param <S> the record
+   * @return a valid record
+   * @throws SettingsProblem for a name that does not exist or a value out of range
+   */
+  public static <S extends Record> S fromMap(Map<?, ?> values, SettingsSchema<S> schema) {
+    return apply(schema.defaults(), values, "", schema);
+  }
+
+  private static <S extends Record> S apply(
+      S settings, Map<?, ?> values, String prefix, SettingsSchema<S> schema) {
+    S result = settings;
+    for (Map.Entry<?, ?> entry : values.entrySet()) {
+      String name = prefix + entry.getKey();
+      if (entry.getValue() instanceof Map<?, ?> nested) {
+        boolean known =
+            schema.parameters().stream().anyMatch(p -> p.name().startsWith(name + "."));
+        if (!known) {
+          schema.parameter(name);
+        }
+        result = apply(result, nested, name + ".", schema);
+      } else {
+        result = schema.with(result, name, entry.getValue());
+      }
+    }
+    return result;
+  }
+}

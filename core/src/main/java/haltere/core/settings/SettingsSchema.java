@@ -1,0 +1,325 @@
+package haltere.core.settings;
+
+import java.lang.reflect.Constructor;
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.RecordComponent;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+
+/**
+ * What can be set in a settings record, read once off its annotated components: the panel, the
+ * command line, saved chains and the manual are all made from it.
+ *
+ * <p>A settings record has components of type int, long, double, boolean, String, an enum or
+ * another settings record; every leaf has {@link Help} and every number {@link Range} and {@link
+ * Unit}; a static method {@code defaults()} returns the default values; its compact constructor
+ * calls {@link #validate} with all of its components.
+ *
+ * <p>Thread rule: immutable, may be used from any thread.
+ *
+ * @param <S> the settings record
+ */
+public final class SettingsSchema<S extends Record> {
+  private static final Map<Class<?>, SettingsSchema<?>> CACHE = new ConcurrentHashMap<>();
+  private static final Map<Class<?>, List<Parameter>> RANGES = new ConcurrentHashMap<>();
+
+  private final Class<S> type;
+  private final S defaults;
+  private final Map<String, Parameter> parameters;
+
+  private SettingsSchema(Class<S> type) {
+    this.type = type;
+    this.defaults = defaultsOf(type);
+    Map<String, Parameter> found = new LinkedHashMap<>();
+    collect(type, defaults, "", found);
+    parameters = Collections.unmodifiableMap(found);
+  }
+
+  /**
+   * The schema of a settings record.
+   *
+   * @param type the record's class
+   * @param <S> the record
+   * @return always the same schema for a class
+   * @throws IllegalStateException if the record is not a well-formed settings record
+   */
+  @SuppressWarnings("unchecked")
+  public static <S extends Record> SettingsSchema<S> of(Class<S> type) {
+    SettingsSchema<?> cached = CACHE.get(type);
+    if (cached == null) {
+      cached = new SettingsSchema<>(type);
+      CACHE.put(type, cached);
+    }
+    return (SettingsSchema<S>) cached;
+  }
+
+  /**
+   * Checks the values of a record's components against their ranges; the record's compact
+   * constructor calls this.
+   *
+   * @param type the record's class
+   * @param values all components, in order
+   * @throws SettingsProblem if one is out of its range, NaN or null
+   */
+  public static void validate(Class<? extends Record> type, Object... values) {
+    List<Parameter> components = RANGES.get(type);
+    if (components == null) {
+      components = components(type);
+      RANGES.put(type, components);
+    }
+    if (components.size() != values.length) {
+      throw new IllegalStateException(
+          type.getSimpleName() + " has " + components.size() + " components, not " + values.length);
+    }
+    for (int i = 0; i < values.length; i++) {
+      components.get(i).check(values[i]);
+    }
+  }
+
+  /**
+   * The settings record.
+   *
+   * @return its class
+   */
+  public Class<S> type() {
+    return type;
+  }
+
+  /**
+   * The default settings.
+   *
+   * @return what the record's own {@code defaults()} returned
+   */
+  public S defaults() {
+    return defaults;
+  }
+
+  /**
+   * All settings in the order of the record, those of nested records at their place.
+   *
+   * @return unmodifiable
+   */
+  public List<Parameter> parameters() {
+    return List.copyOf(parameters.values());
+  }
+
+  /**
+   * One setting.
+   *
+   * @param name dotted path
+   * @return the setting
+   * @throws SettingsProblem if there is none of this name, listing those there are
+   */
+  public Parameter parameter(String name) {
+    Parameter parameter = parameters.get(name);
+    if (parameter == null) {
+      throw new SettingsProblem(
+          "there is no setting "
+              + name
+              + (parameters.isEmpty()
+                  ? ", there are none here"
+                  : "; there are " + String.join(", ", parameters.keySet())));
+    }
+    return parameter;
+  }
+
+  /**
+   * Reads one value.
+   *
+   * @param settings a record
+   * @param name dotted path
+   * @return its value
+   */
+  public Object get(S settings, String name) {
+    parameter(name);
+    Object value = settings;
+    for (String step : name.split("\\.")) {
+      value = component(value, step);
+    }
+    return value;
+  }
+
+  /**
+   * The same settings but for one value.
+   *
+   * @param settings a record, unchanged
+   * @param name dotted path
+   * @param value a value of the setting's type, or text that can be read as one
+   * @return a new record
+   * @throws SettingsProblem if there is no such setting or it cannot take the value
+   */
+  public S with(S settings, String name, Object value) {
+    Object converted = parameter(name).convert(value);
+    return type.cast(replaced(settings, name, converted));
+  }
+
+  /**
+   * Applies {@code name=value} texts, as a command line has them.
+   *
+   * @param settings a record, unchanged
+   * @param assignments texts with an equals sign
+   * @return a new record
+   * @throws SettingsProblem for the first one that cannot be applied
+   */
+  public S withAssignments(S settings, Iterable<String> assignments) {
+    S result = settings;
+    for (String assignment : assignments) {
+      int equals = assignment.indexOf('=');
+      if (equals < 1) {
+        throw new SettingsProblem("\"" + assignment + "\" is not of the form name=value");
+      }
+      result =
+          with(
+              result, assignment.substring(0, equals).trim(), assignment.substring(equals + 1));
+    }
+    return result;
+  }
+
+  /**
+   * Names of the settings that differ from the defaults.
+   *
+   * @param settings a record
+   * @return dotted paths, in order
+   */
+  public List<String> changed(S settings) {
+    List<String> changed = new ArrayList<>();
+    for (Parameter parameter : parameters.values()) {
+      if (!get(settings, parameter.name()).equals(parameter.defaultValue())) {
+        changed.add(parameter.name());
+      }
+    }
+    return changed;
+  }
+
+  private static Object replaced(Object settings, String name, Object value) {
+    int dot = name.indexOf('.');
+    String own = dot < 0 ? name : name.substring(0, dot);
+    RecordComponent[] components = settings.getClass().getRecordComponents();
+    Object[] values = new Object[components.length];
+    for (int i = 0; i < components.length; i++) {
+      Object old = component(settings, components[i].getName());
+      values[i] =
+          !components[i].getName().equals(own)
+              ? old
+              : dot < 0 ? value : replaced(old, name.substring(dot + 1), value);
+    }
+    return construct(settings.getClass(), components, values);
+  }
+
+  private static Object construct(Class<?> type, RecordComponent[] components, Object[] values) {
+    Class<?>[] types = new Class<?>[components.length];
+    for (int i = 0; i < components.length; i++) {
+      types[i] = components[i].getType();
+    }
+    try {
+      Constructor<?> constructor = type.getDeclaredConstructor(types);
+      constructor.setAccessible(true);
+      return constructor.newInstance(values);
+    } catch (InvocationTargetException thrown) {
+      if (thrown.getCause() instanceof RuntimeException cause) {
+        throw cause;
+      }
+      throw new IllegalStateException(thrown.getCause());
+    } catch (ReflectiveOperationException broken) {
+      throw new IllegalStateException(type + " cannot be constructed", broken);
+    }
+  }
+
+  private static Object component(Object settings, String name) {
+    try {
+      for (RecordComponent component : settings.getClass().getRecordComponents()) {
+        if (component.getName().equals(name)) {
+          component.getAccessor().setAccessible(true);
+          return component.getAccessor().invoke(settings);
+        }
+      }
+      throw new SettingsProblem("there is no setting " + name);
+    } catch (ReflectiveOperationException broken) {
+      throw new IllegalStateException(settings.getClass() + "." + name, broken);
+    }
+  }
+
+  private static <S extends Record> S defaultsOf(Class<S> type) {
+    try {
+      var method = type.getDeclaredMethod("defaults");
+      method.setAccessible(true);
+      return type.cast(method.invoke(null));
+    } catch (ReflectiveOperationException missing) {
+      throw new IllegalStateException(
+          type.getName() + " has no static method defaults() without parameters", missing);
+    }
+  }
+
+  private static void collect(
+      Class<?> type, Object defaults, String prefix, Map<String, Parameter> found) {
+    for (RecordComponent component : type.getRecordComponents()) {
+      Object value = component(defaults, component.getName());
+      String name = prefix + component.getName();
+      if (component.getType().isRecord()) {
+        collect(component.getType(), value, name + ".", found);
+      } else {
+        found.put(name, leaf(component, name, value));
+      }
+    }
+  }
+
+  private static List<Parameter> components(Class<?> type) {
+    List<Parameter> components = new ArrayList<>();
+    for (RecordComponent component : type.getRecordComponents()) {
+      components.add(
+          component.getType().isRecord()
+              ? new Parameter(
+                  component.getName(),
+                  component.getType(),
+                  "",
+                  Double.NEGATIVE_INFINITY,
+                  Double.POSITIVE_INFINITY,
+                  false,
+                  "",
+                  null,
+                  List.of())
+              : leaf(component, component.getName(), null));
+    }
+    return List.copyOf(components);
+  }
+
+  private static Parameter leaf(RecordComponent component, String name, Object value) {
+    Class<?> type = component.getType();
+    boolean number = type == int.class || type == long.class || type == double.class;
+    if (!number && type != boolean.class && type != String.class && !type.isEnum()) {
+      throw new IllegalStateException(
+          component.getDeclaringRecord().getName() + "." + name + " has the type " + type);
+    }
+    Help help = component.getAnnotation(Help.class);
+    Range range = component.getAnnotation(Range.class);
+    Unit unit = component.getAnnotation(Unit.class);
+    if (help == null || (number && (range == null || unit == null))) {
+      throw new IllegalStateException(
+          component.getDeclaringRecord().getName()
+              + "."
+              + name
+              + " needs @Help"
+              + (number ? ", @Range and @Unit" : ""));
+    }
+    List<String> choices = new ArrayList<>();
+    if (type.isEnum()) {
+      for (Object constant : type.getEnumConstants()) {
+        choices.add(((Enum<?>) constant).name().toLowerCase(java.util.Locale.ROOT).replace('_', '-'));
+      }
+    }
+    return new Parameter(
+        name,
+        type,
+        unit == null ? "" : unit.value(),
+        number ? range.min() : Double.NEGATIVE_INFINITY,
+        number ? range.max() : Double.POSITIVE_INFINITY,
+        number && range.logarithmic(),
+        help.value(),
+        value,
+        List.copyOf(choices));
+  }
+}

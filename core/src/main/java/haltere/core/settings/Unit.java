@@ -1,0 +1,20 @@
+package haltere.core.settings;
+
+import java.lang.annotation.Documented;
+import java.lang.annotation.ElementType;
+import java.lang.annotation.Retention;
+import java.lang.annotation.RetentionPolicy;
+import java.lang.annotation.Target;
+
+/** The unit of a number in a settings record. */
+@Documented
+@Retention(RetentionPolicy.RUNTIME)
+@Target(ElementType.RECORD_COMPONENT)
+public @interface Unit {
+  /**
+   * The unit as it is shown to a person.
+   *
+   * @return such as "us", "px", "Hz", "events", or "1" for a ratio
+   */
+  String value();
+}

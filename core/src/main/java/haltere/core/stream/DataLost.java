@@ -1,0 +1,25 @@
+package haltere.core.stream;
+
+import java.util.Objects;
+
+/**
+ * Events are missing between the packet before and the packet after. Time goes on.
+ *
+ * @param bytes raw bytes lost, or -1 where not known
+ * @param estimatedEvents events lost, or -1 where not even an estimate is possible
+ * @param fromUs time of the last event before the gap, or {@link StreamNotification#NO_TIME_US}
+ * @param toUs time of the first event after the gap, or {@link StreamNotification#NO_TIME_US}
+ * @param place who lost them, in words for a person
+ */
+public record DataLost(long bytes, long estimatedEvents, long fromUs, long toUs, String place)
+    implements StreamNotification {
+  /** Checks that the place is named. */
+  public DataLost {
+    Objects.requireNonNull(place, "place");
+  }
+
+  @Override
+  public boolean endsContinuity() {
+    return true;
+  }
+}

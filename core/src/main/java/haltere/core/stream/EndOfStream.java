@@ -1,0 +1,13 @@
+package haltere.core.stream;
+
+/**
+ * The last thing in every stream: give out what you still hold.
+ *
+ * @param lastUs time of the last event, or {@link StreamNotification#NO_TIME_US} if there was none
+ */
+public record EndOfStream(long lastUs) implements StreamNotification {
+  @Override
+  public boolean endsContinuity() {
+    return false;
+  }
+}

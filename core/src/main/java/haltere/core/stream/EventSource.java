@@ -1,0 +1,44 @@
+package haltere.core.stream;
+
+import haltere.core.event.SensorGeometry;
+import java.io.Closeable;
+import java.io.IOException;
+
+/**
+ * Where events come from, pulled one packet or one notification at a time. What it hands out keeps
+ * the grammar of {@link StreamNotification}.
+ *
+ * <p>Thread rule: one thread at a time.
+ */
+public interface EventSource extends Closeable {
+  /**
+   * The sensor the events come from.
+   *
+   * @return the same value at every call
+   */
+  SensorGeometry geometry();
+
+  /**
+   * Hands the next thing of the stream to the handler: exactly one packet or one notification.
+   *
+   * @param handler takes it
+   * @return false, and nothing was handed over, once {@link EndOfStream} has been
+   * @throws IOException if the source can no longer be read; what was whole before the damage has
+   *     been handed over already
+   */
+  boolean next(StreamHandler handler) throws IOException;
+
+  /**
+   * Hands over everything until the end of the stream.
+   *
+   * @param handler takes it
+   * @throws IOException as {@link #next}
+   */
+  default void drainTo(StreamHandler handler) throws IOException {
+    while (next(handler)) {
+      if (Thread.currentThread().isInterrupted()) {
+        throw new java.io.InterruptedIOException("interrupted while reading " + this);
+      }
+    }
+  }
+}

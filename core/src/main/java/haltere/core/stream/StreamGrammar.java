@@ -1,0 +1,97 @@
+package haltere.core.stream;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import java.util.Objects;
+
+/**
+ * Stands before another handler and checks that the stream keeps the grammar of {@link
+ * StreamNotification}, that times do not descend and that pixels lie on the sensor.
+ */
+public final class StreamGrammar implements StreamHandler {
+  private enum State {
+    BEFORE_START,
+    RUNNING,
+    DEVICE_LOST,
+    ENDED
+  }
+
+  private final StreamHandler next;
+  private State state = State.BEFORE_START;
+  private SensorGeometry geometry;
+  private long lastUs = Long.MIN_VALUE;
+
+  /**
+   * Checks on the way to a handler.
+   *
+   * @param next takes what was checked
+   */
+  public StreamGrammar(StreamHandler next) {
+    this.next = Objects.requireNonNull(next, "next");
+  }
+
+  /**
+   * Whether the stream has come to its end.
+   *
+   * @return true after {@link EndOfStream}
+   */
+  public boolean ended() {
+    return state == State.ENDED;
+  }
+
+  @Override
+  public void packet(EventPacket packet) {
+    require(state == State.RUNNING, "a packet came " + where());
+    for (int i = 0; i < packet.size(); i++) {
+      long timeUs = packet.timeUs(i);
+      if (timeUs < lastUs) {
+        throw new IllegalStateException(
+            "time went back from " + lastUs + " us to " + timeUs + " us without a notification");
+      }
+      lastUs = timeUs;
+      if (!geometry.contains(packet.x(i), packet.y(i))) {
+        throw new IllegalStateException(
+            "pixel (" + packet.x(i) + ", " + packet.y(i) + ") is outside of " + geometry);
+      }
+    }
+    next.packet(packet);
+  }
+
+  @Override
+  public void notified(StreamNotification notification) {
+    if (notification instanceof StreamStarted started) {
+      require(
+          state == State.BEFORE_START || state == State.ENDED, "the stream started " + where());
+      geometry = started.geometry();
+      state = State.RUNNING;
+    } else if (notification instanceof EndOfStream) {
+      require(
+          state == State.RUNNING || state == State.DEVICE_LOST, "the end of stream came " + where());
+      state = State.ENDED;
+    } else {
+      require(state == State.RUNNING, notification + " came " + where());
+      if (notification instanceof DeviceLost) {
+        state = State.DEVICE_LOST;
+      }
+    }
+    if (notification.endsContinuity()) {
+      lastUs = Long.MIN_VALUE;
+    }
+    next.notified(notification);
+  }
+
+  private String where() {
+    return switch (state) {
+      case BEFORE_START -> "before the start of the stream";
+      case RUNNING -> "while the stream was running";
+      case DEVICE_LOST -> "after the device was lost";
+      case ENDED -> "after the end of the stream";
+    };
+  }
+
+  private static void require(boolean condition, String message) {
+    if (!condition) {
+      throw new IllegalStateException(message);
+    }
+  }
+}

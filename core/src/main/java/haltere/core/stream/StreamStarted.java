@@ -1,0 +1,23 @@
+package haltere.core.stream;
+
+import haltere.core.event.SensorGeometry;
+import java.util.Objects;
+
+/**
+ * The first thing in every stream.
+ *
+ * @param geometry the sensor that the events come from
+ * @param source what a person would call the source: a file's name, a camera's, a scene's
+ */
+public record StreamStarted(SensorGeometry geometry, String source) implements StreamNotification {
+  /** Checks that nothing is missing. */
+  public StreamStarted {
+    Objects.requireNonNull(geometry, "geometry");
+    Objects.requireNonNull(source, "source");
+  }
+
+  @Override
+  public boolean endsContinuity() {
+    return true;
+  }
+}
