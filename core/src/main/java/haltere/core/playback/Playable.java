@@ -1,0 +1,61 @@
+package haltere.core.playback;
+
+import haltere.core.event.SensorGeometry;
+import haltere.core.stream.EventSource;
+import haltere.core.stream.StreamHandler;
+import java.io.IOException;
+import java.util.OptionalLong;
+
+/**
+ * What a {@link Player} plays: a source of events with a timeline that starts at 0 and does not
+ * jump, the elapsed time. Where the source's own clock restarts, the stretches are laid end to end.
+ *
+ * <p>Thread rule: as its source, one thread at a time; {@link #name()}, {@link #geometry()}, {@link
+ * #durationUs()} and {@link #seekable()} may be called from any thread.
+ */
+public interface Playable extends EventSource {
+  /**
+   * What a person would call it.
+   *
+   * @return a file's name or a scene's
+   */
+  String name();
+
+  @Override
+  SensorGeometry geometry();
+
+  /**
+   * Length of the elapsed timeline: every event lies before it.
+   *
+   * @return microseconds, empty where there is no end
+   */
+  OptionalLong durationUs();
+
+  /**
+   * Whether {@link #seek} goes anywhere; where it does not it still goes to 0.
+   *
+   * @return true if every place of the timeline can be reached
+   */
+  boolean seekable();
+
+  /**
+   * Goes on at the first event at or after a place. The next thing handed over is a {@code
+   * Reset(SEEK)}, or the start of the stream if nothing has been handed over yet or the end has.
+   *
+   * @param elapsedUs microseconds, from 0 to before the end
+   * @throws IOException if the place cannot be reached
+   */
+  void seek(long elapsedUs) throws IOException;
+
+  @Override
+  boolean next(StreamHandler handler) throws IOException;
+
+  /**
+   * Place on the elapsed timeline of a time on the source's clock, in the stretch that the last
+   * packet handed over belongs to.
+   *
+   * @param timeUs time on the source's clock, microseconds
+   * @return microseconds since the start
+   */
+  long elapsedUs(long timeUs);
+}

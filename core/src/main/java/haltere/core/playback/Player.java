@@ -1,0 +1,260 @@
+package haltere.core.playback;
+
+import haltere.core.chain.FilterChain;
+import haltere.core.stream.StreamHandler;
+import java.util.List;
+import java.util.Objects;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentSkipListSet;
+import java.util.function.Consumer;
+
+/**
+ * Plays a recording or a scene through a chain to sinks, paced by a clock, on one processing thread
+ * of its own.
+ *
+ * <p>The stream is cut into {@link Slicing slices}. A slice goes to the chain in packets of at most
+ * {@value PlaybackEngine#CHUNK_EVENTS} events, and commands are applied between two of them, so
+ * that a command takes effect within milliseconds however long a slice is or the clock has to wait.
+ * Sinks see those packets behind the chain, and those that are a {@link SliceSink} are told where a
+ * slice ends. A slice is due when the clock comes to its start. While playback is paused, a jump
+ * shows the one slice at the new place.
+ *
+ * <p>What chain and sinks are told keeps the grammar of {@link
+ * haltere.core.stream.StreamNotification}, once each and before the packet that it concerns: {@code
+ * Reset(REWIND)} for {@link #rewind()} and where a loop starts again, {@code Reset(SEEK)} for a seek
+ * or a step back, {@code Reset(USER)} for {@link #reset()}. Several jumps with nothing played
+ * between them are one, of the last one's cause. A jump after the end of the stream is a new start
+ * of the stream and no reset.
+ *
+ * <p>A step back goes back by a {@link PlayerOptions#runUpUs() run-up} more and sends that through
+ * the chain first, so that trackers are warm; sinks do not see the run-up, but filters publish to
+ * their outlets during it.
+ *
+ * <p>Nothing is left out when the chain cannot keep up: playback runs late, {@link PlayerStatus}
+ * says how much and which stage is the slowest, and what is late by more than a second is not
+ * caught up. A filter that throws is switched off, what it threw is in the status, the events of its
+ * packet are counted as lost and announced by a {@code DataLost}. A sink that throws is removed.
+ *
+ * <p>Thread rule: all methods may be called from any thread. Filters, sinks and edits run on the
+ * processing thread, and futures are completed there. The player owns its playable and closes it,
+ * the chain stays the caller's, but nobody else may work with it between {@link #start()} and {@link
+ * #close()}.
+ */
+public final class Player implements AutoCloseable {
+  private final PlaybackEngine engine;
+  private final ConcurrentSkipListSet<Mark> marks = new ConcurrentSkipListSet<>();
+
+  /**
+   * A player that has not started.
+   *
+   * @param playable what to play; closed with the player
+   * @param chain filters for the sensor of the playable
+   * @param options how to start
+   */
+  public Player(Playable playable, FilterChain chain, PlayerOptions options) {
+    engine = new PlaybackEngine(playable, chain, options);
+  }
+
+  /**
+   * Adds a sink behind the chain. One that is added while a stream runs is told of its start first.
+   *
+   * @param sink takes packets and notifications, and slice ends if it is a {@link SliceSink}
+   */
+  public void addSink(StreamHandler sink) {
+    engine.submit(new PlaybackCommand.AddSink(Objects.requireNonNull(sink, "sink"), false));
+  }
+
+  /**
+   * Adds a sink before the chain. It must not change packets.
+   *
+   * @param sink takes packets and notifications, and slice ends if it is a {@link SliceSink}
+   */
+  public void addRawSink(StreamHandler sink) {
+    engine.submit(new PlaybackCommand.AddSink(Objects.requireNonNull(sink, "sink"), true));
+  }
+
+  /**
+   * Takes a sink away, wherever it is.
+   *
+   * @param sink one that was added
+   * @return completed when nothing more is handed to it
+   */
+  public CompletableFuture<Void> removeSink(StreamHandler sink) {
+    return engine.submit(new PlaybackCommand.RemoveSink(sink));
+  }
+
+  /**
+   * Starts the processing thread, once.
+   *
+   * @return completed when the stream has started
+   */
+  public CompletableFuture<Void> start() {
+    return engine.start();
+  }
+
+  /**
+   * Plays on; at the end, from the start or the loop's in point.
+   *
+   * @return completed when applied
+   */
+  public CompletableFuture<Void> play() {
+    return engine.submit(new PlaybackCommand.Play(true));
+  }
+
+  /**
+   * Holds.
+   *
+   * @return completed when applied
+   */
+  public CompletableFuture<Void> pause() {
+    return engine.submit(new PlaybackCommand.Play(false));
+  }
+
+  /**
+   * Holds what plays and plays what is held.
+   *
+   * @return completed when applied
+   */
+  public CompletableFuture<Void> togglePause() {
+    return engine.submit(new PlaybackCommand.Toggle());
+  }
+
+  /**
+   * Pauses and shows slices without waiting for the clock.
+   *
+   * @param slices how many slices forward, or back if negative; one back shows the slice before the
+   *     one that is shown
+   * @return completed when the last of them has been shown, or another jump or play came between
+   */
+  public CompletableFuture<Void> step(int slices) {
+    return engine.submit(new PlaybackCommand.Step(slices));
+  }
+
+  /**
+   * Jumps.
+   *
+   * @param elapsedUs where to, on the elapsed timeline; brought into its range
+   * @return completed when the player is there and, in pause, the slice has been shown; fails if
+   *     the playable cannot seek there
+   */
+  public CompletableFuture<Void> seek(long elapsedUs) {
+    return engine.submit(new PlaybackCommand.Seek(elapsedUs));
+  }
+
+  /**
+   * Goes to the start, or to the in point of a loop that is on.
+   *
+   * @return completed as for {@link #seek}
+   */
+  public CompletableFuture<Void> rewind() {
+    return engine.submit(new PlaybackCommand.Rewind());
+  }
+
+  /**
+   * Changes the speed from here on.
+   *
+   * @param speed recording time per real time, {@link PlaybackClock#MIN_SPEED} or more, infinite
+   *     for as fast as possible
+   * @return completed when applied
+   */
+  public CompletableFuture<Void> setSpeed(double speed) {
+    PlaybackClock.checkSpeed(speed);
+    return engine.submit(new PlaybackCommand.SetSpeed(speed));
+  }
+
+  /**
+   * Changes the slices, from the next one on.
+   *
+   * @param slicing how the stream is cut
+   * @return completed when applied
+   */
+  public CompletableFuture<Void> setSlicing(Slicing slicing) {
+    return engine.submit(
+        new PlaybackCommand.SetSlicing(Objects.requireNonNull(slicing, "slicing")));
+  }
+
+  /**
+   * Changes the loop, from the next slice on.
+   *
+   * @param loop whether playback starts again, and where
+   * @return completed when applied
+   */
+  public CompletableFuture<Void> setLoop(Loop loop) {
+    return engine.submit(new PlaybackCommand.SetLoop(Objects.requireNonNull(loop, "loop")));
+  }
+
+  /**
+   * Lets all filters and sinks forget, here, with a {@code Reset(USER)}.
+   *
+   * @return completed when applied
+   */
+  public CompletableFuture<Void> reset() {
+    return engine.submit(new PlaybackCommand.UserReset());
+  }
+
+  /**
+   * Changes the chain between two packets.
+   *
+   * @param change runs on the processing thread; what it throws fails the future
+   * @return completed when applied
+   */
+  public CompletableFuture<Void> edit(Consumer<FilterChain> change) {
+    return engine.submit(new PlaybackCommand.Edit(Objects.requireNonNull(change, "change")));
+  }
+
+  /**
+   * Sets a mark.
+   *
+   * @param mark a named place
+   * @return false if there was the same mark already
+   */
+  public boolean addMark(Mark mark) {
+    return marks.add(mark);
+  }
+
+  /**
+   * Takes a mark away.
+   *
+   * @param mark a mark
+   * @return false if there was none like it
+   */
+  public boolean removeMark(Mark mark) {
+    return marks.remove(mark);
+  }
+
+  /**
+   * The marks.
+   *
+   * @return a copy, by place
+   */
+  public List<Mark> marks() {
+    return List.copyOf(marks);
+  }
+
+  /**
+   * What the player is doing.
+   *
+   * @return the last reading
+   */
+  public PlayerStatus status() {
+    return engine.status();
+  }
+
+  /**
+   * What is played.
+   *
+   * @return the playable, of which only name, geometry, duration and seekability may be asked
+   */
+  public Playable playable() {
+    return engine.playable();
+  }
+
+  /**
+   * Ends the stream, with its {@code EndOfStream}, ends the thread and closes the playable. Commands
+   * that were not applied fail. Waits until that is done unless called on the processing thread.
+   */
+  @Override
+  public void close() {
+    engine.close();
+  }
+}

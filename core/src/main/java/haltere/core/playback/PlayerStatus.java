@@ -1,0 +1,66 @@
+package haltere.core.playback;
+
+/**
+ * What a player is doing: a reading that does not change, replaced by a new one after every slice
+ * and every command.
+ *
+ * @param state whether it plays
+ * @param elapsedUs start of the slice that is shown, on the elapsed timeline, microseconds; at the
+ *     end the duration
+ * @param timeUs the same on the source's clock, or {@link
+ *     haltere.core.stream.StreamNotification#NO_TIME_US} before the first slice
+ * @param durationUs length of the elapsed timeline, -1 if it has no end
+ * @param speed recording time per real time that was asked for, infinite for as fast as possible
+ * @param achievedSpeed recording time per real time of the last half second or so, 0 when paused
+ * @param lagUs real time by which playback is behind its clock since it last started, jumped or
+ *     changed its speed, microseconds; 0 at unlimited speed
+ * @param slowestStage name of the stage of the chain that took most of the time of the last half
+ *     second or so, empty if none took any
+ * @param eventsIn events that went to the chain since the start
+ * @param eventsOut events that came out of it
+ * @param eventRateEps events into the chain per second of recording time, over the last 50 ms or
+ *     so of it
+ * @param droppedEvents events that no filter dropped and yet nobody saw: off the sensor, lost by
+ *     the source, or in the packet at which a filter failed
+ * @param sliceUs length of the slice that is shown, microseconds
+ * @param message the last failure in one line, or empty
+ */
+public record PlayerStatus(
+    State state,
+    long elapsedUs,
+    long timeUs,
+    long durationUs,
+    double speed,
+    double achievedSpeed,
+    long lagUs,
+    String slowestStage,
+    long eventsIn,
+    long eventsOut,
+    double eventRateEps,
+    long droppedEvents,
+    long sliceUs,
+    String message) {
+  /** Real time by which playback may be late before it is {@link #late()}, microseconds. */
+  public static final long LATE_US = 100_000;
+
+  /** What a player can be doing. */
+  public enum State {
+    /** Slices follow each other as the clock says. */
+    PLAYING,
+    /** Waiting for a command. */
+    PAUSED,
+    /** The source has come to its end. */
+    ENDED,
+    /** The source can no longer be read. */
+    FAILED
+  }
+
+  /**
+   * Whether the chain cannot keep up.
+   *
+   * @return true if playback lags by more than {@link #LATE_US}
+   */
+  public boolean late() {
+    return lagUs > LATE_US;
+  }
+}

@@ -1,0 +1,106 @@
+package haltere.core.playback;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.stream.EventSource;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import java.io.IOException;
+import java.util.Objects;
+import java.util.OptionalLong;
+import java.util.function.Supplier;
+
+/**
+ * A simulated scene as something to play: without end, and to go back to its start it is made anew.
+ * Its elapsed timeline starts at its first event, and where its clock restarts it goes on 1 us
+ * behind the last event.
+ *
+ * <p>Thread rule: as {@link Playable}.
+ */
+public final class ScenePlayable implements Playable {
+  private final Supplier<? extends EventSource> scenes;
+  private final String name;
+  private EventSource scene;
+  private boolean offsetKnown;
+  private long offsetUs;
+  private long endUs;
+
+  /**
+   * A scene at its start.
+   *
+   * @param scenes makes the same scene at every call
+   * @param name what a person would call it
+   */
+  public ScenePlayable(Supplier<? extends EventSource> scenes, String name) {
+    this.scenes = Objects.requireNonNull(scenes, "scenes");
+    this.name = Objects.requireNonNull(name, "name");
+    scene = scenes.get();
+  }
+
+  @Override
+  public String name() {
+    return name;
+  }
+
+  @Override
+  public SensorGeometry geometry() {
+    return scene.geometry();
+  }
+
+  @Override
+  public OptionalLong durationUs() {
+    return OptionalLong.empty();
+  }
+
+  @Override
+  public boolean seekable() {
+    return false;
+  }
+
+  @Override
+  public void seek(long elapsedUs) throws IOException {
+    if (elapsedUs != 0) {
+      throw new IOException(name + " can go back to its start only, not to " + elapsedUs + " us");
+    }
+    scene.close();
+    scene = scenes.get();
+    offsetKnown = false;
+    endUs = 0;
+  }
+
+  @Override
+  public boolean next(StreamHandler handler) throws IOException {
+    return scene.next(
+        new StreamHandler() {
+          @Override
+          public void packet(EventPacket packet) {
+            if (!packet.isEmpty()) {
+              if (!offsetKnown) {
+                offsetUs = endUs - packet.firstTimeUs();
+                offsetKnown = true;
+              }
+              endUs = packet.lastTimeUs() + offsetUs + 1;
+            }
+            handler.packet(packet);
+          }
+
+          @Override
+          public void notified(StreamNotification notification) {
+            if (notification instanceof haltere.core.stream.Reset) {
+              offsetKnown = false;
+            }
+            handler.notified(notification);
+          }
+        });
+  }
+
+  @Override
+  public long elapsedUs(long timeUs) {
+    return timeUs + offsetUs;
+  }
+
+  @Override
+  public void close() throws IOException {
+    scene.close();
+  }
+}

@@ -1,0 +1,48 @@
+package haltere.core.playback;
+
+import java.util.concurrent.Semaphore;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * How a processing thread waits for its clock. A test has one that moves a manual clock instead.
+ *
+ * <p>Thread rule: {@link #sleep} on one thread, {@link #wake} from any.
+ */
+public interface Sleeper {
+  /**
+   * Waits, but not if {@link #wake} was called since the last wait ended, and no longer than until
+   * it is called.
+   *
+   * @param nanos at most so long, {@link Long#MAX_VALUE} for until woken
+   * @throws InterruptedException if the thread is interrupted
+   */
+  void sleep(long nanos) throws InterruptedException;
+
+  /** Ends the present wait, or the next one if nobody waits. */
+  void wake();
+
+  /**
+   * Waits in real time.
+   *
+   * @return a new sleeper
+   */
+  static Sleeper real() {
+    Semaphore woken = new Semaphore(0);
+    return new Sleeper() {
+      @Override
+      public void sleep(long nanos) throws InterruptedException {
+        if (nanos == Long.MAX_VALUE) {
+          woken.acquire();
+        } else if (!woken.tryAcquire(nanos, TimeUnit.NANOSECONDS)) {
+          return;
+        }
+        woken.drainPermits();
+      }
+
+      @Override
+      public void wake() {
+        woken.release();
+      }
+    };
+  }
+}

@@ -1,0 +1,27 @@
+package haltere.core.sink;
+
+import java.lang.annotation.Documented;
+import java.lang.annotation.ElementType;
+import java.lang.annotation.Retention;
+import java.lang.annotation.RetentionPolicy;
+import java.lang.annotation.Target;
+
+/** How a component of a record is written to a table. */
+@Documented
+@Retention(RetentionPolicy.RUNTIME)
+@Target(ElementType.RECORD_COMPONENT)
+public @interface Column {
+  /**
+   * Name of the column.
+   *
+   * @return the name, or empty for the component's name in snake_case
+   */
+  String value() default "";
+
+  /**
+   * Digits behind the decimal point of a floating-point number.
+   *
+   * @return 0 to 9, or -1 for as many as it takes to read the same number back
+   */
+  int decimals() default -1;
+}
