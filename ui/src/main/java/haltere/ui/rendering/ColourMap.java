@@ -1,0 +1,67 @@
+package haltere.ui.rendering;
+
+/**
+ * Colours of a picture of events: the background, and what a fresh ON and a fresh OFF event look
+ * like. Both default maps can be told apart with any of the common kinds of colour blindness.
+ *
+ * @param name what a person calls the map
+ * @param background opaque ARGB of a pixel without a recent event
+ * @param on opaque ARGB of a fresh ON event
+ * @param off opaque ARGB of a fresh OFF event
+ * @param dark whether marks drawn over the picture should be light
+ */
+public record ColourMap(String name, int background, int on, int off, boolean dark) {
+  /** Orange and blue on near black: the default. */
+  public static final ColourMap DARK =
+      new ColourMap("Dark", 0xFF0B0E14, 0xFFFFA630, 0xFF3E8EFF, true);
+
+  /** Orange-brown and blue on near white, for print and bright rooms. */
+  public static final ColourMap LIGHT =
+      new ColourMap("Light", 0xFFFAFBFC, 0xFFC2500A, 0xFF1B4FD1, false);
+
+  /** White and black on grey. */
+  public static final ColourMap GREY =
+      new ColourMap("Grey", 0xFF6B7078, 0xFFFFFFFF, 0xFF000000, true);
+
+  /** Green and red on black, as older viewers have it; not for everyone's eyes. */
+  public static final ColourMap GREEN_RED =
+      new ColourMap("Green and red", 0xFF000000, 0xFF2BE04A, 0xFFFF3B3B, true);
+
+  /**
+   * All maps that there are.
+   *
+   * @return in the order of a menu
+   */
+  public static java.util.List<ColourMap> all() {
+    return java.util.List.of(DARK, LIGHT, GREY, GREEN_RED);
+  }
+
+  /**
+   * A colour between the background and an event's.
+   *
+   * @param on polarity of the event
+   * @param freshness 1 for an event of this moment, 0 for the background
+   * @return opaque ARGB
+   */
+  public int colour(boolean on, double freshness) {
+    return mix(background, on ? this.on : off, Math.max(0, Math.min(1, freshness)));
+  }
+
+  /**
+   * A colour between two.
+   *
+   * @param from ARGB at share 0
+   * @param to ARGB at share 1
+   * @param share 0 to 1
+   * @return opaque ARGB
+   */
+  static int mix(int from, int to, double share) {
+    int result = 0xFF;
+    for (int shift = 16; shift >= 0; shift -= 8) {
+      int a = from >>> shift & 0xFF;
+      int b = to >>> shift & 0xFF;
+      result = result << 8 | (int) Math.round(a + (b - a) * share);
+    }
+    return result;
+  }
+}

@@ -1,0 +1,62 @@
+package haltere.ui.rendering;
+
+import haltere.core.overlay.MarkStyle;
+
+/**
+ * The one place where the meaning of a mark becomes a colour and a width. Marks with an identity
+ * get a colour of their own that differs from those of the events; few enough that neighbours
+ * differ, safe for colour-blind eyes.
+ */
+public final class MarkColours {
+  private static final int[] ON_DARK = {
+    0xFFF0E442, 0xFF2ED3A5, 0xFFF08CCB, 0xFFB9A7FF, 0xFFBDF26D, 0xFF8BE9FD, 0xFFFFFFFF, 0xFFFFC9B0,
+  };
+  private static final int[] ON_LIGHT = {
+    0xFF7A6A00, 0xFF00785A, 0xFF9C2F77, 0xFF5B3FD0, 0xFF3F6B00, 0xFF006C85, 0xFF24292F, 0xFF8A3B12,
+  };
+
+  private MarkColours() {}
+
+  /**
+   * Colour of a mark.
+   *
+   * @param style its meaning
+   * @param dark whether it lies on a dark picture
+   * @return ARGB, not always opaque
+   */
+  public static int argb(MarkStyle style, boolean dark) {
+    int[] palette = dark ? ON_DARK : ON_LIGHT;
+    int own =
+        style.identity() >= 0
+            ? palette[Math.floorMod(style.identity(), palette.length)]
+            : dark ? 0xFFF0F3F6 : 0xFF24292F;
+    return switch (style.role()) {
+      case OBJECT, VELOCITY, ESTIMATE, LABEL -> own;
+      case PATH -> withAlpha(own, 0xA0);
+      case MEASUREMENT -> withAlpha(own, 0xC0);
+      case UNCERTAINTY -> withAlpha(own, 0x80);
+      case REGION -> dark ? 0xFF8BE9FD : 0xFF006C85;
+      case LEFT -> dark ? 0xFFF08CCB : 0xFF9C2F77;
+      case RIGHT -> dark ? 0xFF2ED3A5 : 0xFF00785A;
+      case WARNING -> dark ? 0xFFFF6B6B : 0xFFCF222E;
+    };
+  }
+
+  /**
+   * Width of a mark's line.
+   *
+   * @param style its meaning
+   * @return pixels of the screen
+   */
+  public static double width(MarkStyle style) {
+    return switch (style.role()) {
+      case OBJECT, ESTIMATE, LEFT, RIGHT, WARNING -> 2;
+      case VELOCITY -> 2.5;
+      case PATH, MEASUREMENT, UNCERTAINTY, REGION, LABEL -> 1.5;
+    };
+  }
+
+  private static int withAlpha(int argb, int alpha) {
+    return argb & 0xFFFFFF | alpha << 24;
+  }
+}

@@ -1,0 +1,107 @@
+package haltere.ui.rendering;
+
+import haltere.core.event.SensorGeometry;
+import haltere.core.overlay.OverlayCanvas;
+import java.awt.image.BufferedImage;
+import java.awt.image.DataBufferInt;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.util.function.Consumer;
+import javax.imageio.ImageIO;
+import javax.imageio.stream.MemoryCacheImageOutputStream;
+
+/**
+ * Pictures of events with their marks, as PNG files. Needs no display.
+ *
+ * <p>Thread rule: all methods may be called from any thread; what they are given is used by one
+ * thread at a time.
+ */
+public final class Pictures {
+  /** Length of a picture's longer side that small sensors are scaled up to, as nearly as may be. */
+  public static final int USUAL_SIDE = 768;
+
+  private Pictures() {}
+
+  /**
+   * The whole number by which a sensor is scaled up for a picture of usual size.
+   *
+   * @param geometry the sensor
+   * @return at least 1: 6 for 128x128
+   */
+  public static int usualScale(SensorGeometry geometry) {
+    return Math.max(1, USUAL_SIDE / geometry.longerSide());
+  }
+
+  /**
+   * Draws a picture.
+   *
+   * @param frame the events
+   * @param painter how they look
+   * @param scale pixels of the picture per pixel of the sensor, at least 1
+   * @param marks draws over the picture
+   * @return a picture without transparency
+   */
+  public static BufferedImage draw(
+      EventFrame frame, FramePainter painter, int scale, Consumer<OverlayCanvas> marks) {
+    SensorGeometry geometry = frame.geometry();
+    int[] argb = new int[geometry.pixels()];
+    painter.paint(frame, argb);
+    int width = geometry.width() * scale;
+    BufferedImage image =
+        new BufferedImage(width, geometry.height() * scale, BufferedImage.TYPE_INT_RGB);
+    int[] pixels = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
+    for (int y = 0; y < image.getHeight(); y++) {
+      int row = y / scale * geometry.width();
+      for (int x = 0; x < width; x++) {
+        pixels[y * width + x] = argb[row + x / scale];
+      }
+    }
+    try (PictureOverlayCanvas canvas =
+        new PictureOverlayCanvas(image, geometry, scale, painter.colours().dark())) {
+      marks.accept(canvas);
+    }
+    return image;
+  }
+
+  /**
+   * A picture as a PNG file in memory.
+   *
+   * @param image a picture
+   * @return the file's bytes
+   */
+  public static byte[] png(BufferedImage image) {
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    // a stream of its own, because ImageIO's would make a file in the temporary folder
+    try (MemoryCacheImageOutputStream stream = new MemoryCacheImageOutputStream(bytes)) {
+      if (!ImageIO.write(image, "png", stream)) {
+        throw new IllegalStateException("this Java runtime cannot write PNG");
+      }
+    } catch (IOException inMemory) {
+      throw new UncheckedIOException(inMemory);
+    }
+    return bytes.toByteArray();
+  }
+
+  /**
+   * Writes a picture as a PNG file, which appears whole or not at all.
+   *
+   * @param file where; one that exists is replaced
+   * @param image a picture
+   * @throws IOException if the file cannot be written
+   */
+  public static void write(Path file, BufferedImage image) throws IOException {
+    Path temporary =
+        file.resolveSibling("." + file.getFileName() + "." + ProcessHandle.current().pid());
+    try {
+      Files.write(temporary, png(image), StandardOpenOption.CREATE_NEW);
+      Files.move(temporary, file, StandardCopyOption.REPLACE_EXISTING);
+    } finally {
+      Files.deleteIfExists(temporary);
+    }
+  }
+}
