@@ -13,10 +13,10 @@ import java.util.List;
  * <ul>
  *   <li>what a filter does and publishes does not depend on how the stream is cut into packets;
  *       what should happen at regular times is driven by the times of the events;
- *   <li>after {@link #reset()} it is in the state of a new filter (identities that it has given
- *       out are not given out again);
- *   <li>it keeps no reference to a packet after the call, and may drop or change events but not
- *       add or reorder them;
+ *   <li>after {@link #reset()} it is in the state of a new filter (identities that it has given out
+ *       are not given out again);
+ *   <li>it keeps no reference to a packet after the call, and may drop or change events but not add
+ *       or reorder them;
  *   <li>{@link #process} allocates nothing per event, takes no lock and throws nothing for any
  *       packet whose pixels lie on the sensor.
  * </ul>

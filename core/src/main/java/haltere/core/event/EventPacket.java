@@ -320,8 +320,7 @@ public final class EventPacket {
    * @return a copy that the caller owns
    */
   public EventPacket copy() {
-    return new EventPacket(
-        Arrays.copyOf(timesUs, size), Arrays.copyOf(addresses, size), size);
+    return new EventPacket(Arrays.copyOf(timesUs, size), Arrays.copyOf(addresses, size), size);
   }
 
   /**

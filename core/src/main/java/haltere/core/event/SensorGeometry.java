@@ -3,9 +3,9 @@ package haltere.core.event;
 /**
  * Size of a sensor's pixel array and the corner at which its source counts rows.
  *
- * <p>Pixel x runs from 0 to {@code width - 1} to the right, y from 0 to {@code height - 1}
- * upwards, and the origin is at the centre of the bottom left pixel, whatever the source's own
- * convention was.
+ * <p>Pixel x runs from 0 to {@code width - 1} to the right, y from 0 to {@code height - 1} upwards,
+ * and the origin is at the centre of the bottom left pixel, whatever the source's own convention
+ * was.
  *
  * @param width columns, 1 to {@link EventAddress#MAX_COORDINATE} + 1
  * @param height rows, 1 to {@link EventAddress#MAX_COORDINATE} + 1
@@ -15,7 +15,8 @@ public record SensorGeometry(int width, int height, Origin origin) {
   /** Checks the size. */
   public SensorGeometry {
     if (width < 1 || height < 1) {
-      throw new IllegalArgumentException("a sensor has at least 1x1 pixels, not " + width + "x" + height);
+      throw new IllegalArgumentException(
+          "a sensor has at least 1x1 pixels, not " + width + "x" + height);
     }
     if (width > EventAddress.MAX_COORDINATE + 1 || height > EventAddress.MAX_COORDINATE + 1) {
       throw new IllegalArgumentException(

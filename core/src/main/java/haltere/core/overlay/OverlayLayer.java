@@ -5,8 +5,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 
 /**
- * Something that can be drawn over the picture: where its snapshots come from and how one is
- * drawn.
+ * Something that can be drawn over the picture: where its snapshots come from and how one is drawn.
  *
  * @param name what a person calls the layer
  * @param subscribe registers a taker of snapshots and returns what ends the registration

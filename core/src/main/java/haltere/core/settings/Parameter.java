@@ -110,8 +110,7 @@ public record Parameter(
     if (isNumber()) {
       double number = ((Number) value).doubleValue();
       if (!(number >= min && number <= max)) {
-        throw problem(
-            String.valueOf(value), number(min) + " to " + number(max) + unitText());
+        throw problem(String.valueOf(value), number(min) + " to " + number(max) + unitText());
       }
     } else if (value == null) {
       throw problem("null", "a value");

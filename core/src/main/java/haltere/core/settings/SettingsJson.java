@@ -18,8 +18,7 @@ public final class SettingsJson {
    * @param <S> the record
    * @return maps, numbers, booleans and strings, in the order of the record
    */
-  public static <S extends Record> Map<String, Object> toMap(
-      S settings, SettingsSchema<S> schema) {
+  public static <S extends Record> Map<String, Object> toMap(S settings, SettingsSchema<S> schema) {
     Map<String, Object> root = new LinkedHashMap<>();
     for (Parameter parameter : schema.parameters()) {
       Map<String, Object> object = root;
@@ -61,8 +60,7 @@ public final class SettingsJson {
     for (Map.Entry<?, ?> entry : values.entrySet()) {
       String name = prefix + entry.getKey();
       if (entry.getValue() instanceof Map<?, ?> nested) {
-        boolean known =
-            schema.parameters().stream().anyMatch(p -> p.name().startsWith(name + "."));
+        boolean known = schema.parameters().stream().anyMatch(p -> p.name().startsWith(name + "."));
         if (!known) {
           schema.parameter(name);
         }

@@ -173,8 +173,7 @@ public final class SettingsSchema<S extends Record> {
         throw new SettingsProblem("\"" + assignment + "\" is not of the form name=value");
       }
       result =
-          with(
-              result, assignment.substring(0, equals).trim(), assignment.substring(equals + 1));
+          with(result, assignment.substring(0, equals).trim(), assignment.substring(equals + 1));
     }
     return result;
   }
@@ -308,7 +307,8 @@ public final class SettingsSchema<S extends Record> {
     List<String> choices = new ArrayList<>();
     if (type.isEnum()) {
       for (Object constant : type.getEnumConstants()) {
-        choices.add(((Enum<?>) constant).name().toLowerCase(java.util.Locale.ROOT).replace('_', '-'));
+        choices.add(
+            ((Enum<?>) constant).name().toLowerCase(java.util.Locale.ROOT).replace('_', '-'));
       }
     }
     return new Parameter(

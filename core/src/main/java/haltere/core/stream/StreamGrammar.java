@@ -60,13 +60,13 @@ public final class StreamGrammar implements StreamHandler {
   @Override
   public void notified(StreamNotification notification) {
     if (notification instanceof StreamStarted started) {
-      require(
-          state == State.BEFORE_START || state == State.ENDED, "the stream started " + where());
+      require(state == State.BEFORE_START || state == State.ENDED, "the stream started " + where());
       geometry = started.geometry();
       state = State.RUNNING;
     } else if (notification instanceof EndOfStream) {
       require(
-          state == State.RUNNING || state == State.DEVICE_LOST, "the end of stream came " + where());
+          state == State.RUNNING || state == State.DEVICE_LOST,
+          "the end of stream came " + where());
       state = State.ENDED;
     } else {
       require(state == State.RUNNING, notification + " came " + where());

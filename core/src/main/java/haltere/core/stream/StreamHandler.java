@@ -2,9 +2,7 @@ package haltere.core.stream;
 
 import haltere.core.event.EventPacket;
 
-/**
- * Takes a stream: packets and notifications, one at a time, in order, on the processing thread.
- */
+/** Takes a stream: packets and notifications, one at a time, in order, on the processing thread. */
 public interface StreamHandler {
   /**
    * Takes the next packet. It is borrowed: it must not be kept after the call.
