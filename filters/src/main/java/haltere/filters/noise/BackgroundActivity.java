@@ -1,0 +1,158 @@
+package haltere.filters.noise;
+
+import haltere.core.event.EventAddress;
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import java.util.Arrays;
+import java.util.Objects;
+
+/**
+ * Passes an event if enough of its eight neighbours fired shortly before it: what moves fires
+ * neighbouring pixels one after the other, noise fires single ones. The own pixel does not count,
+ * so a pixel that fires all the time does not support itself; all events count as support for their
+ * neighbours, whether they pass or not.
+ *
+ * <p>After T. Delbruck, "Frame-free dynamic digital vision", Intl. Symp. on Secure-Life
+ * Electronics, 2008, with a number of neighbours as in the spatio-temporal correlation filter of S.
+ * Guo and T. Delbruck, "Low cost and latency event camera background activity denoising", IEEE
+ * TPAMI 2023.
+ *
+ * <p>Each pixel's last time lies in a map with a border of one pixel all around that never fires,
+ * so that every pixel has eight neighbours, and as 32-bit microseconds since an epoch, which halves
+ * the memory that a look-up touches. The epoch moves on every 18 minutes of event time; nothing is
+ * lost by that, because what is older than the longest correlation time supports nobody.
+ *
+ * <p>Thread rule: not safe for use by two threads at a time.
+ */
+public final class BackgroundActivity {
+  /**
+   * Relative times stay within 0 to this, so that neither a difference of two of them nor of one
+   * and {@link #NEVER} overflows.
+   */
+  private static final int LAST_RELATIVE_US = 1 << 30;
+
+  /** Older than any correlation time before any relative time. */
+  private static final int NEVER = -(1 << 30);
+
+  private final int stride;
+  private final int mapSize;
+  private final int[] lastUs;
+  private BackgroundActivitySettings settings;
+  private long epochUs;
+  private boolean empty = true;
+
+  /**
+   * A filter that has seen nothing.
+   *
+   * @param geometry the sensor whose events it will see
+   * @param settings what to do
+   */
+  public BackgroundActivity(SensorGeometry geometry, BackgroundActivitySettings settings) {
+    this.settings = Objects.requireNonNull(settings, "settings");
+    stride = geometry.width() + 2;
+    mapSize = Math.multiplyExact(stride, geometry.height() + 2);
+    // OFF and ON events have a map each where polarities must match, else all use the first.
+    lastUs = new int[Math.multiplyExact(2, mapSize)];
+    reset();
+  }
+
+  /** Forgets all events. */
+  public void reset() {
+    Arrays.fill(lastUs, NEVER);
+    empty = true;
+  }
+
+  /**
+   * What it does.
+   *
+   * @return the settings in force
+   */
+  public BackgroundActivitySettings settings() {
+    return settings;
+  }
+
+  /**
+   * Does something else from the next packet on. What it remembers is kept unless polarities matter
+   * now and did not before, or the other way round.
+   *
+   * @param newSettings the settings to use
+   */
+  public void apply(BackgroundActivitySettings newSettings) {
+    boolean sameMaps = newSettings.samePolarity() == settings.samePolarity();
+    settings = newSettings;
+    if (!sameMaps) {
+      reset();
+    }
+  }
+
+  /**
+   * Removes the events without support.
+   *
+   * @param packet worked on in place
+   */
+  public void filter(EventPacket packet) {
+    int kept = 0;
+    int from = 0;
+    while (from < packet.size()) {
+      moveEpoch(packet.timeUs(from));
+      int to = packet.indexAtOrAfter(epochUs + LAST_RELATIVE_US, from);
+      kept = filter(packet, from, to, kept);
+      from = to;
+    }
+    packet.truncate(kept);
+  }
+
+  private int filter(EventPacket packet, int from, int to, int keptBefore) {
+    int correlationUs = settings.correlationUs();
+    int tooFew = settings.neighbours() - 1;
+    int polarityMask = settings.samePolarity() ? EventAddress.ON_BIT : 0;
+    int[] last = lastUs;
+    int above = stride;
+    int kept = keptBefore;
+    for (int i = from; i < to; i++) {
+      int address = packet.address(i);
+      int pixel =
+          (address & polarityMask) * mapSize
+              + (EventAddress.y(address) + 1) * above
+              + EventAddress.x(address)
+              + 1;
+      int relativeUs = (int) (packet.timeUs(i) - epochUs);
+      int tooOld = relativeUs - correlationUs - 1;
+      // The sign bit of (tooOld - time) is 1 where the neighbour fired recently: no branches.
+      int support =
+          (tooOld - last[pixel - above - 1] >>> 31)
+              + (tooOld - last[pixel - above] >>> 31)
+              + (tooOld - last[pixel - above + 1] >>> 31)
+              + (tooOld - last[pixel - 1] >>> 31)
+              + (tooOld - last[pixel + 1] >>> 31)
+              + (tooOld - last[pixel + above - 1] >>> 31)
+              + (tooOld - last[pixel + above] >>> 31)
+              + (tooOld - last[pixel + above + 1] >>> 31);
+      last[pixel] = relativeUs;
+      packet.move(i, kept);
+      kept += tooFew - support >>> 31;
+    }
+    return kept;
+  }
+
+  /** Makes an event's time fit, without loss: see the class comment. */
+  private void moveEpoch(long timeUs) {
+    long relativeUs = timeUs - epochUs;
+    if (!empty && relativeUs >= 0 && relativeUs < LAST_RELATIVE_US) {
+      return;
+    }
+    if (empty || relativeUs < 0 || relativeUs >= 2L * LAST_RELATIVE_US) {
+      // Nothing to keep: the memory is empty, or older than any correlation time.
+      reset();
+      epochUs = timeUs;
+    } else {
+      // Keeps the longest correlation time before the event on the new scale.
+      int shiftUs = (int) (relativeUs - BackgroundActivitySettings.MAX_CORRELATION_US);
+      for (int i = 0; i < lastUs.length; i++) {
+        lastUs[i] = lastUs[i] < shiftUs ? NEVER : lastUs[i] - shiftUs;
+      }
+      epochUs += shiftUs;
+    }
+    empty = false;
+  }
+}

@@ -1,0 +1,66 @@
+package haltere.filters.noise;
+
+import haltere.core.chain.ConfigurableFilter;
+import haltere.core.chain.FilterProvider;
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+
+/** {@link BackgroundActivity} as a stage of a chain. */
+public final class BackgroundActivityFilter
+    implements ConfigurableFilter<BackgroundActivitySettings> {
+  private final BackgroundActivity activity;
+
+  /**
+   * A filter in its initial state.
+   *
+   * @param geometry the sensor whose events it will see
+   * @param settings what to do
+   */
+  public BackgroundActivityFilter(SensorGeometry geometry, BackgroundActivitySettings settings) {
+    activity = new BackgroundActivity(geometry, settings);
+  }
+
+  @Override
+  public void process(EventPacket packet) {
+    activity.filter(packet);
+  }
+
+  @Override
+  public void reset() {
+    activity.reset();
+  }
+
+  @Override
+  public BackgroundActivitySettings settings() {
+    return activity.settings();
+  }
+
+  @Override
+  public void apply(BackgroundActivitySettings settings) {
+    activity.apply(settings);
+  }
+
+  /** Makes the filter where its name is found in a chain. */
+  public static final class Provider implements FilterProvider<BackgroundActivitySettings> {
+    @Override
+    public String name() {
+      return "background-activity";
+    }
+
+    @Override
+    public String description() {
+      return "Passes an event if enough of its eight neighbours fired shortly before, which removes noise.";
+    }
+
+    @Override
+    public Class<BackgroundActivitySettings> settingsType() {
+      return BackgroundActivitySettings.class;
+    }
+
+    @Override
+    public BackgroundActivityFilter create(
+        SensorGeometry geometry, BackgroundActivitySettings settings) {
+      return new BackgroundActivityFilter(geometry, settings);
+    }
+  }
+}

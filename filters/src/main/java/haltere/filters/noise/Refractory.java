@@ -1,0 +1,84 @@
+package haltere.filters.noise;
+
+import haltere.core.event.EventAddress;
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import java.util.Arrays;
+import java.util.Objects;
+
+/**
+ * Passes an event if its pixel has been silent for longer than a refractory period before it. The
+ * first event of a pixel passes.
+ *
+ * <p>Thread rule: not safe for use by two threads at a time.
+ */
+public final class Refractory {
+  /**
+   * So long ago that the difference to any time within 2<sup>62</sup> us of 0 does not overflow.
+   */
+  private static final long NEVER_US = Long.MIN_VALUE / 2;
+
+  private final int width;
+  private final long[] lastUs;
+  private RefractorySettings settings;
+
+  /**
+   * A filter that has seen nothing.
+   *
+   * @param geometry the sensor whose events it will see
+   * @param settings what to do
+   */
+  public Refractory(SensorGeometry geometry, RefractorySettings settings) {
+    this.settings = Objects.requireNonNull(settings, "settings");
+    width = geometry.width();
+    lastUs = new long[geometry.pixels()];
+    reset();
+  }
+
+  /** Forgets all events. */
+  public void reset() {
+    Arrays.fill(lastUs, NEVER_US);
+  }
+
+  /**
+   * What it does.
+   *
+   * @return the settings in force
+   */
+  public RefractorySettings settings() {
+    return settings;
+  }
+
+  /**
+   * Does something else from the next packet on, with what it remembers.
+   *
+   * @param newSettings the settings to use
+   */
+  public void apply(RefractorySettings newSettings) {
+    settings = Objects.requireNonNull(newSettings, "newSettings");
+  }
+
+  /**
+   * Removes the events that come too soon.
+   *
+   * @param packet worked on in place
+   */
+  public void filter(EventPacket packet) {
+    long periodUs = settings.periodUs();
+    boolean everyEventCounts = settings.silence() == RefractorySettings.Silence.SINCE_LAST_SEEN;
+    int kept = 0;
+    for (int i = 0; i < packet.size(); i++) {
+      int address = packet.address(i);
+      int pixel = EventAddress.y(address) * width + EventAddress.x(address);
+      long timeUs = packet.timeUs(i);
+      boolean passes = timeUs - lastUs[pixel] > periodUs;
+      if (passes || everyEventCounts) {
+        lastUs[pixel] = timeUs;
+      }
+      // The move is done in any case and counts only if the event passes: no branch to mispredict.
+      packet.move(i, kept);
+      kept += passes ? 1 : 0;
+    }
+    packet.truncate(kept);
+  }
+}

@@ -1,0 +1,67 @@
+package haltere.filters.noise;
+
+import haltere.core.chain.ConfigurableFilter;
+import haltere.core.chain.FilterProvider;
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+
+/**
+ * {@link Refractory} as a stage of a chain, and the template of a filter: settings in {@link
+ * RefractorySettings}, algorithm in {@link Refractory}, and here what makes a filter of them.
+ */
+public final class RefractoryFilter implements ConfigurableFilter<RefractorySettings> {
+  private final Refractory refractory;
+
+  /**
+   * A filter in its initial state.
+   *
+   * @param geometry the sensor whose events it will see
+   * @param settings what to do
+   */
+  public RefractoryFilter(SensorGeometry geometry, RefractorySettings settings) {
+    refractory = new Refractory(geometry, settings);
+  }
+
+  @Override
+  public void process(EventPacket packet) {
+    refractory.filter(packet);
+  }
+
+  @Override
+  public void reset() {
+    refractory.reset();
+  }
+
+  @Override
+  public RefractorySettings settings() {
+    return refractory.settings();
+  }
+
+  @Override
+  public void apply(RefractorySettings settings) {
+    refractory.apply(settings);
+  }
+
+  /** Makes the filter where its name is found in a chain. */
+  public static final class Provider implements FilterProvider<RefractorySettings> {
+    @Override
+    public String name() {
+      return "refractory";
+    }
+
+    @Override
+    public String description() {
+      return "Passes an event if its pixel has been silent for a while, which thins out bursts.";
+    }
+
+    @Override
+    public Class<RefractorySettings> settingsType() {
+      return RefractorySettings.class;
+    }
+
+    @Override
+    public RefractoryFilter create(SensorGeometry geometry, RefractorySettings settings) {
+      return new RefractoryFilter(geometry, settings);
+    }
+  }
+}

@@ -1,0 +1,42 @@
+package haltere.filters.noise;
+
+import haltere.core.settings.Help;
+import haltere.core.settings.Range;
+import haltere.core.settings.SettingsSchema;
+import haltere.core.settings.Unit;
+
+/**
+ * Settings of {@link RefractoryFilter}.
+ *
+ * @param periodUs how long a pixel must have been silent
+ * @param silence from which event on silence counts
+ */
+public record RefractorySettings(
+    @Help("An event passes if its pixel was silent for longer than this.")
+        @Range(min = 0, max = 10_000_000, logarithmic = true)
+        @Unit("us")
+        long periodUs,
+    @Help("Which event breaks the silence: the last that passed, or the last that came at all.")
+        Silence silence) {
+  /** From which event of a pixel on its silence counts. */
+  public enum Silence {
+    /** The last event that passed: a pixel that fires all the time passes once a period. */
+    SINCE_LAST_PASSED,
+    /** The last event that came, passed or not: a pixel that fires all the time is mute. */
+    SINCE_LAST_SEEN
+  }
+
+  /** Checks the ranges. */
+  public RefractorySettings {
+    SettingsSchema.validate(RefractorySettings.class, periodUs, silence);
+  }
+
+  /**
+   * The settings to start from.
+   *
+   * @return one millisecond since the last event that passed
+   */
+  public static RefractorySettings defaults() {
+    return new RefractorySettings(1000, Silence.SINCE_LAST_PASSED);
+  }
+}
