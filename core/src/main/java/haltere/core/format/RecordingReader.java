@@ -9,8 +9,8 @@ import java.util.List;
  * A recording as a source of events. It streams: memory is bounded whatever the file's size or what
  * its headers claim.
  *
- * <p>A jump back of the recording's clock that is no wrap becomes a {@code
- * Reset(CLOCK_RESTARTED)}; the stretches between such jumps are the recording's segments.
+ * <p>A jump back of the recording's clock that is no wrap becomes a {@code Reset(CLOCK_RESTARTED)};
+ * the stretches between such jumps are the recording's segments.
  *
  * <p>Thread rule: one thread at a time.
  */
@@ -68,8 +68,8 @@ public interface RecordingReader extends EventSource {
   /**
    * Goes on at the first event at or after a time within a segment; behind the segment's end that
    * is the start of the next. The next thing handed over is a {@code Reset(SEEK)} (before the first
-   * call of {@link #next} it is the start of the stream). May be called after the end of the stream,
-   * which then starts anew.
+   * call of {@link #next} it is the start of the stream). May be called after the end of the
+   * stream, which then starts anew.
    *
    * @param segment index into {@link #segments()}
    * @param timeUs time on the recording's clock

@@ -6,8 +6,8 @@ import java.io.IOException;
 import java.util.List;
 
 /**
- * Writes events to a recording. It writes to a hidden file beside the target and moves it there when
- * it is {@link #finish() finished}; closed before that, it leaves nothing.
+ * Writes events to a recording. It writes to a hidden file beside the target and moves it there
+ * when it is {@link #finish() finished}; closed before that, it leaves nothing.
  *
  * <p>Thread rule: one thread at a time.
  */

@@ -20,8 +20,6 @@ public record Mark(String name, long elapsedUs) implements Comparable<Mark> {
 
   @Override
   public int compareTo(Mark other) {
-    return Comparator.comparingLong(Mark::elapsedUs)
-        .thenComparing(Mark::name)
-        .compare(this, other);
+    return Comparator.comparingLong(Mark::elapsedUs).thenComparing(Mark::name).compare(this, other);
   }
 }

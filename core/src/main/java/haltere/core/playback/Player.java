@@ -21,8 +21,8 @@ import java.util.function.Consumer;
  *
  * <p>What chain and sinks are told keeps the grammar of {@link
  * haltere.core.stream.StreamNotification}, once each and before the packet that it concerns: {@code
- * Reset(REWIND)} for {@link #rewind()} and where a loop starts again, {@code Reset(SEEK)} for a seek
- * or a step back, {@code Reset(USER)} for {@link #reset()}. Several jumps with nothing played
+ * Reset(REWIND)} for {@link #rewind()} and where a loop starts again, {@code Reset(SEEK)} for a
+ * seek or a step back, {@code Reset(USER)} for {@link #reset()}. Several jumps with nothing played
  * between them are one, of the last one's cause. A jump after the end of the stream is a new start
  * of the stream and no reset.
  *
@@ -32,13 +32,14 @@ import java.util.function.Consumer;
  *
  * <p>Nothing is left out when the chain cannot keep up: playback runs late, {@link PlayerStatus}
  * says how much and which stage is the slowest, and what is late by more than a second is not
- * caught up. A filter that throws is switched off, what it threw is in the status, the events of its
- * packet are counted as lost and announced by a {@code DataLost}. A sink that throws is removed.
+ * caught up. A filter that throws is switched off, what it threw is in the status, the events of
+ * its packet are counted as lost and announced by a {@code DataLost}. A sink that throws is
+ * removed.
  *
  * <p>Thread rule: all methods may be called from any thread. Filters, sinks and edits run on the
  * processing thread, and futures are completed there. The player owns its playable and closes it,
- * the chain stays the caller's, but nobody else may work with it between {@link #start()} and {@link
- * #close()}.
+ * the chain stays the caller's, but nobody else may work with it between {@link #start()} and
+ * {@link #close()}.
  */
 public final class Player implements AutoCloseable {
   private final PlaybackEngine engine;
@@ -250,8 +251,9 @@ public final class Player implements AutoCloseable {
   }
 
   /**
-   * Ends the stream, with its {@code EndOfStream}, ends the thread and closes the playable. Commands
-   * that were not applied fail. Waits until that is done unless called on the processing thread.
+   * Ends the stream, with its {@code EndOfStream}, ends the thread and closes the playable.
+   * Commands that were not applied fail. Waits until that is done unless called on the processing
+   * thread.
    */
   @Override
   public void close() {

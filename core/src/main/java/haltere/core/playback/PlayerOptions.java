@@ -42,13 +42,7 @@ public record PlayerOptions(
    */
   public static PlayerOptions defaults() {
     return new PlayerOptions(
-        new Slicing.PerFrame(60),
-        1,
-        Loop.OFF,
-        false,
-        50_000,
-        System::nanoTime,
-        Sleeper.real());
+        new Slicing.PerFrame(60), 1, Loop.OFF, false, 50_000, System::nanoTime, Sleeper.real());
   }
 
   /**

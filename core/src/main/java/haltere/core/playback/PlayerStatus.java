@@ -18,8 +18,8 @@ package haltere.core.playback;
  *     second or so, empty if none took any
  * @param eventsIn events that went to the chain since the start
  * @param eventsOut events that came out of it
- * @param eventRateEps events into the chain per second of recording time, over the last 50 ms or
- *     so of it
+ * @param eventRateEps events into the chain per second of recording time, over the last 50 ms or so
+ *     of it
  * @param droppedEvents events that no filter dropped and yet nobody saw: off the sensor, lost by
  *     the source, or in the packet at which a filter failed
  * @param sliceUs length of the slice that is shown, microseconds

@@ -1,2 +1,5 @@
-/** Pacing a recording or a scene: slices by time or count, speed, pause, steps, seeking, loops and marks. */
+/**
+ * Pacing a recording or a scene: slices by time or count, speed, pause, steps, seeking, loops and
+ * marks.
+ */
 package haltere.core.playback;

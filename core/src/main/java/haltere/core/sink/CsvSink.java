@@ -6,10 +6,10 @@ import java.nio.file.Path;
 import java.util.function.Consumer;
 
 /**
- * Writes records as rows of a table: comma separated, UTF-8, a header line, lines that end in a line
- * feed, a point as decimal point whatever the locale. Names of components become names of columns in
- * snake_case unless {@link Column} says otherwise. Not-a-number, null and an empty optional are empty
- * fields.
+ * Writes records as rows of a table: comma separated, UTF-8, a header line, lines that end in a
+ * line feed, a point as decimal point whatever the locale. Names of components become names of
+ * columns in snake_case unless {@link Column} says otherwise. Not-a-number, null and an empty
+ * optional are empty fields.
  *
  * <p>Thread rule: one thread at a time.
  *
@@ -36,8 +36,8 @@ public final class CsvSink<R extends Record> implements Consumer<R>, Closeable {
   }
 
   /**
-   * Whether records of a type are rows: each component a number, a truth value, a character, a text,
-   * an enum constant or an optional number.
+   * Whether records of a type are rows: each component a number, a truth value, a character, a
+   * text, an enum constant or an optional number.
    *
    * @param type any class
    * @return true if a table can be made of them

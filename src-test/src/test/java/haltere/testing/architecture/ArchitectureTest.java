@@ -1,0 +1,240 @@
+package haltere.testing.architecture;
+
+import static com.tngtech.archunit.base.DescribedPredicate.not;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyPackage;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.fields;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.domain.JavaModifier;
+import com.tngtech.archunit.core.importer.ClassFileImporter;
+import com.tngtech.archunit.core.importer.ImportOption;
+import com.tngtech.archunit.lang.ArchRule;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+
+/** The arrows of docs/architecture.md. A rule that stands in the way is discussed, not deleted. */
+class ArchitectureTest {
+  private static JavaClasses product;
+
+  @BeforeAll
+  static void importProduct() {
+    product =
+        new ClassFileImporter()
+            .withImportOption(new ImportOption.DoNotIncludeTests())
+            .withImportOption(
+                location -> !location.contains("/jmh/") && !location.contains("/src-test/build/"))
+            .importPackages("haltere");
+  }
+
+  private static void check(ArchRule rule) {
+    rule.allowEmptyShould(true).check(product);
+  }
+
+  @Test
+  void allModulesAreLookedAt() {
+    for (String module : new String[] {"core", "filters", "ui"}) {
+      assertTrue(
+          product.stream().anyMatch(type -> type.getPackageName().startsWith("haltere." + module)),
+          "no class of " + module + " was found, so the rules would hold for nothing");
+    }
+  }
+
+  @Test
+  void coreKnowsNobody() {
+    check(
+        noClasses()
+            .that()
+            .resideInAPackage("haltere.core..")
+            .should()
+            .dependOnClassesThat(
+                resideInAPackage("haltere..").and(not(resideInAPackage("haltere.core.."))))
+            .because("an embedder takes core alone"));
+  }
+
+  @Test
+  void coreStandsOnTheJdkAndAFewNamedLibrariesEachInOnePlace() {
+    check(
+        classes()
+            .that()
+            .resideInAPackage("haltere.core..")
+            .and()
+            .resideOutsideOfPackage("haltere.core.json")
+            .should()
+            .onlyDependOnClassesThat(resideInAnyPackage("java..", "haltere.core.."))
+            .because("a library is a promise to every embedder"));
+    check(
+        classes()
+            .that()
+            .resideInAPackage("haltere.core.json")
+            .should()
+            .onlyDependOnClassesThat(
+                resideInAnyPackage("java..", "haltere.core.json", "com.fasterxml.jackson.core..")));
+  }
+
+  @Test
+  void thePacketImportsNothing() {
+    check(
+        classes()
+            .that()
+            .resideInAPackage("haltere.core.event")
+            .should()
+            .onlyDependOnClassesThat(resideInAnyPackage("java..", "haltere.core.event")));
+  }
+
+  @Test
+  void streamAndSettingsKnowAtMostThePacketAndTheJsonText() {
+    check(
+        classes()
+            .that()
+            .resideInAPackage("haltere.core.stream")
+            .should()
+            .onlyDependOnClassesThat(
+                resideInAnyPackage("java..", "haltere.core.stream", "haltere.core.event")));
+    check(
+        classes()
+            .that()
+            .resideInAPackage("haltere.core.settings")
+            .should()
+            .onlyDependOnClassesThat(
+                resideInAnyPackage(
+                    "java..", "haltere.core.settings", "haltere.core.event", "haltere.core.json")));
+  }
+
+  @Test
+  void theStagesOfCoreDoNotKnowEachOther() {
+    String[] stages = {"chain", "format", "camera", "simulation"};
+    for (String stage : stages) {
+      for (String other : stages) {
+        if (!stage.equals(other)) {
+          check(
+              noClasses()
+                  .that()
+                  .resideInAPackage("haltere.core." + stage + "..")
+                  .should()
+                  .dependOnClassesThat()
+                  .resideInAPackage("haltere.core." + other + "..")
+                  .because("only pipeline and playback know several stages"));
+        }
+      }
+      check(
+          noClasses()
+              .that()
+              .resideInAPackage("haltere.core." + stage + "..")
+              .should()
+              .dependOnClassesThat()
+              .resideInAnyPackage("haltere.core.pipeline..", "haltere.core.playback.."));
+    }
+  }
+
+  @Test
+  void deviceAndFiltersDoNotKnowEachOtherNorTheWindow() {
+    check(
+        noClasses()
+            .that()
+            .resideInAPackage("haltere.device..")
+            .should()
+            .dependOnClassesThat()
+            .resideInAnyPackage("haltere.filters..", "haltere.ui..", "javafx.."));
+    check(
+        noClasses()
+            .that()
+            .resideInAPackage("haltere.filters..")
+            .should()
+            .dependOnClassesThat()
+            .resideInAnyPackage("haltere.device..", "haltere.ui..", "javafx.."));
+  }
+
+  @Test
+  void eachOutsideLibraryHasItsPlace() {
+    check(
+        noClasses()
+            .that()
+            .resideOutsideOfPackage("haltere.filters..")
+            .should()
+            .dependOnClassesThat()
+            .resideInAPackage("org.ejml.."));
+    check(
+        noClasses()
+            .that()
+            .resideOutsideOfPackage("haltere.device.usb..")
+            .should()
+            .dependOnClassesThat()
+            .resideInAPackage("org.usb4java.."));
+    check(
+        noClasses()
+            .that()
+            .resideOutsideOfPackages("haltere.ui.viewer..", "haltere.ui.overlay..")
+            .should()
+            .dependOnClassesThat()
+            .resideInAnyPackage("javafx..", "com.sun.javafx..", "atlantafx..")
+            .because("commands and pictures work without a display"));
+    check(
+        noClasses()
+            .that()
+            .resideOutsideOfPackages("haltere.ui", "haltere.ui.command..")
+            .should()
+            .dependOnClassesThat()
+            .resideInAPackage("picocli.."));
+  }
+
+  @Test
+  void algorithmsCanBeUsedWithoutTheChain() {
+    check(
+        noClasses()
+            .that()
+            .resideInAPackage("haltere.filters.*..")
+            .and()
+            .haveSimpleNameNotEndingWith("Filter")
+            .and()
+            .haveSimpleNameNotEndingWith("Provider")
+            .should()
+            .dependOnClassesThat()
+            .resideInAPackage("haltere.core.chain..")
+            .because("somebody may want the tracker and not our chain"));
+  }
+
+  @Test
+  void packagesFormNoCycle() {
+    check(slices().matching("haltere.core.(*)..").should().beFreeOfCycles());
+    check(slices().matching("haltere.filters.(*)..").should().beFreeOfCycles());
+    check(slices().matching("haltere.device.(*)..").should().beFreeOfCycles());
+    check(slices().matching("haltere.ui.(*)..").should().beFreeOfCycles());
+  }
+
+  @Test
+  void packagesAreNamedForWhatTheyDo() {
+    check(
+        noClasses()
+            .should()
+            .resideInAnyPackage("..util..", "..impl..", "..common..", "..helper..", "..misc.."));
+  }
+
+  @Test
+  void nothingStaticChanges() {
+    check(
+        fields()
+            .that()
+            .areStatic()
+            .and()
+            .doNotHaveModifier(JavaModifier.SYNTHETIC)
+            .should()
+            .beFinal()
+            .because("two pipelines in one program must not meet"));
+  }
+
+  @Test
+  void wallClocksAreInjected() {
+    check(
+        noClasses()
+            .that()
+            .resideInAnyPackage("haltere.core..", "haltere.filters..", "haltere.device..")
+            .should()
+            .callMethod(System.class, "currentTimeMillis")
+            .because("results may not depend on when they are computed"));
+  }
+}
