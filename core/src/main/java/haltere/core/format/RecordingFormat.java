@@ -54,6 +54,15 @@ public interface RecordingFormat {
   RecordingReader open(Path file, ReadOptions options) throws IOException;
 
   /**
+   * Whether the format can be written.
+   *
+   * @return false if {@link #create} always answers empty
+   */
+  default boolean writable() {
+    return true;
+  }
+
+  /**
    * Starts to write a recording.
    *
    * @param file where it will be

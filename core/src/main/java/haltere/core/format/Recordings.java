@@ -117,13 +117,13 @@ public final class Recordings {
    * The format that writes files of a name, by its ending.
    *
    * @param file where the recording will be
-   * @return a format whose first extension it is
+   * @return a format that can be written and whose first extension it is
    * @throws RecordingProblem if there is none, listing the endings there are
    */
   public static RecordingFormat forWriting(Path file) throws RecordingProblem {
     String extension = FileHead.extension(file);
     for (RecordingFormat format : formats().values()) {
-      if (format.extensions().iterator().next().equals(extension)) {
+      if (format.writable() && format.extensions().iterator().next().equals(extension)) {
         return format;
       }
     }
@@ -133,6 +133,7 @@ public final class Recordings {
             + extension
             + "; name it with one of "
             + formats().values().stream()
+                .filter(RecordingFormat::writable)
                 .map(format -> "." + format.extensions().iterator().next())
                 .distinct()
                 .collect(Collectors.joining(", ")));

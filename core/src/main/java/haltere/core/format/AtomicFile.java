@@ -1,0 +1,145 @@
+package haltere.core.format;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.Channels;
+import java.nio.channels.FileChannel;
+import java.nio.channels.WritableByteChannel;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.AtomicMoveNotSupportedException;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.util.UUID;
+
+/**
+ * An output file that appears whole or not at all: it is written as a hidden file beside its target
+ * and moved there by {@link #commit()}. Closed before that, it leaves nothing.
+ *
+ * <p>Thread rule: one thread at a time.
+ */
+public final class AtomicFile implements Closeable, WritableByteChannel {
+  private final Path asked;
+  private final Path target;
+  private final Path temporary;
+  private final boolean overwrite;
+  private final FileChannel channel;
+  private boolean committed;
+
+  private AtomicFile(
+      Path asked, Path target, Path temporary, boolean overwrite, FileChannel channel) {
+    this.asked = asked;
+    this.target = target;
+    this.temporary = temporary;
+    this.overwrite = overwrite;
+    this.channel = channel;
+  }
+
+  /**
+   * Starts to write.
+   *
+   * @param target where the file will be; a symbolic link is followed
+   * @param overwrite whether an existing file may be replaced
+   * @return an empty file
+   * @throws RecordingProblem if the target exists and may not be replaced, or its folder cannot be
+   *     written to
+   * @throws IOException if the file cannot be made for another reason
+   */
+  public static AtomicFile create(Path target, boolean overwrite) throws IOException {
+    if (Files.isDirectory(target)) {
+      throw new RecordingProblem(target, "this is a folder; name a file in it");
+    }
+    refuseExisting(target, overwrite);
+    Path real = Files.exists(target) ? target.toRealPath() : target.toAbsolutePath();
+    Path folder = real.getParent();
+    Path name = real.getFileName();
+    if (folder == null || name == null) {
+      throw new RecordingProblem(target, "this does not name a file");
+    }
+    if (!Files.isDirectory(folder)) {
+      throw new RecordingProblem(target, "its folder does not exist; make it first");
+    }
+    Path temporary = folder.resolve("." + name + "." + UUID.randomUUID() + ".part");
+    try {
+      FileChannel channel =
+          FileChannel.open(temporary, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
+      return new AtomicFile(target, real, temporary, overwrite, channel);
+    } catch (AccessDeniedException e) {
+      throw new RecordingProblem(target, "no permission to write in its folder");
+    }
+  }
+
+  private static void refuseExisting(Path target, boolean overwrite) throws RecordingProblem {
+    if (!overwrite && Files.exists(target, LinkOption.NOFOLLOW_LINKS)) {
+      throw new RecordingProblem(target, "it exists already; give --overwrite or another name");
+    }
+  }
+
+  /**
+   * The channel to write to.
+   *
+   * @return owned by this file, closed with it
+   */
+  public FileChannel channel() {
+    return channel;
+  }
+
+  /**
+   * A stream that writes to the channel, without a buffer.
+   *
+   * @return owned by this file
+   */
+  public java.io.OutputStream stream() {
+    return Channels.newOutputStream(this);
+  }
+
+  @Override
+  public int write(ByteBuffer source) throws IOException {
+    int count = source.remaining();
+    while (source.hasRemaining()) {
+      channel.write(source);
+    }
+    return count;
+  }
+
+  @Override
+  public boolean isOpen() {
+    return channel.isOpen();
+  }
+
+  /**
+   * Puts the file in its place.
+   *
+   * @throws IOException if that fails; the target is then as it was
+   */
+  public void commit() throws IOException {
+    if (committed) {
+      throw new IllegalStateException(asked + " is in its place already");
+    }
+    channel.close();
+    refuseExisting(asked, overwrite);
+    try {
+      Files.move(
+          temporary, target, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+    } catch (AtomicMoveNotSupportedException e) {
+      Files.move(temporary, target, StandardCopyOption.REPLACE_EXISTING);
+    }
+    committed = true;
+  }
+
+  /**
+   * Releases the file; without a {@link #commit()} before, nothing of it stays.
+   *
+   * @throws IOException if it cannot be removed
+   */
+  @Override
+  public void close() throws IOException {
+    channel.close();
+    if (!committed) {
+      Files.deleteIfExists(temporary);
+    }
+  }
+}

@@ -1,0 +1,21 @@
+package haltere.core.format;
+
+/**
+ * Hears how far a long piece of work on a recording has come. Work is cancelled by interrupting its
+ * thread, not from here.
+ *
+ * <p>Thread rule: called on the thread that does the work.
+ */
+@FunctionalInterface
+public interface ProgressListener {
+  /** Listens to nothing. */
+  ProgressListener NONE = (done, total) -> {};
+
+  /**
+   * Takes the news; called often, so it must be cheap.
+   *
+   * @param doneBytes bytes of the recording worked on so far, never descending
+   * @param totalBytes bytes of the recording
+   */
+  void progress(long doneBytes, long totalBytes);
+}

@@ -1,0 +1,105 @@
+package haltere.core.format.csv;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.Origin;
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.AtomicFile;
+import haltere.core.format.RecordingWriter;
+import haltere.core.format.WriteOptions;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+
+/** Writes rows of text without making an object per event. */
+final class CsvWriter implements RecordingWriter {
+  private static final int BUFFER_BYTES = 64 * 1024;
+  private static final int MAX_ROW = 64;
+  private static final byte[] LONG_MIN =
+      Long.toString(Long.MIN_VALUE).getBytes(StandardCharsets.US_ASCII);
+
+  private final AtomicFile file;
+  private final SensorGeometry geometry;
+  private final boolean fromTop;
+  private final byte[] bytes = new byte[BUFFER_BYTES];
+  private int length;
+
+  private CsvWriter(AtomicFile file, SensorGeometry geometry, boolean fromTop) {
+    this.file = file;
+    this.geometry = geometry;
+    this.fromTop = fromTop;
+    byte[] head = "t_us,x,y,on\n".getBytes(StandardCharsets.US_ASCII);
+    System.arraycopy(head, 0, bytes, 0, head.length);
+    length = head.length;
+  }
+
+  static CsvWriter create(Path path, WriteOptions options) throws IOException {
+    Origin origin = options.origin().orElse(options.geometry().origin());
+    return new CsvWriter(
+        AtomicFile.create(path, options.overwrite()), options.geometry(), origin == Origin.TOP);
+  }
+
+  @Override
+  public void write(EventPacket packet) throws IOException {
+    int top = geometry.height() - 1;
+    int size = packet.size();
+    for (int i = 0; i < size; i++) {
+      if (length > BUFFER_BYTES - MAX_ROW) {
+        flush();
+      }
+      int y = packet.y(i);
+      number(packet.timeUs(i));
+      bytes[length++] = ',';
+      number(packet.x(i));
+      bytes[length++] = ',';
+      number(fromTop ? top - y : y);
+      bytes[length++] = ',';
+      bytes[length++] = (byte) (packet.isOn(i) ? '1' : '0');
+      bytes[length++] = '\n';
+    }
+  }
+
+  private void number(long value) {
+    if (value == Long.MIN_VALUE) {
+      System.arraycopy(LONG_MIN, 0, bytes, length, LONG_MIN.length);
+      length += LONG_MIN.length;
+      return;
+    }
+    long rest = value;
+    if (rest < 0) {
+      bytes[length++] = '-';
+      rest = -rest;
+    }
+    int digits = 1;
+    for (long bound = rest; bound >= 10; bound /= 10) {
+      digits++;
+    }
+    for (int i = length + digits - 1; i >= length; i--) {
+      bytes[i] = (byte) ('0' + rest % 10);
+      rest /= 10;
+    }
+    length += digits;
+  }
+
+  private void flush() throws IOException {
+    file.write(ByteBuffer.wrap(bytes, 0, length));
+    length = 0;
+  }
+
+  @Override
+  public List<String> losses() {
+    return List.of();
+  }
+
+  @Override
+  public void finish() throws IOException {
+    flush();
+    file.commit();
+  }
+
+  @Override
+  public void close() throws IOException {
+    file.close();
+  }
+}

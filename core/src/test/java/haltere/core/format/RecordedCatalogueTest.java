@@ -1,0 +1,59 @@
+package haltere.core.format;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.core.event.EventPacket;
+import haltere.core.stream.Reset;
+import haltere.core.stream.StreamGrammar;
+import haltere.testing.RecordedPackets;
+import haltere.testing.RecordedPackets.EventRow;
+import haltere.testing.StreamRecorder;
+import java.io.IOException;
+import java.util.List;
+import java.util.stream.IntStream;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Every recording of the catalogue gives what other programs read from it. */
+class RecordedCatalogueTest {
+  static List<RecordedPackets> recordings() {
+    return RecordedPackets.aedat();
+  }
+
+  @ParameterizedTest
+  @MethodSource("recordings")
+  void aRecordingGivesTheEventsThatOtherProgramsRead(RecordedPackets facts) throws IOException {
+    StreamRecorder recorder = new StreamRecorder();
+    try (RecordingReader reader = facts.open()) {
+      assertEquals(facts.format(), reader.formatName());
+      assertEquals(facts.sensor(), reader.geometry());
+      reader.drainTo(new StreamGrammar(recorder));
+      assertEquals(
+          facts.otherWords(), reader.violations().count(Violation.OTHER_DATA), "other words");
+      assertEquals(0, reader.violations().count(Violation.CUT_OFF));
+      assertEquals(reader.sizeBytes(), reader.positionBytes());
+    }
+    EventPacket events = recorder.events();
+    int size = events.size();
+    assertEquals(facts.events(), size);
+    assertEquals(facts.on(), IntStream.range(0, size).filter(events::isOn).count(), "ON events");
+    assertEquals(rows(events, 0, 5), facts.head());
+    assertEquals(rows(events, size - 2, size), facts.tail());
+    assertEquals(facts.firstUs(), events.firstTimeUs());
+    assertEquals(facts.lastUs(), events.lastTimeUs());
+    assertEquals(facts.minX(), IntStream.range(0, size).map(events::x).min().orElseThrow());
+    assertEquals(facts.maxX(), IntStream.range(0, size).map(events::x).max().orElseThrow());
+    assertEquals(facts.minY(), IntStream.range(0, size).map(events::y).min().orElseThrow());
+    assertEquals(facts.maxY(), IntStream.range(0, size).map(events::y).max().orElseThrow());
+    assertEquals(facts.crc32(), recorder.crc32());
+    assertTrue(recorder.notices(Reset.class).isEmpty());
+  }
+
+  private static List<EventRow> rows(EventPacket events, int from, int to) {
+    return IntStream.range(from, to)
+        .mapToObj(
+            i -> new EventRow(events.timeUs(i), events.x(i), events.y(i), events.isOn(i) ? 1 : 0))
+        .toList();
+  }
+}

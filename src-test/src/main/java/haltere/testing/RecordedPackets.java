@@ -1,0 +1,247 @@
+package haltere.testing;
+
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.ReadOptions;
+import haltere.core.format.RecordingReader;
+import haltere.core.format.Recordings;
+import java.io.IOException;
+import java.util.List;
+
+/**
+ * What is known of a real recording, from programs that nobody here wrote: a catalogue that tests
+ * walk through. Coordinates are Haltere's, y upwards.
+ *
+ * @param file its name in {@link Recorded#folder()}
+ * @param format name of its format
+ * @param sensor its size
+ * @param on number of ON events
+ * @param off number of OFF events
+ * @param firstUs time of the first event
+ * @param lastUs time of the last event
+ * @param minX leftmost column with an event
+ * @param maxX rightmost column with an event
+ * @param minY lowest row with an event
+ * @param maxY highest row with an event
+ * @param head its first five events
+ * @param tail its last two events
+ * @param crc32 of all events, as {@link StreamRecorder#crc32()} forms it
+ * @param otherWords words that are not polarity events
+ */
+public record RecordedPackets(
+    String file,
+    String format,
+    SensorGeometry sensor,
+    long on,
+    long off,
+    long firstUs,
+    long lastUs,
+    int minX,
+    int maxX,
+    int minY,
+    int maxY,
+    List<EventRow> head,
+    List<EventRow> tail,
+    String crc32,
+    long otherWords) {
+  /**
+   * An event in plain numbers.
+   *
+   * @param timeUs microseconds
+   * @param x column
+   * @param y row
+   * @param on 1 for ON, 0 for OFF
+   */
+  public record EventRow(long timeUs, int x, int y, int on) {}
+
+  /** Tmpdiff128, 2007: the oldest format. */
+  public static final RecordedPackets TMPDIFF128 =
+      new RecordedPackets(
+          "dvs128-tmpdiff128-2007.dat",
+          "aedat1",
+          new SensorGeometry(128, 128),
+          49059,
+          72211,
+          679877510,
+          701768090,
+          0,
+          127,
+          0,
+          127,
+          List.of(
+              row(679877510, 44, 58, 1),
+              row(679877560, 95, 6, 1),
+              row(679877570, 69, 67, 1),
+              row(679877570, 70, 94, 0),
+              row(679878020, 115, 67, 0)),
+          List.of(row(701768010, 63, 81, 1), row(701768090, 68, 63, 1)),
+          "6ff429a5",
+          0);
+
+  /** DVS128, a dark box moved before the camera; the header names no chip. */
+  public static final RecordedPackets DARK_BOX =
+      new RecordedPackets(
+          "dvs128-moving-dark-box.aedat",
+          "aedat2",
+          new SensorGeometry(128, 128),
+          246923,
+          242911,
+          946459683,
+          986269729,
+          0,
+          127,
+          0,
+          127,
+          List.of(
+              row(946459683, 115, 19, 1),
+              row(946461064, 65, 52, 1),
+              row(946498741, 118, 27, 1),
+              row(946519581, 115, 86, 1),
+              row(946526116, 68, 46, 1)),
+          List.of(row(986269727, 54, 113, 0), row(986269729, 54, 113, 0)),
+          "a8b9031d",
+          0);
+
+  /** DVS128, a person walking; the header names the chip and has no end line. */
+  public static final RecordedPackets WALKING =
+      new RecordedPackets(
+          "dvs128-walking-10s.aedat",
+          "aedat2",
+          new SensorGeometry(128, 128),
+          55976,
+          69052,
+          262847757,
+          270891631,
+          0,
+          127,
+          0,
+          127,
+          List.of(
+              row(262847757, 11, 71, 0),
+              row(262847856, 30, 124, 1),
+              row(262847947, 37, 53, 0),
+              row(262847988, 47, 104, 0),
+              row(262848061, 28, 102, 1)),
+          List.of(row(270891623, 9, 104, 0), row(270891631, 82, 112, 1)),
+          "b9680ef5",
+          0);
+
+  /** DVS128, a pendulum; the header has its end line. */
+  public static final RecordedPackets PENDULUM =
+      new RecordedPackets(
+          "dvs128-pendulum.aedat",
+          "aedat2",
+          new SensorGeometry(128, 128),
+          153062,
+          125476,
+          64300579,
+          84240611,
+          0,
+          127,
+          0,
+          127,
+          List.of(
+              row(64300579, 85, 6, 0),
+              row(64300684, 63, 39, 0),
+              row(64300727, 18, 6, 0),
+              row(64300775, 11, 51, 0),
+              row(64300776, 11, 51, 0)),
+          List.of(row(84240565, 83, 24, 0), row(84240611, 0, 26, 1)),
+          "55474ee2",
+          0);
+
+  /** DAVIS240C, a rotating disk, with frames and inertial samples in between. */
+  public static final RecordedPackets ROTATING_DISK =
+      new RecordedPackets(
+          "davis240c-rotating-disk-imu-aps.aedat",
+          "aedat2",
+          new SensorGeometry(240, 180),
+          163098,
+          211198,
+          341678,
+          3508437,
+          0,
+          239,
+          0,
+          179,
+          List.of(
+              row(341678, 228, 15, 1),
+              row(341678, 185, 169, 0),
+              row(341685, 4, 164, 1),
+              row(341698, 192, 179, 0),
+              row(341720, 0, 162, 1)),
+          List.of(row(3508431, 188, 49, 0), row(3508437, 195, 47, 0)),
+          "9957d985",
+          51688);
+
+  /** A synthetic bar that turns, in the DAVIS's layout; the header names no chip. */
+  public static final RecordedPackets ROTATING_BAR =
+      new RecordedPackets(
+          "synthetic-rotating-bar.aedat",
+          "aedat2",
+          new SensorGeometry(240, 180),
+          45000,
+          0,
+          100000,
+          90000000,
+          69,
+          169,
+          39,
+          139,
+          List.of(
+              row(100000, 120, 89, 1),
+              row(100000, 121, 89, 1),
+              row(100000, 122, 89, 1),
+              row(100000, 123, 89, 1),
+              row(100000, 124, 89, 1)),
+          List.of(row(90000000, 168, 89, 1), row(90000000, 169, 89, 1)),
+          "f24e08b3",
+          0);
+
+  /**
+   * The recordings of jAER's old formats.
+   *
+   * @return AEDAT-1.0 first
+   */
+  public static List<RecordedPackets> aedat() {
+    return List.of(TMPDIFF128, DARK_BOX, WALKING, PENDULUM, ROTATING_DISK, ROTATING_BAR);
+  }
+
+  private static EventRow row(long timeUs, int x, int y, int on) {
+    return new EventRow(timeUs, x, y, on);
+  }
+
+  /**
+   * Number of all events.
+   *
+   * @return ON and OFF
+   */
+  public long events() {
+    return on + off;
+  }
+
+  /**
+   * Opens the recording as a user would; the running test ends here if it is missing.
+   *
+   * @return a reader at its start
+   * @throws IOException if it cannot be read
+   */
+  public RecordingReader open() throws IOException {
+    return open(ReadOptions.DEFAULT);
+  }
+
+  /**
+   * Opens the recording; the running test ends here if it is missing.
+   *
+   * @param options what is said about it
+   * @return a reader at its start
+   * @throws IOException if it cannot be read
+   */
+  public RecordingReader open(ReadOptions options) throws IOException {
+    return Recordings.open(Recorded.file(file), options);
+  }
+
+  @Override
+  public String toString() {
+    return file;
+  }
+}
