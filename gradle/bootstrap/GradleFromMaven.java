@@ -192,6 +192,8 @@ public class GradleFromMaven {
                             : bytes);
                 }
             }
+            // gradle --version asks the absent Kotlin DSL for its version.
+            put(out, "gradle-kotlin-dsl-versions.properties", "kotlin=absent\n".getBytes(StandardCharsets.UTF_8));
             for (Map.Entry<String, StringBuilder> service : services.entrySet()) {
                 put(out, SERVICES + service.getKey(), service.getValue().toString().getBytes(StandardCharsets.UTF_8));
             }
