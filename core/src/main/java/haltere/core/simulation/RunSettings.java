@@ -1,0 +1,44 @@
+package haltere.core.simulation;
+
+import haltere.core.settings.Help;
+import haltere.core.settings.Range;
+import haltere.core.settings.SettingsSchema;
+import haltere.core.settings.Unit;
+import java.util.OptionalLong;
+
+/**
+ * The run of a scene.
+ *
+ * @param seed the same seed makes the same scene
+ * @param startUs time of the beginning, microseconds
+ * @param durationS length, seconds, 0 for endless
+ * @param truthRateHz rows of ground truth a second
+ */
+public record RunSettings(
+    @Help("The same seed makes the same events.") @Range(min = -9007199254740991.0, max = 9007199254740991.0) @Unit("1") long seed,
+    @Help("Time stamp of the beginning.") @Range(min = 0, max = 4e15) @Unit("us") long startUs,
+    @Help("Length of the scene, 0 for endless.") @Range(min = 0, max = 1000000, logarithmic = true) @Unit("s") double durationS,
+    @Help("Rows of ground truth in a second.") @Range(min = 0.1, max = 1000000, logarithmic = true) @Unit("Hz") double truthRateHz) {
+  /** Checks the values. */
+  public RunSettings {
+    SettingsSchema.validate(RunSettings.class, seed, startUs, durationS, truthRateHz);
+  }
+
+  /**
+   * The default settings.
+   *
+   * @return valid settings
+   */
+  public static RunSettings defaults() {
+    return new RunSettings(1, 0, 0, 1000);
+  }
+
+  /**
+   * Length in whole microseconds.
+   *
+   * @return microseconds, or empty if the scene is endless
+   */
+  public OptionalLong durationUs() {
+    return durationS == 0 ? OptionalLong.empty() : OptionalLong.of(Math.round(durationS * 1e6));
+  }
+}

@@ -1,0 +1,66 @@
+package haltere.core.simulation;
+
+import haltere.core.stream.EventSource;
+import java.util.List;
+import java.util.OptionalLong;
+
+/**
+ * A simulated source with known answers. Its ground truth is a function of time alone: it can be
+ * asked for at any time, in any order, before or after the events were pulled.
+ *
+ * <p>Thread rule: events are pulled by one thread at a time; the truth may be asked for by any
+ * thread at the same time.
+ *
+ * @param <T> the record of one row of ground truth; its component names are the columns
+ */
+public interface Scene<T extends Record> extends EventSource {
+  /**
+   * The record of a row of truth.
+   *
+   * @return its class
+   */
+  Class<T> truthType();
+
+  /**
+   * The truth at a time.
+   *
+   * @param timeUs microseconds on the clock of the events
+   * @return one row for each thing in the scene that has a truth of its own
+   */
+  List<T> truthRows(long timeUs);
+
+  /**
+   * How often the settings want the truth to be written.
+   *
+   * @return rows a second, greater than 0
+   */
+  double truthRateHz();
+
+  /**
+   * Time of the beginning.
+   *
+   * @return microseconds; no event is earlier
+   */
+  long startUs();
+
+  /**
+   * Length of the scene.
+   *
+   * @return microseconds, or empty if it is endless
+   */
+  OptionalLong durationUs();
+
+  /**
+   * Time of a row of truth.
+   *
+   * @param row from 0 on
+   * @return microseconds, {@link #startUs()} for the first
+   */
+  default long truthTimeUs(long row) {
+    return startUs() + Math.round(row * 1e6 / truthRateHz());
+  }
+
+  /** Nothing is held open. */
+  @Override
+  default void close() {}
+}

@@ -1,0 +1,61 @@
+package haltere.core.simulation;
+
+import haltere.core.settings.SettingsSchema;
+
+/**
+ * Makes scenes of one kind. Providers are found as services ({@code
+ * META-INF/services/haltere.core.simulation.SceneProvider}), so another jar can add one; see
+ * {@link Scenes}.
+ *
+ * @param <S> the settings record
+ */
+public interface SceneProvider<S extends Record> {
+  /**
+   * The name by which the command line knows the scene.
+   *
+   * @return lower case words joined by hyphens
+   */
+  String name();
+
+  /**
+   * What the scene shows, in one sentence for a person.
+   *
+   * @return ends with a full stop
+   */
+  String description();
+
+  /**
+   * The settings record.
+   *
+   * @return its class
+   */
+  Class<S> settingsType();
+
+  /**
+   * A new scene at its beginning.
+   *
+   * @param settings valid settings
+   * @return a source; the same settings make the same events
+   */
+  Scene<?> create(S settings);
+
+  /**
+   * The schema of the settings.
+   *
+   * @return made from {@link #settingsType()}
+   */
+  default SettingsSchema<S> schema() {
+    return SettingsSchema.of(settingsType());
+  }
+
+  /**
+   * A new scene from the default settings and some changes.
+   *
+   * @param assignments texts of the form {@code name=value}
+   * @return a source at its beginning
+   * @throws haltere.core.settings.SettingsProblem for a name or a value that is not valid
+   */
+  default Scene<?> create(Iterable<String> assignments) {
+    return create(schema().withAssignments(schema().defaults(), assignments));
+  }
+}
