@@ -61,8 +61,7 @@ final class BodyOutline {
     for (int y = fromY; y <= toY; y++) {
       for (int x = fromX; x <= toX; x++) {
         int pixel = y * width + x;
-        if (!wire.hides(pixel)
-            && Math.abs(shape.distance(bandPose, x, y)) < BodyShape.band()) {
+        if (!wire.hides(pixel) && Math.abs(shape.distance(bandPose, x, y)) < BodyShape.band()) {
           band[bandSize++] = pixel;
         }
       }

@@ -8,9 +8,7 @@ import haltere.core.settings.SettingsSchema;
  * @param manoeuvres what the fly does
  * @param wire what is in the way
  */
-public record DisturbanceSettings(
-    ManoeuvreSettings manoeuvres,
-    WireSettings wire) {
+public record DisturbanceSettings(ManoeuvreSettings manoeuvres, WireSettings wire) {
   /** Checks the values. */
   public DisturbanceSettings {
     SettingsSchema.validate(DisturbanceSettings.class, manoeuvres, wire);

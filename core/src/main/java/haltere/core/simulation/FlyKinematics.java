@@ -38,13 +38,9 @@ final class FlyKinematics {
     for (int side = LEFT; side <= RIGHT; side++) {
       amplitude[side] =
           new SlowProcess(
-              new SeededRandom(seed, "amplitude " + side),
-              beat.amplitudeSdRad(),
-              slowest,
-              fastest);
+              new SeededRandom(seed, "amplitude " + side), beat.amplitudeSdRad(), slowest, fastest);
       drift[side] =
-          new SlowProcess(
-              new SeededRandom(seed, "drift " + side), body().driftPx(), 0.02, 0.2);
+          new SlowProcess(new SeededRandom(seed, "drift " + side), body().driftPx(), 0.02, 0.2);
     }
     double[] wobbleSd = {
       body().wobblePx(), body().wobblePx(), body().wobblePx() / body().lengthPx()
@@ -89,8 +85,7 @@ final class FlyKinematics {
     pose.heading = body().headingRad() + wobble[2].at(seconds) + manoeuvres.turnRad(seconds);
     pose.cosHeading = StrictMath.cos(pose.heading);
     pose.sinHeading = StrictMath.sin(pose.heading);
-    double commonHz =
-        beat.frequencyHz() + frequency.at(seconds) + manoeuvres.frequencyHz(seconds);
+    double commonHz = beat.frequencyHz() + frequency.at(seconds) + manoeuvres.frequencyHz(seconds);
     double commonCycles =
         firstCycles
             + beat.frequencyHz() * seconds
@@ -104,9 +99,7 @@ final class FlyKinematics {
       pose.hingeY[side] = pose.centreY + outwards * pose.cosHeading;
       pose.frequencyHz[side] = commonHz + wing.frequencyOffsetHz();
       pose.cycles[side] =
-          commonCycles
-              + wing.frequencyOffsetHz() * seconds
-              - wing.phaseLagRad() / (2 * Math.PI);
+          commonCycles + wing.frequencyOffsetHz() * seconds - wing.phaseLagRad() / (2 * Math.PI);
       double half =
           wing.amplitudeRad()
               + amplitude[side].at(seconds)

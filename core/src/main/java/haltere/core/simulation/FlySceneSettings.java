@@ -3,8 +3,8 @@ package haltere.core.simulation;
 import haltere.core.settings.SettingsSchema;
 
 /**
- * The tethered fly of {@link FlyScene}. The defaults show a fly in steady flight with now and
- * then a manoeuvre.
+ * The tethered fly of {@link FlyScene}. The defaults show a fly in steady flight with now and then
+ * a manoeuvre.
  *
  * @param sensor the sensor
  * @param fly the fly
@@ -24,7 +24,8 @@ public record FlySceneSettings(
     RunSettings run) {
   /** Checks the values. */
   public FlySceneSettings {
-    SettingsSchema.validate(FlySceneSettings.class, sensor, fly, stroke, pixel, noise, disturbances, run);
+    SettingsSchema.validate(
+        FlySceneSettings.class, sensor, fly, stroke, pixel, noise, disturbances, run);
   }
 
   /**
@@ -33,7 +34,14 @@ public record FlySceneSettings(
    * @return valid settings
    */
   public static FlySceneSettings defaults() {
-    return new FlySceneSettings(SensorSettings.defaults(), FlySettings.defaults(), StrokeSettings.defaults(), PixelSettings.defaults(), NoiseSettings.defaults(), DisturbanceSettings.defaults(), RunSettings.defaults());
+    return new FlySceneSettings(
+        SensorSettings.defaults(),
+        FlySettings.defaults(),
+        StrokeSettings.defaults(),
+        PixelSettings.defaults(),
+        NoiseSettings.defaults(),
+        DisturbanceSettings.defaults(),
+        RunSettings.defaults());
   }
 
   /**
@@ -44,6 +52,7 @@ public record FlySceneSettings(
    * @throws haltere.core.settings.SettingsProblem for a name or a value that is not valid
    */
   public FlySceneSettings with(String... assignments) {
-    return SettingsSchema.of(FlySceneSettings.class).withAssignments(this, java.util.List.of(assignments));
+    return SettingsSchema.of(FlySceneSettings.class)
+        .withAssignments(this, java.util.List.of(assignments));
   }
 }

@@ -8,9 +8,7 @@ import haltere.core.settings.SettingsSchema;
  * @param body its body
  * @param wing its wings
  */
-public record FlySettings(
-    BodySettings body,
-    WingSettings wing) {
+public record FlySettings(BodySettings body, WingSettings wing) {
   /** Checks the values. */
   public FlySettings {
     SettingsSchema.validate(FlySettings.class, body, wing);

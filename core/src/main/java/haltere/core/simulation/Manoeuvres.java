@@ -23,8 +23,7 @@ final class Manoeuvres {
   Manoeuvres(ManoeuvreSettings settings, long seed) {
     this.settings = settings;
     this.seed = seed;
-    double busy =
-        Math.max(settings.holdS(), SACCADE_S) + SETTLED * settings.timeConstantS();
+    double busy = Math.max(settings.holdS(), SACCADE_S) + SETTLED * settings.timeConstantS();
     slotS = settings.everyS() == 0 ? 0 : Math.max(settings.everyS(), busy);
     slack = slotS - busy;
   }
@@ -127,10 +126,7 @@ final class Manoeuvres {
     double rise = Math.min(since, hold);
     double area = rise - tau * (1 - StrictMath.exp(-rise / tau));
     if (since > hold) {
-      area +=
-          tau
-              * (1 - StrictMath.exp(-hold / tau))
-              * (1 - StrictMath.exp(-(since - hold) / tau));
+      area += tau * (1 - StrictMath.exp(-hold / tau)) * (1 - StrictMath.exp(-(since - hold) / tau));
     }
     return area;
   }

@@ -9,8 +9,8 @@ import java.util.Arrays;
  * <p>The photoreceptor follows the logarithm of the light with a first order low pass: after a step
  * to the target u its level is v(t) = u + (v0 - u) e<sup>-(t - t0) / tau</sup>. An event is made
  * when the level is a threshold away from the level at the end of the last event's refractory
- * period (without one: a threshold from the last crossing). So a shadow of contrast c that dwells on
- * a pixel for a time d takes its level down by c (1 - e<sup>-d / tau</sup>) and no further: fast
+ * period (without one: a threshold from the last crossing). So a shadow of contrast c that dwells
+ * on a pixel for a time d takes its level down by c (1 - e<sup>-d / tau</sup>) and no further: fast
  * edges make fewer events than slow ones.
  *
  * <p>Light is relative to the bright background, whose level is 0. Times are in microseconds since
@@ -189,8 +189,6 @@ final class PixelArray {
     if (tauUs == 0 || (on ? v >= border : v <= border)) {
       return 0;
     }
-    return border == u
-        ? Double.POSITIVE_INFINITY
-        : tauUs * StrictMath.log((v - u) / (border - u));
+    return border == u ? Double.POSITIVE_INFINITY : tauUs * StrictMath.log((v - u) / (border - u));
   }
 }

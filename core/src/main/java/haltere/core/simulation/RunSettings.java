@@ -15,10 +15,19 @@ import java.util.OptionalLong;
  * @param truthRateHz rows of ground truth a second
  */
 public record RunSettings(
-    @Help("The same seed makes the same events.") @Range(min = -9007199254740991.0, max = 9007199254740991.0) @Unit("1") long seed,
+    @Help("The same seed makes the same events.")
+        @Range(min = -9007199254740991.0, max = 9007199254740991.0)
+        @Unit("1")
+        long seed,
     @Help("Time stamp of the beginning.") @Range(min = 0, max = 4e15) @Unit("us") long startUs,
-    @Help("Length of the scene, 0 for endless.") @Range(min = 0, max = 1000000, logarithmic = true) @Unit("s") double durationS,
-    @Help("Rows of ground truth in a second.") @Range(min = 0.1, max = 1000000, logarithmic = true) @Unit("Hz") double truthRateHz) {
+    @Help("Length of the scene, 0 for endless.")
+        @Range(min = 0, max = 1000000, logarithmic = true)
+        @Unit("s")
+        double durationS,
+    @Help("Rows of ground truth in a second.")
+        @Range(min = 0.1, max = 1000000, logarithmic = true)
+        @Unit("Hz")
+        double truthRateHz) {
   /** Checks the values. */
   public RunSettings {
     SettingsSchema.validate(RunSettings.class, seed, startUs, durationS, truthRateHz);

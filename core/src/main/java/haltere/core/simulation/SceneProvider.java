@@ -4,8 +4,8 @@ import haltere.core.settings.SettingsSchema;
 
 /**
  * Makes scenes of one kind. Providers are found as services ({@code
- * META-INF/services/haltere.core.simulation.SceneProvider}), so another jar can add one; see
- * {@link Scenes}.
+ * META-INF/services/haltere.core.simulation.SceneProvider}), so another jar can add one; see {@link
+ * Scenes}.
  *
  * @param <S> the settings record
  */

@@ -9,10 +9,7 @@ import haltere.core.settings.SettingsSchema;
  * @param left the left wing
  * @param right the right wing
  */
-public record StrokeSettings(
-    BeatSettings beat,
-    WingStrokeSettings left,
-    WingStrokeSettings right) {
+public record StrokeSettings(BeatSettings beat, WingStrokeSettings left, WingStrokeSettings right) {
   /** Checks the values. */
   public StrokeSettings {
     SettingsSchema.validate(StrokeSettings.class, beat, left, right);
@@ -24,6 +21,9 @@ public record StrokeSettings(
    * @return valid settings
    */
   public static StrokeSettings defaults() {
-    return new StrokeSettings(BeatSettings.defaults(), WingStrokeSettings.defaults(), new WingStrokeSettings(1.1, 1.72, 0.05, 0));
+    return new StrokeSettings(
+        BeatSettings.defaults(),
+        WingStrokeSettings.defaults(),
+        new WingStrokeSettings(1.1, 1.72, 0.05, 0));
   }
 }

@@ -14,13 +14,24 @@ import haltere.core.settings.Unit;
  * @param frequencyOffsetHz how much faster than the common beat the wing beats, hertz
  */
 public record WingStrokeSettings(
-    @Help("Mean stroke amplitude, half of peak to peak.") @Range(min = 0, max = 1.5) @Unit("rad") double amplitudeRad,
-    @Help("Mean stroke angle over the cycle, 0 at the head.") @Range(min = 0.5, max = 2.6) @Unit("rad") double centreRad,
-    @Help("How far the wing is behind the common beat.") @Range(min = -3.141592653589793, max = 3.141592653589793) @Unit("rad") double phaseLagRad,
-    @Help("How much faster than the common beat the wing beats.") @Range(min = -50, max = 50) @Unit("Hz") double frequencyOffsetHz) {
+    @Help("Mean stroke amplitude, half of peak to peak.") @Range(min = 0, max = 1.5) @Unit("rad")
+        double amplitudeRad,
+    @Help("Mean stroke angle over the cycle, 0 at the head.")
+        @Range(min = 0.5, max = 2.6)
+        @Unit("rad")
+        double centreRad,
+    @Help("How far the wing is behind the common beat.")
+        @Range(min = -3.141592653589793, max = 3.141592653589793)
+        @Unit("rad")
+        double phaseLagRad,
+    @Help("How much faster than the common beat the wing beats.")
+        @Range(min = -50, max = 50)
+        @Unit("Hz")
+        double frequencyOffsetHz) {
   /** Checks the values. */
   public WingStrokeSettings {
-    SettingsSchema.validate(WingStrokeSettings.class, amplitudeRad, centreRad, phaseLagRad, frequencyOffsetHz);
+    SettingsSchema.validate(
+        WingStrokeSettings.class, amplitudeRad, centreRad, phaseLagRad, frequencyOffsetHz);
   }
 
   /**

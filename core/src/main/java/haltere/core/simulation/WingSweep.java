@@ -82,8 +82,7 @@ final class WingSweep {
     random = new SeededRandom(settings.run().seed(), "wing " + side);
     WingSettings wing = settings.fly().wing();
     for (int i = 0; i < SHADOWS; i++) {
-      shadows[i] =
-          wing.contrast() * StrictMath.exp(wing.contrastSpread() * random.gaussian());
+      shadows[i] = wing.contrast() * StrictMath.exp(wing.contrastSpread() * random.gaussian());
     }
     visibleBelow = (long) (wing.visibleShare() * (1L << 32));
     outer = wing.lengthPx();

@@ -14,8 +14,14 @@ import haltere.core.settings.Unit;
  */
 public record WireSettings(
     @Help("Width of the wire, 0 for none.") @Range(min = 0, max = 20) @Unit("px") double widthPx,
-    @Help("Direction of the wire, counterclockwise from the x axis.") @Range(min = 0, max = 3.141592653589793) @Unit("rad") double angleRad,
-    @Help("Distance of the wire from the middle of the sensor, to the left of its direction.") @Range(min = -1000, max = 1000) @Unit("px") double offsetPx) {
+    @Help("Direction of the wire, counterclockwise from the x axis.")
+        @Range(min = 0, max = 3.141592653589793)
+        @Unit("rad")
+        double angleRad,
+    @Help("Distance of the wire from the middle of the sensor, to the left of its direction.")
+        @Range(min = -1000, max = 1000)
+        @Unit("px")
+        double offsetPx) {
   /** Checks the values. */
   public WireSettings {
     SettingsSchema.validate(WireSettings.class, widthPx, angleRad, offsetPx);

@@ -1,0 +1,13 @@
+package haltere.core.simulation;
+
+import haltere.testing.SettingsContract;
+import java.util.Collection;
+import java.util.List;
+
+/** The settings of the scenes keep the contract of all settings. */
+class SimulationSettingsTest extends SettingsContract {
+  @Override
+  protected Collection<? extends Class<? extends Record>> settingsTypes() {
+    return List.of(FlySceneSettings.class);
+  }
+}
