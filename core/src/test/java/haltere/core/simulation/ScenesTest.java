@@ -21,8 +21,7 @@ class ScenesTest {
 
   @Test
   void aSceneIsMadeFromItsNameAndChangesOfItsSettings() {
-    Scene<?> scene =
-        Scenes.named("fly").create(List.of("run.durationS=0.5", "run.startUs=7000"));
+    Scene<?> scene = Scenes.named("fly").create(List.of("run.durationS=0.5", "run.startUs=7000"));
 
     assertEquals(FlyTruth.class, scene.truthType());
     assertEquals(OptionalLong.of(500_000), scene.durationUs());
