@@ -96,43 +96,87 @@ public final class BackgroundActivity {
     while (from < packet.size()) {
       moveEpoch(packet.timeUs(from));
       int to = packet.indexAtOrAfter(epochUs + LAST_RELATIVE_US, from);
-      kept = filter(packet, from, to, kept);
+      kept =
+          settings.neighbours() == 1
+              ? keepSupportedByAny(packet, from, to, kept)
+              : keepSupportedByEnough(packet, from, to, kept);
       from = to;
     }
     packet.truncate(kept);
   }
 
-  private int filter(EventPacket packet, int from, int to, int keptBefore) {
-    int correlationUs = settings.correlationUs();
-    int tooFew = settings.neighbours() - 1;
-    int polarityMask = settings.samePolarity() ? EventAddress.ON_BIT : 0;
+  /**
+   * Keeps events with any support at all. The difference (tooOld - time of a neighbour) is negative
+   * where the neighbour fired recently, so the sign of all differences ORed says whether any did:
+   * no branch that could be mispredicted. The loop works on the packet's arrays because every
+   * nanosecond counts here.
+   */
+  private int keepSupportedByAny(EventPacket packet, int from, int to, int keptBefore) {
+    long[] timesUs = packet.timesUs();
+    int[] addresses = packet.addresses();
     int[] last = lastUs;
-    int above = stride;
+    int correlationUs = settings.correlationUs();
+    int polarityMask = settings.samePolarity() ? EventAddress.ON_BIT : 0;
     int kept = keptBefore;
     for (int i = from; i < to; i++) {
-      int address = packet.address(i);
-      int pixel =
-          (address & polarityMask) * mapSize
-              + (EventAddress.y(address) + 1) * above
-              + EventAddress.x(address)
-              + 1;
-      int relativeUs = (int) (packet.timeUs(i) - epochUs);
+      long timeUs = timesUs[i];
+      int address = addresses[i];
+      int relativeUs = (int) (timeUs - epochUs);
       int tooOld = relativeUs - correlationUs - 1;
-      // The sign bit of (tooOld - time) is 1 where the neighbour fired recently: no branches.
+      int left = lowerLeft(address, polarityMask);
+      int support = tooOld - last[left] | tooOld - last[left + 1] | tooOld - last[left + 2];
+      left += stride;
+      support |= tooOld - last[left] | tooOld - last[left + 2];
+      last[left + 1] = relativeUs;
+      left += stride;
+      support |= tooOld - last[left] | tooOld - last[left + 1] | tooOld - last[left + 2];
+      // The event is moved in any case; the next one overwrites it unless it is kept.
+      timesUs[kept] = timeUs;
+      addresses[kept] = address;
+      kept += support >>> 31;
+    }
+    return kept;
+  }
+
+  /** Keeps events that enough neighbours support, by counting the signs. */
+  private int keepSupportedByEnough(EventPacket packet, int from, int to, int keptBefore) {
+    long[] timesUs = packet.timesUs();
+    int[] addresses = packet.addresses();
+    int[] last = lastUs;
+    int correlationUs = settings.correlationUs();
+    int polarityMask = settings.samePolarity() ? EventAddress.ON_BIT : 0;
+    int tooFew = settings.neighbours() - 1;
+    int kept = keptBefore;
+    for (int i = from; i < to; i++) {
+      long timeUs = timesUs[i];
+      int address = addresses[i];
+      int relativeUs = (int) (timeUs - epochUs);
+      int tooOld = relativeUs - correlationUs - 1;
+      int left = lowerLeft(address, polarityMask);
       int support =
-          (tooOld - last[pixel - above - 1] >>> 31)
-              + (tooOld - last[pixel - above] >>> 31)
-              + (tooOld - last[pixel - above + 1] >>> 31)
-              + (tooOld - last[pixel - 1] >>> 31)
-              + (tooOld - last[pixel + 1] >>> 31)
-              + (tooOld - last[pixel + above - 1] >>> 31)
-              + (tooOld - last[pixel + above] >>> 31)
-              + (tooOld - last[pixel + above + 1] >>> 31);
-      last[pixel] = relativeUs;
-      packet.move(i, kept);
+          (tooOld - last[left] >>> 31)
+              + (tooOld - last[left + 1] >>> 31)
+              + (tooOld - last[left + 2] >>> 31);
+      left += stride;
+      support += (tooOld - last[left] >>> 31) + (tooOld - last[left + 2] >>> 31);
+      last[left + 1] = relativeUs;
+      left += stride;
+      support +=
+          (tooOld - last[left] >>> 31)
+              + (tooOld - last[left + 1] >>> 31)
+              + (tooOld - last[left + 2] >>> 31);
+      timesUs[kept] = timeUs;
+      addresses[kept] = address;
       kept += tooFew - support >>> 31;
     }
     return kept;
+  }
+
+  /** Place of an event's lower left neighbour; the border makes it (y * stride + x). */
+  private int lowerLeft(int address, int polarityMask) {
+    return (address & polarityMask) * mapSize
+        + EventAddress.y(address) * stride
+        + EventAddress.x(address);
   }
 
   /** Makes an event's time fit, without loss: see the class comment. */

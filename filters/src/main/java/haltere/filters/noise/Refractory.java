@@ -72,10 +72,8 @@ public final class Refractory {
       int pixel = EventAddress.y(address) * width + EventAddress.x(address);
       long timeUs = packet.timeUs(i);
       boolean passes = timeUs - lastUs[pixel] > periodUs;
-      if (passes || everyEventCounts) {
-        lastUs[pixel] = timeUs;
-      }
-      // The move is done in any case and counts only if the event passes: no branch to mispredict.
+      // Stores and moves in any case and lets the value decide: no branch to mispredict.
+      lastUs[pixel] = passes | everyEventCounts ? timeUs : lastUs[pixel];
       packet.move(i, kept);
       kept += passes ? 1 : 0;
     }

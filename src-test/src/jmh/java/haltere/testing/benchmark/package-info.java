@@ -1,0 +1,2 @@
+/** One benchmark per stage, the baseline beside the candidates. */
+package haltere.testing.benchmark;
