@@ -35,7 +35,7 @@ import org.openjdk.jmh.annotations.Warmup;
 @Measurement(iterations = 5, time = 1)
 public class FilterBenchmark {
   /** Name of the filter, or {@code nothing}. */
-  @Param({"nothing", "refractory", "background-activity"})
+  @Param({"nothing", "refractory", "background-activity", "hot-pixels", "region", "polarity"})
   public String filter;
 
   /** Events and sensor. */

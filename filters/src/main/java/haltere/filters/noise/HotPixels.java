@@ -1,0 +1,271 @@
+package haltere.filters.noise;
+
+import haltere.core.event.EventAddress;
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import java.util.Arrays;
+import java.util.Objects;
+
+/**
+ * Learns which pixels fire abnormally and blocks them. Event time is divided into learning periods,
+ * counted from the first event. At the end of each:
+ *
+ * <ul>
+ *   <li>a pixel is hot if it fired at more than a certain rate AND at more than a certain multiple
+ *       of the mean rate of its neighbours (the up to eight that are on the sensor and not
+ *       blocked);
+ *   <li>hot pixels are blocked from then on, the busiest first where there are more than may be;
+ *   <li>a blocked pixel that was not hot for several periods in a row is let through again.
+ * </ul>
+ *
+ * <p>Why a moving edge is not blocked: within a learning period it crosses not single pixels but
+ * areas. The thinnest thing that can fire, a line of one pixel's width that flickers on the spot,
+ * gives each of its pixels but the ends two neighbours of the same rate, so the pixel has 4 times
+ * the mean of its eight neighbours; a pixel on the rim of the area that a beating wing sweeps has
+ * at least three, so it has at most 2.7 times. A hot pixel among silent ones has a huge multiple,
+ * and each of two hot ones side by side has 8 times the mean. The ratio of 6 lies between.
+ *
+ * <p>What counts are the events that come in, so a blocked pixel is still watched.
+ *
+ * <p>Thread rule: not safe for use by two threads at a time.
+ */
+public final class HotPixels {
+  /** Bit of a cell that says that its pixel is blocked; the other bits count the events. */
+  private static final int BLOCKED = 1 << 31;
+
+  private final int width;
+  private final int height;
+  private final int[] cells;
+  private HotPixelsSettings settings;
+
+  /** Count from which a pixel is a candidate in this period. */
+  private int threshold;
+
+  /** Pixels that have reached the threshold in this period. */
+  private int[] candidates = new int[64];
+
+  private int candidateCount;
+
+  /** Blocked pixels and how many periods in a row each has been calm. */
+  private int[] blocked;
+
+  private int[] calmPeriods;
+  private int blockedCount;
+
+  private boolean started;
+  private long periodEndUs;
+
+  /**
+   * A filter that has seen nothing.
+   *
+   * @param geometry the sensor whose events it will see
+   * @param settings what to do
+   */
+  public HotPixels(SensorGeometry geometry, HotPixelsSettings settings) {
+    width = geometry.width();
+    height = geometry.height();
+    cells = new int[geometry.pixels()];
+    blocked = new int[0];
+    calmPeriods = new int[0];
+    apply(settings);
+  }
+
+  /** Forgets all events and lets all pixels through. */
+  public void reset() {
+    Arrays.fill(cells, 0);
+    candidateCount = 0;
+    blockedCount = 0;
+    started = false;
+  }
+
+  /**
+   * What it does.
+   *
+   * @return the settings in force
+   */
+  public HotPixelsSettings settings() {
+    return settings;
+  }
+
+  /**
+   * Does something else from the next packet on. Blocked pixels stay blocked, as many as may be; a
+   * new learning period begins with the next event.
+   *
+   * @param newSettings the settings to use
+   */
+  public void apply(HotPixelsSettings newSettings) {
+    settings = Objects.requireNonNull(newSettings, "newSettings");
+    threshold = (int) Math.max(1, Math.ceil(settings.rateHz() * settings.periodUs() / 1e6));
+    for (int i = settings.mostBlocked(); i < blockedCount; i++) {
+      cells[blocked[i]] = 0;
+    }
+    blockedCount = Math.min(blockedCount, settings.mostBlocked());
+    blocked = Arrays.copyOf(blocked, settings.mostBlocked());
+    calmPeriods = Arrays.copyOf(calmPeriods, settings.mostBlocked());
+    clearCounts();
+    started = false;
+  }
+
+  /**
+   * How many pixels are blocked at present.
+   *
+   * @return at most the number of the settings
+   */
+  public int blockedPixels() {
+    return blockedCount;
+  }
+
+  /**
+   * Whether a pixel is blocked at present.
+   *
+   * @param x column
+   * @param y row
+   * @return true if its events are dropped
+   */
+  public boolean isBlocked(int x, int y) {
+    return cells[y * width + x] < 0;
+  }
+
+  /**
+   * Removes the events of blocked pixels.
+   *
+   * @param packet worked on in place
+   */
+  public void filter(EventPacket packet) {
+    int kept = 0;
+    int from = 0;
+    while (from < packet.size()) {
+      advance(packet.timeUs(from));
+      int to = packet.indexAtOrAfter(periodEndUs, from);
+      kept = countAndKeep(packet, from, to, kept);
+      from = to;
+    }
+    packet.truncate(kept);
+  }
+
+  private int countAndKeep(EventPacket packet, int from, int to, int keptBefore) {
+    int kept = keptBefore;
+    for (int i = from; i < to; i++) {
+      int address = packet.address(i);
+      int pixel = EventAddress.y(address) * width + EventAddress.x(address);
+      int cell = cells[pixel] + 1;
+      cells[pixel] = cell;
+      if ((cell & ~BLOCKED) == threshold) {
+        addCandidate(pixel);
+      }
+      packet.move(i, kept);
+      kept += ~cell >>> 31;
+    }
+    return kept;
+  }
+
+  private void addCandidate(int pixel) {
+    if (candidateCount == candidates.length) {
+      candidates = Arrays.copyOf(candidates, 2 * candidateCount);
+    }
+    candidates[candidateCount++] = pixel;
+  }
+
+  /** Ends all periods that end at or before a time. */
+  private void advance(long timeUs) {
+    if (!started) {
+      started = true;
+      periodEndUs = timeUs + settings.periodUs();
+      return;
+    }
+    if (timeUs < periodEndUs) {
+      return;
+    }
+    endPeriod();
+    // Periods without an event: all pixels are calm, and after enough of them none is blocked.
+    long silentPeriods = (timeUs - periodEndUs) / settings.periodUs();
+    for (long i = 0; i < silentPeriods && blockedCount > 0; i++) {
+      endPeriod();
+    }
+    periodEndUs += (silentPeriods + 1) * settings.periodUs();
+  }
+
+  private void endPeriod() {
+    int hot = 0;
+    for (int i = 0; i < candidateCount; i++) {
+      if (isHot(candidates[i])) {
+        candidates[hot++] = candidates[i];
+      }
+    }
+    releaseCalm(hot);
+    blockBusiest(hot);
+    clearCounts();
+  }
+
+  private boolean isHot(int pixel) {
+    int x = pixel % width;
+    int y = pixel / width;
+    long sum = 0;
+    int neighbours = 0;
+    for (int ny = Math.max(0, y - 1); ny <= Math.min(height - 1, y + 1); ny++) {
+      for (int nx = Math.max(0, x - 1); nx <= Math.min(width - 1, x + 1); nx++) {
+        int neighbour = ny * width + nx;
+        if (neighbour != pixel && cells[neighbour] >= 0) {
+          sum += cells[neighbour];
+          neighbours++;
+        }
+      }
+    }
+    int count = cells[pixel] & ~BLOCKED;
+    return (double) count * neighbours > settings.ratio() * sum;
+  }
+
+  /** Lets pixels through that have been calm for long enough; the hot ones stand in candidates. */
+  private void releaseCalm(int hot) {
+    Arrays.sort(candidates, 0, hot);
+    int kept = 0;
+    for (int i = 0; i < blockedCount; i++) {
+      int pixel = blocked[i];
+      boolean calm = Arrays.binarySearch(candidates, 0, hot, pixel) < 0;
+      int periods = calm ? calmPeriods[i] + 1 : 0;
+      if (periods >= settings.calmPeriods()) {
+        cells[pixel] &= ~BLOCKED;
+      } else {
+        blocked[kept] = pixel;
+        calmPeriods[kept++] = periods;
+      }
+    }
+    blockedCount = kept;
+  }
+
+  private void blockBusiest(int hot) {
+    int fresh = 0;
+    for (int i = 0; i < hot; i++) {
+      if (cells[candidates[i]] >= 0) {
+        candidates[fresh++] = candidates[i];
+      }
+    }
+    int free = blocked.length - blockedCount;
+    if (fresh > free) {
+      sortBusiestFirst(fresh);
+    }
+    for (int i = 0; i < Math.min(free, fresh); i++) {
+      cells[candidates[i]] |= BLOCKED;
+      blocked[blockedCount] = candidates[i];
+      calmPeriods[blockedCount++] = 0;
+    }
+  }
+
+  private void sortBusiestFirst(int fresh) {
+    long[] keys = new long[fresh];
+    for (int i = 0; i < fresh; i++) {
+      keys[i] = (long) -cells[candidates[i]] << 32 | candidates[i];
+    }
+    Arrays.sort(keys);
+    for (int i = 0; i < fresh; i++) {
+      candidates[i] = (int) keys[i];
+    }
+  }
+
+  private void clearCounts() {
+    for (int i = 0; i < cells.length; i++) {
+      cells[i] &= BLOCKED;
+    }
+    candidateCount = 0;
+  }
+}

@@ -1,0 +1,74 @@
+package haltere.filters.noise;
+
+import haltere.core.chain.ConfigurableFilter;
+import haltere.core.chain.FilterProvider;
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.stream.DataLost;
+import haltere.core.stream.StreamNotification;
+
+/** {@link HotPixels} as a stage of a chain. */
+public final class HotPixelsFilter implements ConfigurableFilter<HotPixelsSettings> {
+  private final HotPixels hotPixels;
+
+  /**
+   * A filter in its initial state.
+   *
+   * @param geometry the sensor whose events it will see
+   * @param settings what to do
+   */
+  public HotPixelsFilter(SensorGeometry geometry, HotPixelsSettings settings) {
+    hotPixels = new HotPixels(geometry, settings);
+  }
+
+  @Override
+  public void process(EventPacket packet) {
+    hotPixels.filter(packet);
+  }
+
+  @Override
+  public void reset() {
+    hotPixels.reset();
+  }
+
+  /** A gap in the data heals no pixel, so what has been learned outlives it. */
+  @Override
+  public void notified(StreamNotification notification) {
+    if (!(notification instanceof DataLost)) {
+      ConfigurableFilter.super.notified(notification);
+    }
+  }
+
+  @Override
+  public HotPixelsSettings settings() {
+    return hotPixels.settings();
+  }
+
+  @Override
+  public void apply(HotPixelsSettings settings) {
+    hotPixels.apply(settings);
+  }
+
+  /** Makes the filter where its name is found in a chain. */
+  public static final class Provider implements FilterProvider<HotPixelsSettings> {
+    @Override
+    public String name() {
+      return "hot-pixels";
+    }
+
+    @Override
+    public String description() {
+      return "Learns which pixels fire abnormally and drops their events.";
+    }
+
+    @Override
+    public Class<HotPixelsSettings> settingsType() {
+      return HotPixelsSettings.class;
+    }
+
+    @Override
+    public HotPixelsFilter create(SensorGeometry geometry, HotPixelsSettings settings) {
+      return new HotPixelsFilter(geometry, settings);
+    }
+  }
+}

@@ -1,0 +1,53 @@
+package haltere.filters.noise;
+
+import haltere.core.settings.Help;
+import haltere.core.settings.Range;
+import haltere.core.settings.SettingsSchema;
+import haltere.core.settings.Unit;
+
+/**
+ * Settings of {@link HotPixelsFilter}.
+ *
+ * @param periodUs length of a learning period of event time
+ * @param rateHz rate above which a pixel may be hot
+ * @param ratio multiple of its neighbours' mean rate above which it is
+ * @param calmPeriods learning periods after which a pixel that is no longer hot passes again
+ * @param mostBlocked how many pixels may be blocked
+ */
+public record HotPixelsSettings(
+    @Help("After each period of this length it is decided anew which pixels are hot.")
+        @Range(min = 1000, max = 60_000_000, logarithmic = true)
+        @Unit("us")
+        long periodUs,
+    @Help("A pixel may be hot only if it fires at more than this rate.")
+        @Range(min = 0.1, max = 10_000, logarithmic = true)
+        @Unit("Hz")
+        double rateHz,
+    @Help(
+            "A pixel is hot only if it fires at more than this multiple of its neighbours' mean rate.")
+        @Range(min = 1, max = 1000, logarithmic = true)
+        @Unit("1")
+        double ratio,
+    @Help("A blocked pixel passes again when it was not hot for this many periods in a row.")
+        @Range(min = 1, max = 1000, logarithmic = true)
+        @Unit("periods")
+        int calmPeriods,
+    @Help("No more pixels than this are blocked at a time, the busiest first.")
+        @Range(min = 0, max = 100_000, logarithmic = true)
+        @Unit("pixels")
+        int mostBlocked) {
+  /** Checks the ranges. */
+  public HotPixelsSettings {
+    SettingsSchema.validate(
+        HotPixelsSettings.class, periodUs, rateHz, ratio, calmPeriods, mostBlocked);
+  }
+
+  /**
+   * The settings to start from.
+   *
+   * @return half a second, 50 Hz, six times the neighbours, four periods, 1000 pixels
+   */
+  public static HotPixelsSettings defaults() {
+    return new HotPixelsSettings(500_000, 50, 6, 4, 1000);
+  }
+}

@@ -1,0 +1,60 @@
+package haltere.filters.selection;
+
+import haltere.core.event.EventAddress;
+import haltere.core.event.EventPacket;
+import java.util.Objects;
+
+/**
+ * Passes the events of one polarity, or of both.
+ *
+ * <p>Thread rule: not safe for use by two threads at a time.
+ */
+public final class PolaritySelection {
+  private PolaritySettings settings;
+
+  /**
+   * A filter.
+   *
+   * @param settings what to do
+   */
+  public PolaritySelection(PolaritySettings settings) {
+    apply(settings);
+  }
+
+  /**
+   * What it does.
+   *
+   * @return the settings in force
+   */
+  public PolaritySettings settings() {
+    return settings;
+  }
+
+  /**
+   * Does something else from the next packet on.
+   *
+   * @param newSettings the settings to use
+   */
+  public void apply(PolaritySettings newSettings) {
+    settings = Objects.requireNonNull(newSettings, "newSettings");
+  }
+
+  /**
+   * Removes the events of the other polarity.
+   *
+   * @param packet worked on in place
+   */
+  public void filter(EventPacket packet) {
+    if (settings.keep() == PolaritySettings.Keep.BOTH) {
+      return;
+    }
+    int other = settings.keep() == PolaritySettings.Keep.ON ? 0 : 1;
+    int kept = 0;
+    for (int i = 0; i < packet.size(); i++) {
+      int onBit = packet.address(i) & EventAddress.ON_BIT;
+      packet.move(i, kept);
+      kept += onBit ^ other;
+    }
+    packet.truncate(kept);
+  }
+}

@@ -1,0 +1,37 @@
+package haltere.filters.selection;
+
+import haltere.core.settings.Help;
+import haltere.core.settings.SettingsSchema;
+
+/**
+ * Settings of {@link PolarityFilter}.
+ *
+ * @param keep which events pass
+ */
+public record PolaritySettings(
+    @Help("Which events pass: all, those where it got brighter, or those where it got darker.")
+        Keep keep) {
+  /** Which events pass. */
+  public enum Keep {
+    /** Events of both polarities. */
+    BOTH,
+    /** ON events, where it got brighter. */
+    ON,
+    /** OFF events, where it got darker. */
+    OFF
+  }
+
+  /** Checks that the choice is there. */
+  public PolaritySettings {
+    SettingsSchema.validate(PolaritySettings.class, keep);
+  }
+
+  /**
+   * The settings to start from.
+   *
+   * @return both polarities
+   */
+  public static PolaritySettings defaults() {
+    return new PolaritySettings(Keep.BOTH);
+  }
+}

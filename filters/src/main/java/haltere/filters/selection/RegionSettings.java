@@ -1,0 +1,59 @@
+package haltere.filters.selection;
+
+import haltere.core.settings.Help;
+import haltere.core.settings.Range;
+import haltere.core.settings.SettingsSchema;
+import haltere.core.settings.Unit;
+
+/**
+ * Settings of {@link RegionFilter}.
+ *
+ * @param leftPx first column of the rectangle
+ * @param bottomPx first row of the rectangle
+ * @param widthPx columns of the rectangle
+ * @param heightPx rows of the rectangle
+ * @param keep which events pass
+ */
+public record RegionSettings(
+    @Help("First column of the rectangle, 0 at the left.")
+        @Range(min = 0, max = RegionSettings.LARGEST_PX)
+        @Unit("px")
+        int leftPx,
+    @Help("First row of the rectangle, 0 at the bottom.")
+        @Range(min = 0, max = RegionSettings.LARGEST_PX)
+        @Unit("px")
+        int bottomPx,
+    @Help("Columns of the rectangle; those beyond the sensor do not matter.")
+        @Range(min = 0, max = RegionSettings.LARGEST_PX)
+        @Unit("px")
+        int widthPx,
+    @Help("Rows of the rectangle; those beyond the sensor do not matter.")
+        @Range(min = 0, max = RegionSettings.LARGEST_PX)
+        @Unit("px")
+        int heightPx,
+    @Help("Whether events inside of the rectangle pass or those outside of it.") Keep keep) {
+  /** More than any sensor has. */
+  static final int LARGEST_PX = 32_768;
+
+  /** Which events pass. */
+  public enum Keep {
+    /** Those in the rectangle. */
+    INSIDE,
+    /** All others. */
+    OUTSIDE
+  }
+
+  /** Checks the ranges. */
+  public RegionSettings {
+    SettingsSchema.validate(RegionSettings.class, leftPx, bottomPx, widthPx, heightPx, keep);
+  }
+
+  /**
+   * The settings to start from.
+   *
+   * @return the inside of a rectangle that holds any sensor
+   */
+  public static RegionSettings defaults() {
+    return new RegionSettings(0, 0, LARGEST_PX, LARGEST_PX, Keep.INSIDE);
+  }
+}
