@@ -86,8 +86,7 @@ public final class ChainStage {
   void process(EventPacket packet) {
     int in = packet.size();
     if (resetPending) {
-      resetPending = false;
-      filter.notified(
+      notified(
           new Reset(
               Reset.Cause.RE_ENABLED,
               lastSeenUs,
@@ -114,7 +113,11 @@ public final class ChainStage {
       resetPending = false;
       lastSeenUs = StreamNotification.NO_TIME_US;
     }
-    filter.notified(notification);
+    try {
+      filter.notified(notification);
+    } catch (RuntimeException thrown) {
+      throw thrown instanceof FilterFailure named ? named : new FilterFailure(this, thrown);
+    }
   }
 
   @Override

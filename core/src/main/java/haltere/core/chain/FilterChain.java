@@ -164,12 +164,23 @@ public final class FilterChain implements EventFilter, StreamHandler {
   /**
    * Switches a stage on or off. One that comes back is told so before its next packet.
    *
-   * @param stage a stage of this chain
+   * @param stage a stage of this chain or of a chain nested in it
    * @param enabled whether packets go through it
    */
   public void setEnabled(ChainStage stage, boolean enabled) {
-    require(stage);
+    if (!holds(stage)) {
+      require(stage);
+    }
     stage.setEnabled(enabled);
+  }
+
+  private boolean holds(ChainStage stage) {
+    for (ChainStage own : stages) {
+      if (own == stage || own.filter() instanceof FilterChain nested && nested.holds(stage)) {
+        return true;
+      }
+    }
+    return false;
   }
 
   private void require(ChainStage stage) {
@@ -249,8 +260,16 @@ public final class FilterChain implements EventFilter, StreamHandler {
               + " pixels, the source has "
               + started.geometry());
     }
+    FilterFailure first = null;
     for (ChainStage stage : stages) {
-      stage.notified(notification);
+      try {
+        stage.notified(notification);
+      } catch (FilterFailure failure) {
+        first = first == null ? failure : first;
+      }
+    }
+    if (first != null) {
+      throw first;
     }
   }
 

@@ -42,7 +42,7 @@ import java.util.function.Consumer;
  * {@link #close()}.
  */
 public final class Player implements AutoCloseable {
-  private final PlaybackEngine engine;
+  private final PlaybackThread thread;
   private final ConcurrentSkipListSet<Mark> marks = new ConcurrentSkipListSet<>();
 
   /**
@@ -53,7 +53,7 @@ public final class Player implements AutoCloseable {
    * @param options how to start
    */
   public Player(Playable playable, FilterChain chain, PlayerOptions options) {
-    engine = new PlaybackEngine(playable, chain, options);
+    thread = new PlaybackThread(new PlaybackEngine(playable, chain, options), options.sleeper());
   }
 
   /**
@@ -62,7 +62,7 @@ public final class Player implements AutoCloseable {
    * @param sink takes packets and notifications, and slice ends if it is a {@link SliceSink}
    */
   public void addSink(StreamHandler sink) {
-    engine.submit(new PlaybackCommand.AddSink(Objects.requireNonNull(sink, "sink"), false));
+    thread.submit(new PlaybackCommand.AddSink(Objects.requireNonNull(sink, "sink"), false));
   }
 
   /**
@@ -71,7 +71,7 @@ public final class Player implements AutoCloseable {
    * @param sink takes packets and notifications, and slice ends if it is a {@link SliceSink}
    */
   public void addRawSink(StreamHandler sink) {
-    engine.submit(new PlaybackCommand.AddSink(Objects.requireNonNull(sink, "sink"), true));
+    thread.submit(new PlaybackCommand.AddSink(Objects.requireNonNull(sink, "sink"), true));
   }
 
   /**
@@ -81,7 +81,7 @@ public final class Player implements AutoCloseable {
    * @return completed when nothing more is handed to it
    */
   public CompletableFuture<Void> removeSink(StreamHandler sink) {
-    return engine.submit(new PlaybackCommand.RemoveSink(sink));
+    return thread.submit(new PlaybackCommand.RemoveSink(sink));
   }
 
   /**
@@ -90,7 +90,7 @@ public final class Player implements AutoCloseable {
    * @return completed when the stream has started
    */
   public CompletableFuture<Void> start() {
-    return engine.start();
+    return thread.start();
   }
 
   /**
@@ -99,7 +99,7 @@ public final class Player implements AutoCloseable {
    * @return completed when applied
    */
   public CompletableFuture<Void> play() {
-    return engine.submit(new PlaybackCommand.Play(true));
+    return thread.submit(new PlaybackCommand.Play(true));
   }
 
   /**
@@ -108,7 +108,7 @@ public final class Player implements AutoCloseable {
    * @return completed when applied
    */
   public CompletableFuture<Void> pause() {
-    return engine.submit(new PlaybackCommand.Play(false));
+    return thread.submit(new PlaybackCommand.Play(false));
   }
 
   /**
@@ -117,7 +117,7 @@ public final class Player implements AutoCloseable {
    * @return completed when applied
    */
   public CompletableFuture<Void> togglePause() {
-    return engine.submit(new PlaybackCommand.Toggle());
+    return thread.submit(new PlaybackCommand.Toggle());
   }
 
   /**
@@ -128,7 +128,7 @@ public final class Player implements AutoCloseable {
    * @return completed when the last of them has been shown, or another jump or play came between
    */
   public CompletableFuture<Void> step(int slices) {
-    return engine.submit(new PlaybackCommand.Step(slices));
+    return thread.submit(new PlaybackCommand.Step(slices));
   }
 
   /**
@@ -139,7 +139,7 @@ public final class Player implements AutoCloseable {
    *     the playable cannot seek there
    */
   public CompletableFuture<Void> seek(long elapsedUs) {
-    return engine.submit(new PlaybackCommand.Seek(elapsedUs));
+    return thread.submit(new PlaybackCommand.Seek(elapsedUs));
   }
 
   /**
@@ -148,7 +148,7 @@ public final class Player implements AutoCloseable {
    * @return completed as for {@link #seek}
    */
   public CompletableFuture<Void> rewind() {
-    return engine.submit(new PlaybackCommand.Rewind());
+    return thread.submit(new PlaybackCommand.Rewind());
   }
 
   /**
@@ -160,7 +160,7 @@ public final class Player implements AutoCloseable {
    */
   public CompletableFuture<Void> setSpeed(double speed) {
     PlaybackClock.checkSpeed(speed);
-    return engine.submit(new PlaybackCommand.SetSpeed(speed));
+    return thread.submit(new PlaybackCommand.SetSpeed(speed));
   }
 
   /**
@@ -170,7 +170,7 @@ public final class Player implements AutoCloseable {
    * @return completed when applied
    */
   public CompletableFuture<Void> setSlicing(Slicing slicing) {
-    return engine.submit(
+    return thread.submit(
         new PlaybackCommand.SetSlicing(Objects.requireNonNull(slicing, "slicing")));
   }
 
@@ -181,7 +181,7 @@ public final class Player implements AutoCloseable {
    * @return completed when applied
    */
   public CompletableFuture<Void> setLoop(Loop loop) {
-    return engine.submit(new PlaybackCommand.SetLoop(Objects.requireNonNull(loop, "loop")));
+    return thread.submit(new PlaybackCommand.SetLoop(Objects.requireNonNull(loop, "loop")));
   }
 
   /**
@@ -190,7 +190,7 @@ public final class Player implements AutoCloseable {
    * @return completed when applied
    */
   public CompletableFuture<Void> reset() {
-    return engine.submit(new PlaybackCommand.UserReset());
+    return thread.submit(new PlaybackCommand.UserReset());
   }
 
   /**
@@ -200,7 +200,7 @@ public final class Player implements AutoCloseable {
    * @return completed when applied
    */
   public CompletableFuture<Void> edit(Consumer<FilterChain> change) {
-    return engine.submit(new PlaybackCommand.Edit(Objects.requireNonNull(change, "change")));
+    return thread.submit(new PlaybackCommand.Edit(Objects.requireNonNull(change, "change")));
   }
 
   /**
@@ -238,7 +238,7 @@ public final class Player implements AutoCloseable {
    * @return the last reading
    */
   public PlayerStatus status() {
-    return engine.status();
+    return thread.status();
   }
 
   /**
@@ -247,7 +247,7 @@ public final class Player implements AutoCloseable {
    * @return the playable, of which only name, geometry, duration and seekability may be asked
    */
   public Playable playable() {
-    return engine.playable();
+    return thread.playable();
   }
 
   /**
@@ -257,6 +257,6 @@ public final class Player implements AutoCloseable {
    */
   @Override
   public void close() {
-    engine.close();
+    thread.close();
   }
 }

@@ -1,0 +1,257 @@
+package haltere.core.pipeline;
+
+import haltere.core.chain.FilterChain;
+import haltere.core.chain.FilterFailure;
+import haltere.core.event.EventPacket;
+import haltere.core.pipeline.PipelineCounters.Counter;
+import haltere.core.stream.DataLost;
+import haltere.core.stream.EndOfStream;
+import haltere.core.stream.Reset;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import haltere.core.stream.StreamStarted;
+import java.util.List;
+import java.util.Objects;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Consumer;
+
+/**
+ * Takes a stream, shows it to the sinks before the chain, sends it through the chain and hands it
+ * to the sinks behind it; counts what happens to every event.
+ *
+ * <p>Thread rule: the processing thread only.
+ */
+public final class ChainRunner implements StreamHandler {
+  private final FilterChain chain;
+  private final PipelineCounters counters;
+  private final OnFailure onFailure;
+  private final Consumer<String> failures;
+  private final List<StreamHandler> rawSinks = new CopyOnWriteArrayList<>();
+  private final List<StreamHandler> sinks = new CopyOnWriteArrayList<>();
+  private StreamStarted running;
+  private long lastUs = StreamNotification.NO_TIME_US;
+
+  /**
+   * A runner without sinks.
+   *
+   * @param chain the filters
+   * @param counters counts what happens
+   * @param onFailure what happens when a filter or a sink throws
+   * @param failures is told of each failure in one line
+   */
+  public ChainRunner(
+      FilterChain chain,
+      PipelineCounters counters,
+      OnFailure onFailure,
+      Consumer<String> failures) {
+    this.chain = Objects.requireNonNull(chain, "chain");
+    this.counters = Objects.requireNonNull(counters, "counters");
+    this.onFailure = Objects.requireNonNull(onFailure, "onFailure");
+    this.failures = Objects.requireNonNull(failures, "failures");
+  }
+
+  /**
+   * Adds a sink; where a stream runs already it is told of its start.
+   *
+   * @param sink takes the stream
+   * @param raw true for before the chain; such a sink must not change packets
+   */
+  public void addSink(StreamHandler sink, boolean raw) {
+    Objects.requireNonNull(sink, "sink");
+    List<StreamHandler> list = raw ? rawSinks : sinks;
+    list.add(sink);
+    if (running != null) {
+      guarded(list, sink, handler -> handler.notified(running));
+    }
+  }
+
+  /**
+   * Takes a sink away, wherever it is.
+   *
+   * @param sink one that was added
+   */
+  public void removeSink(StreamHandler sink) {
+    rawSinks.remove(sink);
+    sinks.remove(sink);
+  }
+
+  /**
+   * Whether a stream runs.
+   *
+   * @return true between its start and its end
+   */
+  public boolean streamRunning() {
+    return running != null;
+  }
+
+  /**
+   * Time of the last event since continuity ended.
+   *
+   * @return microseconds, or {@link StreamNotification#NO_TIME_US}
+   */
+  public long lastUs() {
+    return lastUs;
+  }
+
+  @Override
+  public void packet(EventPacket packet) {
+    int in = packet.size();
+    counters.add(Counter.PACKETS_IN, 1);
+    counters.add(Counter.EVENTS_IN, in);
+    for (StreamHandler sink : rawSinks) {
+      try {
+        sink.packet(packet);
+      } catch (RuntimeException thrown) {
+        sinkFailed(rawSinks, sink, thrown);
+      }
+    }
+    long beforeUs = lastUs;
+    if (in > 0) {
+      lastUs = packet.lastTimeUs();
+    }
+    if (!throughChain(packet, in, beforeUs)) {
+      return;
+    }
+    counters.add(Counter.EVENTS_OUT, packet.size());
+    for (StreamHandler sink : sinks) {
+      try {
+        sink.packet(packet);
+      } catch (RuntimeException thrown) {
+        sinkFailed(sinks, sink, thrown);
+      }
+    }
+  }
+
+  private boolean throughChain(EventPacket packet, int in, long beforeUs) {
+    long outsideBefore = chain.outsideSensor();
+    try {
+      chain.process(packet);
+    } catch (FilterFailure failure) {
+      long outside = chain.outsideSensor() - outsideBefore;
+      counters.add(Counter.EVENTS_OUTSIDE_SENSOR, outside);
+      counters.add(Counter.EVENTS_LOST_IN_FAILURE, in - outside);
+      filterFailed(failure);
+      lose(new DataLost(-1, in - outside, beforeUs, StreamNotification.NO_TIME_US, where(failure)));
+      return false;
+    }
+    long outside = chain.outsideSensor() - outsideBefore;
+    counters.add(Counter.EVENTS_OUTSIDE_SENSOR, outside);
+    counters.add(Counter.EVENTS_FILTERED, in - outside - packet.size());
+    return true;
+  }
+
+  private static String where(FilterFailure failure) {
+    return "filter " + failure.stage().name();
+  }
+
+  private void lose(DataLost lost) {
+    counters.add(Counter.GAPS, 1);
+    tellChain(lost);
+    for (StreamHandler sink : sinks) {
+      guarded(sinks, sink, handler -> handler.notified(lost));
+    }
+  }
+
+  @Override
+  public void notified(StreamNotification notification) {
+    if (notification instanceof StreamStarted started) {
+      running = started;
+    } else if (notification instanceof EndOfStream) {
+      running = null;
+    } else if (notification instanceof Reset) {
+      counters.add(Counter.RESETS, 1);
+    } else if (notification instanceof DataLost lost) {
+      counters.add(Counter.GAPS, 1);
+      counters.add(Counter.EVENTS_LOST_BEFORE, Math.max(0, lost.estimatedEvents()));
+    }
+    if (notification.endsContinuity()) {
+      lastUs = StreamNotification.NO_TIME_US;
+    }
+    for (StreamHandler sink : rawSinks) {
+      guarded(rawSinks, sink, handler -> handler.notified(notification));
+    }
+    tellChain(notification);
+    for (StreamHandler sink : sinks) {
+      guarded(sinks, sink, handler -> handler.notified(notification));
+    }
+  }
+
+  /**
+   * Sends a packet through the chain for the sake of the state of its filters; sinks do not see it.
+   *
+   * @param packet borrowed
+   */
+  public void runUp(EventPacket packet) {
+    counters.add(Counter.EVENTS_RUN_UP, packet.size());
+    try {
+      chain.process(packet);
+    } catch (FilterFailure failure) {
+      filterFailed(failure);
+      tellChain(new DataLost(-1, -1, lastUs, StreamNotification.NO_TIME_US, where(failure)));
+    }
+  }
+
+  /**
+   * Tells the chain alone, during a run-up.
+   *
+   * @param notification what happened
+   */
+  public void runUpNotified(StreamNotification notification) {
+    tellChain(notification);
+  }
+
+  /**
+   * Does something with every sink, those before the chain first.
+   *
+   * @param action what to do; one that throws counts as a failure of the sink
+   */
+  public void forEachSink(Consumer<StreamHandler> action) {
+    for (StreamHandler sink : rawSinks) {
+      guarded(rawSinks, sink, action);
+    }
+    for (StreamHandler sink : sinks) {
+      guarded(sinks, sink, action);
+    }
+  }
+
+  private void tellChain(StreamNotification notification) {
+    try {
+      chain.notified(notification);
+    } catch (FilterFailure failure) {
+      filterFailed(failure);
+    }
+  }
+
+  private void filterFailed(FilterFailure failure) {
+    counters.add(Counter.FILTER_FAILURES, 1);
+    failures.accept(oneLine(failure.getMessage()) + "; it is switched off");
+    if (onFailure == OnFailure.STOP) {
+      throw failure;
+    }
+    chain.setEnabled(failure.stage(), false);
+  }
+
+  private void guarded(
+      List<StreamHandler> list, StreamHandler sink, Consumer<StreamHandler> action) {
+    try {
+      action.accept(sink);
+    } catch (RuntimeException thrown) {
+      sinkFailed(list, sink, thrown);
+    }
+  }
+
+  private void sinkFailed(List<StreamHandler> list, StreamHandler sink, RuntimeException thrown) {
+    counters.add(Counter.SINK_FAILURES, 1);
+    failures.accept(
+        oneLine("sink " + sink.getClass().getSimpleName() + " failed: " + thrown)
+            + "; it is removed");
+    if (onFailure == OnFailure.STOP) {
+      throw thrown;
+    }
+    list.remove(sink);
+  }
+
+  private static String oneLine(String text) {
+    return text.lines().findFirst().orElse("");
+  }
+}

@@ -1,0 +1,68 @@
+package haltere.core.pipeline;
+
+import haltere.core.chain.FilterChain;
+import haltere.core.stream.EventSource;
+import haltere.core.stream.StreamHandler;
+import java.io.IOException;
+import java.util.List;
+
+/**
+ * Source, chain, sinks, as fast as it goes, on the calling thread. No packet is copied: the chain
+ * works on those that the source lends.
+ *
+ * <p>Thread rule: everything runs on the caller's thread.
+ */
+public final class Pipeline {
+  private Pipeline() {}
+
+  /**
+   * Runs to the end of the stream; stops at the first failure.
+   *
+   * @param source gives the stream; not closed
+   * @param chain filters it; not closed
+   * @param sinks take what comes out
+   * @param counters count what happens
+   * @throws IOException if the source can no longer be read, or {@link
+   *     java.io.InterruptedIOException} if the thread was interrupted; the sinks have then not been
+   *     told of an end
+   * @throws haltere.core.chain.FilterFailure if a filter throws
+   */
+  public static void run(
+      EventSource source,
+      FilterChain chain,
+      List<? extends StreamHandler> sinks,
+      PipelineCounters counters)
+      throws IOException {
+    run(source, chain, sinks, counters, OnFailure.STOP);
+  }
+
+  /**
+   * Runs to the end of the stream.
+   *
+   * @param source gives the stream; not closed
+   * @param chain filters it; not closed
+   * @param sinks take what comes out
+   * @param counters count what happens
+   * @param onFailure what happens when a filter or a sink throws
+   * @return what failed, one line each; empty if nothing did
+   * @throws IOException if the source can no longer be read, or {@link
+   *     java.io.InterruptedIOException} if the thread was interrupted; the sinks have then not been
+   *     told of an end
+   * @throws haltere.core.chain.FilterFailure if a filter throws and that is to stop the run
+   */
+  public static List<String> run(
+      EventSource source,
+      FilterChain chain,
+      List<? extends StreamHandler> sinks,
+      PipelineCounters counters,
+      OnFailure onFailure)
+      throws IOException {
+    List<String> failures = new java.util.ArrayList<>();
+    ChainRunner runner = new ChainRunner(chain, counters, onFailure, failures::add);
+    for (StreamHandler sink : sinks) {
+      runner.addSink(sink, false);
+    }
+    source.drainTo(runner);
+    return failures;
+  }
+}

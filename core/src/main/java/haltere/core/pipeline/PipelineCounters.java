@@ -1,0 +1,104 @@
+package haltere.core.pipeline;
+
+import java.util.Objects;
+import java.util.concurrent.atomic.AtomicLongArray;
+
+/**
+ * What a run has counted. Of the events that came in, each has gone out, was dropped by a filter,
+ * lay off the sensor or was lost with a filter that failed: {@link #unaccountedEvents()} is 0
+ * between two packets.
+ *
+ * <p>Thread rule: one thread counts, any thread reads.
+ */
+public final class PipelineCounters {
+  /** A counter, with what it counts in a sentence. */
+  public enum Counter {
+    /** Packets that the source handed over. */
+    PACKETS_IN("Packets that the source handed over."),
+    /** Events that the source handed over. */
+    EVENTS_IN("Events that the source handed over."),
+    /** Events that came out of the chain. */
+    EVENTS_OUT("Events that came out of the chain and went to the sinks."),
+    /** Events that filters dropped. */
+    EVENTS_FILTERED("Events that the filters of the chain dropped on purpose."),
+    /** Events off the sensor. */
+    EVENTS_OUTSIDE_SENSOR("Events that were dropped because their pixel is not on the sensor."),
+    /** Events lost with a failing filter. */
+    EVENTS_LOST_IN_FAILURE("Events that were lost because a filter failed on their packet."),
+    /** Events lost before they came in. */
+    EVENTS_LOST_BEFORE("Events that the source says were lost before they came in, if it knows."),
+    /** Gaps. */
+    GAPS("Places where events were lost, before the chain or in it."),
+    /** Resets. */
+    RESETS("Times that the chain was told to forget."),
+    /** Events replayed for warm trackers. */
+    EVENTS_RUN_UP("Events that went through the chain once more before a step back was shown."),
+    /** Failures of filters. */
+    FILTER_FAILURES("Times that a filter failed and was switched off."),
+    /** Failures of sinks. */
+    SINK_FAILURES("Times that a sink failed and was removed.");
+
+    private final String sentence;
+
+    Counter(String sentence) {
+      this.sentence = sentence;
+    }
+
+    /**
+     * What it counts.
+     *
+     * @return a sentence for a person
+     */
+    public String sentence() {
+      return sentence;
+    }
+  }
+
+  private final AtomicLongArray values = new AtomicLongArray(Counter.values().length);
+
+  /** Counters at 0. */
+  public PipelineCounters() {}
+
+  /**
+   * Reads a counter.
+   *
+   * @param counter which
+   * @return its value
+   */
+  public long get(Counter counter) {
+    return values.get(counter.ordinal());
+  }
+
+  /**
+   * Counts. Only the processing thread does.
+   *
+   * @param counter which
+   * @param count how many, at least 0
+   */
+  public void add(Counter counter, long count) {
+    int index = Objects.requireNonNull(counter, "counter").ordinal();
+    values.lazySet(index, values.getPlain(index) + count);
+  }
+
+  /**
+   * Events that came in and of which nobody knows where they went.
+   *
+   * @return 0 between two packets, unless Haltere has a fault
+   */
+  public long unaccountedEvents() {
+    return get(Counter.EVENTS_IN)
+        - get(Counter.EVENTS_OUT)
+        - get(Counter.EVENTS_FILTERED)
+        - get(Counter.EVENTS_OUTSIDE_SENSOR)
+        - get(Counter.EVENTS_LOST_IN_FAILURE);
+  }
+
+  @Override
+  public String toString() {
+    StringBuilder text = new StringBuilder();
+    for (Counter counter : Counter.values()) {
+      text.append(get(counter)).append('\t').append(counter.sentence()).append('\n');
+    }
+    return text.toString();
+  }
+}

@@ -1,0 +1,159 @@
+package haltere.core.playback;
+
+import haltere.core.event.EventPacket;
+import haltere.core.stream.EndOfStream;
+import haltere.core.stream.Reset;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import haltere.core.stream.StreamStarted;
+import java.io.IOException;
+
+/**
+ * Looks one packet or notification ahead in what a playable gives, and hands it out in pieces. What
+ * the playable says after a seek, or at its start, is kept back: the player says that in its own
+ * words.
+ */
+final class SourceCursor implements StreamHandler {
+  /** What comes next. */
+  enum Ahead {
+    EVENTS,
+    NOTIFICATION,
+    END,
+    /** Not known yet: ask again. */
+    UNKNOWN
+  }
+
+  private final Playable playable;
+  private final EventPacket pending = new EventPacket(PlaybackEngine.CHUNK_EVENTS);
+  private final EventPacket piece = new EventPacket(PlaybackEngine.CHUNK_EVENTS);
+  private int index;
+  private int limit;
+  private StreamNotification notification;
+  private StreamStarted start;
+  private EndOfStream end;
+  private boolean breakExpected = true;
+  private long offsetUs;
+
+  SourceCursor(Playable playable) {
+    this.playable = playable;
+    start = new StreamStarted(playable.geometry(), playable.name());
+  }
+
+  /** Looks ahead; reads at most one packet. */
+  Ahead ahead() throws IOException {
+    Ahead known = known();
+    if (known != Ahead.UNKNOWN) {
+      return known;
+    }
+    if (!playable.next(this)) {
+      end = new EndOfStream(StreamNotification.NO_TIME_US);
+    }
+    return known();
+  }
+
+  private Ahead known() {
+    if (index < limit) {
+      return Ahead.EVENTS;
+    }
+    if (notification != null) {
+      return Ahead.NOTIFICATION;
+    }
+    return end != null ? Ahead.END : Ahead.UNKNOWN;
+  }
+
+  @Override
+  public void packet(EventPacket packet) {
+    breakExpected = false;
+    if (packet.isEmpty()) {
+      return;
+    }
+    pending.clear();
+    pending.append(packet, 0, packet.size());
+    index = 0;
+    limit = pending.size();
+    offsetUs = playable.elapsedUs(pending.timeUs(0)) - pending.timeUs(0);
+  }
+
+  @Override
+  public void notified(StreamNotification given) {
+    boolean expected = breakExpected;
+    breakExpected = false;
+    if (given instanceof EndOfStream last) {
+      end = last;
+    } else if (given instanceof StreamStarted started) {
+      start = started;
+      if (!expected) {
+        notification = new Reset(Reset.Cause.SOURCE_CHANGED);
+      }
+    } else if (!(expected && given instanceof Reset reset && reset.cause() == Reset.Cause.SEEK)) {
+      notification = given;
+    }
+  }
+
+  /** Goes to a place; on failure everything is as it was. */
+  void seek(long elapsedUs) throws IOException {
+    playable.seek(elapsedUs);
+    index = 0;
+    limit = 0;
+    notification = null;
+    end = null;
+    breakExpected = true;
+  }
+
+  /** How the stream starts, as the source said last. */
+  StreamStarted start() {
+    return start;
+  }
+
+  /** The end of the stream, when it is ahead. */
+  EndOfStream end() {
+    return end;
+  }
+
+  /** Takes the notification that is ahead. */
+  StreamNotification takeNotification() {
+    StreamNotification taken = notification;
+    notification = null;
+    return taken;
+  }
+
+  /** Time of the event that is ahead. */
+  long timeUs() {
+    return pending.timeUs(index);
+  }
+
+  /** Elapsed time of the event that is ahead. */
+  long elapsedUs() {
+    return pending.timeUs(index) + offsetUs;
+  }
+
+  /** Elapsed time less time in the stretch of the last packet. */
+  long offsetUs() {
+    return offsetUs;
+  }
+
+  /** How many of the events that are ahead lie before a place of the elapsed timeline. */
+  int countBefore(long elapsedUs) {
+    if (elapsedUs == Long.MAX_VALUE || pending.timeUs(limit - 1) < elapsedUs - offsetUs) {
+      return limit - index;
+    }
+    return pending.indexAtOrAfter(elapsedUs - offsetUs, index) - index;
+  }
+
+  /** Takes events that are ahead, to be worked on at will until the next call. */
+  EventPacket take(int count) {
+    if (index == 0 && count == limit) {
+      limit = 0;
+      return pending;
+    }
+    piece.clear();
+    piece.append(pending, index, index + count);
+    index += count;
+    return piece;
+  }
+
+  /** Passes over events that are ahead. */
+  void skip(int count) {
+    index += count;
+  }
+}
