@@ -646,7 +646,7 @@ final class PlaybackEngine {
 
   /** Gives up; another jump may try again. */
   void fail(Throwable thrown) {
-    open = false;
+    endSliceEarly();
     pendingBreak = null;
     state = State.FAILED;
     clock.pause();

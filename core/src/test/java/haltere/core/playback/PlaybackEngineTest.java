@@ -252,7 +252,8 @@ class PlaybackEngineTest {
 
   @Test
   void aJumpInTheMiddleOfASliceEndsItThere() throws IOException {
-    EngineRig rig = new EngineRig(recording(even(20)), byTime(100));
+    EngineRig rig =
+        new EngineRig(recording(even(20)), byTime(100).withSpeed(Double.POSITIVE_INFINITY));
     assertEquals(0, rig.engine.turn());
     assertEquals(0, rig.engine.turn());
     rig.ask(new PlaybackCommand.UserReset());
@@ -268,7 +269,7 @@ class PlaybackEngineTest {
             "Reset SEEK",
             "[1150,1191) [1150, 1160, 1170, 1180, 1190]",
             "EndOfStream"),
-        rig.log.take().stream().map(line -> line.replace("[1011,1100)", "[1011,1031)")).toList());
+        rig.log.take());
   }
 
   @Test
