@@ -17,9 +17,16 @@ import haltere.core.settings.Unit;
 public record DotSettings(
     @Help("How the dots move.") DotPath path,
     @Help("Number of dots.") @Range(min = 1, max = 50) @Unit("dots") int count,
-    @Help("Radius of a dot.") @Range(min = 0.5, max = 50, logarithmic = true) @Unit("px") double radiusPx,
-    @Help("Speed of a dot along its path.") @Range(min = 0, max = 100000, logarithmic = true) @Unit("px/s") double speedPxS,
-    @Help("Mean number of events that a pixel makes when the edge of a dot passes.") @Range(min = 0, max = 20, logarithmic = true) @Unit("events") double eventsPerPixel) {
+    @Help("Radius of a dot.") @Range(min = 0.5, max = 50, logarithmic = true) @Unit("px")
+        double radiusPx,
+    @Help("Speed of a dot along its path.")
+        @Range(min = 0, max = 100000, logarithmic = true)
+        @Unit("px/s")
+        double speedPxS,
+    @Help("Mean number of events that a pixel makes when the edge of a dot passes.")
+        @Range(min = 0, max = 20, logarithmic = true)
+        @Unit("events")
+        double eventsPerPixel) {
   /** Checks the values. */
   public DotSettings {
     SettingsSchema.validate(DotSettings.class, path, count, radiusPx, speedPxS, eventsPerPixel);

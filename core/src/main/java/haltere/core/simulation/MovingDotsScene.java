@@ -52,8 +52,7 @@ public final class MovingDotsScene implements Scene<DotTruth> {
     merger = new EventMerger(new PixelSettings(1, 0, 0, 0, 0, 0, 0), sensor, settings.run());
     noise = new BackgroundNoise(settings.noise(), sensor, settings.run().seed());
     cutter =
-        new PacketCutter(
-            settings.run(), geometry, "moving dots", MOST_EVENTS, this::makeInterval);
+        new PacketCutter(settings.run(), geometry, "moving dots", MOST_EVENTS, this::makeInterval);
   }
 
   @Override

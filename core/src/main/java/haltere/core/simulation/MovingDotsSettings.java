@@ -11,10 +11,7 @@ import haltere.core.settings.SettingsSchema;
  * @param run seed, start and length
  */
 public record MovingDotsSettings(
-    SensorSettings sensor,
-    DotSettings dots,
-    NoiseSettings noise,
-    RunSettings run) {
+    SensorSettings sensor, DotSettings dots, NoiseSettings noise, RunSettings run) {
   /** Checks the values. */
   public MovingDotsSettings {
     SettingsSchema.validate(MovingDotsSettings.class, sensor, dots, noise, run);
@@ -26,7 +23,11 @@ public record MovingDotsSettings(
    * @return valid settings
    */
   public static MovingDotsSettings defaults() {
-    return new MovingDotsSettings(SensorSettings.defaults(), DotSettings.defaults(), NoiseSettings.defaults(), new RunSettings(1, 0, 0, 100));
+    return new MovingDotsSettings(
+        SensorSettings.defaults(),
+        DotSettings.defaults(),
+        NoiseSettings.defaults(),
+        new RunSettings(1, 0, 0, 100));
   }
 
   /**
@@ -37,6 +38,7 @@ public record MovingDotsSettings(
    * @throws haltere.core.settings.SettingsProblem for a name or a value that is not valid
    */
   public MovingDotsSettings with(String... assignments) {
-    return SettingsSchema.of(MovingDotsSettings.class).withAssignments(this, java.util.List.of(assignments));
+    return SettingsSchema.of(MovingDotsSettings.class)
+        .withAssignments(this, java.util.List.of(assignments));
   }
 }
