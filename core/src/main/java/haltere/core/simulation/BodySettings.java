@@ -13,7 +13,7 @@ import haltere.core.settings.Unit;
  * @param headingRad direction from tail to head, counterclockwise from +x
  * @param lengthPx body from the front of the head to the tip of the abdomen, pixels
  * @param hingeOffsetPx distance of each hinge from the body axis, pixels
- * @param wobblePx standard deviation of the fast motion (1 to 12 Hz) per axis, pixels
+ * @param wobblePx standard deviation of the fast motion (1 to 8 Hz) per axis, pixels
  * @param driftPx standard deviation of the slow motion (0.02 to 0.2 Hz) per axis, pixels
  * @param contrast darkness of the body before its background, natural logarithm of the light
  */
@@ -36,7 +36,7 @@ public record BodySettings(
         double lengthPx,
     @Help("Distance of each wing hinge from the body axis.") @Range(min = 0, max = 6) @Unit("px")
         double hingeOffsetPx,
-    @Help("Standard deviation of the fast wobble of the body, 1 to 12 Hz, along each axis.")
+    @Help("Standard deviation of the fast wobble of the body, 1 to 8 Hz, along each axis.")
         @Range(min = 0, max = 5)
         @Unit("px")
         double wobblePx,
@@ -68,6 +68,6 @@ public record BodySettings(
    * @return valid settings
    */
   public static BodySettings defaults() {
-    return new BodySettings(0, 0, 1.5707963267948966, 44, 3, 0.4, 0.5, 1);
+    return new BodySettings(0, 0, 1.5707963267948966, 44, 3, 0.4, 0.5, 1.5);
   }
 }

@@ -17,7 +17,7 @@ final class BodyShape {
   private static final double MOST_SIDEWAYS = 0.155;
 
   /** Half of the width over which the outline is blurred, pixels. */
-  private static final double BLUR = 1.5;
+  private static final double BLUR = 1;
 
   private final double length;
 
@@ -87,6 +87,6 @@ final class BodyShape {
 
   /** Pixels whose distance from the outline is beyond this do not notice a motion of one pixel. */
   static double band() {
-    return BLUR + 1.5;
+    return BLUR + 1.2;
   }
 }

@@ -47,7 +47,7 @@ final class FlyKinematics {
     };
     for (int axis = 0; axis < wobble.length; axis++) {
       wobble[axis] =
-          new SlowProcess(new SeededRandom(seed, "wobble " + axis), wobbleSd[axis], 1, 12);
+          new SlowProcess(new SeededRandom(seed, "wobble " + axis), wobbleSd[axis], 1, 8);
     }
     firstCycles = new SeededRandom(seed, "first phase").nextDouble();
   }

@@ -32,7 +32,7 @@ public final class FlyScene implements Scene<FlyTruth> {
   private static final int STEP_US = 10;
   private static final int STRETCH_US = 200;
   private static final int INTERVAL_US = 1000;
-  private static final int STRETCHES = INTERVAL_US / STRETCH_US;
+  private static final int LOOKS = 10;
 
   private final FlySceneSettings settings;
   private final SensorGeometry geometry;
@@ -67,7 +67,7 @@ public final class FlyScene implements Scene<FlyTruth> {
     pixels = new PixelArray(settings.pixel(), sensor, seed, merger);
     WireMask wire = new WireMask(settings.disturbances().wire(), sensor);
     BodyShape shape = new BodyShape(settings.fly().body().lengthPx());
-    outline = new BodyOutline(settings, shape, pixels, wire, kinematics, STRETCHES);
+    outline = new BodyOutline(settings, shape, pixels, wire, kinematics, LOOKS);
     noise = new BackgroundNoise(settings.noise(), sensor, seed);
     kinematics.sample(0, before);
     for (int side = 0; side < wings.length; side++) {
@@ -145,18 +145,18 @@ public final class FlyScene implements Scene<FlyTruth> {
 
   /** Adds the events of the next interval and tells where it ended. */
   private long makeInterval(EventPacket out) {
-    for (int stretch = 0; stretch < STRETCHES; stretch++) {
+    for (long end = doneUs + INTERVAL_US; doneUs < end; ) {
       long fromUs = doneUs;
       doneUs += STRETCH_US;
       kinematics.sample(doneUs * US, after);
       for (int side = 0; side < wings.length; side++) {
         for (int step = STEP_US; step <= STRETCH_US; step += STEP_US) {
-          double end = fromUs + step;
-          wings[side].sweepTo(angle(side, (double) step / STRETCH_US), end - STEP_US, end);
+          double untilUs = fromUs + step;
+          wings[side].sweepTo(angle(side, (double) step / STRETCH_US), untilUs - STEP_US, untilUs);
         }
         wings[side].bodyMoved(after, doneUs);
       }
-      outline.look(stretch, fromUs, STRETCH_US, after);
+      outline.look((int) (fromUs / STRETCH_US % LOOKS), fromUs, STRETCH_US, after);
       FlyPose swap = before;
       before = after;
       after = swap;

@@ -1,7 +1,6 @@
 package haltere.core.simulation;
 
 import haltere.core.event.EventAddress;
-import java.util.Arrays;
 
 /**
  * The pixels of an event sensor, each solved exactly between two changes of its light.
@@ -19,18 +18,22 @@ import java.util.Arrays;
 final class PixelArray {
   private static final double LEAST_THRESHOLD_SHARE = 0.25;
 
+  // what is known of a pixel lies together, a cache line each
+  private static final int FIELDS = 8;
+  private static final int LEVEL = 0;
+  private static final int TARGET = 1;
+  private static final int REFERENCE = 2;
+  private static final int AT_US = 3;
+  private static final int BLIND_UNTIL_US = 4;
+  private static final int OFF_THRESHOLD = 5;
+  private static final int ON_THRESHOLD = 6;
+  private static final int IS_BUSY = 7;
+
   private final EventMerger merger;
   private final int width;
   private final double tauUs;
   private final double refractoryUs;
-  private final double[] offThreshold;
-  private final double[] onThreshold;
-  private final double[] level;
-  private final double[] target;
-  private final double[] reference;
-  private final double[] atUs;
-  private final double[] blindUntilUs;
-  private final boolean[] isBusy;
+  private final double[] state;
   private final int[] busy;
   private int busyCount;
 
@@ -48,31 +51,39 @@ final class PixelArray {
     int pixels = width * sensor.heightPx();
     tauUs = settings.bandwidthHz() == 0 ? 0 : 1e6 / (2 * Math.PI * settings.bandwidthHz());
     refractoryUs = settings.refractoryUs();
-    offThreshold = new double[pixels];
-    onThreshold = new double[pixels];
+    state = new double[pixels * FIELDS];
+    busy = new int[pixels];
     SeededRandom random = new SeededRandom(seed, "thresholds");
     double least = LEAST_THRESHOLD_SHARE * settings.threshold();
-    for (int i = 0; i < pixels; i++) {
-      offThreshold[i] =
+    for (int p = 0; p < state.length; p += FIELDS) {
+      state[p + OFF_THRESHOLD] =
           Math.max(least, settings.threshold() + settings.thresholdSd() * random.gaussian());
-      onThreshold[i] =
+      state[p + ON_THRESHOLD] =
           Math.max(least, settings.threshold() + settings.thresholdSd() * random.gaussian());
+      state[p + BLIND_UNTIL_US] = -1;
     }
-    level = new double[pixels];
-    target = new double[pixels];
-    reference = new double[pixels];
-    atUs = new double[pixels];
-    blindUntilUs = new double[pixels];
-    Arrays.fill(blindUntilUs, -1);
-    isBusy = new boolean[pixels];
-    busy = new int[pixels];
   }
 
   /** Sets a pixel to a light it has had for long: no event. */
   void settle(int pixel, double light) {
-    level[pixel] = light;
-    target[pixel] = light;
-    reference[pixel] = light;
+    int p = pixel * FIELDS;
+    state[p + LEVEL] = light;
+    state[p + TARGET] = light;
+    state[p + REFERENCE] = light;
+  }
+
+  /** Takes the light as it is for light that every pixel has had for long: no event. */
+  void settleAll() {
+    for (int pixel = 0; pixel < busy.length; pixel++) {
+      settle(pixel, state[pixel * FIELDS + TARGET]);
+      state[pixel * FIELDS + IS_BUSY] = 0;
+    }
+    busyCount = 0;
+  }
+
+  /** The time up to which a pixel has been computed. */
+  double computedUntilUs(int pixel) {
+    return state[pixel * FIELDS + AT_US];
   }
 
   /**
@@ -83,26 +94,13 @@ final class PixelArray {
    * @param change of the natural logarithm of the light
    */
   void change(int pixel, double timeUs, double change) {
-    advance(pixel, timeUs);
-    target[pixel] += change;
-    if (!isBusy[pixel] && canFire(pixel, timeUs)) {
-      isBusy[pixel] = true;
+    int p = pixel * FIELDS;
+    advance(pixel, p, timeUs);
+    state[p + TARGET] += change;
+    if (state[p + IS_BUSY] == 0 && canFire(p, timeUs)) {
+      state[p + IS_BUSY] = 1;
       busy[busyCount++] = pixel;
     }
-  }
-
-  /** Takes the light as it is for light that every pixel has had for long: no event. */
-  void settleAll() {
-    for (int pixel = 0; pixel < target.length; pixel++) {
-      settle(pixel, target[pixel]);
-      isBusy[pixel] = false;
-    }
-    busyCount = 0;
-  }
-
-  /** The time up to which a pixel has been computed. */
-  double computedUntilUs(int pixel) {
-    return atUs[pixel];
   }
 
   /** Makes all events before a time, so that none is added before it later on. */
@@ -110,78 +108,74 @@ final class PixelArray {
     int kept = 0;
     for (int i = 0; i < busyCount; i++) {
       int pixel = busy[i];
-      advance(pixel, timeUs);
-      if (canFire(pixel, timeUs)) {
+      int p = pixel * FIELDS;
+      advance(pixel, p, timeUs);
+      if (canFire(p, timeUs)) {
         busy[kept++] = pixel;
       } else {
-        isBusy[pixel] = false;
+        state[p + IS_BUSY] = 0;
       }
     }
     busyCount = kept;
   }
 
-  private boolean canFire(int pixel, double timeUs) {
-    double step = target[pixel] - reference[pixel];
-    return timeUs < blindUntilUs[pixel]
-        || step <= -offThreshold[pixel]
-        || step >= onThreshold[pixel];
+  private boolean canFire(int p, double timeUs) {
+    double step = state[p + TARGET] - state[p + REFERENCE];
+    return timeUs < state[p + BLIND_UNTIL_US]
+        || step <= -state[p + OFF_THRESHOLD]
+        || step >= state[p + ON_THRESHOLD];
   }
 
   private double after(double from, double to, double durationUs) {
-    return tauUs == 0 ? to : to + (from - to) * Decay.of(durationUs / tauUs);
+    return tauUs == 0 ? to : to + (from - to) * Exponential.decay(durationUs / tauUs);
   }
 
-  private void advance(int pixel, double untilUs) {
-    double t = atUs[pixel];
+  private void advance(int pixel, int p, double untilUs) {
+    double t = state[p + AT_US];
     if (untilUs <= t) {
       return;
     }
-    double v = level[pixel];
-    double u = target[pixel];
-    double blind = blindUntilUs[pixel];
-    if (t < blind) {
-      if (untilUs <= blind) {
-        level[pixel] = after(v, u, untilUs - t);
-        atUs[pixel] = untilUs;
+    double v = state[p + LEVEL];
+    double u = state[p + TARGET];
+    double end = after(v, u, untilUs - t);
+    double blindUntil = state[p + BLIND_UNTIL_US];
+    state[p + AT_US] = untilUs;
+    state[p + LEVEL] = end;
+    if (t < blindUntil) {
+      if (untilUs <= blindUntil) {
         return;
       }
-      v = after(v, u, blind - t);
-      t = blind;
-      reference[pixel] = v;
+      v = after(v, u, blindUntil - t);
+      t = blindUntil;
+      state[p + REFERENCE] = v;
     }
+    // the level runs straight from v at t to its end: does it cross a border on the way?
     while (true) {
-      boolean on = u > reference[pixel];
+      double reference = state[p + REFERENCE];
+      boolean on = end > reference;
       double border =
-          on ? reference[pixel] + onThreshold[pixel] : reference[pixel] - offThreshold[pixel];
-      if (on ? u < border : u > border) {
-        break;
+          on ? reference + state[p + ON_THRESHOLD] : reference - state[p + OFF_THRESHOLD];
+      if (on ? end < border : end > border) {
+        return;
       }
       double crossing = t + timeTo(v, border, u, on);
-      if (crossing >= untilUs) {
-        break;
-      }
       int y = pixel / width;
       merger.add(crossing, EventAddress.pack(pixel - y * width, y, on));
       t = crossing;
-      v = border;
-      if (tauUs == 0) {
-        v = u;
+      v = tauUs == 0 ? u : border;
+      if (refractoryUs == 0) {
+        state[p + REFERENCE] = border;
+        continue;
       }
-      if (refractoryUs > 0) {
-        blind = crossing + refractoryUs;
-        blindUntilUs[pixel] = blind;
-        if (blind >= untilUs) {
-          break;
-        }
-        v = after(v, u, refractoryUs);
-        t = blind;
-        reference[pixel] = v;
-      } else {
-        reference[pixel] = border;
+      blindUntil = crossing + refractoryUs;
+      state[p + BLIND_UNTIL_US] = blindUntil;
+      if (blindUntil >= untilUs) {
+        return;
       }
+      v = after(v, u, refractoryUs);
+      t = blindUntil;
+      state[p + REFERENCE] = v;
     }
-    level[pixel] = after(v, u, untilUs - t);
-    atUs[pixel] = untilUs;
   }
 
   /** Solves u + (v - u) e^(-t / tau) = border for t; 0 where the level is there already. */
@@ -189,6 +183,7 @@ final class PixelArray {
     if (tauUs == 0 || (on ? v >= border : v <= border)) {
       return 0;
     }
-    return border == u ? Double.POSITIVE_INFINITY : tauUs * StrictMath.log((v - u) / (border - u));
+    double share = (border - u) / (v - u);
+    return share < 1e-15 ? 0 : -tauUs * Exponential.log(share);
   }
 }

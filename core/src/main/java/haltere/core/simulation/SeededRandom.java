@@ -64,7 +64,7 @@ final class SeededRandom {
 
   /** Waiting time of mean 1. */
   double exponential() {
-    return -StrictMath.log(1 - nextDouble());
+    return -Exponential.log(1 - nextDouble());
   }
 
   /** Mean 0, standard deviation 1, never beyond 4. */

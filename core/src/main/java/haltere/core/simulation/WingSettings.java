@@ -24,7 +24,7 @@ public record WingSettings(
         @Unit("px")
         double lengthPx,
     @Help(
-            "Where the visible blade begins, as a share of the length of the wing; the 4 pixels next to the hinge are never seen.")
+            "Where the visible blade begins, as a share of the length of the wing; the 6 pixels next to the hinge are never seen.")
         @Range(min = 0, max = 0.9)
         @Unit("1")
         double rootShare,

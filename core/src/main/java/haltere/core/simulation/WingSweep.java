@@ -15,13 +15,18 @@ import java.util.Arrays;
  */
 final class WingSweep {
   /** Motion of the fly, at the wing's tip, after which the pixels' angles are computed anew. */
-  static final double STALE_PX = 0.03;
+  static final double STALE_PX = 0.05;
 
   /** Pixels nearer to the hinge than this never see the blade. */
-  private static final double LEAST_RADIUS_PX = 4;
+  private static final double LEAST_RADIUS_PX = 6;
 
-  private static final double REBUILD_PX = 1;
+  private static final double REBUILD_PX = 2;
   private static final int SHADOWS = 4096;
+
+  // whether a pixel of the list can see the blade until the list is made anew
+  private static final byte ALWAYS = 0;
+  private static final byte NEVER = 1;
+  private static final byte DEPENDS = 2;
 
   private final int side;
   private final PixelArray pixels;
@@ -39,7 +44,7 @@ final class WingSweep {
   private final int height;
 
   // by pixel of the sensor
-  private final boolean[] covered;
+  private final boolean[] wasCovered;
   private final double[] shadow;
 
   // the list, in ascending order of angle; sorted[i] is an index into the columns below it
@@ -53,7 +58,9 @@ final class WingSweep {
   private double[] dx = new double[0];
   private double[] dy = new double[0];
   private double[] listAngle = new double[0];
+  private byte[] sight = new byte[0];
   private boolean[] visible = new boolean[0];
+  private boolean[] covered = new boolean[0];
   private double listX;
   private double listY;
   private double listHeading;
@@ -92,7 +99,7 @@ final class WingSweep {
     mostAngle = kinematics.mostAngle(side);
     width = settings.sensor().widthPx();
     height = settings.sensor().heightPx();
-    covered = new boolean[width * height];
+    wasCovered = new boolean[width * height];
     shadow = new double[width * height];
   }
 
@@ -169,7 +176,7 @@ final class WingSweep {
       return;
     }
     int p = pixel[candidate];
-    covered[p] = true;
+    covered[candidate] = true;
     long draw = random.nextLong();
     if (draw >>> 32 < visibleBelow) {
       shadow[p] = shadows[(int) draw & (SHADOWS - 1)];
@@ -179,7 +186,7 @@ final class WingSweep {
 
   private void leave(int candidate, double timeUs) {
     int p = pixel[candidate];
-    covered[p] = false;
+    covered[candidate] = false;
     if (shadow[p] != 0) {
       pixels.change(p, timeUs, shadow[p]);
       shadow[p] = 0;
@@ -188,10 +195,13 @@ final class WingSweep {
 
   /** Lists the pixels around the wing, with a margin for the motion until the next time. */
   private void build(FlyPose pose) {
+    for (int i = 0; i < size; i++) {
+      wasCovered[pixel[i]] = covered[i];
+    }
     listX = pose.hingeX[side];
     listY = pose.hingeY[side];
     listHeading = pose.heading;
-    double margin = 2 * REBUILD_PX;
+    double margin = REBUILD_PX + 1;
     int fromX = (int) Math.max(0, Math.floor(listX - outer - margin));
     int toX = (int) Math.min(width - 1, Math.ceil(listX + outer + margin));
     int fromY = (int) Math.max(0, Math.floor(listY - outer - margin));
@@ -219,12 +229,26 @@ final class WingSweep {
     Arrays.sort(keys, 0, size);
     for (int i = 0; i < size; i++) {
       int p = (int) keys[i];
+      int x = p % width;
+      int y = p / width;
       pixel[i] = p;
-      dx[i] = p % width - listX;
-      dy[i] = p / width - listY;
+      dx[i] = x - listX;
+      dy[i] = y - listY;
       listAngle[i] = strokeAngle(StrictMath.atan2(dy[i], dx[i]), pose.heading);
       sorted[i] = i;
+      sight[i] = sight(pose, x, y, Math.sqrt(dx[i] * dx[i] + dy[i] * dy[i]), margin);
+      covered[i] = wasCovered[p];
     }
+    Arrays.fill(wasCovered, false);
+  }
+
+  private byte sight(FlyPose pose, int x, int y, double radius, double margin) {
+    double fromBody = shape.distance(pose, x, y);
+    double fromRim = Math.min(radius - inner, outer - radius);
+    if (Math.min(fromBody, fromRim) < -margin) {
+      return NEVER;
+    }
+    return Math.min(fromBody, fromRim) > margin ? ALWAYS : DEPENDS;
   }
 
   private void allocate(int capacity) {
@@ -235,7 +259,9 @@ final class WingSweep {
     dx = new double[capacity];
     dy = new double[capacity];
     listAngle = new double[capacity];
+    sight = new byte[capacity];
     visible = new boolean[capacity];
+    covered = new boolean[capacity];
   }
 
   /** Stroke angle in [-pi / 2, 3 pi / 2) of a direction on the sensor. */
@@ -261,9 +287,11 @@ final class WingSweep {
       double q = (dx[c] * py - dy[c] * px) / dot;
       double turn = q * (1 - q * q * (1.0 / 3 - q * q * 0.2));
       angle[i] = listAngle[c] + sign * (turn - (nowHeading - listHeading));
-      double square = px * px + py * py;
-      boolean onBlade = square >= inner * inner && square <= outer * outer;
-      visible[c] = onBlade && !shape.covers(pose, nowX + px, nowY + py);
+      visible[c] =
+          sight[c] == ALWAYS
+              || sight[c] == DEPENDS
+                  && isOnBlade(px * px + py * py)
+                  && !shape.covers(pose, nowX + px, nowY + py);
     }
     sortFinely();
     firstCovered = countBelow(low);
@@ -271,7 +299,7 @@ final class WingSweep {
     for (int i = 0; i < size; i++) {
       int c = sorted[i];
       boolean isUnder = visible[c] && i >= firstCovered && i < afterCovered;
-      if (isUnder != covered[pixel[c]]) {
+      if (isUnder != covered[c]) {
         double when = Math.max(timeUs, pixels.computedUntilUs(pixel[c]));
         if (isUnder) {
           enter(c, when);
@@ -280,6 +308,10 @@ final class WingSweep {
         }
       }
     }
+  }
+
+  private boolean isOnBlade(double squareOfRadius) {
+    return squareOfRadius >= inner * inner && squareOfRadius <= outer * outer;
   }
 
   /** Insertion sort: the list is in order but for a few neighbours. */

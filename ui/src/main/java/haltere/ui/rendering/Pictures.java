@@ -1,16 +1,14 @@
 package haltere.ui.rendering;
 
 import haltere.core.event.SensorGeometry;
+import haltere.core.format.AtomicFile;
 import haltere.core.overlay.OverlayCanvas;
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
-import java.nio.file.StandardOpenOption;
 import java.util.function.Consumer;
 import javax.imageio.ImageIO;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
@@ -95,13 +93,9 @@ public final class Pictures {
    * @throws IOException if the file cannot be written
    */
   public static void write(Path file, BufferedImage image) throws IOException {
-    Path temporary =
-        file.resolveSibling("." + file.getFileName() + "." + ProcessHandle.current().pid());
-    try {
-      Files.write(temporary, png(image), StandardOpenOption.CREATE_NEW);
-      Files.move(temporary, file, StandardCopyOption.REPLACE_EXISTING);
-    } finally {
-      Files.deleteIfExists(temporary);
+    try (AtomicFile output = AtomicFile.create(file, true)) {
+      output.stream().write(png(image));
+      output.commit();
     }
   }
 }

@@ -16,6 +16,7 @@ import java.util.regex.Pattern;
  * @param versionText the version as written, such as 2.0; empty without a version line
  * @param dataOffset where the records start
  * @param ended whether the header has its end line
+ * @param cutOff whether the file ends in the middle of the header
  * @param chip class of the chip as jAER writes it
  * @param hardware name of the hardware interface
  * @param sensor size of the sensor, from our own line
@@ -26,6 +27,7 @@ public record AedatHeader(
     String versionText,
     int dataOffset,
     boolean ended,
+    boolean cutOff,
     Optional<String> chip,
     Optional<String> hardware,
     Optional<SensorGeometry> sensor,
@@ -69,10 +71,12 @@ public record AedatHeader(
     if (!ended && !whole && offset + MAX_LINE + CLOCK_RECORDS * 8 > length) {
       return Optional.empty();
     }
-    if (!ended) {
-      offset = lines.firstRecord(offset);
+    if (ended) {
+      return Optional.of(lines.header(offset, true, false));
     }
-    return Optional.of(lines.header(offset, ended));
+    offset = lines.firstRecord(offset);
+    boolean cutOff = whole && lines.endsInText(offset);
+    return Optional.of(lines.header(cutOff ? length : offset, false, cutOff));
   }
 
   private static final class Lines {
@@ -115,11 +119,10 @@ public record AedatHeader(
      */
     int firstRecord(int headerEnd) {
       int recordBytes = version(headerEnd).orElse(1) == 1 ? 6 : 8;
-      int offset = next(0);
+      int offset = 0;
       while (offset < headerEnd) {
         int end = next(offset);
-        if (ascends(offset, recordBytes)
-            && (!ascends(end, recordBytes) || everyStepAscends(offset, end, recordBytes))) {
+        if (!text(offset, end).startsWith(VERSION) && isRecord(offset, end, recordBytes)) {
           return offset;
         }
         offset = end;
@@ -127,16 +130,17 @@ public record AedatHeader(
       return headerEnd;
     }
 
-    private boolean ascends(int offset, int recordBytes) {
-      return clockAscends(bytes, offset, length, recordBytes, CLOCK_RECORDS);
+    private boolean isRecord(int from, int to, int recordBytes) {
+      int records = (to - from + recordBytes - 1) / recordBytes + 1;
+      boolean aligned = (to - from) % recordBytes == 0;
+      return ascends(from, recordBytes)
+          && from + records * recordBytes <= length
+          && goodSteps(bytes, from, recordBytes, records) == records - 1
+          && (aligned || !ascends(to, recordBytes));
     }
 
-    /** From the records that a line would be to the first one behind it. */
-    private boolean everyStepAscends(int from, int to, int recordBytes) {
-      int records = (to - from) / recordBytes + 1;
-      return to + recordBytes <= length
-          && (to - from) % recordBytes == 0
-          && goodSteps(bytes, from, recordBytes, records) == records - 1;
+    private boolean ascends(int offset, int recordBytes) {
+      return clockAscends(bytes, offset, length, recordBytes, CLOCK_RECORDS);
     }
 
     private OptionalInt version(int headerEnd) {
@@ -166,12 +170,27 @@ public record AedatHeader(
       return Optional.empty();
     }
 
-    AedatHeader header(int dataOffset, boolean ended) {
+    /** Whether all bytes from an offset on are one more line that lacks its end. */
+    boolean endsInText(int offset) {
+      if (offset >= length || bytes[offset] != '#' || length - offset > MAX_LINE) {
+        return false;
+      }
+      for (int i = offset; i < length; i++) {
+        int b = bytes[i] & 0xff;
+        if (b < 0x20 && b != '\t' && b != '\r') {
+          return false;
+        }
+      }
+      return !ascends(offset, version(offset).orElse(1) == 1 ? 6 : 8);
+    }
+
+    AedatHeader header(int dataOffset, boolean ended, boolean cutOff) {
       return new AedatHeader(
           version(dataOffset),
           versionText(dataOffset),
           dataOffset,
           ended,
+          cutOff,
           value(CHIP, dataOffset),
           value(HARDWARE, dataOffset),
           value(SENSOR, dataOffset).flatMap(Lines::size),
@@ -200,7 +219,8 @@ public record AedatHeader(
       }
       try {
         long base = Long.parseLong(matcher.group(1));
-        return Math.abs(base) <= MAX_BASE_US ? OptionalLong.of(base) : OptionalLong.empty();
+        boolean possible = base >= -MAX_BASE_US && base <= MAX_BASE_US;
+        return possible ? OptionalLong.of(base) : OptionalLong.empty();
       } catch (NumberFormatException e) {
         return OptionalLong.empty();
       }

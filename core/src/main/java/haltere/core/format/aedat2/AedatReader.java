@@ -42,7 +42,7 @@ final class AedatReader implements RecordingReader {
   private final int packetEvents;
   private final ViolationCounts violations = new ViolationCounts();
   private final RecordDecoder decoder;
-  private final ByteBuffer buffer = ByteBuffer.allocateDirect(BUFFER_BYTES).limit(0);
+  private final ByteBuffer buffer;
   private final EventPacket packet;
 
   private State state = State.BEFORE_START;
@@ -68,10 +68,21 @@ final class AedatReader implements RecordingReader {
     this.recordBytes = recordBytes;
     dataOffset = header.dataOffset();
     firstTurnUs = header.firstTurnUs().orElse(0);
-    packetEvents = options.packetEvents();
     decoder = new RecordDecoder(sensor.decoder(), recordBytes, firstTurnUs, violations);
+    long records = (file.size() - dataOffset) / recordBytes;
+    packetEvents = (int) Math.max(1, Math.min(options.packetEvents(), records));
     packet = new EventPacket(packetEvents);
+    buffer = newBuffer().limit(0);
     offset = dataOffset;
+    if (header.cutOff()) {
+      violations.add(Violation.CUT_OFF, dataOffset);
+    }
+  }
+
+  /** No larger than the file. */
+  private ByteBuffer newBuffer() {
+    long rest = Math.max(recordBytes, file.size() - dataOffset);
+    return ByteBuffer.allocateDirect((int) Math.min(BUFFER_BYTES, rest));
   }
 
   @Override
@@ -186,7 +197,7 @@ final class AedatReader implements RecordingReader {
     if (index == null) {
       RecordDecoder scanner =
           new RecordDecoder(sensor.decoder(), recordBytes, firstTurnUs, new ViolationCounts());
-      index = RecordIndex.scan(file, dataOffset, scanner, ByteBuffer.allocateDirect(BUFFER_BYTES));
+      index = RecordIndex.scan(file, dataOffset, scanner, newBuffer());
     }
     return index;
   }

@@ -1,0 +1,144 @@
+package haltere.ui.overlay;
+
+import haltere.core.overlay.MarkStyle;
+import haltere.core.overlay.OverlayCanvas;
+import haltere.ui.rendering.MarkColours;
+import java.util.HashMap;
+import java.util.Map;
+import javafx.scene.canvas.GraphicsContext;
+import javafx.scene.paint.Color;
+import javafx.scene.shape.StrokeLineCap;
+import javafx.scene.shape.StrokeLineJoin;
+import javafx.scene.text.Font;
+
+/**
+ * Draws marks on a JavaFX canvas that lies over the picture of a sensor.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+public final class JavaFxOverlayCanvas implements OverlayCanvas {
+  private final GraphicsContext graphics;
+  private final Map<Integer, Color> colours = new HashMap<>();
+  private double scale = 1;
+  private double left;
+  private double bottom;
+  private boolean dark = true;
+  private long marks;
+
+  /**
+   * A canvas whose view is yet to be set.
+   *
+   * @param graphics where to draw
+   */
+  public JavaFxOverlayCanvas(GraphicsContext graphics) {
+    this.graphics = graphics;
+    graphics.setLineCap(StrokeLineCap.ROUND);
+    graphics.setLineJoin(StrokeLineJoin.ROUND);
+    graphics.setFont(Font.font(12));
+  }
+
+  /**
+   * A colour of {@code haltere.ui.rendering} as JavaFX knows it.
+   *
+   * @param argb with its opacity
+   * @return the same colour
+   */
+  public static Color colour(int argb) {
+    return Color.rgb(argb >> 16 & 0xFF, argb >> 8 & 0xFF, argb & 0xFF, (argb >>> 24) / 255.0);
+  }
+
+  /**
+   * Says where the sensor lies on the canvas.
+   *
+   * @param newScale pixels of the screen per pixel of the sensor
+   * @param newLeft where the sensor's left edge is
+   * @param newBottom where the sensor's bottom edge is, from the top of the canvas
+   * @param newDark whether the picture is dark
+   */
+  public void setView(double newScale, double newLeft, double newBottom, boolean newDark) {
+    scale = newScale;
+    left = newLeft;
+    bottom = newBottom;
+    dark = newDark;
+  }
+
+  /**
+   * Marks drawn so far, so that the caller can tell whether there is anything to clear.
+   *
+   * @return a count
+   */
+  public long marks() {
+    return marks;
+  }
+
+  @Override
+  public void circle(double x, double y, double radius, MarkStyle style) {
+    stroke(style);
+    double side = 2 * radius * scale;
+    graphics.strokeOval(screenX(x) - side / 2, screenY(y) - side / 2, side, side);
+  }
+
+  @Override
+  public void line(double x1, double y1, double x2, double y2, MarkStyle style) {
+    stroke(style);
+    graphics.strokeLine(screenX(x1), screenY(y1), screenX(x2), screenY(y2));
+  }
+
+  @Override
+  public void polyline(double[] x, double[] y, int points, MarkStyle style) {
+    if (points < 2) {
+      return;
+    }
+    stroke(style);
+    graphics.beginPath();
+    graphics.moveTo(screenX(x[0]), screenY(y[0]));
+    for (int i = 1; i < points; i++) {
+      graphics.lineTo(screenX(x[i]), screenY(y[i]));
+    }
+    graphics.stroke();
+  }
+
+  @Override
+  public void ellipse(
+      double x, double y, double radiusA, double radiusB, double angleRad, MarkStyle style) {
+    stroke(style);
+    double a = radiusA * scale;
+    double b = radiusB * scale;
+    graphics.save();
+    graphics.translate(screenX(x), screenY(y));
+    graphics.rotate(-Math.toDegrees(angleRad));
+    graphics.strokeOval(-a, -b, 2 * a, 2 * b);
+    graphics.restore();
+  }
+
+  @Override
+  public void rectangle(double x, double y, double width, double height, MarkStyle style) {
+    stroke(style);
+    graphics.strokeRect(screenX(x), screenY(y + height), width * scale, height * scale);
+  }
+
+  @Override
+  public void text(double x, double y, String text, MarkStyle style) {
+    marks++;
+    graphics.setFill(colour(style));
+    graphics.fillText(text, screenX(x), screenY(y));
+  }
+
+  private void stroke(MarkStyle style) {
+    marks++;
+    graphics.setStroke(colour(style));
+    graphics.setLineWidth(MarkColours.width(style));
+  }
+
+  private Color colour(MarkStyle style) {
+    return colours.computeIfAbsent(MarkColours.argb(style, dark), JavaFxOverlayCanvas::colour);
+  }
+
+  private double screenX(double x) {
+    return left + (x + 0.5) * scale;
+  }
+
+  private double screenY(double y) {
+    return bottom - (y + 0.5) * scale;
+  }
+}

@@ -1,0 +1,2 @@
+/** Marks drawn with JavaFX. */
+package haltere.ui.overlay;

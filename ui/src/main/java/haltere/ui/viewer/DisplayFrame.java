@@ -1,0 +1,34 @@
+package haltere.ui.viewer;
+
+import haltere.core.event.SensorGeometry;
+import haltere.core.overlay.Overlay;
+import haltere.core.overlay.OverlayCanvas;
+import haltere.core.stream.StreamNotification;
+import java.util.List;
+
+/**
+ * A finished picture: the pixels and the marks of the same moment. Filled by the processing thread,
+ * shown by the JavaFX thread, handed over by a {@link haltere.ui.rendering.FrameExchange}.
+ */
+final class DisplayFrame {
+  /** A snapshot of results with what draws it. */
+  record Marks<T>(T snapshot, Overlay<T> overlay) {
+    void draw(OverlayCanvas canvas) {
+      overlay.draw(snapshot, canvas);
+    }
+  }
+
+  final SensorGeometry geometry;
+
+  /** One opaque pixel for each of the sensor's, row by row from the top. */
+  final int[] argb;
+
+  List<Marks<?>> marks = List.of();
+  long timeUs = StreamNotification.NO_TIME_US;
+  boolean dark = true;
+
+  DisplayFrame(SensorGeometry geometry) {
+    this.geometry = geometry;
+    this.argb = new int[geometry.pixels()];
+  }
+}

@@ -1,0 +1,254 @@
+package haltere.ui.viewer;
+
+import haltere.core.playback.Loop;
+import haltere.core.playback.Mark;
+import haltere.core.playback.PlaybackClock;
+import haltere.core.playback.Player;
+import haltere.core.playback.PlayerOptions;
+import haltere.core.playback.PlayerStatus;
+import haltere.core.playback.Slicing;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalLong;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
+import javafx.application.Platform;
+import javafx.beans.property.ReadOnlyObjectProperty;
+import javafx.beans.property.ReadOnlyObjectWrapper;
+
+/**
+ * The transport as buttons, keys and the seek bar use it: speed, slices and loop stay the same from
+ * one recording to the next, the rest goes to the player that is open.
+ *
+ * <p>Thread rule: JavaFX thread only; nothing here waits.
+ */
+final class PlaybackController {
+  /** Fastest speed but unlimited. */
+  static final double MAX_SPEED = 16;
+
+  /**
+   * Slices that are finer than the pictures of a screen, so that there is a new picture at every
+   * pulse although the player's clock and the screen's do not beat together.
+   */
+  static final Slicing SMOOTH = new Slicing.PerFrame(120);
+
+  private static final double SPEED_STEP = Math.pow(2, 0.25);
+
+  private final Consumer<String> problems;
+  private final ReadOnlyObjectWrapper<Double> speed = new ReadOnlyObjectWrapper<>(1.0);
+  private final ReadOnlyObjectWrapper<Slicing> slicing = new ReadOnlyObjectWrapper<>(SMOOTH);
+  private final ReadOnlyObjectWrapper<Loop> loop = new ReadOnlyObjectWrapper<>(Loop.ALL);
+  private Optional<Player> player = Optional.empty();
+  private boolean seeking;
+  private OptionalLong nextSeekUs = OptionalLong.empty();
+
+  /**
+   * A controller without a player.
+   *
+   * @param problems takes what went wrong, in one line
+   */
+  PlaybackController(Consumer<String> problems) {
+    this.problems = problems;
+  }
+
+  /** Options for the player of a new window. */
+  static PlayerOptions firstOptions() {
+    return PlayerOptions.defaults().withSlicing(SMOOTH).withLoop(Loop.ALL);
+  }
+
+  /** Options for the next player: speed, slices and loop as they are set. */
+  PlayerOptions options() {
+    return PlayerOptions.defaults()
+        .withSpeed(speed.get())
+        .withSlicing(slicing.get())
+        .withLoop(new Loop(loop.get().on(), OptionalLong.empty(), OptionalLong.empty()));
+  }
+
+  /** Goes over to another player, whose loop is that of {@link #options()}. */
+  void setPlayer(Player newPlayer) {
+    player = Optional.of(newPlayer);
+    loop.set(new Loop(loop.get().on(), OptionalLong.empty(), OptionalLong.empty()));
+    seeking = false;
+    nextSeekUs = OptionalLong.empty();
+  }
+
+  /** What the player says of itself; empty before the first one. */
+  Optional<PlayerStatus> status() {
+    return player.map(Player::status);
+  }
+
+  boolean seekable() {
+    return player.isPresent() && player.get().playable().seekable();
+  }
+
+  ReadOnlyObjectProperty<Double> speedProperty() {
+    return speed.getReadOnlyProperty();
+  }
+
+  ReadOnlyObjectProperty<Slicing> slicingProperty() {
+    return slicing.getReadOnlyProperty();
+  }
+
+  ReadOnlyObjectProperty<Loop> loopProperty() {
+    return loop.getReadOnlyProperty();
+  }
+
+  void togglePause() {
+    player.ifPresent(open -> report(open.togglePause()));
+  }
+
+  void step(int slices) {
+    player.ifPresent(open -> report(open.step(slices)));
+  }
+
+  void rewind() {
+    player.ifPresent(open -> report(open.rewind()));
+  }
+
+  void reset() {
+    player.ifPresent(open -> report(open.reset()));
+  }
+
+  /** Sets the speed, brought into range; more than {@link #MAX_SPEED} is unlimited. */
+  void setSpeed(double wanted) {
+    double possible =
+        wanted > MAX_SPEED * 1.0001
+            ? Double.POSITIVE_INFINITY
+            : Math.max(PlaybackClock.MIN_SPEED, wanted);
+    // steps of a fourth root come back to exactly 1
+    speed.set(Math.abs(possible - Math.rint(possible)) < 1e-9 ? Math.rint(possible) : possible);
+    player.ifPresent(open -> report(open.setSpeed(speed.get())));
+  }
+
+  void faster() {
+    setSpeed(speed.get() * SPEED_STEP);
+  }
+
+  void slower() {
+    setSpeed(Double.isInfinite(speed.get()) ? MAX_SPEED : speed.get() / SPEED_STEP);
+  }
+
+  void setSlicing(Slicing wanted) {
+    slicing.set(wanted);
+    player.ifPresent(open -> report(open.setSlicing(wanted)));
+  }
+
+  void setLooping(boolean on) {
+    setLoop(new Loop(on, loop.get().inUs(), loop.get().outUs()));
+  }
+
+  /** Puts the loop's start where playback is; an end before it is dropped. */
+  void markIn() {
+    status()
+        .ifPresent(
+            now -> {
+              OptionalLong out = loop.get().outUs();
+              boolean fits = out.isPresent() && out.getAsLong() > now.elapsedUs();
+              setLoop(
+                  new Loop(
+                      true,
+                      OptionalLong.of(Math.max(0, now.elapsedUs())),
+                      fits ? out : OptionalLong.empty()));
+            });
+  }
+
+  /** Puts the loop's end behind what is shown; a start behind it is dropped. */
+  void markOut() {
+    status()
+        .ifPresent(
+            now -> {
+              long outUs = Math.max(1, now.elapsedUs() + now.sliceUs());
+              OptionalLong in = loop.get().inUs();
+              boolean fits = in.isPresent() && in.getAsLong() < outUs;
+              setLoop(new Loop(true, fits ? in : OptionalLong.empty(), OptionalLong.of(outUs)));
+            });
+  }
+
+  void clearInOut() {
+    setLoop(new Loop(loop.get().on(), OptionalLong.empty(), OptionalLong.empty()));
+  }
+
+  private void setLoop(Loop wanted) {
+    loop.set(wanted);
+    player.ifPresent(open -> report(open.setLoop(wanted)));
+  }
+
+  /** Sets a mark where playback is. */
+  void mark() {
+    player.ifPresent(
+        open ->
+            open.addMark(
+                new Mark(
+                    "Mark " + (open.marks().size() + 1), Math.max(0, open.status().elapsedUs()))));
+  }
+
+  void clearMarks() {
+    player.ifPresent(open -> open.marks().forEach(open::removeMark));
+  }
+
+  List<Mark> marks() {
+    return player.map(Player::marks).orElse(List.of());
+  }
+
+  /** Goes to the next mark, or the one before. */
+  void toMark(boolean next) {
+    if (player.isEmpty()) {
+      return;
+    }
+    long here = player.get().status().elapsedUs();
+    OptionalLong there =
+        next
+            ? marks().stream().mapToLong(Mark::elapsedUs).filter(us -> us > here).min()
+            : marks().stream().mapToLong(Mark::elapsedUs).filter(us -> us < here).max();
+    there.ifPresent(this::seek);
+  }
+
+  /** Jumps by a time, or by that many slices where the source cannot seek. */
+  void jump(long us) {
+    status().ifPresent(now -> seek(nextSeekUs.orElse(now.elapsedUs()) + us));
+  }
+
+  /** Goes to a place. While a jump is under way only the last wish is kept. */
+  void seek(long elapsedUs) {
+    if (!seekable()) {
+      return;
+    }
+    if (seeking) {
+      nextSeekUs = OptionalLong.of(elapsedUs);
+      return;
+    }
+    Player open = player.get();
+    long durationUs = open.status().durationUs();
+    long inRange = Math.max(0, durationUs > 0 ? Math.min(durationUs - 1, elapsedUs) : elapsedUs);
+    seeking = true;
+    CompletableFuture<Void> done = open.seek(inRange);
+    report(done);
+    done.whenComplete(
+        (nothing, problem) ->
+            Platform.runLater(
+                () -> {
+                  if (player.get() != open) {
+                    return;
+                  }
+                  seeking = false;
+                  OptionalLong next = nextSeekUs;
+                  nextSeekUs = OptionalLong.empty();
+                  next.ifPresent(this::seek);
+                }));
+  }
+
+  private void report(CompletableFuture<Void> command) {
+    Player asked = player.get();
+    command.exceptionally(
+        problem -> {
+          Platform.runLater(
+              () -> {
+                // what a player that was closed could not do any more is nobody's loss
+                if (player.get() == asked) {
+                  problems.accept(Texts.oneLine(problem));
+                }
+              });
+          return null;
+        });
+  }
+}

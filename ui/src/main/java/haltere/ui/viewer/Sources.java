@@ -1,0 +1,68 @@
+package haltere.ui.viewer;
+
+import haltere.core.chain.ChainFile;
+import haltere.core.chain.FilterChain;
+import haltere.core.chain.Filters;
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.ReadOptions;
+import haltere.core.format.Recordings;
+import haltere.core.playback.Playable;
+import haltere.core.playback.RecordingPlayable;
+import haltere.core.playback.ScenePlayable;
+import haltere.core.simulation.FlyScene;
+import haltere.core.simulation.FlySceneSettings;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * What can be opened, and the chain that it goes through.
+ *
+ * <p>Thread rule: any thread but JavaFX's, because files are read.
+ */
+final class Sources {
+  private Sources() {}
+
+  /** The built-in scene. */
+  static Playable flyScene() {
+    return new ScenePlayable(() -> new FlyScene(FlySceneSettings.defaults()), "Fly scene");
+  }
+
+  /**
+   * A recording.
+   *
+   * @throws IOException with one line for a person if it cannot be read
+   */
+  static Playable recording(Path file, ReadOptions options) throws IOException {
+    var reader = Recordings.open(file, options);
+    try {
+      return new RecordingPlayable(reader);
+    } catch (IOException | RuntimeException problem) {
+      reader.close();
+      throw problem;
+    }
+  }
+
+  /**
+   * The default chain, or another one made anew for a sensor.
+   *
+   * @param json a chain as saved, or empty
+   * @throws IOException if it does not fit
+   */
+  static FilterChain chain(SensorGeometry geometry, Optional<String> json) throws IOException {
+    return json.isPresent()
+        ? ChainFile.parse(json.get(), "the chain", geometry)
+        : defaultChain(geometry);
+  }
+
+  private static FilterChain defaultChain(SensorGeometry geometry) {
+    FilterChain chain = new FilterChain(geometry);
+    for (String name : List.of("background-activity", "hot-pixels", "cluster-tracker")) {
+      if (Filters.all().containsKey(name)) {
+        chain.add(Filters.named(name));
+      }
+    }
+    return chain;
+  }
+}

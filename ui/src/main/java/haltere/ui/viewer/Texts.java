@@ -1,0 +1,118 @@
+package haltere.ui.viewer;
+
+import java.util.Locale;
+import java.util.concurrent.CompletionException;
+import java.util.concurrent.ExecutionException;
+
+/** Numbers and problems as a person reads them. */
+final class Texts {
+  private Texts() {}
+
+  /**
+   * A place in a recording.
+   *
+   * @param us microseconds, may be negative
+   * @param withMicros whether microseconds matter, as in slow motion
+   * @return such as 1:02.345
+   */
+  static String time(long us, boolean withMicros) {
+    long abs = Math.abs(us);
+    long seconds = abs / 1_000_000;
+    String whole =
+        seconds >= 3600
+            ? String.format(
+                Locale.ROOT, "%d:%02d:%02d", seconds / 3600, seconds / 60 % 60, seconds % 60)
+            : String.format(Locale.ROOT, "%d:%02d", seconds / 60, seconds % 60);
+    String part =
+        withMicros
+            ? String.format(Locale.ROOT, ".%06d", abs % 1_000_000)
+            : String.format(Locale.ROOT, ".%03d", abs % 1_000_000 / 1000);
+    return (us < 0 ? "\u2212" : "") + whole + part;
+  }
+
+  /** Three digits and a letter for thousands: 1.25 M, 34.2 k, 512. */
+  static String quantity(double value) {
+    double abs = Math.abs(value);
+    if (abs >= 999.5e6) {
+      return digits(value / 1e9) + " G";
+    }
+    if (abs >= 999.5e3) {
+      return digits(value / 1e6) + " M";
+    }
+    if (abs >= 999.5) {
+      return digits(value / 1e3) + " k";
+    }
+    return digits(value);
+  }
+
+  /** Three digits. */
+  static String digits(double value) {
+    double abs = Math.abs(value);
+    int decimals = abs >= 99.95 || abs == 0 ? 0 : abs >= 9.995 ? 1 : 2;
+    return String.format(Locale.ROOT, "%." + decimals + "f", value);
+  }
+
+  /** A speed: 1\u00d7, 2.38\u00d7, 1/20\u00d7, max. */
+  static String speed(double speed) {
+    if (Double.isInfinite(speed)) {
+      return "max";
+    }
+    if (speed >= 0.9995) {
+      return (speed == Math.rint(speed) ? Long.toString((long) speed) : digits(speed)) + "\u00d7";
+    }
+    double slowdown = 1 / speed;
+    return "1/" + (slowdown < 9.5 ? trim(digits(slowdown)) : Math.round(slowdown)) + "\u00d7";
+  }
+
+  private static String trim(String number) {
+    return number.contains(".") ? number.replaceAll("0+$", "").replaceAll("\\.$", "") : number;
+  }
+
+  /** A time of real life, in the unit that suits it. */
+  static String duration(double us) {
+    if (us >= 1e6) {
+      return digits(us / 1e6) + " s";
+    }
+    if (us >= 1e3) {
+      return digits(us / 1e3) + " ms";
+    }
+    return digits(us) + " \u00b5s";
+  }
+
+  /** A name in a settings record as words, without the unit at its end. */
+  static String words(String name, String unit) {
+    String own = name.substring(name.lastIndexOf('.') + 1);
+    String suffix = unit.replace("/", "Per").replaceAll("[^A-Za-z]", "");
+    if (!suffix.isEmpty()
+        && own.length() > suffix.length()
+        && own.regionMatches(true, own.length() - suffix.length(), suffix, 0, suffix.length())
+        && Character.isUpperCase(own.charAt(own.length() - suffix.length()))) {
+      own = own.substring(0, own.length() - suffix.length());
+    }
+    String spaced = own.replaceAll("([a-z0-9])([A-Z])", "$1 $2").toLowerCase(Locale.ROOT);
+    return spaced.isEmpty() ? name : Character.toUpperCase(spaced.charAt(0)) + spaced.substring(1);
+  }
+
+  /** A filter's name as words. */
+  static String title(String name) {
+    String spaced = name.replace('-', ' ');
+    return spaced.isEmpty() ? name : Character.toUpperCase(spaced.charAt(0)) + spaced.substring(1);
+  }
+
+  /** A unit as it is shown: no sign for a ratio, the Greek letter for micro. */
+  static String unit(String unit) {
+    return unit.equals("1") ? "" : unit.equals("us") ? "\u00b5s" : unit;
+  }
+
+  /** What went wrong in one line, without the wrapping of futures. */
+  static String oneLine(Throwable problem) {
+    Throwable cause = problem;
+    while ((cause instanceof CompletionException || cause instanceof ExecutionException)
+        && cause.getCause() != null) {
+      cause = cause.getCause();
+    }
+    String message = cause.getMessage();
+    String text = message == null || message.isBlank() ? cause.getClass().getSimpleName() : message;
+    return text.lines().findFirst().orElse(text).strip();
+  }
+}

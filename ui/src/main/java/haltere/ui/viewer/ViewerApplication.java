@@ -1,0 +1,78 @@
+package haltere.ui.viewer;
+
+import haltere.core.format.ReadOptions;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.Future;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.atomic.AtomicReference;
+import javafx.application.Platform;
+import javafx.stage.Stage;
+
+/**
+ * Starts JavaFX and the viewer's window.
+ *
+ * <p>Thread rule: {@link #open} on the program's main thread; the rest is JavaFX's.
+ */
+public final class ViewerApplication {
+  private ViewerApplication() {}
+
+  /**
+   * Opens the window and returns when it has been closed. Whether the machine has a display and the
+   * libraries that JavaFX needs the caller has looked up before.
+   *
+   * @param file a recording, or empty for the built-in scene
+   * @param options what the user says about the recording
+   * @return empty if the window was opened and closed again; one line that says why not otherwise
+   */
+  public static Optional<String> open(Optional<Path> file, ReadOptions options) {
+    CountDownLatch closed = new CountDownLatch(1);
+    AtomicReference<Throwable> problem = new AtomicReference<>();
+    // the first session is made ready while JavaFX starts
+    FutureTask<ViewerSession> first =
+        new FutureTask<>(() -> ViewerWindow.firstSession(file, options));
+    Thread ahead = new Thread(first, "haltere-first");
+    ahead.setDaemon(true);
+    ahead.start();
+    try {
+      Platform.startup(
+          () -> {
+            try {
+              show(first, file, options, closed);
+            } catch (RuntimeException | Error broken) {
+              problem.set(broken);
+              closed.countDown();
+            }
+          });
+      closed.await();
+    } catch (InterruptedException interrupted) {
+      Thread.currentThread().interrupt();
+    } catch (RuntimeException | LinkageError notHere) {
+      return Optional.of("JavaFX cannot open a window here: " + Texts.oneLine(notHere));
+    }
+    Platform.exit();
+    return Optional.ofNullable(problem.get())
+        .map(broken -> "the viewer could not start: " + Texts.oneLine(broken));
+  }
+
+  private static void show(
+      Future<ViewerSession> first,
+      Optional<Path> file,
+      ReadOptions options,
+      CountDownLatch closed) {
+    Theme.DARK.apply();
+    Stage stage = new Stage();
+    ViewerWindow window = new ViewerWindow(stage);
+    stage
+        .showingProperty()
+        .addListener(
+            (property, was, is) -> {
+              if (!is) {
+                closed.countDown();
+              }
+            });
+    window.open(first, file.map(Path::toString).orElse("the fly scene"), options);
+    stage.show();
+  }
+}

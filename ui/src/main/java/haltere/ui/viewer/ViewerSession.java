@@ -1,0 +1,64 @@
+package haltere.ui.viewer;
+
+import haltere.core.chain.FilterChain;
+import haltere.core.playback.Playable;
+import haltere.core.playback.Player;
+import haltere.core.playback.PlayerOptions;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * What is open: a playable, the chain it goes through, the player and the sink that makes pictures.
+ *
+ * <p>Thread rule: made and closed on any thread but JavaFX's, because both may wait.
+ */
+final class ViewerSession implements AutoCloseable {
+  private final Optional<Path> file;
+  private final FilterChain chain;
+  private final List<StageState> firstStages;
+  private final DisplaySink display;
+  private final Player player;
+
+  ViewerSession(
+      Playable playable,
+      Optional<Path> file,
+      FilterChain chain,
+      PlayerOptions options,
+      DisplayOptions displayOptions) {
+    this.file = file;
+    this.chain = chain;
+    this.firstStages = StageState.of(chain);
+    this.display = new DisplaySink(playable.geometry(), chain, displayOptions);
+    this.player = new Player(playable, chain, options);
+    player.addSink(display);
+  }
+
+  Optional<Path> file() {
+    return file;
+  }
+
+  FilterChain chain() {
+    return chain;
+  }
+
+  /** The stages before the player starts. */
+  List<StageState> firstStages() {
+    return firstStages;
+  }
+
+  DisplaySink display() {
+    return display;
+  }
+
+  Player player() {
+    return player;
+  }
+
+  @Override
+  public void close() {
+    player.close();
+    display.close();
+    chain.close();
+  }
+}
