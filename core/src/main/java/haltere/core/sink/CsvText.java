@@ -24,7 +24,7 @@ final class CsvText {
 
   private final OutputStream out;
   private final byte[] digits = new byte[20];
-  private byte[] bytes = new byte[FLUSH_AT + 1024];
+  private byte[] bytes = new byte[4096];
   private int size;
 
   CsvText(OutputStream out) {
