@@ -1,7 +1,6 @@
 package haltere.core.format.aedat2;
 
 import haltere.core.event.EventPacket;
-import java.nio.ByteBuffer;
 
 /**
  * Turns the address words of one camera into packed event addresses and back. Pure: the same words
@@ -43,14 +42,12 @@ public abstract sealed class AddressDecoder permits Dvs128AddressDecoder, DavisA
    * them: the clock neither wraps nor goes back, and there is nothing to count but {@link #OTHER}.
    * If something is odd the packet stays as it was and the caller goes record by record.
    *
-   * @param in whole records, big-endian; its position does not matter
-   * @param position where the first record starts
-   * @param records how many
+   * @param records 8-byte records, address word above, time below
+   * @param count how many of them
    * @param turnUs what to add to the 32-bit times
    * @param lastUs time of the event before
    * @param out packet with room for all of them
    * @return number of records that held another kind of data, or -1 if something is odd
    */
-  abstract int decodeRun(
-      ByteBuffer in, int position, int records, long turnUs, long lastUs, EventPacket out);
+  abstract int decodeRun(long[] records, int count, long turnUs, long lastUs, EventPacket out);
 }

@@ -120,22 +120,28 @@ public record AedatSensor(Layout layout, SensorGeometry geometry, List<String> r
         : new DavisAddressDecoder(geometry);
   }
 
-  /** What the addresses at the start of a file tell. */
+  /**
+   * What the addresses at the start of a file tell. Early records weigh most, because a damaged
+   * place in a file shifts all records behind it.
+   */
   private static final class Addresses {
-    private int fitDvs128;
-    private int fitDavis;
+    private double fitDvs128;
+    private double fitDavis;
     private int maxX;
     private int maxY;
 
     Addresses(ByteBuffer records) {
+      double place = 4;
       for (int at = records.position(); at + 8 <= records.limit(); at += 8) {
         int word = records.getInt(at);
-        fitDvs128 += (word & 0x7fff_0000) == 0 ? 1 : 0;
+        double weight = 1 / (place * place);
+        place++;
+        fitDvs128 += (word & 0x7fff_0000) == 0 ? weight : 0;
         if (word < 0 || (word & 0x400) != 0) {
           // A sample or an external input; of the latter only the lowest bits carry more.
-          fitDavis += word < 0 || (word & 0x3f8) == 0 ? 1 : 0;
+          fitDavis += word < 0 || (word & 0x3f8) == 0 ? weight : 0;
         } else if ((word & 0x3ff) == 0) {
-          fitDavis++;
+          fitDavis += weight;
           maxX = Math.max(maxX, word >>> 12 & 0x3ff);
           maxY = Math.max(maxY, word >>> 22);
         }

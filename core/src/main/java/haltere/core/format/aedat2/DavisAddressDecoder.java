@@ -3,7 +3,6 @@ package haltere.core.format.aedat2;
 import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import java.nio.ByteBuffer;
 
 /**
  * Address words of the DAVIS cameras: bit 31 is 0, bits 22 to 30 are y counted from the bottom,
@@ -50,8 +49,7 @@ public final class DavisAddressDecoder extends AddressDecoder {
   }
 
   @Override
-  int decodeRun(
-      ByteBuffer in, int position, int records, long turnUs, long lastUs, EventPacket out) {
+  int decodeRun(long[] records, int count, long turnUs, long lastUs, EventPacket out) {
     long[] times = out.timesUs();
     int[] addresses = out.addresses();
     int start = out.size();
@@ -60,24 +58,24 @@ public final class DavisAddressDecoder extends AddressDecoder {
     int topmost = height - 1;
     long last = lastUs;
     long odd = 0;
-    for (int i = 0; i < records; i++) {
-      long record = in.getLong(position + 8 * i);
+    for (int i = 0; i < count; i++) {
+      long record = records[i];
       int word = (int) (record >>> 32);
+      if ((word & OTHER_BITS) != 0) {
+        continue;
+      }
       long timeUs = turnUs + (int) record;
       int x = mirror - (word >>> 12 & 0x3ff);
-      int y = word >>> 22 & 0x1ff;
-      // All ones for an event, zero for anything else; no branch, since the two kinds alternate.
-      int event = (word & OTHER_BITS) - 1 >> 31 & ~(word >> 31);
-      odd |= event & ((timeUs - last) | x | topmost - y);
-      last += event & (timeUs - last);
+      int y = word >>> 22;
+      odd |= (timeUs - last) | x | topmost - y;
+      last = timeUs;
       times[size] = timeUs;
-      addresses[size] = y << EventAddress.Y_SHIFT | x << EventAddress.X_SHIFT | word >>> 11 & 1;
-      size -= event;
+      addresses[size++] = y << EventAddress.Y_SHIFT | x << EventAddress.X_SHIFT | word >>> 11 & 1;
     }
     if (odd < 0) {
       return -1;
     }
     out.setSize(size);
-    return records - (size - start);
+    return count - (size - start);
   }
 }

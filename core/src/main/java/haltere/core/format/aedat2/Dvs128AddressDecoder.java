@@ -3,7 +3,6 @@ package haltere.core.format.aedat2;
 import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import java.nio.ByteBuffer;
 
 /**
  * Address words of the DVS128 and of its forerunner Tmpdiff128: bit 0 is 0 for ON and 1 for OFF,
@@ -55,8 +54,7 @@ public final class Dvs128AddressDecoder extends AddressDecoder {
   }
 
   @Override
-  int decodeRun(
-      ByteBuffer in, int position, int records, long turnUs, long lastUs, EventPacket out) {
+  int decodeRun(long[] records, int count, long turnUs, long lastUs, EventPacket out) {
     if (!whole) {
       return -1;
     }
@@ -65,8 +63,8 @@ public final class Dvs128AddressDecoder extends AddressDecoder {
     int size = out.size();
     long last = lastUs;
     long odd = 0;
-    for (int i = 0; i < records; i++) {
-      long record = in.getLong(position + 8 * i);
+    for (int i = 0; i < count; i++) {
+      long record = records[i];
       int word = (int) (record >>> 32);
       long timeUs = turnUs + (int) record;
       odd |= (timeUs - last) | -(long) (word >>> 15);
@@ -77,7 +75,7 @@ public final class Dvs128AddressDecoder extends AddressDecoder {
     if (odd < 0) {
       return -1;
     }
-    out.setSize(size + records);
+    out.setSize(size + count);
     return 0;
   }
 }

@@ -25,6 +25,7 @@ public final class RecordDecoder {
   private final int recordBytes;
   private final RecordClock clock;
   private final ViolationCounts violations;
+  private final long[] run = new long[RUN];
   private long countedTo;
   private boolean restarted;
   private long restartUs;
@@ -88,7 +89,8 @@ public final class RecordDecoder {
       return false;
     }
     int before = out.size();
-    int others = addresses.decodeRun(in, position, records, clock.turnUs(), clock.lastUs(), out);
+    in.slice(position, records * AEDAT2_BYTES).asLongBuffer().get(run, 0, records);
+    int others = addresses.decodeRun(run, records, clock.turnUs(), clock.lastUs(), out);
     if (others < 0) {
       return false;
     }
