@@ -7,7 +7,6 @@ import haltere.core.settings.SettingsJson;
 import haltere.core.settings.SettingsProblem;
 import haltere.core.settings.SettingsSchema;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -42,7 +41,7 @@ public final class ChainFile {
    * @throws IOException if the file cannot be read
    */
   public static FilterChain read(Path file, SensorGeometry geometry) throws IOException {
-    return parse(Files.readString(file), file.toString(), geometry);
+    return chain(Json.read(file), file.toString(), geometry);
   }
 
   /**
@@ -56,33 +55,41 @@ public final class ChainFile {
    */
   public static FilterChain parse(String text, String name, SensorGeometry geometry)
       throws JsonProblem {
-    Object value = Json.parse(text, name);
+    return chain(Json.parse(text, name), name, geometry);
+  }
+
+  private static FilterChain chain(Object value, String name, SensorGeometry geometry)
+      throws JsonProblem {
     try {
-      return chain(value, geometry, "");
+      return nested(value, geometry, "");
     } catch (SettingsProblem | ChainProblem problem) {
       throw new JsonProblem(name + ": " + problem.getMessage());
     }
   }
 
-  private static FilterChain chain(Object value, SensorGeometry geometry, String place) {
-    Map<?, ?> object = object(value, place.isEmpty() ? "the chain" : place);
-    for (Object key : object.keySet()) {
-      if (!List.of("filters", "name", "enabled", "comment").contains(key)) {
-        throw new ChainProblem(
-            "a chain has \"filters\", \"name\", \"enabled\" and \"comment\", not \"" + key + "\"");
-      }
-    }
+  /** A chain that stands at a place: empty for the outermost, else such as "filter 3". */
+  private static FilterChain nested(Object value, SensorGeometry geometry, String place) {
+    String what = place.isEmpty() ? "the chain" : place;
+    Map<?, ?> object = object(value, what);
+    requireKeys(object, what, List.of("filters", "name", "enabled", "comment"));
     if (!(object.get("filters") instanceof List<?> entries)) {
-      throw new ChainProblem(
-          (place.isEmpty() ? "the chain" : place) + " needs \"filters\", an array of filters");
+      throw new ChainProblem(what + " needs \"filters\", an array of filters");
     }
     FilterChain chain = new FilterChain(geometry);
-    int number = 0;
-    for (Object entry : entries) {
-      number++;
-      addStage(chain, object(entry, "filter " + number), place + "filter " + number);
+    for (int i = 0; i < entries.size(); i++) {
+      String entryPlace = (place.isEmpty() ? "" : place + ", ") + "filter " + (i + 1);
+      addStage(chain, object(entries.get(i), entryPlace), entryPlace);
     }
     return chain;
+  }
+
+  private static void requireKeys(Map<?, ?> object, String what, List<String> known) {
+    for (Object key : object.keySet()) {
+      if (!known.contains(key)) {
+        throw new ChainProblem(
+            what + " has no \"" + key + "\"; it may have \"" + String.join("\", \"", known) + "\"");
+      }
+    }
   }
 
   private static void addStage(FilterChain chain, Map<?, ?> entry, String place) {
@@ -91,20 +98,12 @@ public final class ChainFile {
       Object name = entry.get("name");
       chain.add(
           name == null ? "chain" : name.toString(),
-          chain(entry, chain.geometry(), place + ", "),
+          nested(entry, chain.geometry(), place),
           enabled,
           chain.stages().size());
       return;
     }
-    for (Object key : entry.keySet()) {
-      if (!List.of("filter", "enabled", "settings", "comment").contains(key)) {
-        throw new ChainProblem(
-            place
-                + " has \"filter\", \"enabled\", \"settings\" and \"comment\", not \""
-                + key
-                + "\"");
-      }
-    }
+    requireKeys(entry, place, List.of("filter", "enabled", "settings", "comment"));
     if (!(entry.get("filter") instanceof String kind)) {
       throw new ChainProblem(place + " needs \"filter\", the name of a filter");
     }

@@ -10,6 +10,7 @@ import haltere.core.stream.StreamNotification;
 import haltere.core.stream.StreamStarted;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -96,9 +97,17 @@ public final class FilterChain implements EventFilter, StreamHandler {
    * @return the new stage
    */
   public ChainStage add(String kind, EventFilter filter, boolean enabled, int position) {
+    if (filter instanceof FilterChain nested && !nested.sameSize(geometry)) {
+      throw new ChainProblem(
+          "a chain for " + nested.geometry + " pixels does not fit into one for " + geometry);
+    }
     ChainStage stage = new ChainStage(freeName(kind), kind, filter, enabled);
     stages.add(position, stage);
     return stage;
+  }
+
+  private boolean sameSize(SensorGeometry other) {
+    return other.width() == geometry.width() && other.height() == geometry.height();
   }
 
   private String freeName(String kind) {
@@ -145,8 +154,8 @@ public final class FilterChain implements EventFilter, StreamHandler {
   }
 
   /**
-   * Moves a stage to another place. The filters behind it see another stream from now on, so they
-   * and the moved one are reset before the next packet.
+   * Moves a stage to another place. It and the filters behind the first of the two places see
+   * another stream from now on, so they are reset.
    *
    * @param stage a stage of this chain
    * @param position its place once it has moved, 0 for the first
@@ -154,11 +163,14 @@ public final class FilterChain implements EventFilter, StreamHandler {
   public void move(ChainStage stage, int position) {
     require(stage);
     List<ChainStage> order = new ArrayList<>(stages);
+    int from = order.indexOf(stage);
     order.remove(stage);
     order.add(position, stage);
-    stages.clear();
-    stages.addAll(order);
-    notified(new Reset(Reset.Cause.USER));
+    // In one step, so that another thread never sees a chain with a stage missing.
+    stages.sort(Comparator.comparingInt(order::indexOf));
+    for (int i = Math.min(from, position); i < order.size(); i++) {
+      order.get(i).notified(new Reset(Reset.Cause.USER));
+    }
   }
 
   /**
@@ -251,9 +263,7 @@ public final class FilterChain implements EventFilter, StreamHandler {
 
   @Override
   public void notified(StreamNotification notification) {
-    if (notification instanceof StreamStarted started
-        && (started.geometry().width() != geometry.width()
-            || started.geometry().height() != geometry.height())) {
+    if (notification instanceof StreamStarted started && !sameSize(started.geometry())) {
       throw new ChainProblem(
           "the chain was made for a sensor of "
               + geometry

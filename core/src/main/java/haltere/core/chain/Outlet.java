@@ -22,8 +22,7 @@ public final class Outlet<T> {
 
   private final String name;
   private final Class<T> type;
-  private final CopyOnWriteArrayList<Consumer<? super T>> subscribers =
-      new CopyOnWriteArrayList<>();
+  private final CopyOnWriteArrayList<Listener> listeners = new CopyOnWriteArrayList<>();
 
   /**
    * An outlet.
@@ -60,7 +59,7 @@ public final class Outlet<T> {
    * @return true with at least one subscriber
    */
   public boolean hasSubscribers() {
-    return !subscribers.isEmpty();
+    return !listeners.isEmpty();
   }
 
   /**
@@ -70,9 +69,9 @@ public final class Outlet<T> {
    * @return ends the subscription when closed
    */
   public Subscription subscribe(Consumer<? super T> subscriber) {
-    Objects.requireNonNull(subscriber, "subscriber");
-    subscribers.add(subscriber);
-    return () -> subscribers.remove(subscriber);
+    Listener listener = new Listener(Objects.requireNonNull(subscriber, "subscriber"));
+    listeners.add(listener);
+    return listener;
   }
 
   /**
@@ -81,8 +80,22 @@ public final class Outlet<T> {
    * @param result immutable
    */
   public void publish(T result) {
-    for (Consumer<? super T> subscriber : subscribers) {
-      subscriber.accept(result);
+    for (Listener listener : listeners) {
+      listener.subscriber.accept(result);
+    }
+  }
+
+  /** One subscription; the same subscriber may have several. */
+  private final class Listener implements Subscription {
+    final Consumer<? super T> subscriber;
+
+    Listener(Consumer<? super T> subscriber) {
+      this.subscriber = subscriber;
+    }
+
+    @Override
+    public void close() {
+      listeners.remove(this);
     }
   }
 }

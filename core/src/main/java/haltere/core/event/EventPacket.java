@@ -47,8 +47,9 @@ public final class EventPacket {
    * @param capacity events it can hold before its arrays grow, at least 0
    */
   public EventPacket(int capacity) {
-    if (capacity < 0) {
-      throw new IllegalArgumentException("capacity must not be negative: " + capacity);
+    if (capacity < 0 || capacity > MAX_CAPACITY) {
+      throw new IllegalArgumentException(
+          "a packet holds 0 to " + MAX_CAPACITY + " events, not " + capacity);
     }
     timesUs = new long[capacity];
     addresses = new int[capacity];
@@ -271,11 +272,12 @@ public final class EventPacket {
    * @throws IllegalArgumentException beyond 2<sup>28</sup> events
    */
   public void ensureCapacity(int capacity) {
+    // A sum of two sizes that has overflowed is negative and would seem to fit.
+    if (capacity < 0 || capacity > Math.max(MAX_CAPACITY, timesUs.length)) {
+      throw new IllegalArgumentException("a packet holds at most " + MAX_CAPACITY + " events");
+    }
     if (capacity <= timesUs.length) {
       return;
-    }
-    if (capacity > MAX_CAPACITY || capacity < 0) {
-      throw new IllegalArgumentException("a packet holds at most " + MAX_CAPACITY + " events");
     }
     int grown = Math.min(MAX_CAPACITY, Math.max(capacity, Math.max(16, timesUs.length * 2)));
     timesUs = Arrays.copyOf(timesUs, grown);

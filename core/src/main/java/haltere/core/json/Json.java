@@ -9,6 +9,7 @@ import com.fasterxml.jackson.core.util.DefaultIndenter;
 import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
 import java.io.IOException;
 import java.io.StringWriter;
+import java.nio.charset.CharacterCodingException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -23,6 +24,8 @@ import java.util.Map;
  * <p>Thread rule: all methods may be called from any thread.
  */
 public final class Json {
+  private static final String BYTE_ORDER_MARK = "\ufeff";
+
   private static final JsonFactory FACTORY =
       JsonFactory.builder()
           .enable(com.fasterxml.jackson.core.StreamReadFeature.STRICT_DUPLICATE_DETECTION)
@@ -39,7 +42,11 @@ public final class Json {
    * @throws IOException if the file cannot be read
    */
   public static Object read(Path file) throws IOException {
-    return parse(Files.readString(file), file.toString());
+    try {
+      return parse(Files.readString(file), file.toString());
+    } catch (CharacterCodingException notText) {
+      throw new JsonProblem(file + ": not a text in UTF-8");
+    }
   }
 
   /**
@@ -51,7 +58,8 @@ public final class Json {
    * @throws JsonProblem if it is not JSON
    */
   public static Object parse(String text, String name) throws JsonProblem {
-    try (JsonParser parser = FACTORY.createParser(text)) {
+    String json = text.startsWith(BYTE_ORDER_MARK) ? text.substring(1) : text;
+    try (JsonParser parser = FACTORY.createParser(json)) {
       if (parser.nextToken() == null) {
         throw new JsonProblem(name + ": there is nothing in it, a JSON value was expected");
       }

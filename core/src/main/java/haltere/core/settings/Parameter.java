@@ -1,5 +1,6 @@
 package haltere.core.settings;
 
+import java.math.BigDecimal;
 import java.util.List;
 
 /**
@@ -25,6 +26,8 @@ public record Parameter(
     String help,
     Object defaultValue,
     List<String> choices) {
+  private static final BigDecimal LARGEST_LONG = BigDecimal.valueOf(Long.MAX_VALUE);
+
   /**
    * The group that the setting belongs to.
    *
@@ -52,69 +55,73 @@ public record Parameter(
    * @throws SettingsProblem if that is impossible
    */
   public Object convert(Object value) {
-    Object converted = null;
-    String text = String.valueOf(value).trim();
-    try {
-      if (type == int.class) {
-        converted =
-            value instanceof Double number ? exact(number, text) : (Object) Integer.valueOf(text);
-      } else if (type == long.class) {
-        converted =
-            value instanceof Double number
-                ? (Object) (long) Math.rint(wholeNumber(number, text))
-                : (Object) Long.valueOf(text);
-      } else if (type == double.class) {
-        converted = Double.valueOf(text);
-      } else if (type == boolean.class) {
-        converted =
-            switch (text) {
-              case "true" -> Boolean.TRUE;
-              case "false" -> Boolean.FALSE;
-              default -> throw problem(text, "true or false");
-            };
-      } else if (type.isEnum()) {
-        for (Object constant : type.getEnumConstants()) {
-          if (((Enum<?>) constant).name().equalsIgnoreCase(text.replace('-', '_'))) {
-            converted = constant;
-          }
-        }
-        if (converted == null) {
-          throw problem(text, "one of " + String.join(", ", choices));
-        }
-      } else {
-        converted = value instanceof String ? value : text;
-      }
-    } catch (NumberFormatException notANumber) {
-      throw problem(text, type == double.class ? "a number" : "a whole number");
-    }
+    Object converted = isNumber() ? number(value) : word(value);
     check(converted);
     return converted;
   }
 
-  private int exact(double number, String text) {
-    double whole = wholeNumber(number, text);
-    if (whole < Integer.MIN_VALUE || whole > Integer.MAX_VALUE) {
+  private Object number(Object value) {
+    String text = String.valueOf(value).trim();
+    try {
+      if (type == double.class) {
+        return Double.valueOf(text);
+      }
+      // Through BigDecimal, so that 25000, 25000.0 and 2.5e4 are the same whole number.
+      BigDecimal number = new BigDecimal(text);
+      if (number.abs().compareTo(LARGEST_LONG) > 0) {
+        throw outOfRange(text);
+      }
+      long whole = number.longValueExact();
+      if (type == long.class) {
+        return whole;
+      }
+      if (whole != (int) whole) {
+        throw outOfRange(text);
+      }
+      return (int) whole;
+    } catch (NumberFormatException notANumber) {
+      throw problem(text, type == double.class ? "a number" : "a whole number");
+    } catch (ArithmeticException notWhole) {
       throw problem(text, "a whole number");
     }
-    return (int) whole;
   }
 
-  private double wholeNumber(double number, String text) {
-    if (number != Math.rint(number) || Double.isInfinite(number)) {
-      throw problem(text, "a whole number");
+  private Object word(Object value) {
+    String text = String.valueOf(value).trim();
+    if (type == boolean.class) {
+      return switch (text) {
+        case "true" -> Boolean.TRUE;
+        case "false" -> Boolean.FALSE;
+        default -> throw problem(text, "true or false");
+      };
     }
-    return number;
+    if (type.isEnum()) {
+      for (Object constant : type.getEnumConstants()) {
+        if (((Enum<?>) constant).name().equalsIgnoreCase(text.replace('-', '_'))) {
+          return constant;
+        }
+      }
+      throw problem(text, "one of " + String.join(", ", choices));
+    }
+    if (value instanceof String || value instanceof Number || value instanceof Boolean) {
+      return value.toString();
+    }
+    throw problem(text, "a text");
   }
 
   void check(Object value) {
     if (isNumber()) {
       double number = ((Number) value).doubleValue();
-      if (!(number >= min && number <= max)) {
-        throw problem(String.valueOf(value), number(min) + " to " + number(max) + unitText());
+      if (!(number >= min && number <= max) || Double.isInfinite(number)) {
+        throw outOfRange(String.valueOf(value));
       }
     } else if (value == null) {
       throw problem("null", "a value");
     }
+  }
+
+  private SettingsProblem outOfRange(String value) {
+    return problem(value, number(min) + " to " + number(max) + unitText());
   }
 
   private SettingsProblem problem(String value, String valid) {

@@ -51,24 +51,24 @@ public final class SettingsJson {
    * @throws SettingsProblem for a name that does not exist or a value out of range
    */
   public static <S extends Record> S fromMap(Map<?, ?> values, SettingsSchema<S> schema) {
-    return apply(schema.defaults(), values, "", schema);
+    Map<String, Object> flat = new LinkedHashMap<>();
+    flatten(values, "", flat, schema);
+    return schema.with(schema.defaults(), flat);
   }
 
-  private static <S extends Record> S apply(
-      S settings, Map<?, ?> values, String prefix, SettingsSchema<S> schema) {
-    S result = settings;
+  private static void flatten(
+      Map<?, ?> values, String prefix, Map<String, Object> flat, SettingsSchema<?> schema) {
     for (Map.Entry<?, ?> entry : values.entrySet()) {
       String name = prefix + entry.getKey();
-      if (entry.getValue() instanceof Map<?, ?> nested) {
-        boolean known = schema.parameters().stream().anyMatch(p -> p.name().startsWith(name + "."));
-        if (!known) {
-          schema.parameter(name);
-        }
-        result = apply(result, nested, name + ".", schema);
+      if (entry.getValue() instanceof Map<?, ?> nested && isGroup(name, schema)) {
+        flatten(nested, name + ".", flat, schema);
       } else {
-        result = schema.with(result, name, entry.getValue());
+        flat.put(name, entry.getValue());
       }
     }
-    return result;
+  }
+
+  private static boolean isGroup(String name, SettingsSchema<?> schema) {
+    return schema.parameters().stream().anyMatch(p -> p.name().startsWith(name + "."));
   }
 }

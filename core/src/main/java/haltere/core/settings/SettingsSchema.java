@@ -51,8 +51,9 @@ public final class SettingsSchema<S extends Record> {
   public static <S extends Record> SettingsSchema<S> of(Class<S> type) {
     SettingsSchema<?> cached = CACHE.get(type);
     if (cached == null) {
-      cached = new SettingsSchema<>(type);
-      CACHE.put(type, cached);
+      SettingsSchema<?> made = new SettingsSchema<>(type);
+      cached = CACHE.putIfAbsent(type, made);
+      cached = cached == null ? made : cached;
     }
     return (SettingsSchema<S>) cached;
   }
@@ -153,8 +154,22 @@ public final class SettingsSchema<S extends Record> {
    * @throws SettingsProblem if there is no such setting or it cannot take the value
    */
   public S with(S settings, String name, Object value) {
-    Object converted = parameter(name).convert(value);
-    return type.cast(replaced(settings, name, converted));
+    return with(settings, Collections.singletonMap(name, value));
+  }
+
+  /**
+   * The same settings but for some values. All of them are changed at once, so only the result has
+   * to be valid as a whole.
+   *
+   * @param settings a record, unchanged
+   * @param values by dotted path: values of the setting's type, or texts that can be read as one
+   * @return a new record
+   * @throws SettingsProblem for the first one that does not exist or cannot take its value
+   */
+  public S with(S settings, Map<String, ?> values) {
+    Map<String, Object> converted = new LinkedHashMap<>();
+    values.forEach((name, value) -> converted.put(name, parameter(name).convert(value)));
+    return type.cast(replaced(settings, "", converted));
   }
 
   /**
@@ -166,16 +181,15 @@ public final class SettingsSchema<S extends Record> {
    * @throws SettingsProblem for the first one that cannot be applied
    */
   public S withAssignments(S settings, Iterable<String> assignments) {
-    S result = settings;
+    Map<String, String> values = new LinkedHashMap<>();
     for (String assignment : assignments) {
       int equals = assignment.indexOf('=');
       if (equals < 1) {
         throw new SettingsProblem("\"" + assignment + "\" is not of the form name=value");
       }
-      result =
-          with(result, assignment.substring(0, equals).trim(), assignment.substring(equals + 1));
+      values.put(assignment.substring(0, equals).trim(), assignment.substring(equals + 1));
     }
-    return result;
+    return with(settings, values);
   }
 
   /**
@@ -194,17 +208,16 @@ public final class SettingsSchema<S extends Record> {
     return changed;
   }
 
-  private static Object replaced(Object settings, String name, Object value) {
-    int dot = name.indexOf('.');
-    String own = dot < 0 ? name : name.substring(0, dot);
+  private static Object replaced(Object settings, String prefix, Map<String, Object> newValues) {
     RecordComponent[] components = settings.getClass().getRecordComponents();
     Object[] values = new Object[components.length];
     for (int i = 0; i < components.length; i++) {
+      String name = prefix + components[i].getName();
       Object old = component(settings, components[i].getName());
       values[i] =
-          !components[i].getName().equals(own)
-              ? old
-              : dot < 0 ? value : replaced(old, name.substring(dot + 1), value);
+          old instanceof Record nested
+              ? replaced(nested, name + ".", newValues)
+              : newValues.getOrDefault(name, old);
     }
     return construct(settings.getClass(), components, values);
   }
@@ -247,6 +260,9 @@ public final class SettingsSchema<S extends Record> {
       var method = type.getDeclaredMethod("defaults");
       method.setAccessible(true);
       return type.cast(method.invoke(null));
+    } catch (InvocationTargetException thrown) {
+      throw new IllegalStateException(
+          "the defaults of " + type.getName() + " are not valid: " + thrown.getCause(), thrown);
     } catch (ReflectiveOperationException missing) {
       throw new IllegalStateException(
           type.getName() + " has no static method defaults() without parameters", missing);
