@@ -18,7 +18,7 @@ import java.util.Map;
  *
  * <pre>{@code
  * {"filters": [
- *   {"filter": "background-activity", "settings": {"correlationTimeUs": 25000}},
+ *   {"filter": "background-activity", "settings": {"correlationUs": 25000}},
  *   {"filter": "refractory", "enabled": false},
  *   {"name": "tracking", "filters": [{"filter": "cluster-tracker"}]}
  * ]}

@@ -297,6 +297,36 @@ public final class FilterChain implements EventFilter, StreamHandler {
     return outlets;
   }
 
+  /**
+   * The outlet where results of a kind are published.
+   *
+   * @param name the outlet's name
+   * @param type class of its results
+   * @param <T> type of its results
+   * @return the first one in the order of the stages
+   * @throws ChainProblem if there is none, listing those that there are
+   */
+  public <T> Outlet<T> outlet(String name, Class<T> type) {
+    List<String> names = new ArrayList<>();
+    for (Outlet<?> outlet : outlets()) {
+      if (outlet.name().equals(name) && outlet.type() == type) {
+        return typed(outlet);
+      }
+      names.add(outlet.name() + " (" + outlet.type().getSimpleName() + ")");
+    }
+    throw new ChainProblem(
+        "the chain has no outlet named "
+            + name
+            + " for "
+            + type.getSimpleName()
+            + (names.isEmpty() ? ", it has none" : "; it has " + String.join(", ", names)));
+  }
+
+  @SuppressWarnings("unchecked")
+  private static <T> Outlet<T> typed(Outlet<?> outlet) {
+    return (Outlet<T>) outlet;
+  }
+
   @Override
   public List<OverlayLayer<?>> overlays() {
     List<OverlayLayer<?>> overlays = new ArrayList<>();

@@ -1,0 +1,49 @@
+package haltere.ui;
+
+import haltere.core.format.ReadOptions;
+import haltere.ui.command.WindowOpener;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Optional;
+
+/**
+ * Knows whether JavaFX can open a window here, and opens it. Loads no class of JavaFX before that.
+ */
+final class JavaFxWindow implements WindowOpener {
+  @Override
+  public boolean hasDisplay() {
+    return hasOwnScreen() || !isLinux() || !display().isEmpty();
+  }
+
+  @Override
+  public Optional<String> obstacle() {
+    if (getClass().getClassLoader().getResource("javafx/application/Application.class") == null
+        && ModuleLayer.boot().findModule("javafx.controls").isEmpty()) {
+      return Optional.of(
+          "JavaFX is not on the module path; start the viewer with the installed script: haltere"
+              + " view");
+    }
+    return isLinux() && !hasOwnScreen()
+        ? NativeLibraries.complaint(NativeLibraries::present)
+        : Optional.empty();
+  }
+
+  @Override
+  public Optional<String> open(Optional<Path> file, ReadOptions options) {
+    return Optional.of("the viewer is not in this version yet");
+  }
+
+  /** Whether JavaFX has been told to draw into memory, as the tests do. */
+  private static boolean hasOwnScreen() {
+    String platform = System.getProperty("glass.platform", "");
+    return platform.equals("Monocle") || platform.equals("Headless");
+  }
+
+  private static boolean isLinux() {
+    return System.getProperty("os.name").toLowerCase(Locale.ROOT).contains("linux");
+  }
+
+  private static String display() {
+    return Optional.ofNullable(System.getenv("DISPLAY")).orElse("");
+  }
+}

@@ -1,0 +1,20 @@
+package haltere.ui;
+
+import haltere.ui.command.HaltereProgram;
+
+/**
+ * The program's main class. It decides nothing but which classes are loaded: a command never
+ * touches those of the window.
+ */
+public final class Launcher {
+  private Launcher() {}
+
+  /**
+   * Runs the command line and ends the process with its status.
+   *
+   * @param args the words of the command line
+   */
+  public static void main(String[] args) {
+    System.exit(HaltereProgram.main(args, new JavaFxWindow()));
+  }
+}

@@ -1,0 +1,107 @@
+package haltere.ui;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Predicate;
+import java.util.stream.Stream;
+
+/**
+ * The system libraries that JavaFX loads on Linux. They are looked for before JavaFX starts,
+ * because JavaFX itself answers a missing one with several pages of stack traces.
+ */
+final class NativeLibraries {
+  private record Library(String file, String debianPackage) {}
+
+  private static final List<Library> NEEDED =
+      List.of(
+          new Library("libgtk-3.so.0", "libgtk-3-0"),
+          new Library("libGL.so.1", "libgl1"),
+          new Library("libXtst.so.6", "libxtst6"));
+
+  private NativeLibraries() {}
+
+  /**
+   * What to tell a user whose machine lacks libraries.
+   *
+   * @param present whether the machine has a library, by its file name
+   * @return one line, or empty if nothing is missing
+   */
+  static Optional<String> complaint(Predicate<String> present) {
+    List<String> files = new ArrayList<>();
+    List<String> packages = new ArrayList<>();
+    for (Library library : NEEDED) {
+      if (!present.test(library.file())) {
+        files.add(library.file());
+        packages.add(library.debianPackage());
+      }
+    }
+    if (files.isEmpty()) {
+      return Optional.empty();
+    }
+    return Optional.of(
+        "the window needs graphics libraries that are not here ("
+            + String.join(", ", files)
+            + "): install the packages "
+            + String.join(" ", packages)
+            + " (these are Debian's names; all of them: libgtk-3-0 libgl1 libxtst6),"
+            + " or go without a window: haltere --headless");
+  }
+
+  /**
+   * Whether this machine has a library.
+   *
+   * @param file its file name
+   * @return false only if it was looked for everywhere
+   */
+  static boolean present(String file) {
+    for (Path folder : folders()) {
+      if (Files.exists(folder.resolve(file))) {
+        return true;
+      }
+    }
+    return linkerKnows(file);
+  }
+
+  private static List<Path> folders() {
+    List<Path> folders = new ArrayList<>();
+    for (String folder :
+        Optional.ofNullable(System.getenv("LD_LIBRARY_PATH")).orElse("").split(":")) {
+      if (!folder.isEmpty()) {
+        folders.add(Path.of(folder));
+      }
+    }
+    for (String root : List.of("/lib", "/usr/lib", "/lib64", "/usr/lib64", "/usr/local/lib")) {
+      folders.add(Path.of(root));
+      try (Stream<Path> inside = Files.list(Path.of(root))) {
+        inside.filter(path -> path.toString().endsWith("-linux-gnu")).forEach(folders::add);
+      } catch (IOException notThere) {
+        continue;
+      }
+    }
+    return folders;
+  }
+
+  /** Asks the linker's cache; where that is impossible, JavaFX may try. */
+  private static boolean linkerKnows(String file) {
+    for (String command : List.of("/sbin/ldconfig", "/usr/sbin/ldconfig")) {
+      if (Files.isExecutable(Path.of(command))) {
+        try {
+          Process process = new ProcessBuilder(command, "-p").redirectErrorStream(true).start();
+          process.getOutputStream().close();
+          try (InputStream answer = process.getInputStream()) {
+            return new String(answer.readAllBytes(), StandardCharsets.UTF_8).contains(file);
+          }
+        } catch (IOException noAnswer) {
+          return true;
+        }
+      }
+    }
+    return true;
+  }
+}

@@ -1,0 +1,101 @@
+package haltere.ui.command;
+
+import haltere.core.chain.ChainProblem;
+import haltere.core.chain.FilterFailure;
+import haltere.core.format.RecordingProblem;
+import haltere.core.json.JsonProblem;
+import haltere.core.settings.SettingsProblem;
+import java.io.IOException;
+import java.io.InterruptedIOException;
+import java.io.UncheckedIOException;
+import java.nio.channels.ClosedByInterruptException;
+import java.nio.charset.CharacterCodingException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
+import java.nio.file.NoSuchFileException;
+
+/** Turns whatever went wrong into the one line that a user can act on. */
+final class Failures {
+  private Failures() {}
+
+  /**
+   * The line for a failure.
+   *
+   * @param failure what was thrown
+   * @return one line, without the program's name
+   */
+  static String describe(Throwable failure) {
+    return oneLine(sentence(failure));
+  }
+
+  private static String sentence(Throwable failure) {
+    if (isInterruption(failure)) {
+      return "interrupted; unfinished output has been removed";
+    }
+    if (failure instanceof CommandProblem
+        || failure instanceof RecordingProblem
+        || failure instanceof JsonProblem
+        || failure instanceof ChainProblem
+        || failure instanceof SettingsProblem) {
+      return failure.getMessage();
+    }
+    if (failure instanceof UncheckedIOException unchecked) {
+      return sentence(unchecked.getCause());
+    }
+    if (failure instanceof FilterFailure) {
+      return failure.getMessage()
+          + "; this is a fault in the filter: switch it off, or report it with what --debug prints";
+    }
+    if (failure instanceof FileSystemException file) {
+      return fileProblem(file);
+    }
+    if (failure instanceof OutOfMemoryError) {
+      return "not enough memory ("
+          + failure.getMessage()
+          + "); give the program more with JAVA_OPTS=-Xmx2g";
+    }
+    if (failure instanceof IOException) {
+      return failure.getMessage() == null ? failure.toString() : failure.getMessage();
+    }
+    return "unexpected failure: "
+        + failure
+        + "; this is a fault in the program: report it with what --debug prints";
+  }
+
+  /** Whether the work was stopped from outside; files then fail in many ways. */
+  static boolean isInterruption(Throwable failure) {
+    return Thread.currentThread().isInterrupted()
+        || failure instanceof InterruptedException
+        || failure instanceof InterruptedIOException
+        || failure instanceof ClosedByInterruptException;
+  }
+
+  private static String fileProblem(FileSystemException problem) {
+    String file = problem.getFile() == null ? "" : problem.getFile() + ": ";
+    if (problem instanceof NoSuchFileException) {
+      return file + "there is no such file or folder";
+    }
+    if (problem instanceof AccessDeniedException) {
+      return file + "permission denied; change its mode or owner, or choose another place";
+    }
+    if (problem instanceof FileAlreadyExistsException) {
+      return file + "exists already; give --overwrite to replace it";
+    }
+    return file + (problem.getReason() == null ? "cannot be used" : problem.getReason());
+  }
+
+  /**
+   * The line for a text file that is not text.
+   *
+   * @param file what to call it
+   * @return one line
+   */
+  static CommandProblem notText(Object file, CharacterCodingException cause) {
+    return new CommandProblem(file + ": this is not UTF-8 text", cause);
+  }
+
+  private static String oneLine(String text) {
+    return text.strip().replaceAll("\\s*\\R\\s*", " ");
+  }
+}

@@ -1,0 +1,34 @@
+package haltere.ui.command;
+
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+
+/** The program without a command: the viewer, or the same scene without a window. */
+@Command(
+    name = "haltere",
+    description = {
+      "Watch and filter the events of event cameras.",
+      "Without a command: the viewer on the built-in fly scene; without a display the same scene"
+          + " through the same chain, with a picture and a table in build/demo/."
+    },
+    versionProvider = Version.class)
+final class HaltereCommand extends Subcommand {
+  @Option(names = "--headless", description = "No window, even where there is a display.")
+  boolean headless;
+
+  @Option(
+      names = {"-V", "--version"},
+      versionHelp = true,
+      description = "Print the version.")
+  boolean version;
+
+  HaltereCommand(Surroundings surroundings) {
+    super(surroundings);
+  }
+
+  @Override
+  public Integer call() {
+    spec.commandLine().usage(surroundings().out());
+    return OK;
+  }
+}

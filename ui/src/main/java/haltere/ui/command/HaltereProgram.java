@@ -1,0 +1,163 @@
+package haltere.ui.command;
+
+import java.io.BufferedOutputStream;
+import java.io.FileDescriptor;
+import java.io.FileOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import picocli.CommandLine;
+import picocli.CommandLine.Help.Ansi;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.ParseResult;
+
+/**
+ * The command line: finds the command, runs it and turns what went wrong into a line and a status.
+ * Only the command that was asked for is loaded.
+ *
+ * <p>Thread rule: everything runs on the calling thread.
+ */
+public final class HaltereProgram {
+  private static final List<String> COMMANDS = List.of("info", "convert", "run", "filters");
+
+  private final Surroundings surroundings;
+
+  HaltereProgram(Surroundings surroundings) {
+    this.surroundings = surroundings;
+  }
+
+  /**
+   * Runs the process's command and waits for it.
+   *
+   * @param args the words of the command line
+   * @param window opens the viewer
+   * @return the process's exit status
+   */
+  public static int main(String[] args, WindowOpener window) {
+    Interruption interruption = Interruption.install();
+    try {
+      StandardOutput standardOutput = new StandardOutput();
+      PrintStream out =
+          new PrintStream(
+              new BufferedOutputStream(standardOutput, 1 << 14), false, StandardCharsets.UTF_8);
+      PrintStream err =
+          new PrintStream(new FileOutputStream(FileDescriptor.err), true, StandardCharsets.UTF_8);
+      Surroundings process =
+          new Surroundings(out, err, errIsTerminal(), System.getenv(), Path.of(""), window);
+      int status = new HaltereProgram(process).run(args);
+      Optional<String> failure = standardOutput.failure();
+      failure.ifPresent(line -> err.print("haltere: " + line + "\n"));
+      return failure.isPresent() && status == Subcommand.OK ? Subcommand.FAILED : status;
+    } finally {
+      interruption.finished();
+    }
+  }
+
+  /**
+   * Whether the standard error stream is a terminal; Java itself only knows of input and output.
+   */
+  private static boolean errIsTerminal() {
+    Path link = Path.of("/proc/self/fd/2");
+    try {
+      String target = Files.readSymbolicLink(link).toString();
+      return target.startsWith("/dev/pts/") || target.startsWith("/dev/tty");
+    } catch (IOException | RuntimeException noSuchFileSystem) {
+      return System.console() != null;
+    }
+  }
+
+  /**
+   * Runs a command.
+   *
+   * @param args the words of the command line
+   * @return 0, 1 or 2
+   */
+  int run(String... args) {
+    int status;
+    try {
+      status = commandLine(args).execute(args);
+    } catch (Error failure) {
+      status = failed(failure, List.of(args).contains("--debug"));
+    }
+    surroundings.out().flush();
+    surroundings.err().flush();
+    return status;
+  }
+
+  private CommandLine commandLine(String... args) {
+    CommandLine program = inOrder(new CommandLine(new HaltereCommand(surroundings)));
+    String wanted = firstWord(args);
+    boolean known = COMMANDS.contains(wanted);
+    for (String name : COMMANDS) {
+      if (!known || name.equals(wanted)) {
+        program.addSubcommand(name, inOrder(new CommandLine(command(name))));
+      }
+    }
+    return program
+        .setExpandAtFiles(false)
+        .setCaseInsensitiveEnumValuesAllowed(true)
+        .setColorScheme(CommandLine.Help.defaultColorScheme(Ansi.OFF))
+        .setOut(new java.io.PrintWriter(surroundings.out(), true))
+        .setErr(new java.io.PrintWriter(surroundings.err(), true))
+        .setParameterExceptionHandler(this::wrongArguments)
+        .setExecutionExceptionHandler(this::failed);
+  }
+
+  /** Options are listed as they are declared, those that all commands have last. */
+  private static CommandLine inOrder(CommandLine command) {
+    command.getCommandSpec().usageMessage().sortOptions(false).sortSynopsis(false);
+    return command;
+  }
+
+  private static String firstWord(String... args) {
+    for (String arg : args) {
+      if (!arg.startsWith("-")) {
+        return arg;
+      }
+    }
+    return "";
+  }
+
+  private Subcommand command(String name) {
+    return switch (name) {
+      case "info" -> new InfoCommand(surroundings);
+      case "convert" -> new ConvertCommand(surroundings);
+      case "run" -> new RunCommand(surroundings);
+      case "filters" -> new FiltersCommand(surroundings);
+      default -> throw new IllegalArgumentException(name);
+    };
+  }
+
+  private int wrongArguments(ParameterException problem, String... args) {
+    CommandLine command = problem.getCommandLine();
+    if (isDebug(command)) {
+      problem.printStackTrace(surroundings.err());
+    }
+    surroundings
+        .err()
+        .print(
+            command.getCommandSpec().qualifiedName() + ": " + problem.getMessage().strip() + "\n");
+    command.usage(command.getErr());
+    return Subcommand.WRONG_ARGUMENTS;
+  }
+
+  private int failed(Exception problem, CommandLine command, ParseResult parsed) {
+    return failed(problem, isDebug(command));
+  }
+
+  private int failed(Throwable problem, boolean debug) {
+    if (debug) {
+      problem.printStackTrace(surroundings.err());
+    }
+    surroundings.err().print("haltere: " + Failures.describe(problem) + "\n");
+    return Subcommand.FAILED;
+  }
+
+  private static boolean isDebug(CommandLine command) {
+    return command.getCommand() instanceof Subcommand subcommand && subcommand.isDebug();
+  }
+}

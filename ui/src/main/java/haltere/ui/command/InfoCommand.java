@@ -1,0 +1,199 @@
+package haltere.ui.command;
+
+import haltere.core.format.Gap;
+import haltere.core.format.RecordingProblem;
+import haltere.core.format.RecordingReader;
+import haltere.core.format.RecordingSummary;
+import haltere.core.json.Json;
+import haltere.core.stream.StreamNotification;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** Reads recordings through and says what is in them. */
+@Command(
+    name = "info",
+    description = "Say what is in recordings: format, sensor, events, times, rates, gaps.")
+final class InfoCommand extends Subcommand {
+  @Parameters(arity = "1..*", paramLabel = "FILE", description = "Recordings.")
+  List<Path> files;
+
+  @Option(
+      names = "--json",
+      description = "Write a JSON object, or an array of objects for several files.")
+  boolean json;
+
+  @Mixin ReadingOptions reading;
+
+  InfoCommand(Surroundings surroundings) {
+    super(surroundings);
+  }
+
+  @Override
+  public Integer call() throws IOException {
+    reading.readOptions();
+    if (files.size() == 1) {
+      return single(files.get(0));
+    }
+    int status = OK;
+    List<Object> objects = new ArrayList<>();
+    for (Path file : files) {
+      if (surroundings().out().checkError()) {
+        return status; // nobody reads on
+      }
+      try {
+        if (!describe(file, objects)) {
+          status = FAILED;
+        }
+      } catch (IOException problem) {
+        if (Failures.isInterruption(problem)) {
+          throw problem;
+        }
+        if (isDebug()) {
+          problem.printStackTrace(surroundings().err());
+        }
+        error(Failures.describe(problem));
+        status = FAILED;
+      }
+    }
+    if (json) {
+      result(Json.write(objects));
+    }
+    return status;
+  }
+
+  private int single(Path file) throws IOException {
+    List<Object> objects = new ArrayList<>();
+    boolean whole = describe(file, objects);
+    if (json) {
+      result(Json.write(objects.get(0)));
+    }
+    return whole ? OK : FAILED;
+  }
+
+  /** Describes a file; false if it is less whole than the user demands. */
+  private boolean describe(Path file, List<Object> objects) throws IOException {
+    RecordingSummary summary;
+    Optional<RecordingProblem> objection;
+    try (RecordingReader reader = reading.open(file);
+        ProgressBar bar = progressBar("reading", file)) {
+      summary = RecordingSummary.scan(reader, bar);
+      objection = reading.objection(file, reader.violations());
+    }
+    if (json) {
+      objects.add(object(summary));
+    } else {
+      print(file, summary);
+    }
+    for (String warning : summary.warnings()) {
+      warning(file + ": " + warning);
+    }
+    objection.ifPresent(problem -> error(problem.getMessage()));
+    return objection.isEmpty();
+  }
+
+  private static Map<String, Object> object(RecordingSummary summary) {
+    Map<String, Object> object = new LinkedHashMap<>();
+    object.put("format", summary.format());
+    object.put("width", summary.geometry().width());
+    object.put("height", summary.geometry().height());
+    object.put("origin", summary.geometry().origin().name().toLowerCase(Locale.ROOT));
+    object.put("events", summary.events());
+    object.put("on", summary.on());
+    object.put("off", summary.off());
+    object.put("firstUs", summary.firstUs());
+    object.put("lastUs", summary.lastUs());
+    object.put("durationS", summary.durationS());
+    object.put("meanRateEps", summary.meanRateEps());
+    object.put("peakRateEps", summary.peakRateEps());
+    object.put("timestampsMonotonic", summary.timestampsMonotonic());
+    List<Object> gaps = new ArrayList<>();
+    for (Gap gap : summary.gaps()) {
+      Map<String, Object> entry = new LinkedHashMap<>();
+      entry.put("fromUs", time(gap.fromUs()));
+      entry.put("toUs", time(gap.toUs()));
+      entry.put("told", gap.told());
+      gaps.add(entry);
+    }
+    object.put("gaps", gaps);
+    object.put("warnings", summary.warnings());
+    return object;
+  }
+
+  private static Object time(long timeUs) {
+    return timeUs == StreamNotification.NO_TIME_US ? null : (Object) timeUs;
+  }
+
+  private void print(Path file, RecordingSummary summary) {
+    result(file.toString());
+    line("format", summary.format());
+    line(
+        "sensor",
+        summary.geometry()
+            + " pixels, rows count from the "
+            + summary.geometry().origin().name().toLowerCase(Locale.ROOT));
+    line(
+        "events",
+        Quantities.count(summary.events())
+            + "  ("
+            + Quantities.count(summary.on())
+            + " ON, "
+            + Quantities.count(summary.off())
+            + " OFF)");
+    if (summary.events() == 0) {
+      return;
+    }
+    line(
+        "time",
+        Quantities.seconds(summary.firstUs()) + " to " + Quantities.seconds(summary.lastUs()));
+    line("duration", String.format(Locale.ROOT, "%.6f s", summary.durationS()));
+    line("mean rate", Quantities.rate(summary.meanRateEps()));
+    line("peak rate", Quantities.rate(summary.peakRateEps()) + "  (over 10 ms)");
+    line(
+        "clock",
+        summary.timestampsMonotonic()
+            ? "never goes back"
+            : "goes back: " + summary.segments().size() + " segments");
+    line("gaps", gaps(summary.gaps()));
+  }
+
+  private static String gaps(List<Gap> gaps) {
+    if (gaps.isEmpty()) {
+      return "none";
+    }
+    return gaps.size() + ", the longest " + longest(gaps);
+  }
+
+  private static String longest(List<Gap> gaps) {
+    Gap longest = null;
+    for (Gap gap : gaps) {
+      boolean timed =
+          gap.fromUs() != StreamNotification.NO_TIME_US
+              && gap.toUs() != StreamNotification.NO_TIME_US;
+      if (timed
+          && (longest == null || gap.toUs() - gap.fromUs() > longest.toUs() - longest.fromUs())) {
+        longest = gap;
+      }
+    }
+    return longest == null
+        ? "of unknown length"
+        : String.format(
+            Locale.ROOT,
+            "%.3f s from %s",
+            (longest.toUs() - longest.fromUs()) / 1e6,
+            Quantities.seconds(longest.fromUs()));
+  }
+
+  private void line(String name, String value) {
+    result(String.format(Locale.ROOT, "  %-10s  %s", name, value));
+  }
+}

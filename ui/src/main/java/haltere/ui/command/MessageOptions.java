@@ -1,0 +1,22 @@
+package haltere.ui.command;
+
+import picocli.CommandLine.Option;
+
+/** Options that every command has. */
+final class MessageOptions {
+  @Option(
+      names = "--quiet",
+      order = 1000,
+      description = "No progress bar and no messages; warnings and errors remain.")
+  boolean quiet;
+
+  @Option(names = "--debug", order = 1001, description = "Print the stack trace of an error.")
+  boolean debug;
+
+  @Option(
+      names = {"-h", "--help"},
+      order = 1002,
+      usageHelp = true,
+      description = "Print this help.")
+  boolean help;
+}

@@ -1,0 +1,94 @@
+package haltere.ui.command;
+
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.ReadOptions;
+import haltere.core.format.RecordingProblem;
+import haltere.core.format.RecordingReader;
+import haltere.core.format.Recordings;
+import haltere.core.format.Violation;
+import haltere.core.format.ViolationCounts;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** Options of every command that reads a recording. */
+final class ReadingOptions {
+  @Spec(Spec.Target.MIXEE)
+  CommandSpec command;
+
+  @Option(
+      names = "--format",
+      paramLabel = "NAME",
+      description = "Read the recording as this format, whatever it looks like.")
+  String format;
+
+  @Option(
+      names = "--sensor",
+      paramLabel = "WxH",
+      converter = SensorConverter.class,
+      description = "The sensor's size where the file does not state it, such as 346x260.")
+  SensorGeometry sensor;
+
+  @Option(
+      names = "--strict",
+      description = "A recording that is cut off or damaged is an error (status 1).")
+  boolean strict;
+
+  /**
+   * The options as the readers take them.
+   *
+   * @return what the user said about the recording
+   * @throws ParameterException if there is no such format
+   */
+  ReadOptions readOptions() {
+    if (format != null && !Recordings.formats().containsKey(format)) {
+      throw new ParameterException(
+          command.commandLine(),
+          "there is no format named "
+              + format
+              + "; there are "
+              + String.join(", ", Recordings.formats().keySet()));
+    }
+    return new ReadOptions(
+        Optional.ofNullable(sensor),
+        Optional.ofNullable(format),
+        ReadOptions.DEFAULT.packetEvents());
+  }
+
+  RecordingReader open(Path file) throws IOException {
+    return Recordings.open(file, readOptions());
+  }
+
+  /**
+   * What {@code --strict} objects to in a recording that has been read.
+   *
+   * @param file the recording
+   * @param violations what its reader counted
+   * @return a problem to report, or empty if there is none or nobody is strict
+   */
+  Optional<RecordingProblem> objection(Path file, ViolationCounts violations) {
+    if (strict) {
+      for (Violation kind : Violation.values()) {
+        if (kind.isDamage() && kind != Violation.CLOCK_WENT_BACK && violations.count(kind) > 0) {
+          return Optional.of(
+              new RecordingProblem(
+                  file,
+                  violations.firstOffset(kind),
+                  kind.sentence() + "; leave out --strict to use what is whole"));
+        }
+      }
+    }
+    return Optional.empty();
+  }
+
+  void requireWhole(RecordingReader reader) throws RecordingProblem {
+    Optional<RecordingProblem> objection = objection(reader.path(), reader.violations());
+    if (objection.isPresent()) {
+      throw objection.get();
+    }
+  }
+}

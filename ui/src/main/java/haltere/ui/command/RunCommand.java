@@ -1,0 +1,157 @@
+package haltere.ui.command;
+
+import haltere.core.chain.ChainFile;
+import haltere.core.chain.ChainStage;
+import haltere.core.chain.FilterChain;
+import haltere.core.chain.FilterTiming;
+import haltere.core.chain.Outlet;
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.RecordingReader;
+import haltere.core.format.RecordingWriter;
+import java.io.IOException;
+import java.nio.charset.CharacterCodingException;
+import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** Runs a saved chain over a recording. */
+@Command(
+    name = "run",
+    description = {
+      "Run a saved chain of filters over a recording.",
+      "Without --out: say what each filter let through and what it cost. With --out: also write"
+          + " the events that are left, and what the filters publish to CSV files beside them,"
+          + " named OUT.STAGE.OUTLET.csv."
+    })
+final class RunCommand extends Subcommand {
+  @Parameters(index = "0", paramLabel = "FILE", description = "A recording.")
+  Path file;
+
+  @Option(
+      names = "--chain",
+      required = true,
+      paramLabel = "CHAIN.json",
+      description = "A chain that the viewer saved, or written by hand.")
+  Path chainFile;
+
+  @Option(
+      names = "--out",
+      paramLabel = "OUT",
+      description = "Where the events that are left go; the format follows from the name's ending.")
+  Path out;
+
+  @Mixin ReadingOptions reading;
+  @Mixin WritingOptions writing;
+
+  RunCommand(Surroundings surroundings) {
+    super(surroundings);
+  }
+
+  @Override
+  public Integer call() throws IOException {
+    if (out != null) {
+      writing.checkRecording(out);
+      WritingOptions.checkDifferent(file, out);
+    }
+    try (RecordingReader reader = reading.open(file)) {
+      FilterChain chain = chain(reader.geometry());
+      try {
+        if (out == null) {
+          run(reader, chain, null);
+          reading.requireWhole(reader);
+        } else {
+          runAndWrite(reader, chain);
+        }
+      } finally {
+        chain.close();
+      }
+      warnings(reader);
+      summary(chain);
+    }
+    return OK;
+  }
+
+  private FilterChain chain(SensorGeometry geometry) throws IOException {
+    try {
+      return ChainFile.read(chainFile, geometry);
+    } catch (CharacterCodingException notText) {
+      throw Failures.notText(chainFile, notText);
+    }
+  }
+
+  private void runAndWrite(RecordingReader reader, FilterChain chain) throws IOException {
+    checkTables(chain);
+    Map<Path, Long> rows;
+    long events;
+    try (RecordingWriter writer = writing.create(out, reader.geometry());
+        OutletTables tables = OutletTables.open(chain, this::table, writing.overwrite)) {
+      events = run(reader, chain, writer);
+      reading.requireWhole(reader);
+      for (String loss : writer.losses()) {
+        warning(out + ": " + loss);
+      }
+      tables.finish();
+      writer.finish();
+      rows = tables.rows();
+    }
+    message("wrote " + out + " (" + Quantities.events(events) + ")");
+    rows.forEach(
+        (table, count) -> message("wrote " + table + " (" + Quantities.count(count) + " rows)"));
+  }
+
+  private void checkTables(FilterChain chain) throws IOException {
+    Set<Path> seen = new HashSet<>(List.of(out));
+    for (Path table : OutletTables.files(chain, this::table)) {
+      writing.check(table);
+      WritingOptions.checkDifferent(file, table);
+      if (!seen.add(table)) {
+        throw new CommandProblem(
+            chainFile + ": two stages of the same name would both write " + table);
+      }
+    }
+  }
+
+  /** Beside OUT: {@code left.aedat} has {@code left.cluster-tracker.clusters.csv}. */
+  private Path table(ChainStage stage, Outlet<?> outlet) {
+    String name = out.getFileName().toString();
+    int dot = name.lastIndexOf('.');
+    String stem = dot > 0 ? name.substring(0, dot) : name;
+    return out.resolveSibling(stem + "." + stage.name() + "." + outlet.name() + ".csv");
+  }
+
+  /** Runs the whole recording through the chain; gives back how many events are left. */
+  private long run(RecordingReader reader, FilterChain chain, RecordingWriter writer)
+      throws IOException {
+    try (ProgressBar bar = progressBar("filtering", file)) {
+      WritingSink sink = new WritingSink(reader, writer, bar);
+      haltere.core.pipeline.Pipeline.run(
+          reader, chain, List.of(sink), new haltere.core.pipeline.PipelineCounters());
+      return sink.events();
+    }
+  }
+
+  private void summary(FilterChain chain) {
+    result(
+        String.format(
+            Locale.ROOT, "%-24s %14s %14s %8s %12s", "stage", "in", "out", "kept", "ns/event"));
+    for (ChainStage stage : chain.stages()) {
+      FilterTiming timing = stage.timing();
+      result(
+          String.format(
+              Locale.ROOT,
+              "%-24s %,14d %,14d %6.1f %% %12.1f",
+              stage.name() + (stage.isEnabled() ? "" : " (off)"),
+              timing.eventsIn(),
+              timing.eventsOut(),
+              timing.eventsIn() == 0 ? 0 : 100.0 * timing.eventsOut() / timing.eventsIn(),
+              timing.microsPerThousandEvents()));
+    }
+  }
+}

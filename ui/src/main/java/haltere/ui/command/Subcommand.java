@@ -1,0 +1,109 @@
+package haltere.ui.command;
+
+import haltere.core.format.ReadOptions;
+import haltere.core.format.RecordingReader;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/**
+ * What all commands share: where results and messages go, and how wrong arguments are reported.
+ *
+ * <p>Thread rule: made, run and thrown away on one thread.
+ */
+abstract class Subcommand implements Callable<Integer> {
+  /** The status of a command that did what it was asked for. */
+  static final int OK = 0;
+
+  /** The status of bad input or work that failed. */
+  static final int FAILED = 1;
+
+  /** The status of wrong arguments. */
+  static final int WRONG_ARGUMENTS = 2;
+
+  @Spec CommandSpec spec;
+  @Mixin MessageOptions messages;
+
+  private final Surroundings surroundings;
+
+  Subcommand(Surroundings surroundings) {
+    this.surroundings = surroundings;
+  }
+
+  /** Whether the user wants stack traces, said before or after the command's name. */
+  boolean isDebug() {
+    return messages.debug || (parent() != null && parent().messages.debug);
+  }
+
+  private boolean isQuiet() {
+    return messages.quiet || (parent() != null && parent().messages.quiet);
+  }
+
+  private Subcommand parent() {
+    return spec.parent() != null && spec.parent().userObject() instanceof Subcommand program
+        ? program
+        : null;
+  }
+
+  Surroundings surroundings() {
+    return surroundings;
+  }
+
+  /** Prints a line of the result. */
+  void result(String line) {
+    surroundings.out().print(line + "\n");
+  }
+
+  /** Tells the user what has been done. */
+  void message(String line) {
+    if (!isQuiet()) {
+      surroundings.err().print(line + "\n");
+    }
+  }
+
+  void warning(String line) {
+    surroundings.err().print("haltere: warning: " + line + "\n");
+  }
+
+  /** Reports what was wrong with a recording that has been read. */
+  void warnings(RecordingReader reader) {
+    for (String remark : reader.remarks()) {
+      warning(reader.path() + ": " + remark);
+    }
+    for (String violation : reader.violations().describe()) {
+      warning(reader.path() + ": " + violation);
+    }
+  }
+
+  void error(String line) {
+    surroundings.err().print("haltere: " + line + "\n");
+  }
+
+  ProgressBar progressBar(String label) {
+    return new ProgressBar(
+        surroundings.err(), surroundings.errIsTerminal() && !isQuiet(), label, System::nanoTime);
+  }
+
+  ProgressBar progressBar(String verb, Path file) {
+    return progressBar(verb + " " + file.getFileName());
+  }
+
+  /** Opens the viewer and waits until it is closed. */
+  void openWindow(Optional<Path> recording, ReadOptions options) {
+    Optional<String> obstacle = surroundings.window().obstacle();
+    if (obstacle.isEmpty()) {
+      obstacle = surroundings.window().open(recording, options);
+    }
+    if (obstacle.isPresent()) {
+      throw new CommandProblem(obstacle.get());
+    }
+  }
+
+  ParameterException wrongArguments(String message) {
+    return new ParameterException(spec.commandLine(), message);
+  }
+}

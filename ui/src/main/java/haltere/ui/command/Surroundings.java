@@ -1,0 +1,33 @@
+package haltere.ui.command;
+
+import java.io.PrintStream;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.Objects;
+
+/**
+ * What a command can see of the machine it runs on. The program takes it from the process; a test
+ * makes its own.
+ *
+ * @param out takes results
+ * @param err takes messages, warnings and the progress bar
+ * @param errIsTerminal whether {@code err} is a terminal, so that a progress bar makes sense
+ * @param environment the environment's variables
+ * @param folder what relative paths of the demonstration start from
+ * @param window opens the viewer
+ */
+record Surroundings(
+    PrintStream out,
+    PrintStream err,
+    boolean errIsTerminal,
+    Map<String, String> environment,
+    Path folder,
+    WindowOpener window) {
+  Surroundings {
+    Objects.requireNonNull(out, "out");
+    Objects.requireNonNull(err, "err");
+    Objects.requireNonNull(folder, "folder");
+    Objects.requireNonNull(window, "window");
+    environment = Map.copyOf(environment);
+  }
+}

@@ -1,0 +1,34 @@
+package haltere.ui;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+
+class NativeLibrariesTest {
+  @Test
+  void aMachineWithAllOfThemHasNoComplaint() {
+    assertEquals(Optional.empty(), NativeLibraries.complaint(file -> true));
+  }
+
+  @Test
+  void aMachineWithoutThemIsToldThePackagesInOneLine() {
+    String line = NativeLibraries.complaint(file -> false).orElseThrow();
+    assertTrue(line.contains("libgtk-3-0 libgl1 libxtst6"), line);
+    assertTrue(line.contains("libgtk-3.so.0"), line);
+    assertFalse(line.contains("\n"), line);
+  }
+
+  @Test
+  void onlyWhatIsMissingIsAskedFor() {
+    String line = NativeLibraries.complaint(file -> !file.equals("libXtst.so.6")).orElseThrow();
+    assertTrue(line.contains("(libXtst.so.6): install the packages libxtst6 "), line);
+  }
+
+  @Test
+  void aLibraryThatNobodyHasIsNotFound() {
+    assertFalse(NativeLibraries.present("libhaltere-no-such-library.so.7"));
+  }
+}

@@ -1,0 +1,298 @@
+package haltere.ui.command;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Every bad input has its line and its status, and leaves nothing behind. */
+class BadInputTest {
+  @TempDir Path folder;
+
+  private Path good;
+  private Path out;
+
+  @BeforeEach
+  void writeRecording() throws IOException {
+    good = TinyRecording.hundred().write(folder.resolve("good.aedat"));
+    out = folder.resolve("out.csv");
+  }
+
+  /** One line on the standard error that has all of these words in it, nothing else, status 1. */
+  private void assertFails(CommandRun run, Object... words) {
+    assertEquals(1, run.status(), run.err());
+    assertEquals(1, run.errorLines().size(), run.err());
+    String line = run.errorLines().get(0);
+    assertTrue(line.startsWith("haltere: "), line);
+    for (Object word : words) {
+      assertTrue(line.contains(word.toString()), () -> "no \"" + word + "\" in: " + line);
+    }
+    assertEquals("", run.out());
+  }
+
+  /** Status 2, a line that has all of these words in it, then the usage. */
+  private void assertWrongArguments(CommandRun run, Object... words) {
+    assertEquals(2, run.status(), run.err());
+    String line = run.errorLines().get(0);
+    for (Object word : words) {
+      assertTrue(line.contains(word.toString()), () -> "no \"" + word + "\" in: " + line);
+    }
+    assertTrue(run.err().contains("Usage: haltere"), run.err());
+    assertFalse(run.err().contains("\tat "), run.err());
+    assertEquals("", run.out());
+  }
+
+  private void assertNothingWritten(Path... expected) throws IOException {
+    try (Stream<Path> files = Files.list(folder)) {
+      List<Path> found = files.sorted().toList();
+      List<Path> wanted = Stream.concat(Stream.of(good), Stream.of(expected)).sorted().toList();
+      assertEquals(wanted, found);
+    }
+  }
+
+  @Test
+  void anEmptyFileIsSaidToBeEmpty() throws IOException {
+    Path empty = Files.createFile(folder.resolve("empty.aedat"));
+    assertFails(CommandRun.of("info", empty), empty, "empty");
+    assertFails(CommandRun.of("convert", empty, out), empty, "empty");
+    assertNothingWritten(empty);
+  }
+
+  @Test
+  void aFileThatIsNotThereIsNamed() {
+    Path missing = folder.resolve("missing.aedat");
+    assertFails(CommandRun.of("info", missing), missing, "no such file");
+  }
+
+  @Test
+  void aFolderIsNoRecording() {
+    assertFails(CommandRun.of("info", folder), folder, "folder");
+  }
+
+  @Test
+  void aFileWithoutReadPermissionIsSaidToLackIt() throws IOException {
+    Files.setPosixFilePermissions(good, PosixFilePermissions.fromString("-w-------"));
+    assumeFalse(Files.isReadable(good), "this user may read everything");
+    assertFails(CommandRun.of("info", good), good, "permission");
+  }
+
+  @Test
+  void aFileOfAnotherKindWithThisEndingIsNotRead() throws IOException {
+    Path picture = folder.resolve("picture.aedat");
+    Files.write(picture, new byte[] {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n', 1, 2, 3});
+    assertFails(CommandRun.of("info", picture), picture, "--format");
+  }
+
+  @Test
+  void aFileCutAnywhereInItsEventsIsReadUpToTheLastWholeOne() throws IOException {
+    byte[] whole = TinyRecording.hundred().bytes();
+    Path cut = folder.resolve("cut.aedat");
+    for (int length = TinyRecording.headerBytes() + 8; length < whole.length; length += 13) {
+      Files.write(cut, Arrays.copyOf(whole, length));
+      int events = (length - TinyRecording.headerBytes()) / 8;
+      boolean between = (length - TinyRecording.headerBytes()) % 8 == 0;
+      CommandRun run = CommandRun.of("info", "--json", cut);
+      assertEquals(0, run.status(), run.err());
+      assertTrue(run.out().contains("\"events\" : " + events + ","), run.out());
+      assertEquals(between ? 0 : 1, run.errorLines().size(), run.err());
+      CommandRun strict = CommandRun.of("convert", "--strict", "--overwrite", cut, out);
+      assertEquals(between ? 0 : 1, strict.status(), strict.err());
+      assertEquals(between, Files.deleteIfExists(out));
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {0, 1, 5, 11, 12, 13, 14, 20, 40})
+  void aFileCutInItsHeaderDoesNotCrash(int length) throws IOException {
+    Path cut = folder.resolve("cut.aedat");
+    Files.write(cut, Arrays.copyOf(TinyRecording.hundred().bytes(), length));
+    CommandRun run = CommandRun.of("info", "--json", cut);
+    assertTrue(run.status() == 0 || run.status() == 1, run.err());
+    assertFalse(run.err().contains("unexpected"), run.err());
+    assertFalse(run.err().contains("\tat "), run.err());
+    if (run.status() == 1) {
+      assertFails(run, cut);
+    }
+  }
+
+  @Test
+  void strictReadingNamesTheByteWhereTheFileEnds() throws IOException {
+    Path cut = folder.resolve("cut.aedat");
+    Files.write(cut, Arrays.copyOf(TinyRecording.hundred().bytes(), 100));
+    CommandRun run = CommandRun.of("info", "--strict", cut);
+    assertEquals(1, run.status());
+    assertTrue(run.err().contains(cut + ", byte "), run.err());
+    assertTrue(run.err().contains("--strict"), run.err());
+  }
+
+  @Test
+  void eventsOutsideOfTheSensorAreLeftOutWithAWarning() throws IOException {
+    CommandRun run = CommandRun.of("info", "--json", "--sensor", "64x64", good);
+    assertEquals(0, run.status(), run.err());
+    assertTrue(run.err().contains("warning") || run.out().contains("\"width\" : 128"), run.err());
+  }
+
+  @Test
+  void aDamagedFileNamedAmongOthersDoesNotHideThem() throws IOException {
+    Path empty = Files.createFile(folder.resolve("empty.aedat"));
+    CommandRun run = CommandRun.of("info", "--json", good, empty, good);
+    assertEquals(1, run.status());
+    assertEquals(1, run.errorLines().size(), run.err());
+    assertTrue(run.err().contains(empty.toString()), run.err());
+    assertEquals(2, run.out().split("\"events\" : 100,", -1).length - 1, run.out());
+  }
+
+  @Test
+  void anOutputThatExistsIsRefusedAndStaysAsItWas() throws IOException {
+    Files.writeString(out, "mine");
+    assertFails(CommandRun.of("convert", good, out), out, "--overwrite");
+    assertEquals("mine", Files.readString(out));
+    assertEquals(0, CommandRun.of("convert", "--overwrite", good, out).status());
+    assertTrue(Files.readString(out).startsWith("t_us,x,y,on\n"));
+  }
+
+  @Test
+  void anOutputInAFolderThatIsNotThereIsRefused() throws IOException {
+    Path lost = folder.resolve("nowhere").resolve("out.csv");
+    assertFails(CommandRun.of("convert", good, lost), lost, "folder");
+    assertNothingWritten();
+  }
+
+  @Test
+  void anOutputThatIsAFolderIsRefused() throws IOException {
+    Path taken = Files.createDirectory(folder.resolve("taken.csv"));
+    assertFails(CommandRun.of("convert", "--overwrite", good, taken), taken, "folder");
+  }
+
+  @Test
+  void theInputIsNeverReplacedByTheOutput() throws IOException {
+    byte[] before = Files.readAllBytes(good);
+    assertFails(CommandRun.of("convert", "--overwrite", good, good), good, "same file");
+    Path link = Files.createSymbolicLink(folder.resolve("link.aedat"), good);
+    assertFails(CommandRun.of("convert", "--overwrite", good, link), link, "same file");
+    assertFails(
+        CommandRun.of("run", "--overwrite", good, "--chain", emptyChain(), "--out", good),
+        "same file");
+    assertArrayEquals(before, Files.readAllBytes(good));
+  }
+
+  @Test
+  void anEndingThatNobodyWritesIsAWrongArgument() {
+    assertWrongArguments(
+        CommandRun.of("convert", good, folder.resolve("out.xyz")), ".xyz", ".aedat", ".csv");
+    assertWrongArguments(CommandRun.of("convert", good, folder.resolve("out")));
+  }
+
+  @Test
+  void fromMustBeBeforeTo() throws IOException {
+    assertWrongArguments(
+        CommandRun.of("convert", good, out, "--from", 20, "--to", 10), "--from 20", "--to 10");
+    assertWrongArguments(CommandRun.of("convert", good, out, "--from", "soon"), "--from", "soon");
+    assertNothingWritten();
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"346", "346x", "x260", "0x260", "346x-1", "346*260", "40000x1", ""})
+  void aSensorThatIsNoSizeIsAWrongArgument(String size) {
+    assertWrongArguments(CommandRun.of("info", "--sensor=" + size, good), "--sensor");
+  }
+
+  @Test
+  void aFormatThatDoesNotExistIsAWrongArgument() {
+    assertWrongArguments(CommandRun.of("info", "--format", "tiff", good), "tiff", "aedat2");
+  }
+
+  @Test
+  void aFilterThatDoesNotExistIsAWrongArgument() {
+    assertWrongArguments(
+        CommandRun.of("convert", good, out, "--filter", "sharpen"), "sharpen", "refractory");
+    assertWrongArguments(CommandRun.of("filters", "sharpen"), "sharpen", "refractory");
+  }
+
+  @Test
+  void anUnknownCommandOrOptionIsAWrongArgument() {
+    assertWrongArguments(CommandRun.of("polish", good), "polish");
+    assertWrongArguments(CommandRun.of("info", "--shiny", good), "--shiny");
+    assertWrongArguments(CommandRun.of("info"), "FILE");
+    assertWrongArguments(CommandRun.of("convert", good), "OUT");
+    assertWrongArguments(CommandRun.of("run", good), "--chain");
+  }
+
+  @Test
+  void aChainThatIsNotThereIsNamed() {
+    assertFails(
+        CommandRun.of("run", good, "--chain", folder.resolve("none.json")), "none.json", "no such");
+  }
+
+  @Test
+  void malformedJsonIsShownWithItsLine() throws IOException {
+    Path chain = chain("{\"filters\": [\n  {\"filter\": \"refractory\",}\n]}");
+    assertFails(CommandRun.of("run", good, "--chain", chain), chain, "line 2");
+  }
+
+  @Test
+  void aChainThatIsNoTextIsSaidToBeNone() throws IOException {
+    Path chain = folder.resolve("chain.json");
+    Files.write(chain, new byte[] {'{', (byte) 0xff, (byte) 0xfe, 0});
+    assertFails(CommandRun.of("run", good, "--chain", chain), chain);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"", "[]", "{}", "7", "{\"filters\": 3}", "{\"filters\": [4]}"})
+  void jsonThatIsNoChainIsRefused(String text) throws IOException {
+    Path chain = chain(text);
+    assertFails(CommandRun.of("run", good, "--chain", chain), chain);
+  }
+
+  @Test
+  void aChainWithAnUnknownFilterListsTheFiltersThatExist() throws IOException {
+    Path chain = chain("{\"filters\": [{\"filter\": \"sharpen\"}]}");
+    assertFails(CommandRun.of("run", good, "--chain", chain), chain, "sharpen", "refractory");
+  }
+
+  @Test
+  void aChainWithAnUnknownSettingListsTheSettingsThatExist() throws IOException {
+    Path chain =
+        chain("{\"filters\": [{\"filter\": \"refractory\", \"settings\": {\"sparkle\": 1}}]}");
+    assertFails(CommandRun.of("run", good, "--chain", chain), chain, "sparkle", "refractory");
+  }
+
+  @Test
+  void aChainWithAValueOutOfRangeStatesTheRange() throws IOException {
+    Path chain =
+        chain(
+            "{\"filters\": [{\"filter\": \"refractory\", \"settings\":" + " {\"periodUs\": -1}}]}");
+    assertFails(CommandRun.of("run", good, "--chain", chain), chain, "-1", " to ");
+  }
+
+  @Test
+  void aTraceIsPrintedOnlyWhenAskedFor() throws IOException {
+    Path empty = Files.createFile(folder.resolve("empty.aedat"));
+    assertFalse(CommandRun.of("info", empty).err().contains("\tat "));
+    assertTrue(CommandRun.of("info", "--debug", empty).err().contains("\tat "));
+    assertTrue(CommandRun.of("--debug", "info", empty).err().contains("\tat "));
+  }
+
+  private Path chain(String text) throws IOException {
+    return Files.write(folder.resolve("chain.json"), text.getBytes(StandardCharsets.UTF_8));
+  }
+
+  private Path emptyChain() throws IOException {
+    return chain("{\"filters\": []}");
+  }
+}

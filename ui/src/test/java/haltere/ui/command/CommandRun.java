@@ -1,0 +1,94 @@
+package haltere.ui.command;
+
+import haltere.core.format.ReadOptions;
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * A command that was run in this process, with what it wrote and its status.
+ *
+ * @param status 0, 1 or 2
+ * @param out what went to the standard output
+ * @param err what went to the standard error
+ * @param windows what was opened in a window
+ */
+record CommandRun(int status, String out, String err, List<Optional<Path>> windows) {
+  /** A command on a machine without display and terminal. */
+  static CommandRun of(Object... words) {
+    return on(Machine.BARE, words);
+  }
+
+  /** A machine that a command runs on. */
+  record Machine(Path folder, boolean terminal, boolean display, Optional<String> obstacle) {
+    static final Machine BARE = new Machine(Path.of(""), false, false, Optional.empty());
+
+    Machine in(Path newFolder) {
+      return new Machine(newFolder, terminal, display, obstacle);
+    }
+
+    Machine withTerminal() {
+      return new Machine(folder, true, display, obstacle);
+    }
+
+    Machine withDisplay() {
+      return new Machine(folder, terminal, true, obstacle);
+    }
+
+    Machine withObstacle(String line) {
+      return new Machine(folder, terminal, display, Optional.of(line));
+    }
+  }
+
+  static CommandRun on(Machine machine, Object... words) {
+    List<Optional<Path>> windows = new ArrayList<>();
+    WindowOpener window =
+        new WindowOpener() {
+          @Override
+          public Optional<String> obstacle() {
+            return machine.obstacle();
+          }
+
+          @Override
+          public boolean hasDisplay() {
+            return machine.display();
+          }
+
+          @Override
+          public Optional<String> open(Optional<Path> file, ReadOptions options) {
+            windows.add(file);
+            return Optional.empty();
+          }
+        };
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    ByteArrayOutputStream err = new ByteArrayOutputStream();
+    Surroundings surroundings =
+        new Surroundings(
+            new PrintStream(out, false, StandardCharsets.UTF_8),
+            new PrintStream(err, false, StandardCharsets.UTF_8),
+            machine.terminal(),
+            Map.of(),
+            machine.folder(),
+            window);
+    String[] args = new String[words.length];
+    for (int i = 0; i < words.length; i++) {
+      args[i] = words[i].toString();
+    }
+    int status = new HaltereProgram(surroundings).run(args);
+    return new CommandRun(
+        status,
+        out.toString(StandardCharsets.UTF_8),
+        err.toString(StandardCharsets.UTF_8),
+        windows);
+  }
+
+  /** The lines on the standard error. */
+  List<String> errorLines() {
+    return err.lines().toList();
+  }
+}

@@ -1,0 +1,120 @@
+package haltere.ui.command;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class ConvertCommandTest {
+  @TempDir Path folder;
+
+  private Path in;
+  private Path out;
+  private Locale locale;
+
+  @BeforeEach
+  void writeRecording() throws IOException {
+    locale = Locale.getDefault();
+    in = TinyRecording.hundred().write(folder.resolve("hundred.aedat"));
+    out = folder.resolve("out.csv");
+  }
+
+  @AfterEach
+  void restoreLocale() {
+    Locale.setDefault(locale);
+  }
+
+  private List<String> converted(Object... words) throws IOException {
+    CommandRun run =
+        CommandRun.of(Stream.concat(Stream.of("convert", in, out), Stream.of(words)).toArray());
+    assertEquals(0, run.status(), run.err());
+    assertEquals("", run.out());
+    List<String> lines = Files.readAllLines(out);
+    Files.delete(out);
+    return lines;
+  }
+
+  @Test
+  void csvHasTheColumnsOfTheContractAndTheRecordingsOwnTimes() throws IOException {
+    Locale.setDefault(Locale.forLanguageTag("ar-EG"));
+    List<String> lines = converted();
+    assertEquals(101, lines.size());
+    assertEquals(List.of("t_us,x,y,on", "5000000,0,0,0", "5001000,1,1,1"), lines.subList(0, 3));
+    assertEquals("5099000,99,99,0", lines.get(100));
+  }
+
+  @Test
+  void theStretchOfTimeIsHalfOpen() throws IOException {
+    List<String> lines = converted("--from", 5_010_000, "--to", 5_020_000);
+    assertEquals(11, lines.size());
+    assertEquals("5010000,10,10,1", lines.get(1));
+    assertEquals("5019000,19,19,1", lines.get(10));
+    assertEquals(90 + 1, converted("--from", 5_010_000).size());
+    assertEquals(20 + 1, converted("--to", 5_020_000).size());
+  }
+
+  @Test
+  void aStretchWithoutEventsGivesATableWithoutRowsAndAWarning() throws IOException {
+    CommandRun run = CommandRun.of("convert", in, out, "--from", 1, "--to", 2);
+    assertEquals(0, run.status(), run.err());
+    assertTrue(run.err().contains("no events in this stretch of time"), run.err());
+    assertEquals("t_us,x,y,on\n", Files.readString(out));
+  }
+
+  @Test
+  void rowsCountFromTheTopOnRequest() throws IOException {
+    assertEquals("5001000,1,126,1", converted("--origin", "top").get(2));
+    assertEquals("5001000,1,1,1", converted("--origin", "bottom").get(2));
+  }
+
+  @Test
+  void aRecordingKeepsItsEventsThroughAnotherOne() throws IOException {
+    List<String> direct = converted();
+    Path copy = folder.resolve("copy.aedat");
+    assertEquals(0, CommandRun.of("convert", in, copy).status());
+    CommandRun again = CommandRun.of("convert", copy, out);
+    assertEquals(0, again.status(), again.err());
+    assertEquals(direct, Files.readAllLines(out));
+  }
+
+  @Test
+  void filtersWorkInTheirOrder() throws IOException {
+    Path noisy = folder.resolve("noisy.aedat");
+    TinyRecording events = new TinyRecording();
+    for (int i = 0; i < 10; i++) {
+      events.event(10 * i, 20, 20, true);
+    }
+    events.write(noisy);
+    in = noisy;
+    assertEquals(2, converted("--filter", "refractory").size());
+    assertEquals(1, converted("--filter", "refractory", "--filter", "background-activity").size());
+  }
+
+  @Test
+  void theMessageSaysWhatWasWrittenUnlessOneIsQuiet() {
+    assertEquals("wrote " + out + " (100 events)\n", CommandRun.of("convert", in, out).err());
+    assertEquals("", CommandRun.of("convert", "--quiet", "--overwrite", in, out).err());
+  }
+
+  @Test
+  void anInterruptedConversionLeavesNothing() throws IOException {
+    Thread.currentThread().interrupt();
+    CommandRun run = CommandRun.of("convert", in, out);
+    assertTrue(Thread.interrupted());
+    assertEquals(1, run.status());
+    assertTrue(run.err().contains("interrupted"), run.err());
+    try (Stream<Path> files = Files.list(folder)) {
+      assertArrayEquals(new Path[] {in}, files.toArray());
+    }
+  }
+}

@@ -1,0 +1,196 @@
+package haltere.ui.command;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.core.json.Json;
+import haltere.testing.Recorded;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class InfoCommandTest {
+  @TempDir Path folder;
+
+  private Path recording;
+  private Locale locale;
+
+  @BeforeEach
+  void writeRecording() throws IOException {
+    locale = Locale.getDefault();
+    recording = TinyRecording.hundred().write(folder.resolve("hundred.aedat"));
+  }
+
+  @AfterEach
+  void restoreLocale() {
+    Locale.setDefault(locale);
+  }
+
+  private static Map<?, ?> object(CommandRun run) throws IOException {
+    assertEquals(0, run.status(), run.err());
+    return (Map<?, ?>) Json.parse(run.out(), "the output");
+  }
+
+  @Test
+  void jsonHasExactlyTheKeysOfTheContract() throws IOException {
+    assertEquals(
+        List.of(
+            "format",
+            "width",
+            "height",
+            "origin",
+            "events",
+            "on",
+            "off",
+            "firstUs",
+            "lastUs",
+            "durationS",
+            "meanRateEps",
+            "peakRateEps",
+            "timestampsMonotonic",
+            "gaps",
+            "warnings"),
+        List.copyOf(object(CommandRun.of("info", "--json", recording)).keySet()));
+  }
+
+  @Test
+  void jsonTellsWhatIsInTheFile() throws IOException {
+    Map<?, ?> info = object(CommandRun.of("info", recording, "--json"));
+    assertEquals("aedat2", info.get("format"));
+    assertEquals(128L, info.get("width"));
+    assertEquals(128L, info.get("height"));
+    assertEquals("bottom", info.get("origin"));
+    assertEquals(100L, info.get("events"));
+    assertEquals(66L, info.get("on"));
+    assertEquals(34L, info.get("off"));
+    assertEquals(5_000_000L, info.get("firstUs"));
+    assertEquals(5_099_000L, info.get("lastUs"));
+    assertEquals(0.099, info.get("durationS"));
+    assertEquals(100 / 0.099, (double) info.get("meanRateEps"), 1e-9);
+    assertEquals(1000.0, info.get("peakRateEps"));
+    assertEquals(true, info.get("timestampsMonotonic"));
+    assertEquals(List.of(), info.get("gaps"));
+    assertEquals(List.of(), info.get("warnings"));
+  }
+
+  @Test
+  void aSilenceAndAClockThatGoesBackAreSeen() throws IOException {
+    Path file =
+        new TinyRecording()
+            .event(1_000_000, 1, 1, true)
+            .event(9_000_000, 1, 1, true)
+            .event(500_000, 1, 1, true)
+            .write(folder.resolve("odd.aedat"));
+    Map<?, ?> info = object(CommandRun.of("info", file, "--json"));
+    assertEquals(false, info.get("timestampsMonotonic"));
+    Map<?, ?> gap = (Map<?, ?>) ((List<?>) info.get("gaps")).get(0);
+    assertEquals(1_000_000L, gap.get("fromUs"));
+    assertEquals(9_000_000L, gap.get("toUs"));
+  }
+
+  @Test
+  void severalFilesGiveAnArrayInTheirOrder() throws IOException {
+    Path other = new TinyRecording().event(1, 2, 3, true).write(folder.resolve("one.aedat"));
+    CommandRun run = CommandRun.of("info", "--json", recording, other);
+    List<?> array = (List<?>) Json.parse(run.out(), "the output");
+    assertEquals(2, array.size());
+    assertEquals(100L, ((Map<?, ?>) array.get(0)).get("events"));
+    assertEquals(1L, ((Map<?, ?>) array.get(1)).get("events"));
+  }
+
+  @Test
+  void aFileWithoutEventsHasNoRates() throws IOException {
+    Path none = new TinyRecording().write(folder.resolve("none.aedat"));
+    Map<?, ?> info = object(CommandRun.of("info", "--json", none));
+    assertEquals(0L, info.get("events"));
+    assertEquals(0.0, info.get("meanRateEps"));
+    assertEquals(0.0, info.get("peakRateEps"));
+    assertEquals(0, CommandRun.of("info", none).status());
+  }
+
+  @Test
+  void peopleGetAlignedTextThatNoLocaleChanges() {
+    String expected =
+        """
+        %s
+          format      aedat2
+          sensor      128x128 pixels, rows count from the bottom
+          events      100  (66 ON, 34 OFF)
+          time        5.000000 s to 5.099000 s
+          duration    0.099000 s
+          mean rate   1.01 kev/s
+          peak rate   1.00 kev/s  (over 10 ms)
+          clock       never goes back
+          gaps        none
+        """
+            .formatted(recording);
+    for (String tag : List.of("en-US", "de-DE", "ar-EG", "fa-IR", "tr-TR")) {
+      Locale.setDefault(Locale.forLanguageTag(tag));
+      assertEquals(expected, CommandRun.of("info", recording).out());
+    }
+  }
+
+  @Test
+  void anotherEndingOfTheNameDoesNotMatter() throws IOException {
+    Path renamed = TinyRecording.hundred().write(folder.resolve("photo.jpg"));
+    assertEquals("aedat2", object(CommandRun.of("info", "--json", renamed)).get("format"));
+  }
+
+  @Test
+  void theProgressBarIsOnlyForTerminalsAndNotForTheQuiet() throws IOException {
+    TinyRecording large = new TinyRecording();
+    for (int i = 0; i < 1_000_000; i++) {
+      large.event(i, i & 127, 64, true);
+    }
+    Path file = large.write(folder.resolve("large.aedat"));
+    CommandRun.Machine terminal = CommandRun.Machine.BARE.withTerminal();
+    assertEquals("", CommandRun.of("info", file).err());
+    assertEquals("", CommandRun.on(terminal, "info", "--quiet", file).err());
+    assertFalse(CommandRun.on(terminal, "info", file).err().contains("\n"));
+  }
+
+  @ParameterizedTest(name = "{0}")
+  @CsvSource({
+    "dvs128-tmpdiff128-2007.dat, aedat1, 128, 128, 121270, 49059, 72211, 679877510, 701768090",
+    "dvs128-moving-dark-box.aedat, aedat2, 128, 128, 489834, 246923, 242911, 946459683, 986269729",
+    "dvs128-walking-10s.aedat, aedat2, 128, 128, 125028, 55976, 69052, 262847757, 270891631",
+    "dvs128-pendulum.aedat, aedat2, 128, 128, 278538, 153062, 125476, 64300579, 84240611",
+    "davis240c-rotating-disk-imu-aps.aedat, aedat2, 240, 180, 374296, 163098, 211198, 341678,"
+        + " 3508437",
+    "synthetic-rotating-bar.aedat, aedat2, 240, 180, 45000, 45000, 0, 100000, 90000000"
+  })
+  void aRealRecordingIsDescribedAsItsSourceDescribesIt(
+      String name,
+      String format,
+      long width,
+      long height,
+      long events,
+      long on,
+      long off,
+      long firstUs,
+      long lastUs)
+      throws IOException {
+    Map<?, ?> info = object(CommandRun.of("info", "--json", Recorded.file(name)));
+    assertEquals(format, info.get("format"));
+    assertEquals(width, info.get("width"));
+    assertEquals(height, info.get("height"));
+    assertEquals("bottom", info.get("origin"));
+    assertEquals(events, info.get("events"));
+    assertEquals(on, info.get("on"));
+    assertEquals(off, info.get("off"));
+    assertEquals(firstUs, info.get("firstUs"));
+    assertEquals(lastUs, info.get("lastUs"));
+    assertEquals((lastUs - firstUs) / 1e6, (double) info.get("durationS"), 1e-9);
+    assertEquals(true, info.get("timestampsMonotonic"));
+    assertTrue((double) info.get("peakRateEps") >= (double) info.get("meanRateEps"));
+  }
+}
