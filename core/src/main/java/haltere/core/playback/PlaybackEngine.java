@@ -225,84 +225,32 @@ final class PlaybackEngine {
       stepping.add(done);
       return true;
     }
-    StepBack target = stepBack(-slices);
-    long from = Math.max(0, target.place() - runUpUs);
-    jump(playable.seekable() ? from : target.place(), Reset.Cause.SEEK, null);
-    runUpTo = target.place();
+    StepBackSearch.Place target = stepBack(-Math.max(slices, -Integer.MAX_VALUE));
+    long from = Math.max(0, target.elapsedUs() - runUpUs);
+    jump(playable.seekable() ? from : target.elapsedUs(), Reset.Cause.SEEK, null);
+    runUpTo = target.elapsedUs();
     runUpTies = target.ties();
-    runUpOpen = from < target.place() || runUpTies > 0;
-    shownFrom = target.place();
+    runUpOpen = from < target.elapsedUs() || runUpTies > 0;
+    shownFrom = target.elapsedUs();
     state = State.PAUSED;
     stepsLeft = 1;
     stepping.add(done);
     return true;
   }
 
-  private record StepBack(long place, int ties) {}
-
-  private StepBack stepBack(int slices) throws IOException {
+  private StepBackSearch.Place stepBack(int slices) throws IOException {
     if (!playable.seekable() && shownFrom > 0) {
       throw new IOException(playable.name() + " cannot step back; rewind it");
     }
     if (slicing instanceof Slicing.ByCount byCount) {
-      return stepBackByCount((long) byCount.events() * slices);
+      StepBackSearch.Place shown = new StepBackSearch.Place(shownFrom, shownTies);
+      endSliceEarly();
+      pendingBreak = Reset.Cause.SEEK;
+      return new StepBackSearch(cursor, meter.eventRateEps())
+          .before(shown, (long) byCount.events() * slices);
     }
     boolean toStart = sliceUs() > shownFrom / slices;
-    return new StepBack(toStart ? 0 : shownFrom - sliceUs() * slices, 0);
-  }
-
-  /** Reads back in growing windows until the events before the shown slice are enough. */
-  private StepBack stepBackByCount(long events) throws IOException {
-    long boundary = shownFrom;
-    int boundaryTies = shownTies;
-    if (boundary == 0) {
-      return new StepBack(0, 0);
-    }
-    double rate = Math.max(1, meter.eventRateEps());
-    long window = Math.max(1000, (long) (2 * events / rate * 1e6));
-    endSliceEarly();
-    while (true) {
-      long from = Math.max(0, boundary - window);
-      long before = countFrom(from, boundary, Long.MAX_VALUE).count() + boundaryTies;
-      if (before >= events) {
-        Counted at = countFrom(from, boundary + 1, before - events);
-        return new StepBack(at.place(), at.ties());
-      }
-      if (from == 0) {
-        return new StepBack(0, 0);
-      }
-      window = window > boundary / 4 ? boundary : window * 4;
-    }
-  }
-
-  private record Counted(long count, long place, int ties) {}
-
-  /** Passes events until a place or a number of them; tells the place of the next one. */
-  private Counted countFrom(long from, long to, long most) throws IOException {
-    cursor.seek(from);
-    pendingBreak = Reset.Cause.SEEK;
-    long count = 0;
-    long last = Long.MIN_VALUE;
-    int ties = 0;
-    while (true) {
-      switch (cursor.ahead()) {
-        case NOTIFICATION -> cursor.takeNotification();
-        case END -> {
-          return new Counted(count, last, ties);
-        }
-        case EVENTS -> {
-          long place = cursor.elapsedUs();
-          if (place >= to || count == most) {
-            return new Counted(count, place, place == last ? ties : 0);
-          }
-          ties = place == last ? ties + 1 : 1;
-          last = place;
-          count++;
-          cursor.skip(1);
-        }
-        case UNKNOWN -> {}
-      }
-    }
+    return new StepBackSearch.Place(toStart ? 0 : shownFrom - sliceUs() * slices, 0);
   }
 
   private boolean jumpAndShow(long to, Reset.Cause cause, CompletableFuture<Void> done)
@@ -638,8 +586,9 @@ final class PlaybackEngine {
     state = State.ENDED;
     clock.pause();
     meter.restart();
-    EndOfStream end = cursor.end();
-    runner.notified(end);
+    // Whoever is told of the end may ask at once.
+    publish();
+    runner.notified(cursor.end());
     publish();
     endSteps();
   }

@@ -1,0 +1,73 @@
+package haltere.core.playback;
+
+import java.io.IOException;
+
+/**
+ * Finds the place so many events before another one, in growing windows, because sources play
+ * forward only. It leaves its cursor anywhere.
+ */
+final class StepBackSearch {
+  private static final long SMALLEST_WINDOW_US = 1000;
+
+  /**
+   * A place among events.
+   *
+   * @param elapsedUs elapsed time
+   * @param ties events of this very microsecond that lie before the place
+   */
+  record Place(long elapsedUs, int ties) {}
+
+  private final SourceCursor cursor;
+  private final double eventRateEps;
+  private long passed;
+
+  StepBackSearch(SourceCursor cursor, double eventRateEps) {
+    this.cursor = cursor;
+    this.eventRateEps = Math.max(1, eventRateEps);
+  }
+
+  Place before(Place boundary, long events) throws IOException {
+    long end = boundary.elapsedUs();
+    long window = Math.max(SMALLEST_WINDOW_US, (long) (2 * events / eventRateEps * 1e6));
+    while (end > 0) {
+      long from = Math.max(0, end - window);
+      pass(from, end, Long.MAX_VALUE);
+      long found = passed + boundary.ties();
+      if (found >= events) {
+        return pass(from, end + 1, found - events);
+      }
+      if (from == 0) {
+        break;
+      }
+      window = window > end / 4 ? end : window * 4;
+    }
+    return new Place(0, 0);
+  }
+
+  /** Passes events from a place to another, or so many; tells where the next one is. */
+  private Place pass(long from, long to, long most) throws IOException {
+    cursor.seek(from);
+    passed = 0;
+    long last = Long.MIN_VALUE;
+    int ties = 0;
+    while (true) {
+      switch (cursor.ahead()) {
+        case NOTIFICATION -> cursor.takeNotification();
+        case END -> {
+          return new Place(last, ties);
+        }
+        case EVENTS -> {
+          long elapsedUs = cursor.elapsedUs();
+          if (elapsedUs >= to || passed == most) {
+            return new Place(elapsedUs, elapsedUs == last ? ties : 0);
+          }
+          ties = elapsedUs == last ? ties + 1 : 1;
+          last = elapsedUs;
+          passed++;
+          cursor.skip(1);
+        }
+        case UNKNOWN -> {}
+      }
+    }
+  }
+}
