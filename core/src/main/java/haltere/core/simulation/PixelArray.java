@@ -120,10 +120,11 @@ final class PixelArray {
   }
 
   private boolean canFire(int p, double timeUs) {
-    double step = state[p + TARGET] - state[p + REFERENCE];
-    return timeUs < state[p + BLIND_UNTIL_US]
-        || step <= -state[p + OFF_THRESHOLD]
-        || step >= state[p + ON_THRESHOLD];
+    double target = state[p + TARGET];
+    double reference = state[p + REFERENCE];
+    return timeUs <= state[p + BLIND_UNTIL_US]
+        || target <= reference - state[p + OFF_THRESHOLD]
+        || target >= reference + state[p + ON_THRESHOLD];
   }
 
   private double after(double from, double to, double durationUs) {
@@ -141,7 +142,7 @@ final class PixelArray {
     double blindUntil = state[p + BLIND_UNTIL_US];
     state[p + AT_US] = untilUs;
     state[p + LEVEL] = end;
-    if (t < blindUntil) {
+    if (t <= blindUntil) {
       if (untilUs <= blindUntil) {
         return;
       }

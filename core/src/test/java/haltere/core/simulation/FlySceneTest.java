@@ -34,7 +34,7 @@ class FlySceneTest {
   void theSameSettingsMakeTheSameEventsOnEveryMachine() {
     StreamRecorder events = SceneRuns.record(new FlyScene(SceneRuns.fly("run.durationS=0.1")));
 
-    assertEquals("00000000 of 0", events.crc32() + " of " + events.events().size());
+    assertEquals("ea4d0f9a of 48911", events.crc32() + " of " + events.events().size());
   }
 
   @Test
@@ -64,8 +64,7 @@ class FlySceneTest {
     assertTrue(stream.largestPacket() <= 4096);
     assertEquals(
         new SensorGeometry(128, 128), stream.notices(StreamStarted.class).get(0).geometry());
-    assertEquals(
-        stream.events().lastTimeUs(), stream.notices(EndOfStream.class).get(0).lastUs());
+    assertEquals(stream.events().lastTimeUs(), stream.notices(EndOfStream.class).get(0).lastUs());
     assertTrue(stream.events().firstTimeUs() >= 1_000_000);
     assertTrue(stream.events().lastTimeUs() < 1_100_000);
     assertTrue(stream.events().lastTimeUs() > 1_099_900);
@@ -125,7 +124,9 @@ class FlySceneTest {
 
     assertTrue(residuals.events > 20_000, residuals.toString());
     assertEquals(0, residuals.mean(), 2e-5, "mean");
-    assertTrue(residuals.worst < 5e-4, residuals.toString());
+    // time stamps are whole microseconds, in which the edge moves by up to 1.5 mrad
+    assertTrue(residuals.rms() < 4.5e-4, residuals.toString());
+    assertTrue(residuals.worst < 9e-4, residuals.toString());
   }
 
   @Test
@@ -138,13 +139,15 @@ class FlySceneTest {
                 "disturbances.manoeuvres.everyS=1",
                 "disturbances.manoeuvres.turnRad=0.6",
                 "disturbances.manoeuvres.holdS=0.05",
-                "disturbances.manoeuvres.timeConstantS=0.01"),
+                "disturbances.manoeuvres.timeConstantS=0.01",
+                "fly.wing.visibleShare=0.02"),
             3,
             0);
 
     assertEquals(0, residuals.mean(), 2e-4, "mean");
     assertTrue(residuals.rms() < 2e-3, residuals.toString());
-    assertTrue(residuals.worst < 0.02, residuals.toString());
+    // at a reversal the body's own motion can carry a pixel over the edge that is behind
+    assertTrue(residuals.far < 1e-3 * residuals.events, residuals.toString());
   }
 
   @Test
@@ -152,7 +155,7 @@ class FlySceneTest {
     FlySceneSettings settings = SceneRuns.pure("pixel.latencyUs=60");
 
     assertEquals(0, residuals(settings, 0.05, 60).mean(), 2e-5, "mean");
-    assertEquals(0, residuals(settings, 0.05, 60).rms(), 2e-4, "rms");
+    assertEquals(0, residuals(settings, 0.05, 60).rms(), 4.5e-4, "rms");
     // 60 us at 200 Hz are 4.3 degrees of phase: with an amplitude of 1.15, up to 0.087 rad
     assertEquals(0.06, residuals(settings, 0.05, 0).rms(), 0.01);
   }
@@ -188,8 +191,13 @@ class FlySceneTest {
     FlyScene scene =
         new FlyScene(
             SceneRuns.fly(
-                bandwidth, "run.durationS=0.2", "noise.shotHz=0", "noise.leakHz=0",
-                "noise.hotPixels=0", "fly.body.contrast=0", "stroke.beat.waveform=sinusoid"));
+                bandwidth,
+                "run.durationS=0.2",
+                "noise.shotHz=0",
+                "noise.leakHz=0",
+                "noise.hotPixels=0",
+                "fly.body.contrast=0",
+                "stroke.beat.waveform=sinusoid"));
     EventPacket events = SceneRuns.events(scene);
     int all = 0;
     int there = 0;
@@ -207,21 +215,24 @@ class FlySceneTest {
 
   @Test
   void aFewOrManyEventsPerEdgeAndBeatCanBeHad() {
-    double few = eventsPerEdgeAndBeat("fly.wing.visibleShare=0.025");
+    double few = eventsPerEdgeAndBeat("fly.wing.visibleShare=0.015");
     double usual = eventsPerEdgeAndBeat("run.seed=1");
     double many =
         eventsPerEdgeAndBeat(
-            "fly.wing.visibleShare=1", "fly.wing.contrast=1", "pixel.bandwidthHz=20000",
+            "fly.wing.visibleShare=1",
+            "fly.wing.contrast=1",
+            "pixel.bandwidthHz=20000",
             "fly.wing.rootShare=0.2");
 
-    assertTrue(few < 70, "few: " + few);
+    assertTrue(few < 60, "few: " + few);
     assertTrue(usual > 300 && usual < 700, "usual: " + usual);
     assertTrue(many > 2000, "many: " + many);
   }
 
   private static double eventsPerEdgeAndBeat(String... assignments) {
     EventPacket events =
-        SceneRuns.events(SceneRuns.fly("noise.hotPixels=0", "noise.shotHz=0").with(assignments), 0.1);
+        SceneRuns.events(
+            SceneRuns.fly("noise.hotPixels=0", "noise.shotHz=0").with(assignments), 0.1);
     return events.size() / (0.1 * 200 * 4);
   }
 
@@ -241,8 +252,7 @@ class FlySceneTest {
       boolean left = SceneRuns.isLeft(truth, events.x(i), events.y(i));
       double radius =
           left
-              ? Math.hypot(
-                  events.x(i) - truth.leftHingeXPx(), events.y(i) - truth.leftHingeYPx())
+              ? Math.hypot(events.x(i) - truth.leftHingeXPx(), events.y(i) - truth.leftHingeYPx())
               : Math.hypot(
                   events.x(i) - truth.rightHingeXPx(), events.y(i) - truth.rightHingeYPx());
       assertTrue(radius >= 9 && radius <= 30, "radius " + radius);
@@ -296,8 +306,7 @@ class FlySceneTest {
   void theBusLimitBoundsTheRateOfTheStream() {
     FlyScene scene =
         new FlyScene(
-            SceneRuns.fly(
-                "run.durationS=0.1", "pixel.busLimitEps=100000", "noise.hotPixels=0"));
+            SceneRuns.fly("run.durationS=0.1", "pixel.busLimitEps=100000", "noise.hotPixels=0"));
     EventPacket events = SceneRuns.events(scene);
 
     assertTrue(events.size() <= 10_001, "" + events);
@@ -308,8 +317,11 @@ class FlySceneTest {
   void aSensorOfAnotherSizeShowsTheWholeFly() {
     FlySceneSettings settings =
         SceneRuns.fly(
-            "sensor.widthPx=640", "sensor.heightPx=480", "fly.wing.lengthPx=180",
-            "fly.body.lengthPx=180", "fly.wing.visibleShare=0.05");
+            "sensor.widthPx=640",
+            "sensor.heightPx=480",
+            "fly.wing.lengthPx=180",
+            "fly.body.lengthPx=180",
+            "fly.wing.visibleShare=0.05");
     EventPacket events = SceneRuns.events(settings, 0.02);
     int[] quarters = new int[4];
     for (int i = 0; i < events.size(); i++) {
@@ -338,11 +350,19 @@ class FlySceneTest {
       FlyTruth before = scene.truthAt(us);
       FlyTruth after = scene.truthAt(us + 1);
       boolean left = SceneRuns.isLeft(before, events.x(i), events.y(i));
-      double angle = SceneRuns.strokeAngle(before, left, events.x(i), events.y(i));
-      residuals.add(
-          before, after, left, events.isOn(i), angle);
+      if (isTowardsTail(scene, us - 10, left) == isTowardsTail(scene, us + 11, left)) {
+        // not at a reversal, where the edges change sides
+        double angle = SceneRuns.strokeAngle(before, left, events.x(i), events.y(i));
+        residuals.add(before, after, left, events.isOn(i), angle);
+      }
     }
     return residuals;
+  }
+
+  private static boolean isTowardsTail(FlyScene scene, long timeUs, boolean left) {
+    FlyTruth truth = scene.truthAt(timeUs);
+    FlyTruth.Wing wing = left ? truth.left() : truth.right();
+    return wing.leadingRad() > wing.trailingRad();
   }
 
   /** Angle of an event less that of its edge in the middle of its microsecond. */
@@ -351,6 +371,7 @@ class FlySceneTest {
     private double sum;
     private double square;
     private double worst;
+    private int far;
 
     void add(FlyTruth before, FlyTruth after, boolean left, boolean on, double angle) {
       FlyTruth.Wing a = left ? before.left() : before.right();
@@ -364,6 +385,7 @@ class FlySceneTest {
       sum += signed;
       square += residual * residual;
       worst = Math.max(worst, Math.abs(residual));
+      far += Math.abs(residual) > 0.01 ? 1 : 0;
     }
 
     double mean() {
@@ -376,7 +398,7 @@ class FlySceneTest {
 
     @Override
     public String toString() {
-      return events + " events, mean " + mean() + ", rms " + rms() + ", worst " + worst;
+      return events + " events, mean " + mean() + ", rms " + rms() + ", worst " + worst + ", far " + far;
     }
   }
 }

@@ -21,8 +21,7 @@ class FlyTruthTest {
   @Test
   void anglesAndPhasesLieInTheirRanges() {
     FlyScene scene =
-        new FlyScene(
-            SceneRuns.fly("stroke.left.amplitudeRad=1.5", "stroke.left.centreRad=0.7"));
+        new FlyScene(SceneRuns.fly("stroke.left.amplitudeRad=1.5", "stroke.left.centreRad=0.7"));
 
     for (long us = 0; us < 2_000_000; us += 777) {
       FlyTruth truth = scene.truthAt(us);
@@ -99,8 +98,7 @@ class FlyTruthTest {
 
   @Test
   void overALongRunTheFrequencyHasItsMeanAndItsStandardDeviation() {
-    FlyScene scene =
-        new FlyScene(SceneRuns.fly("disturbances.manoeuvres.everyS=0", "run.seed=11"));
+    FlyScene scene = new FlyScene(SceneRuns.fly("disturbances.manoeuvres.everyS=0", "run.seed=11"));
     int n = 20_000;
     double sum = 0;
     double square = 0;
@@ -132,8 +130,7 @@ class FlyTruthTest {
   void aFrequencyManoeuvreRisesAndFallsWithItsTimeConstant() {
     FlyScene scene = steady("disturbances.manoeuvres.everyS=3", "stroke.beat.frequencyHz=200");
     Manoeuvres manoeuvres =
-        new Manoeuvres(
-            scene.settings().disturbances().manoeuvres(), scene.settings().run().seed());
+        new Manoeuvres(scene.settings().disturbances().manoeuvres(), scene.settings().run().seed());
     double begin = manoeuvres.beginS(0);
 
     assertEquals(200, frequency(scene, begin), 1e-3);

@@ -43,8 +43,7 @@ class MovingDotsSceneTest {
   @EnumSource(DotPath.class)
   void theDotsStayOnTheSensor(DotPath path) {
     MovingDotsScene scene =
-        new MovingDotsScene(
-            quiet("dots.path=" + path, "sensor.widthPx=64", "sensor.heightPx=48"));
+        new MovingDotsScene(quiet("dots.path=" + path, "sensor.widthPx=64", "sensor.heightPx=48"));
     for (long us = 0; us < 3_000_000; us += 9_973) {
       for (DotTruth dot : scene.truthRows(us)) {
         assertTrue(dot.xPx() > 2 && dot.xPx() < 61, dot.toString());

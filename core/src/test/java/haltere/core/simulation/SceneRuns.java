@@ -11,11 +11,21 @@ import java.util.function.IntPredicate;
 final class SceneRuns {
   /** No noise, no motion of the body, no manoeuvre, a pixel without delay or mismatch. */
   private static final String[] PURE = {
-    "pixel.bandwidthHz=0", "pixel.latencyUs=0", "pixel.jitterUs=0", "pixel.refractoryUs=0",
-    "pixel.threshold=0.2", "pixel.thresholdSd=0",
-    "noise.leakHz=0", "noise.shotHz=0", "noise.hotPixels=0",
-    "fly.wing.contrast=0.3", "fly.wing.contrastSpread=0", "fly.wing.visibleShare=1",
-    "fly.body.contrast=0", "fly.body.wobblePx=0", "fly.body.driftPx=0",
+    "pixel.bandwidthHz=0",
+    "pixel.latencyUs=0",
+    "pixel.jitterUs=0",
+    "pixel.refractoryUs=0",
+    "pixel.threshold=0.2",
+    "pixel.thresholdSd=0",
+    "noise.leakHz=0",
+    "noise.shotHz=0",
+    "noise.hotPixels=0",
+    "fly.wing.contrast=0.3",
+    "fly.wing.contrastSpread=0",
+    "fly.wing.visibleShare=1",
+    "fly.body.contrast=0",
+    "fly.body.wobblePx=0",
+    "fly.body.driftPx=0",
     "disturbances.manoeuvres.everyS=0"
   };
 
