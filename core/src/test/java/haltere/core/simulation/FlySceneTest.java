@@ -120,7 +120,9 @@ class FlySceneTest {
   @ParameterizedTest
   @ValueSource(doubles = {0, 1.0, 2.5, 4.4})
   void inPureGeometryEveryEventLiesOnAnEdgeThatPassesThroughTheHinge(double heading) {
-    Residuals residuals = residuals(SceneRuns.pure("fly.body.headingRad=" + heading), 0.05, 0);
+    Residuals residuals =
+        residuals(
+            SceneRuns.pure("fly.body.headingRad=" + heading, "fly.wing.visibleShare=0.2"), 0.05, 0);
 
     assertTrue(residuals.events > 20_000, residuals.toString());
     assertEquals(0, residuals.mean(), 2e-5, "mean");
@@ -140,7 +142,7 @@ class FlySceneTest {
                 "disturbances.manoeuvres.turnRad=0.6",
                 "disturbances.manoeuvres.holdS=0.05",
                 "disturbances.manoeuvres.timeConstantS=0.01",
-                "fly.wing.visibleShare=0.02"),
+                "fly.wing.visibleShare=0.01"),
             3,
             0);
 
@@ -152,7 +154,7 @@ class FlySceneTest {
 
   @Test
   void aConstantLatencyIsAPhaseLagThatGoesAwayWhenItIsTakenOff() {
-    FlySceneSettings settings = SceneRuns.pure("pixel.latencyUs=60");
+    FlySceneSettings settings = SceneRuns.pure("pixel.latencyUs=60", "fly.wing.visibleShare=0.2");
 
     assertEquals(0, residuals(settings, 0.05, 60).mean(), 2e-5, "mean");
     assertEquals(0, residuals(settings, 0.05, 60).rms(), 4.5e-4, "rms");
@@ -398,7 +400,15 @@ class FlySceneTest {
 
     @Override
     public String toString() {
-      return events + " events, mean " + mean() + ", rms " + rms() + ", worst " + worst + ", far " + far;
+      return events
+          + " events, mean "
+          + mean()
+          + ", rms "
+          + rms()
+          + ", worst "
+          + worst
+          + ", far "
+          + far;
     }
   }
 }
