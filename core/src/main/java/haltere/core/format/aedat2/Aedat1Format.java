@@ -62,8 +62,12 @@ public final class Aedat1Format implements RecordingFormat {
       return new ProbeResult(Support.NONE, "its header says AEDAT-" + header.versionText());
     }
     byte[] bytes = head.head();
+    int start = header.dataOffset();
+    int records = Math.min(CLOCK_RECORDS, (bytes.length - start) / RecordDecoder.AEDAT1_BYTES);
     if (AedatHeader.clockAscends(
-        bytes, header.dataOffset(), bytes.length, RecordDecoder.AEDAT1_BYTES, CLOCK_RECORDS)) {
+            bytes, start, bytes.length, RecordDecoder.AEDAT1_BYTES, CLOCK_RECORDS)
+        && AedatHeader.time(bytes, start, RecordDecoder.AEDAT1_BYTES, 0)
+            != AedatHeader.time(bytes, start, RecordDecoder.AEDAT1_BYTES, records - 1)) {
       return new ProbeResult(
           Support.PLAUSIBLE, "its bytes have ascending times where AEDAT-1.0 has them");
     }

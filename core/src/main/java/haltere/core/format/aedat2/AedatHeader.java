@@ -246,16 +246,20 @@ public record AedatHeader(
     return goodSteps(bytes, offset, recordBytes, count) * 10 >= (count - 1) * 9;
   }
 
+  /** Time of a record. */
+  static int time(byte[] bytes, int offset, int recordBytes, int record) {
+    int at = offset + record * recordBytes + recordBytes - 4;
+    return bytes[at] << 24
+        | (bytes[at + 1] & 0xff) << 16
+        | (bytes[at + 2] & 0xff) << 8
+        | bytes[at + 3] & 0xff;
+  }
+
   private static int goodSteps(byte[] bytes, int offset, int recordBytes, int count) {
     int good = 0;
     int last = 0;
     for (int i = 0; i < count; i++) {
-      int at = offset + i * recordBytes + recordBytes - 4;
-      int time =
-          bytes[at] << 24
-              | (bytes[at + 1] & 0xff) << 16
-              | (bytes[at + 2] & 0xff) << 8
-              | bytes[at + 3] & 0xff;
+      int time = time(bytes, offset, recordBytes, i);
       int step = time - last;
       if (i > 0 && step >= 0 && step <= CLOCK_STEP_US) {
         good++;

@@ -3,8 +3,11 @@ package haltere.core.format.aedat2;
 import haltere.core.format.RecordingProblem;
 import java.io.Closeable;
 import java.io.IOException;
+import java.io.InterruptedIOException;
 import java.nio.ByteBuffer;
+import java.nio.channels.ClosedChannelException;
 import java.nio.channels.FileChannel;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
@@ -21,7 +24,8 @@ final class RecordFile implements Closeable {
   private static final int MAX_HEADER = 16 * 1024 * 1024;
 
   private final Path path;
-  private final FileChannel channel;
+  private FileChannel channel;
+  private boolean closed;
   private final long size;
 
   RecordFile(Path path) throws IOException {
@@ -30,7 +34,7 @@ final class RecordFile implements Closeable {
       channel = FileChannel.open(path, StandardOpenOption.READ);
     } catch (NoSuchFileException e) {
       throw new RecordingProblem(path, "there is no such file");
-    } catch (java.nio.file.AccessDeniedException e) {
+    } catch (AccessDeniedException e) {
       throw new RecordingProblem(path, "no permission to read it; change its mode or owner");
     }
     try {
@@ -49,7 +53,7 @@ final class RecordFile implements Closeable {
     return size;
   }
 
-  /** Fills the buffer from an offset as far as the file goes, and flips it. */
+  /** Fills the buffer from an offset as far as the file goes, and flips it; empty if that fails. */
   void read(ByteBuffer buffer, long offset) throws IOException {
     buffer.clear();
     if (offset < size && size - offset < buffer.capacity()) {
@@ -57,13 +61,23 @@ final class RecordFile implements Closeable {
     } else if (offset >= size) {
       buffer.limit(0);
     }
+    if (!channel.isOpen() && !closed) {
+      // An interrupt closes a channel; whoever goes on reading afterwards may.
+      channel = FileChannel.open(path, StandardOpenOption.READ);
+    }
     try {
       while (buffer.hasRemaining() && channel.read(buffer, offset + buffer.position()) >= 0) {
         // The channel may give less than was asked for.
       }
-    } catch (java.nio.channels.ClosedChannelException e) {
-      throw e;
+    } catch (ClosedChannelException e) {
+      buffer.limit(0);
+      if (closed) {
+        throw e;
+      }
+      throw (IOException)
+          new InterruptedIOException("interrupted while reading " + path).initCause(e);
     } catch (IOException e) {
+      buffer.limit(0);
       throw new RecordingProblem(path, offset, "cannot be read: " + e.getMessage());
     }
     buffer.flip();
@@ -85,6 +99,7 @@ final class RecordFile implements Closeable {
 
   @Override
   public void close() throws IOException {
+    closed = true;
     channel.close();
   }
 }

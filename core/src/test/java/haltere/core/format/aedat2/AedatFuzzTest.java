@@ -141,7 +141,7 @@ class AedatFuzzTest {
   @Test
   void fiveThousandDamagedFilesOfVersionTwoDoNoHarm() {
     assertTimeout(
-        Duration.ofSeconds(60),
+        Duration.ofSeconds(120),
         () -> {
           byte[][] files = {aedat2(DVS128, 1), aedat2(DAVIS346, 2), bareAedat2(3)};
           SensorGeometry[] sensors = {DVS128, DAVIS346, DVS128};
@@ -162,7 +162,7 @@ class AedatFuzzTest {
   @Test
   void fiveThousandDamagedFilesOfVersionOneDoNoHarm() {
     assertTimeout(
-        Duration.ofSeconds(60),
+        Duration.ofSeconds(120),
         () -> {
           byte[][] files = {
             AedatFile.version1().text("# a line\r\n").narrow(events(DVS128, 1)).toBytes(),

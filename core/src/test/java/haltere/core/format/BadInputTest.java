@@ -1,0 +1,141 @@
+package haltere.core.format;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import org.junit.jupiter.api.Assumptions;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What is no recording is refused in one line that names it. */
+class BadInputTest {
+  private static final byte[] PNG = {
+    (byte) 0x89,
+    'P',
+    'N',
+    'G',
+    '\r',
+    '\n',
+    0x1a,
+    '\n',
+    0,
+    0,
+    0,
+    13,
+    'I',
+    'H',
+    'D',
+    'R',
+    0,
+    0,
+    4,
+    0,
+    0,
+    0,
+    3,
+    0,
+    8,
+    2,
+    0,
+    0,
+    0,
+    (byte) 0xcf,
+    (byte) 0x3e,
+    (byte) 0x3c,
+    (byte) 0xc2,
+    0,
+    0,
+    0,
+    1
+  };
+
+  @TempDir Path folder;
+
+  private RecordingProblem refused(Path file) {
+    RecordingProblem problem =
+        assertThrows(RecordingProblem.class, () -> Recordings.open(file).close());
+    assertTrue(problem.getMessage().startsWith(file + ": "), problem.getMessage());
+    assertEquals(1, problem.getMessage().lines().count(), problem.getMessage());
+    return problem;
+  }
+
+  private static void assertSays(String words, RecordingProblem problem) {
+    assertTrue(problem.getMessage().contains(words), problem.getMessage());
+  }
+
+  @Test
+  void anEmptyFileIsRefused() throws IOException {
+    assertSays("empty", refused(Files.createFile(folder.resolve("empty.aedat"))));
+  }
+
+  @Test
+  void aFolderIsRefused() throws IOException {
+    assertSays("folder", refused(Files.createDirectory(folder.resolve("folder.aedat"))));
+  }
+
+  @Test
+  void aMissingFileIsRefused() {
+    assertSays("no such file", refused(folder.resolve("missing.aedat")));
+  }
+
+  @Test
+  void aFileThatMayNotBeReadIsRefused() throws IOException {
+    Path file = Files.writeString(folder.resolve("secret.aedat"), "#!AER-DAT2.0\n");
+    Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("---------"));
+    Assumptions.assumeFalse(
+        Files.isReadable(file), "whoever runs this test may read every file (root)");
+    assertSays("no permission", refused(file));
+  }
+
+  @Test
+  void aPictureNamedLikeARecordingIsRefusedWithWhatEachFormatSaw() throws IOException {
+    for (String name : new String[] {"picture.aedat", "picture.dat"}) {
+      RecordingProblem problem = refused(Files.write(folder.resolve(name), PNG));
+      assertSays("aedat1: ", problem);
+      assertSays("aedat2: it has no line #!AER-DAT2.0", problem);
+    }
+  }
+
+  @Test
+  void textNamedLikeARecordingIsRefused() throws IOException {
+    String text = "# Notes of Monday\nThe fly flew, and then it did not fly any more.\n".repeat(50);
+    for (String name : new String[] {"notes.aedat", "notes.dat", "notes.txt"}) {
+      assertSays("no known format", refused(Files.writeString(folder.resolve(name), text)));
+    }
+  }
+
+  @Test
+  void randomAndConstantBytesAreRefused() throws IOException {
+    byte[] random = new byte[10_000];
+    new java.util.Random(5).nextBytes(random);
+    assertSays("no known format", refused(Files.write(folder.resolve("random.dat"), random)));
+    assertSays(
+        "no known format", refused(Files.write(folder.resolve("zero.dat"), new byte[10_000])));
+  }
+
+  @Test
+  void aFormatThatDoesNotExistIsRefusedWithTheNamesOfThoseThatDo() throws IOException {
+    Path file = Files.writeString(folder.resolve("a.aedat"), "#!AER-DAT2.0\n");
+    RecordingProblem problem =
+        assertThrows(
+            RecordingProblem.class,
+            () -> Recordings.open(file, ReadOptions.DEFAULT.withFormat("evt9")));
+    assertSays("there is no format named evt9", problem);
+    assertSays("aedat1, aedat2, csv", problem);
+  }
+
+  @Test
+  void aRecordingWithAnotherNameIsReadAllTheSame() throws IOException {
+    byte[] bytes = "#!AER-DAT2.0\n\0\0\0\0\0\0\0\7".getBytes(StandardCharsets.ISO_8859_1);
+    try (RecordingReader reader = Recordings.open(Files.write(folder.resolve("a.png"), bytes))) {
+      assertEquals("aedat2", reader.formatName());
+      assertEquals(1, RecordingSummary.scan(reader, ProgressListener.NONE).events());
+    }
+  }
+}

@@ -1,0 +1,23 @@
+package haltere.core.format;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import haltere.testing.ServiceFiles;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+
+/** Formats are found as services. */
+class RecordingServicesTest {
+  @Test
+  void theServiceFileNamesEveryFormatOfThisModule() {
+    assertEquals(
+        ServiceFiles.implementations(RecordingFormat.class, Recordings.class),
+        ServiceFiles.registered(RecordingFormat.class));
+  }
+
+  @Test
+  void everyFormatIsFoundUnderItsName() {
+    assertEquals(Set.of("aedat1", "aedat2", "csv"), Recordings.formats().keySet());
+    Recordings.formats().forEach((name, format) -> assertEquals(name, format.name()));
+  }
+}
