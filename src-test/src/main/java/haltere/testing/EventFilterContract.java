@@ -270,7 +270,9 @@ public abstract class EventFilterContract {
               }
             });
     double perEvent = (double) bytes / passes / stream.size();
-    assertTrue(perEvent < 0.5, "bytes allocated per event: " + perEvent);
+    // The smallest object has 16 bytes. What is left is results, which are made a few times a
+    // second.
+    assertTrue(perEvent < 1, "bytes allocated per event: " + perEvent);
   }
 
   @Test

@@ -1,0 +1,107 @@
+package haltere.filters.cluster;
+
+import haltere.core.chain.ConfigurableFilter;
+import haltere.core.chain.FilterProvider;
+import haltere.core.chain.Outlet;
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.overlay.OverlayLayer;
+import haltere.core.stream.DataLost;
+import haltere.core.stream.StreamNotification;
+import java.util.List;
+
+/**
+ * {@link ClusterTracker} as a stage of a chain. Lets all events through; publishes a {@link
+ * ClusterTrack} for each visible cluster at each report, and all of them together as a {@link
+ * ClusterSnapshot}.
+ */
+public final class ClusterTrackerFilter implements ConfigurableFilter<ClusterTrackerSettings> {
+  private final Outlet<ClusterTrack> clusters = new Outlet<>("clusters", ClusterTrack.class);
+  private final Outlet<ClusterSnapshot> snapshot = new Outlet<>("snapshot", ClusterSnapshot.class);
+  private final List<Outlet<?>> outlets = List.of(clusters, snapshot);
+  private final List<OverlayLayer<?>> overlays =
+      List.of(
+          new OverlayLayer<ClusterSnapshot>(
+              "clusters", snapshot::subscribe, new ClusterTrackOverlay()));
+  private final ClusterTracker tracker;
+
+  /**
+   * A filter in its initial state.
+   *
+   * @param geometry the sensor whose events it will see
+   * @param settings what to do
+   */
+  public ClusterTrackerFilter(SensorGeometry geometry, ClusterTrackerSettings settings) {
+    tracker = new ClusterTracker(geometry, settings, this::publish);
+  }
+
+  private void publish(long timeUs) {
+    if (clusters.hasSubscribers()) {
+      tracker.tracks().forEach(clusters::publish);
+    }
+    if (snapshot.hasSubscribers()) {
+      snapshot.publish(tracker.snapshot(timeUs));
+    }
+  }
+
+  @Override
+  public void process(EventPacket packet) {
+    tracker.track(packet);
+  }
+
+  @Override
+  public void reset() {
+    tracker.reset();
+  }
+
+  /** Time goes on over a gap in the data, and clusters live on for as long as they live anyway. */
+  @Override
+  public void notified(StreamNotification notification) {
+    if (!(notification instanceof DataLost)) {
+      ConfigurableFilter.super.notified(notification);
+    }
+  }
+
+  @Override
+  public List<Outlet<?>> outlets() {
+    return outlets;
+  }
+
+  @Override
+  public List<OverlayLayer<?>> overlays() {
+    return overlays;
+  }
+
+  @Override
+  public ClusterTrackerSettings settings() {
+    return tracker.settings();
+  }
+
+  @Override
+  public void apply(ClusterTrackerSettings settings) {
+    tracker.apply(settings);
+  }
+
+  /** Makes the filter where its name is found in a chain. */
+  public static final class Provider implements FilterProvider<ClusterTrackerSettings> {
+    @Override
+    public String name() {
+      return "cluster-tracker";
+    }
+
+    @Override
+    public String description() {
+      return "Follows things that move as clusters of events.";
+    }
+
+    @Override
+    public Class<ClusterTrackerSettings> settingsType() {
+      return ClusterTrackerSettings.class;
+    }
+
+    @Override
+    public ClusterTrackerFilter create(SensorGeometry geometry, ClusterTrackerSettings settings) {
+      return new ClusterTrackerFilter(geometry, settings);
+    }
+  }
+}

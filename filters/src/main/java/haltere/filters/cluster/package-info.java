@@ -1,0 +1,2 @@
+/** Follows compact groups of events: things that move. */
+package haltere.filters.cluster;

@@ -1,0 +1,2 @@
+/** Filters that come with Haltere, and the chain to start from. */
+package haltere.filters;
