@@ -2,6 +2,7 @@ package haltere.ui;
 
 import haltere.core.format.ReadOptions;
 import haltere.ui.command.WindowOpener;
+import haltere.ui.viewer.ViewerApplication;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
@@ -30,7 +31,12 @@ final class JavaFxWindow implements WindowOpener {
 
   @Override
   public Optional<String> open(Optional<Path> file, ReadOptions options) {
-    return Optional.of("the viewer is not in this version yet");
+    return ViewerApplication.open(file, options)
+        .map(
+            problem ->
+                problem.contains("Unable to load")
+                    ? problem + " It comes with the packages " + NativeLibraries.PACKAGES
+                    : problem);
   }
 
   /** Whether JavaFX has been told to draw into memory, as the tests do. */

@@ -16,6 +16,9 @@ import java.util.stream.Stream;
  * because JavaFX itself answers a missing one with several pages of stack traces.
  */
 final class NativeLibraries {
+  /** Debian's names of all packages that the libraries are in. */
+  static final String PACKAGES = "libgtk-3-0 libgl1 libxtst6";
+
   private record Library(String file, String debianPackage) {}
 
   private static final List<Library> NEEDED =
@@ -49,8 +52,9 @@ final class NativeLibraries {
             + String.join(", ", files)
             + "): install the packages "
             + String.join(" ", packages)
-            + " (these are Debian's names; all of them: libgtk-3-0 libgl1 libxtst6),"
-            + " or go without a window: haltere --headless");
+            + " (these are Debian's names; all of them: "
+            + PACKAGES
+            + "), or go without a window: haltere --headless");
   }
 
   /**
@@ -95,7 +99,7 @@ final class NativeLibraries {
           Process process = new ProcessBuilder(command, "-p").redirectErrorStream(true).start();
           process.getOutputStream().close();
           try (InputStream answer = process.getInputStream()) {
-            return new String(answer.readAllBytes(), StandardCharsets.UTF_8).contains(file);
+            return isListed(file, new String(answer.readAllBytes(), StandardCharsets.UTF_8));
           }
         } catch (IOException noAnswer) {
           return true;
@@ -103,5 +107,14 @@ final class NativeLibraries {
       }
     }
     return true;
+  }
+
+  /** Whether a list of lines {@code name (kind) => path} has the file, and it still exists. */
+  static boolean isListed(String file, String list) {
+    return list.lines()
+        .map(String::strip)
+        .filter(line -> line.startsWith(file + " "))
+        .map(line -> line.substring(line.lastIndexOf("=> ") + 3))
+        .anyMatch(path -> Files.exists(Path.of(path)));
   }
 }

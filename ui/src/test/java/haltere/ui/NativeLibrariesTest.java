@@ -4,8 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 class NativeLibrariesTest {
   @Test
@@ -30,5 +34,18 @@ class NativeLibrariesTest {
   @Test
   void aLibraryThatNobodyHasIsNotFound() {
     assertFalse(NativeLibraries.present("libhaltere-no-such-library.so.7"));
+  }
+
+  @Test
+  void theLinkersListIsBelievedOnlyAsFarAsItsFilesExist(@TempDir Path folder) throws IOException {
+    Path library = Files.createFile(folder.resolve("libreal.so.1"));
+    String list =
+        "2 libs found in cache\n"
+            + "\tlibreal.so.1 (libc6,x86-64) => "
+            + library
+            + "\n\tlibgone.so.1 (libc6,x86-64) => /nowhere/libgone.so.1\n";
+    assertTrue(NativeLibraries.isListed("libreal.so.1", list));
+    assertFalse(NativeLibraries.isListed("libgone.so.1", list));
+    assertFalse(NativeLibraries.isListed("libreal.so", list));
   }
 }

@@ -1,6 +1,7 @@
 package haltere.core.playback;
 
 import haltere.core.chain.FilterChain;
+import haltere.core.event.EventPacket;
 import haltere.core.pipeline.ChainRunner;
 import haltere.core.pipeline.OnFailure;
 import haltere.core.pipeline.PipelineCounters;
@@ -27,6 +28,8 @@ final class PlaybackEngine {
   /** Playback that is later than this does not catch up. */
   static final long MAX_CATCH_UP_NANOS = 1_000_000_000L;
 
+  private static final long NO_PLACE = Long.MAX_VALUE;
+
   private final Playable playable;
   private final FilterChain chain;
   private final long runUpUs;
@@ -51,8 +54,35 @@ final class PlaybackEngine {
   private int stepsLeft;
   private final List<CompletableFuture<Void>> stepping = new ArrayList<>();
 
-  private final SliceCutter cutter;
-  private long outPoint = SliceCutter.NO_PLACE;
+  // Where the next slice starts, unless only the next event tells.
+  private long position;
+  private boolean positionKnown = true;
+  private long outPoint = NO_PLACE;
+  private long slicesSinceWrap;
+
+  // The slice that is open, and whether the first piece of it is due or was handed over.
+  private boolean open;
+  private boolean begun;
+  private long sliceFrom;
+  private long sliceTo;
+  private long sliceOffsetUs;
+  private long sliceEvents;
+  private long countLeft;
+  private long lastFed;
+  private long keepGridTo = NO_PLACE;
+
+  // The run-up before a step back: to a place, and so many events of exactly that place.
+  private long runUpTo = Long.MIN_VALUE;
+  private int runUpTies;
+  private boolean runUpOpen;
+
+  // The slice that was shown last.
+  private long shownFrom;
+  private int shownTies;
+  private long shownLengthUs;
+  private long shownTimeUs = StreamNotification.NO_TIME_US;
+  private int tiesAtLastFed;
+  private long lastTiesPlace = Long.MIN_VALUE;
 
   private long slipNanos;
   private long lagNanos;
@@ -76,7 +106,6 @@ final class PlaybackEngine {
     cursor = new SourceCursor(playable);
     runner = new ChainRunner(chain, counters, OnFailure.GO_ON, line -> message = line);
     meter = new PlaybackMeter(chain);
-    cutter = new SliceCutter(cursor, runner, meter);
     slicing = options.slicing();
     setLoop(options.loop());
     state = options.paused() ? State.PAUSED : State.PLAYING;
@@ -103,7 +132,7 @@ final class PlaybackEngine {
   /** Must be called before the first turn. */
   void start(CompletableFuture<Void> started) {
     jumping.add(started);
-    clock.setPosition(0);
+    clock.setPosition(position);
     if (state == State.PLAYING) {
       clock.resume();
     }
@@ -138,14 +167,14 @@ final class PlaybackEngine {
     } else if (command instanceof PlaybackCommand.SetSpeed set) {
       clock.setSpeed(set.speed());
       forgetLag();
-      cutter.reopen();
+      reopen();
     } else if (command instanceof PlaybackCommand.SetSlicing set) {
       slicing = set.slicing();
-      cutter.dropGrid();
-      cutter.reopen();
+      keepGridTo = NO_PLACE;
+      reopen();
     } else if (command instanceof PlaybackCommand.SetLoop set) {
       setLoop(set.loop());
-      cutter.reopen();
+      reopen();
     } else if (command instanceof PlaybackCommand.UserReset) {
       userReset();
     } else if (command instanceof PlaybackCommand.Edit edit) {
@@ -176,8 +205,8 @@ final class PlaybackEngine {
       later = jump(startOfLoop(), Reset.Cause.REWIND, done);
     }
     state = State.PLAYING;
-    long next = cutter.isOpen() ? cutter.from() : cutter.position();
-    if (cutter.hasBegun() || clock.positionUs() > next) {
+    long next = open ? sliceFrom : position;
+    if (open && begun || clock.positionUs() > next) {
       clock.setPosition(next);
     }
     clock.resume();
@@ -199,8 +228,10 @@ final class PlaybackEngine {
     StepBackSearch.Place target = stepBack(-Math.max(slices, -Integer.MAX_VALUE));
     long from = Math.max(0, target.elapsedUs() - runUpUs);
     jump(playable.seekable() ? from : target.elapsedUs(), Reset.Cause.SEEK, null);
-    cutter.runUpTo(target);
-    cutter.show(target.elapsedUs());
+    runUpTo = target.elapsedUs();
+    runUpTies = target.ties();
+    runUpOpen = from < target.elapsedUs() || runUpTies > 0;
+    shownFrom = target.elapsedUs();
     state = State.PAUSED;
     stepsLeft = 1;
     stepping.add(done);
@@ -208,18 +239,18 @@ final class PlaybackEngine {
   }
 
   private StepBackSearch.Place stepBack(int slices) throws IOException {
-    if (!playable.seekable() && cutter.shownFrom() > 0) {
+    if (!playable.seekable() && shownFrom > 0) {
       throw new IOException(playable.name() + " cannot step back; rewind it");
     }
     if (slicing instanceof Slicing.ByCount byCount) {
-      StepBackSearch.Place shown = cutter.shownPlace();
-      cutter.endEarly();
+      StepBackSearch.Place shown = new StepBackSearch.Place(shownFrom, shownTies);
+      endSliceEarly();
       pendingBreak = Reset.Cause.SEEK;
       return new StepBackSearch(cursor, meter.eventRateEps())
           .before(shown, (long) byCount.events() * slices);
     }
-    boolean toStart = sliceUs() > cutter.shownFrom() / slices;
-    return new StepBackSearch.Place(toStart ? 0 : cutter.shownFrom() - sliceUs() * slices, 0);
+    boolean toStart = sliceUs() > shownFrom / slices;
+    return new StepBackSearch.Place(toStart ? 0 : shownFrom - sliceUs() * slices, 0);
   }
 
   private boolean jumpAndShow(long to, Reset.Cause cause, CompletableFuture<Void> done)
@@ -241,15 +272,22 @@ final class PlaybackEngine {
     if (place != 0 && !playable.seekable()) {
       throw new IOException(playable.name() + " cannot seek; it can be rewound");
     }
-    cutter.endEarly();
+    endSliceEarly();
     endSteps();
     cursor.seek(place);
     pendingBreak = cause;
-    cutter.moveTo(place);
-    cutter.show(place);
+    position = place;
+    positionKnown = true;
+    keepGridTo = NO_PLACE;
+    runUpOpen = false;
+    slicesSinceWrap = 0;
+    lastTiesPlace = Long.MIN_VALUE;
     setLoop(loop);
     clock.setPosition(place);
     forgetLag();
+    shownFrom = place;
+    shownTies = 0;
+    shownTimeUs = StreamNotification.NO_TIME_US;
     if (done != null) {
       jumping.add(done);
     }
@@ -262,15 +300,17 @@ final class PlaybackEngine {
 
   private void setLoop(Loop newLoop) {
     loop = newLoop;
-    long out = loop.on() ? loop.outUs().orElse(SliceCutter.NO_PLACE) : SliceCutter.NO_PLACE;
-    outPoint = cutter.position() < out ? out : SliceCutter.NO_PLACE;
+    long out = loop.on() ? loop.outUs().orElse(NO_PLACE) : NO_PLACE;
+    outPoint = position < out ? out : NO_PLACE;
   }
 
   private void userReset() {
     if (pendingBreak != null || !runner.streamRunning()) {
       return;
     }
-    cutter.split();
+    long gridTo = open && begun ? sliceTo : NO_PLACE;
+    endSliceEarly();
+    keepGridTo = gridTo;
     runner.notified(new Reset(Reset.Cause.USER, runner.lastUs(), StreamNotification.NO_TIME_US));
   }
 
@@ -280,15 +320,19 @@ final class PlaybackEngine {
     meter.restart();
   }
 
+  /** A slice that has not begun is cut anew. */
+  private void reopen() {
+    if (open && !begun) {
+      open = false;
+    }
+  }
+
   private void endSteps() {
     stepsLeft = 0;
     complete(stepping);
   }
 
   private static void complete(List<CompletableFuture<Void>> futures) {
-    if (futures.isEmpty()) {
-      return;
-    }
     List<CompletableFuture<Void>> now = List.copyOf(futures);
     futures.clear();
     now.forEach(future -> future.complete(null));
@@ -320,26 +364,20 @@ final class PlaybackEngine {
     if (state != State.PLAYING && stepsLeft == 0) {
       return Long.MAX_VALUE;
     }
-    if (cutter.runningUp()) {
-      cutter.runUp(ahead);
-      if (!cutter.runningUp()) {
-        setLoop(loop);
-      }
+    if (runUpOpen) {
+      return runUp(ahead);
+    }
+    if (!open && !openSlice(ahead)) {
       return 0;
     }
-    if (!cutter.isOpen() && !openSlice(ahead)) {
-      return 0;
-    }
-    if (!cutter.hasBegun()) {
-      long wait = stepsLeft > 0 ? 0 : clock.nanosUntil(cutter.from());
+    if (!begun) {
+      long wait = stepsLeft > 0 ? 0 : clock.nanosUntil(sliceFrom);
       if (wait > 0) {
         return wait;
       }
       begin(-wait);
     }
-    if (cutter.feed(ahead)) {
-      sliceShown();
-    }
+    feed(ahead);
     return 0;
   }
 
@@ -354,21 +392,51 @@ final class PlaybackEngine {
   }
 
   private boolean openSlice(SourceCursor.Ahead ahead) throws IOException {
-    switch (cutter.open(ahead, slicing, sliceUs(), outPoint)) {
-      case OPEN -> {
-        return true;
-      }
-      case AT_END -> {
-        if (loop.on() && cutter.slices() > 0) {
-          wrap();
-        } else {
-          end();
-        }
-      }
-      case AT_OUT_POINT -> wrap();
-      case NOT_YET -> {}
+    if (ahead == SourceCursor.Ahead.NOTIFICATION) {
+      StreamNotification notification = cursor.takeNotification();
+      positionKnown &= !(notification instanceof Reset);
+      runner.notified(notification);
+      return false;
     }
-    return false;
+    if (ahead == SourceCursor.Ahead.END) {
+      if (loop.on() && slicesSinceWrap > 0) {
+        wrap();
+      } else {
+        end();
+      }
+      return false;
+    }
+    boolean byCount = slicing instanceof Slicing.ByCount;
+    if (!positionKnown) {
+      keepGridTo = NO_PLACE;
+    }
+    long nextEvent = cursor.elapsedUs();
+    if (!positionKnown || nextEvent < position || byCount && nextEvent < outPoint) {
+      // By count a slice starts at its first event. By time an event can lie before the start if it
+      // is of the very microsecond after which the last slice was cut short.
+      position = nextEvent;
+    }
+    positionKnown = true;
+    if (position >= outPoint) {
+      wrap();
+      return false;
+    }
+    sliceFrom = position;
+    sliceOffsetUs = cursor.offsetUs();
+    countLeft = slicing instanceof Slicing.ByCount count ? count.events() : Long.MAX_VALUE;
+    if (byCount) {
+      sliceTo = outPoint;
+    } else {
+      long gridTo = keepGridTo > position ? keepGridTo : NO_PLACE;
+      long length = Math.min(sliceUs(), NO_PLACE - position);
+      sliceTo = Math.min(Math.min(position + length, gridTo), outPoint);
+    }
+    keepGridTo = NO_PLACE;
+    sliceEvents = 0;
+    lastFed = sliceFrom - 1;
+    open = true;
+    begun = false;
+    return true;
   }
 
   private long sliceUs() {
@@ -383,9 +451,12 @@ final class PlaybackEngine {
   }
 
   private void begin(long lateNanos) {
-    cutter.begin();
+    begun = true;
+    shownFrom = sliceFrom;
+    shownTies = tiesBefore(sliceFrom);
+    shownTimeUs = sliceFrom - sliceOffsetUs;
     if (stepsLeft > 0) {
-      clock.setPosition(cutter.from());
+      clock.setPosition(sliceFrom);
       return;
     }
     if (!clock.unlimited()) {
@@ -394,25 +465,118 @@ final class PlaybackEngine {
       slipNanos += slip;
       lagNanos = slipNanos + lateNanos - slip;
     }
-    meter.sliceBegins(clock.nanoTime(), cutter.from());
+    meter.sliceBegins(clock.nanoTime(), sliceFrom);
   }
 
-  private void sliceShown() {
-    if (stepsLeft > 0) {
-      stepsLeft--;
+  private int tiesBefore(long place) {
+    return place == lastTiesPlace ? tiesAtLastFed : 0;
+  }
+
+  private void feed(SourceCursor.Ahead ahead) {
+    if (ahead != SourceCursor.Ahead.EVENTS) {
+      boolean reset = ahead == SourceCursor.Ahead.NOTIFICATION;
+      long gridTo = reset ? sliceTo : NO_PLACE;
+      endSlice(lastFed + 1);
+      keepGridTo = slicing instanceof Slicing.ByCount ? NO_PLACE : gridTo;
+      return;
+    }
+    int count = (int) Math.min(Math.min(cursor.countBefore(sliceTo), CHUNK_EVENTS), countLeft);
+    if (count == 0) {
+      endSlice(sliceTo);
+      return;
+    }
+    EventPacket piece = cursor.take(count);
+    noteTies(piece);
+    lastFed = piece.timeUs(count - 1) + sliceOffsetUs;
+    sliceEvents += count;
+    countLeft -= count;
+    runner.packet(piece);
+    if (countLeft == 0) {
+      endSlice(lastFed + 1);
+    }
+  }
+
+  /** Remembers how many events of the last microsecond have been handed over. */
+  private void noteTies(EventPacket piece) {
+    int count = piece.size();
+    long lastUs = piece.timeUs(count - 1);
+    int ties = 0;
+    while (ties < count && piece.timeUs(count - 1 - ties) == lastUs) {
+      ties++;
+    }
+    long place = lastUs + cursor.offsetUs();
+    tiesAtLastFed = ties == count && place == lastTiesPlace ? tiesAtLastFed + ties : ties;
+    lastTiesPlace = place;
+  }
+
+  private long runUp(SourceCursor.Ahead ahead) {
+    if (ahead == SourceCursor.Ahead.NOTIFICATION) {
+      runner.runUpNotified(cursor.takeNotification());
+      return 0;
+    }
+    if (ahead == SourceCursor.Ahead.EVENTS) {
+      int count = Math.min(cursor.countBefore(runUpTo), CHUNK_EVENTS);
+      if (count == 0 && runUpTies > 0) {
+        count = 1;
+        runUpTies--;
+      }
+      if (count > 0) {
+        EventPacket piece = cursor.take(count);
+        noteTies(piece);
+        runner.runUp(piece);
+        return 0;
+      }
+    }
+    runUpOpen = false;
+    position = runUpTo;
+    setLoop(loop);
+    return 0;
+  }
+
+  private void endSlice(long to) {
+    open = false;
+    position = to;
+    long from = sliceFrom;
+    if (to > from) {
+      slicesSinceWrap++;
+      shownLengthUs = to - from;
+      meter.sliceEnded(to - from, sliceEvents);
+      long offset = sliceOffsetUs;
+      runner.forEachSink(
+          sink -> {
+            if (sink instanceof SliceSink sliced) {
+              sliced.sliceEnd(from - offset, to - offset);
+            }
+          });
+      if (stepsLeft > 0 && --stepsLeft == 0) {
+        publish();
+        complete(stepping);
+        return;
+      }
     }
     publish();
-    if (stepsLeft == 0) {
-      complete(stepping);
+  }
+
+  /** Cuts a slice that is half done where it is. */
+  private void endSliceEarly() {
+    if (open && begun && sliceEvents > 0) {
+      int steps = stepsLeft;
+      stepsLeft = 0;
+      endSlice(lastFed + 1);
+      stepsLeft = steps;
     }
+    open = false;
   }
 
   private void wrap() throws IOException {
-    long from = cutter.position();
+    long from = position;
     long to = startOfLoop();
+    slicesSinceWrap = 0;
+    lastTiesPlace = Long.MIN_VALUE;
     cursor.seek(to);
     pendingBreak = Reset.Cause.REWIND;
-    cutter.moveTo(to);
+    position = to;
+    keepGridTo = NO_PLACE;
     setLoop(loop);
     clock.shift(to - from);
     meter.shift(to - from);
@@ -431,7 +595,7 @@ final class PlaybackEngine {
 
   /** Gives up; another jump may try again. */
   void fail(Throwable thrown) {
-    cutter.endEarly();
+    endSliceEarly();
     pendingBreak = null;
     state = State.FAILED;
     clock.pause();
@@ -455,7 +619,7 @@ final class PlaybackEngine {
 
   /** Ends the stream and closes the playable; nothing may be called afterwards. */
   void close() {
-    cutter.endEarly();
+    endSliceEarly();
     if (state != State.FAILED) {
       state = State.ENDED;
     }
@@ -475,8 +639,8 @@ final class PlaybackEngine {
     status =
         new PlayerStatus(
             state,
-            state == State.ENDED ? cutter.position() : cutter.shownFrom(),
-            cutter.shownTimeUs(),
+            state == State.ENDED ? position : shownFrom,
+            shownTimeUs,
             playable.durationUs().orElse(-1),
             clock.speed(),
             meter.speed(),
@@ -488,7 +652,7 @@ final class PlaybackEngine {
             counters.get(Counter.EVENTS_OUTSIDE_SENSOR)
                 + counters.get(Counter.EVENTS_LOST_IN_FAILURE)
                 + counters.get(Counter.EVENTS_LOST_BEFORE),
-            cutter.shownLengthUs(),
+            shownLengthUs,
             message);
   }
 }

@@ -10,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.Callable;
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.ParameterException;
@@ -22,7 +23,8 @@ import picocli.CommandLine.ParseResult;
  * <p>Thread rule: everything runs on the calling thread.
  */
 public final class HaltereProgram {
-  private static final List<String> COMMANDS = List.of("info", "convert", "run", "filters");
+  private static final List<String> COMMANDS =
+      List.of("view", "info", "convert", "run", "simulate", "filters");
 
   private final Surroundings surroundings;
 
@@ -122,11 +124,16 @@ public final class HaltereProgram {
     return "";
   }
 
-  private Subcommand command(String name) {
+  /**
+   * Makes a command. It returns an interface, so that Java need not load all of them to check it.
+   */
+  private Callable<Integer> command(String name) {
     return switch (name) {
+      case "view" -> new ViewCommand(surroundings);
       case "info" -> new InfoCommand(surroundings);
       case "convert" -> new ConvertCommand(surroundings);
       case "run" -> new RunCommand(surroundings);
+      case "simulate" -> new SimulateCommand(surroundings);
       case "filters" -> new FiltersCommand(surroundings);
       default -> throw new IllegalArgumentException(name);
     };

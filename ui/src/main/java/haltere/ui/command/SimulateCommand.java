@@ -1,0 +1,201 @@
+package haltere.ui.command;
+
+import haltere.core.event.EventPacket;
+import haltere.core.format.RecordingWriter;
+import haltere.core.simulation.Scene;
+import haltere.core.simulation.SceneProvider;
+import haltere.core.simulation.Scenes;
+import haltere.core.sink.CsvSink;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import java.io.IOException;
+import java.io.InterruptedIOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
+import java.util.List;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** Writes a synthetic recording and what is true of it. */
+@Command(
+    name = "simulate",
+    description =
+        "Write a synthetic recording and its ground truth. The same settings make the same"
+            + " events.")
+final class SimulateCommand extends Subcommand {
+  /** Length of a scene whose settings and options give none. */
+  private static final long USUAL_DURATION_US = 10_000_000;
+
+  @Parameters(index = "0", paramLabel = "SCENE", description = "The kind of scene, such as fly.")
+  String sceneName;
+
+  @Parameters(
+      index = "1",
+      paramLabel = "OUT",
+      description = "Where the recording goes; the format follows from the name's ending.")
+  Path out;
+
+  @Option(names = "--truth", paramLabel = "TRUTH.csv", description = "Where the ground truth goes.")
+  Path truth;
+
+  @Option(
+      names = "--set",
+      paramLabel = "name=value",
+      description = "A setting of the scene; may be repeated.")
+  List<String> assignments = List.of();
+
+  @Option(
+      names = "--rate",
+      paramLabel = "HZ",
+      description = "Rows of ground truth a second; if not given, as the scene's settings say.")
+  Double rateHz;
+
+  @Option(
+      names = "--duration",
+      paramLabel = "S",
+      description = "Length in seconds; if not given, as the scene's settings say, else 10.")
+  Double durationS;
+
+  @Mixin WritingOptions writing;
+
+  SimulateCommand(Surroundings surroundings) {
+    super(surroundings);
+  }
+
+  @Override
+  public Integer call() throws IOException {
+    if (rateHz != null && !(rateHz > 0 && rateHz <= 1e6)) {
+      throw wrongArguments("--rate is " + rateHz + ", it must be above 0 and at most 1000000 Hz");
+    }
+    if (durationS != null && !(durationS > 0 && durationS <= 1e9)) {
+      throw wrongArguments("--duration is " + durationS + ", it must be above 0 and at most 1e9 s");
+    }
+    try (Scene<?> scene = scene()) {
+      writing.checkRecording(out);
+      if (truth != null) {
+        writing.check(truth);
+        WritingOptions.checkDifferent(out, truth);
+      }
+      write(scene);
+    }
+    return OK;
+  }
+
+  private Scene<?> scene() {
+    SceneProvider<?> provider = Scenes.all().get(sceneName);
+    if (provider == null) {
+      throw wrongArguments(
+          "there is no scene named "
+              + sceneName
+              + "; there are "
+              + String.join(", ", Scenes.all().keySet()));
+    }
+    try {
+      return provider.create(assignments);
+    } catch (IllegalArgumentException problem) {
+      throw wrongArguments(problem.getMessage());
+    }
+  }
+
+  private <T extends Record> void write(Scene<T> scene) throws IOException {
+    long endUs = scene.startUs() + lengthUs(scene);
+    long events;
+    long rows = 0;
+    try (RecordingWriter writer = writing.create(out, scene.geometry());
+        CsvSink<T> table =
+            truth == null ? null : CsvSink.create(truth, scene.truthType(), writing.overwrite)) {
+      events = writeEvents(scene, endUs, writer);
+      if (table != null) {
+        rows = writeTruth(scene, endUs, table);
+      }
+      for (String loss : writer.losses()) {
+        warning(out + ": " + loss);
+      }
+      if (table != null) {
+        table.finish();
+      }
+      writer.finish();
+    }
+    message("wrote " + out + " (" + Quantities.events(events) + ")");
+    if (truth != null) {
+      message("wrote " + truth + " (" + Quantities.count(rows) + " rows)");
+    }
+  }
+
+  private long lengthUs(Scene<?> scene) {
+    long asked = durationS == null ? Long.MAX_VALUE : Math.round(durationS * 1e6);
+    long own = scene.durationUs().orElse(durationS == null ? USUAL_DURATION_US : Long.MAX_VALUE);
+    return Math.min(asked, own);
+  }
+
+  private long writeEvents(Scene<?> scene, long endUs, RecordingWriter writer) throws IOException {
+    try (ProgressBar bar = progressBar("simulating", out)) {
+      UntilTime sink = new UntilTime(writer, scene.startUs(), endUs, bar);
+      while (!sink.full && scene.next(sink)) {
+        if (Thread.currentThread().isInterrupted()) {
+          throw new InterruptedIOException("interrupted while simulating");
+        }
+      }
+      return sink.events;
+    } catch (UncheckedIOException problem) {
+      throw problem.getCause();
+    }
+  }
+
+  private <T extends Record> long writeTruth(Scene<T> scene, long endUs, CsvSink<T> table)
+      throws IOException {
+    double rate = rateHz == null ? scene.truthRateHz() : rateHz;
+    long row = 0;
+    for (long timeUs = scene.startUs(); timeUs < endUs; ) {
+      if (Thread.currentThread().isInterrupted()) {
+        throw new InterruptedIOException("interrupted while simulating");
+      }
+      scene.truthRows(timeUs).forEach(table);
+      row++;
+      timeUs = scene.startUs() + Math.round(row * 1e6 / rate);
+    }
+    return table.rows();
+  }
+
+  /** Writes events up to a time. */
+  private static final class UntilTime implements StreamHandler {
+    private final RecordingWriter writer;
+    private final long startUs;
+    private final long endUs;
+    private final ProgressBar bar;
+    private long events;
+    private boolean full;
+
+    UntilTime(RecordingWriter writer, long startUs, long endUs, ProgressBar bar) {
+      this.writer = writer;
+      this.startUs = startUs;
+      this.endUs = endUs;
+      this.bar = bar;
+    }
+
+    @Override
+    public void packet(EventPacket packet) {
+      if (packet.isEmpty()) {
+        return;
+      }
+      bar.events(events);
+      bar.progress(packet.lastTimeUs() - startUs, endUs - startUs);
+      int kept = packet.indexAtOrAfter(endUs);
+      full = kept < packet.size();
+      packet.truncate(kept);
+      events += kept;
+      try {
+        writer.write(packet);
+      } catch (IOException problem) {
+        throw new UncheckedIOException(problem);
+      }
+    }
+
+    @Override
+    public void notified(StreamNotification notification) {
+      // a scene runs without a break
+    }
+  }
+}

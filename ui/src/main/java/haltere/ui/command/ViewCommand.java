@@ -1,0 +1,37 @@
+package haltere.ui.command;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Parameters;
+
+/** Opens the viewer. */
+@Command(
+    name = "view",
+    description = "Open the viewer on a recording, or on the built-in fly scene.")
+final class ViewCommand extends Subcommand {
+  @Parameters(arity = "0..1", paramLabel = "FILE", description = "A recording.")
+  Path file;
+
+  @Mixin ReadingOptions reading;
+
+  ViewCommand(Surroundings surroundings) {
+    super(surroundings);
+  }
+
+  @Override
+  public Integer call() throws IOException {
+    if (file != null) {
+      reading.open(file).close();
+    }
+    if (!surroundings().window().hasDisplay()) {
+      throw new CommandProblem(
+          "there is no display to open a window on: set DISPLAY, or use haltere info and haltere run,"
+              + " which need none");
+    }
+    openWindow(Optional.ofNullable(file), reading.readOptions());
+    return OK;
+  }
+}
