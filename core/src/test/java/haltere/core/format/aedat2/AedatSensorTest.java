@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
+import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingReader;
@@ -105,9 +106,9 @@ class AedatSensorTest {
   @Test
   void aStatedSizeMirrorsTheColumnsOfAnUnnamedDavis() throws IOException {
     AedatFile bytes = AedatFile.version2().record(50 << 22 | 10 << 12 | 1 << 11, 5);
-    SensorGeometry stated = new SensorGeometry(300, 200);
+    SensorGeometry stated = new SensorGeometry(300, 200, Origin.TOP);
     try (RecordingReader reader = open(bytes, ReadOptions.DEFAULT.withSensor(stated))) {
-      assertEquals(stated, reader.geometry());
+      assertEquals(new SensorGeometry(300, 200, Origin.BOTTOM), reader.geometry());
       EventPacket events = read(reader);
       assertEquals(289, events.x(0));
       assertEquals(50, events.y(0));
