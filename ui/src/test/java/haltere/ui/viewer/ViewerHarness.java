@@ -1,0 +1,253 @@
+package haltere.ui.viewer;
+
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.fail;
+
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.ReadOptions;
+import haltere.core.format.Recordings;
+import haltere.core.format.WriteOptions;
+import haltere.core.playback.Playable;
+import haltere.core.playback.PlayerStatus;
+import haltere.core.playback.PlayerStatus.State;
+import haltere.core.playback.ScenePlayable;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.Supplier;
+import javafx.application.Platform;
+import javafx.geometry.Bounds;
+import javafx.geometry.Point2D;
+import javafx.scene.Node;
+import javafx.scene.Parent;
+import javafx.scene.control.Labeled;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.MouseButton;
+import javafx.scene.robot.Robot;
+import javafx.stage.Stage;
+import javafx.stage.Window;
+
+/**
+ * Opens the real window, clicks and types like a person, and waits for conditions. The same on the
+ * headless screen and on a real one.
+ *
+ * <p>Thread rule: the test's thread; what touches nodes it brings to the JavaFX thread.
+ */
+final class ViewerHarness implements AutoCloseable {
+  private static final long PATIENCE_NANOS = TimeUnit.SECONDS.toNanos(30);
+  private static final CompletableFuture<Void> STARTED = new CompletableFuture<>();
+
+  static {
+    Platform.startup(() -> STARTED.complete(null));
+    Platform.setImplicitExit(false);
+  }
+
+  final Stage stage;
+  final ViewerWindow window;
+  private final Robot robot;
+
+  /** An empty window. */
+  ViewerHarness() {
+    STARTED.join();
+    Stage[] madeStage = new Stage[1];
+    Robot[] madeRobot = new Robot[1];
+    window =
+        onFx(
+            () -> {
+              Theme.DARK.apply();
+              madeStage[0] = new Stage();
+              madeRobot[0] = new Robot();
+              ViewerWindow made = new ViewerWindow(madeStage[0]);
+              madeStage[0].setX(0);
+              madeStage[0].setY(0);
+              madeStage[0].show();
+              return made;
+            });
+    stage = madeStage[0];
+    robot = madeRobot[0];
+  }
+
+  /** A window in which the blob moves. */
+  static ViewerHarness withBlob() {
+    ViewerHarness harness = new ViewerHarness();
+    harness.open(() -> new ScenePlayable(() -> new BlobSource(Long.MAX_VALUE), "blob"));
+    return harness;
+  }
+
+  /** A window that plays a recording of the blob. */
+  static ViewerHarness withRecording(Path folder, long lengthUs) throws IOException {
+    Path file = folder.resolve("blob.aedat");
+    writeRecording(file, lengthUs);
+    ViewerHarness harness = new ViewerHarness();
+    harness.run(() -> harness.window.open(file, ReadOptions.DEFAULT));
+    harness.waitUntilOpen("blob.aedat");
+    return harness;
+  }
+
+  /** Writes the blob as AEDAT-2. */
+  static void writeRecording(Path file, long lengthUs) throws IOException {
+    SensorGeometry geometry = BlobSource.GEOMETRY;
+    try (BlobSource blob = new BlobSource(lengthUs);
+        var writer =
+            Recordings.forWriting(file).create(file, WriteOptions.of(geometry)).orElseThrow()) {
+      blob.drainTo(writer);
+    }
+  }
+
+  void open(Callable<Playable> playable) {
+    run(() -> window.open(playable, "test"));
+    waitFor("a session", () -> window.session().isPresent());
+    waitFor("frames", () -> window.framesShown() > 0);
+  }
+
+  void waitUntilOpen(String name) {
+    waitFor(
+        name + " is open",
+        () ->
+            window.session().isPresent()
+                && session().player().playable().name().equals(name)
+                && status().eventsIn() > 0);
+  }
+
+  ViewerSession session() {
+    return window.session().orElseThrow();
+  }
+
+  PlayerStatus status() {
+    return session().player().status();
+  }
+
+  /** Pauses and waits until nothing moves any more. */
+  void pause() {
+    run(() -> join(session().player().pause()));
+    waitFor("pause", () -> status().state() == State.PAUSED);
+  }
+
+  // ---- the JavaFX thread
+
+  /** Calls something on the JavaFX thread. */
+  <T> T onFx(Callable<T> call) {
+    CompletableFuture<T> result = new CompletableFuture<>();
+    Platform.runLater(
+        () -> {
+          try {
+            result.complete(call.call());
+          } catch (Throwable thrown) {
+            result.completeExceptionally(thrown);
+          }
+        });
+    return join(result);
+  }
+
+  /** Runs something on the JavaFX thread. */
+  void run(Runnable action) {
+    onFx(
+        () -> {
+          action.run();
+          return null;
+        });
+  }
+
+  /** Waits for a condition, which is asked on the JavaFX thread between pulses. */
+  void waitFor(String what, Callable<Boolean> condition) {
+    long start = System.nanoTime();
+    while (!onFx(condition)) {
+      if (System.nanoTime() - start > PATIENCE_NANOS) {
+        fail("waited in vain for: " + what);
+      }
+      LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(4));
+    }
+  }
+
+  static <T> T join(CompletableFuture<T> future) {
+    try {
+      return future.get(PATIENCE_NANOS, TimeUnit.NANOSECONDS);
+    } catch (ExecutionException failed) {
+      if (failed.getCause() instanceof Error error) {
+        throw error;
+      }
+      throw new AssertionError(failed.getCause());
+    } catch (InterruptedException | TimeoutException broken) {
+      throw new AssertionError(broken);
+    }
+  }
+
+  // ---- looking
+
+  /** The node of an id, which must be there. */
+  <T extends Node> T node(String id, Class<T> type) {
+    Node found = onFx(() -> find(id));
+    assertNotNull(found, "no node #" + id);
+    return type.cast(found);
+  }
+
+  boolean isThere(String id) {
+    return onFx(() -> find(id) != null);
+  }
+
+  /** Looks through the window and all of its popups. */
+  private static Node find(String id) {
+    for (Window window : Window.getWindows()) {
+      Parent root = window.getScene() == null ? null : window.getScene().getRoot();
+      Node found = root == null || !window.isShowing() ? null : root.lookup("#" + id);
+      if (found != null) {
+        return found;
+      }
+    }
+    return null;
+  }
+
+  String text(String id) {
+    Labeled labeled = node(id, Labeled.class);
+    return onFx(labeled::getText);
+  }
+
+  // ---- hands
+
+  /** Clicks in the middle of a node. */
+  void click(String id) {
+    click(id, 0.5, 0.5);
+  }
+
+  /** Clicks at a place of a node, in shares of its width and height from its top left corner. */
+  void click(String id, double shareX, double shareY) {
+    Node node = node(id, Node.class);
+    waitFor("#" + id + " is laid out", () -> node.getLayoutBounds().getWidth() > 0);
+    Supplier<Point2D> place =
+        () -> {
+          Bounds bounds = node.localToScreen(node.getBoundsInLocal());
+          return new Point2D(
+              bounds.getMinX() + bounds.getWidth() * shareX,
+              bounds.getMinY() + bounds.getHeight() * shareY);
+        };
+    run(
+        () -> {
+          robot.mouseMove(place.get());
+          robot.mouseClick(MouseButton.PRIMARY);
+        });
+  }
+
+  void press(KeyCode... keys) {
+    run(
+        () -> {
+          for (KeyCode key : keys) {
+            robot.keyPress(key);
+          }
+          for (int i = keys.length - 1; i >= 0; i--) {
+            robot.keyRelease(keys[i]);
+          }
+        });
+  }
+
+  @Override
+  public void close() {
+    if (onFx(stage::isShowing)) {
+      run(stage::close);
+    }
+  }
+}
