@@ -22,7 +22,7 @@ public record Loop(boolean on, OptionalLong inUs, OptionalLong outUs) {
   public Loop {
     Objects.requireNonNull(inUs, "inUs");
     Objects.requireNonNull(outUs, "outUs");
-    if (inUs.orElse(0) < 0 || outUs.orElse(1) <= inUs.orElse(0)) {
+    if (inUs.orElse(0) < 0 || outUs.orElse(Long.MAX_VALUE) <= inUs.orElse(0)) {
       throw new IllegalArgumentException(
           "a loop goes from 0 or later to a later point, not from "
               + inUs.orElse(0)

@@ -217,7 +217,7 @@ final class EventView extends Region {
     double before = scale();
     double sensorX = centreX + (event.getX() - getWidth() / 2) / before;
     double sensorY = centreY - (event.getY() - getHeight() / 2) / before;
-    double notches = event.getDeltaY() / 40;
+    double notches = event.getDeltaY() / Math.max(1, event.getMultiplierY());
     zoom =
         Math.max(
             1, Math.min(Math.max(1, MAX_PIXEL / fit()), zoom * Math.pow(ZOOM_PER_NOTCH, notches)));

@@ -40,6 +40,10 @@ final class PlaybackController {
   private final ReadOnlyObjectWrapper<Loop> loop = new ReadOnlyObjectWrapper<>(Loop.ALL);
   private Optional<Player> player = Optional.empty();
   private boolean seeking;
+
+  /** Where the jump under way, or the one after it, goes to. */
+  private long aimUs;
+
   private OptionalLong nextSeekUs = OptionalLong.empty();
 
   /**
@@ -203,9 +207,9 @@ final class PlaybackController {
     there.ifPresent(this::seek);
   }
 
-  /** Jumps by a time, or by that many slices where the source cannot seek. */
+  /** Jumps by a time from where playback is, or will be when it has done what it was asked. */
   void jump(long us) {
-    status().ifPresent(now -> seek(nextSeekUs.orElse(now.elapsedUs()) + us));
+    status().ifPresent(now -> seek((seeking ? aimUs : now.elapsedUs()) + us));
   }
 
   /** Goes to a place. While a jump is under way only the last wish is kept. */
@@ -213,15 +217,15 @@ final class PlaybackController {
     if (!seekable()) {
       return;
     }
-    if (seeking) {
-      nextSeekUs = OptionalLong.of(elapsedUs);
-      return;
-    }
     Player open = player.get();
     long durationUs = open.status().durationUs();
-    long inRange = Math.max(0, durationUs > 0 ? Math.min(durationUs - 1, elapsedUs) : elapsedUs);
+    aimUs = Math.max(0, durationUs > 0 ? Math.min(durationUs - 1, elapsedUs) : elapsedUs);
+    if (seeking) {
+      nextSeekUs = OptionalLong.of(aimUs);
+      return;
+    }
     seeking = true;
-    CompletableFuture<Void> done = open.seek(inRange);
+    CompletableFuture<Void> done = open.seek(aimUs);
     report(done);
     done.whenComplete(
         (nothing, problem) ->

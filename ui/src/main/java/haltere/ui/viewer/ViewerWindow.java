@@ -91,6 +91,7 @@ public final class ViewerWindow implements ViewerMenu.Actions {
     stage.setScene(scene);
     stage.setTitle("Haltere");
     stage.setOnHidden(event -> close());
+    Thread.currentThread().setUncaughtExceptionHandler((thread, fault) -> showFault(fault));
     pulse.start();
   }
 
@@ -264,12 +265,17 @@ public final class ViewerWindow implements ViewerMenu.Actions {
   }
 
   private void dropped(DragEvent event) {
-    List<File> files = event.getDragboard().getFiles();
-    if (!files.isEmpty()) {
-      open(files.get(0).toPath(), ReadOptions.DEFAULT);
-    }
-    event.setDropCompleted(!files.isEmpty());
+    event.setDropCompleted(dropped(event.getDragboard().getFiles()));
     event.consume();
+  }
+
+  /** Opens the first of some files; false if there is none. */
+  boolean dropped(List<File> files) {
+    if (files.isEmpty()) {
+      return false;
+    }
+    open(files.get(0).toPath(), ReadOptions.DEFAULT);
+    return true;
   }
 
   @Override
@@ -389,12 +395,31 @@ public final class ViewerWindow implements ViewerMenu.Actions {
     KeysDialog.show(stage);
   }
 
-  /** What is open, for tests and benchmarks. */
+  /** A fault of the viewer itself: the user sees that something is wrong, the log what. */
+  private void showFault(Throwable fault) {
+    fault.printStackTrace();
+    statusLine.showError("Fault in the viewer, please report it: " + fault);
+  }
+
+  // What tests and benchmarks look at.
+
   Optional<ViewerSession> session() {
     return session;
   }
 
-  /** Pictures shown so far, for tests and benchmarks. */
+  PlaybackController playback() {
+    return playback;
+  }
+
+  EventView view() {
+    return view;
+  }
+
+  SeekBar seekBar() {
+    return seekBar;
+  }
+
+  /** Pictures shown so far. */
   long framesShown() {
     return meter.total();
   }

@@ -23,7 +23,7 @@ final class BlobSource implements EventSource {
 
   private final long endUs;
   private final EventPacket packet = new EventPacket(EVENTS);
-  private SplittableRandom random = new SplittableRandom(1);
+  private final SplittableRandom random = new SplittableRandom(1);
   private boolean started;
   private boolean ended;
   private long nowUs;
@@ -77,7 +77,5 @@ final class BlobSource implements EventSource {
   }
 
   @Override
-  public void close() {
-    random = null;
-  }
+  public void close() {}
 }

@@ -3,6 +3,7 @@ package haltere.ui.viewer;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.fail;
 
+import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.Recordings;
@@ -11,23 +12,29 @@ import haltere.core.playback.Playable;
 import haltere.core.playback.PlayerStatus;
 import haltere.core.playback.PlayerStatus.State;
 import haltere.core.playback.ScenePlayable;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.LockSupport;
-import java.util.function.Supplier;
 import javafx.application.Platform;
 import javafx.geometry.Bounds;
 import javafx.geometry.Point2D;
 import javafx.scene.Node;
 import javafx.scene.Parent;
 import javafx.scene.control.Labeled;
+import javafx.scene.image.WritableImage;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
+import javafx.scene.input.ScrollEvent;
 import javafx.scene.robot.Robot;
 import javafx.stage.Stage;
 import javafx.stage.Window;
@@ -50,6 +57,7 @@ final class ViewerHarness implements AutoCloseable {
   final Stage stage;
   final ViewerWindow window;
   private final Robot robot;
+  private final List<Throwable> faults = new CopyOnWriteArrayList<>();
 
   /** An empty window. */
   ViewerHarness() {
@@ -68,6 +76,10 @@ final class ViewerHarness implements AutoCloseable {
               madeStage[0].show();
               return made;
             });
+    run(
+        () ->
+            Thread.currentThread()
+                .setUncaughtExceptionHandler((thread, fault) -> faults.add(fault)));
     stage = madeStage[0];
     robot = madeRobot[0];
   }
@@ -95,7 +107,21 @@ final class ViewerHarness implements AutoCloseable {
     try (BlobSource blob = new BlobSource(lengthUs);
         var writer =
             Recordings.forWriting(file).create(file, WriteOptions.of(geometry)).orElseThrow()) {
-      blob.drainTo(writer);
+      blob.drainTo(
+          new StreamHandler() {
+            @Override
+            public void packet(EventPacket packet) {
+              try {
+                writer.write(packet);
+              } catch (IOException problem) {
+                throw new UncheckedIOException(problem);
+              }
+            }
+
+            @Override
+            public void notified(StreamNotification notification) {}
+          });
+      writer.finish();
     }
   }
 
@@ -132,6 +158,13 @@ final class ViewerHarness implements AutoCloseable {
 
   /** Calls something on the JavaFX thread. */
   <T> T onFx(Callable<T> call) {
+    if (Platform.isFxApplicationThread()) {
+      try {
+        return call.call();
+      } catch (Exception broken) {
+        throw new AssertionError(broken);
+      }
+    }
     CompletableFuture<T> result = new CompletableFuture<>();
     Platform.runLater(
         () -> {
@@ -207,6 +240,12 @@ final class ViewerHarness implements AutoCloseable {
     return onFx(labeled::getText);
   }
 
+  /** What is on the screen now. */
+  WritableImage snapshot(String id) {
+    Node node = node(id, Node.class);
+    return onFx(() -> node.snapshot(null, null));
+  }
+
   // ---- hands
 
   /** Clicks in the middle of a node. */
@@ -217,21 +256,91 @@ final class ViewerHarness implements AutoCloseable {
   /** Clicks at a place of a node, in shares of its width and height from its top left corner. */
   void click(String id, double shareX, double shareY) {
     Node node = node(id, Node.class);
-    waitFor("#" + id + " is laid out", () -> node.getLayoutBounds().getWidth() > 0);
-    Supplier<Point2D> place =
+    Callable<Point2D> place =
         () -> {
           Bounds bounds = node.localToScreen(node.getBoundsInLocal());
           return new Point2D(
               bounds.getMinX() + bounds.getWidth() * shareX,
               bounds.getMinY() + bounds.getHeight() * shareY);
         };
+    waitFor("#" + id + " is seen", () -> isSeen(node));
+    Point2D before;
+    do {
+      before = onFx(place);
+      afterLayout();
+    } while (!before.equals(onFx(place)));
     run(
         () -> {
-          robot.mouseMove(place.get());
+          robot.mouseMove(onFx(place));
           robot.mouseClick(MouseButton.PRIMARY);
         });
   }
 
+  private static boolean isSeen(Node node) {
+    for (Node above = node; above != null; above = above.getParent()) {
+      if (!above.isVisible()) {
+        return false;
+      }
+    }
+    return node.getLayoutBounds().getWidth() > 0;
+  }
+
+  /** Waits until the window has been laid out once more. */
+  private void afterLayout() {
+    CompletableFuture<Void> laidOut = new CompletableFuture<>();
+    Runnable listener = () -> laidOut.complete(null);
+    run(
+        () -> {
+          stage.getScene().addPostLayoutPulseListener(listener);
+          Platform.requestNextPulse();
+        });
+    join(laidOut);
+    run(() -> stage.getScene().removePostLayoutPulseListener(listener));
+  }
+
+  /**
+   * Turns the wheel in the middle of a node. Not by the robot, because headless and real screens do
+   * not agree on the direction of its wheel.
+   *
+   * @param notches away from the person if positive
+   */
+  void wheel(String id, int notches) {
+    Node node = node(id, Node.class);
+    run(
+        () -> {
+          Bounds bounds = node.getLayoutBounds();
+          node.fireEvent(scroll(bounds.getCenterX(), bounds.getCenterY(), 40.0 * notches));
+        });
+  }
+
+  private static ScrollEvent scroll(double x, double y, double deltaY) {
+    return new ScrollEvent(
+        ScrollEvent.SCROLL,
+        x,
+        y,
+        x,
+        y,
+        false,
+        false,
+        false,
+        false,
+        false,
+        false,
+        0,
+        deltaY,
+        0,
+        deltaY,
+        40,
+        40,
+        ScrollEvent.HorizontalTextScrollUnits.NONE,
+        0,
+        ScrollEvent.VerticalTextScrollUnits.NONE,
+        0,
+        0,
+        null);
+  }
+
+  /** Presses keys together. */
   void press(KeyCode... keys) {
     run(
         () -> {
@@ -248,6 +357,9 @@ final class ViewerHarness implements AutoCloseable {
   public void close() {
     if (onFx(stage::isShowing)) {
       run(stage::close);
+    }
+    for (Throwable fault : faults) {
+      throw new AssertionError("a fault on the JavaFX thread", fault);
     }
   }
 }

@@ -1,0 +1,189 @@
+package haltere.ui.viewer;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.core.chain.ChainStage;
+import haltere.core.chain.ConfigurableFilter;
+import haltere.core.chain.FilterTiming;
+import haltere.core.settings.SettingsSchema;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import javafx.scene.control.ChoiceBox;
+import javafx.scene.control.Slider;
+import javafx.scene.control.TextField;
+import javafx.scene.input.KeyCode;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The chain and its settings, changed by clicks in the real window. */
+class ChainPanelTest {
+  private static final String NOISE = "background-activity";
+  private ViewerHarness viewer;
+
+  @BeforeEach
+  void open() {
+    viewer = ViewerHarness.withBlob();
+  }
+
+  @AfterEach
+  void close() {
+    viewer.close();
+  }
+
+  @Test
+  void aFilterThatIsOffCountsNoMore() {
+    ChainStage stage = viewer.session().chain().stage(NOISE);
+    viewer.waitFor("events through the filter", () -> stage.timing().eventsIn() > 0);
+    viewer.waitFor("counts are shown", () -> viewer.text("counts-" + NOISE).contains("ev/s"));
+    viewer.click("power-" + NOISE);
+    viewer.waitFor("off", () -> !stage.isEnabled());
+    FilterTiming then = stage.timing();
+    long eventsIn = viewer.status().eventsIn();
+    viewer.waitFor("more events", () -> viewer.status().eventsIn() > eventsIn + 100);
+    assertEquals(then, stage.timing());
+    viewer.waitFor("the panel says so", () -> viewer.text("counts-" + NOISE).equals("off"));
+    viewer.click("power-" + NOISE);
+    viewer.waitFor("on again", () -> stage.timing().eventsIn() > then.eventsIn());
+  }
+
+  @Test
+  void aSliderReachesTheFilter() {
+    viewer.click("expand-" + NOISE);
+    long before = longValue(NOISE, "correlationUs");
+    viewer.click("slider-" + NOISE + "-correlationUs", 0.9, 0.5);
+    viewer.waitFor("a larger value", () -> longValue(NOISE, "correlationUs") > before);
+    TextField entry = viewer.node("entry-" + NOISE + "-correlationUs", TextField.class);
+    assertEquals(Long.toString(longValue(NOISE, "correlationUs")), viewer.onFx(entry::getText));
+    viewer.click("reset-" + NOISE + "-correlationUs");
+    viewer.waitFor("the default", () -> longValue(NOISE, "correlationUs") == before);
+  }
+
+  @Test
+  void anEntryIsExactAndAWrongOneSaysWhatWouldDo() {
+    viewer.click("expand-" + NOISE);
+    enter("entry-" + NOISE + "-neighbours", "3");
+    viewer.waitFor("three neighbours", () -> longValue(NOISE, "neighbours") == 3);
+    Slider slider = viewer.node("slider-" + NOISE + "-neighbours", Slider.class);
+    assertEquals(2 / 7.0, viewer.onFx(slider::getValue), 1e-9);
+    enter("entry-" + NOISE + "-neighbours", "9");
+    viewer.waitFor("the problem", () -> !viewer.text("problem-" + NOISE + "-neighbours").isEmpty());
+    String problem = viewer.text("problem-" + NOISE + "-neighbours");
+    assertTrue(problem.contains("1 to 8"), problem);
+    assertEquals(3, longValue(NOISE, "neighbours"));
+    enter("entry-" + NOISE + "-neighbours", "4");
+    viewer.waitFor("four neighbours", () -> longValue(NOISE, "neighbours") == 4);
+    assertEquals("", viewer.text("problem-" + NOISE + "-neighbours"));
+    viewer.click("reset-all-" + NOISE);
+    viewer.waitFor("defaults", () -> longValue(NOISE, "neighbours") == 1);
+  }
+
+  @Test
+  void checkBoxesAndChoicesReachTheFilter() {
+    viewer.click("expand-" + NOISE);
+    viewer.click("check-" + NOISE + "-samePolarity");
+    viewer.waitFor("the flag", () -> Boolean.TRUE.equals(value(NOISE, "samePolarity")));
+    add("refractory");
+    viewer.click("expand-refractory");
+    ChoiceBox<?> choice = viewer.node("choice-refractory-silence", ChoiceBox.class);
+    viewer.run(() -> choice.getSelectionModel().select(1));
+    viewer.waitFor(
+        "the choice", () -> value("refractory", "silence").toString().equals("SINCE_LAST_SEEN"));
+  }
+
+  @Test
+  void filtersAreAddedMovedAndRemoved() {
+    List<String> before = names();
+    add("refractory");
+    String last = before.get(before.size() - 1);
+    assertEquals(before.size() + 1, names().size());
+    assertEquals("refractory", names().get(before.size()));
+    viewer.click("more-refractory");
+    fire("up-refractory");
+    viewer.waitFor("it moved", () -> names().indexOf("refractory") == before.size() - 1);
+    assertEquals(last, names().get(before.size()));
+    viewer.click("more-refractory");
+    fire("down-refractory");
+    viewer.waitFor("it moved back", () -> names().indexOf("refractory") == before.size());
+    viewer.click("more-refractory");
+    fire("remove-refractory");
+    viewer.waitFor("it is gone", () -> names().equals(before));
+    viewer.waitFor("its card is gone", () -> !viewer.isThere("stage-refractory"));
+  }
+
+  @Test
+  void aChainIsSavedAndLoaded(@TempDir Path folder) throws Exception {
+    Path file = folder.resolve("chain.json");
+    viewer.click("expand-" + NOISE);
+    enter("entry-" + NOISE + "-neighbours", "5");
+    viewer.waitFor("five neighbours", () -> longValue(NOISE, "neighbours") == 5);
+    viewer.run(() -> viewer.window.saveChain(file));
+    viewer.waitFor("the file", () -> Files.exists(file));
+    viewer.click("more-" + NOISE);
+    fire("remove-" + NOISE);
+    viewer.waitFor("it is gone", () -> !names().contains(NOISE));
+    viewer.run(() -> viewer.window.loadChain(file));
+    viewer.waitFor("it is back", () -> names().contains(NOISE) && viewer.isThere("stage-" + NOISE));
+    assertEquals(5, longValue(NOISE, "neighbours"));
+
+    Files.writeString(file, "{\"filters\": [{\"filter\": \"nonsense\"}]}");
+    viewer.run(() -> viewer.window.loadChain(file));
+    viewer.waitFor(
+        "the error", () -> viewer.text("status-message").contains("no filter named nonsense"));
+    assertTrue(names().contains(NOISE));
+  }
+
+  @Test
+  void settingsStayWhenAnotherSourceIsOpened() {
+    viewer.click("expand-" + NOISE);
+    enter("entry-" + NOISE + "-neighbours", "2");
+    viewer.waitFor("two neighbours", () -> longValue(NOISE, "neighbours") == 2);
+    ViewerSession before = viewer.session();
+    viewer.run(viewer.window::openScene);
+    viewer.waitFor("the scene", () -> viewer.session() != before);
+    assertEquals(2, longValue(NOISE, "neighbours"));
+    assertFalse(viewer.text("status-message").contains("problem"));
+  }
+
+  private void add(String filter) {
+    viewer.click("add-filter");
+    fire("add-" + filter);
+    viewer.waitFor("a card for it", () -> viewer.isThere("stage-" + filter));
+  }
+
+  /** Clicks an item of the menu that is open. */
+  private void fire(String item) {
+    viewer.waitFor("menu item " + item, () -> viewer.isThere(item));
+    viewer.click(item);
+  }
+
+  private void enter(String id, String text) {
+    viewer.click(id);
+    TextField entry = viewer.node(id, TextField.class);
+    viewer.waitFor("focus", entry::isFocused);
+    viewer.run(() -> entry.setText(text));
+    viewer.press(KeyCode.ENTER);
+  }
+
+  private List<String> names() {
+    return viewer.session().chain().stages().stream().map(ChainStage::name).toList();
+  }
+
+  private long longValue(String stage, String name) {
+    return ((Number) value(stage, name)).longValue();
+  }
+
+  private Object value(String stage, String name) {
+    var filter = (ConfigurableFilter<?>) viewer.session().chain().stage(stage).filter();
+    return get(filter.settings(), name);
+  }
+
+  @SuppressWarnings("unchecked")
+  private static <S extends Record> Object get(S settings, String name) {
+    return SettingsSchema.of((Class<S>) settings.getClass()).get(settings, name);
+  }
+}

@@ -1,0 +1,212 @@
+package haltere.ui.viewer;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import atlantafx.base.theme.Styles;
+import haltere.core.event.EventPacket;
+import haltere.core.playback.Loop;
+import haltere.core.playback.Mark;
+import haltere.core.playback.PlayerStatus.State;
+import haltere.core.playback.Slicing;
+import haltere.core.stream.Reset;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.OptionalLong;
+import java.util.concurrent.CopyOnWriteArrayList;
+import javafx.scene.control.ChoiceBox;
+import javafx.scene.control.TextField;
+import javafx.scene.input.KeyCode;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Transport by buttons and keys, in the real window. */
+class PlaybackTest {
+  private static final long LENGTH_US = 4_000_000;
+
+  @TempDir Path folder;
+  private ViewerHarness viewer;
+
+  @AfterEach
+  void close() {
+    viewer.close();
+  }
+
+  @Test
+  void spaceAndTheButtonPauseAndPlay() {
+    viewer = ViewerHarness.withBlob();
+    viewer.waitFor("playing", () -> viewer.status().state() == State.PLAYING);
+    viewer.press(KeyCode.SPACE);
+    viewer.waitFor("paused by key", () -> viewer.status().state() == State.PAUSED);
+    long elapsed = viewer.status().elapsedUs();
+    viewer.click("play");
+    viewer.waitFor(
+        "playing by click",
+        () -> viewer.status().state() == State.PLAYING && viewer.status().elapsedUs() > elapsed);
+    viewer.click("play");
+    viewer.waitFor("paused by click", () -> viewer.status().state() == State.PAUSED);
+    // the button has the focus now, and Space must not press it a second time
+    viewer.press(KeyCode.SPACE);
+    viewer.waitFor("playing by key", () -> viewer.status().state() == State.PLAYING);
+  }
+
+  @Test
+  void stepsGoOneSliceOnAndBack() throws IOException {
+    viewer = ViewerHarness.withRecording(folder, LENGTH_US);
+    viewer.pause();
+    ViewerHarness.join(viewer.session().player().seek(1_000_000));
+    long start = viewer.status().elapsedUs();
+    viewer.click("step-forward");
+    viewer.waitFor("a step on", () -> viewer.status().elapsedUs() > start);
+    long slice = viewer.status().sliceUs();
+    assertEquals(start + slice, viewer.status().elapsedUs(), 1);
+    viewer.press(KeyCode.PERIOD);
+    viewer.waitFor("another step on", () -> viewer.status().elapsedUs() >= start + 2 * slice - 1);
+    viewer.press(KeyCode.COMMA);
+    viewer.click("step-back");
+    viewer.waitFor("two steps back", () -> viewer.status().elapsedUs() <= start + 1);
+    assertEquals(start, viewer.status().elapsedUs(), 2);
+    assertEquals(State.PAUSED, viewer.status().state());
+  }
+
+  @Test
+  void aClickOnTheSeekBarGoesThere() throws IOException {
+    viewer = ViewerHarness.withRecording(folder, LENGTH_US);
+    viewer.pause();
+    viewer.click("seek-bar", 0.75, 0.5);
+    viewer.waitFor("three quarters", () -> viewer.status().elapsedUs() > LENGTH_US / 2);
+    assertEquals(0.75 * LENGTH_US, viewer.status().elapsedUs(), 0.01 * LENGTH_US);
+    viewer.click("seek-bar", 0.25, 0.5);
+    viewer.waitFor("one quarter", () -> viewer.status().elapsedUs() < LENGTH_US / 2);
+    assertEquals(0.25 * LENGTH_US, viewer.status().elapsedUs(), 0.01 * LENGTH_US);
+  }
+
+  @Test
+  void arrowsHomeAndEndJump() throws IOException {
+    viewer = ViewerHarness.withRecording(folder, LENGTH_US);
+    viewer.pause();
+    viewer.press(KeyCode.HOME);
+    viewer.waitFor("the start", () -> viewer.status().elapsedUs() == 0);
+    viewer.press(KeyCode.RIGHT);
+    viewer.press(KeyCode.RIGHT);
+    viewer.waitFor("two seconds on", () -> viewer.status().elapsedUs() == 2_000_000);
+    viewer.press(KeyCode.LEFT);
+    viewer.waitFor("one second back", () -> viewer.status().elapsedUs() == 1_000_000);
+    viewer.press(KeyCode.END);
+    viewer.waitFor("the end", () -> viewer.status().elapsedUs() > 3_900_000);
+  }
+
+  @Test
+  void rewindGoesToTheStartAndTellsEveryone() {
+    viewer = ViewerHarness.withBlob();
+    List<StreamNotification> seen = new CopyOnWriteArrayList<>();
+    viewer
+        .session()
+        .player()
+        .addSink(
+            new StreamHandler() {
+              @Override
+              public void packet(EventPacket packet) {}
+
+              @Override
+              public void notified(StreamNotification notification) {
+                seen.add(notification);
+              }
+            });
+    viewer.pause();
+    long before = viewer.status().elapsedUs();
+    assertTrue(before > 0);
+    viewer.press(KeyCode.R);
+    viewer.waitFor("the start", () -> viewer.status().elapsedUs() == 0);
+    assertTrue(
+        seen.stream()
+            .anyMatch(item -> item instanceof Reset reset && reset.cause() == Reset.Cause.REWIND));
+    viewer.press(KeyCode.Z);
+    viewer.waitFor(
+        "a user reset",
+        () ->
+            seen.stream()
+                .anyMatch(
+                    item -> item instanceof Reset reset && reset.cause() == Reset.Cause.USER));
+  }
+
+  @Test
+  void fAndSChangeTheSpeedByFourthRoots() {
+    viewer = ViewerHarness.withBlob();
+    for (int i = 0; i < 4; i++) {
+      viewer.press(KeyCode.F);
+    }
+    viewer.waitFor("twice as fast", () -> Math.abs(viewer.status().speed() - 2) < 1e-9);
+    assertEquals("2\u00d7", viewer.text("speed"));
+    for (int i = 0; i < 8; i++) {
+      viewer.press(KeyCode.S);
+    }
+    viewer.waitFor("half as fast", () -> Math.abs(viewer.status().speed() - 0.5) < 1e-9);
+    assertEquals("1/2\u00d7", viewer.text("speed"));
+    viewer.click("faster");
+    viewer.click("faster");
+    viewer.click("slower");
+    viewer.waitFor(
+        "clicks count", () -> Math.abs(viewer.status().speed() - Math.pow(2, -0.75)) < 1e-9);
+  }
+
+  @Test
+  void loopPointsAndMarksAreSetWherePlaybackIs() throws IOException {
+    viewer = ViewerHarness.withRecording(folder, LENGTH_US);
+    viewer.pause();
+    ViewerHarness.join(viewer.session().player().seek(1_000_000));
+    PlaybackController playback = viewer.window.playback();
+    viewer.press(KeyCode.I);
+    viewer.waitFor("its start", () -> playback.loopProperty().get().inUs().isPresent());
+    ViewerHarness.join(viewer.session().player().seek(2_000_000));
+    viewer.press(KeyCode.M);
+    viewer.waitFor("the mark", () -> !playback.marks().isEmpty());
+    viewer.click("mark-out");
+    viewer.waitFor("its end", () -> playback.loopProperty().get().outUs().isPresent());
+    Loop loop = viewer.onFx(() -> playback.loopProperty().get());
+    assertEquals(OptionalLong.of(1_000_000), loop.inUs(), loop + " " + viewer.status());
+    assertEquals(2_000_000 + viewer.status().sliceUs(), loop.outUs().getAsLong());
+    assertEquals(List.of(new Mark("Mark 1", 2_000_000)), viewer.session().player().marks());
+    viewer.press(KeyCode.J);
+    viewer.press(KeyCode.R);
+    viewer.waitFor("the loop's start", () -> viewer.status().elapsedUs() == 1_000_000);
+    viewer.press(KeyCode.K);
+    viewer.waitFor("the mark", () -> viewer.status().elapsedUs() == 2_000_000);
+    viewer.press(KeyCode.L);
+    viewer.waitFor("no loop", () -> !playback.loopProperty().get().on());
+  }
+
+  @Test
+  void slicesByTimeAndCount() {
+    viewer = ViewerHarness.withBlob();
+    ChoiceBox<?> mode = viewer.node("slicing", ChoiceBox.class);
+    viewer.run(() -> mode.getSelectionModel().select(1));
+    viewer.waitFor("slices of 20 ms", () -> viewer.status().sliceUs() == 20_000);
+    TextField size = viewer.node("slice-size", TextField.class);
+    viewer.run(
+        () -> {
+          size.requestFocus();
+          size.setText("3000");
+        });
+    viewer.press(KeyCode.ENTER);
+    viewer.waitFor("slices of 3 ms", () -> viewer.status().sliceUs() == 3000);
+    viewer.run(() -> mode.getSelectionModel().select(2));
+    viewer.waitFor("a size for it", () -> size.getText().equals("5000"));
+    PlaybackController playback = viewer.window.playback();
+    assertEquals(new Slicing.ByCount(5000), viewer.onFx(() -> playback.slicingProperty().get()));
+    viewer.run(
+        () -> {
+          size.requestFocus();
+          size.setText("none");
+        });
+    viewer.press(KeyCode.ENTER);
+    viewer.waitFor(
+        "the entry is marked as wrong",
+        () -> size.getPseudoClassStates().contains(Styles.STATE_DANGER));
+    assertEquals(new Slicing.ByCount(5000), viewer.onFx(() -> playback.slicingProperty().get()));
+  }
+}
