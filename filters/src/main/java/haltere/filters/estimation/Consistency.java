@@ -1,0 +1,109 @@
+package haltere.filters.estimation;
+
+import org.ejml.data.DMatrixRMaj;
+
+/**
+ * Tells whether an estimator is as sure as it says: normalised errors and innovations squared,
+ * their bands, and whether innovations are white.
+ *
+ * <p>Bar-Shalom, Li and Kirubarajan (2001), "Estimation with Applications to Tracking and
+ * Navigation", section 5.4: NEES eq. 5.4.2-3, NIS eq. 5.4.2-8, autocorrelation eq. 5.4.2-13.
+ */
+public final class Consistency {
+  private Consistency() {}
+
+  /**
+   * Normalised estimation error squared, eᵀ P⁻¹ e. Its mean over runs is the state's dimension.
+   *
+   * @param error estimate minus truth
+   * @param covariance of the estimate, positive definite
+   * @return at least 0
+   */
+  public static double nees(DMatrixRMaj error, DMatrixRMaj covariance) {
+    PositiveDefinite p = new PositiveDefinite();
+    if (!p.factor(covariance)) {
+      throw new IllegalArgumentException("covariance is not positive definite");
+    }
+    return p.quadratic(error);
+  }
+
+  /**
+   * Normalised estimation error squared of an estimate.
+   *
+   * @param estimate state and covariance
+   * @param truth the true state
+   * @return at least 0; its mean over runs is the state's dimension
+   */
+  public static double nees(Estimate estimate, double... truth) {
+    DMatrixRMaj error = estimate.state().toMatrix();
+    if (truth.length != error.numRows) {
+      throw new IllegalArgumentException(
+          "truth has " + truth.length + " entries, the state " + error.numRows);
+    }
+    for (int i = 0; i < truth.length; i++) {
+      error.add(i, 0, -truth[i]);
+    }
+    return nees(error, estimate.covariance().toMatrix());
+  }
+
+  /**
+   * Normalised innovation squared, yᵀ S⁻¹ y. Its mean is the measurement's dimension.
+   *
+   * @param innovation measurement minus expectation
+   * @param innovationCovariance S, positive definite
+   * @return at least 0
+   */
+  public static double nis(DMatrixRMaj innovation, DMatrixRMaj innovationCovariance) {
+    return nees(innovation, innovationCovariance);
+  }
+
+  /**
+   * The band in which the mean of independent NEES or NIS values lies when the estimator is
+   * consistent.
+   *
+   * @param dimension of the state (NEES) or of the measurement (NIS)
+   * @param samples independent values that the mean is taken of
+   * @param confidence such as 0.95
+   * @return around the dimension
+   */
+  public static Interval meanBand(int dimension, int samples, double confidence) {
+    Require.atLeast("dimension", 1, dimension);
+    Require.atLeast("samples", 1, samples);
+    Interval sum = ChiSquare.band(confidence, (double) dimension * samples);
+    return new Interval(sum.lower() / samples, sum.upper() / samples);
+  }
+
+  /**
+   * Autocorrelation of a series of innovations with itself one step later. Near 0 for a consistent
+   * filter; of normalised innovations (divided by √S) where S changes.
+   *
+   * @param innovations scalar innovations in order, at least 2
+   * @return −1 to 1; 0 if all are 0
+   */
+  public static double lagOneAutocorrelation(double[] innovations) {
+    Require.atLeast("innovations", 2, innovations.length);
+    double products = 0;
+    double earlier = 0;
+    double later = 0;
+    for (int i = 1; i < innovations.length; i++) {
+      products += innovations[i - 1] * innovations[i];
+      earlier += innovations[i - 1] * innovations[i - 1];
+      later += innovations[i] * innovations[i];
+    }
+    double scale = Math.sqrt(earlier * later);
+    return scale == 0 ? 0 : products / scale;
+  }
+
+  /**
+   * The band in which the lag-one autocorrelation of a white series lies.
+   *
+   * @param innovations how many the series has
+   * @param confidence such as 0.95
+   * @return around 0, half as wide as the normal quantile over the root of the number
+   */
+  public static Interval whitenessBand(int innovations, double confidence) {
+    Require.atLeast("innovations", 2, innovations);
+    double half = Math.sqrt(ChiSquare.quantile(confidence, 1) / (innovations - 1));
+    return new Interval(-half, half);
+  }
+}

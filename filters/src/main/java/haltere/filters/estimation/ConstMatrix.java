@@ -1,0 +1,108 @@
+package haltere.filters.estimation;
+
+import java.util.Arrays;
+import org.ejml.data.DMatrixRMaj;
+
+/** A matrix, or a column vector, that cannot change: what estimates and steps are made of. */
+public final class ConstMatrix {
+  private final int rows;
+  private final int columns;
+  private final double[] values;
+
+  private ConstMatrix(int rows, int columns, double[] values) {
+    this.rows = rows;
+    this.columns = columns;
+    this.values = values;
+  }
+
+  /**
+   * A copy.
+   *
+   * @param matrix to copy
+   * @return independent of the matrix from now on
+   */
+  public static ConstMatrix copyOf(DMatrixRMaj matrix) {
+    return new ConstMatrix(
+        matrix.numRows, matrix.numCols, Arrays.copyOf(matrix.data, matrix.getNumElements()));
+  }
+
+  /**
+   * Number of rows.
+   *
+   * @return at least 0
+   */
+  public int rows() {
+    return rows;
+  }
+
+  /**
+   * Number of columns.
+   *
+   * @return at least 0; 1 for a vector
+   */
+  public int columns() {
+    return columns;
+  }
+
+  /**
+   * An entry.
+   *
+   * @param row from 0
+   * @param column from 0
+   * @return its value
+   */
+  public double get(int row, int column) {
+    return values[checked(row, rows) * columns + checked(column, columns)];
+  }
+
+  /**
+   * An entry of a vector, or the entries of a matrix row by row.
+   *
+   * @param index from 0
+   * @return its value
+   */
+  public double get(int index) {
+    return values[index];
+  }
+
+  /**
+   * A matrix to calculate with.
+   *
+   * @return a new one at each call
+   */
+  public DMatrixRMaj toMatrix() {
+    return new DMatrixRMaj(rows, columns, true, values.clone());
+  }
+
+  private static int checked(int index, int size) {
+    if (index < 0 || index >= size) {
+      throw new IndexOutOfBoundsException(index + " of " + size);
+    }
+    return index;
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof ConstMatrix that
+        && rows == that.rows
+        && columns == that.columns
+        && Arrays.equals(values, that.values);
+  }
+
+  @Override
+  public int hashCode() {
+    return 31 * (31 * rows + columns) + Arrays.hashCode(values);
+  }
+
+  @Override
+  public String toString() {
+    StringBuilder text = new StringBuilder("[");
+    for (int i = 0; i < values.length; i++) {
+      if (i > 0) {
+        text.append(i % columns == 0 ? "; " : ", ");
+      }
+      text.append(values[i]);
+    }
+    return text.append(']').toString();
+  }
+}

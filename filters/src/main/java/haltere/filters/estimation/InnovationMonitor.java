@@ -1,0 +1,134 @@
+package haltere.filters.estimation;
+
+/**
+ * Counts what became of measurements and finds losses of lock: runs of gated innovations.
+ *
+ * <p>A measurement that cannot be used (NaN) neither lengthens nor ends a run. Thread rule: that of
+ * its estimator.
+ */
+public final class InnovationMonitor {
+  /** Gated innovations in a row that mean a loss of lock, unless said otherwise. */
+  public static final int DEFAULT_LOSS_AFTER = 20;
+
+  private final int lossAfter;
+  private long applied;
+  private long gated;
+  private long unusable;
+  private long lossesOfLock;
+  private int run;
+  private int longestRun;
+
+  /**
+   * A monitor that has seen nothing.
+   *
+   * @param lossAfter gated innovations in a row that mean a loss of lock, at least 1
+   */
+  public InnovationMonitor(int lossAfter) {
+    this.lossAfter = Require.atLeast("gated innovations until lock is lost", 1, lossAfter);
+  }
+
+  /**
+   * Notes a measurement that was taken in.
+   *
+   * @return {@link UpdateOutcome#APPLIED}
+   */
+  public UpdateOutcome noteApplied() {
+    applied++;
+    run = 0;
+    return UpdateOutcome.APPLIED;
+  }
+
+  /**
+   * Notes a measurement outside the gate.
+   *
+   * @return {@link UpdateOutcome#GATED}, or {@link UpdateOutcome#LOCK_LOST} as long as the lock is
+   *     lost
+   */
+  public UpdateOutcome noteGated() {
+    gated++;
+    run++;
+    longestRun = Math.max(longestRun, run);
+    if (run == lossAfter) {
+      lossesOfLock++;
+    }
+    return run >= lossAfter ? UpdateOutcome.LOCK_LOST : UpdateOutcome.GATED;
+  }
+
+  /**
+   * Notes a measurement that is not a number.
+   *
+   * @return {@link UpdateOutcome#UNUSABLE}
+   */
+  public UpdateOutcome noteUnusable() {
+    unusable++;
+    return UpdateOutcome.UNUSABLE;
+  }
+
+  /** Ends the present run, as a new launch of the filter does; the counts stay. */
+  public void endRun() {
+    run = 0;
+  }
+
+  /**
+   * Whether the last innovations in a row were gated, and too many of them.
+   *
+   * @return true until a measurement is taken in, or the filter launched anew
+   */
+  public boolean lockLost() {
+    return run >= lossAfter;
+  }
+
+  /**
+   * Measurements taken in.
+   *
+   * @return at least 0
+   */
+  public long applied() {
+    return applied;
+  }
+
+  /**
+   * Measurements outside the gate.
+   *
+   * @return at least 0
+   */
+  public long gated() {
+    return gated;
+  }
+
+  /**
+   * Measurements that were not numbers.
+   *
+   * @return at least 0
+   */
+  public long unusable() {
+    return unusable;
+  }
+
+  /**
+   * How often the lock was lost.
+   *
+   * @return at least 0
+   */
+  public long lossesOfLock() {
+    return lossesOfLock;
+  }
+
+  /**
+   * Gated innovations since the last one that was taken in.
+   *
+   * @return at least 0
+   */
+  public int run() {
+    return run;
+  }
+
+  /**
+   * The longest run of gated innovations so far.
+   *
+   * @return at least {@link #run()}
+   */
+  public int longestRun() {
+    return longestRun;
+  }
+}

@@ -1,0 +1,8 @@
+package haltere.filters.estimation;
+
+/**
+ * A filter was set to a state and covariance from outside: at first, anew, or by mixing.
+ *
+ * @param estimate what it was set to
+ */
+public record Launch(Estimate estimate) implements FilterStep {}

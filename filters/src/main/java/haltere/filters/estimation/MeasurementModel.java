@@ -1,0 +1,63 @@
+package haltere.filters.estimation;
+
+import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.CommonOps_DDRM;
+
+/**
+ * How a measurement comes from a state: z = h(x) + v, v of covariance R; one method per equation.
+ *
+ * <p>Outputs are preallocated with the right size and hold anything; a model fills every entry and
+ * allocates nothing.
+ */
+public interface MeasurementModel {
+  /**
+   * Dimension of the measurement.
+   *
+   * @return at least 1
+   */
+  int size();
+
+  /**
+   * The measurement that a state leads one to expect: h(x).
+   *
+   * @param x state, not to be changed
+   * @param z expected measurement
+   */
+  void expected(DMatrixRMaj x, DMatrixRMaj z);
+
+  /**
+   * The Jacobian of {@link #expected} by the state: H = ∂h/∂x at x.
+   *
+   * @param x state, not to be changed
+   * @param h a row per measured number, a column per state
+   */
+  void jacobian(DMatrixRMaj x, DMatrixRMaj h);
+
+  /**
+   * The covariance of the measurement's own noise.
+   *
+   * @param x state, not to be changed; most models need it not
+   * @param r square, symmetric, positive definite
+   */
+  void noise(DMatrixRMaj x, DMatrixRMaj r);
+
+  /**
+   * The innovation y = z − h(x). A model of angles overrides this and wraps: {@link Angles#wrapPi}.
+   *
+   * @param z measurement
+   * @param expected h(x)
+   * @param y innovation
+   */
+  default void residual(DMatrixRMaj z, DMatrixRMaj expected, DMatrixRMaj y) {
+    CommonOps_DDRM.subtract(z, expected, y);
+  }
+
+  /**
+   * Which innovations are believed.
+   *
+   * @return the gate, open unless overridden
+   */
+  default Gate gate() {
+    return Gate.OPEN;
+  }
+}

@@ -1,0 +1,45 @@
+package haltere.filters.estimation;
+
+import org.ejml.data.DMatrixRMaj;
+
+/**
+ * How a state evolves: one method per equation.
+ *
+ * <p>Outputs are preallocated with the right size and hold anything; a model fills every entry and
+ * allocates nothing. A model is not changed by being used, unless it says so.
+ */
+public interface ProcessModel {
+  /**
+   * Dimension of the state.
+   *
+   * @return at least 1
+   */
+  int stateSize();
+
+  /**
+   * The state after a time step: f(x, Δt).
+   *
+   * @param x state, not to be changed
+   * @param dtS seconds, more than 0
+   * @param evolved the state after the step, never the same object as x
+   */
+  void evolve(DMatrixRMaj x, double dtS, DMatrixRMaj evolved);
+
+  /**
+   * The Jacobian of {@link #evolve} by the state: F = ∂f/∂x at x.
+   *
+   * @param x state before the step, not to be changed
+   * @param dtS seconds, more than 0
+   * @param f square
+   */
+  void jacobian(DMatrixRMaj x, double dtS, DMatrixRMaj f);
+
+  /**
+   * The covariance that a time step adds: a spectral density, integrated over the step.
+   *
+   * @param x state before the step, not to be changed
+   * @param dtS seconds, more than 0
+   * @param q square, symmetric, positive semidefinite
+   */
+  void noise(DMatrixRMaj x, double dtS, DMatrixRMaj q);
+}

@@ -1,0 +1,76 @@
+package haltere.filters.estimation;
+
+import java.util.Objects;
+
+/**
+ * The classical Runge-Kutta method of fourth order: Kutta (1901); Press et al., "Numerical
+ * Recipes", eq. 16.1.3. A step's error falls with the fifth power of its length.
+ *
+ * <p>Thread rule: not safe for use by two threads at a time.
+ */
+public final class RungeKutta4 {
+  /** The right-hand side of dx/dt = f(x). */
+  @FunctionalInterface
+  public interface Derivative {
+    /**
+     * Computes the derivative.
+     *
+     * @param x state, not to be changed
+     * @param derivative dx/dt, per second; every entry is to be filled
+     */
+    void at(double[] x, double[] derivative);
+  }
+
+  private final Derivative derivative;
+  private final double[] k1;
+  private final double[] k2;
+  private final double[] k3;
+  private final double[] k4;
+  private final double[] between;
+
+  /**
+   * An integrator of one equation.
+   *
+   * @param size dimension of the state
+   * @param derivative right-hand side
+   */
+  public RungeKutta4(int size, Derivative derivative) {
+    this.derivative = Objects.requireNonNull(derivative, "derivative");
+    k1 = new double[size];
+    k2 = new double[size];
+    k3 = new double[size];
+    k4 = new double[size];
+    between = new double[size];
+  }
+
+  /**
+   * Goes forward in equal steps.
+   *
+   * @param x state, replaced by that at the end
+   * @param dtS seconds in all
+   * @param steps how many, at least 1
+   */
+  public void integrate(double[] x, double dtS, int steps) {
+    double h = dtS / Require.atLeast("steps", 1, steps);
+    for (int i = 0; i < steps; i++) {
+      step(x, h);
+    }
+  }
+
+  private void step(double[] x, double h) {
+    derivative.at(x, k1);
+    derivative.at(along(x, 0.5 * h, k1), k2);
+    derivative.at(along(x, 0.5 * h, k2), k3);
+    derivative.at(along(x, h, k3), k4);
+    for (int i = 0; i < x.length; i++) {
+      x[i] += h / 6 * (k1[i] + 2 * k2[i] + 2 * k3[i] + k4[i]);
+    }
+  }
+
+  private double[] along(double[] x, double h, double[] slope) {
+    for (int i = 0; i < x.length; i++) {
+      between[i] = x[i] + h * slope[i];
+    }
+    return between;
+  }
+}

@@ -1,0 +1,83 @@
+package haltere.filters.estimation;
+
+import static haltere.filters.estimation.Matrices.column;
+import static haltere.filters.estimation.Matrices.diagonal;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.api.Test;
+
+class GateTest {
+  @Test
+  void aScalarPassesUpToGStandardDeviations() {
+    Gate gate = Gate.sigmas(3);
+    assertTrue(gate.passes(9, 1));
+    assertFalse(gate.passes(Math.nextUp(9.0), 1));
+    assertFalse(gate.passes(Double.NaN, 1));
+    assertTrue(Gate.OPEN.passes(1e300, 1));
+  }
+
+  @Test
+  void aVectorPassesWithTheSameProbabilityAsAScalar() {
+    Gate gate = Gate.sigmas(3);
+    for (int m = 1; m <= 12; m++) {
+      assertEquals(ChiSquare.exceedance(9, 1), ChiSquare.exceedance(gate.threshold(m), m), 1e-14);
+    }
+    assertEquals(5.991, Gate.probability(0.95).threshold(2), 5e-4);
+  }
+
+  @Test
+  void gatesWithoutMeaningAreRefused() {
+    for (double g : new double[] {0, -1, 31, Double.NaN}) {
+      assertThrows(IllegalArgumentException.class, () -> Gate.sigmas(g));
+    }
+    assertThrows(IllegalArgumentException.class, () -> Gate.probability(1));
+  }
+
+  @Test
+  void theShareOfGoodMeasurementsThatAGateRefusesIsItsOwn() {
+    KalmanFilter filter =
+        new KalmanFilter(new ConstantVelocity(1, 1), column(0, 0), diagonal(1, 1));
+    LinearMeasurement position =
+        LinearMeasurement.ofEntries(2, 0.5, 0).withGate(Gate.probability(0.9));
+    Draws draws = new Draws(5);
+    int n = 20_000;
+    for (int i = 0; i < n; i++) {
+      filter.launch(column(0, 0), diagonal(1, 1));
+      filter.update(position, draws.normal(Math.sqrt(1.5)));
+    }
+    double refused = filter.monitor().gated() / (double) n;
+    assertEquals(0.1, refused, 4 * Math.sqrt(0.09 / n));
+    assertEquals(n, filter.monitor().gated() + filter.monitor().applied());
+  }
+
+  @Test
+  void refusedMeasurementsAreCountedAndALongRunIsALossOfLock() {
+    KalmanFilter filter =
+        new KalmanFilter(
+            new ConstantVelocity(1, 0),
+            column(0, 0),
+            diagonal(1, 1),
+            FilterOptions.DEFAULT.withLossAfter(3));
+    LinearMeasurement position = LinearMeasurement.ofEntries(2, 1, 0).withGate(Gate.sigmas(3));
+    Estimate before = filter.estimate();
+    assertEquals(UpdateOutcome.GATED, filter.update(position, 100));
+    assertEquals(UpdateOutcome.GATED, filter.update(position, -100));
+    assertFalse(filter.monitor().lockLost());
+    assertEquals(UpdateOutcome.LOCK_LOST, filter.update(position, 100));
+    assertEquals(UpdateOutcome.LOCK_LOST, filter.update(position, 100));
+    assertEquals(before, filter.estimate(), "gated measurements change nothing");
+    assertTrue(filter.monitor().lockLost());
+    assertEquals(1, filter.monitor().lossesOfLock());
+    assertEquals(UpdateOutcome.APPLIED, filter.update(position, 1));
+    assertFalse(filter.monitor().lockLost());
+    assertEquals(UpdateOutcome.UNUSABLE, filter.update(position, Double.NaN));
+    assertEquals(4, filter.monitor().gated());
+    assertEquals(4, filter.monitor().longestRun());
+    assertEquals(0, filter.monitor().run());
+    assertEquals(1, filter.monitor().applied());
+    assertEquals(1, filter.monitor().unusable());
+  }
+}

@@ -1,0 +1,202 @@
+package haltere.filters.estimation;
+
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.CommonOps_DDRM;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Every estimator is as sure as it says, on data drawn from its own model. */
+class HonestyTest {
+  private static final int RUNS = 200;
+  private static final int STEPS = 60;
+
+  /** A filter, and the world that it believes in. */
+  record World(
+      String name,
+      Subject filter,
+      ProcessModel process,
+      MeasurementModel measurement,
+      DMatrixRMaj x0,
+      DMatrixRMaj p0,
+      double dtS) {
+    @Override
+    public String toString() {
+      return name;
+    }
+  }
+
+  static List<World> worlds() {
+    FilterOptions ud = FilterOptions.DEFAULT.withForm(CovarianceForm.UD);
+    DMatrixRMaj x2 = Matrices.column(1, -3);
+    DMatrixRMaj p2 = Matrices.diagonal(4, 9);
+    DMatrixRMaj x3 = Matrices.column(1, -3, 2);
+    DMatrixRMaj p3 = Matrices.diagonal(4, 9, 25);
+    DMatrixRMaj x4 = Matrices.column(60, 0, 60, 0);
+    DMatrixRMaj p4 = Matrices.diagonal(2, 1e4, 2, 1e4);
+    LinearMeasurement position2 = LinearMeasurement.ofEntries(2, 0.3, 0);
+    LinearMeasurement position3 = LinearMeasurement.ofEntries(3, 0.3, 0);
+    LinearMeasurement place = LinearMeasurement.ofEntries(4, 2, 0, 2);
+    ConstantVelocity line = new ConstantVelocity(1, 2);
+    ConstantVelocity plane = new ConstantVelocity(2, 5e3);
+    WhiteJerk jerk = new WhiteJerk(1, 40);
+    ConstantAcceleration fall = new ConstantAcceleration(1, 0.5);
+    double[] wing = {0.02, 0.5, 2, 8000};
+    DMatrixRMaj xWing = Matrices.column(1.5, 1.1, 0.3, 1250);
+    DMatrixRMaj pWing = Matrices.diagonal(0.01, 0.01, 0.05, 400);
+    WingEdge.Angle angle = new WingEdge.Angle(0.006, Gate.OPEN);
+    DampedOscillator spring = new DampedOscillator(20, 1e-4, 1e-3);
+    DMatrixRMaj xSpring = Matrices.column(10, 0, 0.1, 5);
+    DMatrixRMaj pSpring = Matrices.diagonal(1, 1, 1e-4, 0.01);
+    LinearMeasurement displacement = LinearMeasurement.ofEntries(4, 0.04, 0);
+    return List.of(
+        new World(
+            "constant velocity, Joseph",
+            Subject.of(new KalmanFilter(line, x2, p2), position2),
+            line,
+            position2,
+            x2,
+            p2,
+            0.1),
+        new World(
+            "constant velocity, UD",
+            Subject.of(new KalmanFilter(line, x2, p2, ud), position2),
+            line,
+            position2,
+            x2,
+            p2,
+            0.1),
+        new World(
+            "constant velocity in a plane",
+            Subject.of(new KalmanFilter(plane, x4, p4), place),
+            plane,
+            place,
+            x4,
+            p4,
+            0.01),
+        new World(
+            "constant velocity in a plane, written out",
+            Subject.of(new ConstantVelocityPlane(5e3, Gate.OPEN, 20), 2),
+            plane,
+            place,
+            x4,
+            p4,
+            0.01),
+        new World(
+            "white jerk",
+            Subject.of(new KalmanFilter(jerk, x3, p3), position3),
+            jerk,
+            position3,
+            x3,
+            p3,
+            0.1),
+        new World(
+            "constant acceleration, UD",
+            Subject.of(new KalmanFilter(fall, x3, p3, ud), position3),
+            fall,
+            position3,
+            x3,
+            p3,
+            0.1),
+        new World(
+            "wing edge, extended",
+            Subject.of(new ExtendedKalmanFilter(new WingEdge(wing), xWing, pWing), angle),
+            new WingEdge(wing),
+            angle,
+            xWing,
+            pWing,
+            1e-4),
+        new World(
+            "wing edge, extended, UD",
+            Subject.of(new ExtendedKalmanFilter(new WingEdge(wing), xWing, pWing, ud), angle),
+            new WingEdge(wing),
+            angle,
+            xWing,
+            pWing,
+            1e-4),
+        new World(
+            "wing edge, written out",
+            Subject.ofWing(0.006, wing),
+            new WingEdge(wing),
+            angle,
+            xWing,
+            pWing,
+            1e-4),
+        new World(
+            "damped oscillator",
+            Subject.of(new ExtendedKalmanFilter(spring, xSpring, pSpring), displacement),
+            spring,
+            displacement,
+            xSpring,
+            pSpring,
+            0.02));
+  }
+
+  @ParameterizedTest
+  @MethodSource("worlds")
+  void errorsAndInnovationsAreAsLargeAsTheFilterSays(World world) {
+    Verdict verdict = judge(world, world.measurement());
+    int n = world.process().stateSize();
+    int m = world.measurement().size();
+    Interval neesBand = Consistency.meanBand(n, RUNS, 0.95);
+    Interval nisBand = Consistency.meanBand(m, RUNS * STEPS, 0.95);
+    Interval white = Consistency.whitenessBand(RUNS * STEPS, 0.95);
+    assertTrue(neesBand.contains(verdict.nees), "NEES " + verdict.nees + " in " + neesBand);
+    assertTrue(nisBand.contains(verdict.nis), "NIS " + verdict.nis + " in " + nisBand);
+    assertTrue(white.contains(verdict.lagOne), "lag one " + verdict.lagOne + " in " + white);
+  }
+
+  @Test
+  void aFilterThatTrustsItsMeasurementsTooMuchIsFoundOut() {
+    World honest = worlds().get(0);
+    Verdict verdict = judge(honest, LinearMeasurement.ofEntries(2, 0.5, 0));
+    assertFalse(Consistency.meanBand(2, RUNS, 0.95).contains(verdict.nees));
+    assertFalse(Consistency.meanBand(1, RUNS * STEPS, 0.95).contains(verdict.nis));
+    assertFalse(Consistency.whitenessBand(RUNS * STEPS, 0.95).contains(verdict.lagOne));
+  }
+
+  private record Verdict(double nees, double nis, double lagOne) {}
+
+  /** Mean NEES at the end, mean NIS of all, and autocorrelation of the first innovation. */
+  private static Verdict judge(World world, MeasurementModel nature) {
+    Subject filter = world.filter();
+    int m = nature.size();
+    int n = world.process().stateSize();
+    double nees = 0;
+    double nis = 0;
+    double[] innovations = new double[RUNS * STEPS];
+    for (int run = 0; run < RUNS; run++) {
+      Draws draws = new Draws(1000 + run);
+      DMatrixRMaj truth = world.x0().copy();
+      CommonOps_DDRM.addEquals(truth, draws.normal(world.p0()));
+      filter.launch(world.x0(), world.p0());
+      for (int k = 0; k < STEPS; k++) {
+        double dtS = world.dtS() * draws.uniform(0.2, 1.8);
+        DMatrixRMaj next = new DMatrixRMaj(n, 1);
+        DMatrixRMaj q = new DMatrixRMaj(n, n);
+        world.process().evolve(truth, dtS, next);
+        world.process().noise(truth, dtS, q);
+        CommonOps_DDRM.add(next, draws.normal(q), truth);
+        DMatrixRMaj r = new DMatrixRMaj(m, m);
+        DMatrixRMaj z = new DMatrixRMaj(m, 1);
+        nature.noise(truth, r);
+        nature.expected(truth, z);
+        CommonOps_DDRM.addEquals(z, draws.normal(r));
+        filter.predict(dtS);
+        Innovation innovation = new Innovation();
+        assertTrue(innovation.compute(world.measurement(), z, filter.state(), filter.covariance()));
+        nis += innovation.nis() / (RUNS * STEPS);
+        innovations[run * STEPS + k] = innovation.y.get(0) / Math.sqrt(innovation.s.get(0, 0));
+        filter.update(z);
+      }
+      DMatrixRMaj error = filter.state();
+      CommonOps_DDRM.subtractEquals(error, truth);
+      nees += Consistency.nees(error, filter.covariance()) / RUNS;
+    }
+    return new Verdict(nees, nis, Consistency.lagOneAutocorrelation(innovations));
+  }
+}

@@ -1,0 +1,66 @@
+package haltere.filters.estimation;
+
+import static haltere.filters.estimation.WorkedExamples.DAMPING;
+import static haltere.filters.estimation.WorkedExamples.FREQUENCY;
+import static haltere.filters.estimation.WorkedExamples.GRAVITY;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.filters.estimation.WorkedExamples.Spring;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** What docs/estimation.md says of its two examples. */
+class WorkedExamplesTest {
+  private static final int RUNS = 100;
+
+  private static Estimate last(List<Estimate> estimates) {
+    return estimates.get(estimates.size() - 1);
+  }
+
+  @Test
+  void aFallOfFourTenthsOfASecondGivesGravity() {
+    Estimate end = last(WorkedExamples.fallingWeight(WorkedExamples.SHOWN_FALL));
+    double deviation = end.standardDeviation(2);
+    assertTrue(deviation <= 0.1, "standard deviation " + deviation + " m/s²");
+    assertEquals(GRAVITY, end.value(2), deviation, "within one standard deviation");
+    assertEquals(0.4, end.timeS(), 0.001);
+  }
+
+  @Test
+  void overAHundredFallsGravityIsFoundAsOftenWithinOneDeviationAsItShould() {
+    int within = 0;
+    double sum = 0;
+    double nees = 0;
+    double deviation = 0;
+    for (int seed = 0; seed < RUNS; seed++) {
+      Estimate end = last(WorkedExamples.fallingWeight(seed));
+      deviation = end.standardDeviation(2);
+      within += Math.abs(end.value(2) - GRAVITY) <= deviation ? 1 : 0;
+      sum += end.value(2);
+      nees += Consistency.nees(end, WorkedExamples.fallingWeightTruth(seed)) / RUNS;
+    }
+    double share = 0.6827;
+    assertEquals(share, within / (double) RUNS, 3 * Math.sqrt(share * (1 - share) / RUNS));
+    assertEquals(GRAVITY, sum / RUNS, 3 * deviation / Math.sqrt(RUNS), "without bias");
+    Interval band = Consistency.meanBand(3, RUNS, 0.95);
+    assertTrue(band.contains(nees), "NEES " + nees + " in " + band);
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {3, FREQUENCY / 3, FREQUENCY * 3})
+  void anOscillatorIsFoundFromAFrequencyWrongByThree(double start) {
+    double nees = 0;
+    for (int seed = 0; seed < RUNS; seed++) {
+      Spring spring = new Spring(seed);
+      Estimate end = last(spring.secondPass(spring.firstPass(start)));
+      assertEquals(1, end.value(DampedOscillator.FREQUENCY) / FREQUENCY, 0.005, "ω of " + seed);
+      assertEquals(1, end.value(DampedOscillator.DAMPING) / DAMPING, 0.05, "ζ of " + seed);
+      nees += Consistency.nees(end, spring.truth) / RUNS;
+    }
+    Interval band = Consistency.meanBand(4, RUNS, 0.95);
+    assertTrue(band.contains(nees), "NEES " + nees + " in " + band);
+  }
+}
