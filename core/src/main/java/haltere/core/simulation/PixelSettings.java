@@ -67,6 +67,6 @@ public record PixelSettings(
    * @return valid settings
    */
   public static PixelSettings defaults() {
-    return new PixelSettings(0.2, 0.03, 2000, 60, 15, 30, 0);
+    return new PixelSettings(0.2, 0.03, 3000, 60, 15, 30, 0);
   }
 }

@@ -59,6 +59,6 @@ public record WingSettings(
    * @return valid settings
    */
   public static WingSettings defaults() {
-    return new WingSettings(46, 0.3, 0.06, 0.55, 0.5, 0.25);
+    return new WingSettings(46, 0.3, 0.06, 0.55, 0.5, 0.18);
   }
 }
