@@ -14,7 +14,7 @@ import java.util.function.LongConsumer;
  * <pre>x_k = (1 - m) x_(k-1) + m x_event</pre>
  *
  * <p>and one that is in no cluster begins a new one. A cluster is a mere candidate until it has had
- * enough events within a lifetime; then it becomes visible and gets its identity. One that gets no
+ * enough events in a short time; then it becomes visible and gets its identity. One that gets no
  * event for longer than a lifetime dies, and two that overlap merge.
  *
  * <p>Equation and two parameters (m and the size) after J. Cardinale, "Tracking objects and wing
@@ -90,7 +90,7 @@ public final class ClusterTracker {
   public void apply(ClusterTrackerSettings newSettings) {
     settings = Objects.requireNonNull(newSettings, "newSettings");
     radius = Math.max(1, settings.clusterSize() * geometry.longerSide());
-    massDecay = Math.exp(-(double) UPKEEP_US / settings.lifetimeUs());
+    massDecay = Math.exp(-(double) UPKEEP_US / settings.visibleTimeUs());
     velocityGain = 1 - Math.exp(-(double) UPKEEP_US / settings.velocityTimeUs());
     reportUs = Math.round(1e6 / settings.reportRateHz());
     Cluster[] old = clusters;

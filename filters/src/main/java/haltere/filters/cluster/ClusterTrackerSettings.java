@@ -12,7 +12,8 @@ import haltere.core.settings.Unit;
  * @param clusterSize radius as a share of the sensor's longer side
  * @param mostClusters how many clusters there may be
  * @param lifetimeUs how long a cluster lives without an event
- * @param visibleEvents events within a lifetime that make a cluster visible
+ * @param visibleEvents recent events that make a cluster visible
+ * @param visibleTimeUs how long an event counts as recent
  * @param velocityTimeUs time constant of the velocity
  * @param reportRateHz how often the visible clusters are reported
  */
@@ -33,10 +34,14 @@ public record ClusterTrackerSettings(
         @Range(min = 1000, max = 10_000_000, logarithmic = true)
         @Unit("us")
         int lifetimeUs,
-    @Help("A cluster is shown once it has this many events, each of which fades within a lifetime.")
+    @Help("A cluster is shown once it has this many recent events.")
         @Range(min = 1, max = 10_000, logarithmic = true)
         @Unit("events")
         double visibleEvents,
+    @Help("For the visibility an event counts less and less with this time constant.")
+        @Range(min = 1000, max = 10_000_000, logarithmic = true)
+        @Unit("us")
+        int visibleTimeUs,
     @Help("The velocity is averaged over about this time.")
         @Range(min = 1000, max = 10_000_000, logarithmic = true)
         @Unit("us")
@@ -54,18 +59,20 @@ public record ClusterTrackerSettings(
         mostClusters,
         lifetimeUs,
         visibleEvents,
+        visibleTimeUs,
         velocityTimeUs,
         reportRateHz);
   }
 
   /**
    * The settings to start from. A circle of a tenth of a sensor of 128 x 128 pixels holds 515
-   * pixels, so noise of 1 Hz a pixel that nobody has filtered gives a candidate 10 events within a
-   * lifetime of 20 ms, and 30 are out of its reach.
+   * pixels, so noise of 1 Hz a pixel that nobody has filtered gives a candidate 10 events in 20 ms,
+   * and 30 are out of its reach. The lifetime lets a pendulum turn.
    *
-   * @return 0.02 an event, a tenth of the sensor, 10 clusters, 20 ms, 30 events, 50 ms, 100 Hz
+   * @return 0.02 an event, a tenth of the sensor, 10 clusters, 100 ms, 30 events in 20 ms, 50 ms,
+   *     100 Hz
    */
   public static ClusterTrackerSettings defaults() {
-    return new ClusterTrackerSettings(0.02, 0.1, 10, 20_000, 30, 50_000, 100);
+    return new ClusterTrackerSettings(0.02, 0.1, 10, 100_000, 30, 20_000, 50_000, 100);
   }
 }

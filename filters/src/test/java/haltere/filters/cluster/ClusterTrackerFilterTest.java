@@ -7,7 +7,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import haltere.core.chain.EventFilter;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.simulation.DotTruth;
+import haltere.core.simulation.MovingDotsScene;
+import haltere.core.simulation.MovingDotsSettings;
 import haltere.core.stream.DataLost;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import haltere.filters.noise.BackgroundActivity;
+import haltere.filters.noise.BackgroundActivitySettings;
 import haltere.testing.EventFilterContract;
 import haltere.testing.EventPackets;
 import haltere.testing.EventPackets.BlobPath;
@@ -127,11 +134,49 @@ class ClusterTrackerFilterTest extends EventFilterContract {
     EventPacket blob = EventPackets.blob(SENSOR, 8, 200_000, CIRCLE, 50_000, 0);
     blob.append(5 * SECOND_US, 0, 0, true);
     run(blob);
-    assertEquals(210_000, tracks.get(tracks.size() - 1).timeUs());
+    assertEquals(290_000, tracks.get(tracks.size() - 1).timeUs());
     ClusterSnapshot last = snapshots.get(snapshots.size() - 1);
     assertTrue(last.clusters().isEmpty());
-    assertEquals(220_000, last.timeUs());
+    assertEquals(300_000, last.timeUs());
     assertEquals(tracks.size() + 1, snapshots.size());
+  }
+
+  @Test
+  void aSimulatedDotIsWhereTheTruthSaysItIs() {
+    MovingDotsScene scene =
+        new MovingDotsScene(
+            MovingDotsSettings.defaults()
+                .with(
+                    "dots.count=1", "dots.eventsPerPixel=5", "dots.radiusPx=5", "run.durationS=2"));
+    EventPacket events = eventsOf(scene);
+    new BackgroundActivity(scene.geometry(), BackgroundActivitySettings.defaults()).filter(events);
+    run(events);
+    assertTrue(tracks.size() > 150, "reports: " + tracks.size());
+    for (ClusterTrack track : tracks) {
+      DotTruth truth = scene.truthRows(track.timeUs()).get(0);
+      double error = Math.hypot(track.xPx() - truth.xPx(), track.yPx() - truth.yPx());
+      assertTrue(error < 2, error + " px from the truth: " + track);
+    }
+  }
+
+  private static EventPacket eventsOf(MovingDotsScene scene) {
+    EventPacket events = new EventPacket(0);
+    StreamHandler collector =
+        new StreamHandler() {
+          @Override
+          public void packet(EventPacket packet) {
+            events.append(packet, 0, packet.size());
+          }
+
+          @Override
+          public void notified(StreamNotification notification) {
+            // Only the events are wanted.
+          }
+        };
+    while (scene.next(collector)) {
+      // Until the end.
+    }
+    return events;
   }
 
   @Test
@@ -168,7 +213,8 @@ class ClusterTrackerFilterTest extends EventFilterContract {
 
   @Test
   void thereAreNeverMoreClustersThanAllowed() {
-    ClusterTrackerSettings few = new ClusterTrackerSettings(0.02, 0.02, 3, 20_000, 1, 50_000, 100);
+    ClusterTrackerSettings few =
+        new ClusterTrackerSettings(0.02, 0.02, 3, 20_000, 1, 20_000, 50_000, 100);
     ClusterTrackerFilter filter = subscribed(few);
     filter.process(EventPackets.uniform(SENSOR, 10, 50_000, 0, 10));
     assertTrue(snapshots.size() > 10);
@@ -194,7 +240,7 @@ class ClusterTrackerFilterTest extends EventFilterContract {
     EventPacket blob = EventPackets.blob(SENSOR, 12, 400_000, CIRCLE, 50_000, 0);
     int half = blob.indexAtOrAfter(200_000);
     filter.process(EventPackets.part(blob, 0, half));
-    filter.apply(new ClusterTrackerSettings(0.02, 0.15, 1, 20_000, 10, 50_000, 50));
+    filter.apply(new ClusterTrackerSettings(0.02, 0.15, 1, 20_000, 10, 20_000, 50_000, 50));
     filter.process(EventPackets.part(blob, half, blob.size()));
     assertEquals(Set.of(1), identities());
     ClusterTrack first = tracks.get(0);

@@ -6,8 +6,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import haltere.core.chain.EventFilter;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.format.RecordingReader;
+import haltere.core.format.Recordings;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
 import haltere.testing.EventFilterContract;
 import haltere.testing.EventPackets;
+import haltere.testing.Recorded;
+import java.io.IOException;
 import org.junit.jupiter.api.Test;
 
 class BackgroundActivityFilterTest extends EventFilterContract {
@@ -99,6 +105,34 @@ class BackgroundActivityFilterTest extends EventFilterContract {
     filter.filter(stream);
     assertEquals(expected, stream);
     assertTrue(stream.size() > 1000, "there is something to compare");
+  }
+
+  @Test
+  void itAgreesWithAPlainReferenceOnARecording() throws IOException {
+    EventPacket stream = new EventPacket(0);
+    SensorGeometry geometry;
+    try (RecordingReader reader = Recordings.open(Recorded.file("dvs128-pendulum.aedat"))) {
+      geometry = reader.geometry();
+      reader.drainTo(
+          new StreamHandler() {
+            @Override
+            public void packet(EventPacket packet) {
+              stream.append(packet, 0, packet.size());
+            }
+
+            @Override
+            public void notified(StreamNotification notification) {
+              // This recording has no break in it.
+            }
+          });
+    }
+    for (int neighbours = 1; neighbours <= 3; neighbours++) {
+      EventPacket packet = EventPackets.copy(stream);
+      new BackgroundActivity(geometry, new BackgroundActivitySettings(5000, neighbours, true))
+          .filter(packet);
+      assertEquals(reference(geometry, stream, 5000, neighbours, true), packet);
+      assertTrue(packet.size() > 50_000, "events left: " + packet.size());
+    }
   }
 
   /** One look at all nine pixels of a plain map of 64-bit times, with bounds checked by hand. */

@@ -8,7 +8,11 @@ import haltere.core.chain.EventFilter;
 import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.simulation.FlyScene;
+import haltere.core.simulation.FlySceneSettings;
 import haltere.core.stream.DataLost;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
 import haltere.testing.EventFilterContract;
 import haltere.testing.EventPackets;
 import java.util.SplittableRandom;
@@ -72,6 +76,33 @@ class HotPixelsFilterTest extends EventFilterContract {
     filter.filter(EventPackets.withHotPixels(wing, 5000, EventAddress.pack(90, 70, true)));
     assertTrue(filter.isBlocked(90, 70));
     assertEquals(1, filter.blockedPixels());
+  }
+
+  @Test
+  void onTheSimulatedFlyOnlyItsHotPixelsAreBlocked() {
+    for (String hot : new String[] {"noise.hotPixels=0", "noise.hotPixels=12"}) {
+      FlyScene scene =
+          new FlyScene(
+              FlySceneSettings.defaults().with(hot, "noise.hotRateHz=1000", "run.durationS=1.1"));
+      HotPixels filter = new HotPixels(scene.geometry(), HotPixelsSettings.defaults());
+      StreamHandler feeder =
+          new StreamHandler() {
+            @Override
+            public void packet(EventPacket packet) {
+              filter.filter(packet);
+            }
+
+            @Override
+            public void notified(StreamNotification notification) {
+              // Nothing to tell an algorithm.
+            }
+          };
+      while (scene.next(feeder)) {
+        // Until the end.
+      }
+      int expected = hot.endsWith("12") ? 12 : 0;
+      assertEquals(expected, filter.blockedPixels(), hot);
+    }
   }
 
   @Test
