@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.settings.SettingsProblem;
-import haltere.core.sink.CsvSink;
 import haltere.testing.ServiceFiles;
 import java.util.List;
 import java.util.OptionalLong;
@@ -51,27 +50,5 @@ class ScenesTest {
     for (SceneProvider<?> provider : Scenes.all().values()) {
       assertTrue(provider.description().endsWith("."), provider.name());
     }
-  }
-
-  @Test
-  void theTruthOfEverySceneIsARowOfPlainValuesThatBeginsWithItsTime() {
-    for (SceneProvider<?> provider : Scenes.all().values()) {
-      Class<? extends Record> truth = provider.create(List.of()).truthType();
-
-      assertTrue(CsvSink.isFlat(truth), truth.getName());
-      assertEquals("t_us", CsvSink.columns(truth).get(0));
-    }
-    assertTrue(
-        CsvSink.columns(FlyTruth.class)
-            .containsAll(
-                List.of(
-                    "left_angle_rad",
-                    "left_leading_rad",
-                    "right_trailing_rad",
-                    "right_phase_rad",
-                    "left_frequency_hz",
-                    "centre_x_px",
-                    "heading_rad",
-                    "left_hinge_x_px")));
   }
 }

@@ -1,5 +1,8 @@
 package haltere.ui.command;
 
+import haltere.core.format.ReadOptions;
+import java.io.IOException;
+import java.util.Optional;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
@@ -27,8 +30,12 @@ final class HaltereCommand extends Subcommand {
   }
 
   @Override
-  public Integer call() {
-    spec.commandLine().usage(surroundings().out());
+  public Integer call() throws IOException {
+    WindowOpener window = surroundings().window();
+    if (headless || !window.hasDisplay()) {
+      return new HeadlessDemo(this).run();
+    }
+    openWindow(Optional.empty(), ReadOptions.DEFAULT);
     return OK;
   }
 }

@@ -24,7 +24,7 @@ import picocli.CommandLine.ParseResult;
  */
 public final class HaltereProgram {
   private static final List<String> COMMANDS =
-      List.of("view", "info", "convert", "run", "simulate", "filters");
+      List.of("view", "info", "convert", "run", "simulate", "filters", "bench");
 
   private final Surroundings surroundings;
 
@@ -135,6 +135,7 @@ public final class HaltereProgram {
       case "run" -> new RunCommand(surroundings);
       case "simulate" -> new SimulateCommand(surroundings);
       case "filters" -> new FiltersCommand(surroundings);
+      case "bench" -> new BenchCommand(surroundings);
       default -> throw new IllegalArgumentException(name);
     };
   }

@@ -88,8 +88,7 @@ public final class Aedat1Format implements RecordingFormat {
             file,
             "the header says AEDAT-" + header.versionText() + ", not 1.0; leave out --format");
       }
-      SensorGeometry geometry =
-          options.sensor().map(AedatSensor::upwards).orElse(AedatSensor.DVS128_SIZE);
+      SensorGeometry geometry = options.sensor().orElse(AedatSensor.DVS128_SIZE);
       AedatSensor sensor = new AedatSensor(AedatSensor.Layout.DVS128, geometry, remarks);
       return new AedatReader(
           name(), bytes, header, sensor, remarks, RecordDecoder.AEDAT1_BYTES, options);

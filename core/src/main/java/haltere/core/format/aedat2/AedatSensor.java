@@ -96,7 +96,7 @@ public record AedatSensor(Layout layout, SensorGeometry geometry, List<String> r
       return new AedatSensor(layout, stated.get(), remarks);
     }
     if (options.sensor().isPresent()) {
-      return new AedatSensor(layout, upwards(options.sensor().get()), remarks);
+      return new AedatSensor(layout, options.sensor().get(), remarks);
     }
     if (layout == Layout.DVS128) {
       return new AedatSensor(layout, DVS128_SIZE, remarks);
@@ -107,11 +107,6 @@ public record AedatSensor(Layout layout, SensorGeometry geometry, List<String> r
             + guess
             + " was taken from the first addresses (--sensor WxH states it)");
     return new AedatSensor(layout, guess, remarks);
-  }
-
-  /** AEDAT counts rows from the bottom, whatever a stated size says. */
-  static SensorGeometry upwards(SensorGeometry stated) {
-    return new SensorGeometry(stated.width(), stated.height());
   }
 
   /**

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
-import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingReader;
@@ -106,9 +105,9 @@ class AedatSensorTest {
   @Test
   void aStatedSizeMirrorsTheColumnsOfAnUnnamedDavis() throws IOException {
     AedatFile bytes = AedatFile.version2().record(50 << 22 | 10 << 12 | 1 << 11, 5);
-    SensorGeometry stated = new SensorGeometry(300, 200, Origin.TOP);
+    SensorGeometry stated = new SensorGeometry(300, 200);
     try (RecordingReader reader = open(bytes, ReadOptions.DEFAULT.withSensor(stated))) {
-      assertEquals(new SensorGeometry(300, 200, Origin.BOTTOM), reader.geometry());
+      assertEquals(stated, reader.geometry());
       EventPacket events = read(reader);
       assertEquals(289, events.x(0));
       assertEquals(50, events.y(0));

@@ -1,0 +1,231 @@
+package haltere.ui.command;
+
+import haltere.core.chain.EventFilter;
+import haltere.core.chain.FilterProvider;
+import haltere.core.chain.Filters;
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.RecordingReader;
+import haltere.core.format.RecordingWriter;
+import haltere.core.format.Recordings;
+import haltere.core.format.WriteOptions;
+import haltere.core.simulation.Scene;
+import haltere.core.simulation.Scenes;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import haltere.filters.DefaultChain;
+import java.io.IOException;
+import java.io.InterruptedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Supplier;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/**
+ * Measures what this machine does: each stage by itself, on one thread, with the time of the stage
+ * alone. The figures are medians of rounds after a round that warms up.
+ */
+@Command(
+    name = "bench",
+    description =
+        "Measure the throughput of each stage on this machine, in million events a second,"
+            + " on a recording or on the built-in fly scene.")
+final class BenchCommand extends Subcommand {
+  /** Events kept in memory for the filters; 48 MB. */
+  private static final int MOST_EVENTS = 4_000_000;
+
+  private static final int SCENE_EVENTS = 1_000_000;
+  private static final int FEWEST_ROUNDS = 3;
+
+  @Parameters(arity = "0..1", paramLabel = "FILE", description = "A recording.")
+  Path file;
+
+  @Option(
+      names = "--seconds",
+      paramLabel = "S",
+      defaultValue = "1",
+      description = "Time to measure each stage for; 1 if not given.")
+  double seconds;
+
+  @Mixin ReadingOptions reading;
+
+  /** A round of work on all events; gives back the nanoseconds that count. */
+  private interface Round {
+    long run() throws IOException;
+  }
+
+  BenchCommand(Surroundings surroundings) {
+    super(surroundings);
+  }
+
+  @Override
+  public Integer call() throws IOException {
+    if (!(seconds >= 0 && seconds <= 3600)) {
+      throw wrongArguments("--seconds is " + seconds + ", it must be 0 to 3600");
+    }
+    if (file != null) {
+      measure(file);
+      return OK;
+    }
+    Path folder = Files.createTempDirectory("haltere-bench");
+    Path scene = folder.resolve("fly.aedat");
+    try {
+      writeScene(scene);
+      measure(scene);
+    } finally {
+      Files.deleteIfExists(scene);
+      Files.deleteIfExists(folder);
+    }
+    return OK;
+  }
+
+  private static void writeScene(Path target) throws IOException {
+    try (Scene<?> scene = Scenes.named("fly").create(List.of());
+        RecordingWriter writer =
+            Recordings.forWriting(target)
+                .create(target, WriteOptions.of(scene.geometry()))
+                .orElseThrow()) {
+      Held events = new Held(SCENE_EVENTS);
+      while (!events.full() && scene.next(events)) {
+        checkInterrupted();
+      }
+      for (EventPacket packet : events.packets) {
+        writer.write(packet);
+      }
+      writer.finish();
+    }
+  }
+
+  private void measure(Path recording) throws IOException {
+    Held held = new Held(MOST_EVENTS);
+    SensorGeometry geometry;
+    long decoded = 0;
+    String format;
+    try (RecordingReader reader = reading.open(recording)) {
+      geometry = reader.geometry();
+      format = reader.formatName();
+      Count count = new Count();
+      while (reader.next(held.full() ? count : held)) {
+        checkInterrupted();
+      }
+      reading.requireWhole(reader);
+      warnings(reader);
+      decoded = held.events + count.events;
+    }
+    if (held.events == 0) {
+      throw new CommandProblem(recording + ": there are no events in it to measure with");
+    }
+    result(
+        (file == null ? "the built-in fly scene" : recording.toString())
+            + ": "
+            + Quantities.events(decoded)
+            + ", sensor "
+            + geometry);
+    result(String.format(Locale.ROOT, "%-24s %10s %10s", "stage", "Mev/s", "ns/event"));
+    stage("decode " + format, decoded, () -> decode(recording));
+    for (FilterProvider<?> provider : Filters.all().values()) {
+      stage(provider.name(), held.events, () -> filter(held, () -> provider.create(geometry)));
+    }
+    stage("default chain", held.events, () -> filter(held, () -> DefaultChain.create(geometry)));
+  }
+
+  private void stage(String name, long events, Round round) throws IOException {
+    try (ProgressBar bar = progressBar(name)) {
+      round.run();
+      long[] nanos = new long[1024];
+      int rounds = 0;
+      double spent = 0;
+      while (rounds < nanos.length && (rounds < FEWEST_ROUNDS || spent < seconds)) {
+        checkInterrupted();
+        nanos[rounds] = round.run();
+        spent += nanos[rounds] / 1e9;
+        rounds++;
+        bar.events(events * rounds);
+        bar.progress(Math.round(spent * 1e6), Math.round(seconds * 1e6));
+      }
+      Arrays.sort(nanos, 0, rounds);
+      double perEvent = nanos[rounds / 2] / (double) events;
+      bar.erase();
+      result(String.format(Locale.ROOT, "%-24s %10.1f %10.2f", name, 1e3 / perEvent, perEvent));
+      surroundings().out().flush();
+    }
+  }
+
+  private long decode(Path recording) throws IOException {
+    long start = System.nanoTime();
+    try (RecordingReader reader = reading.open(recording)) {
+      reader.drainTo(new Count());
+    }
+    return System.nanoTime() - start;
+  }
+
+  private static long filter(Held held, Supplier<EventFilter> maker) {
+    EventFilter filter = maker.get();
+    EventPacket scratch = new EventPacket(0);
+    long nanos = 0;
+    for (EventPacket packet : held.packets) {
+      scratch.clear();
+      scratch.append(packet, 0, packet.size());
+      long start = System.nanoTime();
+      filter.process(scratch);
+      nanos += System.nanoTime() - start;
+    }
+    filter.close();
+    return nanos;
+  }
+
+  private static void checkInterrupted() throws InterruptedIOException {
+    if (Thread.currentThread().isInterrupted()) {
+      throw new InterruptedIOException("interrupted while measuring");
+    }
+  }
+
+  /** Keeps packets, up to a number of events and to the first break of time. */
+  private static final class Held implements StreamHandler {
+    private final List<EventPacket> packets = new ArrayList<>();
+    private final int most;
+    private long events;
+    private boolean broken;
+
+    Held(int most) {
+      this.most = most;
+    }
+
+    boolean full() {
+      return broken || events >= most;
+    }
+
+    @Override
+    public void packet(EventPacket packet) {
+      packets.add(packet.copy());
+      events += packet.size();
+    }
+
+    @Override
+    public void notified(StreamNotification notification) {
+      broken |= notification.endsContinuity() && events > 0;
+    }
+  }
+
+  /** Counts events. */
+  private static final class Count implements StreamHandler {
+    private long events;
+
+    @Override
+    public void packet(EventPacket packet) {
+      events += packet.size();
+    }
+
+    @Override
+    public void notified(StreamNotification notification) {
+      // only events count
+    }
+  }
+}

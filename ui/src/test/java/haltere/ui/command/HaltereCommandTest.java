@@ -1,0 +1,130 @@
+package haltere.ui.command;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class HaltereCommandTest {
+  @TempDir Path folder;
+
+  @Test
+  void withoutADisplayTheDemonstrationLeavesAPictureAndATableAndSaysWhere() throws IOException {
+    CommandRun run = CommandRun.on(CommandRun.Machine.BARE.in(folder));
+    assertEquals(0, run.status(), run.err());
+    assertEquals("", run.err());
+    Path picture = folder.resolve("build/demo/fly.png");
+    Path table = folder.resolve("build/demo/clusters.csv");
+    assertTrue(run.out().contains(picture.toString()), run.out());
+    assertTrue(run.out().contains(table.toString()), run.out());
+    assertTrue(Files.readAllLines(table).size() > 10);
+    BufferedImage image = ImageIO.read(picture.toFile());
+    assertTrue(colours(image) > 10, "a picture with " + colours(image) + " colours");
+  }
+
+  @Test
+  void theDemonstrationIsTheSameEveryTimeAndReplacesItsOwnFiles() throws IOException {
+    assertEquals(0, CommandRun.on(CommandRun.Machine.BARE.in(folder)).status());
+    Path table = folder.resolve("build/demo/clusters.csv");
+    Path picture = folder.resolve("build/demo/fly.png");
+    String rows = Files.readString(table);
+    byte[] pixels = Files.readAllBytes(picture);
+    Files.writeString(table, "another");
+    CommandRun again = CommandRun.on(CommandRun.Machine.BARE.in(folder), "--headless");
+    assertEquals(0, again.status(), again.err());
+    assertEquals(rows, Files.readString(table));
+    org.junit.jupiter.api.Assertions.assertArrayEquals(pixels, Files.readAllBytes(picture));
+    try (Stream<Path> files = Files.list(folder.resolve("build/demo"))) {
+      assertEquals(2, files.count());
+    }
+  }
+
+  @Test
+  void theDemonstrationShowsABarOnATerminal() {
+    CommandRun run = CommandRun.on(CommandRun.Machine.BARE.in(folder).withTerminal());
+    assertEquals(0, run.status());
+    assertTrue(run.err().contains("fly scene ["), run.err());
+    assertTrue(run.err().contains("Mev/s"), run.err());
+  }
+
+  @Test
+  void withADisplayTheViewerOpensOnTheBuiltInScene() {
+    CommandRun run = CommandRun.on(CommandRun.Machine.BARE.in(folder).withDisplay());
+    assertEquals(0, run.status());
+    assertEquals(List.of(Optional.empty()), run.windows());
+  }
+
+  @Test
+  void viewOpensTheRecordingItIsGiven() throws IOException {
+    Path recording = TinyRecording.hundred().write(folder.resolve("hundred.aedat"));
+    CommandRun.Machine desk = CommandRun.Machine.BARE.withDisplay();
+    assertEquals(List.of(Optional.of(recording)), CommandRun.on(desk, "view", recording).windows());
+    assertEquals(List.of(Optional.empty()), CommandRun.on(desk, "view").windows());
+  }
+
+  @Test
+  void viewComplainsOfABadRecordingBeforeItOpensAWindow() throws IOException {
+    Path empty = Files.createFile(folder.resolve("empty.aedat"));
+    CommandRun run = CommandRun.on(CommandRun.Machine.BARE.withDisplay(), "view", empty);
+    assertEquals(1, run.status());
+    assertEquals(1, run.errorLines().size(), run.err());
+    assertEquals(List.of(), run.windows());
+  }
+
+  @Test
+  void viewWithoutADisplaySaysSoInOneLine() {
+    CommandRun run = CommandRun.of("view");
+    assertEquals(1, run.status());
+    assertEquals(1, run.errorLines().size(), run.err());
+    assertTrue(run.err().contains("display"), run.err());
+  }
+
+  @Test
+  void aMachineWithoutGraphicsLibrariesGetsOneLine() {
+    CommandRun.Machine lacking =
+        CommandRun.Machine.BARE.withDisplay().withObstacle("install libgtk-3-0");
+    for (Object[] words : new Object[][] {{}, {"view"}}) {
+      CommandRun run = CommandRun.on(lacking, words);
+      assertEquals(1, run.status());
+      assertEquals("haltere: install libgtk-3-0\n", run.err());
+      assertEquals(List.of(), run.windows());
+    }
+  }
+
+  @Test
+  void helpNamesEveryCommand() {
+    CommandRun run = CommandRun.of("--help");
+    assertEquals(0, run.status());
+    for (String command :
+        List.of("view", "info", "convert", "run", "simulate", "filters", "bench")) {
+      assertTrue(run.out().contains("\n  " + command + " "), run.out());
+      CommandRun help = CommandRun.of(command, "--help");
+      assertEquals(0, help.status());
+      assertTrue(help.out().startsWith("Usage: haltere " + command + " "), help.out());
+    }
+  }
+
+  @Test
+  void theVersionIsOneLine() {
+    CommandRun run = CommandRun.of("--version");
+    assertEquals(0, run.status());
+    assertTrue(run.out().startsWith("haltere "), run.out());
+    assertEquals(1, run.out().lines().count());
+  }
+
+  private static long colours(BufferedImage image) {
+    return java.util.Arrays.stream(
+            image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth()))
+        .distinct()
+        .count();
+  }
+}
