@@ -13,6 +13,29 @@ public final class ViolationCounts {
 
   private final long[] counts = new long[KINDS.length];
   private final long[] firstOffsets = new long[KINDS.length];
+  private long reached;
+
+  /**
+   * States how far a recording has been read. What lies before that is not counted again when a
+   * reader goes back.
+   *
+   * @param offset byte offset in the file
+   */
+  public void reached(long offset) {
+    reached = Math.max(reached, offset);
+  }
+
+  /**
+   * Counts one of a kind that there is once in a recording at the most.
+   *
+   * @param kind what was wrong
+   * @param offset byte offset in the file
+   */
+  public void addOnce(Violation kind, long offset) {
+    if (count(kind) == 0) {
+      add(kind, Math.max(offset, reached));
+    }
+  }
 
   /**
    * Counts one.
@@ -28,11 +51,11 @@ public final class ViolationCounts {
    * Counts several of a kind.
    *
    * @param kind what was wrong
-   * @param offset byte offset of the first of them
+   * @param offset byte offset of the first of them; before {@link #reached} they are not counted
    * @param count how many, at least 0
    */
   public void add(Violation kind, long offset, long count) {
-    if (count == 0) {
+    if (count == 0 || offset < reached) {
       return;
     }
     int index = kind.ordinal();
@@ -65,6 +88,7 @@ public final class ViolationCounts {
   /** Forgets all counts. */
   public void clear() {
     java.util.Arrays.fill(counts, 0);
+    reached = 0;
   }
 
   /**

@@ -4,6 +4,7 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.format.FileHead;
 import haltere.core.format.ProbeResult;
 import haltere.core.format.ReadOptions;
+import haltere.core.format.RecordingFile;
 import haltere.core.format.RecordingFormat;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingReader;
@@ -77,9 +78,9 @@ public final class Aedat1Format implements RecordingFormat {
 
   @Override
   public RecordingReader open(Path file, ReadOptions options) throws IOException {
-    RecordFile bytes = new RecordFile(file);
+    RecordingFile bytes = new RecordingFile(file);
     try {
-      AedatHeader header = bytes.header();
+      AedatHeader header = AedatReader.header(bytes);
       List<String> remarks = new ArrayList<>();
       if (header.version().isEmpty()) {
         remarks.add("there is no line #!AER-DAT1.0; it is read as AEDAT-1.0 of a DVS128");
@@ -90,7 +91,7 @@ public final class Aedat1Format implements RecordingFormat {
       }
       SensorGeometry geometry = options.sensor().orElse(AedatSensor.DVS128_SIZE);
       AedatSensor sensor = new AedatSensor(AedatSensor.Layout.DVS128, geometry, remarks);
-      return new AedatReader(
+      return AedatReader.open(
           name(), bytes, header, sensor, remarks, RecordDecoder.AEDAT1_BYTES, options);
     } catch (IOException | RuntimeException e) {
       bytes.close();

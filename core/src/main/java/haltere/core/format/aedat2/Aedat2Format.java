@@ -3,6 +3,7 @@ package haltere.core.format.aedat2;
 import haltere.core.format.FileHead;
 import haltere.core.format.ProbeResult;
 import haltere.core.format.ReadOptions;
+import haltere.core.format.RecordingFile;
 import haltere.core.format.RecordingFormat;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingReader;
@@ -55,9 +56,9 @@ public final class Aedat2Format implements RecordingFormat {
 
   @Override
   public RecordingReader open(Path file, ReadOptions options) throws IOException {
-    RecordFile bytes = new RecordFile(file);
+    RecordingFile bytes = new RecordingFile(file);
     try {
-      AedatHeader header = bytes.header();
+      AedatHeader header = AedatReader.header(bytes);
       List<String> remarks = new ArrayList<>();
       if (header.version().isEmpty()) {
         remarks.add("there is no line #!AER-DAT2.0; it is read as AEDAT-2.0 all the same");
@@ -71,7 +72,7 @@ public final class Aedat2Format implements RecordingFormat {
       bytes.read(start, header.dataOffset());
       AedatSensor sensor = AedatSensor.of(header, options, start);
       remarks.addAll(sensor.remarks());
-      return new AedatReader(
+      return AedatReader.open(
           name(), bytes, header, sensor, remarks, RecordDecoder.AEDAT2_BYTES, options);
     } catch (IOException | RuntimeException e) {
       bytes.close();

@@ -5,6 +5,7 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.format.AtomicFile;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingWriter;
+import haltere.core.format.WrappingClock;
 import haltere.core.format.WriteOptions;
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -42,7 +43,7 @@ final class Aedat2Writer implements RecordingWriter {
   private final SensorGeometry geometry;
   private final AddressDecoder addresses;
   private final ByteBuffer buffer = ByteBuffer.allocateDirect(BUFFER_BYTES);
-  private RecordClock reader;
+  private WrappingClock reader;
   private long shiftUs;
   private long shifts;
   private long outside;
@@ -111,7 +112,7 @@ final class Aedat2Writer implements RecordingWriter {
   }
 
   private void start(long turnUs) throws IOException {
-    reader = new RecordClock(turnUs);
+    reader = new WrappingClock(1L << 32, turnUs);
     StringBuilder text = new StringBuilder();
     line(text, AedatHeader.VERSION + "2.0");
     line(text, " This is a raw AE data file - do not edit");

@@ -1,8 +1,10 @@
 package haltere.core.format.aedat2;
 
 import haltere.core.event.EventPacket;
+import haltere.core.format.StreamDecoder;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
+import haltere.core.format.WrappingClock;
 import haltere.core.stream.StreamNotification;
 import java.nio.ByteBuffer;
 
@@ -12,7 +14,7 @@ import java.nio.ByteBuffer;
  *
  * <p>Thread rule: one thread.
  */
-public final class RecordDecoder {
+public final class RecordDecoder implements StreamDecoder {
   /** Size of a record of AEDAT-2.0. */
   public static final int AEDAT2_BYTES = 8;
 
@@ -23,7 +25,7 @@ public final class RecordDecoder {
 
   private final AddressDecoder addresses;
   private final int recordBytes;
-  private final RecordClock clock;
+  private final WrappingClock clock;
   private final ViolationCounts violations;
   private final long[] run = new long[RUN];
   private long countedTo;
@@ -46,20 +48,10 @@ public final class RecordDecoder {
     this.addresses = addresses;
     this.recordBytes = recordBytes;
     this.violations = violations;
-    clock = new RecordClock(firstTurnUs);
+    clock = new WrappingClock(1L << 32, firstTurnUs);
   }
 
-  /**
-   * Decodes records until the input holds no whole record, the packet is full, or the clock goes
-   * back. Violations are counted only at offsets that no call has reached before.
-   *
-   * @param in big-endian bytes from a record's start; its position is moved behind what was decoded
-   * @param offset of that position in the file
-   * @param out events are appended
-   * @param maxEvents events that the packet may hold
-   * @return true if the clock went back at the input's position: the record there has not been
-   *     decoded and will be, as the first of a new segment, after {@link #acceptRestart()}
-   */
+  @Override
   public boolean decode(ByteBuffer in, long offset, EventPacket out, int maxEvents) {
     out.ensureCapacity(maxEvents);
     int start = in.position();
@@ -155,61 +147,44 @@ public final class RecordDecoder {
     return recordBytes;
   }
 
-  /**
-   * Time of the last event.
-   *
-   * @return microseconds, or {@link StreamNotification#NO_TIME_US} before the first
-   */
+  @Override
   public long lastUs() {
     return clock.started() ? clock.lastUs() : StreamNotification.NO_TIME_US;
   }
 
-  /**
-   * What is being added to the file's times.
-   *
-   * @return microseconds
-   */
-  public long turnUs() {
-    return clock.turnUs();
-  }
-
-  /**
-   * Time of the first event of the new segment, after {@link #decode} said that the clock went
-   * back.
-   *
-   * @return microseconds
-   */
+  @Override
   public long restartUs() {
     return restartUs;
   }
 
-  /** Goes on after the clock went back. */
+  @Override
   public void acceptRestart() {
     if (!restarted) {
       throw new IllegalStateException("the clock did not go back");
     }
     restarted = false;
     clock.take(restartUs);
+    clock.reset(clock.turnUs());
   }
 
-  /**
-   * Starts anew at any record, without memory of a last time.
-   *
-   * @param turnUs what to add to the file's times
-   */
-  public void reset(long turnUs) {
-    restarted = false;
-    clock.reset(turnUs);
+  @Override
+  public int stateLongs() {
+    return 2;
   }
 
-  /**
-   * Goes on at a record in the middle, as if what was before had been decoded.
-   *
-   * @param turnUs what to add to the file's times
-   * @param lastUs time of the last event before
-   */
-  public void resume(long turnUs, long lastUs) {
+  @Override
+  public void save(long[] state, int at) {
+    state[at] = clock.turnUs();
+    state[at + 1] = lastUs();
+  }
+
+  @Override
+  public void restore(long[] state, int at) {
     restarted = false;
-    clock.resume(turnUs, lastUs);
+    if (state[at + 1] == StreamNotification.NO_TIME_US) {
+      clock.reset(state[at]);
+    } else {
+      clock.resume(state[at], state[at + 1]);
+    }
   }
 }

@@ -1,6 +1,5 @@
-package haltere.core.format.aedat2;
+package haltere.core.format;
 
-import haltere.core.format.RecordingProblem;
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.InterruptedIOException;
@@ -11,24 +10,27 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
-import java.util.Optional;
 
 /**
- * The bytes of an AEDAT file: reads at any offset. It reads instead of mapping, so a file that is
- * cut while it is open ends early and does no worse.
+ * The bytes of a recording: reads at any offset. It reads instead of mapping, so a file that is cut
+ * while it is open ends early and does no worse.
  *
  * <p>Thread rule: one thread.
  */
-final class RecordFile implements Closeable {
-  private static final int FIRST_LOOK = 256 * 1024;
-  private static final int MAX_HEADER = 16 * 1024 * 1024;
-
+public final class RecordingFile implements Closeable {
   private final Path path;
   private FileChannel channel;
   private boolean closed;
   private final long size;
 
-  RecordFile(Path path) throws IOException {
+  /**
+   * Opens a file.
+   *
+   * @param path which one
+   * @throws RecordingProblem if it is not there or may not be read
+   * @throws IOException if it cannot be read for another reason
+   */
+  public RecordingFile(Path path) throws IOException {
     this.path = path;
     try {
       channel = FileChannel.open(path, StandardOpenOption.READ);
@@ -45,16 +47,34 @@ final class RecordFile implements Closeable {
     }
   }
 
-  Path path() {
+  /**
+   * Which file it is.
+   *
+   * @return the path that it was opened with
+   */
+  public Path path() {
     return path;
   }
 
-  long size() {
+  /**
+   * Its size when it was opened.
+   *
+   * @return bytes
+   */
+  public long size() {
     return size;
   }
 
-  /** Fills the buffer from an offset as far as the file goes, and flips it; empty if that fails. */
-  void read(ByteBuffer buffer, long offset) throws IOException {
+  /**
+   * Fills a buffer as far as the file goes, and flips it; empty if that fails.
+   *
+   * @param buffer is cleared first
+   * @param offset where in the file to start; behind its end nothing is read
+   * @throws RecordingProblem if the file can no longer be read
+   * @throws java.io.InterruptedIOException if the thread is interrupted; one may go on reading
+   * @throws IOException if the file is closed
+   */
+  public void read(ByteBuffer buffer, long offset) throws IOException {
     buffer.clear();
     if (offset < size && size - offset < buffer.capacity()) {
       buffer.limit((int) (size - offset));
@@ -83,18 +103,20 @@ final class RecordFile implements Closeable {
     buffer.flip();
   }
 
-  AedatHeader header() throws IOException {
-    for (int look = FIRST_LOOK; look <= MAX_HEADER; look *= 4) {
-      ByteBuffer bytes = ByteBuffer.allocate((int) Math.min(look, Math.max(1, size)));
-      read(bytes, 0);
-      Optional<AedatHeader> header =
-          AedatHeader.parse(bytes.array(), bytes.limit(), bytes.limit() >= size);
-      if (header.isPresent()) {
-        return header.get();
-      }
-    }
-    throw new RecordingProblem(
-        path, MAX_HEADER, "the text header goes on and on; this is no AEDAT recording");
+  /**
+   * Reads some bytes.
+   *
+   * @param offset where in the file to start
+   * @param bytes how many at the most
+   * @return as many as there are
+   * @throws IOException as {@link #read(ByteBuffer, long)}
+   */
+  public byte[] read(long offset, int bytes) throws IOException {
+    ByteBuffer buffer = ByteBuffer.allocate((int) Math.max(0, Math.min(bytes, size - offset)));
+    read(buffer, offset);
+    return buffer.limit() == buffer.capacity()
+        ? buffer.array()
+        : java.util.Arrays.copyOf(buffer.array(), buffer.limit());
   }
 
   @Override

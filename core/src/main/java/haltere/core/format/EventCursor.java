@@ -1,0 +1,102 @@
+package haltere.core.format;
+
+import haltere.core.event.EventPacket;
+import java.io.Closeable;
+import java.io.IOException;
+
+/**
+ * A place in a recording from which events are decoded, one after the other, and that can be noted
+ * and found again. {@link DecodingReader} makes a whole {@link RecordingReader} of it: a format
+ * whose events lie in one run of bytes has only to write a {@link StreamDecoder}, see {@link
+ * FileCursor}; others write a cursor.
+ *
+ * <p>Thread rule: one thread.
+ */
+public interface EventCursor extends Closeable {
+  /** Why {@link #read} came back. */
+  enum Stop {
+    /** The packet is full, or a piece of the file is done: ask again. */
+    MORE,
+    /**
+     * The clock goes back with the next event; it comes after {@link EventCursor#acceptRestart()}.
+     */
+    CLOCK_WENT_BACK,
+    /** There is nothing more. */
+    END
+  }
+
+  /** Makes cursors that do not share their places. */
+  @FunctionalInterface
+  interface Factory {
+    /**
+     * Opens the recording once more.
+     *
+     * @param violations where the cursor counts what is wrong
+     * @return a cursor at the start
+     * @throws IOException if the file cannot be read
+     */
+    EventCursor open(ViolationCounts violations) throws IOException;
+  }
+
+  /**
+   * Appends events to a packet. Times within the packet do not descend.
+   *
+   * @param out events are appended
+   * @param maxEvents events that the packet may hold
+   * @return why no more events were appended
+   * @throws IOException if the file can no longer be read
+   */
+  Stop read(EventPacket out, int maxEvents) throws IOException;
+
+  /**
+   * Time of the last event.
+   *
+   * @return microseconds, or {@link haltere.core.stream.StreamNotification#NO_TIME_US} before the
+   *     first
+   */
+  long lastUs();
+
+  /**
+   * Time of the first event of the new segment, after {@link #read} said that the clock went back.
+   *
+   * @return microseconds
+   */
+  long restartUs();
+
+  /** Goes on after the clock went back, without memory of the last time. */
+  void acceptRestart();
+
+  /**
+   * How far it is.
+   *
+   * @return byte offset in the file
+   */
+  long positionBytes();
+
+  /**
+   * How many numbers {@link #save} needs.
+   *
+   * @return at least 1
+   */
+  int stateLongs();
+
+  /**
+   * Notes the place and all that is needed to go on there.
+   *
+   * @param state receives {@link #stateLongs()} numbers
+   * @param at index of the first of them
+   */
+  void save(long[] state, int at);
+
+  /**
+   * Goes to a place that was noted, as if all before had just been read.
+   *
+   * @param state has the numbers
+   * @param at index of the first of them
+   * @throws IOException if the file can no longer be read
+   */
+  void restore(long[] state, int at) throws IOException;
+
+  @Override
+  void close() throws IOException;
+}

@@ -1,0 +1,119 @@
+package haltere.core.format;
+
+import haltere.core.event.EventPacket;
+import java.io.IOException;
+import java.io.InterruptedIOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+
+/**
+ * Where in a recording which time is: one pass over its events that keeps a waypoint at least every
+ * {@value #SCAN_EVENTS} events and at the start of each segment. A few dozen bytes for each.
+ *
+ * <p>Thread rule: immutable once built.
+ */
+final class TimeIndex {
+  /** More restarts of the clock than this are no recording any more. */
+  static final int MAX_SEGMENTS = 1 << 20;
+
+  private static final int SCAN_EVENTS = 32 * 1024;
+
+  private final int stateLongs;
+  private final List<TimeSegment> segments = new ArrayList<>();
+  private int[] firstWaypoint = new int[4];
+  private int waypoints;
+  private long[] lastsUs = new long[64];
+  private long[] states;
+
+  private TimeIndex(int stateLongs) {
+    this.stateLongs = stateLongs;
+    states = new long[64 * stateLongs];
+  }
+
+  /** One pass over the file with a cursor of its own, from its start. */
+  static TimeIndex scan(Path path, EventCursor cursor) throws IOException {
+    TimeIndex index = new TimeIndex(cursor.stateLongs());
+    EventPacket packet = new EventPacket(SCAN_EVENTS);
+    long[] state = new long[cursor.stateLongs()];
+    long segmentFirstUs = 0;
+    boolean inSegment = false;
+    EventCursor.Stop stop;
+    do {
+      if (Thread.currentThread().isInterrupted()) {
+        throw new InterruptedIOException("interrupted while indexing " + path);
+      }
+      cursor.save(state, 0);
+      long lastUs = cursor.lastUs();
+      long offset = cursor.positionBytes();
+      packet.clear();
+      stop = cursor.read(packet, SCAN_EVENTS);
+      if (!packet.isEmpty()) {
+        if (!inSegment) {
+          inSegment = true;
+          segmentFirstUs = packet.firstTimeUs();
+          index.startSegment(path, offset);
+        }
+        index.addWaypoint(state, lastUs);
+      }
+      if (stop == EventCursor.Stop.CLOCK_WENT_BACK) {
+        if (inSegment) {
+          index.segments.add(new TimeSegment(segmentFirstUs, cursor.lastUs()));
+        }
+        inSegment = false;
+        cursor.acceptRestart();
+      }
+    } while (stop != EventCursor.Stop.END);
+    if (inSegment) {
+      index.segments.add(new TimeSegment(segmentFirstUs, cursor.lastUs()));
+    }
+    return index;
+  }
+
+  private void startSegment(Path path, long offset) throws RecordingProblem {
+    int segment = segments.size();
+    if (segment == MAX_SEGMENTS) {
+      throw new RecordingProblem(
+          path,
+          offset,
+          "the clock went back "
+              + MAX_SEGMENTS
+              + " times; this is no recording that one can seek in");
+    }
+    if (segment == firstWaypoint.length) {
+      firstWaypoint = Arrays.copyOf(firstWaypoint, segment * 2);
+    }
+    firstWaypoint[segment] = waypoints;
+  }
+
+  private void addWaypoint(long[] state, long lastUs) {
+    if (waypoints == lastsUs.length) {
+      lastsUs = Arrays.copyOf(lastsUs, waypoints * 2);
+      states = Arrays.copyOf(states, waypoints * 2 * stateLongs);
+    }
+    System.arraycopy(state, 0, states, waypoints * stateLongs, stateLongs);
+    lastsUs[waypoints++] = lastUs;
+  }
+
+  /** The stretches of continuous time, in file order. */
+  List<TimeSegment> segments() {
+    return Collections.unmodifiableList(segments);
+  }
+
+  /** Puts a cursor at the last waypoint of a segment before which all events are before a time. */
+  void seek(EventCursor cursor, int segment, long timeUs) throws IOException {
+    int low = firstWaypoint[segment];
+    int high = (segment + 1 < segments.size() ? firstWaypoint[segment + 1] : waypoints) - 1;
+    while (low < high) {
+      int middle = (low + high + 1) >>> 1;
+      if (lastsUs[middle] < timeUs) {
+        low = middle;
+      } else {
+        high = middle - 1;
+      }
+    }
+    cursor.restore(states, low * stateLongs);
+  }
+}
