@@ -1,5 +1,6 @@
 package haltere.testing;
 
+import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingReader;
@@ -9,7 +10,8 @@ import java.util.List;
 
 /**
  * What is known of a real recording, from programs that nobody here wrote: a catalogue that tests
- * walk through. Coordinates are Haltere's, y upwards.
+ * walk through. Coordinates are the source's own: rows count from the corner that {@code sensor}
+ * names.
  *
  * @param file its name in {@link Recorded#folder()}
  * @param format name of its format
@@ -204,6 +206,87 @@ public record RecordedPackets(
    */
   public static List<RecordedPackets> aedat() {
     return List.of(TMPDIFF128, DARK_BOX, WALKING, PENDULUM, ROTATING_DISK, ROTATING_BAR);
+  }
+
+  /** Prophesee Gen3, dense; the header states no size. */
+  public static final RecordedPackets GEN3_EVT2 =
+      new RecordedPackets(
+          "gen3-evt2.raw",
+          "evt2",
+          new SensorGeometry(640, 480, Origin.TOP),
+          185861,
+          335391,
+          913716224,
+          913812095,
+          0,
+          639,
+          0,
+          479,
+          List.of(
+              row(913716224, 35, 443, 1),
+              row(913716224, 36, 443, 1),
+              row(913716224, 74, 443, 1),
+              row(913716224, 75, 443, 1),
+              row(913716224, 72, 443, 1)),
+          List.of(row(913812094, 4, 474, 0), row(913812095, 12, 471, 0)),
+          "e3b4f295",
+          0);
+
+  /** The same events in words of EVT2.1 whose halves are swapped, written by another program. */
+  public static final RecordedPackets GEN3_EVT21 =
+      new RecordedPackets(
+          "gen3-evt21-by-evutils.raw",
+          "evt21",
+          new SensorGeometry(640, 480, Origin.TOP),
+          185861,
+          335391,
+          913716224,
+          913812095,
+          0,
+          639,
+          0,
+          479,
+          List.of(
+              row(913716224, 35, 443, 1),
+              row(913716224, 36, 443, 1),
+              row(913716224, 74, 443, 1),
+              row(913716224, 75, 443, 1),
+              row(913716224, 72, 443, 1)),
+          List.of(row(913812094, 4, 474, 0), row(913812095, 12, 471, 0)),
+          "e3b4f295",
+          0);
+
+  /** IMX636, sparse: hardly any vector words. */
+  public static final RecordedPackets IMX636_EVT3 =
+      new RecordedPackets(
+          "imx636-evt3.raw",
+          "evt3",
+          new SensorGeometry(1280, 720, Origin.TOP),
+          553295,
+          665323,
+          11200224,
+          21968221,
+          0,
+          1279,
+          0,
+          719,
+          List.of(
+              row(11200224, 484, 315, 1),
+              row(11200225, 474, 231, 0),
+              row(11200225, 450, 309, 1),
+              row(11200227, 492, 253, 0),
+              row(11200227, 472, 222, 0)),
+          List.of(row(21968220, 442, 316, 1), row(21968221, 471, 350, 0)),
+          "ffab0efd",
+          457639);
+
+  /**
+   * The recordings of Prophesee's raw formats.
+   *
+   * @return EVT2 first
+   */
+  public static List<RecordedPackets> prophesee() {
+    return List.of(GEN3_EVT2, GEN3_EVT21, IMX636_EVT3);
   }
 
   private static EventRow row(long timeUs, int x, int y, int on) {

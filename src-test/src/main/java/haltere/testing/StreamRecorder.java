@@ -1,6 +1,8 @@
 package haltere.testing;
 
 import haltere.core.event.EventPacket;
+import haltere.core.event.Origin;
+import haltere.core.event.SensorGeometry;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import java.util.ArrayList;
@@ -87,12 +89,25 @@ public final class StreamRecorder implements StreamHandler {
    * @return eight hexadecimal digits
    */
   public String crc32() {
+    return crc32(new SensorGeometry(1, 1, Origin.BOTTOM));
+  }
+
+  /**
+   * Digest of all events in the coordinates of their source, whose rows may count from the top.
+   *
+   * @param sensor where the events come from
+   * @return eight hexadecimal digits, see {@link #crc32()}
+   */
+  public String crc32(SensorGeometry sensor) {
+    int top = sensor.height() - 1;
+    boolean fromTop = sensor.origin() == Origin.TOP;
     CRC32 crc = new CRC32();
     java.nio.ByteBuffer row =
         java.nio.ByteBuffer.allocate(32).order(java.nio.ByteOrder.LITTLE_ENDIAN);
     for (int i = 0; i < events.size(); i++) {
       row.clear();
-      row.putLong(events.timeUs(i)).putLong(events.x(i)).putLong(events.y(i));
+      int y = events.y(i);
+      row.putLong(events.timeUs(i)).putLong(events.x(i)).putLong(fromTop ? top - y : y);
       row.putLong(events.isOn(i) ? 1 : 0);
       crc.update(row.array());
     }

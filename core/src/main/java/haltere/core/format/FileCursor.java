@@ -51,6 +51,7 @@ public final class FileCursor implements EventCursor {
     boolean back = decoder.decode(buffer, offset, out, maxEvents);
     int used = buffer.position() - from;
     offset += used;
+    fresh &= used == 0;
     violations.reached(offset);
     if (back) {
       return Stop.CLOCK_WENT_BACK;

@@ -14,6 +14,8 @@ public enum Violation {
   LYING_LENGTH("lengths or counts that cannot be true"),
   /** A packet that cannot be unpacked; it is left out. */
   DAMAGED_PACKET("damaged packets were left out"),
+  /** Events before the first word that tells the time; they are left out. */
+  NO_TIME_YET("events before the first time word were left out"),
   /** Data of another kind than polarity events (frames, inertial samples, triggers). */
   OTHER_DATA("words of frames, inertial samples or triggers were skipped");
 
@@ -33,11 +35,12 @@ public enum Violation {
   }
 
   /**
-   * Whether it says that the file is damaged, rather than that it holds more than is read.
+   * Whether it says that the file is damaged, rather than that it holds more than is read or that
+   * the recording began in the middle of the camera's stream.
    *
    * @return true for damage
    */
   public boolean isDamage() {
-    return this != OTHER_DATA;
+    return this != OTHER_DATA && this != NO_TIME_YET;
   }
 }

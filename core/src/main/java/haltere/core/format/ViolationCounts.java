@@ -26,6 +26,15 @@ public final class ViolationCounts {
   }
 
   /**
+   * How far the recording has been read.
+   *
+   * @return byte offset in the file; what lies before it is not counted any more
+   */
+  public long reached() {
+    return reached;
+  }
+
+  /**
    * Counts one of a kind that there is once in a recording at the most.
    *
    * @param kind what was wrong

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.EventPacket;
+import haltere.core.event.Origin;
 import haltere.core.stream.Reset;
 import haltere.core.stream.StreamGrammar;
 import haltere.testing.RecordedPackets;
@@ -12,13 +13,16 @@ import haltere.testing.StreamRecorder;
 import java.io.IOException;
 import java.util.List;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Every recording of the catalogue gives what other programs read from it. */
 class RecordedCatalogueTest {
   static List<RecordedPackets> recordings() {
-    return RecordedPackets.aedat();
+    return Stream.of(RecordedPackets.aedat(), RecordedPackets.prophesee())
+        .flatMap(List::stream)
+        .toList();
   }
 
   @ParameterizedTest
@@ -38,22 +42,32 @@ class RecordedCatalogueTest {
     int size = events.size();
     assertEquals(facts.events(), size);
     assertEquals(facts.on(), IntStream.range(0, size).filter(events::isOn).count(), "ON events");
-    assertEquals(rows(events, 0, 5), facts.head());
-    assertEquals(rows(events, size - 2, size), facts.tail());
+    assertEquals(facts.head(), rows(facts, events, 0, 5));
+    assertEquals(facts.tail(), rows(facts, events, size - 2, size));
     assertEquals(facts.firstUs(), events.firstTimeUs());
     assertEquals(facts.lastUs(), events.lastTimeUs());
     assertEquals(facts.minX(), IntStream.range(0, size).map(events::x).min().orElseThrow());
     assertEquals(facts.maxX(), IntStream.range(0, size).map(events::x).max().orElseThrow());
-    assertEquals(facts.minY(), IntStream.range(0, size).map(events::y).min().orElseThrow());
-    assertEquals(facts.maxY(), IntStream.range(0, size).map(events::y).max().orElseThrow());
-    assertEquals(facts.crc32(), recorder.crc32());
+    assertEquals(
+        facts.minY(), IntStream.range(0, size).map(i -> y(facts, events, i)).min().orElseThrow());
+    assertEquals(
+        facts.maxY(), IntStream.range(0, size).map(i -> y(facts, events, i)).max().orElseThrow());
+    assertEquals(facts.crc32(), recorder.crc32(facts.sensor()));
     assertTrue(recorder.notices(Reset.class).isEmpty());
   }
 
-  private static List<EventRow> rows(EventPacket events, int from, int to) {
+  /** The row as the source counts it. */
+  private static int y(RecordedPackets facts, EventPacket events, int index) {
+    int y = events.y(index);
+    return facts.sensor().origin() == Origin.TOP ? facts.sensor().height() - 1 - y : y;
+  }
+
+  private static List<EventRow> rows(RecordedPackets facts, EventPacket events, int from, int to) {
     return IntStream.range(from, to)
         .mapToObj(
-            i -> new EventRow(events.timeUs(i), events.x(i), events.y(i), events.isOn(i) ? 1 : 0))
+            i ->
+                new EventRow(
+                    events.timeUs(i), events.x(i), y(facts, events, i), events.isOn(i) ? 1 : 0))
         .toList();
   }
 }

@@ -1,0 +1,91 @@
+package haltere.core.format.evt;
+
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.StreamDecoder;
+import haltere.core.format.Violation;
+import haltere.core.format.ViolationCounts;
+import haltere.core.stream.StreamNotification;
+
+/**
+ * What the decoders of EVT words have in common. Rows count from the top in the words and from the
+ * bottom in the packets. Words that are no pixel events (triggers, inertial samples, monitoring)
+ * are counted as {@link Violation#OTHER_DATA}.
+ *
+ * <p>Thread rule: one thread.
+ */
+public abstract sealed class EvtDecoder implements StreamDecoder
+    permits Evt2Decoder, Evt21Decoder, Evt3Decoder {
+  /** Most columns and rows that EVT words can address. */
+  public static final int MAX_SIDE = 2048;
+
+  final int width;
+  final int top;
+  final ViolationCounts violations;
+  final EvtClock clock;
+
+  /** Time of the last event. */
+  long lastUs = StreamNotification.NO_TIME_US;
+
+  /** Events of the word at the input's position that have been handed over already. */
+  int handedOver;
+
+  boolean restarted;
+  private long restartUs;
+
+  EvtDecoder(SensorGeometry geometry, EvtClock clock, ViolationCounts violations) {
+    width = geometry.width();
+    top = geometry.height() - 1;
+    this.clock = clock;
+    this.violations = violations;
+  }
+
+  /** Whether an event at a time must wait for {@link #acceptRestart()}. */
+  final boolean goesBack(long timeUs, long offset) {
+    if (timeUs >= lastUs) {
+      return false;
+    }
+    restarted = true;
+    restartUs = timeUs;
+    violations.add(Violation.CLOCK_WENT_BACK, offset);
+    return true;
+  }
+
+  @Override
+  public final long lastUs() {
+    return lastUs;
+  }
+
+  @Override
+  public final long restartUs() {
+    return restartUs;
+  }
+
+  @Override
+  public final void acceptRestart() {
+    if (!restarted) {
+      throw new IllegalStateException("the clock did not go back");
+    }
+    restarted = false;
+    lastUs = StreamNotification.NO_TIME_US;
+  }
+
+  @Override
+  public int stateLongs() {
+    return 3;
+  }
+
+  @Override
+  public void save(long[] state, int at) {
+    state[at] = lastUs;
+    state[at + 1] = clock.turnUs();
+    state[at + 2] = (long) handedOver << 32 | clock.high() & 0xffffffffL;
+  }
+
+  @Override
+  public void restore(long[] state, int at) {
+    restarted = false;
+    lastUs = state[at];
+    clock.restore(state[at + 1], (int) state[at + 2]);
+    handedOver = (int) (state[at + 2] >> 32);
+  }
+}

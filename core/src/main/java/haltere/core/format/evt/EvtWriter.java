@@ -1,0 +1,193 @@
+package haltere.core.format.evt;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.AtomicFile;
+import haltere.core.format.RecordingProblem;
+import haltere.core.format.RecordingWriter;
+import haltere.core.format.WriteOptions;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+
+/**
+ * What the writers of EVT words have in common: the header, the clock's high part, the buffer.
+ *
+ * <p>The first turn of the clock begins where a header line of our own says, if that is not 0, so
+ * that times before 0 and times since 1970 come back. Other programs pass over that line and see
+ * the times less the base. Every turn of a longer silence is written, since the words have no other
+ * way to say it. A clock that goes back is written as it is, as long as it stays within its turn.
+ */
+abstract sealed class EvtWriter implements RecordingWriter
+    permits Evt2Writer, Evt21Writer, Evt3Writer {
+  private static final int BUFFER_BYTES = 256 * 1024;
+  private static final long MAX_TURNS = 1 << 22;
+  private static final Set<String> OWN_KEYS =
+      Set.of("evt", "format", "geometry", "endianness", "end", EvtFormat.TIME_BASE);
+
+  final ByteBuffer buffer = ByteBuffer.allocateDirect(BUFFER_BYTES).order(ByteOrder.LITTLE_ENDIAN);
+  final int width;
+  final int top;
+
+  /** What a reader makes of the high parts that have been written. */
+  final EvtClock reader;
+
+  private final AtomicFile file;
+  private final WriteOptions options;
+  private final long turnLengthUs;
+  private long baseUs;
+  private boolean started;
+  private long shifts;
+  private long outside;
+
+  EvtWriter(Path path, WriteOptions options, EvtClock reader) throws IOException {
+    SensorGeometry geometry = options.geometry();
+    if (geometry.width() > EvtDecoder.MAX_SIDE || geometry.height() > EvtDecoder.MAX_SIDE) {
+      throw new RecordingProblem(
+          path,
+          "a sensor of "
+              + geometry
+              + " does not fit into EVT words, which have room for 2048x2048;"
+              + " choose another format or cut out a region");
+    }
+    this.options = options;
+    this.reader = reader;
+    width = geometry.width();
+    top = geometry.height() - 1;
+    turnLengthUs = reader.turnLengthUs();
+    file = AtomicFile.create(path, options.overwrite());
+  }
+
+  /** The header lines that tell the encoding. */
+  abstract List<String> encodingLines();
+
+  /** Appends events that are on the sensor. */
+  abstract void append(EventPacket packet) throws IOException;
+
+  /** Writes a high part. */
+  abstract void putHigh(int value) throws IOException;
+
+  @Override
+  public final void write(EventPacket packet) throws IOException {
+    if (!started && !packet.isEmpty()) {
+      start(Math.floorDiv(packet.firstTimeUs(), turnLengthUs) * turnLengthUs);
+    }
+    append(packet);
+  }
+
+  /** Counts an event that cannot be written. */
+  final void leaveOut() {
+    outside++;
+  }
+
+  /** Makes room in the buffer. */
+  final void room(int bytes) throws IOException {
+    if (buffer.remaining() < bytes) {
+      flush();
+    }
+  }
+
+  final void flush() throws IOException {
+    buffer.flip();
+    file.write(buffer);
+    buffer.clear();
+  }
+
+  /**
+   * Writes high parts until the reader's clock is at a time. What the words cannot say shifts all
+   * times from there on by whole turns.
+   */
+  final void moveTo(long timeUs) throws IOException {
+    long turns =
+        Math.floorDiv(timeUs, turnLengthUs)
+            - Math.floorDiv(baseUs, turnLengthUs)
+            - reader.turnUs() / turnLengthUs;
+    if (turns < 0 || turns > MAX_TURNS) {
+      baseUs += turns * turnLengthUs;
+      shifts++;
+      turns = 0;
+    }
+    for (; turns > 0; turns--) {
+      high(reader.last());
+      high(0);
+    }
+    int value = reader.highOf(timeUs);
+    while (reader.wraps(value)) {
+      high(reader.high() - reader.longestFall());
+    }
+    high(value);
+  }
+
+  private void high(int value) throws IOException {
+    if (value != reader.high()) {
+      reader.take(value);
+      putHigh(value);
+    }
+  }
+
+  private void start(long turnUs) throws IOException {
+    started = true;
+    baseUs = turnUs;
+    StringBuilder text = new StringBuilder();
+    if (Math.abs(turnUs) > EvtFormat.MAX_BASE_US) {
+      shifts++;
+    } else if (turnUs != 0) {
+      line(text, EvtFormat.TIME_BASE + " " + turnUs);
+    }
+    for (String line : encodingLines()) {
+      line(text, line);
+    }
+    line(text, "geometry " + options.geometry());
+    for (Map.Entry<String, String> entry : new TreeMap<>(options.metadata()).entrySet()) {
+      String key = entry.getKey().strip().replaceAll("\\s+", "_");
+      if (!key.isEmpty() && !OWN_KEYS.contains(key.toLowerCase(Locale.ROOT))) {
+        line(text, key + " " + entry.getValue());
+      }
+    }
+    line(text, "end");
+    file.write(ByteBuffer.wrap(text.toString().getBytes(StandardCharsets.US_ASCII)));
+  }
+
+  private static void line(StringBuilder text, String line) {
+    text.append("% ");
+    line.chars().forEach(c -> text.append(c < ' ' ? ' ' : c > '~' ? '?' : (char) c));
+    text.append('\n');
+  }
+
+  @Override
+  public final List<String> losses() {
+    List<String> lines = new ArrayList<>();
+    if (outside > 0) {
+      lines.add(outside + " events outside of " + options.geometry() + " were left out");
+    }
+    if (shifts > 0) {
+      lines.add(
+          shifts
+              + " leaps of time do not fit the format's clock;"
+              + " the times behind them read back shifted");
+    }
+    return lines;
+  }
+
+  @Override
+  public final void finish() throws IOException {
+    if (!started) {
+      start(0);
+    }
+    flush();
+    file.commit();
+  }
+
+  @Override
+  public final void close() throws IOException {
+    file.close();
+  }
+}

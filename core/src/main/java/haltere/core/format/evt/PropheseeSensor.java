@@ -1,0 +1,148 @@
+package haltere.core.format.evt;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.Origin;
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.EventCursor;
+import haltere.core.format.ReadOptions;
+import java.io.IOException;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+
+/**
+ * Which size the sensor of a Prophesee file has: the header's word first, then the user's, then
+ * what the header says about the camera, then the smallest sensor that was ever built and holds the
+ * events. Rows count from the top.
+ *
+ * @param geometry the sensor
+ * @param remark how the size was found if the file does not state it; empty if it does
+ */
+public record PropheseeSensor(SensorGeometry geometry, Optional<String> remark) {
+  private static final int LOOK_EVENTS = 1 << 19;
+  private static final int LOOK_PIECES = 64;
+  private static final SensorGeometry GEN3 = top(640, 480);
+  private static final SensorGeometry GEN4 = top(1280, 720);
+
+  /** Sizes of the sensors of RAW files. */
+  static final List<SensorGeometry> RAW_SIZES = List.of(top(320, 320), top(480, 360), GEN3, GEN4);
+
+  private static SensorGeometry top(int width, int height) {
+    return new SensorGeometry(width, height, Origin.TOP);
+  }
+
+  /** Opens a cursor over the events that leaves out none of them. */
+  @FunctionalInterface
+  public interface AnySize {
+    /**
+     * Opens it.
+     *
+     * @param geometry the largest sensor that the format can address
+     * @return a cursor at the first event
+     * @throws IOException if the file cannot be read
+     */
+    EventCursor open(SensorGeometry geometry) throws IOException;
+  }
+
+  /**
+   * Decides.
+   *
+   * @param header of the file
+   * @param options what the user says
+   * @param maxSide most columns and rows that the format can address
+   * @param sizes sensors that there are, from the smallest to the usual one
+   * @param events the events, to look at some of them if nothing else helps
+   * @return the sensor
+   * @throws IOException if the file cannot be read
+   */
+  public static PropheseeSensor decide(
+      PropheseeHeader header,
+      ReadOptions options,
+      int maxSide,
+      List<SensorGeometry> sizes,
+      AnySize events)
+      throws IOException {
+    Optional<PropheseeHeader.Size> stated = header.size();
+    String lie = "";
+    if (stated.isPresent()) {
+      PropheseeHeader.Size size = stated.get();
+      if (size.width() >= 1
+          && size.height() >= 1
+          && size.width() <= maxSide
+          && size.height() <= maxSide) {
+        return new PropheseeSensor(top(size.width(), size.height()), Optional.empty());
+      }
+      lie = "the header's size " + size.width() + "x" + size.height() + " cannot be true; ";
+    }
+    if (options.sensor().isPresent()) {
+      SensorGeometry asked = options.sensor().get();
+      return new PropheseeSensor(
+          top(asked.width(), asked.height()),
+          lie.isEmpty() ? Optional.empty() : Optional.of(lie + asked + " is used as asked for"));
+    }
+    Optional<SensorGeometry> named = named(header);
+    if (named.isPresent()) {
+      return new PropheseeSensor(
+          named.get(),
+          Optional.of(lie + "no size is stated; the camera is one of " + named.get() + " pixels"));
+    }
+    return lookAt(events, maxSide, sizes, lie);
+  }
+
+  /** By what RAW headers say of the camera. */
+  private static Optional<SensorGeometry> named(PropheseeHeader header) {
+    String plugin = header.value("plugin_name").orElse("").toLowerCase(Locale.ROOT);
+    String generation = header.value("sensor_generation").orElse("");
+    if (plugin.contains("genx320") || header.value("sensor_name").orElse("").contains("320")) {
+      return Optional.of(RAW_SIZES.get(0));
+    }
+    if (plugin.contains("gen31") || generation.equals("3.1")) {
+      return Optional.of(GEN3);
+    }
+    if (plugin.contains("gen4") || plugin.contains("imx636") || generation.startsWith("4.")) {
+      return Optional.of(GEN4);
+    }
+    return Optional.empty();
+  }
+
+  private static PropheseeSensor lookAt(
+      AnySize events, int maxSide, List<SensorGeometry> sizes, String lie) throws IOException {
+    int right = -1;
+    int down = -1;
+    EventPacket packet = new EventPacket(0);
+    try (EventCursor cursor = events.open(top(maxSide, maxSide))) {
+      EventCursor.Stop stop = EventCursor.Stop.MORE;
+      for (int i = 0; i < LOOK_PIECES && stop != EventCursor.Stop.END; i++) {
+        packet.clear();
+        stop = cursor.read(packet, LOOK_EVENTS / LOOK_PIECES);
+        if (stop == EventCursor.Stop.CLOCK_WENT_BACK) {
+          cursor.acceptRestart();
+        }
+        for (int event = 0; event < packet.size(); event++) {
+          right = Math.max(right, packet.x(event));
+          down = Math.max(down, maxSide - 1 - packet.y(event));
+        }
+      }
+    }
+    if (right < 0) {
+      SensorGeometry usual = sizes.get(sizes.size() - 1);
+      return new PropheseeSensor(
+          usual, Optional.of(lie + "no size is stated and no event is there; " + usual + " taken"));
+    }
+    for (SensorGeometry size : sizes) {
+      if (right < size.width() && down < size.height()) {
+        return new PropheseeSensor(
+            size,
+            Optional.of(
+                lie
+                    + "no size is stated; "
+                    + size
+                    + " is the smallest usual one that holds the first events"
+                    + " (--sensor tells another)"));
+      }
+    }
+    SensorGeometry box = top(right + 1, down + 1);
+    return new PropheseeSensor(
+        box, Optional.of(lie + "no size is stated; the first events need " + box));
+  }
+}
