@@ -17,7 +17,8 @@ class RecordingServicesTest {
 
   @Test
   void everyFormatIsFoundUnderItsName() {
-    assertEquals(Set.of("aedat1", "aedat2", "csv"), Recordings.formats().keySet());
+    assertEquals(
+        Set.of("aedat1", "aedat2", "csv", "evt2", "evt21", "evt3"), Recordings.formats().keySet());
     Recordings.formats().forEach((name, format) -> assertEquals(name, format.name()));
   }
 }
