@@ -223,11 +223,12 @@ public final class FourStateEkf {
    * @return what became of it
    */
   public UpdateOutcome update(double y, double h0, double h1, double h2, double h3, double r) {
-    double g0 = p00 * h0 + p01 * h1 + p02 * h2 + p03 * h3;
-    double g1 = p01 * h0 + p11 * h1 + p12 * h2 + p13 * h3;
-    double g2 = p02 * h0 + p12 * h1 + p22 * h2 + p23 * h3;
-    double g3 = p03 * h0 + p13 * h1 + p23 * h2 + p33 * h3;
-    double s = h0 * g0 + h1 * g1 + h2 * g2 + h3 * g3 + r;
+    // Sums in pairs: each event waits for the one before, so the longest chain is what counts.
+    double g0 = (p00 * h0 + p01 * h1) + (p02 * h2 + p03 * h3);
+    double g1 = (p01 * h0 + p11 * h1) + (p12 * h2 + p13 * h3);
+    double g2 = (p02 * h0 + p12 * h1) + (p22 * h2 + p23 * h3);
+    double g3 = (p03 * h0 + p13 * h1) + (p23 * h2 + p33 * h3);
+    double s = (h0 * g0 + h1 * g1) + (h2 * g2 + h3 * g3) + r;
     double inverseS = 1 / s;
     double nis = y * y * inverseS;
     if (!(r > 0 && s > 0 && s < Double.POSITIVE_INFINITY && nis < Double.POSITIVE_INFINITY)) {
@@ -257,10 +258,10 @@ public final class FourStateEkf {
     double a23 = p23 - k2 * g3;
     double a33 = p33 - k3 * g3;
     // e = A h − r K
-    double e0 = a00 * h0 + a01 * h1 + a02 * h2 + a03 * h3 - r * k0;
-    double e1 = a01 * h0 + a11 * h1 + a12 * h2 + a13 * h3 - r * k1;
-    double e2 = a02 * h0 + a12 * h1 + a22 * h2 + a23 * h3 - r * k2;
-    double e3 = a03 * h0 + a13 * h1 + a23 * h2 + a33 * h3 - r * k3;
+    double e0 = (a00 * h0 + a01 * h1) + (a02 * h2 + a03 * h3) - r * k0;
+    double e1 = (a01 * h0 + a11 * h1) + (a12 * h2 + a13 * h3) - r * k1;
+    double e2 = (a02 * h0 + a12 * h1) + (a22 * h2 + a23 * h3) - r * k2;
+    double e3 = (a03 * h0 + a13 * h1) + (a23 * h2 + a33 * h3) - r * k3;
     // P = A − e Kᵀ
     p00 = a00 - e0 * k0;
     p01 = a01 - e0 * k1;

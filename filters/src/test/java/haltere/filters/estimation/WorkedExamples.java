@@ -86,6 +86,13 @@ final class WorkedExamples {
     }
 
     /**
+     * First pass with the report's own start: next to nothing is known of damping and frequency.
+     */
+    List<Estimate> firstPassFromNextToNothing() {
+      return pass(Matrices.column(0, 60, 0.1, 3), Matrices.diagonal(1e4, 1e6, 100, 1000));
+    }
+
+    /**
      * Second pass, linearised where the first one ended. What it takes over is kept so vague
      * (damping ± 0.05, frequency ± 0.3 rad/s) that the data, used twice, count once.
      */

@@ -63,4 +63,31 @@ class WorkedExamplesTest {
     Interval band = Consistency.meanBand(4, RUNS, 0.95);
     assertTrue(band.contains(nees), "NEES " + nees + " in " + band);
   }
+
+  @Test
+  void theFirstPassGetsNearButIsTooSureOfItself() {
+    double nees = 0;
+    for (int seed = 0; seed < RUNS; seed++) {
+      Spring spring = new Spring(seed);
+      Estimate end = last(spring.firstPass(3));
+      assertEquals(1, Math.abs(end.value(DampedOscillator.FREQUENCY)) / FREQUENCY, 0.02);
+      nees += Consistency.nees(end, spring.truth) / RUNS;
+    }
+    assertTrue(nees > 20, "NEES " + nees);
+  }
+
+  @Test
+  void aPriorThatIsTooWideDoesHarm() {
+    int found = 0;
+    for (int seed = 0; seed < RUNS; seed++) {
+      try {
+        Estimate end = last(new Spring(seed).firstPassFromNextToNothing());
+        double ratio = Math.abs(end.value(DampedOscillator.FREQUENCY)) / FREQUENCY;
+        found += Math.abs(ratio - 1) < 0.02 ? 1 : 0;
+      } catch (ArithmeticException leftTheNumbers) {
+        // Not found either.
+      }
+    }
+    assertTrue(found < RUNS / 2, "found " + found);
+  }
 }

@@ -159,7 +159,7 @@ public class EstimationBenchmark {
    */
   @Benchmark
   public double waveAlone() {
-    phase += 1250 * DT_S;
+    phase = Angles.wrapPi(phase + 1250 * DT_S);
     return Math.sin(phase) + Math.cos(phase);
   }
 

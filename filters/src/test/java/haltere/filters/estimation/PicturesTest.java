@@ -1,0 +1,180 @@
+package haltere.filters.estimation;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.filters.estimation.WorkedExamples.Spring;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.ToDoubleFunction;
+import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.CommonOps_DDRM;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Draws the pictures of docs/estimation.md into build/pictures; {@code ./gradlew
+ * :filters:refreshPictures} takes them over. Each test also says what its picture shows.
+ */
+class PicturesTest {
+  private static final Path FOLDER = Path.of("build", "pictures");
+  private static final String MEASURED = "#888888";
+  private static final String BLUE = "#1f6fb4";
+  private static final String RED = "#c23b22";
+  private static final String GREEN = "#2f8f4e";
+
+  private static void write(SvgPlot plot, String name, String title, String x, String y)
+      throws IOException {
+    Path file = FOLDER.resolve("estimation-" + name + ".svg");
+    plot.write(file, title, x, y);
+    assertTrue(Files.size(file) < 40_000, "small enough to commit: " + Files.size(file));
+  }
+
+  private static double[] each(List<Estimate> estimates, ToDoubleFunction<Estimate> value) {
+    return estimates.stream().mapToDouble(value).toArray();
+  }
+
+  private static SvgPlot withBand(
+      SvgPlot plot, List<Estimate> estimates, int entry, String name, String colour) {
+    double[] t = each(estimates, Estimate::timeS);
+    return plot.band(
+            "",
+            colour,
+            t,
+            each(estimates, e -> e.value(entry) - e.standardDeviation(entry)),
+            each(estimates, e -> e.value(entry) + e.standardDeviation(entry)))
+        .line(name, colour, t, each(estimates, e -> e.value(entry)));
+  }
+
+  @Test
+  void theAccelerationOfAFallingWeightNarrowsDownToGravity() throws IOException {
+    List<FilterStep> steps = new ArrayList<>();
+    List<Estimate> filtered = WorkedExamples.fallingWeight(WorkedExamples.SHOWN_FALL, steps);
+    List<Estimate> smoothed = RtsSmoother.smooth(steps);
+    SvgPlot plot = new SvgPlot(0, 0.4, 0, 16);
+    plot.level("9.81 m/s²", RED, WorkedExamples.GRAVITY);
+    withBand(plot, filtered, 2, "filtered, ± 1 SD", BLUE);
+    withBand(plot, smoothed, 2, "smoothed, ± 1 SD", GREEN);
+    write(plot, "falling-weight", "Acceleration of a falling weight", "time (s)", "m/s²");
+    double first = smoothed.get(10).standardDeviation(2);
+    double last = smoothed.get(smoothed.size() - 1).standardDeviation(2);
+    assertTrue(filtered.get(10).standardDeviation(2) > 3 * last);
+    assertTrue(first < 1.2 * last, "the smoother knows at once what the filter learns late");
+  }
+
+  @Test
+  void theFrequencyOfAnOscillatorIsFoundFromAnyOfThreeStarts() throws IOException {
+    Spring spring = new Spring(0);
+    SvgPlot plot = new SvgPlot(0, 0.8, 0, 14);
+    plot.level("4.309 rad/s", MEASURED, WorkedExamples.FREQUENCY);
+    double[] starts = {
+      3 * WorkedExamples.FREQUENCY, 3, WorkedExamples.FREQUENCY / 3,
+    };
+    String[] colours = {RED, BLUE, GREEN};
+    for (int i = 0; i < starts.length; i++) {
+      List<Estimate> pass = spring.firstPass(starts[i]);
+      String name = String.format(Locale.ROOT, "from %.2f rad/s", starts[i]);
+      withBand(plot, pass.subList(0, 193), DampedOscillator.FREQUENCY, name, colours[i]);
+      assertTrue(Math.abs(pass.get(pass.size() - 1).value(3) - WorkedExamples.FREQUENCY) < 0.05);
+    }
+    write(plot, "oscillator", "Frequency of an oscillator, first pass", "time (s)", "ω (rad/s)");
+  }
+
+  @Test
+  void theMeanSquaredInnovationTellsAFilterThatTrustsTooMuch() throws IOException {
+    int window = 50;
+    SvgPlot plot = new SvgPlot(0, 50, 0, 5.5);
+    Interval band = Consistency.meanBand(1, window, 0.95);
+    double[] ends = {0, 50};
+    plot.band(
+        "95 % band",
+        MEASURED,
+        ends,
+        new double[] {band.lower(), band.lower()},
+        new double[] {band.upper(), band.upper()});
+    double[] honest = windowedNis(0.3, window);
+    double[] trusting = windowedNis(0.1, window);
+    double[] t = new double[honest.length];
+    for (int i = 0; i < t.length; i++) {
+      t[i] = (i + 1) * window * 0.02;
+    }
+    plot.line("R as it is", BLUE, t, honest);
+    plot.line("R three times too small", RED, t, trusting);
+    write(plot, "nis", "Mean NIS of 50 innovations", "time (s)", "mean of y² / S");
+    int inside = 0;
+    for (double value : honest) {
+      inside += band.contains(value) ? 1 : 0;
+    }
+    assertTrue(inside >= honest.length * 0.85, "the honest one stays inside");
+    for (double value : trusting) {
+      assertTrue(value > band.upper(), "the other does not");
+    }
+  }
+
+  private static double[] windowedNis(double believed, int window) {
+    Draws draws = new Draws(12);
+    KalmanFilter filter =
+        new KalmanFilter(
+            new ConstantVelocity(1, 1), Matrices.column(0, 0), Matrices.diagonal(1, 1));
+    LinearMeasurement position = LinearMeasurement.ofEntries(2, believed, 0);
+    DMatrixRMaj truth = draws.normal(Matrices.diagonal(1, 1));
+    ConstantVelocity model = new ConstantVelocity(1, 1);
+    DMatrixRMaj q = new DMatrixRMaj(2, 2);
+    model.noise(0.02, q);
+    double[] means = new double[50];
+    for (int k = 0; k < means.length * window; k++) {
+      DMatrixRMaj next = new DMatrixRMaj(2, 1);
+      model.evolve(truth, 0.02, next);
+      CommonOps_DDRM.add(next, draws.normal(q), truth);
+      filter.predict(0.02);
+      filter.update(position, truth.get(0) + draws.normal(Math.sqrt(0.3)));
+      means[k / window] += filter.nis() / window;
+    }
+    return means;
+  }
+
+  @Test
+  void theProbabilityOfTurningRisesWithATurn() throws IOException {
+    Draws draws = new Draws(6);
+    InteractingMultipleModels both =
+        new InteractingMultipleModels(
+            List.of(new ConstantVelocity(1, 1), new ConstantVelocity(1, 2e4)),
+            ModeSwitching.meanStays(2, 0.5),
+            Matrices.column(0, 60),
+            Matrices.diagonal(1, 100),
+            FilterOptions.DEFAULT);
+    LinearMeasurement position = LinearMeasurement.ofEntries(2, 0.5, 0);
+    double dtS = 0.01;
+    double[] t = new double[400];
+    double[] turning = new double[400];
+    double at = 0;
+    double speed = 60;
+    for (int k = 0; k < t.length; k++) {
+      t[k] = k * dtS;
+      // Straight, a turn from 1.5 s to 2 s, straight again the other way.
+      speed += t[k] >= 1.5 && t[k] < 2 ? -240 * dtS : 0;
+      at += speed * dtS;
+      both.predict(dtS);
+      both.update(position, at + draws.normal(Math.sqrt(0.5)));
+      turning[k] = both.modeProbability(1);
+    }
+    SvgPlot plot = new SvgPlot(0, 4, 0, 1);
+    plot.band(
+        "it turns", MEASURED, new double[] {1.5, 2}, new double[] {0, 0}, new double[] {1, 1});
+    plot.line("probability that it turns", BLUE, t, turning);
+    write(plot, "modes", "Two models of one target", "time (s)", "probability");
+    assertTrue(mean(turning, 100, 150) < 0.25, "straight");
+    assertTrue(mean(turning, 160, 200) > 0.6, "in the turn");
+    assertTrue(mean(turning, 260, 400) < 0.25, "straight again");
+  }
+
+  private static double mean(double[] values, int from, int to) {
+    double sum = 0;
+    for (int i = from; i < to; i++) {
+      sum += values[i];
+    }
+    return sum / (to - from);
+  }
+}
