@@ -44,6 +44,9 @@ final class BenchCommand extends Subcommand {
   private static final int SCENE_EVENTS = 1_000_000;
   private static final int FEWEST_ROUNDS = 3;
 
+  /** Less than one clock cycle per event. */
+  private static final double LEAST_NANOS = 0.1;
+
   @Parameters(arity = "0..1", paramLabel = "FILE", description = "A recording.")
   Path file;
 
@@ -153,7 +156,15 @@ final class BenchCommand extends Subcommand {
       Arrays.sort(nanos, 0, rounds);
       double perEvent = nanos[rounds / 2] / (double) events;
       bar.erase();
-      result(String.format(Locale.ROOT, "%-24s %10.1f %10.2f", name, 1e3 / perEvent, perEvent));
+      result(
+          String.format(
+              Locale.ROOT,
+              "%-24s %10s %10.2f",
+              name,
+              perEvent < LEAST_NANOS
+                  ? "no work" // a filter that passes everything as it is
+                  : String.format(Locale.ROOT, "%.1f", 1e3 / perEvent),
+              perEvent));
       surroundings().out().flush();
     }
   }

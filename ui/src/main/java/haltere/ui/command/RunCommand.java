@@ -8,6 +8,8 @@ import haltere.core.chain.Outlet;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.RecordingWriter;
+import haltere.core.pipeline.Pipeline;
+import haltere.core.pipeline.PipelineCounters;
 import java.io.IOException;
 import java.nio.charset.CharacterCodingException;
 import java.nio.file.Path;
@@ -130,10 +132,10 @@ final class RunCommand extends Subcommand {
   private long run(RecordingReader reader, FilterChain chain, RecordingWriter writer)
       throws IOException {
     try (ProgressBar bar = progressBar("filtering", file)) {
-      WritingSink sink = new WritingSink(reader, writer, bar);
-      haltere.core.pipeline.Pipeline.run(
-          reader, chain, List.of(sink), new haltere.core.pipeline.PipelineCounters());
-      return sink.events();
+      PipelineCounters counters = new PipelineCounters();
+      WritingSink sink = new WritingSink(reader, writer, bar, counters);
+      Pipeline.run(reader, chain, List.of(sink), counters);
+      return counters.get(PipelineCounters.Counter.EVENTS_OUT);
     }
   }
 

@@ -30,6 +30,9 @@ class BenchCommandTest {
       String line = lines.get(i + 2);
       assertTrue(line.startsWith(stages.get(i) + " "), line);
       String[] figures = line.substring(24).trim().split(" +");
+      if (line.contains(" no work ")) {
+        continue;
+      }
       double nanos = Double.parseDouble(figures[1]);
       assertEquals(1e3 / nanos, Double.parseDouble(figures[0]), 0.05 + 5 / (nanos * nanos), line);
     }

@@ -1,0 +1,96 @@
+package haltere.ui;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Assumptions;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The installed program, as a user starts it. */
+@Timeout(60)
+class StartScriptTest {
+  private record Run(int status, String out, String err) {}
+
+  @TempDir Path folder;
+
+  private Path script;
+
+  @BeforeEach
+  void findScript() {
+    Assumptions.assumeFalse(
+        System.getProperty("os.name").startsWith("Windows"), "this is the script for a Unix shell");
+    script = Path.of(System.getProperty("haltere.installed"), "bin", "haltere");
+  }
+
+  private Run run(Path program, Map<String, String> environment, String... words) throws Exception {
+    List<String> command = new ArrayList<>(List.of(program.toString()));
+    command.addAll(List.of(words));
+    Path out = folder.resolve("stdout.txt");
+    Path err = folder.resolve("stderr.txt");
+    ProcessBuilder builder =
+        new ProcessBuilder(command)
+            .directory(folder.toFile())
+            .redirectOutput(out.toFile())
+            .redirectError(err.toFile());
+    for (String variable : List.of("DISPLAY", "JAVA_OPTS", "HALTERE_OPTS", "JAVA_TOOL_OPTIONS")) {
+      builder.environment().remove(variable);
+    }
+    builder.environment().put("JAVA_HOME", System.getProperty("java.home"));
+    builder.environment().putAll(environment);
+    int status = builder.start().waitFor();
+    return new Run(status, read(out), read(err));
+  }
+
+  private static String read(Path file) throws IOException {
+    return Files.readString(file, StandardCharsets.UTF_8);
+  }
+
+  @Test
+  void startsThroughALinkFromAnotherFolderWithoutAWord() throws Exception {
+    Path link = Files.createSymbolicLink(folder.resolve("my haltere"), script);
+    Run run = run(link, Map.of(), "--version");
+    assertEquals(new Run(0, run.out(), ""), run);
+    assertTrue(run.out().matches("haltere \\d+\\.\\d+\\.\\d+\\S*\n"), run.out());
+  }
+
+  @Test
+  void argumentsWithBlanksArriveWhole() throws Exception {
+    Run run = run(script, Map.of(), "info", "no such * file.aedat");
+    assertEquals(new Run(1, "", "haltere: no such * file.aedat: there is no such file\n"), run);
+  }
+
+  @Test
+  void otherOptionsForJavaCauseNoComplaint() throws Exception {
+    for (String options : List.of("-XX:+UseParallelGC", "-Xmx300m -Xss1m", "-Xshare:off")) {
+      Run run = run(script, Map.of("JAVA_OPTS", options), "filters", "refractory");
+      assertEquals(0, run.status(), run.err());
+      assertEquals("", run.err());
+      assertTrue(run.out().startsWith("refractory\n"), run.out());
+    }
+  }
+
+  @Test
+  void aJavaThatIsNotThereIsExplained() throws Exception {
+    Run run = run(script, Map.of("JAVA_HOME", "/nowhere"), "--version");
+    assertEquals(1, run.status());
+    assertEquals(1, run.err().lines().count(), run.err());
+    assertTrue(run.err().contains("JAVA_HOME"), run.err());
+  }
+
+  @Test
+  void viewWithoutADisplayIsOneLine() throws Exception {
+    Run run = run(script, Map.of(), "view");
+    assertEquals(1, run.status());
+    assertEquals(1, run.err().lines().count(), run.err());
+  }
+}
