@@ -3,6 +3,7 @@ package haltere.testing.benchmark;
 import haltere.core.chain.EventFilter;
 import haltere.core.chain.Filters;
 import haltere.core.event.EventPacket;
+import java.io.IOException;
 import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
@@ -23,9 +24,10 @@ import org.openjdk.jmh.annotations.Warmup;
  *
  * <p>Figures to beat on one core, events from real recordings: background activity 66 (320x240) and
  * 60 (1280x720) in dv-processing 2.0.4; refractory period 107 and 81, hot pixels 107 and 84 in
- * eventcv 1.0.8.
+ * eventcv 1.0.8; trackers 6.6 (mean shift of dv-processing) and 5.4 (components of eventcv).
  *
- * <p>Run: {@code ./gradlew :src-test:jmh -Pbench=FilterBenchmark}
+ * <p>Run: {@code ./gradlew :src-test:jmh -Pbench=FilterBenchmark}; on a recording with {@code
+ * -PjmhArgs='-p events=dvs128-pendulum.aedat'} and HALTERE_RECORDINGS set to its folder.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.Throughput)
@@ -35,11 +37,19 @@ import org.openjdk.jmh.annotations.Warmup;
 @Measurement(iterations = 5, time = 1)
 public class FilterBenchmark {
   /** Name of the filter, or {@code nothing}. */
-  @Param({"nothing", "refractory", "background-activity", "hot-pixels", "region", "polarity"})
+  @Param({
+    "nothing",
+    "refractory",
+    "background-activity",
+    "hot-pixels",
+    "region",
+    "polarity",
+    "cluster-tracker"
+  })
   public String filter;
 
   /** Events and sensor. */
-  @Param({"noise-320x240", "bars-320x240", "bars-1280x720"})
+  @Param({"noise-320x240", "bars-320x240", "bars-1280x720", "fly"})
   public String events;
 
   private Workload workload;
@@ -47,7 +57,7 @@ public class FilterBenchmark {
 
   /** Makes the filter and the events. */
   @Setup
-  public void setUp() {
+  public void setUp() throws IOException {
     workload = Workload.named(events);
     tested = filter.equals("nothing") ? null : Filters.named(filter).create(workload.geometry);
   }

@@ -2,15 +2,26 @@ package haltere.testing.benchmark;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.format.Recordings;
+import haltere.core.simulation.FlyScene;
+import haltere.core.simulation.FlySceneSettings;
+import haltere.core.stream.EventSource;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
 import haltere.testing.EventPackets;
+import haltere.testing.Recorded;
+import java.io.IOException;
 
 /**
- * The event streams that filters are measured on, and a packet that goes through one again and
- * again.
+ * The event streams that filters are measured on, handed out in packets that are filled anew each
+ * time, because filters work in place.
  */
 final class Workload {
   /** Events of one packet, about what a camera sends in a millisecond or a few. */
   static final int PACKET_EVENTS = 4096;
+
+  /** Length of a stream: enough that nothing but the sensor's size decides what fits a cache. */
+  private static final int STREAM_EVENTS = 1 << 20;
 
   final SensorGeometry geometry;
   private final EventPacket stream;
@@ -25,26 +36,59 @@ final class Workload {
   /**
    * A workload by name.
    *
-   * @param name {@code noise} (uniform, the worst case for a branch predictor and a cache) or
-   *     {@code bars} (clustered in space and time, as recordings are), then the sensor's size
+   * @param name {@code noise-320x240} (uniform, the worst case for a branch predictor and a cache),
+   *     {@code bars-320x240} (clustered in space and time), {@code fly} (the simulated fly), or the
+   *     file name of a recording in the folder that the environment variable HALTERE_RECORDINGS
+   *     names, which is repeated
    */
-  static Workload named(String name) {
-    String[] parts = name.split("-");
-    String[] size = parts[1].split("x");
-    SensorGeometry geometry =
-        new SensorGeometry(Integer.parseInt(size[0]), Integer.parseInt(size[1]));
-    EventPacket stream =
-        switch (parts[0]) {
-          case "noise" -> EventPackets.uniform(geometry, 1, 1 << 20, 0, 0.5);
-            // About a million events.
-          case "bars" ->
-              EventPackets.movingBars(geometry, 1, 150_000_000_000L / geometry.pixels(), 0);
-          default -> throw new IllegalArgumentException("no workload named " + name);
-        };
-    if (stream.size() < PACKET_EVENTS) {
-      throw new IllegalArgumentException(name + " has only " + stream.size() + " events");
+  static Workload named(String name) throws IOException {
+    if (name.startsWith("noise-")) {
+      SensorGeometry geometry = size(name);
+      return new Workload(geometry, EventPackets.uniform(geometry, 1, STREAM_EVENTS, 0, 0.5));
     }
-    return new Workload(geometry, stream);
+    if (name.startsWith("bars-")) {
+      SensorGeometry geometry = size(name);
+      long durationUs = 150_000L * STREAM_EVENTS / geometry.pixels();
+      return new Workload(geometry, EventPackets.movingBars(geometry, 1, durationUs, 0));
+    }
+    EventSource source =
+        name.equals("fly")
+            ? new FlyScene(FlySceneSettings.defaults().with("run.durationS=2"))
+            : Recordings.open(Recorded.folder().resolve(name));
+    try (source) {
+      return new Workload(source.geometry(), repeated(read(source)));
+    }
+  }
+
+  private static SensorGeometry size(String name) {
+    String[] size = name.substring(name.indexOf('-') + 1).split("x");
+    return new SensorGeometry(Integer.parseInt(size[0]), Integer.parseInt(size[1]));
+  }
+
+  private static EventPacket read(EventSource source) throws IOException {
+    EventPacket events = new EventPacket(STREAM_EVENTS);
+    source.drainTo(
+        new StreamHandler() {
+          @Override
+          public void packet(EventPacket packet) {
+            events.append(packet, 0, packet.size());
+          }
+
+          @Override
+          public void notified(StreamNotification notification) {
+            // The benchmarks run on recordings in one piece.
+          }
+        });
+    return events;
+  }
+
+  private static EventPacket repeated(EventPacket once) {
+    EventPacket stream = EventPackets.copy(once);
+    while (stream.size() < STREAM_EVENTS) {
+      long shiftUs = stream.lastTimeUs() + 1000 - once.firstTimeUs();
+      stream.append(EventPackets.shifted(once, shiftUs), 0, once.size());
+    }
+    return stream;
   }
 
   /** Whether the next packet is the first one: time goes back before it. */
@@ -52,7 +96,7 @@ final class Workload {
     return next == 0;
   }
 
-  /** The next packet, filled anew: filters work in place. */
+  /** The next packet. */
   EventPacket nextPacket() {
     packet.clear();
     packet.append(stream, next, next + PACKET_EVENTS);
