@@ -5,7 +5,8 @@ package haltere.filters.estimation;
  * use at every event. It allocates nothing.
  *
  * <p>The update is Joseph's form: with a gain of k = (k₀, k₁), P₀₀ = (1 − k₀)² p₀₀ + k₀² r and so
- * on, where 1 − k₀ is calculated as r / S, so that nothing cancels.
+ * on, where 1 − k₀ is calculated as r / S, so that nothing cancels. What a long gap means is the
+ * caller's to say.
  *
  * <p>Thread rule: not safe for use by two threads at a time.
  */

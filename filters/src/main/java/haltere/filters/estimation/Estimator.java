@@ -43,6 +43,8 @@ public interface Estimator<M extends MeasurementModel> {
    * @param model how it comes from the state
    * @param z the measurement, not kept
    * @return what became of it
+   * @throws ArithmeticException if the state leaves the numbers, as that of a diverged extended
+   *     filter may; launch anew
    */
   UpdateOutcome update(M model, DMatrixRMaj z);
 

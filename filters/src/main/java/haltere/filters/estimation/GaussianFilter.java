@@ -30,6 +30,7 @@ public abstract sealed class GaussianFilter<M extends MeasurementModel> implemen
   private final Innovation rowInnovation = new Innovation();
   private Consumer<? super FilterStep> observer;
   private double timeS;
+  private double gapS;
   private long relaunches;
 
   GaussianFilter(ProcessModel process, DMatrixRMaj x, DMatrixRMaj p, FilterOptions options) {
@@ -66,13 +67,15 @@ public abstract sealed class GaussianFilter<M extends MeasurementModel> implemen
   public final void predict(double dtS) {
     Require.timeStep(dtS);
     timeS += dtS;
-    if (gap.relaunches(dtS)) {
+    if (gap.relaunches(gapS, dtS)) {
       relaunches++;
+      gapS = 0;
       set(launchState, launchCovariance);
       monitor.endRun();
       return;
     }
-    double stepS = gap.predicted(dtS);
+    double stepS = gap.predicted(gapS, dtS);
+    gapS += dtS;
     if (stepS > 0) {
       step(stepS);
     }
@@ -215,6 +218,7 @@ public abstract sealed class GaussianFilter<M extends MeasurementModel> implemen
     Require.covariance("covariance", p, process.stateSize());
     launchState.setTo(state);
     launchCovariance.setTo(p);
+    gapS = 0;
     monitor.endRun();
     set(state, p);
   }
@@ -238,6 +242,7 @@ public abstract sealed class GaussianFilter<M extends MeasurementModel> implemen
       throw new ArithmeticException("the state left the numbers: " + stateChange);
     }
     CommonOps_DDRM.addEquals(x, stateChange);
+    gapS = 0;
     return note(monitor.noteApplied(), in, prior);
   }
 

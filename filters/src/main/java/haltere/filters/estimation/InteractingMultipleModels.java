@@ -36,6 +36,7 @@ public final class InteractingMultipleModels implements Estimator<MeasurementMod
   private final DMatrixRMaj p;
   private final int n;
   private double timeS;
+  private double gapS;
   private long relaunches;
   private double logLikelihood = Double.NaN;
 
@@ -98,6 +99,7 @@ public final class InteractingMultipleModels implements Estimator<MeasurementMod
     launchState.setTo(state);
     launchCovariance.setTo(covariance);
     System.arraycopy(logInitial, 0, logProbability, 0, logInitial.length);
+    gapS = 0;
     monitor.endRun();
     combine();
   }
@@ -106,12 +108,13 @@ public final class InteractingMultipleModels implements Estimator<MeasurementMod
   public void predict(double dtS) {
     Require.timeStep(dtS);
     timeS += dtS;
-    if (gap.relaunches(dtS)) {
+    if (gap.relaunches(gapS, dtS)) {
       relaunches++;
       launch(launchState.copy(), launchCovariance.copy());
       return;
     }
-    double stepS = gap.predicted(dtS);
+    double stepS = gap.predicted(gapS, dtS);
+    gapS += dtS;
     if (stepS > 0) {
       mix(switching.probabilities(stepS));
       for (ExtendedKalmanFilter filter : filters) {
@@ -148,6 +151,7 @@ public final class InteractingMultipleModels implements Estimator<MeasurementMod
       logProbability[j] = mixed[j] - logLikelihood;
     }
     combine();
+    gapS = 0;
     return monitor.noteApplied();
   }
 

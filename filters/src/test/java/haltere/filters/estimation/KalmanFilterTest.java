@@ -299,6 +299,25 @@ class KalmanFilterTest {
   }
 
   @Test
+  void aSilenceIsAsLongWhenItIsPredictedInManySteps() {
+    FilterOptions options = FilterOptions.DEFAULT.withGap(GapPolicy.cap(2));
+    KalmanFilter filter =
+        new KalmanFilter(new ConstantVelocity(1, 5), column(0, 1), diagonal(1, 1), options);
+    KalmanFilter twoSeconds =
+        new KalmanFilter(new ConstantVelocity(1, 5), column(0, 1), diagonal(1, 1), options);
+    for (int i = 0; i < 360_000; i++) {
+      filter.predict(0.01);
+    }
+    twoSeconds.predict(2);
+    assertEquals(2, filter.state(0), 1e-9);
+    assertEquals(twoSeconds.covariance(0, 0), filter.covariance(0, 0), 1e-9);
+    filter.update(LinearMeasurement.ofEntries(2, 1, 0), 2);
+    double before = filter.covariance(0, 0);
+    filter.predict(0.01);
+    assertTrue(filter.covariance(0, 0) > before, "a measurement ends the gap");
+  }
+
+  @Test
   void anHourOfSilenceMayAlsoBeginAgain() {
     KalmanFilter filter =
         new KalmanFilter(
