@@ -110,7 +110,14 @@ public final class ViolationCounts {
     for (Violation kind : KINDS) {
       if (count(kind) > 0) {
         lines.add(
-            count(kind) + " " + kind.sentence() + " (first at byte " + firstOffset(kind) + ")");
+            kind == Violation.CUT_OFF
+                ? kind.sentence() + " (byte " + firstOffset(kind) + ")"
+                : count(kind)
+                    + " "
+                    + kind.sentence()
+                    + " (first at byte "
+                    + firstOffset(kind)
+                    + ")");
       }
     }
     return lines;
