@@ -1,0 +1,220 @@
+package haltere.testing;
+
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import haltere.core.chain.EventFilter;
+import haltere.core.chain.Outlet;
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.stream.DeviceLost;
+import haltere.core.stream.StreamNotification;
+import java.util.List;
+import java.util.function.Supplier;
+import org.junit.jupiter.api.Test;
+
+/** The contract finds each kind of filter that breaks it. */
+class EventFilterContractTest {
+  /** A filter without any state that lets everything through. */
+  private static class Honest implements EventFilter {
+    final Outlet<Long> times = new Outlet<>("times", Long.class);
+
+    @Override
+    public void process(EventPacket packet) {
+      // Nothing to do.
+    }
+
+    @Override
+    public void reset() {
+      // Nothing to forget.
+    }
+
+    @Override
+    public List<Outlet<?>> outlets() {
+      return List.of(times);
+    }
+  }
+
+  private static EventFilterContract contractOf(Supplier<EventFilter> filter) {
+    return new EventFilterContract() {
+      @Override
+      protected EventFilter create(SensorGeometry geometry) {
+        return filter.get();
+      }
+    };
+  }
+
+  @Test
+  void anHonestFilterPasses() {
+    EventFilterContract contract = contractOf(Honest::new);
+    contract.theResultsDoNotDependOnHowTheStreamIsCutIntoPackets();
+    contract.aPacketForEachEventGivesTheSameResultsAsOneForAll();
+    contract.theResultsDoNotDependOnCutsWhereTimesLeapAndAreNegative();
+    contract.afterAResetItBehavesLikeANewFilter();
+    contract.afterEachCauseOfAResetAndAfterANewStartTimeMayGoBack();
+    contract.everyNotificationIsAcceptedAtAnyPlace();
+    contract.theLossOfTheDeviceDoesNotDisturbWhatIsStillOnItsWay();
+    contract.anEmptyPacketStaysEmptyAndPublishesNothing();
+    contract.itNeitherAddsNorReordersEvents();
+    contract.itKeepsNoPacketAndWritesToNoneAfterTheCall();
+    contract.randomEventsOnSmallAndLargeSensorsThrowNothing();
+    contract.nothingIsAllocatedPerEvent();
+    contract.whenDisabledInAChainItLeavesPacketsUntouched();
+  }
+
+  @Test
+  void aFilterThatActsOncePerPacketIsFound() {
+    EventFilterContract contract =
+        contractOf(
+            () ->
+                new Honest() {
+                  @Override
+                  public void process(EventPacket packet) {
+                    if (!packet.isEmpty()) {
+                      times.publish(packet.lastTimeUs());
+                    }
+                  }
+                });
+    assertThrows(
+        AssertionError.class, contract::theResultsDoNotDependOnHowTheStreamIsCutIntoPackets);
+    assertThrows(AssertionError.class, contract::aPacketForEachEventGivesTheSameResultsAsOneForAll);
+  }
+
+  @Test
+  void aFilterThatForgetsToForgetIsFound() {
+    EventFilterContract contract =
+        contractOf(
+            () ->
+                new Honest() {
+                  private int count;
+
+                  @Override
+                  public void process(EventPacket packet) {
+                    int kept = 0;
+                    for (int i = 0; i < packet.size(); i++) {
+                      if (count++ > 100) {
+                        packet.move(i, kept++);
+                      }
+                    }
+                    packet.truncate(kept);
+                  }
+                });
+    contract.theResultsDoNotDependOnHowTheStreamIsCutIntoPackets();
+    assertThrows(AssertionError.class, contract::afterAResetItBehavesLikeANewFilter);
+    assertThrows(
+        AssertionError.class, contract::afterEachCauseOfAResetAndAfterANewStartTimeMayGoBack);
+  }
+
+  @Test
+  void aFilterThatKeepsAPacketIsFound() {
+    EventFilterContract contract =
+        contractOf(
+            () ->
+                new Honest() {
+                  private long[] kept;
+
+                  @Override
+                  public void process(EventPacket packet) {
+                    if (!packet.isEmpty()) {
+                      times.publish(kept == null ? 0 : kept[0]);
+                      kept = packet.timesUs();
+                    }
+                  }
+                });
+    assertThrows(AssertionError.class, contract::itKeepsNoPacketAndWritesToNoneAfterTheCall);
+  }
+
+  @Test
+  void aFilterThatWritesToAPacketAfterTheCallIsFound() {
+    EventFilterContract contract =
+        contractOf(
+            () ->
+                new Honest() {
+                  private EventPacket kept;
+
+                  @Override
+                  public void process(EventPacket packet) {
+                    kept = packet;
+                  }
+
+                  @Override
+                  public void notified(StreamNotification notification) {
+                    if (kept != null && kept.capacity() > 0) {
+                      kept.addresses()[0] = 0;
+                    }
+                  }
+                });
+    assertThrows(AssertionError.class, contract::itKeepsNoPacketAndWritesToNoneAfterTheCall);
+  }
+
+  @Test
+  void aFilterThatAllocatesForEachEventIsFound() {
+    EventFilterContract contract =
+        contractOf(
+            () ->
+                new Honest() {
+                  private final Object[] newest = new Object[16];
+
+                  @Override
+                  public void process(EventPacket packet) {
+                    for (int i = 0; i < packet.size(); i++) {
+                      newest[i % newest.length] = new int[] {packet.address(i)};
+                    }
+                  }
+                });
+    assertThrows(AssertionError.class, contract::nothingIsAllocatedPerEvent);
+  }
+
+  @Test
+  void aFilterThatAddsOrChangesEventsIsFound() {
+    EventFilterContract adding =
+        contractOf(
+            () ->
+                new Honest() {
+                  @Override
+                  public void process(EventPacket packet) {
+                    if (!packet.isEmpty()) {
+                      packet.append(packet.lastTimeUs(), packet.address(0));
+                    }
+                  }
+                });
+    assertThrows(AssertionError.class, adding::itNeitherAddsNorReordersEvents);
+    EventFilterContract changing =
+        contractOf(
+            () ->
+                new Honest() {
+                  @Override
+                  public void process(EventPacket packet) {
+                    for (int i = 0; i < packet.size(); i++) {
+                      packet.setAddress(i, 0);
+                    }
+                  }
+                });
+    assertThrows(AssertionError.class, changing::itNeitherAddsNorReordersEvents);
+  }
+
+  @Test
+  void aFilterThatTrustsNotificationsOrPacketsTooMuchIsFound() {
+    EventFilterContract contract =
+        contractOf(
+            () ->
+                new Honest() {
+                  @Override
+                  public void process(EventPacket packet) {
+                    times.publish(0L);
+                    if (packet.size() > 3000) {
+                      throw new IllegalStateException("too many");
+                    }
+                  }
+
+                  @Override
+                  public void notified(StreamNotification notification) {
+                    if (notification instanceof DeviceLost) {
+                      throw new IllegalStateException("no idea what to do");
+                    }
+                  }
+                });
+    assertThrows(AssertionError.class, contract::everyNotificationIsAcceptedAtAnyPlace);
+    assertThrows(AssertionError.class, contract::anEmptyPacketStaysEmptyAndPublishesNothing);
+    assertThrows(AssertionError.class, contract::randomEventsOnSmallAndLargeSensorsThrowNothing);
+  }
+}
