@@ -27,7 +27,7 @@ import java.util.List;
  */
 final class DisplaySink implements SliceSink {
   /** No more than one frame in this time replaces another that nobody has seen. */
-  private static final long MIN_FRAME_NANOS = 12_000_000;
+  private static final long MIN_FRAME_NANOS = 25_000_000;
 
   /** Decay that follows the slices: this many times their length, within these limits. */
   private static final double DECAY_PER_SLICE = 2.5;

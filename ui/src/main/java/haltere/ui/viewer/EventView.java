@@ -3,21 +3,16 @@ package haltere.ui.viewer;
 import haltere.core.event.SensorGeometry;
 import haltere.ui.overlay.JavaFxOverlayCanvas;
 import haltere.ui.rendering.ColourMap;
-import java.nio.IntBuffer;
 import java.util.List;
-import javafx.geometry.Rectangle2D;
+import javafx.application.ConditionalFeature;
+import javafx.application.Platform;
 import javafx.scene.AccessibleRole;
 import javafx.scene.Cursor;
 import javafx.scene.canvas.Canvas;
 import javafx.scene.control.Label;
-import javafx.scene.image.ImageView;
-import javafx.scene.image.PixelBuffer;
-import javafx.scene.image.PixelFormat;
-import javafx.scene.image.WritableImage;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.input.ScrollEvent;
-import javafx.scene.layout.Background;
 import javafx.scene.layout.Region;
 import javafx.scene.shape.Rectangle;
 
@@ -32,14 +27,14 @@ final class EventView extends Region {
   private static final double MAX_LOSS = 1.06;
   private static final double ZOOM_PER_NOTCH = 1.2;
 
-  private final ImageView image = new ImageView();
+  private final SensorPicture picture =
+      new SensorPicture(!Platform.isSupported(ConditionalFeature.SCENE3D));
   private final Canvas marks = new Canvas();
   private final JavaFxOverlayCanvas marksCanvas =
       new JavaFxOverlayCanvas(marks.getGraphicsContext2D());
   private final Label readout = new Label();
 
   private SensorGeometry geometry = new SensorGeometry(1, 1);
-  private PixelBuffer<IntBuffer> pixels;
   private List<DisplayFrame.Marks<?>> shownMarks = List.of();
   private boolean dark = true;
   private boolean marksVisible = true;
@@ -61,8 +56,6 @@ final class EventView extends Region {
     setAccessibleRole(AccessibleRole.IMAGE_VIEW);
     setAccessibleText("Events");
     setMinSize(160, 120);
-    image.setSmooth(false);
-    image.setManaged(false);
     marks.setManaged(false);
     marks.setMouseTransparent(true);
     readout.getStyleClass().add("readout");
@@ -70,7 +63,7 @@ final class EventView extends Region {
     readout.setMouseTransparent(true);
     readout.setManaged(false);
     readout.setVisible(false);
-    getChildren().addAll(image, marks, readout);
+    getChildren().addAll(picture.node(), marks, readout);
     Rectangle clip = new Rectangle();
     clip.widthProperty().bind(widthProperty());
     clip.heightProperty().bind(heightProperty());
@@ -97,24 +90,22 @@ final class EventView extends Region {
   void setGeometry(SensorGeometry newGeometry, ColourMap colours) {
     dark = colours.dark();
     setBackgroundColour(colours);
-    if (!newGeometry.equals(geometry) || pixels == null) {
+    if (!newGeometry.equals(geometry)) {
       geometry = newGeometry;
-      int[] empty = new int[geometry.pixels()];
-      java.util.Arrays.fill(empty, colours.background());
-      pixels =
-          new PixelBuffer<>(
-              geometry.width(),
-              geometry.height(),
-              IntBuffer.wrap(empty),
-              PixelFormat.getIntArgbPreInstance());
-      image.setImage(new WritableImage(pixels));
+      picture.setGeometry(geometry, colours.background());
       showAll();
     }
   }
 
-  /** Fills what the picture leaves free. */
+  /**
+   * Changes the colour of what the picture leaves free. It is the scene's own colour that is seen
+   * there: this view has no background, because without a graphics card each layer costs.
+   */
   void setBackgroundColour(ColourMap colours) {
-    setBackground(Background.fill(JavaFxOverlayCanvas.colour(colours.background())));
+    picture.setBackground(colours.background());
+    if (getScene() != null) {
+      getScene().setFill(JavaFxOverlayCanvas.colour(colours.background()));
+    }
   }
 
   /** Shows a frame of the current sensor. */
@@ -122,11 +113,7 @@ final class EventView extends Region {
     if (!frame.geometry.equals(geometry)) {
       return;
     }
-    pixels.updateBuffer(
-        buffer -> {
-          buffer.getBuffer().put(0, frame.argb);
-          return null;
-        });
+    picture.show(frame.argb);
     shownMarks = frame.marks;
     dark = frame.dark;
     drawMarks();
@@ -174,22 +161,16 @@ final class EventView extends Region {
     double scale = scale();
     double left = Math.rint(getWidth() / 2 - centreX * scale);
     double top = Math.rint(getHeight() / 2 - (geometry.height() - centreY) * scale);
-    // only what is in sight, so that a large zoom costs no more than a small one
-    int fromX = clamp((int) Math.floor(-left / scale), geometry.width() - 1);
-    int fromY = clamp((int) Math.floor(-top / scale), geometry.height() - 1);
-    int toX = clamp((int) Math.ceil((getWidth() - left) / scale), geometry.width());
-    int toY = clamp((int) Math.ceil((getHeight() - top) / scale), geometry.height());
-    int columns = Math.max(1, toX - fromX);
-    int rows = Math.max(1, toY - fromY);
-    image.setViewport(new Rectangle2D(fromX, fromY, columns, rows));
-    image.setFitWidth(columns * scale);
-    image.setFitHeight(rows * scale);
-    image.relocate(left + fromX * scale, top + fromY * scale);
-    if (marks.getWidth() != getWidth() || marks.getHeight() != getHeight()) {
-      marks.setWidth(getWidth());
-      marks.setHeight(getHeight());
-    }
-    marksCanvas.setView(scale, left, top + geometry.height() * scale, dark);
+    double density = getScene() == null ? 1 : getScene().getWindow().getRenderScaleX();
+    picture.place(left, top, scale, getWidth(), getHeight(), density);
+    // the marks get the sensor's part of the view and no more: a canvas costs by its size
+    double canvasLeft = Math.max(0, left);
+    double canvasTop = Math.max(0, top);
+    marks.relocate(canvasLeft, canvasTop);
+    marks.setWidth(Math.min(getWidth(), left + geometry.width() * scale) - canvasLeft);
+    marks.setHeight(Math.min(getHeight(), top + geometry.height() * scale) - canvasTop);
+    marksCanvas.setView(
+        scale, left - canvasLeft, top + geometry.height() * scale - canvasTop, dark);
     marksDrawn = true;
     drawMarks();
     readout.autosize();
@@ -261,9 +242,5 @@ final class EventView extends Region {
       readout.autosize();
       readout.relocate(12, getHeight() - readout.getHeight() - 10);
     }
-  }
-
-  private static int clamp(int value, int max) {
-    return Math.max(0, Math.min(max, value));
   }
 }

@@ -2,7 +2,6 @@ package haltere.ui.viewer;
 
 import haltere.core.chain.ChainFile;
 import haltere.core.chain.FilterChain;
-import haltere.core.chain.Filters;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.Recordings;
@@ -11,9 +10,9 @@ import haltere.core.playback.RecordingPlayable;
 import haltere.core.playback.ScenePlayable;
 import haltere.core.simulation.FlyScene;
 import haltere.core.simulation.FlySceneSettings;
+import haltere.filters.DefaultChain;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Optional;
 
 /**
@@ -53,16 +52,6 @@ final class Sources {
   static FilterChain chain(SensorGeometry geometry, Optional<String> json) throws IOException {
     return json.isPresent()
         ? ChainFile.parse(json.get(), "the chain", geometry)
-        : defaultChain(geometry);
-  }
-
-  private static FilterChain defaultChain(SensorGeometry geometry) {
-    FilterChain chain = new FilterChain(geometry);
-    for (String name : List.of("background-activity", "hot-pixels", "cluster-tracker")) {
-      if (Filters.all().containsKey(name)) {
-        chain.add(Filters.named(name));
-      }
-    }
-    return chain;
+        : DefaultChain.create(geometry);
   }
 }

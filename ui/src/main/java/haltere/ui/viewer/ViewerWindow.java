@@ -87,6 +87,7 @@ public final class ViewerWindow implements ViewerMenu.Actions {
     ViewerKeys.install(scene, playback);
     root.setOnDragOver(ViewerWindow::dragged);
     root.setOnDragDropped(this::dropped);
+    view.setBackgroundColour(displayOptions.colours());
     view.setGeometry(new SensorGeometry(128, 128), displayOptions.colours());
     stage.setScene(scene);
     stage.setTitle("Haltere");

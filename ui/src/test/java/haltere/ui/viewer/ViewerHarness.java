@@ -240,10 +240,17 @@ final class ViewerHarness implements AutoCloseable {
     return onFx(labeled::getText);
   }
 
-  /** What is on the screen now. */
-  WritableImage snapshot(String id) {
-    Node node = node(id, Node.class);
-    return onFx(() -> node.snapshot(null, null));
+  /** The part of the window that shows events, as it is drawn. JavaFX thread only. */
+  WritableImage picture() {
+    EventView view = window.view();
+    Bounds place = view.localToScene(view.getLayoutBounds());
+    WritableImage all = stage.getScene().snapshot(null);
+    return new WritableImage(
+        all.getPixelReader(),
+        (int) place.getMinX(),
+        (int) place.getMinY(),
+        (int) place.getWidth(),
+        (int) place.getHeight());
   }
 
   // ---- hands

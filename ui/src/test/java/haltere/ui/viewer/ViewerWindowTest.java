@@ -111,12 +111,45 @@ class ViewerWindowTest {
         "the blob is where it belongs",
         () -> {
           EventView view = viewer.window.view();
-          WritableImage image = view.snapshot(null, null);
+          WritableImage image = viewer.picture();
           double x = BlobSource.x(viewer.status().timeUs());
           return lit(image, view, x, BlobSource.Y, 4) > 100
-              && lit(image, view, x + 30, BlobSource.Y, 8) == 0
-              && lit(image, view, x, BlobSource.Y + 30, 8) == 0;
+              && lit(image, view, x + 40, BlobSource.Y, 8) == 0
+              && lit(image, view, x, BlobSource.Y + 40, 8) == 0;
         });
+  }
+
+  @Test
+  void theClusterIsMarkedWhereTheBlobIs() {
+    viewer = ViewerHarness.withBlob();
+    viewer.waitFor("time for the tracker", () -> viewer.status().elapsedUs() > 500_000);
+    viewer.pause();
+    viewer.waitFor("the last frame", () -> !viewer.session().display().isStale());
+    viewer.run(() -> viewer.window.setMarksVisible(false));
+    WritableImage without = viewer.onFx(viewer::picture);
+    viewer.run(() -> viewer.window.setMarksVisible(true));
+    WritableImage with = viewer.onFx(viewer::picture);
+    EventView view = viewer.window.view();
+    double scale = viewer.onFx(view::scale);
+    double x = viewer.onFx(() -> view.viewX(BlobSource.x(viewer.status().timeUs())));
+    double y = viewer.onFx(() -> view.viewY(BlobSource.Y));
+    int marked = 0;
+    int left = Integer.MAX_VALUE;
+    int right = 0;
+    for (int row = 0; row < with.getHeight(); row++) {
+      for (int column = 0; column < with.getWidth(); column++) {
+        if (with.getPixelReader().getArgb(column, row)
+            != without.getPixelReader().getArgb(column, row)) {
+          marked++;
+          left = Math.min(left, column);
+          right = Math.max(right, column);
+          double away = Math.hypot(column - x, row - y) / scale;
+          assertTrue(away < 30, "a mark " + away + " pixels of the sensor away from the blob");
+        }
+      }
+    }
+    assertTrue(marked > 200, marked + " pixels are marked");
+    assertTrue(left < x - BlobSource.RADIUS * scale && right > x + BlobSource.RADIUS * scale);
   }
 
   @Test
@@ -126,9 +159,7 @@ class ViewerWindowTest {
     viewer.run(() -> viewer.window.setTheme(Theme.LIGHT));
     viewer.waitFor(
         "a light picture",
-        () ->
-            viewer.window.view().snapshot(null, null).getPixelReader().getArgb(2, 2)
-                == ColourMap.LIGHT.background());
+        () -> viewer.picture().getPixelReader().getArgb(2, 2) == ColourMap.LIGHT.background());
     int events = viewer.onFx(() -> lit(viewer));
     assertTrue(events > 0);
     viewer.run(() -> viewer.window.setTheme(Theme.DARK));
@@ -179,9 +210,7 @@ class ViewerWindowTest {
 
   /** Pixels of the view that are not background. */
   private static int lit(ViewerHarness viewer) {
-    EventView view = viewer.window.view();
-    WritableImage image = view.snapshot(null, null);
-    return lit(image, view, 64, 64, 60);
+    return lit(viewer.picture(), viewer.window.view(), 64, 64, 60);
   }
 
   /** Pixels around a place on the sensor that differ from the view's corner. */

@@ -1,0 +1,323 @@
+package haltere.ui.viewer;
+
+import haltere.core.event.EventAddress;
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.ReadOptions;
+import haltere.core.playback.PlayerStatus;
+import haltere.core.playback.ScenePlayable;
+import haltere.core.stream.EventSource;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamStarted;
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadInfo;
+import java.lang.management.ThreadMXBean;
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import java.util.TreeMap;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import javafx.animation.AnimationTimer;
+import javafx.application.Platform;
+import javafx.stage.Stage;
+
+/**
+ * Opens the real viewer on a source of two million events a second, through the default chain, and
+ * prints how its frames are spread over time: {@code ./gradlew :ui:frameBenchmark}, on a display or
+ * under {@code xvfb-run}.
+ *
+ * <p>A frame time is the time from one pulse that showed a new picture to the next. A block is the
+ * time that something handed to the JavaFX thread waited for its turn.
+ */
+public final class FrameBenchmark {
+  private static final double WARM_UP_S = 4;
+  private static final long PROBE_NANOS = 2_000_000;
+
+  private FrameBenchmark() {}
+
+  /**
+   * Runs.
+   *
+   * @param args million events a second (2), seconds (10), width and height of the sensor (128 128)
+   */
+  public static void main(String[] args) throws Exception {
+    double millionEps = args.length > 0 ? Double.parseDouble(args[0]) : 2;
+    double seconds = args.length > 1 ? Double.parseDouble(args[1]) : 10;
+    SensorGeometry geometry =
+        new SensorGeometry(
+            args.length > 2 ? Integer.parseInt(args[2]) : 128,
+            args.length > 3 ? Integer.parseInt(args[3]) : 128);
+    measureStart();
+    measureFrames(millionEps, seconds, geometry);
+    Platform.exit();
+    System.exit(0);
+  }
+
+  /** Time from the start of this program to the first events of the fly scene on the screen. */
+  private static void measureStart() throws Exception {
+    FutureTask<ViewerSession> first =
+        new FutureTask<>(() -> ViewerWindow.firstSession(Optional.empty(), ReadOptions.DEFAULT));
+    Thread ahead = new Thread(first, "haltere-first");
+    ahead.setDaemon(true);
+    ahead.start();
+    CompletableFuture<ViewerWindow> opened = new CompletableFuture<>();
+    Platform.startup(
+        () -> {
+          Platform.setImplicitExit(false);
+          Theme.DARK.apply();
+          Stage stage = new Stage();
+          ViewerWindow window = new ViewerWindow(stage);
+          window.open(first, "the fly scene", ReadOptions.DEFAULT);
+          stage.show();
+          opened.complete(window);
+        });
+    ViewerWindow window = opened.get();
+    waitUntil(() -> window.framesShown() > 1);
+    double startMs =
+        System.currentTimeMillis()
+            - ProcessHandle.current().info().startInstant().orElseThrow().toEpochMilli();
+    System.out.printf(
+        Locale.ROOT, "first events shown %.2f s after the start of the JVM%n", startMs / 1000);
+    onFx(
+        () -> {
+          window.quit();
+          return null;
+        });
+  }
+
+  private static void measureFrames(double millionEps, double seconds, SensorGeometry geometry)
+      throws Exception {
+    ViewerWindow window =
+        onFx(
+            () -> {
+              Stage stage = new Stage();
+              ViewerWindow made = new ViewerWindow(stage);
+              made.open(
+                  () ->
+                      new ScenePlayable(() -> new BusySource(geometry, millionEps), "busy source"),
+                  "the busy source");
+              stage.show();
+              return made;
+            });
+    waitUntil(() -> window.session().isPresent() && window.framesShown() > 0);
+    Frames frames = new Frames(window, (int) (seconds * 400));
+    waitUntil(() -> status(window).elapsedUs() > WARM_UP_S * 1e6);
+    PlayerStatus before = onFx(() -> status(window));
+    onFx(
+        () -> {
+          frames.start();
+          return null;
+        });
+    Map<String, Long> cpuBefore = cpuNanos();
+    double[] blocks = blocks(seconds);
+    Map<String, Long> cpuAfter = cpuNanos();
+    PlayerStatus after = onFx(() -> status(window));
+    double[] times =
+        onFx(
+            () -> {
+              frames.stop();
+              return frames.times();
+            });
+    long conflated = onFx(() -> window.session().orElseThrow().display().exchange().conflated());
+    double measured = Arrays.stream(times).sum() / 1e3;
+    System.out.printf(
+        Locale.ROOT,
+        "%s, %.2f million events/s into the default chain at %.3f of real time, lag %.1f ms%n",
+        geometry,
+        (after.eventsIn() - before.eventsIn()) / 1e6 / measured,
+        (after.elapsedUs() - before.elapsedUs()) / 1e6 / measured,
+        after.lagUs() / 1e3);
+    System.out.printf(
+        Locale.ROOT,
+        "frames %d in %.2f s: %.1f fps, %d conflated%n",
+        times.length,
+        measured,
+        times.length / measured,
+        conflated);
+    print("frame time", times);
+    print("wait for the JavaFX thread", blocks);
+    System.out.println("CPU time, share of one core and per frame:");
+    cpuAfter.forEach(
+        (thread, nanos) -> {
+          double used = (nanos - cpuBefore.getOrDefault(thread, 0L)) / 1e9;
+          if (used > 0.01 * measured) {
+            System.out.printf(
+                Locale.ROOT,
+                "  %5.1f %%  %6.2f ms  %s%n",
+                100 * used / measured,
+                1e3 * used / times.length,
+                thread);
+          }
+        });
+    onFx(
+        () -> {
+          window.quit();
+          return null;
+        });
+  }
+
+  /** Asks the JavaFX thread for a sign of life again and again, and notes how long that took. */
+  private static double[] blocks(double seconds) throws Exception {
+    long end = System.nanoTime() + (long) (seconds * 1e9);
+    double[] waits = new double[(int) (seconds * 1e9 / PROBE_NANOS) + 1];
+    int count = 0;
+    while (System.nanoTime() < end && count < waits.length) {
+      long asked = System.nanoTime();
+      CompletableFuture<Long> answer = new CompletableFuture<>();
+      Platform.runLater(() -> answer.complete(System.nanoTime()));
+      waits[count++] = (answer.get() - asked) / 1e6;
+      LockSupport.parkNanos(PROBE_NANOS);
+    }
+    return Arrays.copyOf(waits, count);
+  }
+
+  /** CPU time of each thread so far; threads of one name together. */
+  private static Map<String, Long> cpuNanos() {
+    ThreadMXBean threads = ManagementFactory.getThreadMXBean();
+    Map<String, Long> nanos = new TreeMap<>();
+    for (ThreadInfo info : threads.getThreadInfo(threads.getAllThreadIds())) {
+      if (info != null) {
+        nanos.merge(info.getThreadName(), threads.getThreadCpuTime(info.getThreadId()), Long::sum);
+      }
+    }
+    return nanos;
+  }
+
+  private static void print(String what, double[] millis) {
+    double[] sorted = millis.clone();
+    Arrays.sort(sorted);
+    System.out.printf(
+        Locale.ROOT,
+        "%s (ms): p50 %.2f  p95 %.2f  p99 %.2f  max %.2f%n",
+        what,
+        quantile(sorted, 0.5),
+        quantile(sorted, 0.95),
+        quantile(sorted, 0.99),
+        sorted[sorted.length - 1]);
+  }
+
+  private static double quantile(double[] sorted, double share) {
+    return sorted[(int) Math.min(sorted.length - 1, Math.round(share * (sorted.length - 1)))];
+  }
+
+  private static PlayerStatus status(ViewerWindow window) {
+    return window.session().orElseThrow().player().status();
+  }
+
+  private static <T> T onFx(Callable<T> call) throws Exception {
+    CompletableFuture<T> result = new CompletableFuture<>();
+    Platform.runLater(
+        () -> {
+          try {
+            result.complete(call.call());
+          } catch (Throwable thrown) {
+            result.completeExceptionally(thrown);
+          }
+        });
+    return result.get(60, TimeUnit.SECONDS);
+  }
+
+  private static void waitUntil(Callable<Boolean> condition) throws Exception {
+    long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(60);
+    while (!onFx(condition)) {
+      if (System.nanoTime() > end) {
+        throw new IllegalStateException("the viewer shows nothing");
+      }
+      LockSupport.parkNanos(5_000_000);
+    }
+  }
+
+  /** Notes the times between pulses that showed a new picture. */
+  private static final class Frames extends AnimationTimer {
+    private final ViewerWindow window;
+    private final double[] millis;
+    private int count;
+    private long shown = -1;
+    private long lastNanos;
+
+    Frames(ViewerWindow window, int capacity) {
+      this.window = window;
+      this.millis = new double[capacity];
+    }
+
+    @Override
+    public void handle(long pulse) {
+      long now = System.nanoTime();
+      if (window.framesShown() == shown) {
+        return;
+      }
+      if (shown >= 0 && count < millis.length) {
+        millis[count++] = (now - lastNanos) / 1e6;
+      }
+      shown = window.framesShown();
+      lastNanos = now;
+    }
+
+    double[] times() {
+      return Arrays.copyOf(millis, count);
+    }
+  }
+
+  /**
+   * Events at a constant rate, prepared beforehand so that the source costs next to nothing: five
+   * moving blobs and a tenth of noise.
+   */
+  private static final class BusySource implements EventSource {
+    private static final int EVENTS = 1 << 20;
+    private static final int PACKET = 4096;
+
+    private final SensorGeometry geometry;
+    private final double usPerEvent;
+    private final int[] addresses = new int[EVENTS];
+    private final EventPacket packet = new EventPacket(PACKET);
+    private boolean started;
+    private long sent;
+
+    BusySource(SensorGeometry geometry, double millionEps) {
+      this.geometry = geometry;
+      usPerEvent = 1 / millionEps;
+      SplittableRandom random = new SplittableRandom(7);
+      for (int i = 0; i < EVENTS; i++) {
+        double phase = 2 * Math.PI * i / EVENTS;
+        boolean noise = random.nextInt(10) == 0;
+        int blob = random.nextInt(5);
+        double middleX = 0.5 + 0.35 * Math.cos(phase + blob * 2 * Math.PI / 5);
+        double middleY = 0.5 + 0.35 * Math.sin(phase + blob * 2 * Math.PI / 5);
+        double x = noise ? random.nextDouble() : middleX + 0.08 * (random.nextDouble() - 0.5);
+        double y = noise ? random.nextDouble() : middleY + 0.08 * (random.nextDouble() - 0.5);
+        addresses[i] =
+            EventAddress.pack(
+                (int) (x * geometry.width()), (int) (y * geometry.height()), random.nextBoolean());
+      }
+    }
+
+    @Override
+    public SensorGeometry geometry() {
+      return geometry;
+    }
+
+    @Override
+    public boolean next(StreamHandler handler) {
+      if (!started) {
+        started = true;
+        handler.notified(new StreamStarted(geometry, "busy source"));
+        return true;
+      }
+      packet.clear();
+      for (int i = 0; i < PACKET; i++, sent++) {
+        packet.append((long) (sent * usPerEvent), addresses[(int) (sent % EVENTS)]);
+      }
+      handler.packet(packet);
+      return true;
+    }
+
+    @Override
+    public void close() {}
+  }
+}
