@@ -46,8 +46,11 @@ public final class ViewerApplication {
             }
           });
       closed.await();
-    } catch (InterruptedException interrupted) {
+    } catch (InterruptedException toldToStop) {
+      // JavaFX waits for its own end and must not find this thread interrupted
+      Platform.exit();
       Thread.currentThread().interrupt();
+      return Optional.empty();
     } catch (RuntimeException | LinkageError notHere) {
       return Optional.of("JavaFX cannot open a window here: " + Texts.oneLine(notHere));
     }
