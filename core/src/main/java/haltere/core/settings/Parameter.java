@@ -1,6 +1,7 @@
 package haltere.core.settings;
 
 import java.math.BigDecimal;
+import java.math.BigDecimal;
 import java.util.List;
 
 /**
@@ -135,6 +136,6 @@ public record Parameter(
   private static String number(double value) {
     return value == Math.rint(value) && Math.abs(value) < 1e15
         ? Long.toString((long) value)
-        : Double.toString(value);
+        : new BigDecimal(Double.toString(value)).toPlainString();
   }
 }

@@ -53,12 +53,19 @@ public final class JavaFxOverlayCanvas implements OverlayCanvas {
    * @param newScale pixels of the screen per pixel of the sensor
    * @param newLeft where the sensor's left edge is
    * @param newBottom where the sensor's bottom edge is, from the top of the canvas
-   * @param newDark whether the picture is dark
    */
-  public void setView(double newScale, double newLeft, double newBottom, boolean newDark) {
+  public void setView(double newScale, double newLeft, double newBottom) {
     scale = newScale;
     left = newLeft;
     bottom = newBottom;
+  }
+
+  /**
+   * Says which colours can be seen.
+   *
+   * @param newDark whether the picture is dark
+   */
+  public void setDark(boolean newDark) {
     dark = newDark;
   }
 

@@ -23,7 +23,8 @@ final class ChoiceField extends SettingField {
             set(box.getValue());
           }
         });
-    layOut(box);
+    box.setMaxWidth(Double.MAX_VALUE);
+    layOutBelow(box);
   }
 
   @Override

@@ -32,6 +32,7 @@ final class EventView extends Region {
   private final Canvas marks = new Canvas();
   private final JavaFxOverlayCanvas marksCanvas =
       new JavaFxOverlayCanvas(marks.getGraphicsContext2D());
+  private final Rectangle frame = new Rectangle();
   private final Label readout = new Label();
 
   private SensorGeometry geometry = new SensorGeometry(1, 1);
@@ -58,12 +59,15 @@ final class EventView extends Region {
     setMinSize(160, 120);
     marks.setManaged(false);
     marks.setMouseTransparent(true);
+    frame.getStyleClass().add("sensor-frame");
+    frame.setManaged(false);
+    frame.setMouseTransparent(true);
     readout.getStyleClass().add("readout");
     readout.setId("cursor-readout");
     readout.setMouseTransparent(true);
     readout.setManaged(false);
     readout.setVisible(false);
-    getChildren().addAll(picture.node(), marks, readout);
+    getChildren().addAll(picture.node(), frame, marks, readout);
     Rectangle clip = new Rectangle();
     clip.widthProperty().bind(widthProperty());
     clip.heightProperty().bind(heightProperty());
@@ -163,14 +167,17 @@ final class EventView extends Region {
     double top = Math.rint(getHeight() / 2 - (geometry.height() - centreY) * scale);
     double density = getScene() == null ? 1 : getScene().getWindow().getRenderScaleX();
     picture.place(left, top, scale, getWidth(), getHeight(), density);
+    frame.setX(left - 0.5);
+    frame.setY(top - 0.5);
+    frame.setWidth(geometry.width() * scale + 1);
+    frame.setHeight(geometry.height() * scale + 1);
     // the marks get the sensor's part of the view and no more: a canvas costs by its size
     double canvasLeft = Math.max(0, left);
     double canvasTop = Math.max(0, top);
     marks.relocate(canvasLeft, canvasTop);
     marks.setWidth(Math.min(getWidth(), left + geometry.width() * scale) - canvasLeft);
     marks.setHeight(Math.min(getHeight(), top + geometry.height() * scale) - canvasTop);
-    marksCanvas.setView(
-        scale, left - canvasLeft, top + geometry.height() * scale - canvasTop, dark);
+    marksCanvas.setView(scale, left - canvasLeft, top + geometry.height() * scale - canvasTop);
     marksDrawn = true;
     drawMarks();
     readout.autosize();
@@ -182,6 +189,7 @@ final class EventView extends Region {
       marks.getGraphicsContext2D().clearRect(0, 0, marks.getWidth(), marks.getHeight());
       marksDrawn = false;
     }
+    marksCanvas.setDark(dark);
     if (marksVisible) {
       long before = marksCanvas.marks();
       for (DisplayFrame.Marks<?> snapshot : shownMarks) {

@@ -17,7 +17,7 @@ final class FlagField extends SettingField {
     box.setAccessibleText(Texts.words(parameter.name(), ""));
     box.setTooltip(Controls.tooltip(help()));
     box.setOnAction(event -> set(box.isSelected()));
-    layOut(box);
+    layOutBeside(box);
   }
 
   @Override

@@ -7,7 +7,6 @@ import javafx.scene.control.Label;
 import javafx.scene.control.Slider;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
-import javafx.scene.layout.HBox;
 
 /**
  * A number: a slider for finding a value, an entry for an exact one.
@@ -39,7 +38,7 @@ final class NumberField extends SettingField {
             });
     entry.setId("entry-" + controlId());
     entry.setAccessibleText(words + " exactly");
-    entry.setPrefColumnCount(7);
+    entry.setPrefColumnCount(6);
     entry.setAlignment(Pos.CENTER_RIGHT);
     entry.getStyleClass().add(Styles.SMALL);
     entry.setOnAction(event -> set(entry.getText()));
@@ -60,9 +59,8 @@ final class NumberField extends SettingField {
         });
     Label unit = new Label(unit());
     unit.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED, "unit");
-    HBox exact = new HBox(4, entry, unit);
-    exact.setAlignment(Pos.CENTER_LEFT);
-    layOut(exact, slider);
+    slider.setMaxWidth(Double.MAX_VALUE);
+    layOutBelow(slider, entry, unit);
   }
 
   @Override

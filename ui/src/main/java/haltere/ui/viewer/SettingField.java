@@ -100,15 +100,23 @@ abstract class SettingField extends VBox {
     return Texts.unit(parameter.unit());
   }
 
-  /** Puts name, controls and reset into the first line, further controls below. */
-  final void layOut(Node inline, Node... below) {
+  /** Name and a small control in one line. */
+  final void layOutBeside(Node control) {
+    getChildren().addAll(line(name, reset, control), problem);
+  }
+
+  /** The name, and below it controls that take the whole width. */
+  final void layOutBelow(Node... controls) {
+    HBox.setHgrow(controls[0], Priority.ALWAYS);
+    getChildren().addAll(line(name, reset), line(controls), problem);
+  }
+
+  private HBox line(Node... nodes) {
     HBox.setHgrow(name, Priority.ALWAYS);
     name.setMaxWidth(Double.MAX_VALUE);
-    HBox line = new HBox(6, name, reset, inline);
+    HBox line = new HBox(6, nodes);
     line.setAlignment(Pos.CENTER_LEFT);
-    getChildren().add(line);
-    getChildren().addAll(below);
-    getChildren().add(problem);
+    return line;
   }
 
   /** A person has set a value. */

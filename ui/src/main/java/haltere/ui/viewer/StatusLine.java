@@ -103,9 +103,9 @@ final class StatusLine extends HBox {
         status.state() == State.PLAYING ? Texts.speed(rounded(status.achievedSpeed())) : "");
     frames.setText(Math.round(framesPerSecond) + " fps");
     dropped.setText(
-        Texts.quantity(status.droppedEvents())
+        Texts.count(status.droppedEvents())
             + " dropped, "
-            + Texts.quantity(conflatedFrames)
+            + Texts.count(conflatedFrames)
             + " conflated");
     showMessage();
   }
@@ -138,7 +138,7 @@ final class StatusLine extends HBox {
 
   /** A measured speed jitters in its last digits. */
   private static double rounded(double speed) {
-    return Math.abs(speed - 1) < 0.005 ? 1 : speed >= 1 ? Math.round(speed * 100) / 100.0 : speed;
+    return Math.abs(speed - 1) < 0.015 ? 1 : speed >= 1 ? Math.round(speed * 100) / 100.0 : speed;
   }
 
   private static Label number(String id, double width, String help) {

@@ -28,7 +28,7 @@ final class TextSettingField extends SettingField {
                 set(entry.getText());
               }
             });
-    layOut(entry);
+    layOutBelow(entry);
   }
 
   @Override

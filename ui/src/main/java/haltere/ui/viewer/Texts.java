@@ -45,6 +45,11 @@ final class Texts {
     return digits(value);
   }
 
+  /** A count: whole below a thousand. */
+  static String count(long value) {
+    return Math.abs(value) < 1000 ? Long.toString(value) : quantity(value);
+  }
+
   /** Three digits. */
   static String digits(double value) {
     double abs = Math.abs(value);
