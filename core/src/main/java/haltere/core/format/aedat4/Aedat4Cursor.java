@@ -1,0 +1,286 @@
+package haltere.core.format.aedat4;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.Origin;
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.EventCursor;
+import haltere.core.format.RecordingFile;
+import haltere.core.format.Violation;
+import haltere.core.format.ViolationCounts;
+import haltere.core.stream.StreamNotification;
+import java.io.IOException;
+import java.lang.invoke.VarHandle;
+import java.util.Set;
+
+/**
+ * Decodes the events of one stream of an AEDAT-4 file: 16 bytes each, time in microseconds as 64
+ * bits, column and row as 16 bits, polarity as a byte.
+ *
+ * <p>Thread rule: one thread.
+ */
+final class Aedat4Cursor implements EventCursor {
+  static final int EVENT_BYTES = 16;
+
+  /** A packet's table and the vector of events must start within so many bytes. */
+  private static final int TABLE_BYTES = 4096;
+
+  private static final int RUN = 4096;
+  private static final long POLARITY = 1L << 32;
+
+  private final SensorGeometry geometry;
+  private final int eventStream;
+  private final ViolationCounts violations;
+  private final Unpacker unpacker;
+  private final PacketWalk walk;
+
+  private boolean inPacket;
+  private long count;
+  private long index;
+  private long lastUs;
+  private boolean started;
+  private long restartUs;
+
+  Aedat4Cursor(
+      RecordingFile file,
+      Layout layout,
+      SensorGeometry geometry,
+      int eventStream,
+      ViolationCounts violations) {
+    this.geometry = geometry;
+    this.eventStream = eventStream;
+    this.violations = violations;
+    unpacker = new Unpacker(file);
+    walk = layout.walk(unpacker.window(), violations);
+  }
+
+  /**
+   * Where the packets of a file lie.
+   *
+   * @param known numbers of its streams
+   * @param start where packets start
+   * @param end where they end
+   * @param cutOff whether the file should go on there
+   */
+  record Layout(Set<Integer> known, long start, long end, boolean cutOff) {
+    PacketWalk walk(FileWindow window, ViolationCounts violations) {
+      return new PacketWalk(window, known, start, end, cutOff, violations);
+    }
+  }
+
+  @Override
+  public Stop read(EventPacket out, int maxEvents) throws IOException {
+    out.ensureCapacity(maxEvents);
+    while (out.size() < maxEvents) {
+      if (!inPacket && !nextPacket()) {
+        return Stop.END;
+      }
+      try {
+        if (decode(out, maxEvents)) {
+          return Stop.CLOCK_WENT_BACK;
+        }
+      } catch (DamagedPacketException e) {
+        damaged();
+      }
+    }
+    return Stop.MORE;
+  }
+
+  /** Opens the next packet of the stream that is read. */
+  private boolean nextPacket() throws IOException {
+    while (walk.find()) {
+      if (walk.stream() != eventStream) {
+        violations.add(Violation.OTHER_DATA, walk.position());
+        walk.pass();
+        violations.reached(walk.position());
+        continue;
+      }
+      try {
+        openPacket();
+        return true;
+      } catch (DamagedPacketException e) {
+        damaged();
+      }
+    }
+    return false;
+  }
+
+  private void openPacket() throws IOException, DamagedPacketException {
+    unpacker.open(walk.payload(), walk.size());
+    unpacker.gather(TABLE_BYTES);
+    byte[] data = unpacker.data();
+    int from = unpacker.from();
+    int to = unpacker.to();
+    if (!FlatTable.identifier(data, from, to).equals(Aedat4Stream.EVENTS)) {
+      throw new DamagedPacketException("a packet without events");
+    }
+    FlatTable table = FlatTable.root(data, from, to);
+    count = table.vectorLength(0);
+    int elements = table.vectorElements(0);
+    if (count > 0) {
+      unpacker.use(elements - from);
+    }
+    index = 0;
+    inPacket = true;
+  }
+
+  private void damaged() throws IOException {
+    inPacket = false;
+    violations.add(Violation.DAMAGED_PACKET, walk.position());
+    walk.passDamaged();
+    violations.reached(walk.position());
+  }
+
+  /** Where an event of the packet lies, or would lie if it were not packed. */
+  private long offset(long event) {
+    return walk.payload() + (count == 0 ? 0 : (long) ((double) walk.size() * event / count));
+  }
+
+  /** Returns true if the clock goes back with the event at the index. */
+  private boolean decode(EventPacket out, int maxEvents)
+      throws IOException, DamagedPacketException {
+    while (index < count && out.size() < maxEvents) {
+      int there = (unpacker.to() - unpacker.from()) / EVENT_BYTES;
+      if (there == 0) {
+        if (!unpacker.more()) {
+          throw new DamagedPacketException("fewer events than it says");
+        }
+        continue;
+      }
+      int events = (int) Math.min(Math.min(there, count - index), maxEvents - out.size());
+      int run = Math.min(events, RUN);
+      int done = decodeRun(run, out) ? run : decodeSingly(run, out);
+      unpacker.use(done * EVENT_BYTES);
+      index += done;
+      violations.reached(offset(index));
+      if (done < run) {
+        return true;
+      }
+    }
+    if (index >= count) {
+      inPacket = false;
+      walk.pass();
+      violations.reached(walk.position());
+    }
+    return false;
+  }
+
+  /** Decodes events as long as nothing is odd about them; if something is, none. */
+  private boolean decodeRun(int events, EventPacket out) {
+    if (!started) {
+      return false;
+    }
+    VarHandle longs = LittleEndian.LONG;
+    byte[] data = unpacker.data();
+    int at = unpacker.from();
+    int size = out.size();
+    long[] times = out.timesUs();
+    int[] addresses = out.addresses();
+    int maxX = geometry.width() - 1;
+    int maxY = geometry.height() - 1;
+    boolean top = geometry.origin() == Origin.TOP;
+    int turn = top ? maxY : 0;
+    int sign = top ? -1 : 1;
+    long last = lastUs;
+    long back = 0;
+    int odd = 0;
+    for (int i = 0; i < events; i++) {
+      long time = (long) longs.get(data, at + i * EVENT_BYTES);
+      long word = (long) longs.get(data, at + i * EVENT_BYTES + 8);
+      int x = (short) word;
+      int y = (short) (word >>> 16);
+      int on = (int) (word >>> 32) & 0xff;
+      odd |= x | y | maxX - x | maxY - y | 1 - on;
+      back |= time < last ? 1 : 0;
+      last = time;
+      times[size + i] = time;
+      addresses[size + i] = (turn + sign * y) << 16 | x << 1 | on;
+    }
+    if (odd < 0 || back != 0) {
+      return false;
+    }
+    lastUs = last;
+    out.setSize(size + events);
+    return true;
+  }
+
+  /** Returns how many were decoded before the clock went back. */
+  private int decodeSingly(int events, EventPacket out) {
+    boolean top = geometry.origin() == Origin.TOP;
+    for (int i = 0; i < events; i++) {
+      int at = unpacker.from() + i * EVENT_BYTES;
+      long time = LittleEndian.getLong(unpacker.data(), at);
+      long word = LittleEndian.getLong(unpacker.data(), at + 8);
+      int x = (short) word;
+      int y = (short) (word >>> 16);
+      if (!geometry.contains(x, y)) {
+        violations.add(Violation.OUTSIDE_SENSOR, offset(index + i));
+        continue;
+      }
+      if (started && time < lastUs) {
+        violations.add(Violation.CLOCK_WENT_BACK, offset(index + i));
+        restartUs = time;
+        return i;
+      }
+      lastUs = time;
+      started = true;
+      boolean on = (word & 0xff * POLARITY) != 0;
+      out.append(time, x, top ? geometry.height() - 1 - y : y, on);
+    }
+    return events;
+  }
+
+  @Override
+  public long lastUs() {
+    return started ? lastUs : StreamNotification.NO_TIME_US;
+  }
+
+  @Override
+  public long restartUs() {
+    return restartUs;
+  }
+
+  @Override
+  public void acceptRestart() {
+    started = false;
+  }
+
+  @Override
+  public long positionBytes() {
+    return inPacket ? offset(index) : walk.position();
+  }
+
+  @Override
+  public int stateLongs() {
+    return 4;
+  }
+
+  @Override
+  public void save(long[] state, int at) {
+    state[at] = walk.position();
+    state[at + 1] = inPacket ? index : 0;
+    state[at + 2] = lastUs;
+    state[at + 3] = started ? 1 : 0;
+  }
+
+  @Override
+  public void restore(long[] state, int at) throws IOException {
+    walk.moveTo(state[at]);
+    inPacket = false;
+    lastUs = state[at + 2];
+    started = state[at + 3] != 0;
+    long skipped = state[at + 1];
+    if (skipped > 0 && nextPacket()) {
+      try {
+        unpacker.skip(Math.min(skipped, count) * EVENT_BYTES);
+        index = Math.min(skipped, count);
+      } catch (DamagedPacketException e) {
+        damaged();
+      }
+    }
+  }
+
+  @Override
+  public void close() {
+    unpacker.close();
+  }
+}

@@ -1,0 +1,32 @@
+package haltere.core.format.aedat4;
+
+import java.util.Optional;
+
+/**
+ * A stream that an AEDAT-4 file says it holds.
+ *
+ * @param id number by which its packets name it
+ * @param type four letters: {@code EVTS}, {@code FRME}, {@code IMUS}, {@code TRIG} and others
+ * @param width of the sensor, 0 if it is not stated
+ * @param height of the sensor, 0 if it is not stated
+ * @param module the program's part that made it, such as {@code capture} or {@code jAER}
+ * @param source the camera
+ */
+public record Aedat4Stream(
+    int id, String type, int width, int height, Optional<String> module, Optional<String> source) {
+  static final String EVENTS = "EVTS";
+
+  /**
+   * Whether it holds polarity events.
+   *
+   * @return true for {@code EVTS}
+   */
+  public boolean isEvents() {
+    return type.equals(EVENTS);
+  }
+
+  /** JAER counts rows from the bottom and says that it was jAER. */
+  boolean countsRowsFromBottom() {
+    return module.isPresent() && module.get().equalsIgnoreCase("jAER");
+  }
+}
