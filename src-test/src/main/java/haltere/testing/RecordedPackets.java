@@ -289,6 +289,87 @@ public record RecordedPackets(
     return List.of(GEN3_EVT2, GEN3_EVT21, IMX636_EVT3);
   }
 
+  /** DVS128, a hand's gesture, recorded by DV in 2024. */
+  public static final RecordedPackets DVS128_GESTURE =
+      new RecordedPackets(
+          "dvs128-gesture.aedat4",
+          "aedat4",
+          new SensorGeometry(128, 128, Origin.TOP),
+          66767,
+          82862,
+          1718925184590631L,
+          1718925190610468L,
+          0,
+          127,
+          0,
+          127,
+          List.of(
+              row(1718925184590631L, 23, 51, 1),
+              row(1718925184590832L, 23, 50, 1),
+              row(1718925184590833L, 26, 74, 1),
+              row(1718925184590837L, 29, 46, 1),
+              row(1718925184590839L, 25, 73, 1)),
+          List.of(row(1718925190610432L, 80, 115, 1), row(1718925190610468L, 24, 46, 1)),
+          "1f6f6f3c",
+          0);
+
+  /** DAVIS346, with packets of frames, inertial samples and triggers in between. */
+  public static final RecordedPackets DAVIS346_FRAMES =
+      new RecordedPackets(
+          "davis346-events-frames-imu.aedat4",
+          "aedat4",
+          new SensorGeometry(346, 260, Origin.TOP),
+          41257,
+          37573,
+          1589163147368868L,
+          1589163149728813L,
+          0,
+          345,
+          2,
+          259,
+          List.of(
+              row(1589163147368868L, 215, 164, 1),
+              row(1589163147368950L, 226, 160, 1),
+              row(1589163147368974L, 40, 236, 1),
+              row(1589163147368981L, 69, 226, 1),
+              row(1589163147368988L, 213, 165, 1)),
+          List.of(row(1589163149728809L, 240, 171, 1), row(1589163149728813L, 233, 205, 1)),
+          "0e1b7379",
+          472);
+
+  /** DVXplorer, with packets of inertial samples in between. */
+  public static final RecordedPackets DVXPLORER =
+      new RecordedPackets(
+          "dvxplorer-sample.aedat4",
+          "aedat4",
+          new SensorGeometry(320, 240, Origin.TOP),
+          55023,
+          56931,
+          1605537493718345L,
+          1605537494308262L,
+          0,
+          319,
+          0,
+          239,
+          List.of(
+              row(1605537493718345L, 154, 204, 0),
+              row(1605537493718348L, 149, 206, 0),
+              row(1605537493718349L, 148, 199, 1),
+              row(1605537493718354L, 139, 30, 0),
+              row(1605537493718360L, 130, 181, 1)),
+          List.of(row(1605537494308261L, 90, 132, 0), row(1605537494308262L, 88, 237, 1)),
+          "01d6e90a",
+          59);
+
+  /**
+   * The recordings of DV.
+   *
+   * @return AEDAT-4.0
+   */
+  public static List<RecordedPackets> dv() {
+    return List.of(DVS128_GESTURE, DAVIS346_FRAMES, DVXPLORER);
+  }
+
   private static EventRow row(long timeUs, int x, int y, int on) {
     return new EventRow(timeUs, x, y, on);
   }

@@ -18,7 +18,8 @@ class RecordingServicesTest {
   @Test
   void everyFormatIsFoundUnderItsName() {
     assertEquals(
-        Set.of("aedat1", "aedat2", "csv", "evt2", "evt21", "evt3"), Recordings.formats().keySet());
+        Set.of("aedat1", "aedat2", "aedat4", "csv", "evt2", "evt21", "evt3"),
+        Recordings.formats().keySet());
     Recordings.formats().forEach((name, format) -> assertEquals(name, format.name()));
   }
 }

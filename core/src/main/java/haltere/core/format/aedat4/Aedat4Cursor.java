@@ -28,6 +28,8 @@ final class Aedat4Cursor implements EventCursor {
   private static final long POLARITY = 1L << 32;
 
   private final SensorGeometry geometry;
+  private final Layout layout;
+  private final long fileBytes;
   private final int eventStream;
   private final ViolationCounts violations;
   private final Unpacker unpacker;
@@ -47,6 +49,8 @@ final class Aedat4Cursor implements EventCursor {
       int eventStream,
       ViolationCounts violations) {
     this.geometry = geometry;
+    this.layout = layout;
+    fileBytes = file.size();
     this.eventStream = eventStream;
     this.violations = violations;
     unpacker = new Unpacker(file);
@@ -246,7 +250,10 @@ final class Aedat4Cursor implements EventCursor {
 
   @Override
   public long positionBytes() {
-    return inPacket ? offset(index) : walk.position();
+    if (inPacket) {
+      return offset(index);
+    }
+    return walk.position() < layout.end() ? walk.position() : fileBytes;
   }
 
   @Override

@@ -207,6 +207,6 @@ class Aedat2FormatTest extends RecordingFormatContract {
     assertEquals("csv", Recordings.forWriting(Path.of("a.csv")).name());
     RecordingProblem unknown =
         assertThrows(RecordingProblem.class, () -> Recordings.forWriting(Path.of("a.txt")));
-    assertTrue(unknown.getMessage().contains(".aedat, .csv"), unknown.getMessage());
+    assertTrue(unknown.getMessage().contains(".aedat, .aedat4, .csv"), unknown.getMessage());
   }
 }
