@@ -63,7 +63,7 @@ class ArchitectureTest {
             .that()
             .resideInAPackage("haltere.core..")
             .and()
-            .resideOutsideOfPackage("haltere.core.json")
+            .resideOutsideOfPackages("haltere.core.json", "haltere.core.format.aedat4")
             .should()
             .onlyDependOnClassesThat(resideInAnyPackage("java..", "haltere.core.."))
             .because("a library is a promise to every embedder"));
@@ -74,6 +74,15 @@ class ArchitectureTest {
             .should()
             .onlyDependOnClassesThat(
                 resideInAnyPackage("java..", "haltere.core.json", "com.fasterxml.jackson.core..")));
+    check(
+        classes()
+            .that()
+            .resideInAPackage("haltere.core.format.aedat4")
+            .should()
+            .onlyDependOnClassesThat(
+                resideInAnyPackage(
+                    "java..", "javax.xml.stream..", "haltere.core..", "com.github.luben.zstd.."))
+            .because("only AEDAT-4 has Zstandard, and XML in its header"));
   }
 
   @Test

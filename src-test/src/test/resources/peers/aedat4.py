@@ -1,0 +1,65 @@
+"""Other programs' view of AEDAT-4 files, for Aedat4PeersTest.
+
+peers/aedat4.py check                   exits with 0 if the packages are there
+peers/aedat4.py read FILE...            a line per file and program: events and CRC-32 of int64 t,x,y,p rows
+peers/aedat4.py write EVENTS W H FILE   from int64 t,x,y,p rows, one file FILE-<compression>.aedat4 each
+"""
+import sys
+import zlib
+
+import aedat
+import dv_processing as dv
+import numpy as np
+
+
+def rows(t, x, y, p):
+    table = np.empty((len(t), 4), dtype="<i8")
+    table[:, 0], table[:, 1], table[:, 2], table[:, 3] = t, x, y, p
+    return table
+
+
+def by_dv(path):
+    reader = dv.io.MonoCameraRecording(path)
+    parts = []
+    while True:
+        batch = reader.getNextEventBatch()
+        if batch is None:
+            break
+        e = batch.numpy()
+        parts.append(rows(e["timestamp"], e["x"], e["y"], e["polarity"]))
+    return np.concatenate(parts)
+
+
+def by_aedat(path):
+    parts = []
+    for packet in aedat.Decoder(path):
+        if "events" in packet:
+            e = packet["events"]
+            parts.append(rows(e["t"], e["x"], e["y"], e["on"]))
+    return np.concatenate(parts)
+
+
+def read(paths):
+    for path in paths:
+        for name, reader in (("dv-processing", by_dv), ("aedat", by_aedat)):
+            table = reader(path)
+            print(name, len(table), "%08x" % zlib.crc32(table.tobytes()))
+
+
+def write(events, width, height, target):
+    table = np.fromfile(events, dtype="<i8").reshape(-1, 4)
+    for name in ("NONE", "LZ4", "LZ4_HIGH", "ZSTD", "ZSTD_HIGH"):
+        config = dv.io.MonoCameraWriter.Config("camera", getattr(dv.CompressionType, name))
+        config.addEventStream((width, height))
+        writer = dv.io.MonoCameraWriter(target + "-" + name + ".aedat4", config)
+        store = dv.EventStore()
+        for t, x, y, p in table.tolist():
+            store.push_back(t, x, y, bool(p))
+        writer.writeEvents(store)
+        del writer
+
+
+if sys.argv[1] == "read":
+    read(sys.argv[2:])
+elif sys.argv[1] == "write":
+    write(sys.argv[2], int(sys.argv[3]), int(sys.argv[4]), sys.argv[5])
