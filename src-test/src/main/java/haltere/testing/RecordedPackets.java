@@ -280,13 +280,118 @@ public record RecordedPackets(
           "ffab0efd",
           457639);
 
+  /** Prophesee Gen4, the scene of {@link #IMX636_EVT3} on another clock. */
+  public static final RecordedPackets GEN4_DAT =
+      new RecordedPackets(
+          "gen4.dat",
+          "dat",
+          new SensorGeometry(1280, 720, Origin.TOP),
+          553295,
+          665323,
+          5856,
+          10773853,
+          0,
+          1279,
+          0,
+          719,
+          List.of(
+              row(5856, 484, 315, 1),
+              row(5857, 474, 231, 0),
+              row(5857, 450, 309, 1),
+              row(5859, 492, 253, 0),
+              row(5859, 472, 222, 0)),
+          List.of(row(10773852, 442, 316, 1), row(10773853, 471, 350, 0)),
+          "dd2c748a",
+          0);
+
+  /** N-CARS, events of the kind 2D; the header states no size. */
+  public static final RecordedPackets NCARS_DAT =
+      new RecordedPackets(
+          "ncars-sample.dat",
+          "dat",
+          new SensorGeometry(304, 240, Origin.TOP),
+          1350,
+          659,
+          0,
+          99952,
+          0,
+          77,
+          0,
+          41,
+          List.of(
+              row(0, 25, 8, 0),
+              row(35, 67, 35, 0),
+              row(152, 56, 27, 1),
+              row(202, 74, 39, 1),
+              row(244, 49, 28, 1)),
+          List.of(row(99851, 51, 4, 1), row(99952, 75, 28, 1)),
+          "add26364",
+          0);
+
+  /** Event Stream, DVS. */
+  public static final RecordedPackets DVS_ES =
+      new RecordedPackets(
+          "dvs.es",
+          "es",
+          new SensorGeometry(320, 240, Origin.TOP),
+          270001,
+          203224,
+          0,
+          999000,
+          0,
+          319,
+          0,
+          239,
+          List.of(
+              row(0, 0, 239, 1),
+              row(0, 1, 239, 1),
+              row(0, 2, 239, 1),
+              row(0, 3, 239, 1),
+              row(0, 4, 239, 1)),
+          List.of(row(999000, 113, 77, 1), row(999000, 38, 46, 1)),
+          "765d0785",
+          0);
+
+  /** A digit of N-MNIST. */
+  public static final RecordedPackets NMNIST =
+      new RecordedPackets(
+          "nmnist-sample.bin",
+          "nmnist",
+          new SensorGeometry(34, 34, Origin.TOP),
+          2145,
+          2180,
+          654,
+          311175,
+          0,
+          33,
+          0,
+          33,
+          List.of(
+              row(654, 7, 15, 1),
+              row(2999, 19, 18, 0),
+              row(3017, 21, 17, 0),
+              row(3893, 10, 18, 0),
+              row(4023, 12, 9, 1)),
+          List.of(row(310771, 33, 12, 1), row(311175, 21, 14, 1)),
+          "8c7731fd",
+          0);
+
   /**
    * The recordings of Prophesee's raw formats.
    *
    * @return EVT2 first
    */
   public static List<RecordedPackets> prophesee() {
-    return List.of(GEN3_EVT2, GEN3_EVT21, IMX636_EVT3);
+    return List.of(GEN3_EVT2, GEN3_EVT21, IMX636_EVT3, GEN4_DAT, NCARS_DAT);
+  }
+
+  /**
+   * The recordings of Event Stream and of data sets.
+   *
+   * @return Event Stream first
+   */
+  public static List<RecordedPackets> dataSets() {
+    return List.of(DVS_ES, NMNIST);
   }
 
   /** DVS128, a hand's gesture, recorded by DV in 2024. */

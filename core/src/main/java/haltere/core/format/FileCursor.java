@@ -78,7 +78,7 @@ public final class FileCursor implements EventCursor {
       offset = file.size();
       return Stop.MORE;
     }
-    if (offset < file.size()) {
+    if (offset < file.size() || decoder.unfinished()) {
       violations.addOnce(Violation.CUT_OFF, offset);
     }
     return Stop.END;

@@ -40,6 +40,15 @@ public interface StreamDecoder {
   }
 
   /**
+   * Whether the bytes that were decoded last belong to a unit that goes on.
+   *
+   * @return true if a file that ends here is cut off
+   */
+  default boolean unfinished() {
+    return false;
+  }
+
+  /**
    * Time of the last event.
    *
    * @return microseconds, or {@link haltere.core.stream.StreamNotification#NO_TIME_US} before the

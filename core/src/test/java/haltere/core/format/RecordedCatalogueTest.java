@@ -20,7 +20,11 @@ import org.junit.jupiter.params.provider.MethodSource;
 /** Every recording of the catalogue gives what other programs read from it. */
 class RecordedCatalogueTest {
   static List<RecordedPackets> recordings() {
-    return Stream.of(RecordedPackets.aedat(), RecordedPackets.dv(), RecordedPackets.prophesee())
+    return Stream.of(
+            RecordedPackets.aedat(),
+            RecordedPackets.dv(),
+            RecordedPackets.prophesee(),
+            RecordedPackets.dataSets())
         .flatMap(List::stream)
         .toList();
   }

@@ -29,6 +29,22 @@ public final class Evt3Decoder extends EvtDecoder {
   /** Events of the longest vector word. */
   private static final int VECTOR = 12;
 
+  /** Pixels of a group of vector words as cameras send it. */
+  private static final int GROUP = 32;
+
+  private static final int GROUP_BYTES = 8;
+
+  /** So many bytes without a vector word, and the stream is no longer taken for one with them. */
+  private static final int PATIENCE_BYTES = 128;
+
+  /** The types of the words of a group, as one little-endian number. */
+  private static final long BASE_12_12_8 = 0x5000400040003000L;
+
+  private static final long GROUP_TYPES = 0xf000f000f000f000L;
+
+  /** Events of a group, and room for what is too much. */
+  private static final int LONGEST_RUN = GROUP + 4;
+
   /** Row of {@link #row} before the first row word and for data that are no pixel events. */
   private static final int NO_ROW = 1 << 31;
 
@@ -59,13 +75,14 @@ public final class Evt3Decoder extends EvtDecoder {
 
   @Override
   public boolean decode(ByteBuffer in, long offset, EventPacket out, int maxEvents) {
-    out.ensureCapacity(maxEvents + VECTOR);
+    out.ensureCapacity(maxEvents + LONGEST_RUN);
     int start = in.position();
     int end = start + (in.remaining() & -WORD_BYTES);
     int position = start;
     while (position < end && out.size() < maxEvents && !restarted) {
-      if (handedOver == 0) {
-        position = decodeRun(in, position, end, offset - start, out, maxEvents);
+      if (handedOver == 0 && clock.high() >= 0 && timeUs >= lastUs) {
+        position = decodeSingles(in, position, end, offset - start, out, maxEvents);
+        position = decodeVectors(in, position, end, out, maxEvents);
       }
       if (position < end && out.size() < maxEvents) {
         int word = in.getShort(position) & 0xffff;
@@ -78,31 +95,30 @@ public final class Evt3Decoder extends EvtDecoder {
     return restarted;
   }
 
-  /** Decodes until a word needs care or the packet is nearly full; returns where that is. */
-  private int decodeRun(
+  /**
+   * Decodes until there is a vector word, a word needs care or the packet is full; returns where
+   * that is. The loop is as bare as it is because it lives from its registers: what is not needed
+   * for nearly every word is elsewhere.
+   */
+  private int decodeSingles(
       ByteBuffer in, int from, int end, long fileOffset, EventPacket out, int maxEvents) {
-    int limit = maxEvents - VECTOR;
-    int size = out.size();
-    if (clock.high() < 0 || size > limit || timeUs < lastUs) {
-      return from;
-    }
     long[] times = out.timesUs();
     int[] addresses = out.addresses();
-    int before = size;
+    int before = out.size();
+    int size = before;
     int right = width - 1;
     int topRow = top;
     int rowBits = row;
-    int vector = vectorX;
-    int on = vectorOn;
     long startUs = clock.startUs();
     int high = clock.high();
     long now = timeUs;
-    int position = from;
     int others = 0;
-    int firstOther = 0;
-    long counted = violations.reached() - fileOffset;
+    boolean careForOthers =
+        violations.reached() > fileOffset + from || violations.count(Violation.OTHER_DATA) == 0;
+    int stop = (int) Math.min(end, from + (long) (maxEvents - size) * WORD_BYTES);
+    int position = from;
     words:
-    for (; position < end && size <= limit; position += WORD_BYTES) {
+    for (; position < stop; position += WORD_BYTES) {
       int word = in.getShort(position) & 0xffff;
       switch (word >>> 12) {
         case ADDR_Y:
@@ -116,41 +132,68 @@ public final class Evt3Decoder extends EvtDecoder {
           times[size] = now;
           addresses[size++] = rowBits | x << EventAddress.X_SHIFT | word >>> 11 & 1;
           break;
-        case VECT_BASE_X:
-          vector = word & 0x7ff;
-          on = word >>> 11 & 1;
-          break;
-        case VECT_12, VECT_8:
-          int length = word >>> 12 == VECT_12 ? 12 : 8;
-          int mask = word & (1 << length) - 1;
-          if ((rowBits | right + 1 - length - vector) < 0) {
+        case TIME_LOW:
+          long low = startUs + (word & 0xfff);
+          if (low < now) {
             break words;
           }
-          int address = rowBits + (vector << EventAddress.X_SHIFT) + on;
-          vector += length;
-          int next = size + Integer.bitCount(mask);
-          while (size < next) {
-            // Four at a time without asking whether there are as many: what is too much is
-            // overwritten by the next events.
-            int first = Integer.numberOfTrailingZeros(mask);
-            mask &= mask - 1;
-            int second = Integer.numberOfTrailingZeros(mask);
-            mask &= mask - 1;
-            int third = Integer.numberOfTrailingZeros(mask);
-            mask &= mask - 1;
-            int fourth = Integer.numberOfTrailingZeros(mask);
-            mask &= mask - 1;
-            times[size] = now;
-            times[size + 1] = now;
-            times[size + 2] = now;
-            times[size + 3] = now;
-            addresses[size] = address + (first << EventAddress.X_SHIFT);
-            addresses[size + 1] = address + (second << EventAddress.X_SHIFT);
-            addresses[size + 2] = address + (third << EventAddress.X_SHIFT);
-            addresses[size + 3] = address + (fourth << EventAddress.X_SHIFT);
-            size += 4;
+          now = low;
+          break;
+        case TIME_HIGH:
+          if ((word & 0xfff) != high) {
+            break words;
           }
-          size = next;
+          break;
+        case OTHERS, CONTINUED_12, CONTINUED_4, EXT_TRIGGER:
+          if (careForOthers) {
+            break words;
+          }
+          others++;
+          break;
+        default:
+          break words;
+      }
+    }
+    violations.add(Violation.OTHER_DATA, fileOffset + from, others);
+    setState(out, before, size, rowBits, now);
+    return position;
+  }
+
+  /**
+   * The same for streams with vector words: decodes from one on, until there has been none for a
+   * while, a word needs care or the packet is nearly full.
+   */
+  private int decodeVectors(ByteBuffer in, int from, int end, EventPacket out, int maxEvents) {
+    int limit = maxEvents - GROUP;
+    int before = out.size();
+    int size = before;
+    if (from >= end || size > limit || !isVector(in.getShort(from))) {
+      return from;
+    }
+    long[] times = out.timesUs();
+    int[] addresses = out.addresses();
+    int right = width - 1;
+    int topRow = top;
+    int rowBits = row;
+    long startUs = clock.startUs();
+    int high = clock.high();
+    long now = timeUs;
+    int position = from;
+    int patience = from + PATIENCE_BYTES;
+    words:
+    for (; position < end && size <= limit; position += WORD_BYTES) {
+      int word = in.getShort(position) & 0xffff;
+      switch (word >>> 12) {
+        case ADDR_Y:
+          rowBits = topRow - (word & 0x7ff) << EventAddress.Y_SHIFT;
+          break;
+        case ADDR_X:
+          int x = word & 0x7ff;
+          if ((rowBits | right - x) < 0 || position > patience) {
+            break words;
+          }
+          times[size] = now;
+          addresses[size++] = rowBits | x << EventAddress.X_SHIFT | word >>> 11 & 1;
           break;
         case TIME_LOW:
           long low = startUs + (word & 0xfff);
@@ -161,33 +204,105 @@ public final class Evt3Decoder extends EvtDecoder {
           break;
         case TIME_HIGH:
           if ((word & 0xfff) != high) {
-            if ((word & 0xfff) < high) {
-              break words;
-            }
-            high = word & 0xfff;
-            startUs = clock.take(high);
-            now = startUs;
+            break words;
           }
           break;
-        case OTHERS, CONTINUED_12, CONTINUED_4, EXT_TRIGGER:
-          if (position >= counted && others++ == 0) {
-            firstOther = position;
+        case VECT_BASE_X:
+          vectorX = word & 0x7ff;
+          vectorOn = word >>> 11 & 1;
+          patience = position + PATIENCE_BYTES;
+          int group = groupMask(in, position, end);
+          if (group == 0 || (rowBits | right + 1 - GROUP - vectorX) < 0) {
+            break;
           }
+          size =
+              appendPixels(
+                  times,
+                  addresses,
+                  size,
+                  now,
+                  rowBits | vectorX << EventAddress.X_SHIFT | vectorOn,
+                  group);
+          vectorX += GROUP;
+          position += GROUP_BYTES - WORD_BYTES;
+          break;
+        case VECT_12, VECT_8:
+          int length = word >>> 12 == VECT_12 ? 12 : 8;
+          if ((rowBits | right + 1 - length - vectorX) < 0) {
+            break words;
+          }
+          size =
+              appendPixels(
+                  times,
+                  addresses,
+                  size,
+                  now,
+                  rowBits | vectorX << EventAddress.X_SHIFT | vectorOn,
+                  word & (1 << length) - 1);
+          vectorX += length;
           break;
         default:
           break words;
       }
     }
-    violations.add(Violation.OTHER_DATA, fileOffset + firstOther, others);
+    setState(out, before, size, rowBits, now);
+    return position;
+  }
+
+  private static boolean isVector(short word) {
+    int type = word >>> 12 & 0xf;
+    return type >= VECT_BASE_X && type <= VECT_8;
+  }
+
+  private void setState(EventPacket out, int before, int size, int rowBits, long now) {
     out.setSize(size);
     row = rowBits;
-    vectorX = vector;
-    vectorOn = on;
     timeUs = now;
     if (size > before) {
-      lastUs = times[size - 1];
+      lastUs = out.timesUs()[size - 1];
     }
-    return position;
+  }
+
+  /**
+   * The pixels of a group of vector words as cameras send it: a start and 12, 12 and 8 pixels; 0 if
+   * there is none.
+   */
+  private static int groupMask(ByteBuffer in, int position, int end) {
+    if (position + GROUP_BYTES > end) {
+      return 0;
+    }
+    long words = in.getLong(position);
+    if ((words & GROUP_TYPES) != BASE_12_12_8) {
+      return 0;
+    }
+    return (int) (words >>> 16) & 0xfff
+        | ((int) (words >>> 32) & 0xfff) << 12
+        | (int) (words >>> 48) << 24;
+  }
+
+  /**
+   * Appends the events of vector words, four at a time without asking whether there are as many:
+   * what is too much is overwritten by the next events. Returns the new size.
+   */
+  private static int appendPixels(
+      long[] times, int[] addresses, int size, long timeUs, int address, int pixels) {
+    int next = size + Integer.bitCount(pixels);
+    int mask = pixels;
+    for (int i = size; i < next; i += 4) {
+      times[i] = timeUs;
+      times[i + 1] = timeUs;
+      times[i + 2] = timeUs;
+      times[i + 3] = timeUs;
+      addresses[i] = address + (Integer.numberOfTrailingZeros(mask) << EventAddress.X_SHIFT);
+      mask &= mask - 1;
+      addresses[i + 1] = address + (Integer.numberOfTrailingZeros(mask) << EventAddress.X_SHIFT);
+      mask &= mask - 1;
+      addresses[i + 2] = address + (Integer.numberOfTrailingZeros(mask) << EventAddress.X_SHIFT);
+      mask &= mask - 1;
+      addresses[i + 3] = address + (Integer.numberOfTrailingZeros(mask) << EventAddress.X_SHIFT);
+      mask &= mask - 1;
+    }
+    return next;
   }
 
   /** Decodes one word, whatever it is; false if it is not done with. */

@@ -23,8 +23,9 @@ import java.util.TreeMap;
  *
  * <p>The first turn of the clock begins where a header line of our own says, if that is not 0, so
  * that times before 0 and times since 1970 come back. Other programs pass over that line and see
- * the times less the base. Every turn of a longer silence is written, since the words have no other
- * way to say it. A clock that goes back is written as it is, as long as it stays within its turn.
+ * the times less the base, which {@link #losses} tells. Every turn of a longer silence is written,
+ * since the words have no other way to say it. A clock that goes back is written as it is, as long
+ * as it stays within its turn.
  */
 abstract sealed class EvtWriter implements RecordingWriter
     permits Evt2Writer, Evt21Writer, Evt3Writer {
@@ -44,6 +45,7 @@ abstract sealed class EvtWriter implements RecordingWriter
   private final WriteOptions options;
   private final long turnLengthUs;
   private long baseUs;
+  private long statedBaseUs;
   private boolean started;
   private long shifts;
   private long outside;
@@ -140,6 +142,7 @@ abstract sealed class EvtWriter implements RecordingWriter
     if (Math.abs(turnUs) > EvtFormat.MAX_BASE_US) {
       shifts++;
     } else if (turnUs != 0) {
+      statedBaseUs = turnUs;
       line(text, EvtFormat.TIME_BASE + " " + turnUs);
     }
     for (String line : encodingLines()) {
@@ -167,6 +170,12 @@ abstract sealed class EvtWriter implements RecordingWriter
     List<String> lines = new ArrayList<>();
     if (outside > 0) {
       lines.add(outside + " events outside of " + options.geometry() + " were left out");
+    }
+    if (statedBaseUs != 0) {
+      lines.add(
+          "the clock of the words begins at 0: other programs read all times less "
+              + statedBaseUs
+              + " us");
     }
     if (shifts > 0) {
       lines.add(

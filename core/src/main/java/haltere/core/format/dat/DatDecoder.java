@@ -1,0 +1,189 @@
+package haltere.core.format.dat;
+
+import haltere.core.event.EventAddress;
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.StreamDecoder;
+import haltere.core.format.Violation;
+import haltere.core.format.ViolationCounts;
+import haltere.core.format.WrappingClock;
+import haltere.core.stream.StreamNotification;
+import java.nio.ByteBuffer;
+
+/**
+ * Turns the records of a DAT file into packets: little-endian, 32 bits of time, 32 bits of column,
+ * row and polarity.
+ *
+ * <p>Thread rule: one thread.
+ */
+public final class DatDecoder implements StreamDecoder {
+  /** Size of a record. */
+  public static final int RECORD_BYTES = 8;
+
+  private static final int RUN = 1024;
+  private static final long UNSIGNED = 0xffffffffL;
+
+  /**
+   * Where a record's second half has what.
+   *
+   * @param xBits bits of the column, from bit 0
+   * @param yBits bits of the row, behind those of the column; the polarity follows
+   */
+  public record Layout(int xBits, int yBits) {
+    /** Of version 2 and later. */
+    public static final Layout VERSION_2 = new Layout(14, 14);
+
+    /** Of the files of the first sensors, of 304x240 pixels. */
+    public static final Layout VERSION_1 = new Layout(9, 8);
+  }
+
+  private final int width;
+  private final int top;
+  private final int xBits;
+  private final int yBits;
+  private final ViolationCounts violations;
+  private final WrappingClock clock;
+  private boolean restarted;
+  private long restartUs;
+
+  /**
+   * A decoder before the first record.
+   *
+   * @param geometry the sensor; events outside are left out
+   * @param layout of the records
+   * @param firstTurnUs what to add to the file's times before the first wrap
+   * @param violations where to count what is wrong
+   */
+  public DatDecoder(
+      SensorGeometry geometry, Layout layout, long firstTurnUs, ViolationCounts violations) {
+    width = geometry.width();
+    top = geometry.height() - 1;
+    xBits = layout.xBits();
+    yBits = layout.yBits();
+    this.violations = violations;
+    clock = new WrappingClock(1L << 32, firstTurnUs);
+  }
+
+  @Override
+  public boolean decode(ByteBuffer in, long offset, EventPacket out, int maxEvents) {
+    out.ensureCapacity(maxEvents);
+    int start = in.position();
+    int position = start;
+    int end = start + (in.remaining() & -RECORD_BYTES);
+    while (position < end && out.size() < maxEvents && !restarted) {
+      int records =
+          Math.min(RUN, Math.min(maxEvents - out.size(), (end - position) / RECORD_BYTES));
+      if (!decodeRun(in, position, records, out)) {
+        records = decodeSingly(in, position, records, offset + (position - start), out);
+      }
+      position += records * RECORD_BYTES;
+    }
+    in.position(position);
+    return restarted;
+  }
+
+  /** Decodes records at once as long as nothing is odd about any of them; if so, none. */
+  private boolean decodeRun(ByteBuffer in, int position, int records, EventPacket out) {
+    if (!clock.started()) {
+      return false;
+    }
+    int size = out.size();
+    long[] times = out.timesUs();
+    int[] addresses = out.addresses();
+    int right = width - 1;
+    int topRow = top;
+    int xMask = (1 << xBits) - 1;
+    int yMask = (1 << yBits) - 1;
+    int yShift = xBits;
+    int onShift = xBits + yBits;
+    long turnUs = clock.turnUs();
+    long lastUs = clock.lastUs();
+    long odd = 0;
+    for (int i = 0; i < records; i++) {
+      long record = in.getLong(position + i * RECORD_BYTES);
+      long timeUs = turnUs + (record & UNSIGNED);
+      int word = (int) (record >>> 32);
+      int x = word & xMask;
+      int y = topRow - (word >>> yShift & yMask);
+      long stepUs = timeUs - lastUs;
+      // Negative if the clock goes back or leaps by half a turn, or the pixel is outside.
+      odd |= stepUs | stepUs << 32 | y | right - x;
+      lastUs = timeUs;
+      times[size + i] = timeUs;
+      addresses[size + i] =
+          y << EventAddress.Y_SHIFT | x << EventAddress.X_SHIFT | word >>> onShift & 1;
+    }
+    if (odd < 0) {
+      return false;
+    }
+    out.setSize(size + records);
+    clock.advance(lastUs);
+    return true;
+  }
+
+  /** Record by record; returns how many were dealt with before the clock went back. */
+  private int decodeSingly(ByteBuffer in, int position, int records, long offset, EventPacket out) {
+    for (int i = 0; i < records; i++) {
+      int from = position + i * RECORD_BYTES;
+      long at = offset + (long) i * RECORD_BYTES;
+      int word = in.getInt(from + 4);
+      int x = word & (1 << xBits) - 1;
+      int y = top - (word >>> xBits & (1 << yBits) - 1);
+      if (x >= width || y < 0) {
+        violations.add(Violation.OUTSIDE_SENSOR, at);
+        continue;
+      }
+      long timeUs = clock.read(in.getInt(from) & UNSIGNED);
+      if (clock.goesBack(timeUs)) {
+        restarted = true;
+        restartUs = timeUs;
+        violations.add(Violation.CLOCK_WENT_BACK, at);
+        return i;
+      }
+      clock.take(timeUs);
+      out.append(timeUs, EventAddress.pack(x, y, word >>> xBits + yBits & 1));
+    }
+    return records;
+  }
+
+  @Override
+  public long lastUs() {
+    return clock.started() ? clock.lastUs() : StreamNotification.NO_TIME_US;
+  }
+
+  @Override
+  public long restartUs() {
+    return restartUs;
+  }
+
+  @Override
+  public void acceptRestart() {
+    if (!restarted) {
+      throw new IllegalStateException("the clock did not go back");
+    }
+    restarted = false;
+    clock.take(restartUs);
+    clock.reset(clock.turnUs());
+  }
+
+  @Override
+  public int stateLongs() {
+    return 2;
+  }
+
+  @Override
+  public void save(long[] state, int at) {
+    state[at] = clock.turnUs();
+    state[at + 1] = lastUs();
+  }
+
+  @Override
+  public void restore(long[] state, int at) {
+    restarted = false;
+    if (state[at + 1] == StreamNotification.NO_TIME_US) {
+      clock.reset(state[at]);
+    } else {
+      clock.resume(state[at], state[at + 1]);
+    }
+  }
+}
