@@ -1,7 +1,6 @@
 package haltere.core.settings;
 
 import java.math.BigDecimal;
-import java.math.BigDecimal;
 import java.util.List;
 
 /**

@@ -69,16 +69,18 @@ public final class NmnistFormat implements RecordingFormat {
   public ProbeResult probe(FileHead head) {
     byte[] bytes = head.head();
     int records = Math.min(LOOK_RECORDS, bytes.length / NmnistDecoder.RECORD_BYTES);
+    int forth = 0;
     int back = 0;
-    long last = -1;
+    long last = 0;
     for (int i = 0; i < records; i++) {
       int at = i * NmnistDecoder.RECORD_BYTES;
       long time =
           (bytes[at + 2] & 0x7fL) << 16 | (bytes[at + 3] & 0xffL) << 8 | bytes[at + 4] & 0xffL;
+      forth += time > last ? 1 : 0;
       back += time < last ? 1 : 0;
       last = time;
     }
-    boolean ascends = records >= FEWEST_RECORDS && back * 100 <= records;
+    boolean ascends = records >= FEWEST_RECORDS && forth * 2 >= records && back * 100 <= records;
     return new ProbeResult(
         ascends ? Support.PLAUSIBLE : Support.NONE,
         ascends
