@@ -13,6 +13,9 @@ import java.util.List;
  * keeps the track that it had last, as long as that is within the gate and no other object has had
  * it since; the others are assigned so that as many as can be have a track, at the least total
  * distance. An object that gets another track than it had last, however long ago, is a switch.
+ *
+ * <p>The program TrackEval forgets after one frame without a track which track an object had, for
+ * keeping it though not for counting switches; on scenes full of noise it may find a switch more.
  */
 public final class Correspondences {
   private static final int NONE = -1;

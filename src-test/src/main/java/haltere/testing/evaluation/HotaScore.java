@@ -20,8 +20,12 @@ import java.util.function.ToDoubleFunction;
  *   HOTA = √(DetA · AssA)
  * </pre>
  *
- * <p>The authors' program TrackEval matches once for all α, with weights A_max · S; where objects
- * come nearer to each other than d₀ it may differ in the third decimal.
+ * <p>The authors' program TrackEval matches once for all α, with weights A_max · S. On random
+ * scenes without ambiguity (2 to 8 objects, errors far below their distances) both agree to six
+ * digits; where objects are nearer to each other than the errors, HOTA differed by up to 0.002.
+ *
+ * <p>The score has no meaning without d₀: tracks that are right in all but a constant distance d
+ * score ⌊20 S⌋ / 19, at most 1.
  *
  * @param thresholds what was found at each α
  */
@@ -71,13 +75,13 @@ public record HotaScore(List<Threshold> thresholds) {
    *
    * @param frames truth and tracks
    * @param zeroSimilarityDistance d₀, the distance from which on two points have nothing to do with
-   *     each other, more than 0
+   *     each other, finite and positive
    * @return the score
    */
   public static HotaScore of(Frames frames, double zeroSimilarityDistance) {
-    if (!(zeroSimilarityDistance > 0)) {
+    if (!(zeroSimilarityDistance > 0) || Double.isInfinite(zeroSimilarityDistance)) {
       throw new IllegalArgumentException(
-          "the distance of no similarity must be positive: " + zeroSimilarityDistance);
+          "the distance of no similarity must be positive and finite: " + zeroSimilarityDistance);
     }
     List<Threshold> thresholds = new ArrayList<>();
     for (int i = 1; i <= 19; i++) {

@@ -19,10 +19,13 @@ public record IdentityScore(long truePoints, long falsePoints, long missedPoints
    * Computes the score.
    *
    * @param frames truth and tracks
-   * @param gate the greatest distance of two points that count for each other
+   * @param gate the greatest distance of two points that count for each other, finite and positive
    * @return the score
    */
   public static IdentityScore of(Frames frames, double gate) {
+    if (!(gate > 0) || Double.isInfinite(gate)) {
+      throw new IllegalArgumentException("gate must be positive and finite: " + gate);
+    }
     int rows = frames.truthCount();
     int columns = frames.trackCount();
     int[][] common = new int[rows][columns];

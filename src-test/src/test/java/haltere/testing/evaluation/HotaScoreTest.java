@@ -94,7 +94,7 @@ class HotaScoreTest {
   @Test
   void aDistanceWithoutMeaningIsRefused() {
     Frames frames = Rows.brokenTrack();
-    for (double d0 : new double[] {0, -1, Double.NaN}) {
+    for (double d0 : new double[] {0, -1, Double.NaN, Double.POSITIVE_INFINITY}) {
       assertThrows(IllegalArgumentException.class, () -> HotaScore.of(frames, d0));
     }
   }

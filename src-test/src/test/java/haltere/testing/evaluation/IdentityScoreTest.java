@@ -1,6 +1,7 @@
 package haltere.testing.evaluation;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
@@ -55,6 +56,9 @@ class IdentityScoreTest {
     Frames frames = Rows.frames(new Rows().add(1, 0, 0, 0), new Rows().add(1, 0, 0, 3));
     assertEquals(1, IdentityScore.of(frames, 3).idf1());
     assertEquals(0, IdentityScore.of(frames, Math.nextDown(3.0)).idf1());
+    for (double gate : new double[] {0, -1, Double.NaN, Double.POSITIVE_INFINITY}) {
+      assertThrows(IllegalArgumentException.class, () -> IdentityScore.of(frames, gate));
+    }
   }
 
   @Test
