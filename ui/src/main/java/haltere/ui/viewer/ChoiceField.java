@@ -16,7 +16,7 @@ final class ChoiceField extends SettingField {
     box.setId("choice-" + controlId());
     box.getItems().setAll(parameter.choices());
     box.setAccessibleText(Texts.words(parameter.name(), ""));
-    box.setTooltip(Controls.tooltip(help()));
+    Controls.help(box, help());
     box.setOnAction(
         event -> {
           if (box.getValue() != null) {

@@ -1,14 +1,19 @@
 package haltere.ui.viewer;
 
 import atlantafx.base.theme.Styles;
+import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.ButtonBase;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.control.Tooltip;
+import javafx.scene.input.MouseEvent;
 import javafx.util.Duration;
 
 /** Makes the buttons of the window, all alike: an icon, a tooltip and a name for screen readers. */
 final class Controls {
+  private static final String HELP = "haltere.help";
+  private static final String TOOLTIP = "haltere.tooltip";
+
   private Controls() {}
 
   static Button button(String id, Icons icon, String help, Runnable action) {
@@ -24,20 +29,42 @@ final class Controls {
     return button;
   }
 
-  static Tooltip tooltip(String text) {
-    Tooltip tooltip = new Tooltip(text);
-    tooltip.setShowDelay(Duration.millis(400));
-    tooltip.setShowDuration(Duration.seconds(30));
-    tooltip.setWrapText(true);
-    tooltip.setMaxWidth(340);
-    return tooltip;
+  /**
+   * Gives a node words that appear when the mouse rests on it, or other ones, or none. The tooltip
+   * itself, which is a window, is not made before the mouse comes.
+   */
+  static void help(Node node, String text) {
+    if (node.getProperties().put(HELP, text) == null) {
+      node.addEventHandler(MouseEvent.MOUSE_ENTERED, event -> showHelp(node));
+    }
+    if (node.getProperties().get(TOOLTIP) instanceof Tooltip tooltip) {
+      tooltip.setText(text);
+    }
+  }
+
+  private static void showHelp(Node node) {
+    String text = (String) node.getProperties().get(HELP);
+    if (node.getProperties().get(TOOLTIP) instanceof Tooltip tooltip) {
+      if (text.isEmpty()) {
+        Tooltip.uninstall(node, tooltip);
+        node.getProperties().remove(TOOLTIP);
+      }
+    } else if (!text.isEmpty()) {
+      Tooltip tooltip = new Tooltip(text);
+      tooltip.setShowDelay(Duration.millis(400));
+      tooltip.setShowDuration(Duration.seconds(30));
+      tooltip.setWrapText(true);
+      tooltip.setMaxWidth(340);
+      node.getProperties().put(TOOLTIP, tooltip);
+      Tooltip.install(node, tooltip);
+    }
   }
 
   private static void dress(ButtonBase button, String id, Icons icon, String help) {
     button.setId(id);
     button.setGraphic(icon.node());
     button.getStyleClass().addAll(Styles.BUTTON_ICON, Styles.FLAT);
-    button.setTooltip(tooltip(help));
+    help(button, help);
     button.setAccessibleText(help);
   }
 }

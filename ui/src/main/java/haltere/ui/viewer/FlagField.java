@@ -15,7 +15,7 @@ final class FlagField extends SettingField {
     super(stage, parameter, change);
     box.setId("check-" + controlId());
     box.setAccessibleText(Texts.words(parameter.name(), ""));
-    box.setTooltip(Controls.tooltip(help()));
+    Controls.help(box, help());
     box.setOnAction(event -> set(box.isSelected()));
     layOutBeside(box);
   }

@@ -25,7 +25,7 @@ final class NumberField extends SettingField {
     String words = Texts.words(parameter.name(), parameter.unit());
     slider.setId("slider-" + controlId());
     slider.setAccessibleText(words);
-    slider.setTooltip(Controls.tooltip(help()));
+    Controls.help(slider, help());
     slider.setBlockIncrement(0.01);
     slider.getStyleClass().add(Styles.SMALL);
     slider

@@ -42,7 +42,7 @@ abstract class SettingField extends VBox {
     this.id = stage + "-" + parameter.name().replace('.', '-');
     getStyleClass().add("setting");
     name.setText(Texts.words(parameter.name(), parameter.unit()));
-    name.setTooltip(Controls.tooltip(help()));
+    Controls.help(name, help());
     name.setMinWidth(0);
     reset =
         Controls.button(

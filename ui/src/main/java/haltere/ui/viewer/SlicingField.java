@@ -45,10 +45,10 @@ final class SlicingField extends HBox {
     mode.setId("slicing");
     mode.getItems().setAll(Mode.values());
     mode.setAccessibleText("Slices");
-    mode.setTooltip(
-        Controls.tooltip(
-            "What one step holds: what passes in 1/120 s at the present speed, a fixed time, or a"
-                + " fixed number of events."));
+    Controls.help(
+        mode,
+        "What one step holds: what passes in 1/120 s at the present speed, a fixed time, or a"
+            + " fixed number of events.");
     mode.setConverter(
         new StringConverter<>() {
           @Override

@@ -7,6 +7,8 @@ import haltere.core.chain.ChainStage;
 import haltere.core.chain.FilterChain;
 import haltere.core.chain.FilterTiming;
 import haltere.core.chain.Filters;
+import java.util.Optional;
+import java.util.function.Supplier;
 import javafx.css.PseudoClass;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
@@ -32,7 +34,8 @@ final class StageCard extends VBox {
   private final MenuItem up;
   private final MenuItem down;
   private final Button expand;
-  private final Node settings;
+  private final Supplier<Node> settingsMaker;
+  private Node settings;
   private FilterTiming last;
   private boolean followingStage;
 
@@ -42,19 +45,15 @@ final class StageCard extends VBox {
     String title = Texts.title(stage.name());
     getStyleClass().add("stage");
     setId("stage-" + stage.name());
-    settings =
-        state
-            .settings()
-            .filter(record -> record.getClass().getRecordComponents().length > 0)
-            .<Node>map(record -> SettingsPanel.of(stage, record, editor))
-            .orElse(null);
-
+    Optional<Record> record =
+        state.settings().filter(found -> found.getClass().getRecordComponents().length > 0);
+    settingsMaker = () -> SettingsPanel.of(stage, record.orElseThrow(), editor);
     Label name = new Label(title);
     name.getStyleClass().add(Styles.TEXT_BOLD);
     name.setMaxWidth(Double.MAX_VALUE);
     name.setMinWidth(0);
     String help = description();
-    name.setTooltip(Controls.tooltip(help));
+    Controls.help(name, help);
     HBox.setHgrow(name, Priority.ALWAYS);
     power.setId("power-" + stage.name());
     power.setAccessibleText(title + " on or off");
@@ -75,29 +74,24 @@ final class StageCard extends VBox {
     more.getItems().add(item("remove-", "Remove", () -> editor.remove(stage)));
     more.setId("more-" + stage.name());
     more.setAccessibleText("Move or remove " + title);
-    more.setTooltip(Controls.tooltip("Move or remove"));
+    Controls.help(more, "Move or remove");
     more.getStyleClass().addAll(Styles.BUTTON_ICON, Styles.FLAT, Styles.SMALL, Tweaks.NO_ARROW);
     expand =
         Controls.button(
             "expand-" + stage.name(), Icons.RIGHT, "Settings of " + title, this::toggleSettings);
     expand.getStyleClass().add(Styles.SMALL);
-    expand.setVisible(settings != null);
+    expand.setVisible(record.isPresent());
     HBox head = new HBox(2, expand, name, more, power);
     head.setAlignment(Pos.CENTER_LEFT);
     head.getStyleClass().add("stage-head");
     counts.setId("counts-" + stage.name());
     counts.getStyleClass().addAll(Styles.TEXT_SMALL, "stage-counts");
-    counts.setTooltip(
-        Controls.tooltip(
-            "Events into and out of the filter per second of real time, the share that it lets"
-                + " through, and what a thousand events cost"));
+    Controls.help(
+        counts,
+        "Events into and out of the filter per second of real time, the share that it lets"
+            + " through, and what a thousand events cost");
     counts.setText("\u2013");
     getChildren().addAll(head, counts);
-    if (settings != null) {
-      settings.setVisible(false);
-      settings.setManaged(false);
-      getChildren().add(settings);
-    }
   }
 
   /** Says whether the stage is the first, the last or both. */
@@ -140,6 +134,12 @@ final class StageCard extends VBox {
   }
 
   private void toggleSettings() {
+    if (settings == null) {
+      // not before they are asked for: styling some dozen controls takes time
+      settings = settingsMaker.get();
+      settings.setVisible(false);
+      getChildren().add(settings);
+    }
     boolean show = !settings.isVisible();
     settings.setVisible(show);
     settings.setManaged(show);

@@ -60,13 +60,13 @@ final class StatusLine extends HBox {
   /** Shows what went wrong until it is dismissed or something else is opened. */
   void showError(String line) {
     error = line;
-    message.setTooltip(Controls.tooltip(line));
+    Controls.help(message, line);
     showMessage();
   }
 
   void clearError() {
     error = "";
-    message.setTooltip(null);
+    Controls.help(message, "");
     showMessage();
   }
 
@@ -146,7 +146,7 @@ final class StatusLine extends HBox {
     label.setId(id);
     label.setMinWidth(width);
     label.setAlignment(Pos.CENTER_RIGHT);
-    label.setTooltip(Controls.tooltip(help));
+    Controls.help(label, help);
     label.getStyleClass().add("status-number");
     return label;
   }

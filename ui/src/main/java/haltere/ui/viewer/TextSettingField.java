@@ -16,7 +16,7 @@ final class TextSettingField extends SettingField {
     super(stage, parameter, change);
     entry.setId("entry-" + controlId());
     entry.setAccessibleText(Texts.words(parameter.name(), ""));
-    entry.setTooltip(Controls.tooltip(help()));
+    Controls.help(entry, help());
     entry.setPrefColumnCount(12);
     entry.getStyleClass().add(Styles.SMALL);
     entry.setOnAction(event -> set(entry.getText()));

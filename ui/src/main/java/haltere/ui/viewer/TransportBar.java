@@ -62,7 +62,7 @@ final class TransportBar extends HBox {
         Controls.button("mark-out", Icons.MARK_OUT, "End the loop here (O)", playback::markOut);
     speed.setId("speed");
     speed.setAccessibleText("Speed");
-    speed.setTooltip(Controls.tooltip("Recording time per real time. F is faster, S is slower."));
+    Controls.help(speed, "Recording time per real time. F is faster, S is slower.");
     for (double preset : SPEEDS) {
       MenuItem item = new MenuItem(Texts.speed(preset));
       item.setOnAction(event -> playback.setSpeed(preset));
@@ -75,10 +75,10 @@ final class TransportBar extends HBox {
     showLoop(playback.loopProperty().get());
     elapsed.setId("elapsed");
     elapsed.getStyleClass().add("time");
-    elapsed.setTooltip(Controls.tooltip("Time since the start of the recording"));
+    Controls.help(elapsed, "Time since the start of the recording");
     remaining.setId("remaining");
     remaining.getStyleClass().addAll("time", "time-remaining");
-    remaining.setTooltip(Controls.tooltip("Time until the end of the recording"));
+    Controls.help(remaining, "Time until the end of the recording");
     Region space = new Region();
     HBox.setHgrow(space, Priority.ALWAYS);
     getChildren()
@@ -118,7 +118,7 @@ final class TransportBar extends HBox {
     if (play.getGraphic() != icon) {
       String help = playing ? "Pause (Space)" : "Play (Space)";
       play.setGraphic(icon);
-      play.getTooltip().setText(help);
+      Controls.help(play, help);
       play.setAccessibleText(help);
     }
     boolean fine = status.sliceUs() < 1000;

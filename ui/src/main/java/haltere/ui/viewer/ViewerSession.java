@@ -11,7 +11,7 @@ import java.util.Optional;
 /**
  * What is open: a playable, the chain it goes through, the player and the sink that makes pictures.
  *
- * <p>Thread rule: made and closed on any thread but JavaFX's, because both may wait.
+ * <p>Thread rule: made, prepared and closed on any thread but JavaFX's, because that may wait.
  */
 final class ViewerSession implements AutoCloseable {
   private final Optional<Path> file;
@@ -19,6 +19,7 @@ final class ViewerSession implements AutoCloseable {
   private final List<StageState> firstStages;
   private final DisplaySink display;
   private final Player player;
+  private volatile boolean prepared;
 
   ViewerSession(
       Playable playable,
@@ -53,6 +54,21 @@ final class ViewerSession implements AutoCloseable {
 
   Player player() {
     return player;
+  }
+
+  /** Starts a player whose options say that it begins in pause: it paints its first slice. */
+  void prepare() {
+    prepared = true;
+    player.start();
+  }
+
+  /** Starts the player, or lets it go on once it was {@link #prepare prepared}. */
+  void play() {
+    if (prepared) {
+      player.play();
+    } else {
+      player.start();
+    }
   }
 
   @Override

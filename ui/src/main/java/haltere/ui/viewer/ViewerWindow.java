@@ -22,6 +22,7 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.Future;
 import javafx.animation.AnimationTimer;
+import javafx.scene.Group;
 import javafx.scene.Scene;
 import javafx.scene.control.SplitPane;
 import javafx.scene.input.DragEvent;
@@ -82,8 +83,10 @@ public final class ViewerWindow implements ViewerMenu.Actions {
     BorderPane root =
         new BorderPane(middle, menu, null, new VBox(seekBar, transport, statusLine), null);
     root.getStyleClass().add("viewer");
-    Scene scene = new Scene(root, 1200, 760);
+    Scene scene = new Scene(new Group(), 1200, 760);
     scene.getStylesheets().add(ViewerWindow.class.getResource("viewer.css").toExternalForm());
+    // after the style sheet, because each new sheet styles everything anew
+    scene.setRoot(root);
     ViewerKeys.install(scene, playback);
     root.setOnDragOver(ViewerWindow::dragged);
     root.setOnDragDropped(this::dropped);
@@ -111,9 +114,20 @@ public final class ViewerWindow implements ViewerMenu.Actions {
     openLater(playable, Optional.empty(), ReadOptions.DEFAULT, name);
   }
 
-  /** Shows a session that is being made. */
+  /** Shows a session that is being made and whose player was started in pause. */
   void open(Future<ViewerSession> making, String name, ReadOptions options) {
-    load(announce(name), making::get, options);
+    int number = announce(name);
+    Callable<ViewerSession> made = making::get;
+    if (making.isDone()) {
+      // then the first thing that the window shows are events
+      try {
+        install(number, made.call(), options);
+      } catch (Exception problem) {
+        showOpeningProblem(number, problem);
+      }
+    } else {
+      load(number, made, options);
+    }
   }
 
   private void openLater(
@@ -146,22 +160,30 @@ public final class ViewerWindow implements ViewerMenu.Actions {
     background.file(
         making,
         made -> install(number, made, options),
-        problem -> {
-          if (number == openings) {
-            statusLine.setActivity("");
-            statusLine.showError(Texts.oneLine(problem));
-          }
-        });
+        problem -> showOpeningProblem(number, problem));
   }
 
-  /** Makes the session that a new window shows; background thread. */
+  private void showOpeningProblem(int number, Exception problem) {
+    if (number == openings) {
+      statusLine.setActivity("");
+      statusLine.showError(Texts.oneLine(problem));
+    }
+  }
+
+  /**
+   * Makes the session that a new window shows, and has its player paint the first slice, so that
+   * there are events to show as soon as there is a window. Background thread.
+   */
   static ViewerSession firstSession(Optional<Path> file, ReadOptions options) throws Exception {
-    return session(
-        () -> file.isPresent() ? Sources.recording(file.get(), options) : Sources.flyScene(),
-        file,
-        Optional.empty(),
-        PlaybackController.firstOptions(),
-        DisplayOptions.DEFAULT);
+    ViewerSession made =
+        session(
+            () -> file.isPresent() ? Sources.recording(file.get(), options) : Sources.flyScene(),
+            file,
+            Optional.empty(),
+            PlaybackController.firstOptions().withPaused(true),
+            DisplayOptions.DEFAULT);
+    made.prepare();
+    return made;
   }
 
   /** Makes a session; background thread. */
@@ -201,7 +223,7 @@ public final class ViewerWindow implements ViewerMenu.Actions {
     seekBar.clear();
     repaintAsked = false;
     shownStatus = null;
-    made.player().start();
+    made.play();
     made.file().ifPresent(file -> scanRates(file, options, made));
   }
 

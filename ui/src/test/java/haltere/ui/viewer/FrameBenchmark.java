@@ -12,6 +12,7 @@ import haltere.core.stream.StreamStarted;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadInfo;
 import java.lang.management.ThreadMXBean;
+import java.time.Duration;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.Map;
@@ -82,8 +83,12 @@ public final class FrameBenchmark {
     double startMs =
         System.currentTimeMillis()
             - ProcessHandle.current().info().startInstant().orElseThrow().toEpochMilli();
+    Duration cpu = ProcessHandle.current().info().totalCpuDuration().orElse(Duration.ZERO);
     System.out.printf(
-        Locale.ROOT, "first events shown %.2f s after the start of the JVM%n", startMs / 1000);
+        Locale.ROOT,
+        "first events shown %.2f s after the start of the JVM, CPU time until then %.2f s%n",
+        startMs / 1000,
+        cpu.toMillis() / 1e3);
     onFx(
         () -> {
           window.quit();
