@@ -127,7 +127,7 @@ class BadInputTest {
             RecordingProblem.class,
             () -> Recordings.open(file, ReadOptions.DEFAULT.withFormat("evt9")));
     assertSays("there is no format named evt9", problem);
-    assertSays("aedat1, aedat2, aedat4, csv", problem);
+    assertSays("aedat1, aedat2, aedat3, aedat4, csv", problem);
   }
 
   @Test

@@ -18,7 +18,9 @@ class RecordingServicesTest {
   @Test
   void everyFormatIsFoundUnderItsName() {
     assertEquals(
-        Set.of("aedat1", "aedat2", "aedat4", "csv", "dat", "es", "evt2", "evt21", "evt3", "nmnist"),
+        Set.of(
+            "aedat1", "aedat2", "aedat3", "aedat4", "csv", "dat", "es", "evt2", "evt21", "evt3",
+            "nmnist"),
         Recordings.formats().keySet());
     Recordings.formats().forEach((name, format) -> assertEquals(name, format.name()));
   }

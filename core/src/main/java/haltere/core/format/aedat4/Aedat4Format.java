@@ -11,6 +11,7 @@ import haltere.core.format.RecordingFormat;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.RecordingWriter;
+import haltere.core.format.SensorGuess;
 import haltere.core.format.Support;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
@@ -28,7 +29,6 @@ import java.util.stream.Collectors;
 /** AEDAT-4.0, the format of DV, dv-processing and jAER 3: read and written. */
 public final class Aedat4Format implements RecordingFormat {
   private static final int LOOK_PACKETS = 256;
-  private static final int LOOK_EVENTS = 1 << 20;
   private static final int ANY_SIDE = 1 << 15;
 
   /** For the service loader. */
@@ -226,27 +226,10 @@ public final class Aedat4Format implements RecordingFormat {
 
     private SensorGeometry guess(int stream, Origin origin) throws IOException {
       SensorGeometry any = new SensorGeometry(ANY_SIDE, ANY_SIDE);
-      haltere.core.event.EventPacket packet = new haltere.core.event.EventPacket(8192);
-      int width = 1;
-      int height = 1;
       try (Aedat4Cursor cursor =
           new Aedat4Cursor(file, layout, any, stream, new ViolationCounts())) {
-        Aedat4Cursor.Stop stop = null;
-        for (int done = 0;
-            done < LOOK_EVENTS && stop != Aedat4Cursor.Stop.END;
-            done += Math.max(1, packet.size())) {
-          packet.clear();
-          stop = cursor.read(packet, 8192);
-          if (stop == Aedat4Cursor.Stop.CLOCK_WENT_BACK) {
-            cursor.acceptRestart();
-          }
-          for (int i = 0; i < packet.size(); i++) {
-            width = Math.max(width, packet.x(i) + 1);
-            height = Math.max(height, packet.y(i) + 1);
-          }
-        }
+        return SensorGuess.of(cursor, origin);
       }
-      return new SensorGeometry(width, height, origin);
     }
   }
 }

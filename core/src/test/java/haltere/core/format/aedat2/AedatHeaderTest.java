@@ -99,14 +99,14 @@ class AedatHeaderTest {
 
   @Test
   void anotherVersionIsRefusedWithItsNumber() throws IOException {
-    Path file = AedatFile.empty().text("#!AER-DAT3.1\r\n").in(folder, "three.aedat");
+    Path file = AedatFile.empty().text("#!AER-DAT5.1\r\n").in(folder, "three.aedat");
     RecordingProblem unknown = assertThrows(RecordingProblem.class, () -> Recordings.open(file));
-    assertTrue(unknown.getMessage().contains("AEDAT-3.1"), unknown.getMessage());
+    assertTrue(unknown.getMessage().contains("AEDAT-5.1"), unknown.getMessage());
     for (String format : List.of("aedat1", "aedat2")) {
       ReadOptions forced = ReadOptions.DEFAULT.withFormat(format);
       RecordingProblem refused =
           assertThrows(RecordingProblem.class, () -> Recordings.open(file, forced));
-      assertTrue(refused.getMessage().contains("3.1"), refused.getMessage());
+      assertTrue(refused.getMessage().contains("5.1"), refused.getMessage());
     }
   }
 

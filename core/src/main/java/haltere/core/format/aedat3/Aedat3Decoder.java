@@ -1,0 +1,218 @@
+package haltere.core.format.aedat3;
+
+import haltere.core.event.EventAddress;
+import haltere.core.event.EventPacket;
+import haltere.core.event.Origin;
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.StreamDecoder;
+import haltere.core.format.Violation;
+import haltere.core.format.ViolationCounts;
+import haltere.core.stream.StreamNotification;
+import java.nio.ByteBuffer;
+
+/**
+ * Decodes the packets of an AEDAT-3 file. Each has a header of 28 bytes (kind, source, bytes of an
+ * event, offset and overflow of its time, capacity, number of events, number of valid ones) and
+ * events of one kind; those of polarity have 8 bytes, address and time. Where a header cannot be
+ * true, the next one of polarity events is looked for.
+ *
+ * <p>Thread rule: one thread.
+ */
+public final class Aedat3Decoder implements StreamDecoder {
+  static final int HEADER_BYTES = 28;
+  static final int EVENT_BYTES = 8;
+  static final int POLARITY = 1;
+
+  private static final int TIME_OFFSET = 4;
+  private static final int MAX_KIND = 31;
+  private static final int MAX_EVENT_BYTES = 64 * 1024 * 1024;
+  private static final int TIME_BITS = 31;
+  private static final long NO_SOURCE = -1;
+
+  private final SensorGeometry geometry;
+  private final boolean oldLayout;
+  private final long fileBytes;
+  private final ViolationCounts violations;
+
+  private long events;
+  private long skip;
+  private long turnUs;
+  private long source = NO_SOURCE;
+  private long lastUs = StreamNotification.NO_TIME_US;
+  private long restartUs;
+  private boolean restarted;
+  private boolean lost;
+
+  /**
+   * A decoder before the first packet.
+   *
+   * @param geometry the sensor; events outside are left out
+   * @param oldLayout whether addresses are those of version 3.0
+   * @param fileBytes size of the file
+   * @param violations where to count what is wrong
+   */
+  public Aedat3Decoder(
+      SensorGeometry geometry, boolean oldLayout, long fileBytes, ViolationCounts violations) {
+    this.geometry = geometry;
+    this.oldLayout = oldLayout;
+    this.fileBytes = fileBytes;
+    this.violations = violations;
+  }
+
+  @Override
+  public boolean decode(ByteBuffer in, long offset, EventPacket out, int maxEvents) {
+    out.ensureCapacity(maxEvents);
+    int start = in.position();
+    int position = start;
+    int limit = in.limit();
+    while (position < limit && out.size() < maxEvents && !restarted) {
+      long at = offset + (position - start);
+      if (events > 0) {
+        int there = (limit - position) / EVENT_BYTES;
+        int count = (int) Math.min(Math.min(events, there), maxEvents - out.size());
+        if (count == 0) {
+          break;
+        }
+        int done = decodeEvents(in, position, at, count, out);
+        events -= done;
+        position += done * EVENT_BYTES;
+      } else if (skip > 0) {
+        int step = (int) Math.min(skip, limit - position);
+        skip -= step;
+        position += step;
+      } else if (limit - position < HEADER_BYTES) {
+        break;
+      } else {
+        position += header(in, position, at);
+      }
+    }
+    in.position(position);
+    return restarted;
+  }
+
+  /** Reads a header; returns how many bytes to go on. */
+  private int header(ByteBuffer in, int position, long offset) {
+    int kind = in.getShort(position);
+    int from = in.getShort(position + 2);
+    long eventBytes = in.getInt(position + 4);
+    int timeOffset = in.getInt(position + 8);
+    int overflow = in.getInt(position + 12);
+    int capacity = in.getInt(position + 16);
+    int number = in.getInt(position + 20);
+    int valid = in.getInt(position + 24);
+    boolean possible =
+        kind >= 0
+            && kind <= MAX_KIND
+            && from >= 0
+            && eventBytes > 0
+            && eventBytes <= MAX_EVENT_BYTES
+            && (kind != POLARITY || eventBytes == EVENT_BYTES && timeOffset == TIME_OFFSET)
+            && timeOffset >= 0
+            && timeOffset < eventBytes
+            && overflow >= 0
+            && valid >= 0
+            && number >= valid
+            && capacity >= number;
+    long bytes = capacity * eventBytes;
+    boolean fits = bytes <= fileBytes - offset - HEADER_BYTES;
+    if (!possible || lost && !(kind == POLARITY && number > 0 && fits && from <= MAX_KIND)) {
+      if (!lost) {
+        violations.add(Violation.LYING_LENGTH, offset);
+      }
+      lost = true;
+      return 1;
+    }
+    lost = false;
+    if (!fits) {
+      violations.addOnce(Violation.CUT_OFF, offset);
+    }
+    boolean ours = kind == POLARITY && (source == NO_SOURCE || source == from);
+    if (ours) {
+      source = from;
+      events = number;
+      skip = bytes - number * eventBytes;
+      turnUs = (long) overflow << TIME_BITS;
+    } else {
+      violations.add(Violation.OTHER_DATA, offset, number);
+      skip = bytes;
+    }
+    return HEADER_BYTES;
+  }
+
+  /** Returns how many were decoded before the clock went back. */
+  private int decodeEvents(ByteBuffer in, int position, long offset, int count, EventPacket out) {
+    boolean fromTop = geometry.origin() == Origin.TOP;
+    int width = geometry.width();
+    int height = geometry.height();
+    for (int i = 0; i < count; i++) {
+      int at = position + i * EVENT_BYTES;
+      int word = in.getInt(at);
+      int time = in.getInt(at + 4);
+      int x = oldLayout ? word >>> 18 : word >>> 17;
+      int y = oldLayout ? word >>> 4 & 0x3fff : word >>> 2 & 0x7fff;
+      if ((word & 1) == 0) {
+        violations.add(Violation.OTHER_DATA, offset + (long) i * EVENT_BYTES);
+        continue;
+      }
+      if (x >= width || y >= height) {
+        violations.add(Violation.OUTSIDE_SENSOR, offset + (long) i * EVENT_BYTES);
+        continue;
+      }
+      long timeUs = turnUs + (time & Integer.MAX_VALUE);
+      if (timeUs < lastUs) {
+        violations.add(Violation.CLOCK_WENT_BACK, offset + (long) i * EVENT_BYTES);
+        restarted = true;
+        restartUs = timeUs;
+        return i;
+      }
+      lastUs = timeUs;
+      out.append(timeUs, EventAddress.pack(x, fromTop ? height - 1 - y : y, word >>> 1 & 1));
+    }
+    return count;
+  }
+
+  @Override
+  public long lastUs() {
+    return lastUs;
+  }
+
+  @Override
+  public long restartUs() {
+    return restartUs;
+  }
+
+  @Override
+  public void acceptRestart() {
+    if (!restarted) {
+      throw new IllegalStateException("the clock did not go back");
+    }
+    restarted = false;
+    lastUs = StreamNotification.NO_TIME_US;
+  }
+
+  @Override
+  public int stateLongs() {
+    return 6;
+  }
+
+  @Override
+  public void save(long[] state, int at) {
+    state[at] = events;
+    state[at + 1] = skip;
+    state[at + 2] = turnUs;
+    state[at + 3] = source;
+    state[at + 4] = lastUs;
+    state[at + 5] = lost ? 1 : 0;
+  }
+
+  @Override
+  public void restore(long[] state, int at) {
+    restarted = false;
+    events = state[at];
+    skip = state[at + 1];
+    turnUs = state[at + 2];
+    source = state[at + 3];
+    lastUs = state[at + 4];
+    lost = state[at + 5] != 0;
+  }
+}
