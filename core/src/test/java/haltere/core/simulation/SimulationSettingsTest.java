@@ -8,6 +8,6 @@ import java.util.List;
 class SimulationSettingsTest extends SettingsContract {
   @Override
   protected Collection<? extends Class<? extends Record>> settingsTypes() {
-    return List.of(FlySceneSettings.class, MovingDotsSettings.class);
+    return List.of(FlySceneSettings.class, MovingDotsSettings.class, RoadSceneSettings.class);
   }
 }
