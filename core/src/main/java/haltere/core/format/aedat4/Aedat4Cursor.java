@@ -10,6 +10,7 @@ import haltere.core.format.ViolationCounts;
 import haltere.core.stream.StreamNotification;
 import java.io.IOException;
 import java.lang.invoke.VarHandle;
+import java.nio.file.Path;
 import java.util.Set;
 
 /**
@@ -24,17 +25,26 @@ final class Aedat4Cursor implements EventCursor {
   /** A packet's table and the vector of events must start within so many bytes. */
   private static final int TABLE_BYTES = 4096;
 
+  /** So many packets in order before a thread is started that helps. */
+  private static final int PACKETS_ALONE = 8;
+
   private static final int RUN = 4096;
   private static final long POLARITY = 1L << 32;
 
   private final SensorGeometry geometry;
   private final Layout layout;
   private final long fileBytes;
+  private final Path path;
   private final int eventStream;
   private final ViolationCounts violations;
   private final Unpacker unpacker;
   private final PacketWalk walk;
 
+  private UnpackAhead ahead;
+  private UnpackAhead.Slot slot;
+  private boolean alone;
+  private int packetsInOrder;
+  private long packetsShared;
   private boolean inPacket;
   private long count;
   private long index;
@@ -51,6 +61,7 @@ final class Aedat4Cursor implements EventCursor {
     this.geometry = geometry;
     this.layout = layout;
     fileBytes = file.size();
+    path = file.path();
     this.eventStream = eventStream;
     this.violations = violations;
     unpacker = new Unpacker(file);
@@ -109,7 +120,9 @@ final class Aedat4Cursor implements EventCursor {
   }
 
   private void openPacket() throws IOException, DamagedPacketException {
-    unpacker.open(walk.payload(), walk.size());
+    if (!takeFromAhead()) {
+      unpacker.open(walk.payload(), walk.size());
+    }
     unpacker.gather(TABLE_BYTES);
     byte[] data = unpacker.data();
     int from = unpacker.from();
@@ -125,6 +138,57 @@ final class Aedat4Cursor implements EventCursor {
     }
     index = 0;
     inPacket = true;
+  }
+
+  /** Takes the packet if it was unpacked on the other thread; starts that where it is worth it. */
+  private boolean takeFromAhead() throws IOException {
+    releaseSlot();
+    if (ahead == null) {
+      if (alone || ++packetsInOrder <= PACKETS_ALONE || !isPacked()) {
+        return false;
+      }
+      ahead = new UnpackAhead(path, layout, eventStream, walk.position());
+      packetsShared = 0;
+    }
+    if (packetsShared++ % UnpackAhead.SHARE == 0) {
+      return false;
+    }
+    slot = ahead.take();
+    if (slot == null || slot.position() != walk.position()) {
+      // An interrupt, or damage that led the two threads to different places.
+      stopAhead();
+      alone = true;
+      return false;
+    }
+    if (!slot.unpacked()) {
+      releaseSlot();
+      return false;
+    }
+    unpacker.present(slot.data(), slot.length());
+    return true;
+  }
+
+  private boolean isPacked() throws IOException {
+    int at = walk.size() < 4 ? -1 : unpacker.window().require(walk.payload(), 4);
+    return at >= 0
+        && LittleEndian.getInt(unpacker.window().bytes(), at) != walk.size() - 4
+        && Runtime.getRuntime().availableProcessors() > 1;
+  }
+
+  private void releaseSlot() {
+    if (slot != null) {
+      ahead.release(slot);
+      slot = null;
+    }
+  }
+
+  private void stopAhead() {
+    slot = null;
+    packetsInOrder = 0;
+    if (ahead != null) {
+      ahead.close();
+      ahead = null;
+    }
   }
 
   private void damaged() throws IOException {
@@ -272,6 +336,8 @@ final class Aedat4Cursor implements EventCursor {
   @Override
   public void restore(long[] state, int at) throws IOException {
     walk.moveTo(state[at]);
+    stopAhead();
+    alone = false;
     inPacket = false;
     lastUs = state[at + 2];
     started = state[at + 3] != 0;
@@ -288,6 +354,7 @@ final class Aedat4Cursor implements EventCursor {
 
   @Override
   public void close() {
+    stopAhead();
     unpacker.close();
   }
 }

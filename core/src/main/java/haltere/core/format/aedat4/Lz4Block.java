@@ -28,6 +28,7 @@ final class Lz4Block {
   static int unpack(byte[] in, int from, int to, byte[] out, int outFrom, int outTo, int dictionary)
       throws DamagedPacketException {
     VarHandle longs = LittleEndian.LONG;
+    VarHandle shorts = LittleEndian.SHORT;
     int safeIn = Math.min(to, in.length - 16) - 18;
     int safeOut = outTo - 34;
     int at = from;
@@ -41,14 +42,13 @@ final class Lz4Block {
         longs.set(out, done + 8, (long) longs.get(in, at + 8));
         at += literals;
         done += literals;
-        int offset = (in[at] & 0xff) | (in[at + 1] & 0xff) << 8;
+        int offset = (short) shorts.get(in, at) & 0xffff;
         if (match < 19 && offset >= 8 && offset <= done - dictionary) {
           at += 2;
           int source = done - offset;
           longs.set(out, done, (long) longs.get(out, source));
           longs.set(out, done + 8, (long) longs.get(out, source + 8));
-          out[done + 16] = out[source + 16];
-          out[done + 17] = out[source + 17];
+          longs.set(out, done + 16, (long) longs.get(out, source + 16));
           done += match;
           continue;
         }

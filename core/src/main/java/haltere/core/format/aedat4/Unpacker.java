@@ -44,7 +44,21 @@ final class Unpacker {
     void close() {}
   }
 
+  /** A payload that is unpacked already. */
+  private static final class ReadyPayload extends Method {
+    @Override
+    void open(long offset, long size) {
+      throw new UnsupportedOperationException();
+    }
+
+    @Override
+    boolean more() {
+      return false;
+    }
+  }
+
   private final FileWindow window;
+  private final ReadyPayload ready = new ReadyPayload();
   private final StoredPayload stored;
   private Lz4Payload lz4;
   private ZstdPayload zstd;
@@ -89,6 +103,14 @@ final class Unpacker {
       method = stored;
     }
     method.open(offset, size);
+  }
+
+  /** Takes a payload that is unpacked already. */
+  void present(byte[] payload, int length) {
+    ready.data = payload;
+    ready.from = 0;
+    ready.to = length;
+    method = ready;
   }
 
   byte[] data() {
