@@ -71,9 +71,17 @@ final class Drive {
     return speedMS[i] + acceleration[i] * (seconds - atS[i]);
   }
 
-  /** The time at which a way has been made that is at least the last stretch's beginning. */
-  double timeBeyondTheLast(double way) {
-    int last = atS.length - 1;
-    return atS[last] + Math.max(0, way - wayM[last]) / speedMS[last];
+  /** The time at which a way has been made that is greater than 0. */
+  double timeOf(double way) {
+    int i = 0;
+    while (i < atS.length - 1 && way >= wayM[i + 1]) {
+      i++;
+    }
+    double rest = way - wayM[i];
+    if (acceleration[i] == 0) {
+      return atS[i] + rest / speedMS[i];
+    }
+    double speed = Math.sqrt(speedMS[i] * speedMS[i] + 2 * acceleration[i] * rest);
+    return atS[i] + (speed - speedMS[i]) / acceleration[i];
   }
 }

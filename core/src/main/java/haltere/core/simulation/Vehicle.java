@@ -66,7 +66,7 @@ final class Vehicle {
     this.drive = drive;
     this.steering = steering;
     this.roadM = roadM;
-    leaveS = enterS + drive.timeBeyondTheLast(roadM + lengthM);
+    leaveS = enterS + drive.timeOf(roadM + lengthM);
   }
 
   /** The same vehicle that much later under a number of its own. */

@@ -244,6 +244,47 @@ class RoadTruthTest {
     assertTrue(most >= 6, most + " vehicles at once");
   }
 
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "traffic.speedMS=100",
+        "traffic.speedMS=3",
+        "traffic.roadM=30",
+        "traffic.roadM=400",
+        "traffic.laneWidthM=2.5",
+        "traffic.pauseS=0.1",
+        "traffic.lanesAway=1",
+        "camera.vanishingY=0.2",
+        "camera.bridgeHeightM=100",
+        "vehicles.sizeSpread=0.2"
+      })
+  void thereIsTrafficOnTheRoadWhateverTheSettings(String extreme) {
+    RoadScene scene = new RoadScene(RoadSceneSettings.defaults().with(extreme));
+    double roadM = scene.settings().traffic().roadM();
+    Set<Integer> vehicles = new HashSet<>();
+    for (long us = 0; us < 60_000_000; us += 500_000) {
+      for (RoadTruth row : scene.truthRows(us)) {
+        vehicles.add(row.id());
+        assertTrue(row.yM() > -6 && row.yM() < roadM + 6, row.toString());
+        assertTrue(row.visibleShare() >= 0 && row.visibleShare() <= 1, row.toString());
+        assertTrue(row.widthPx() > 0 && row.heightPx() > 0, row.toString());
+      }
+    }
+
+    assertTrue(vehicles.size() > 5, vehicles.size() + " vehicles in a minute");
+  }
+
+  @Test
+  void aDriveKnowsWhenItHasMadeAWay() {
+    Drive drive = Drive.steady(10).then(2, 4.5, -4).then(6, 10, 2.5);
+
+    assertEquals(0, drive.speed(5));
+    assertEquals(32.5, drive.way(5), 1e-12);
+    for (double way : new double[] {1, 19.9, 20, 25, 32, 32.6, 40, 52.5, 53, 200}) {
+      assertEquals(way, drive.way(drive.timeOf(way)), 1e-9);
+    }
+  }
+
   @Test
   void theTruthDoesNotDependOnWhatWasAskedBefore() {
     RoadScene scene = new RoadScene(RoadSceneSettings.defaults());
