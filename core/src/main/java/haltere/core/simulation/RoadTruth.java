@@ -1,5 +1,7 @@
 package haltere.core.simulation;
 
+import haltere.core.sink.Column;
+
 /**
  * The truth about one vehicle of {@link RoadScene} at one time. There is a row for every vehicle
  * whose box touches the sensor, hidden or not.
@@ -39,8 +41,8 @@ public record RoadTruth(
     int lane,
     double xM,
     double yM,
-    double vxMS,
-    double vyMS,
+    @Column("vx_m_s") double vxMS,
+    @Column("vy_m_s") double vyMS,
     double xPx,
     double yPx,
     double vxPxS,
@@ -48,7 +50,7 @@ public record RoadTruth(
     double widthPx,
     double heightPx,
     double visibleShare,
-    double spotXM,
-    double spotYM,
-    double spotVxMS,
-    double spotVyMS) {}
+    @Column("spot_x_m") double spotXM,
+    @Column("spot_y_m") double spotYM,
+    @Column("spot_vx_m_s") double spotVxMS,
+    @Column("spot_vy_m_s") double spotVyMS) {}
