@@ -4,26 +4,35 @@ import haltere.core.event.EventPacket;
 import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
 import java.io.IOException;
+import java.util.List;
+import java.util.Optional;
 
 /** How large a sensor must be for the first events of a recording that does not say it. */
 public final class SensorGuess {
   private static final int LOOK_EVENTS = 1 << 20;
   private static final int PACKET_EVENTS = 8192;
 
+  /** Sizes that sensors of the field have, the smallest first. Rows count from the top. */
+  public static final List<SensorGeometry> USUAL_SIZES =
+      List.of(
+          top(128, 128),
+          top(240, 180),
+          top(304, 240),
+          top(320, 240),
+          top(346, 260),
+          top(640, 480),
+          top(1280, 720));
+
   private SensorGuess() {}
 
-  /**
-   * Reads the first events.
-   *
-   * @param cursor at the start of the recording, with rows as the file counts them
-   * @param origin where the file counts rows from
-   * @return the smallest sensor that has all of their pixels
-   * @throws IOException if the file cannot be read
-   */
-  public static SensorGeometry of(EventCursor cursor, Origin origin) throws IOException {
+  /** The pixels that the first events need: right - 1 is the rightmost column, and so on. */
+  private record Extent(int right, int lowest, int highest) {}
+
+  private static Extent extent(EventCursor cursor) throws IOException {
     EventPacket packet = new EventPacket(PACKET_EVENTS);
-    int width = 1;
-    int height = 1;
+    int right = 0;
+    int lowest = Integer.MAX_VALUE;
+    int highest = 0;
     EventCursor.Stop stop = EventCursor.Stop.MORE;
     for (int done = 0;
         done < LOOK_EVENTS && stop != EventCursor.Stop.END;
@@ -34,10 +43,85 @@ public final class SensorGuess {
         cursor.acceptRestart();
       }
       for (int i = 0; i < packet.size(); i++) {
-        width = Math.max(width, packet.x(i) + 1);
-        height = Math.max(height, packet.y(i) + 1);
+        right = Math.max(right, packet.x(i) + 1);
+        lowest = Math.min(lowest, packet.y(i));
+        highest = Math.max(highest, packet.y(i) + 1);
       }
     }
-    return new SensorGeometry(width, height, origin);
+    return new Extent(right, lowest, highest);
+  }
+
+  /**
+   * Reads the first events.
+   *
+   * @param cursor at the start of the recording, with rows as the file counts them
+   * @param origin where the file counts rows from
+   * @return the smallest sensor that has all of their pixels
+   * @throws IOException if the file cannot be read
+   */
+  public static SensorGeometry of(EventCursor cursor, Origin origin) throws IOException {
+    Extent extent = extent(cursor);
+    return new SensorGeometry(
+        Math.max(1, extent.right()), Math.max(1, extent.highest()), origin);
+  }
+
+  /**
+   * Chooses a sensor by the first events of a recording whose rows count from the top.
+   *
+   * @param cursor at the first event, opened for {@link #square} of the same side; closed afterwards
+   * @param side of that square
+   * @param sizes to choose from, the smallest first
+   * @return the first that holds the events, or just their extent if none does; empty without events
+   * @throws IOException if the file cannot be read
+   */
+  public static Optional<SensorGeometry> smallest(
+      EventCursor cursor, int side, List<SensorGeometry> sizes) throws IOException {
+    Extent extent;
+    try (cursor) {
+      extent = extent(cursor);
+    }
+    if (extent.right() == 0) {
+      return Optional.empty();
+    }
+    int width = extent.right();
+    int height = side - extent.lowest();
+    return Optional.of(
+        sizes.stream()
+            .filter(size -> width <= size.width() && height <= size.height())
+            .findFirst()
+            .orElse(top(width, height)));
+  }
+
+  /**
+   * The largest sensor of a format, to look for events of any smaller one.
+   *
+   * @param side columns and rows, at most what an address holds
+   * @return a sensor whose rows count from the top
+   */
+  public static SensorGeometry square(int side) {
+    return top(side, side);
+  }
+
+  /**
+   * A sensor whose rows count from the top.
+   *
+   * @param width columns
+   * @param height rows
+   * @return the geometry
+   */
+  public static SensorGeometry top(int width, int height) {
+    return new SensorGeometry(width, height, Origin.TOP);
+  }
+
+  /**
+   * What to tell the user of a choice.
+   *
+   * @param guess what {@link #smallest} gave
+   * @return one line
+   */
+  public static String remark(SensorGeometry guess) {
+    return "no size is stated; "
+        + guess
+        + " is the smallest usual one that holds the first events (--sensor tells another)";
   }
 }

@@ -1,10 +1,9 @@
 package haltere.core.format.evt;
 
-import haltere.core.event.EventPacket;
-import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.EventCursor;
 import haltere.core.format.ReadOptions;
+import haltere.core.format.SensorGuess;
 import java.io.IOException;
 import java.util.List;
 import java.util.Locale;
@@ -19,17 +18,11 @@ import java.util.Optional;
  * @param remark how the size was found if the file does not state it; empty if it does
  */
 public record PropheseeSensor(SensorGeometry geometry, Optional<String> remark) {
-  private static final int LOOK_EVENTS = 1 << 19;
-  private static final int LOOK_PIECES = 64;
-  private static final SensorGeometry GEN3 = top(640, 480);
-  private static final SensorGeometry GEN4 = top(1280, 720);
+  private static final SensorGeometry GEN3 = SensorGuess.top(640, 480);
+  private static final SensorGeometry GEN4 = SensorGuess.top(1280, 720);
 
   /** Sizes of the sensors of RAW files. */
-  static final List<SensorGeometry> RAW_SIZES = List.of(top(320, 320), top(480, 360), GEN3, GEN4);
-
-  private static SensorGeometry top(int width, int height) {
-    return new SensorGeometry(width, height, Origin.TOP);
-  }
+  static final List<SensorGeometry> RAW_SIZES = List.of(SensorGuess.top(320, 320), SensorGuess.top(480, 360), GEN3, GEN4);
 
   /** Opens a cursor over the events that leaves out none of them. */
   @FunctionalInterface
@@ -70,14 +63,14 @@ public record PropheseeSensor(SensorGeometry geometry, Optional<String> remark) 
           && size.height() >= 1
           && size.width() <= maxSide
           && size.height() <= maxSide) {
-        return new PropheseeSensor(top(size.width(), size.height()), Optional.empty());
+        return new PropheseeSensor(SensorGuess.top(size.width(), size.height()), Optional.empty());
       }
       lie = "the header's size " + size.width() + "x" + size.height() + " cannot be true; ";
     }
     if (options.sensor().isPresent()) {
       SensorGeometry asked = options.sensor().get();
       return new PropheseeSensor(
-          top(asked.width(), asked.height()),
+          SensorGuess.top(asked.width(), asked.height()),
           lie.isEmpty() ? Optional.empty() : Optional.of(lie + asked + " is used as asked for"));
     }
     Optional<SensorGeometry> named = named(header);
@@ -107,42 +100,16 @@ public record PropheseeSensor(SensorGeometry geometry, Optional<String> remark) 
 
   private static PropheseeSensor lookAt(
       AnySize events, int maxSide, List<SensorGeometry> sizes, String lie) throws IOException {
-    int right = -1;
-    int down = -1;
-    EventPacket packet = new EventPacket(0);
-    try (EventCursor cursor = events.open(top(maxSide, maxSide))) {
-      EventCursor.Stop stop = EventCursor.Stop.MORE;
-      for (int i = 0; i < LOOK_PIECES && stop != EventCursor.Stop.END; i++) {
-        packet.clear();
-        stop = cursor.read(packet, LOOK_EVENTS / LOOK_PIECES);
-        if (stop == EventCursor.Stop.CLOCK_WENT_BACK) {
-          cursor.acceptRestart();
-        }
-        for (int event = 0; event < packet.size(); event++) {
-          right = Math.max(right, packet.x(event));
-          down = Math.max(down, maxSide - 1 - packet.y(event));
-        }
-      }
-    }
-    if (right < 0) {
-      SensorGeometry usual = sizes.get(sizes.size() - 1);
-      return new PropheseeSensor(
-          usual, Optional.of(lie + "no size is stated and no event is there; " + usual + " taken"));
-    }
-    for (SensorGeometry size : sizes) {
-      if (right < size.width() && down < size.height()) {
-        return new PropheseeSensor(
-            size,
-            Optional.of(
-                lie
-                    + "no size is stated; "
-                    + size
-                    + " is the smallest usual one that holds the first events"
-                    + " (--sensor tells another)"));
-      }
-    }
-    SensorGeometry box = top(right + 1, down + 1);
-    return new PropheseeSensor(
-        box, Optional.of(lie + "no size is stated; the first events need " + box));
+    Optional<SensorGeometry> guess =
+        SensorGuess.smallest(events.open(SensorGuess.square(maxSide)), maxSide, sizes);
+    SensorGeometry usual = sizes.get(sizes.size() - 1);
+    return guess
+        .map(size -> new PropheseeSensor(size, Optional.of(lie + SensorGuess.remark(size))))
+        .orElseGet(
+            () ->
+                new PropheseeSensor(
+                    usual,
+                    Optional.of(
+                        lie + "no size is stated and no event is there; " + usual + " taken")));
   }
 }

@@ -1,6 +1,5 @@
 package haltere.core.format.nmnist;
 
-import haltere.core.event.EventPacket;
 import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.DecodingReader;
@@ -13,6 +12,7 @@ import haltere.core.format.RecordingFile;
 import haltere.core.format.RecordingFormat;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.RecordingWriter;
+import haltere.core.format.SensorGuess;
 import haltere.core.format.Support;
 import haltere.core.format.ViolationCounts;
 import haltere.core.format.WriteOptions;
@@ -32,8 +32,7 @@ public final class NmnistFormat implements RecordingFormat {
   private static final int FEWEST_RECORDS = 16;
 
   private static final int LOOK_RECORDS = 4096;
-  private static final int LOOK_EVENTS = 1 << 16;
-  private static final int LOOK_PIECES = 8;
+  private static final int MAX_SIDE = 256;
 
   /** The two data sets' own sizes, and all that the records can address. */
   private static final List<SensorGeometry> SIZES =
@@ -96,18 +95,20 @@ public final class NmnistFormat implements RecordingFormat {
           options
               .sensor()
               .map(sensor -> new SensorGeometry(sensor.width(), sensor.height(), Origin.TOP));
-      SensorGeometry geometry = asked.isPresent() ? asked.get() : smallest(bytes);
+      SensorGeometry geometry = asked.isPresent()
+              ? asked.get()
+              : SensorGuess.smallest(
+                      cursor(bytes, SensorGuess.square(MAX_SIDE), new ViolationCounts()),
+                      MAX_SIDE,
+                      SIZES)
+                  .orElse(SIZES.get(0));
       return new DecodingReader(
           name(),
           bytes,
           geometry,
           asked.isPresent()
               ? List.of()
-              : List.of(
-                  "the format states no size; "
-                      + geometry
-                      + " is the smallest of its data sets that holds the first events"
-                      + " (--sensor tells another)"),
+              : List.of(SensorGuess.remark(geometry)),
           options,
           new ViolationCounts(),
           violations -> cursor(bytes, geometry, violations));
@@ -121,32 +122,6 @@ public final class NmnistFormat implements RecordingFormat {
       RecordingFile file, SensorGeometry geometry, ViolationCounts violations) {
     return new FileCursor(
         file, 0, ByteOrder.BIG_ENDIAN, new NmnistDecoder(geometry, violations), violations);
-  }
-
-  private static SensorGeometry smallest(RecordingFile file) throws IOException {
-    SensorGeometry all = SIZES.get(SIZES.size() - 1);
-    int right = 0;
-    int down = 0;
-    EventPacket packet = new EventPacket(0);
-    EventCursor cursor = cursor(file, all, new ViolationCounts());
-    EventCursor.Stop stop = EventCursor.Stop.MORE;
-    for (int i = 0; i < LOOK_PIECES && stop != EventCursor.Stop.END; i++) {
-      packet.clear();
-      stop = cursor.read(packet, LOOK_EVENTS);
-      if (stop == EventCursor.Stop.CLOCK_WENT_BACK) {
-        cursor.acceptRestart();
-      }
-      for (int event = 0; event < packet.size(); event++) {
-        right = Math.max(right, packet.x(event));
-        down = Math.max(down, all.height() - 1 - packet.y(event));
-      }
-    }
-    for (SensorGeometry size : SIZES) {
-      if (right < size.width() && down < size.height()) {
-        return size;
-      }
-    }
-    return all;
   }
 
   @Override

@@ -1,12 +1,10 @@
 package haltere.core.format.csv;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
-import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.Recordings;
 import haltere.core.format.WriteOptions;
@@ -86,12 +84,5 @@ class CsvFormatTest {
           packet.timeUs(i) + "," + packet.x(i) + "," + packet.y(i) + "," + (packet.isOn(i) ? 1 : 0);
       assertEquals(row, rows.get(i + 1));
     }
-  }
-
-  @Test
-  void textIsNotReadAndSaysSo() throws IOException {
-    Path file = Files.writeString(folder.resolve("a.csv"), "t_us,x,y,on\n1,2,3,1\n");
-    assertThrows(RecordingProblem.class, () -> Recordings.open(file));
-    assertThrows(RecordingProblem.class, () -> new CsvFormat().open(file, null));
   }
 }

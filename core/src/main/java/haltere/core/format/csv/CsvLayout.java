@@ -1,0 +1,260 @@
+package haltere.core.format.csv;
+
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+
+/**
+ * Which column of a text is what: told by a row of names, else found out from the numbers.
+ *
+ * @param roles of the columns, in order
+ * @param timeScale power of ten of the times' unit in microseconds: 0 for microseconds, 6 for
+ *     seconds, -3 for nanoseconds
+ * @param dataOffset where the rows of events start
+ * @param named whether names told the columns
+ * @param marked whether commas or semicolons stand between the columns, not only spaces
+ * @param width columns of the sensor if a first row of two numbers tells them, else 0
+ * @param height rows of the sensor likewise
+ */
+record CsvLayout(
+    List<Role> roles,
+    int timeScale,
+    int dataOffset,
+    boolean named,
+    boolean marked,
+    int width,
+    int height) {
+  /** What a column holds. */
+  enum Role {
+    TIME,
+    X,
+    Y,
+    POLARITY,
+    OTHER
+  }
+
+  private static final int LOOK_ROWS = 2000;
+  private static final int MAX_COLUMNS = 32;
+  private static final double SMALLEST_NS = 1e17;
+
+  CsvLayout {
+    roles = List.copyOf(roles);
+  }
+
+  /** Looks at the start of a text; empty if it is none of events. */
+  static Optional<CsvLayout> of(byte[] head) {
+    String text = new String(head, StandardCharsets.ISO_8859_1);
+    if (text.startsWith("\u00ef\u00bb\u00bf")) {
+      text = text.substring(3);
+      return of(text, 3);
+    }
+    return of(text, 0);
+  }
+
+  private static Optional<CsvLayout> of(String text, int skipped) {
+    if (text.chars().limit(4096).anyMatch(c -> c < ' ' && c != '\n' && c != '\r' && c != '\t')) {
+      return Optional.empty();
+    }
+    List<String[]> rows = new ArrayList<>();
+    String[] names = null;
+    int width = 0;
+    int height = 0;
+    int dataOffset = -1;
+    boolean marked = false;
+    int offset = 0;
+    while (offset < text.length() && rows.size() < LOOK_ROWS) {
+      int end = text.indexOf('\n', offset);
+      boolean whole = end >= 0;
+      String line = text.substring(offset, whole ? end : text.length()).strip();
+      int start = offset;
+      offset = whole ? end + 1 : text.length();
+      boolean comment = line.startsWith("#") || line.startsWith("%");
+      String[] fields = fields(comment ? line.substring(1) : line);
+      if (line.isEmpty()) {
+        continue;
+      }
+      if (comment || !isNumber(fields[0])) {
+        if (!rows.isEmpty()) {
+          continue;
+        }
+        if (roles(fields).isPresent()) {
+          names = fields;
+        } else if (!comment) {
+          return Optional.empty();
+        }
+      } else if (fields.length == 2 && rows.isEmpty() && width == 0) {
+        width = size(fields[0]);
+        height = size(fields[1]);
+        if (width == 0 || height == 0) {
+          return Optional.empty();
+        }
+      } else if (whole || rows.isEmpty()) {
+        if (rows.isEmpty()) {
+          dataOffset = start + skipped;
+          marked = line.indexOf(',') >= 0 || line.indexOf(';') >= 0;
+        }
+        rows.add(fields);
+      }
+    }
+    if (dataOffset < 0) {
+      dataOffset = offset + skipped;
+    }
+    if (names != null) {
+      return Optional.of(
+          new CsvLayout(
+              roles(names).orElseThrow(),
+              timeScale(names, rows),
+              dataOffset,
+              true,
+              marked,
+              width,
+              height));
+    }
+    return bySight(rows, dataOffset, marked, width, height);
+  }
+
+  private static String[] fields(String line) {
+    boolean marked = line.chars().anyMatch(c -> c == ',' || c == ';');
+    return line.strip().split(marked ? "\\s*[,;]\\s*" : "\\s+", MAX_COLUMNS + 1);
+  }
+
+  private static int size(String field) {
+    try {
+      int size = Integer.parseInt(field);
+      return size >= 1 && size <= 32768 ? size : 0;
+    } catch (NumberFormatException noNumber) {
+      return 0;
+    }
+  }
+
+  private static boolean isNumber(String field) {
+    try {
+      Double.parseDouble(field);
+      return true;
+    } catch (NumberFormatException noNumber) {
+      return false;
+    }
+  }
+
+  /** By names; empty unless time, column and row are among them. */
+  private static Optional<List<Role>> roles(String[] names) {
+    if (names.length > MAX_COLUMNS) {
+      return Optional.empty();
+    }
+    List<Role> roles = new ArrayList<>();
+    for (String name : names) {
+      Role role = role(name);
+      roles.add(role != Role.OTHER && roles.contains(role) ? Role.OTHER : role);
+    }
+    boolean enough =
+        roles.contains(Role.TIME) && roles.contains(Role.X) && roles.contains(Role.Y);
+    return enough ? Optional.of(roles) : Optional.empty();
+  }
+
+  private static Role role(String name) {
+    String plain = name.toLowerCase(Locale.ROOT).replaceAll("[^a-z]+", "_").replaceAll("^_|_$", "");
+    return switch (plain.replaceAll("_(us|ns|ms|s|px|sec|seconds|microseconds|nanoseconds)$", "")) {
+      case "t", "ts", "time", "timestamp", "timestamps", "times" -> Role.TIME;
+      case "x", "xs", "col", "column" -> Role.X;
+      case "y", "ys", "row" -> Role.Y;
+      case "p", "ps", "pol", "polarity", "polarities", "on", "sign" -> Role.POLARITY;
+      default -> Role.OTHER;
+    };
+  }
+
+  private static int timeScale(String[] names, List<String[]> rows) {
+    for (String name : names) {
+      if (role(name) == Role.TIME) {
+        String unit = name.toLowerCase(Locale.ROOT).replaceAll("[^a-z]+", "_") + "_";
+        if (unit.contains("_us_") || unit.contains("_micros")) {
+          return 0;
+        }
+        if (unit.contains("_ns_") || unit.contains("_nanos")) {
+          return -3;
+        }
+        if (unit.contains("_ms_") || unit.contains("_millis")) {
+          return 3;
+        }
+        if (unit.contains("_s_") || unit.contains("_sec")) {
+          return 6;
+        }
+        int column = List.of(names).indexOf(name);
+        return timeScale(rows, column);
+      }
+    }
+    return 0;
+  }
+
+  /** Times with decimals are seconds, whole ones microseconds, or nanoseconds since 1970. */
+  private static int timeScale(List<String[]> rows, int column) {
+    boolean fraction = false;
+    double largest = 0;
+    for (String[] row : rows) {
+      if (column < row.length && isNumber(row[column])) {
+        double value = Double.parseDouble(row[column]);
+        fraction |= value != Math.rint(value);
+        largest = Math.max(largest, Math.abs(value));
+      }
+    }
+    return fraction ? 6 : largest >= SMALLEST_NS ? -3 : 0;
+  }
+
+  /** By the numbers: the polarity has two values, the time never falls, column comes before row. */
+  private static Optional<CsvLayout> bySight(
+      List<String[]> rows, int dataOffset, boolean marked, int width, int height) {
+    if (rows.isEmpty() || rows.get(0).length != 4) {
+      return Optional.empty();
+    }
+    boolean[] polarity = {true, true, true, true};
+    boolean[] ascends = {true, true, true, true};
+    boolean[] pixel = {true, true, true, true};
+    double[] last = new double[4];
+    double[] largest = new double[4];
+    java.util.Arrays.fill(last, Double.NEGATIVE_INFINITY);
+    for (String[] row : rows) {
+      if (row.length != 4) {
+        return Optional.empty();
+      }
+      for (int i = 0; i < 4; i++) {
+        if (!isNumber(row[i])) {
+          return Optional.empty();
+        }
+        double value = Double.parseDouble(row[i]);
+        polarity[i] &= value == 0 || value == 1 || value == -1;
+        ascends[i] &= value >= last[i];
+        pixel[i] &= value >= 0 && value <= 32767 && value == Math.rint(value);
+        last[i] = value;
+        largest[i] = Math.max(largest[i], Math.abs(value));
+      }
+    }
+    int time = -1;
+    int sign = -1;
+    for (int i = 0; i < 4; i++) {
+      boolean likelier =
+          time < 0
+              || pixel[time] && !pixel[i]
+              || pixel[time] == pixel[i] && largest[i] > largest[time];
+      if (ascends[i] && likelier) {
+        time = i;
+      }
+    }
+    for (int i = 0; i < 4; i++) {
+      sign = polarity[i] && i != time ? i : sign;
+    }
+    if (time < 0 || sign < 0) {
+      return Optional.empty();
+    }
+    List<Role> roles = new ArrayList<>();
+    for (int i = 0; i < 4; i++) {
+      Role rest = roles.contains(Role.X) ? Role.Y : Role.X;
+      roles.add(i == time ? Role.TIME : i == sign ? Role.POLARITY : rest);
+      if (i != time && i != sign && !pixel[i]) {
+        return Optional.empty();
+      }
+    }
+    return Optional.of(
+        new CsvLayout(roles, timeScale(rows, time), dataOffset, false, marked, width, height));
+  }
+}
