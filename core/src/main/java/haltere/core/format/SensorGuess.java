@@ -61,17 +61,18 @@ public final class SensorGuess {
    */
   public static SensorGeometry of(EventCursor cursor, Origin origin) throws IOException {
     Extent extent = extent(cursor);
-    return new SensorGeometry(
-        Math.max(1, extent.right()), Math.max(1, extent.highest()), origin);
+    return new SensorGeometry(Math.max(1, extent.right()), Math.max(1, extent.highest()), origin);
   }
 
   /**
    * Chooses a sensor by the first events of a recording whose rows count from the top.
    *
-   * @param cursor at the first event, opened for {@link #square} of the same side; closed afterwards
+   * @param cursor at the first event, opened for {@link #square} of the same side; closed
+   *     afterwards
    * @param side of that square
    * @param sizes to choose from, the smallest first
-   * @return the first that holds the events, or just their extent if none does; empty without events
+   * @return the first that holds the events, or just their extent if none does; empty without
+   *     events
    * @throws IOException if the file cannot be read
    */
   public static Optional<SensorGeometry> smallest(

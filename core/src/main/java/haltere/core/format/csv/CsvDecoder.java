@@ -353,8 +353,8 @@ final class CsvDecoder implements StreamDecoder {
   }
 
   /**
-   * The number at the cursor times a power of ten, rounded to a whole one; {@link Long#MIN_VALUE} and
-   * {@link #invalid} if there is none.
+   * The number at the cursor times a power of ten, rounded to a whole one; {@link Long#MIN_VALUE}
+   * and {@link #invalid} if there is none.
    */
   private long number(int scale) {
     invalid = false;
@@ -431,10 +431,7 @@ final class CsvDecoder implements StreamDecoder {
       BigDecimal exact = new BigDecimal(text);
       if (Math.abs((long) exact.precision() - exact.scale()) <= MAX_EXPONENT
           && Math.abs((long) exact.scale()) <= MAX_ROW) {
-        return exact
-            .scaleByPowerOfTen(scale)
-            .setScale(0, RoundingMode.HALF_UP)
-            .longValueExact();
+        return exact.scaleByPowerOfTen(scale).setScale(0, RoundingMode.HALF_UP).longValueExact();
       }
     } catch (ArithmeticException | NumberFormatException noNumber) {
       // Told below.

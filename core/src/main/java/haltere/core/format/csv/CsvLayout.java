@@ -148,8 +148,7 @@ record CsvLayout(
       Role role = role(name);
       roles.add(role != Role.OTHER && roles.contains(role) ? Role.OTHER : role);
     }
-    boolean enough =
-        roles.contains(Role.TIME) && roles.contains(Role.X) && roles.contains(Role.Y);
+    boolean enough = roles.contains(Role.TIME) && roles.contains(Role.X) && roles.contains(Role.Y);
     return enough ? Optional.of(roles) : Optional.empty();
   }
 

@@ -22,7 +22,8 @@ public record PropheseeSensor(SensorGeometry geometry, Optional<String> remark) 
   private static final SensorGeometry GEN4 = SensorGuess.top(1280, 720);
 
   /** Sizes of the sensors of RAW files. */
-  static final List<SensorGeometry> RAW_SIZES = List.of(SensorGuess.top(320, 320), SensorGuess.top(480, 360), GEN3, GEN4);
+  static final List<SensorGeometry> RAW_SIZES =
+      List.of(SensorGuess.top(320, 320), SensorGuess.top(480, 360), GEN3, GEN4);
 
   /** Opens a cursor over the events that leaves out none of them. */
   @FunctionalInterface

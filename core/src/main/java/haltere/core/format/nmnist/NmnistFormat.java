@@ -95,7 +95,8 @@ public final class NmnistFormat implements RecordingFormat {
           options
               .sensor()
               .map(sensor -> new SensorGeometry(sensor.width(), sensor.height(), Origin.TOP));
-      SensorGeometry geometry = asked.isPresent()
+      SensorGeometry geometry =
+          asked.isPresent()
               ? asked.get()
               : SensorGuess.smallest(
                       cursor(bytes, SensorGuess.square(MAX_SIDE), new ViolationCounts()),
@@ -106,9 +107,7 @@ public final class NmnistFormat implements RecordingFormat {
           name(),
           bytes,
           geometry,
-          asked.isPresent()
-              ? List.of()
-              : List.of(SensorGuess.remark(geometry)),
+          asked.isPresent() ? List.of() : List.of(SensorGuess.remark(geometry)),
           options,
           new ViolationCounts(),
           violations -> cursor(bytes, geometry, violations));
