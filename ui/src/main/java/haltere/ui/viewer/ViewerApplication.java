@@ -2,6 +2,7 @@ package haltere.ui.viewer;
 
 import haltere.core.format.ReadOptions;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.Future;
@@ -56,7 +57,20 @@ public final class ViewerApplication {
     }
     Platform.exit();
     return Optional.ofNullable(problem.get())
-        .map(broken -> "the viewer could not start: " + Texts.oneLine(broken));
+        .map(
+            broken ->
+                "the viewer could not start: "
+                    + (isAboutFonts(broken)
+                        ? "no fonts are installed; install some, such as Debian's fonts-dejavu-core"
+                        : Texts.oneLine(broken)));
+  }
+
+  /** Where there are no fonts at all, JavaFX runs into a null in its own classes. */
+  private static boolean isAboutFonts(Throwable problem) {
+    return problem instanceof NullPointerException
+        && Arrays.stream(problem.getStackTrace())
+            .limit(3)
+            .anyMatch(frame -> frame.getClassName().startsWith("com.sun.javafx.font"));
   }
 
   private static void show(

@@ -21,6 +21,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.Future;
+import java.util.concurrent.RejectedExecutionException;
 import javafx.animation.AnimationTimer;
 import javafx.scene.Group;
 import javafx.scene.Scene;
@@ -420,6 +421,10 @@ public final class ViewerWindow implements ViewerMenu.Actions {
 
   /** A fault of the viewer itself: the user sees that something is wrong, the log what. */
   private void showFault(Throwable fault) {
+    if (fault instanceof RejectedExecutionException) {
+      // the process is being ended and JavaFX's painter went first
+      return;
+    }
     fault.printStackTrace();
     statusLine.showError("Fault in the viewer, please report it: " + fault);
   }
