@@ -258,4 +258,115 @@ class Aedat4FormatTest extends RecordingFormatContract {
     expected.append(written, 3, 4);
     assertEquals(expected, events(file));
   }
+
+  /** As jAER writes: rows from the bottom, the table's position -2 while the file is open. */
+  private static byte[] withHeader(byte[] file, String infoNode, long tablePosition) {
+    byte[] header = Aedat4Header.write(Aedat4Compression.NONE, infoNode);
+    LittleEndian.putLong(header, Aedat4Header.TABLE_POSITION_OFFSET, tablePosition);
+    int from = headerEnd(file);
+    int to = (int) LittleEndian.getLong(file, Aedat4Header.TABLE_POSITION_OFFSET);
+    return ByteBuffer.allocate(header.length + to - from)
+        .put(header)
+        .put(file, from, to - from)
+        .array();
+  }
+
+  @Test
+  void aFileOfJaerCountsRowsFromTheBottom() throws IOException {
+    Path file = folder.resolve("jaer.aedat4");
+    EventPacket written = EventPackets.uniform(DAVIS346, 8, 900, 0, 9);
+    write(file, DAVIS346, written);
+    String info =
+        InfoNode.ofEvents("LZ4", 346, 260, "DAVIS346", Map.of()).replace(">haltere<", ">jAER<");
+    Files.write(file, withHeader(Files.readAllBytes(file), info, -2));
+    EventPacket expected = EventPackets.copy(written);
+    for (int i = 0; i < expected.size(); i++) {
+      int y = 259 - expected.y(i);
+      expected.setAddress(
+          i, haltere.core.event.EventAddress.pack(expected.x(i), y, expected.isOn(i)));
+    }
+    try (RecordingReader reader = Recordings.open(file)) {
+      assertEquals(new SensorGeometry(346, 260, Origin.BOTTOM), reader.geometry());
+      assertEquals(List.of(), reader.violations().describe());
+    }
+    assertEquals(expected, events(file));
+  }
+
+  @Test
+  void withoutADescriptionThePacketsTellTheStreamAndTheSize() throws IOException {
+    Path file = folder.resolve("undescribed.aedat4");
+    EventPacket written = new EventPacket(2);
+    written.append(5, 0, 250, true);
+    written.append(6, 300, 259, false);
+    write(file, DAVIS346, written);
+    byte[] bytes = Files.readAllBytes(file);
+    for (String info : List.of("<dv><node name=", "", "<!DOCTYPE dv [<!ENTITY a \"b\">]><dv>&a;")) {
+      Files.write(file, withHeader(bytes, info, -1));
+      try (RecordingReader reader = Recordings.open(file)) {
+        assertEquals(new SensorGeometry(301, 10, Origin.TOP), reader.geometry());
+        assertEquals(2, reader.remarks().size(), reader.remarks().toString());
+      }
+      assertEquals(2, events(file).size());
+    }
+  }
+
+  @Test
+  void externalEntitiesAreNotRead() throws IOException {
+    Path secret = Files.writeString(folder.resolve("secret.txt"), "346");
+    Path file = folder.resolve("entity.aedat4");
+    write(file, DAVIS346, EventPackets.uniform(DAVIS346, 8, 9, 0, 9));
+    String info =
+        "<!DOCTYPE dv [<!ENTITY a SYSTEM \""
+            + secret.toUri()
+            + "\">]>"
+            + InfoNode.ofEvents("LZ4", 7777, 260, "x", Map.of()).replace("7777", "&a;");
+    Files.write(file, withHeader(Files.readAllBytes(file), info, -1));
+    assertTrue(Aedat4Format.streams(file).stream().noneMatch(stream -> stream.width() == 346));
+  }
+
+  @Test
+  void oneOfSeveralStreamsOfEventsIsChosen() throws IOException {
+    EventPacket first = EventPackets.uniform(DAVIS346, 8, 900, 0, 9);
+    EventPacket second = EventPackets.uniform(DAVIS346, 9, 800, 0, 9);
+    Path file = folder.resolve("one.aedat4");
+    write(file, DAVIS346, first);
+    Path other = folder.resolve("other.aedat4");
+    write(other, DAVIS346, second);
+    String one = InfoNode.ofEvents("LZ4", 346, 260, "x", Map.of());
+    int node = one.indexOf("        <node name=\"0\"");
+    int end = one.indexOf("    </node>\n</dv>");
+    String two = one.substring(0, end) + one.substring(node, end).replace("\"0\"", "\"4\"");
+    byte[] bytes = withHeader(Files.readAllBytes(file), two + one.substring(end), -1);
+    byte[] more = withHeader(Files.readAllBytes(other), "<dv/>", -1);
+    int packet = headerEnd(more);
+    LittleEndian.putInt(more, packet, 4);
+    byte[] both = Arrays.copyOf(bytes, bytes.length + more.length - packet);
+    System.arraycopy(more, packet, both, bytes.length, more.length - packet);
+    Files.write(file, both);
+
+    assertEquals(first, events(file));
+    StreamRecorder recorder = new StreamRecorder();
+    try (RecordingReader reader =
+        new Aedat4Format().open(file, ReadOptions.DEFAULT, java.util.OptionalInt.of(4))) {
+      reader.drainTo(recorder);
+      assertTrue(reader.remarks().get(0).contains("2 streams"), reader.remarks().toString());
+    }
+    assertEquals(second, recorder.events());
+    org.junit.jupiter.api.Assertions.assertThrows(
+        haltere.core.format.RecordingProblem.class,
+        () -> new Aedat4Format().open(file, ReadOptions.DEFAULT, java.util.OptionalInt.of(1)));
+  }
+
+  @Test
+  void aRecordingOfFramesAloneIsOneWithoutEvents() throws IOException {
+    Path file = haltere.testing.Recorded.file("gray16-frame.aedat4");
+    try (RecordingReader reader = Recordings.open(file)) {
+      assertEquals(new SensorGeometry(2, 2, Origin.TOP), reader.geometry());
+      assertEquals(List.of("it holds no stream of events"), reader.remarks());
+      StreamRecorder recorder = new StreamRecorder();
+      reader.drainTo(recorder);
+      assertEquals(0, recorder.events().size());
+      assertEquals(1, reader.violations().count(Violation.OTHER_DATA));
+    }
+  }
 }
