@@ -11,7 +11,7 @@ import java.lang.invoke.VarHandle;
  */
 final class Lz4Packer {
   private static final int EVENT = Aedat4Cursor.EVENT_BYTES;
-  private static final int HASH_BITS = 12;
+  private static final int HASH_BITS = 13;
   private static final int MAX_OFFSET = 65_535;
   private static final int MIN_MATCH = 4;
   private static final int LAST_LITERALS = 32;
