@@ -102,14 +102,11 @@ final class EventView extends Region {
   }
 
   /**
-   * Changes the colour of what the picture leaves free. It is the scene's own colour that is seen
-   * there: this view has no background, because without a graphics card each layer costs.
+   * Changes the colour of what lies behind the events. Around the picture the scene's own fill is
+   * seen: this view has no background, because without a graphics card each layer costs.
    */
   void setBackgroundColour(ColourMap colours) {
     picture.setBackground(colours.background());
-    if (getScene() != null) {
-      getScene().setFill(JavaFxOverlayCanvas.colour(colours.background()));
-    }
   }
 
   /** Shows a frame of the current sensor. */

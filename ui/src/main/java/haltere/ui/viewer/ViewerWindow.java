@@ -11,6 +11,7 @@ import haltere.core.playback.Playable;
 import haltere.core.playback.PlayerOptions;
 import haltere.core.playback.PlayerStatus;
 import haltere.core.playback.PlayerStatus.State;
+import haltere.ui.overlay.JavaFxOverlayCanvas;
 import haltere.ui.rendering.ColourMap;
 import haltere.ui.rendering.Pictures;
 import java.io.File;
@@ -91,7 +92,7 @@ public final class ViewerWindow implements ViewerMenu.Actions {
     ViewerKeys.install(scene, playback);
     root.setOnDragOver(ViewerWindow::dragged);
     root.setOnDragDropped(this::dropped);
-    view.setBackgroundColour(displayOptions.colours());
+    scene.setFill(JavaFxOverlayCanvas.colour(displayOptions.colours().background()));
     view.setGeometry(new SensorGeometry(128, 128), displayOptions.colours());
     stage.setScene(scene);
     stage.setTitle("Haltere");
@@ -397,6 +398,7 @@ public final class ViewerWindow implements ViewerMenu.Actions {
   public void setColours(ColourMap colours) {
     setDisplayOptions(new DisplayOptions(colours, displayOptions.decayUs()));
     view.setBackgroundColour(colours);
+    stage.getScene().setFill(JavaFxOverlayCanvas.colour(colours.background()));
   }
 
   @Override

@@ -156,6 +156,10 @@ class ViewerWindowTest {
   void otherColoursAreShownWhilePaused() {
     viewer = ViewerHarness.withBlob();
     viewer.pause();
+    assertEquals(
+        ColourMap.DARK.background(),
+        viewer.onFx(() -> viewer.picture().getPixelReader().getArgb(2, 2)),
+        "beside the picture");
     viewer.run(() -> viewer.window.setTheme(Theme.LIGHT));
     viewer.waitFor(
         "a light picture",
