@@ -3,6 +3,7 @@ package haltere.core.format.csv;
 import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.format.EventColumn;
 import haltere.core.format.StreamDecoder;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
@@ -47,7 +48,7 @@ final class CsvDecoder implements StreamDecoder {
     }
   }
 
-  private final CsvLayout.Role[] roles;
+  private final EventColumn[] roles;
   private final int timeScale;
   private final boolean polarity;
   private final int timeColumn;
@@ -79,15 +80,15 @@ final class CsvDecoder implements StreamDecoder {
   private long timeUs;
 
   CsvDecoder(CsvLayout layout, SensorGeometry geometry, ViolationCounts violations) {
-    List<CsvLayout.Role> columns = layout.roles();
-    roles = columns.toArray(CsvLayout.Role[]::new);
-    polarity = columns.contains(CsvLayout.Role.POLARITY);
+    List<EventColumn> columns = layout.roles();
+    roles = columns.toArray(EventColumn[]::new);
+    polarity = columns.contains(EventColumn.POLARITY);
     timeScale = layout.timeScale();
     unscaled = timeScale == 0 || timeScale == 6;
-    timeColumn = columns.indexOf(CsvLayout.Role.TIME);
-    xColumn = columns.indexOf(CsvLayout.Role.X);
-    yColumn = columns.indexOf(CsvLayout.Role.Y);
-    onColumn = columns.indexOf(CsvLayout.Role.POLARITY);
+    timeColumn = columns.indexOf(EventColumn.TIME);
+    xColumn = columns.indexOf(EventColumn.X);
+    yColumn = columns.indexOf(EventColumn.Y);
+    onColumn = columns.indexOf(EventColumn.POLARITY);
     marked = layout.marked();
     width = geometry.width();
     top = geometry.height() - 1;
@@ -301,10 +302,10 @@ final class CsvDecoder implements StreamDecoder {
       if (i > 0 && !separator()) {
         return false;
       }
-      CsvLayout.Role role = roles[i];
-      int scale = role == CsvLayout.Role.TIME ? timeScale : 0;
+      EventColumn role = roles[i];
+      int scale = role == EventColumn.TIME ? timeScale : 0;
       long value = number(scale);
-      if (value == Long.MIN_VALUE && role != CsvLayout.Role.OTHER && invalid) {
+      if (value == Long.MIN_VALUE && role != EventColumn.OTHER && invalid) {
         return false;
       }
       switch (role) {

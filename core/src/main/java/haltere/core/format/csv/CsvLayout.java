@@ -1,10 +1,11 @@
 package haltere.core.format.csv;
 
+import haltere.core.format.EventColumn;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalInt;
 
 /**
  * Which column of a text is what: told by a row of names, else found out from the numbers.
@@ -19,22 +20,13 @@ import java.util.Optional;
  * @param height rows of the sensor likewise
  */
 record CsvLayout(
-    List<Role> roles,
+    List<EventColumn> roles,
     int timeScale,
     int dataOffset,
     boolean named,
     boolean marked,
     int width,
     int height) {
-  /** What a column holds. */
-  enum Role {
-    TIME,
-    X,
-    Y,
-    POLARITY,
-    OTHER
-  }
-
   private static final int LOOK_ROWS = 2000;
   private static final int MAX_COLUMNS = 32;
   private static final double SMALLEST_NS = 1e17;
@@ -139,45 +131,28 @@ record CsvLayout(
   }
 
   /** By names; empty unless time, column and row are among them. */
-  private static Optional<List<Role>> roles(String[] names) {
+  private static Optional<List<EventColumn>> roles(String[] names) {
     if (names.length > MAX_COLUMNS) {
       return Optional.empty();
     }
-    List<Role> roles = new ArrayList<>();
+    List<EventColumn> roles = new ArrayList<>();
     for (String name : names) {
-      Role role = role(name);
-      roles.add(role != Role.OTHER && roles.contains(role) ? Role.OTHER : role);
+      EventColumn role = EventColumn.named(name);
+      roles.add(role != EventColumn.OTHER && roles.contains(role) ? EventColumn.OTHER : role);
     }
-    boolean enough = roles.contains(Role.TIME) && roles.contains(Role.X) && roles.contains(Role.Y);
+    boolean enough =
+        roles.contains(EventColumn.TIME)
+            && roles.contains(EventColumn.X)
+            && roles.contains(EventColumn.Y);
     return enough ? Optional.of(roles) : Optional.empty();
-  }
-
-  private static Role role(String name) {
-    String plain = name.toLowerCase(Locale.ROOT).replaceAll("[^a-z]+", "_").replaceAll("^_|_$", "");
-    return switch (plain.replaceAll("_(us|ns|ms|s|px|sec|seconds|microseconds|nanoseconds)$", "")) {
-      case "t", "ts", "time", "timestamp", "timestamps", "times" -> Role.TIME;
-      case "x", "xs", "col", "column" -> Role.X;
-      case "y", "ys", "row" -> Role.Y;
-      case "p", "ps", "pol", "polarity", "polarities", "on", "sign" -> Role.POLARITY;
-      default -> Role.OTHER;
-    };
   }
 
   private static int timeScale(String[] names, List<String[]> rows) {
     for (String name : names) {
-      if (role(name) == Role.TIME) {
-        String unit = name.toLowerCase(Locale.ROOT).replaceAll("[^a-z]+", "_") + "_";
-        if (unit.contains("_us_") || unit.contains("_micros")) {
-          return 0;
-        }
-        if (unit.contains("_ns_") || unit.contains("_nanos")) {
-          return -3;
-        }
-        if (unit.contains("_ms_") || unit.contains("_millis")) {
-          return 3;
-        }
-        if (unit.contains("_s_") || unit.contains("_sec")) {
-          return 6;
+      if (EventColumn.named(name) == EventColumn.TIME) {
+        OptionalInt stated = EventColumn.timeScale(name);
+        if (stated.isPresent()) {
+          return stated.getAsInt();
         }
         int column = List.of(names).indexOf(name);
         return timeScale(rows, column);
@@ -245,10 +220,10 @@ record CsvLayout(
     if (time < 0 || sign < 0) {
       return Optional.empty();
     }
-    List<Role> roles = new ArrayList<>();
+    List<EventColumn> roles = new ArrayList<>();
     for (int i = 0; i < 4; i++) {
-      Role rest = roles.contains(Role.X) ? Role.Y : Role.X;
-      roles.add(i == time ? Role.TIME : i == sign ? Role.POLARITY : rest);
+      EventColumn rest = roles.contains(EventColumn.X) ? EventColumn.Y : EventColumn.X;
+      roles.add(i == time ? EventColumn.TIME : i == sign ? EventColumn.POLARITY : rest);
       if (i != time && i != sign && !pixel[i]) {
         return Optional.empty();
       }

@@ -21,16 +21,20 @@ import java.util.TreeMap;
 /**
  * What the writers of EVT words have in common: the header, the clock's high part, the buffer.
  *
- * <p>The first turn of the clock begins where a header line of our own says, if that is not 0, so
- * that times before 0 and times since 1970 come back. Other programs pass over that line and see
- * the times less the base, which {@link #losses} tells. Every turn of a longer silence is written,
- * since the words have no other way to say it. A clock that goes back is written as it is, as long
- * as it stays within its turn.
+ * <p>The first turn of the clock begins at 0 or, where that is too far away, where a header line of
+ * our own says, so that times before 0 and times since 1970 come back. Other programs pass over
+ * that line and see the times less the base, which {@link #losses} tells. Every turn of a longer
+ * silence is written, since the words have no other way to say it. A clock that goes back is
+ * written as it is, as long as it stays within its turn.
  */
 abstract sealed class EvtWriter implements RecordingWriter
     permits Evt2Writer, Evt21Writer, Evt3Writer {
   private static final int BUFFER_BYTES = 256 * 1024;
   private static final long MAX_TURNS = 1 << 22;
+
+  /** Turns at the start that are written out, a few bytes each, so that all programs see them. */
+  private static final long MAX_START_TURNS = 1 << 14;
+
   private static final Set<String> OWN_KEYS =
       Set.of("evt", "format", "geometry", "endianness", "end", EvtFormat.TIME_BASE);
 
@@ -80,7 +84,8 @@ abstract sealed class EvtWriter implements RecordingWriter
   @Override
   public final void write(EventPacket packet) throws IOException {
     if (!started && !packet.isEmpty()) {
-      start(Math.floorDiv(packet.firstTimeUs(), turnLengthUs) * turnLengthUs);
+      long turns = Math.floorDiv(packet.firstTimeUs(), turnLengthUs);
+      start(turns >= 0 && turns <= MAX_START_TURNS ? 0 : turns * turnLengthUs);
     }
     append(packet);
   }
