@@ -48,8 +48,7 @@ public final class ViewerApplication {
           });
       closed.await();
     } catch (InterruptedException toldToStop) {
-      // JavaFX waits for its own end and must not find this thread interrupted
-      Platform.exit();
+      // the process ends: JavaFX's own way to end would wait for its thread in vain
       Thread.currentThread().interrupt();
       return Optional.empty();
     } catch (RuntimeException | LinkageError notHere) {
