@@ -16,6 +16,7 @@ import haltere.core.format.Support;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
 import haltere.core.format.WriteOptions;
+import haltere.core.format.packed.DamagedPacketException;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;

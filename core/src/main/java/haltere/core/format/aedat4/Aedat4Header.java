@@ -2,6 +2,8 @@ package haltere.core.format.aedat4;
 
 import haltere.core.format.RecordingFile;
 import haltere.core.format.RecordingProblem;
+import haltere.core.format.packed.DamagedPacketException;
+import haltere.core.format.packed.LittleEndian;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;

@@ -6,6 +6,7 @@ import haltere.core.format.AtomicFile;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.WriteOptions;
+import haltere.core.format.packed.LittleEndian;
 import java.io.Closeable;
 import java.io.IOException;
 import java.lang.invoke.VarHandle;

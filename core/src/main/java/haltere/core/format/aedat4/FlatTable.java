@@ -1,5 +1,7 @@
 package haltere.core.format.aedat4;
 
+import haltere.core.format.packed.DamagedPacketException;
+import haltere.core.format.packed.LittleEndian;
 import java.nio.charset.StandardCharsets;
 
 /**

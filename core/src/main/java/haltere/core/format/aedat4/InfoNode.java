@@ -1,5 +1,6 @@
 package haltere.core.format.aedat4;
 
+import haltere.core.format.packed.DamagedPacketException;
 import java.io.StringReader;
 import java.util.ArrayDeque;
 import java.util.ArrayList;

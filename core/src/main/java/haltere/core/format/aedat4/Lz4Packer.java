@@ -1,5 +1,6 @@
 package haltere.core.format.aedat4;
 
+import haltere.core.format.packed.LittleEndian;
 import java.lang.invoke.VarHandle;
 
 /**

@@ -2,6 +2,8 @@ package haltere.core.format.aedat4;
 
 import com.github.luben.zstd.Zstd;
 import com.github.luben.zstd.ZstdCompressCtx;
+import haltere.core.format.packed.LittleEndian;
+import haltere.core.format.packed.XxHash32;
 import java.io.Closeable;
 import java.util.Arrays;
 

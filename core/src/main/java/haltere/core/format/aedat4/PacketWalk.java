@@ -2,6 +2,8 @@ package haltere.core.format.aedat4;
 
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
+import haltere.core.format.packed.FileWindow;
+import haltere.core.format.packed.LittleEndian;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Set;

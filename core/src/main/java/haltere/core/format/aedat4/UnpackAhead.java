@@ -2,6 +2,7 @@ package haltere.core.format.aedat4;
 
 import haltere.core.format.RecordingFile;
 import haltere.core.format.ViolationCounts;
+import haltere.core.format.packed.DamagedPacketException;
 import java.io.Closeable;
 import java.io.IOException;
 import java.nio.file.Path;

@@ -1,6 +1,13 @@
 package haltere.core.format.aedat4;
 
 import haltere.core.format.RecordingFile;
+import haltere.core.format.packed.DamagedPacketException;
+import haltere.core.format.packed.FileWindow;
+import haltere.core.format.packed.LittleEndian;
+import haltere.core.format.packed.Lz4Payload;
+import haltere.core.format.packed.Payload;
+import haltere.core.format.packed.StoredPayload;
+import haltere.core.format.packed.ZstdPayload;
 import java.io.IOException;
 
 /**
@@ -11,49 +18,22 @@ import java.io.IOException;
  * <p>Thread rule: one thread.
  */
 final class Unpacker {
-  /** One way to unpack. */
-  abstract static class Method {
-    byte[] data = new byte[0];
-    int from;
-    int to;
-
-    /** Starts with a payload. */
-    abstract void open(long offset, long size) throws IOException, DamagedPacketException;
-
-    /**
-     * Puts more bytes behind those that are not yet used; all of them may move.
-     *
-     * @return false at the end of the payload
-     */
-    abstract boolean more() throws IOException, DamagedPacketException;
-
-    /** Drops bytes that are not there yet. */
-    void skip(long count) throws IOException, DamagedPacketException {
-      long left = count;
-      while (left > 0) {
-        if (from == to && !more()) {
-          throw new DamagedPacketException("a packet that ends too early");
-        }
-        int step = (int) Math.min(left, to - from);
-        from += step;
-        left -= step;
-      }
-    }
-
-    /** Releases what is outside of the heap. */
-    void close() {}
-  }
-
   /** A payload that is unpacked already. */
-  private static final class ReadyPayload extends Method {
+  private static final class ReadyPayload extends Payload {
     @Override
-    void open(long offset, long size) {
+    public void open(long offset, long size) {
       throw new UnsupportedOperationException();
     }
 
     @Override
-    boolean more() {
+    public boolean more() {
       return false;
+    }
+
+    void present(byte[] payload, int length) {
+      data = payload;
+      from = 0;
+      to = length;
     }
   }
 
@@ -62,7 +42,7 @@ final class Unpacker {
   private final StoredPayload stored;
   private Lz4Payload lz4;
   private ZstdPayload zstd;
-  private Method method;
+  private Payload method;
 
   Unpacker(RecordingFile file) {
     window = new FileWindow(file);
@@ -107,26 +87,24 @@ final class Unpacker {
 
   /** Takes a payload that is unpacked already. */
   void present(byte[] payload, int length) {
-    ready.data = payload;
-    ready.from = 0;
-    ready.to = length;
+    ready.present(payload, length);
     method = ready;
   }
 
   byte[] data() {
-    return method.data;
+    return method.data();
   }
 
   int from() {
-    return method.from;
+    return method.from();
   }
 
   int to() {
-    return method.to;
+    return method.to();
   }
 
   void use(int bytes) {
-    method.from += bytes;
+    method.use(bytes);
   }
 
   boolean more() throws IOException, DamagedPacketException {
@@ -139,9 +117,7 @@ final class Unpacker {
 
   /** Gets at least so many bytes together, or all that there are. */
   void gather(int bytes) throws IOException, DamagedPacketException {
-    while (method.to - method.from < bytes && method.more()) {
-      // A piece may be smaller than what is needed.
-    }
+    method.gather(bytes);
   }
 
   void close() {

@@ -1,4 +1,4 @@
-package haltere.core.format.aedat4;
+package haltere.core.format.packed;
 
 import haltere.core.format.RecordingFile;
 import java.io.IOException;
@@ -9,11 +9,11 @@ import java.nio.ByteBuffer;
  *
  * <p>Thread rule: one thread.
  */
-final class FileWindow {
+public final class FileWindow {
   private static final int USUAL_BYTES = 256 * 1024;
 
   /** Asking for more than this at once is a fault of the caller. */
-  static final int MAX_BYTES = 8 * 1024 * 1024;
+  public static final int MAX_BYTES = 8 * 1024 * 1024;
 
   private final RecordingFile file;
   private byte[] bytes = new byte[0];
@@ -21,16 +21,24 @@ final class FileWindow {
   private long start;
   private int length;
 
-  FileWindow(RecordingFile file) {
+  /**
+   * A window that holds nothing yet.
+   *
+   * @param file the file; it is not closed with the window
+   */
+  public FileWindow(RecordingFile file) {
     this.file = file;
   }
 
   /**
    * Makes some bytes of the file available in {@link #bytes()}.
    *
+   * @param offset where they start in the file
+   * @param count how many, at most {@link #MAX_BYTES}
    * @return index of the first, or -1 if the file ends before the last
+   * @throws IOException if the file cannot be read
    */
-  int require(long offset, int count) throws IOException {
+  public int require(long offset, int count) throws IOException {
     if (offset >= start && offset + count <= start + length) {
       return (int) (offset - start);
     }
@@ -52,13 +60,21 @@ final class FileWindow {
     return length >= count ? 0 : -1;
   }
 
-  /** The bytes; the array is another one after each {@link #require}. */
-  byte[] bytes() {
+  /**
+   * The bytes.
+   *
+   * @return borrowed array, another one after each {@link #require}
+   */
+  public byte[] bytes() {
     return bytes;
   }
 
-  /** Where the bytes that are there end, as an index. */
-  int end() {
+  /**
+   * Where the bytes end that are there.
+   *
+   * @return index in {@link #bytes()}
+   */
+  public int end() {
     return length;
   }
 }

@@ -1,7 +1,7 @@
-package haltere.core.format.aedat4;
+package haltere.core.format.packed;
 
 /** The 32-bit checksum of LZ4 frames, with seed 0. */
-final class XxHash32 {
+public final class XxHash32 {
   private static final int P1 = 0x9E3779B1;
   private static final int P2 = 0x85EBCA77;
   private static final int P3 = 0xC2B2AE3D;
@@ -10,7 +10,15 @@ final class XxHash32 {
 
   private XxHash32() {}
 
-  static int of(byte[] bytes, int from, int to) {
+  /**
+   * The checksum of some bytes.
+   *
+   * @param bytes where
+   * @param from index of the first
+   * @param to index behind the last
+   * @return the checksum
+   */
+  public static int of(byte[] bytes, int from, int to) {
     int at = from;
     int hash;
     if (to - from >= 16) {

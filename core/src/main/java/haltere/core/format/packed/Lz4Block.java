@@ -1,4 +1,4 @@
-package haltere.core.format.aedat4;
+package haltere.core.format.packed;
 
 import java.lang.invoke.VarHandle;
 
@@ -7,9 +7,9 @@ import java.lang.invoke.VarHandle;
  * do not do for the dependent blocks that DV writes. Bytes behind the output may be overwritten, up
  * to {@link #SLACK}.
  */
-final class Lz4Block {
+public final class Lz4Block {
   /** Bytes that an output array must have behind the largest block. */
-  static final int SLACK = 64;
+  public static final int SLACK = 64;
 
   private Lz4Block() {}
 
@@ -24,8 +24,10 @@ final class Lz4Block {
    * @param outTo where they must end at the latest; the array goes on for {@link #SLACK} bytes
    * @param dictionary where the bytes start to which matches may refer
    * @return end of the bytes
+   * @throws DamagedPacketException if the block is none
    */
-  static int unpack(byte[] in, int from, int to, byte[] out, int outFrom, int outTo, int dictionary)
+  public static int unpack(
+      byte[] in, int from, int to, byte[] out, int outFrom, int outTo, int dictionary)
       throws DamagedPacketException {
     VarHandle longs = LittleEndian.LONG;
     VarHandle shorts = LittleEndian.SHORT;

@@ -1,4 +1,4 @@
-package haltere.core.format.aedat4;
+package haltere.core.format.packed;
 
 import com.github.luben.zstd.Zstd;
 import com.github.luben.zstd.ZstdDecompressCtx;
@@ -14,7 +14,7 @@ import java.util.Arrays;
  * A payload that is a Zstandard frame: unpacked at once where it says that it is small, else as a
  * stream.
  */
-final class ZstdPayload extends Unpacker.Method {
+public final class ZstdPayload extends Payload {
   private static final int AT_ONCE_BYTES = 4 * 1024 * 1024;
   private static final int PIECE = 256 * 1024;
   private static final int MAX_WINDOW_LOG = 25;
@@ -26,12 +26,17 @@ final class ZstdPayload extends Unpacker.Method {
   private InputStream stream;
   private boolean ended;
 
-  ZstdPayload(FileWindow window) {
+  /**
+   * A payload that is not opened yet.
+   *
+   * @param window over the file
+   */
+  public ZstdPayload(FileWindow window) {
     this.window = window;
   }
 
   @Override
-  void open(long offset, long size) throws IOException, DamagedPacketException {
+  public void open(long offset, long size) throws IOException, DamagedPacketException {
     closeStream();
     next = offset;
     end = offset + size;
@@ -62,7 +67,7 @@ final class ZstdPayload extends Unpacker.Method {
   }
 
   @Override
-  boolean more() throws IOException, DamagedPacketException {
+  public boolean more() throws IOException, DamagedPacketException {
     if (ended) {
       return false;
     }
@@ -90,7 +95,7 @@ final class ZstdPayload extends Unpacker.Method {
   }
 
   @Override
-  void close() {
+  public void close() {
     context.close();
     try {
       closeStream();

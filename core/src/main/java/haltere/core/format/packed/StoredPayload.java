@@ -1,19 +1,24 @@
-package haltere.core.format.aedat4;
+package haltere.core.format.packed;
 
 import java.io.IOException;
 
 /** A payload that is not packed: it is used where the file's window holds it. */
-final class StoredPayload extends Unpacker.Method {
+public final class StoredPayload extends Payload {
   private final FileWindow window;
   private long next;
   private long end;
 
-  StoredPayload(FileWindow window) {
+  /**
+   * A payload that is not opened yet.
+   *
+   * @param window over the file
+   */
+  public StoredPayload(FileWindow window) {
     this.window = window;
   }
 
   @Override
-  void open(long offset, long size) {
+  public void open(long offset, long size) {
     next = offset;
     end = offset + size;
     from = 0;
@@ -21,7 +26,7 @@ final class StoredPayload extends Unpacker.Method {
   }
 
   @Override
-  boolean more() throws IOException {
+  public boolean more() throws IOException {
     int unused = to - from;
     if (next >= end) {
       return false;
@@ -38,7 +43,7 @@ final class StoredPayload extends Unpacker.Method {
   }
 
   @Override
-  void skip(long count) throws IOException, DamagedPacketException {
+  public void skip(long count) throws IOException, DamagedPacketException {
     int unused = to - from;
     if (count <= unused) {
       from += (int) count;

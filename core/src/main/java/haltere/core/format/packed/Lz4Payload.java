@@ -1,10 +1,10 @@
-package haltere.core.format.aedat4;
+package haltere.core.format.packed;
 
 import java.io.IOException;
 import java.util.Arrays;
 
 /** A payload that is an LZ4 frame, unpacked block by block. */
-final class Lz4Payload extends Unpacker.Method {
+public final class Lz4Payload extends Payload {
   private static final int VERSION_MASK = 0xC0;
   private static final int VERSION = 0x40;
   private static final int INDEPENDENT = 0x20;
@@ -23,12 +23,17 @@ final class Lz4Payload extends Unpacker.Method {
   private int frameStart;
   private boolean ended;
 
-  Lz4Payload(FileWindow window) {
+  /**
+   * A payload that is not opened yet.
+   *
+   * @param window over the file
+   */
+  public Lz4Payload(FileWindow window) {
     this.window = window;
   }
 
   @Override
-  void open(long offset, long size) throws IOException, DamagedPacketException {
+  public void open(long offset, long size) throws IOException, DamagedPacketException {
     next = offset;
     end = offset + size;
     from = 0;
@@ -66,7 +71,7 @@ final class Lz4Payload extends Unpacker.Method {
   }
 
   @Override
-  boolean more() throws IOException, DamagedPacketException {
+  public boolean more() throws IOException, DamagedPacketException {
     if (ended) {
       return false;
     }
