@@ -1,0 +1,31 @@
+package haltere.filters.cluster;
+
+/**
+ * Hears from a {@link ClusterTracker} at regular times what its visible clusters have seen since
+ * the time before: for estimators that build on clusters. Times are those of the events, whole
+ * multiples of the observer's interval on their clock, whatever the packets are. While there is no
+ * visible cluster the times jump.
+ *
+ * <p>Thread rule: called on the thread that calls the tracker, from within {@link
+ * ClusterTracker#track}. Must not call the tracker; what it wants changed it says to the readings.
+ */
+public interface ClusterObserver {
+  /**
+   * Called at each time while there is a visible cluster, and once when there is none any more.
+   *
+   * @param timeUs the time, microseconds; all events before it have been seen, none at or after it
+   * @param readings the visible clusters; valid only during the call
+   */
+  void clustersRead(long timeUs, ClusterReadings readings);
+
+  /**
+   * Called when two visible clusters have become one, between two readings.
+   *
+   * @param timeUs when, microseconds
+   * @param keptId identity that goes on
+   * @param lostId identity that has ended and is never given out again
+   */
+  default void clustersMerged(long timeUs, int keptId, int lostId) {
+    // Whoever does not care sees the lost identity end.
+  }
+}
