@@ -21,6 +21,14 @@ public interface RecordingWriter extends Closeable {
   void write(EventPacket packet) throws IOException;
 
   /**
+   * Writes what it holds back, so that whoever reads the file finds it, where the format and the
+   * way of writing allow; others do nothing.
+   *
+   * @throws IOException if it cannot be written
+   */
+  default void writeThrough() throws IOException {}
+
+  /**
    * What the format could not hold so far, such as times beyond its clock.
    *
    * @return one line each, with counts

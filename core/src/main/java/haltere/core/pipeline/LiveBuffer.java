@@ -36,6 +36,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
   private final int capacity;
   private final OverflowPolicy policy;
   private final String place;
+  private final boolean gathering;
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition changed = lock.newCondition();
   private final ArrayDeque<EventPacket> free = new ArrayDeque<>();
@@ -62,6 +63,16 @@ public final class LiveBuffer implements StreamHandler, EventSource {
    */
   public LiveBuffer(
       SensorGeometry geometry, int packets, int capacity, OverflowPolicy policy, String place) {
+    this(geometry, packets, capacity, policy, place, false);
+  }
+
+  private LiveBuffer(
+      SensorGeometry geometry,
+      int packets,
+      int capacity,
+      OverflowPolicy policy,
+      String place,
+      boolean gathering) {
     if (packets < 2 || capacity < 1) {
       throw new IllegalArgumentException(
           "a buffer needs 2 packets of 1 event or more, not " + packets + " of " + capacity);
@@ -70,9 +81,26 @@ public final class LiveBuffer implements StreamHandler, EventSource {
     this.capacity = capacity;
     this.policy = Objects.requireNonNull(policy, "policy");
     this.place = Objects.requireNonNull(place, "place");
+    this.gathering = gathering;
     for (int i = 0; i < packets; i++) {
       free.add(new EventPacket(capacity));
     }
+  }
+
+  /**
+   * An empty buffer that puts small packets together while they wait, so that it holds as many
+   * events however they come. For a consumer to whom borders of packets mean nothing.
+   *
+   * @param geometry the sensor of the stream
+   * @param packets how many packets there are, at least 2
+   * @param capacity events that each holds; larger packets are cut, at least 1
+   * @param policy what happens when all are full
+   * @param place who loses events then, in words for a person, for {@link DataLost#place()}
+   * @return a buffer
+   */
+  public static LiveBuffer gathering(
+      SensorGeometry geometry, int packets, int capacity, OverflowPolicy policy, String place) {
+    return new LiveBuffer(geometry, packets, capacity, policy, place, true);
   }
 
   // ---- The producer's side
@@ -85,26 +113,43 @@ public final class LiveBuffer implements StreamHandler, EventSource {
    */
   @Override
   public void packet(EventPacket packet) {
-    for (int from = 0; from < packet.size(); from += capacity) {
-      int to = Math.min(packet.size(), from + capacity);
+    int from = 0;
+    while (from < packet.size()) {
       lock.lock();
       try {
+        EventPacket last = gathering ? lastWaiting() : null;
+        int room = last == null ? 0 : capacity - last.size();
+        int to = Math.min(packet.size(), from + (room > 0 ? room : capacity));
         eventsIn += to - from;
-        EventPacket copy = room();
-        if (copy == null) {
-          lose(waiting.size(), to - from);
+        if (room > 0) {
+          last.append(packet, from, to);
         } else {
-          copy.clear();
-          copy.append(packet, from, to);
-          waiting.add(copy);
-          packetsWaiting++;
-          mostWaiting = Math.max(mostWaiting, packetsWaiting);
-          changed.signalAll();
+          putCopy(packet, from, to);
         }
+        from = to;
       } finally {
         lock.unlock();
       }
     }
+  }
+
+  private EventPacket lastWaiting() {
+    int last = waiting.size() - 1;
+    return last >= 0 && waiting.get(last) instanceof EventPacket packet ? packet : null;
+  }
+
+  private void putCopy(EventPacket packet, int from, int to) {
+    EventPacket copy = room();
+    if (copy == null) {
+      lose(waiting.size(), to - from);
+      return;
+    }
+    copy.clear();
+    copy.append(packet, from, to);
+    waiting.add(copy);
+    packetsWaiting++;
+    mostWaiting = Math.max(mostWaiting, packetsWaiting);
+    changed.signalAll();
   }
 
   /** A packet to fill, or null if the events are to be dropped. */
@@ -214,6 +259,33 @@ public final class LiveBuffer implements StreamHandler, EventSource {
     return next != null;
   }
 
+  /**
+   * Waits for the next thing of the stream without taking it.
+   *
+   * @param nanos at most so long
+   * @return true if {@link #next} would not wait now
+   * @throws InterruptedIOException if the thread is interrupted
+   */
+  public boolean await(long nanos) throws InterruptedIOException {
+    lock.lock();
+    try {
+      long left = nanos;
+      while (!closed && !ended && !somethingToTake() && left > 0) {
+        left = changed.awaitNanos(left);
+      }
+      return closed || ended || somethingToTake();
+    } catch (InterruptedException interrupted) {
+      throw interrupted();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private InterruptedIOException interrupted() {
+    Thread.currentThread().interrupt();
+    return new InterruptedIOException("interrupted while waiting for " + place);
+  }
+
   /** A packet, a notification, or null at the end. */
   private Object take() throws InterruptedIOException {
     lock.lock();
@@ -244,8 +316,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
       ended = notification instanceof EndOfStream;
       return notification;
     } catch (InterruptedException interrupted) {
-      Thread.currentThread().interrupt();
-      throw new InterruptedIOException("interrupted while waiting for " + place);
+      throw interrupted();
     } finally {
       lock.unlock();
     }

@@ -3,7 +3,6 @@ package haltere.core.format.aedat4;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.AtomicFile;
-import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.WriteOptions;
 import haltere.core.format.packed.LittleEndian;
@@ -13,7 +12,6 @@ import java.lang.invoke.VarHandle;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.List;
@@ -37,6 +35,7 @@ public final class Aedat4Writer implements RecordingWriter {
   private final FileChannel channel;
   private final Closeable owner;
   private final Commit commit;
+  private final boolean inPlace;
   private final PacketPacker packer;
   private final DataTable table = new DataTable();
   private final byte[] payload =
@@ -44,6 +43,7 @@ public final class Aedat4Writer implements RecordingWriter {
   private final byte[] packed;
   private final ByteBuffer output;
   private long position;
+  private long packetsEnd;
   private int events;
   private long lastUs;
   private long outside;
@@ -59,17 +59,20 @@ public final class Aedat4Writer implements RecordingWriter {
       Closeable owner,
       Commit commit,
       WriteOptions options,
-      Aedat4Compression compression)
+      Aedat4Compression compression,
+      boolean inPlace)
       throws IOException {
     this.channel = channel;
     this.owner = owner;
     this.commit = commit;
+    this.inPlace = inPlace;
     geometry = options.geometry();
     packer = new PacketPacker(compression);
     packed = new byte[PacketWalk.HEADER_BYTES + packer.bound(payload.length)];
     output = ByteBuffer.wrap(packed);
     preparePayload();
-    writeHeader(options.metadata(), compression);
+    position = channel.size();
+    packetsEnd = position;
   }
 
   /**
@@ -85,7 +88,8 @@ public final class Aedat4Writer implements RecordingWriter {
       throws IOException {
     AtomicFile file = AtomicFile.create(path, options.overwrite());
     try {
-      return new Aedat4Writer(file.channel(), file, file::commit, options, compression);
+      file.write(ByteBuffer.wrap(header(options, compression)));
+      return new Aedat4Writer(file.channel(), file, file::commit, options, compression, false);
     } catch (IOException | RuntimeException e) {
       file.close();
       throw e;
@@ -93,8 +97,9 @@ public final class Aedat4Writer implements RecordingWriter {
   }
 
   /**
-   * Starts a file in its place, for a recording that is to survive the death of the program: it can
-   * be read, up to the last packet, at any moment. Closed without being finished it stays as it is.
+   * Starts a file in its place, for a recording that is to survive the death of the program: from
+   * the moment that the file is there it can be read, up to its last packet. Closed without being
+   * finished it stays so.
    *
    * @param path where it is
    * @param options about the events; of the metadata, {@code source} names the camera
@@ -104,30 +109,26 @@ public final class Aedat4Writer implements RecordingWriter {
    */
   public static Aedat4Writer createInPlace(
       Path path, WriteOptions options, Aedat4Compression compression) throws IOException {
-    if (!options.overwrite() && Files.exists(path)) {
-      throw new RecordingProblem(path, "it exists already; give --overwrite or another name");
+    try (AtomicFile head = AtomicFile.create(path, options.overwrite())) {
+      head.write(ByteBuffer.wrap(header(options, compression)));
+      head.commit();
     }
-    FileChannel channel =
-        FileChannel.open(
-            path,
-            StandardOpenOption.CREATE,
-            StandardOpenOption.TRUNCATE_EXISTING,
-            StandardOpenOption.WRITE);
+    FileChannel channel = FileChannel.open(path, StandardOpenOption.WRITE);
     try {
-      return new Aedat4Writer(channel, channel, channel::close, options, compression);
+      return new Aedat4Writer(channel, channel, channel::close, options, compression, true);
     } catch (IOException | RuntimeException e) {
       channel.close();
       throw e;
     }
   }
 
-  private void writeHeader(Map<String, String> metadata, Aedat4Compression compression)
-      throws IOException {
-    Map<String, String> rest = new TreeMap<>(metadata);
+  private static byte[] header(WriteOptions options, Aedat4Compression compression) {
+    Map<String, String> rest = new TreeMap<>(options.metadata());
     String source = Objects.requireNonNullElse(rest.remove(SOURCE), "haltere");
-    String info =
-        InfoNode.ofEvents(compression.name(), geometry.width(), geometry.height(), source, rest);
-    write(ByteBuffer.wrap(Aedat4Header.write(compression, info)));
+    SensorGeometry sensor = options.geometry();
+    return Aedat4Header.write(
+        compression,
+        InfoNode.ofEvents(compression.name(), sensor.width(), sensor.height(), source, rest));
   }
 
   /** All but the sizes is the same in each packet. */
@@ -154,14 +155,14 @@ public final class Aedat4Writer implements RecordingWriter {
     int size = packet.size();
     int from = 0;
     if (size > 0 && events > 0 && packet.firstTimeUs() < lastUs) {
-      flush();
+      writeThrough();
     }
     while (from < size) {
       int count = Math.min(size - from, PACKET_EVENTS - events);
       append(packet, from, from + count);
       from += count;
       if (events == PACKET_EVENTS) {
-        flush();
+        writeThrough();
       }
     }
   }
@@ -197,7 +198,8 @@ public final class Aedat4Writer implements RecordingWriter {
    *
    * @throws IOException if they cannot be written
    */
-  public void flush() throws IOException {
+  @Override
+  public void writeThrough() throws IOException {
     if (events == 0) {
       return;
     }
@@ -216,6 +218,7 @@ public final class Aedat4Writer implements RecordingWriter {
         lastUs);
     events = 0;
     write(output.clear().limit(end));
+    packetsEnd = position;
   }
 
   @Override
@@ -230,7 +233,7 @@ public final class Aedat4Writer implements RecordingWriter {
     if (finished) {
       throw new IllegalStateException("it is finished already");
     }
-    flush();
+    writeThrough();
     long tablePosition = position;
     write(ByteBuffer.wrap(packer.pack(table.toBytes())));
     byte[] patch = new byte[8];
@@ -246,6 +249,11 @@ public final class Aedat4Writer implements RecordingWriter {
   @Override
   public void close() throws IOException {
     packer.close();
-    owner.close();
+    try (owner) {
+      if (inPlace && !finished && channel.isOpen()) {
+        // What failed may have left a part of a packet.
+        channel.truncate(packetsEnd);
+      }
+    }
   }
 }

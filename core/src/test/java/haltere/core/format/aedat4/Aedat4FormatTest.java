@@ -133,7 +133,7 @@ class Aedat4FormatTest extends RecordingFormatContract {
         Aedat4Writer.createInPlace(file, WriteOptions.of(DAVIS346), Aedat4Compression.LZ4)) {
       writer.write(EventPackets.part(written, 0, 20_000));
       assertEquals(EventPackets.part(written, 0, 16_384), events(file));
-      writer.flush();
+      writer.writeThrough();
       assertEquals(EventPackets.part(written, 0, 20_000), events(file));
       writer.write(EventPackets.part(written, 20_000, 40_000));
     }

@@ -58,7 +58,7 @@ class Aedat4FuzzTest {
         Aedat4Writer.create(file, WriteOptions.of(SENSOR).withOverwrite(true), compression)) {
       for (int i = 0; i < PACKETS; i++) {
         writer.write(EventPackets.part(events, i * EVENTS, (i + 1) * EVENTS));
-        writer.flush();
+        writer.writeThrough();
       }
       writer.finish();
     }

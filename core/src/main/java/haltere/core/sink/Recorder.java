@@ -1,0 +1,313 @@
+package haltere.core.sink;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.RecordingWriter;
+import haltere.core.format.WriteOptions;
+import haltere.core.format.aedat4.Aedat4Compression;
+import haltere.core.format.aedat4.Aedat4Writer;
+import haltere.core.pipeline.LiveBuffer;
+import haltere.core.pipeline.OverflowPolicy;
+import haltere.core.stream.DataLost;
+import haltere.core.stream.EndOfStream;
+import haltere.core.stream.Reset;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import java.io.Closeable;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+
+/**
+ * Records a stream to disk while it is played, or comes from a camera. Packets are copied to a
+ * fixed number of packets ({@value #QUEUE_PACKETS} of {@value #PACKET_EVENTS} events, 25 MB), and a
+ * thread of its own writes them, so a slow disk holds nobody up until those are full. Then the
+ * policy decides: {@link OverflowPolicy#BLOCK} waits (for recordings and scenes, which can wait),
+ * {@link OverflowPolicy#DROP_NEWEST} drops, and counts what it drops. At least every {@value
+ * #FLUSH_MS} ms what has come is in the file, where the writer can do that; {@link #inPlace} makes
+ * a file that is then also readable if the program is killed.
+ *
+ * <p>A recording goes one way. Where playback jumps it is over: what comes after a {@code
+ * Reset(REWIND)} or {@code Reset(SEEK)} that follows events, or after the end of the stream, is not
+ * written but counted.
+ *
+ * <p>A disk that fails ends the recording: the next packet that is handed over throws, and so do
+ * {@link #finish()} and {@link #close()}.
+ *
+ * <p>Thread rule: one thread hands over the stream; everything else may be called from any thread.
+ */
+public final class Recorder implements StreamHandler, Closeable {
+  /** Events of a packet that waits for the disk. */
+  public static final int PACKET_EVENTS = 8192;
+
+  /** Packets that wait for the disk at the most. */
+  public static final int QUEUE_PACKETS = 256;
+
+  /** Milliseconds after which what has come is written though its packet is not full. */
+  public static final int FLUSH_MS = 100;
+
+  private static final int MAX_GAPS = 100;
+  private static final Duration PATIENCE = Duration.ofSeconds(10);
+
+  private final RecordingWriter writer;
+  private final LiveBuffer buffer;
+  private final Duration patience;
+  private final Thread thread;
+
+  // The producer's.
+  private long received;
+  private volatile StreamNotification stoppedBy;
+  private volatile long eventsAfterStop;
+
+  // The writing thread's.
+  private final List<DataLost> gaps = new ArrayList<>();
+  private long waitingNanos;
+  private volatile long handed;
+  private volatile long written;
+  private volatile Throwable failure;
+  private volatile boolean complete;
+
+  /**
+   * Starts to record.
+   *
+   * @param writer owned and closed from now on
+   * @param geometry sensor of the events
+   * @param policy what happens when the disk cannot keep up
+   */
+  public Recorder(RecordingWriter writer, SensorGeometry geometry, OverflowPolicy policy) {
+    this(writer, geometry, policy, QUEUE_PACKETS, PATIENCE);
+  }
+
+  Recorder(
+      RecordingWriter writer,
+      SensorGeometry geometry,
+      OverflowPolicy policy,
+      int queuePackets,
+      Duration patience) {
+    this.writer = Objects.requireNonNull(writer, "writer");
+    this.patience = Objects.requireNonNull(patience, "patience");
+    buffer =
+        LiveBuffer.gathering(geometry, queuePackets, PACKET_EVENTS, policy, "the recorder's disk");
+    thread = new Thread(this::work, "haltere-recorder");
+    thread.setDaemon(true);
+    thread.start();
+  }
+
+  /**
+   * Starts to record to an AEDAT-4 file that is readable, up to its last whole packet, from its
+   * first moment on, even if the program is killed.
+   *
+   * @param file where it will be
+   * @param options about the events
+   * @param policy what happens when the disk cannot keep up
+   * @return a recorder
+   * @throws IOException if the file cannot be written
+   */
+  public static Recorder inPlace(Path file, WriteOptions options, OverflowPolicy policy)
+      throws IOException {
+    return new Recorder(
+        Aedat4Writer.createInPlace(file, options, Aedat4Compression.LZ4),
+        options.geometry(),
+        policy);
+  }
+
+  // ---- The stream's side
+
+  /**
+   * Takes a copy of a packet.
+   *
+   * @param packet borrowed and not changed
+   * @throws UncheckedIOException if an earlier packet could not be written
+   */
+  @Override
+  public void packet(EventPacket packet) {
+    if (stoppedBy != null) {
+      eventsAfterStop += packet.size();
+      return;
+    }
+    if (failure != null) {
+      throw new UncheckedIOException(problem());
+    }
+    received += packet.size();
+    buffer.packet(packet);
+  }
+
+  @Override
+  public void notified(StreamNotification notification) {
+    if (stoppedBy != null) {
+      return;
+    }
+    if (received > 0 && endsRecording(notification)) {
+      stoppedBy = notification;
+    } else if (notification instanceof Reset || notification instanceof DataLost) {
+      buffer.notified(notification);
+    }
+  }
+
+  private static boolean endsRecording(StreamNotification notification) {
+    return notification instanceof EndOfStream
+        || (notification instanceof Reset reset
+            && (reset.cause() == Reset.Cause.REWIND || reset.cause() == Reset.Cause.SEEK));
+  }
+
+  // ---- The writing thread
+
+  private void work() {
+    try (writer) {
+      while (buffer.next(disk)) {
+        if (!buffer.await(untilFlush())) {
+          flush();
+        }
+      }
+      flush();
+      if (complete) {
+        writer.finish();
+      }
+    } catch (IOException | RuntimeException | Error thrown) {
+      failure = thrown;
+    } finally {
+      buffer.close();
+    }
+  }
+
+  private long untilFlush() {
+    return written == handed
+        ? Long.MAX_VALUE
+        : waitingNanos + Duration.ofMillis(FLUSH_MS).toNanos() - System.nanoTime();
+  }
+
+  private void flush() throws IOException {
+    writer.writeThrough();
+    written = handed;
+  }
+
+  private final StreamHandler disk =
+      new StreamHandler() {
+        @Override
+        public void packet(EventPacket packet) {
+          if (written == handed) {
+            waitingNanos = System.nanoTime();
+          }
+          try {
+            writer.write(packet);
+            handed += packet.size();
+            if (untilFlush() <= 0) {
+              flush();
+            }
+          } catch (IOException thrown) {
+            throw new UncheckedIOException(thrown);
+          }
+        }
+
+        @Override
+        public void notified(StreamNotification notification) {
+          if (notification instanceof DataLost gap) {
+            synchronized (gaps) {
+              if (gaps.size() < MAX_GAPS) {
+                gaps.add(gap);
+              }
+            }
+          }
+        }
+      };
+
+  // ---- The end
+
+  /**
+   * Writes what waits and completes the file. Waits for that as long as the disk makes progress.
+   *
+   * @return what was recorded
+   * @throws IOException if something could not be written, or the disk makes no progress for ten
+   *     seconds; what the file then holds the {@link #report()} says
+   * @throws IllegalStateException if it was closed before
+   */
+  public RecorderReport finish() throws IOException {
+    if (!complete && !thread.isAlive() && failure == null) {
+      throw new IllegalStateException("the recording has been closed");
+    }
+    complete = true;
+    end();
+    if (failure != null) {
+      throw problem();
+    }
+    return report();
+  }
+
+  /**
+   * Ends the recording. If it was not finished what waits is still written, but the writer is not
+   * told to finish: a file in place can be read, one that is to appear whole does not appear.
+   *
+   * @throws IOException as {@link #finish()}
+   */
+  @Override
+  public void close() throws IOException {
+    boolean first = thread.isAlive();
+    end();
+    if (first && failure != null) {
+      throw problem();
+    }
+  }
+
+  private void end() throws IOException {
+    buffer.notified(new EndOfStream(StreamNotification.NO_TIME_US));
+    try {
+      long before;
+      do {
+        before = handed;
+        thread.join(patience.toMillis());
+      } while (thread.isAlive() && handed != before);
+      if (thread.isAlive()) {
+        buffer.close();
+        thread.interrupt();
+        throw new IOException(
+            "the disk has taken nothing for "
+                + patience.toSeconds()
+                + " s; the recording has its first "
+                + written
+                + " events");
+      }
+    } catch (InterruptedException interrupted) {
+      buffer.close();
+      thread.interrupt();
+      Thread.currentThread().interrupt();
+      throw new IOException("interrupted while the recording was ended", interrupted);
+    }
+  }
+
+  private IOException problem() {
+    Throwable cause =
+        failure instanceof UncheckedIOException wrapped ? wrapped.getCause() : failure;
+    return new IOException(
+        "the recording could not be written: "
+            + Objects.requireNonNullElse(cause.getMessage(), cause.toString()),
+        cause);
+  }
+
+  /**
+   * What has been recorded.
+   *
+   * @return a reading of this moment; complete once {@link #finish()} or {@link #close()} is done
+   */
+  public RecorderReport report() {
+    LiveBuffer.Counts counts = buffer.counts();
+    List<DataLost> told;
+    synchronized (gaps) {
+      told = List.copyOf(gaps);
+    }
+    boolean failed = failure != null;
+    return new RecorderReport(
+        counts.in(),
+        written,
+        counts.lost() + (failed ? counts.out() - written : 0),
+        eventsAfterStop,
+        counts.waitingPackets(),
+        told,
+        Optional.ofNullable(stoppedBy),
+        failed ? Optional.of(problem().getMessage()) : Optional.empty());
+  }
+}

@@ -1,0 +1,37 @@
+package haltere.core.sink;
+
+import haltere.core.stream.DataLost;
+import haltere.core.stream.StreamNotification;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+
+/**
+ * What a {@link Recorder} has done. Once it has ended, received = written + lost.
+ *
+ * @param received events that it was handed before the recording was over
+ * @param written events that are in the file; after a failure, at least these
+ * @param lost events that were dropped because the disk did not keep up, or failed
+ * @param afterStop events that came after the recording was over
+ * @param waitingPackets packets that wait for the disk
+ * @param gaps where events are missing, the recorder's own losses and those of its source; the
+ *     first hundred
+ * @param stoppedBy the jump or the end that the recording was over with, if it was
+ * @param failure why it failed, in one line, if it did
+ */
+public record RecorderReport(
+    long received,
+    long written,
+    long lost,
+    long afterStop,
+    int waitingPackets,
+    List<DataLost> gaps,
+    Optional<StreamNotification> stoppedBy,
+    Optional<String> failure) {
+  /** Checks that nothing is missing, and copies. */
+  public RecorderReport {
+    gaps = List.copyOf(gaps);
+    Objects.requireNonNull(stoppedBy, "stoppedBy");
+    Objects.requireNonNull(failure, "failure");
+  }
+}
