@@ -78,6 +78,12 @@ class ConvertCommandTest {
   }
 
   @Test
+  void textWhoseRowsCountFromTheBottomComesWithAWarning() {
+    String err = CommandRun.of("convert", in, out).err();
+    assertTrue(err.contains("warning") && err.contains("--origin top"), err);
+  }
+
+  @Test
   void aRecordingKeepsItsEventsThroughAnotherOne() throws IOException {
     List<String> direct = converted();
     Path copy = folder.resolve("copy.aedat");
@@ -102,8 +108,12 @@ class ConvertCommandTest {
 
   @Test
   void theMessageSaysWhatWasWrittenUnlessOneIsQuiet() {
-    assertEquals("wrote " + out + " (100 events)\n", CommandRun.of("convert", in, out).err());
-    assertEquals("", CommandRun.of("convert", "--quiet", "--overwrite", in, out).err());
+    assertEquals(
+        "wrote " + out + " (100 events)\n",
+        CommandRun.of("convert", "--origin", "bottom", in, out).err());
+    assertEquals(
+        "",
+        CommandRun.of("convert", "--quiet", "--origin", "bottom", "--overwrite", in, out).err());
   }
 
   @Test

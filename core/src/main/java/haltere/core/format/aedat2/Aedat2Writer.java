@@ -111,7 +111,11 @@ final class Aedat2Writer implements RecordingWriter {
     buffer.clear();
   }
 
-  private void start(long turnUs) throws IOException {
+  private void start(long firstTurnUs) throws IOException {
+    // A start too far from 0 for the header line counts as a leap.
+    boolean tooFar =
+        firstTurnUs > AedatHeader.MAX_BASE_US || firstTurnUs < -AedatHeader.MAX_BASE_US;
+    long turnUs = tooFar ? 0 : firstTurnUs;
     reader = new WrappingClock(1L << 32, turnUs);
     StringBuilder text = new StringBuilder();
     line(text, AedatHeader.VERSION + "2.0");

@@ -42,7 +42,7 @@ public record AedatHeader(
   private static final int MAX_LINE = 64 * 1024;
   private static final int CLOCK_RECORDS = 32;
   private static final long CLOCK_STEP_US = 60_000_000;
-  private static final long MAX_BASE_US = 1L << 61;
+  static final long MAX_BASE_US = 1L << 61;
   private static final Pattern SIZE = Pattern.compile("(\\d{1,5})x(\\d{1,5})");
   private static final Pattern BASE = Pattern.compile("(-?\\d{1,19}) us");
   private static final Pattern NUMBER = Pattern.compile("(\\d{1,4})(\\.\\S*)?");

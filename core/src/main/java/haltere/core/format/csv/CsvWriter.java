@@ -19,31 +19,40 @@ final class CsvWriter implements RecordingWriter {
   private static final byte[] LONG_MIN =
       Long.toString(Long.MIN_VALUE).getBytes(StandardCharsets.US_ASCII);
 
+  private static final String ROWS_UP =
+      "rows count from the bottom, as in the source; most programs, this one too, take those of text"
+          + " to count from the top: --origin top writes them so";
+
   private final AtomicFile file;
   private final SensorGeometry geometry;
   private final boolean fromTop;
+
+  /** Whether nobody asked where rows count from. */
+  private final boolean unasked;
+
   private final byte[] bytes = new byte[BUFFER_BYTES];
   private int length;
+  private boolean any;
 
-  private CsvWriter(AtomicFile file, SensorGeometry geometry, boolean fromTop) {
+  private CsvWriter(AtomicFile file, WriteOptions options) {
     this.file = file;
-    this.geometry = geometry;
-    this.fromTop = fromTop;
+    geometry = options.geometry();
+    fromTop = options.origin().orElse(geometry.origin()) == Origin.TOP;
+    unasked = options.origin().isEmpty();
     byte[] head = "t_us,x,y,on\n".getBytes(StandardCharsets.US_ASCII);
     System.arraycopy(head, 0, bytes, 0, head.length);
     length = head.length;
   }
 
   static CsvWriter create(Path path, WriteOptions options) throws IOException {
-    Origin origin = options.origin().orElse(options.geometry().origin());
-    return new CsvWriter(
-        AtomicFile.create(path, options.overwrite()), options.geometry(), origin == Origin.TOP);
+    return new CsvWriter(AtomicFile.create(path, options.overwrite()), options);
   }
 
   @Override
   public void write(EventPacket packet) throws IOException {
     int top = geometry.height() - 1;
     int size = packet.size();
+    any |= size > 0;
     for (int i = 0; i < size; i++) {
       if (length > BUFFER_BYTES - MAX_ROW) {
         flush();
@@ -89,7 +98,7 @@ final class CsvWriter implements RecordingWriter {
 
   @Override
   public List<String> losses() {
-    return List.of();
+    return any && unasked && !fromTop && geometry.height() > 1 ? List.of(ROWS_UP) : List.of();
   }
 
   @Override

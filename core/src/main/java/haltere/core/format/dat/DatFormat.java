@@ -38,7 +38,7 @@ public final class DatFormat implements RecordingFormat {
   /** Key of our own header line: time at which the first turn of the clock begins. */
   static final String TIME_BASE = "haltere_time_base_us";
 
-  private static final long MAX_BASE_US = 1L << 61;
+  static final long MAX_BASE_US = 1L << 61;
 
   /** Sizes of sensors; files without a size come from the first ones. */
   private static final List<SensorGeometry> SIZES =

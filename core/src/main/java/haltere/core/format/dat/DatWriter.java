@@ -135,7 +135,10 @@ final class DatWriter implements RecordingWriter {
     buffer.clear();
   }
 
-  private void start(long turnUs) throws IOException {
+  private void start(long firstTurnUs) throws IOException {
+    // A start too far from 0 for the header line counts as a leap.
+    boolean tooFar = firstTurnUs > DatFormat.MAX_BASE_US || firstTurnUs < -DatFormat.MAX_BASE_US;
+    long turnUs = tooFar ? 0 : firstTurnUs;
     reader = new WrappingClock(TURN_US, turnUs);
     StringBuilder text = new StringBuilder();
     line(text, "Data file containing CD events");

@@ -28,7 +28,9 @@ class CsvFormatTest {
     try (RecordingWriter writer =
         Recordings.forWriting(file).create(file, options.withOverwrite(true)).orElseThrow()) {
       writer.write(packet);
-      assertEquals(List.of(), writer.losses());
+      boolean surprising =
+          options.geometry().origin() == Origin.BOTTOM && options.origin().isEmpty();
+      assertEquals(surprising ? 1 : 0, writer.losses().size(), writer.losses().toString());
       writer.finish();
     }
     return Files.readAllLines(file);

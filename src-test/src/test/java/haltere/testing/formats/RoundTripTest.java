@@ -1,0 +1,269 @@
+package haltere.testing.formats;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.core.chain.FilterChain;
+import haltere.core.chain.Filters;
+import haltere.core.event.EventPacket;
+import haltere.core.event.Origin;
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.Conversion;
+import haltere.core.format.ProgressListener;
+import haltere.core.format.ReadOptions;
+import haltere.core.format.RecordingFormat;
+import haltere.core.format.RecordingProblem;
+import haltere.core.format.RecordingReader;
+import haltere.core.format.RecordingWriter;
+import haltere.core.format.Recordings;
+import haltere.core.format.WriteOptions;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamStarted;
+import haltere.testing.EventPackets;
+import haltere.testing.MemoryRecording;
+import haltere.testing.StreamRecorder;
+import haltere.testing.formats.RandomRecordings.Recording;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/**
+ * What is written comes back as it was, in every format that there is and from every one to every
+ * other, or the writer says what it could not keep.
+ */
+class RoundTripTest {
+  /** What writers of text say, whose readers take rows to count from the top. */
+  private static final String ROWS_UP =
+      "rows count from the bottom, as in the source; most programs, this one too, take those of text"
+          + " to count from the top: --origin top writes them so";
+
+  @TempDir Path folder;
+
+  private int files;
+
+  static Stream<String> writable() {
+    return Recordings.formats().values().stream()
+        .filter(RecordingFormat::writable)
+        .map(RecordingFormat::name);
+  }
+
+  private Path newFile(String format) {
+    return folder.resolve("recording-" + files++ + "." + format);
+  }
+
+  /** What became of a recording: all empty if the writer refused it. */
+  private record Written(Path file, Optional<List<String>> warnings) {}
+
+  private Written convert(RecordingReader from, String to, Conversion conversion)
+      throws IOException {
+    Path file = newFile(to);
+    try (RecordingWriter writer =
+        Recordings.formats().get(to).create(file, WriteOptions.of(from.geometry())).orElseThrow()) {
+      conversion.run(from, writer);
+      return new Written(file, Optional.of(writer.losses()));
+    } catch (RecordingProblem refused) {
+      assertTrue(refused.getMessage().startsWith(file + ": "), refused.getMessage());
+      assertEquals(1, refused.getMessage().lines().count(), refused.getMessage());
+      return new Written(file, Optional.empty());
+    }
+  }
+
+  private static Conversion everything() {
+    return part(Long.MIN_VALUE, Long.MAX_VALUE, Optional.empty());
+  }
+
+  private static Conversion part(long fromUs, long toUs, Optional<StreamHandler> stage) {
+    return new Conversion(fromUs, toUs, stage, ProgressListener.NONE);
+  }
+
+  private static RecordingReader open(Path file, SensorGeometry sensor) throws IOException {
+    return Recordings.open(file, ReadOptions.DEFAULT.withSensor(sensor));
+  }
+
+  private static void assertSize(SensorGeometry sensor, RecordingReader reader, String what) {
+    assertEquals(sensor.toString(), reader.geometry().toString(), what);
+  }
+
+  private static void assertSamePixels(EventPacket expected, EventPacket got, String what) {
+    assertEquals(expected.size(), got.size(), what);
+    for (int i = 0; i < expected.size(); i++) {
+      assertEquals(expected.address(i), got.address(i), what + ", event " + i);
+    }
+  }
+
+  /** Reads what was written and compares; times and rows may differ if the writer said so. */
+  private void assertKept(Recording recording, Written written, String what) throws IOException {
+    List<String> losses = written.warnings().orElseThrow();
+    StreamRecorder got = new StreamRecorder();
+    List<String> violations;
+    try (RecordingReader reader = open(written.file(), recording.sensor())) {
+      assertSize(recording.sensor(), reader, what);
+      reader.drainTo(got);
+      violations = reader.violations().describe();
+    }
+    EventPacket expected =
+        losses.contains(ROWS_UP)
+            ? turned(recording.events(), recording.sensor())
+            : recording.events();
+    if (losses.stream().noneMatch(line -> line.contains("read back"))) {
+      assertEquals(expected, got.events(), what + losses);
+      assertEquals(List.of(), violations, what);
+    } else {
+      assertSamePixels(expected, got.events(), what + losses);
+    }
+  }
+
+  private static EventPacket turned(EventPacket events, SensorGeometry sensor) {
+    EventPacket turned = new EventPacket(events.size());
+    for (int i = 0; i < events.size(); i++) {
+      int y = sensor.height() - 1 - events.y(i);
+      turned.append(events.timeUs(i), events.x(i), y, events.isOn(i));
+    }
+    return turned;
+  }
+
+  /** Whether nothing is said but that rows count from the bottom, where they do. */
+  private static void assertNothingSaid(SensorGeometry source, Written written, String what) {
+    List<String> said = written.warnings().orElseThrow();
+    boolean fromBottom = source.origin() == Origin.BOTTOM;
+    assertTrue(said.isEmpty() || fromBottom && said.equals(List.of(ROWS_UP)), what + said);
+  }
+
+  private Written write(Recording recording, String format) throws IOException {
+    EventPacket[] stretches =
+        recording.events().isEmpty() ? new EventPacket[0] : new EventPacket[] {recording.events()};
+    SplittableRandom sizes = new SplittableRandom(recording.events().size());
+    return convert(
+        new MemoryRecording(recording.sensor(), () -> sizes.nextInt(1, 100), stretches),
+        format,
+        everything());
+  }
+
+  @ParameterizedTest
+  @MethodSource("writable")
+  void whatEveryFormatHoldsComesBackWithoutAWord(String format) throws IOException {
+    for (Recording recording : RandomRecordings.plain()) {
+      Written written = write(recording, format);
+      String what = format + ", " + recording;
+      assertNothingSaid(recording.sensor(), written, what);
+      assertKept(recording, written, what);
+    }
+  }
+
+  @ParameterizedTest
+  @MethodSource("writable")
+  void whatAFormatCannotHoldIsSaid(String format) throws IOException {
+    for (Recording recording : RandomRecordings.extreme()) {
+      Written written = write(recording, format);
+      if (written.warnings().isPresent()) {
+        assertKept(recording, written, format + ", " + recording);
+      }
+    }
+  }
+
+  @ParameterizedTest
+  @MethodSource("writable")
+  void aFileWhoseSizeIsNotStatedSaysThatItWasGuessed(String format) throws IOException {
+    for (Recording recording : RandomRecordings.plain()) {
+      Written written = write(recording, format);
+      try (RecordingReader reader = Recordings.open(written.file())) {
+        boolean same = reader.geometry().toString().equals(recording.sensor().toString());
+        boolean said = reader.remarks().stream().anyMatch(line -> line.contains("--sensor"));
+        assertTrue(same || said, format + ", " + recording + ": " + reader.remarks());
+      }
+    }
+  }
+
+  @ParameterizedTest
+  @MethodSource("writable")
+  void everyOtherFormatTakesItOver(String format) throws IOException {
+    for (Recording original : RandomRecordings.plain()) {
+      Recording recording = fromTheTop(original);
+      Written first = write(recording, format);
+      for (String other : writable().toList()) {
+        String what = format + " to " + other + ", " + recording;
+        Written second;
+        SensorGeometry source;
+        try (RecordingReader reader = open(first.file(), recording.sensor())) {
+          source = reader.geometry();
+          second = convert(reader, other, everything());
+        }
+        assertNothingSaid(source, second, what);
+        assertKept(recording, second, what);
+      }
+    }
+  }
+
+  private static Recording fromTheTop(Recording recording) {
+    SensorGeometry sensor = recording.sensor();
+    return new Recording(
+        recording.name(),
+        recording.plain(),
+        new SensorGeometry(sensor.width(), sensor.height(), Origin.TOP),
+        recording.events());
+  }
+
+  @ParameterizedTest
+  @MethodSource("writable")
+  void aStretchIsHalfOpenAndFiltersSeeNothingElse(String format) throws IOException {
+    SensorGeometry sensor = new SensorGeometry(240, 180, Origin.TOP);
+    EventPacket events = RandomRecordings.random(sensor, 31, 3000, 5000);
+    Recording recording = new Recording("to be cut", true, sensor, events);
+    Written whole = write(recording, format);
+    SplittableRandom random = new SplittableRandom(32);
+    for (int i = 0; i < 20; i++) {
+      long fromUs = events.timeUs(random.nextInt(events.size())) + random.nextInt(-1, 2);
+      long toUs = Math.max(fromUs, events.timeUs(random.nextInt(events.size())));
+      EventPacket expected =
+          EventPackets.part(events, events.indexAtOrAfter(fromUs), events.indexAtOrAfter(toUs));
+      Optional<StreamHandler> stage = Optional.empty();
+      if (i % 2 == 1) {
+        FilterChain alone = chain(sensor);
+        alone.notified(new StreamStarted(sensor, "test"));
+        alone.packet(expected);
+        stage = Optional.of(chain(sensor));
+      }
+      String what = format + ", " + fromUs + " to " + toUs + " us";
+      Written part;
+      try (RecordingReader reader = open(whole.file(), sensor)) {
+        part = convert(reader, format, part(fromUs, toUs, stage));
+      }
+      assertKept(new Recording("cut", true, sensor, expected), part, what);
+    }
+  }
+
+  private static FilterChain chain(SensorGeometry sensor) {
+    FilterChain chain = new FilterChain(sensor);
+    chain.add(Filters.named("refractory"));
+    chain.add(Filters.named("background-activity"));
+    return chain;
+  }
+
+  @ParameterizedTest
+  @MethodSource("writable")
+  void whereRowsCountFromDoesNotChangeWhatComesBack(String format) throws IOException {
+    SensorGeometry sensor = new SensorGeometry(240, 180, Origin.BOTTOM);
+    EventPacket events = RandomRecordings.random(sensor, 33, 500, 5000);
+    Path file = newFile(format);
+    WriteOptions fromTop =
+        new WriteOptions(sensor, false, Optional.of(Origin.TOP), Map.of("remark", "none"));
+    try (RecordingWriter writer =
+        Recordings.formats().get(format).create(file, fromTop).orElseThrow()) {
+      writer.write(events);
+      assertEquals(List.of(), writer.losses());
+      writer.finish();
+    }
+    StreamRecorder got = new StreamRecorder();
+    try (RecordingReader reader = open(file, sensor)) {
+      reader.drainTo(got);
+    }
+    assertEquals(events, got.events(), format);
+  }
+}
