@@ -9,18 +9,23 @@ import java.util.Optional;
  *
  * @param sensor the sensor's size where the file does not state it; the file's own word wins
  * @param format name of the format to read it as, whatever its content looks like
+ * @param topic which of several streams of events is read; the name of a bag's topic
  * @param packetEvents events per packet at the most, 1 to 1,048,576
  */
 public record ReadOptions(
-    Optional<SensorGeometry> sensor, Optional<String> format, int packetEvents) {
+    Optional<SensorGeometry> sensor,
+    Optional<String> format,
+    Optional<String> topic,
+    int packetEvents) {
   /** What everybody starts with. */
   public static final ReadOptions DEFAULT =
-      new ReadOptions(Optional.empty(), Optional.empty(), 8192);
+      new ReadOptions(Optional.empty(), Optional.empty(), Optional.empty(), 8192);
 
   /** Checks the values. */
   public ReadOptions {
     Objects.requireNonNull(sensor, "sensor");
     Objects.requireNonNull(format, "format");
+    Objects.requireNonNull(topic, "topic");
     if (packetEvents < 1 || packetEvents > 1 << 20) {
       throw new IllegalArgumentException(
           "packets hold 1 to " + (1 << 20) + " events, not " + packetEvents);
@@ -34,7 +39,7 @@ public record ReadOptions(
    * @return new options
    */
   public ReadOptions withSensor(SensorGeometry geometry) {
-    return new ReadOptions(Optional.of(geometry), format, packetEvents);
+    return new ReadOptions(Optional.of(geometry), format, topic, packetEvents);
   }
 
   /**
@@ -44,7 +49,17 @@ public record ReadOptions(
    * @return new options
    */
   public ReadOptions withFormat(String name) {
-    return new ReadOptions(sensor, Optional.of(name), packetEvents);
+    return new ReadOptions(sensor, Optional.of(name), topic, packetEvents);
+  }
+
+  /**
+   * The same options but for the topic.
+   *
+   * @param name of a topic of events
+   * @return new options
+   */
+  public ReadOptions withTopic(String name) {
+    return new ReadOptions(sensor, format, Optional.of(name), packetEvents);
   }
 
   /**
@@ -54,6 +69,6 @@ public record ReadOptions(
    * @return new options
    */
   public ReadOptions withPacketEvents(int events) {
-    return new ReadOptions(sensor, format, events);
+    return new ReadOptions(sensor, format, topic, events);
   }
 }
