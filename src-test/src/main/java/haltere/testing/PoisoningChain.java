@@ -3,6 +3,7 @@ package haltere.testing;
 import haltere.core.chain.EventFilter;
 import haltere.core.chain.Outlet;
 import haltere.core.event.EventPacket;
+import haltere.core.event.SensorReading;
 import haltere.core.overlay.OverlayLayer;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
@@ -71,6 +72,12 @@ public final class PoisoningChain implements EventFilter, StreamHandler {
   @Override
   public void reset() {
     filter.reset();
+  }
+
+  @Override
+  public void reading(SensorReading reading) {
+    checkPoison();
+    filter.reading(reading);
   }
 
   @Override

@@ -3,6 +3,7 @@ package haltere.testing;
 import haltere.core.event.EventPacket;
 import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
+import haltere.core.event.SensorReading;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import java.util.ArrayList;
@@ -16,6 +17,7 @@ import java.util.zip.CRC32;
 public final class StreamRecorder implements StreamHandler {
   private final EventPacket events = new EventPacket(0);
   private final List<Notice> notices = new ArrayList<>();
+  private final List<Read> readings = new ArrayList<>();
   private int largestPacket;
 
   /** A recorder of nothing yet. */
@@ -29,10 +31,23 @@ public final class StreamRecorder implements StreamHandler {
    */
   public record Notice(int eventsBefore, StreamNotification notification) {}
 
+  /**
+   * A reading and its place.
+   *
+   * @param eventsBefore events that came before it
+   * @param reading what came
+   */
+  public record Read(int eventsBefore, SensorReading reading) {}
+
   @Override
   public void packet(EventPacket packet) {
     events.append(packet, 0, packet.size());
     largestPacket = Math.max(largestPacket, packet.size());
+  }
+
+  @Override
+  public void reading(SensorReading reading) {
+    readings.add(new Read(events.size(), reading));
   }
 
   @Override
@@ -56,6 +71,26 @@ public final class StreamRecorder implements StreamHandler {
    */
   public List<Notice> notices() {
     return notices;
+  }
+
+  /**
+   * All readings, each with its place.
+   *
+   * @return not copied
+   */
+  public List<Read> placedReadings() {
+    return readings;
+  }
+
+  /**
+   * The readings of a kind.
+   *
+   * @param kind class of the reading
+   * @param <T> the kind
+   * @return in the order in which they came
+   */
+  public <T extends SensorReading> List<T> readings(Class<T> kind) {
+    return readings.stream().map(Read::reading).filter(kind::isInstance).map(kind::cast).toList();
   }
 
   /**

@@ -1,6 +1,7 @@
 package haltere.core.chain;
 
 import haltere.core.event.EventPacket;
+import haltere.core.event.SensorReading;
 import haltere.core.stream.Reset;
 import haltere.core.stream.StreamNotification;
 import java.util.Objects;
@@ -115,6 +116,14 @@ public final class ChainStage {
     }
     try {
       filter.notified(notification);
+    } catch (RuntimeException thrown) {
+      throw thrown instanceof FilterFailure named ? named : new FilterFailure(this, thrown);
+    }
+  }
+
+  void reading(SensorReading reading) {
+    try {
+      filter.reading(reading);
     } catch (RuntimeException thrown) {
       throw thrown instanceof FilterFailure named ? named : new FilterFailure(this, thrown);
     }

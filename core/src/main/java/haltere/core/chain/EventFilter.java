@@ -1,6 +1,7 @@
 package haltere.core.chain;
 
 import haltere.core.event.EventPacket;
+import haltere.core.event.SensorReading;
 import haltere.core.overlay.OverlayLayer;
 import haltere.core.stream.StreamNotification;
 import java.util.List;
@@ -45,6 +46,14 @@ public interface EventFilter {
       reset();
     }
   }
+
+  /**
+   * Is shown a frame, an inertial sample or a trigger, at its place among the events. Most filters
+   * see polarity events only and leave this as it is.
+   *
+   * @param reading immutable; it may be kept
+   */
+  default void reading(SensorReading reading) {}
 
   /**
    * Where the filter publishes its results.

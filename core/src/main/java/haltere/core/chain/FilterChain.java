@@ -3,6 +3,7 @@ package haltere.core.chain;
 import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.event.SensorReading;
 import haltere.core.overlay.OverlayLayer;
 import haltere.core.stream.Reset;
 import haltere.core.stream.StreamHandler;
@@ -285,6 +286,15 @@ public final class FilterChain implements EventFilter, StreamHandler {
     }
     if (first != null) {
       throw first;
+    }
+  }
+
+  @Override
+  public void reading(SensorReading reading) {
+    for (ChainStage stage : stages) {
+      if (stage.isEnabled()) {
+        stage.reading(reading);
+      }
     }
   }
 

@@ -1,6 +1,7 @@
 package haltere.core.format;
 
 import haltere.core.event.EventPacket;
+import haltere.core.event.SensorReading;
 import haltere.core.stream.EndOfStream;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
@@ -49,10 +50,17 @@ public final class Conversion {
    *
    * @param eventsRead events of the recording within the time
    * @param eventsWritten events that the stage left of them
+   * @param readingsWritten frames, inertial samples and triggers that were written
+   * @param readingsLeftOut those that the written format cannot hold
    * @param warnings what the reader assumed, what was wrong in the file and what the written format
    *     could not hold
    */
-  public record Result(long eventsRead, long eventsWritten, List<String> warnings) {
+  public record Result(
+      long eventsRead,
+      long eventsWritten,
+      ReadingCounts readingsWritten,
+      ReadingCounts readingsLeftOut,
+      List<String> warnings) {
     /** Copies the warnings. */
     public Result {
       warnings = List.copyOf(warnings);
@@ -98,7 +106,12 @@ public final class Conversion {
     List<String> warnings = new java.util.ArrayList<>(reader.remarks());
     warnings.addAll(reader.violations().describe());
     warnings.addAll(writer.losses());
-    return new Result(copy.eventsRead, copy.eventsWritten, warnings);
+    if (!copy.readingsLeftOut.isEmpty()) {
+      warnings.add(
+          copy.readingsLeftOut + " were left out: the format that is written cannot hold them");
+    }
+    return new Result(
+        copy.eventsRead, copy.eventsWritten, copy.readingsWritten, copy.readingsLeftOut, warnings);
   }
 
   private final class Copy implements StreamHandler {
@@ -108,6 +121,8 @@ public final class Conversion {
     private long eventsRead;
     private long eventsWritten;
     private long lastUs = StreamNotification.NO_TIME_US;
+    private ReadingCounts readingsWritten = ReadingCounts.NONE;
+    private ReadingCounts readingsLeftOut = ReadingCounts.NONE;
     private boolean past;
     private boolean ended;
 
@@ -138,6 +153,23 @@ public final class Conversion {
       eventsWritten += wanted.size();
       try {
         writer.write(wanted);
+      } catch (IOException failure) {
+        throw new UncheckedIOException(failure);
+      }
+    }
+
+    @Override
+    public void reading(SensorReading reading) {
+      if (reading.timeUs() < fromUs || reading.timeUs() >= toUs && toUs != Long.MAX_VALUE) {
+        return;
+      }
+      stage.ifPresent(handler -> handler.reading(reading));
+      try {
+        if (writer.write(reading)) {
+          readingsWritten = readingsWritten.plus(reading.kind());
+        } else {
+          readingsLeftOut = readingsLeftOut.plus(reading.kind());
+        }
       } catch (IOException failure) {
         throw new UncheckedIOException(failure);
       }

@@ -2,15 +2,18 @@ package haltere.core.format;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.event.SensorReading;
 import haltere.core.stream.EndOfStream;
 import haltere.core.stream.Reset;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import haltere.core.stream.StreamStarted;
 import java.io.IOException;
+import java.io.InterruptedIOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 
 /**
  * The reader of every format whose events an {@link EventCursor} can decode: it makes the stream's
@@ -35,6 +38,9 @@ public final class DecodingReader implements RecordingReader {
   private final ViolationCounts violations;
   private final EventCursor cursor;
   private final EventPacket packet = new EventPacket(0);
+  private final Optional<ReadingCursor.Factory> readings;
+  private final ViolationCounts readingViolations = new ViolationCounts();
+  private final EventPacket piece = new EventPacket(0);
 
   private State state = State.BEFORE_START;
   private long deliveredUs = StreamNotification.NO_TIME_US;
@@ -43,6 +49,9 @@ public final class DecodingReader implements RecordingReader {
   private boolean sought;
   private boolean primed;
   private TimeIndex index;
+  private ReadingOrder order;
+  private int given;
+  private long packetOffset;
 
   /**
    * A reader at the start of a recording.
@@ -65,6 +74,32 @@ public final class DecodingReader implements RecordingReader {
       ViolationCounts violations,
       EventCursor.Factory cursors)
       throws IOException {
+    this(formatName, file, geometry, remarks, options, violations, cursors, Optional.empty());
+  }
+
+  /**
+   * A reader at the start of a recording of a format that may hold more than events.
+   *
+   * @param formatName the format's name
+   * @param file the file, closed with the reader
+   * @param geometry sensor of the events
+   * @param remarks what a user should know about how the file is read
+   * @param options how large packets are, and whether readings are wanted
+   * @param violations what was found wrong up to now, and where everything else is counted
+   * @param cursors decode the events
+   * @param readings read frames, inertial samples and triggers; asked only if those are wanted
+   * @throws IOException if the file cannot be read
+   */
+  public DecodingReader(
+      String formatName,
+      RecordingFile file,
+      SensorGeometry geometry,
+      List<String> remarks,
+      ReadOptions options,
+      ViolationCounts violations,
+      EventCursor.Factory cursors,
+      Optional<ReadingCursor.Factory> readings)
+      throws IOException {
     this.formatName = Objects.requireNonNull(formatName, "formatName");
     this.file = file;
     this.geometry = Objects.requireNonNull(geometry, "geometry");
@@ -72,6 +107,10 @@ public final class DecodingReader implements RecordingReader {
     packetEvents = options.packetEvents();
     this.violations = violations;
     this.cursors = cursors;
+    this.readings = readings;
+    if (options.readings() && readings.isPresent()) {
+      order = new ReadingOrder(readings.get().open(readingViolations));
+    }
     cursor = cursors.open(violations);
   }
 
@@ -133,6 +172,10 @@ public final class DecodingReader implements RecordingReader {
               primed ? packet.firstTimeUs() : StreamNotification.NO_TIME_US));
       return true;
     }
+    if (order != null) {
+      nextOrdered(handler);
+      return true;
+    }
     if (!primed) {
       packet.clear();
       fill();
@@ -141,7 +184,14 @@ public final class DecodingReader implements RecordingReader {
     if (!packet.isEmpty()) {
       deliveredUs = packet.lastTimeUs();
       handler.packet(packet);
-    } else if (restart) {
+    } else {
+      giveNotification(handler);
+    }
+    return true;
+  }
+
+  private void giveNotification(StreamHandler handler) {
+    if (restart) {
       restart = false;
       Reset reset = new Reset(Reset.Cause.CLOCK_RESTARTED, cursor.lastUs(), cursor.restartUs());
       cursor.acceptRestart();
@@ -150,7 +200,70 @@ public final class DecodingReader implements RecordingReader {
       state = State.ENDED;
       handler.notified(new EndOfStream(deliveredUs));
     }
-    return true;
+  }
+
+  /** As {@link #next}, with readings between the events. */
+  private void nextOrdered(StreamHandler handler) throws IOException {
+    if (!primed) {
+      packet.clear();
+      given = 0;
+      packetOffset = cursor.positionBytes();
+      fill();
+      primed = !packet.isEmpty();
+    }
+    if (primed) {
+      if (order.isDueBefore(packet.timeUs(given), packetOffset)) {
+        giveReading(handler);
+      } else {
+        giveEvents(handler, packet.indexAtOrAfter(order.nextUs(), given));
+      }
+    } else if (restart
+        ? order.isDueBeforeRestart(cursor.positionBytes())
+        : order.isDueBeforeEnd()) {
+      giveReading(handler);
+    } else {
+      if (restart) {
+        order.restarted();
+      }
+      giveNotification(handler);
+    }
+  }
+
+  private void giveReading(StreamHandler handler) {
+    SensorReading reading = order.take();
+    violations.take(Violation.INCOMPLETE_READING, readingViolations);
+    handler.reading(reading);
+  }
+
+  private void giveEvents(StreamHandler handler, int to) {
+    deliveredUs = packet.timeUs(to - 1);
+    int from = given;
+    given = to;
+    primed = to < packet.size();
+    if (from == 0 && !primed) {
+      handler.packet(packet);
+      return;
+    }
+    piece.clear();
+    piece.append(packet, from, to);
+    handler.packet(piece);
+  }
+
+  @Override
+  public ReadingCounts countReadings() throws IOException {
+    if (readings.isEmpty()) {
+      return ReadingCounts.NONE;
+    }
+    ReadingCounts counts = ReadingCounts.NONE;
+    try (ReadingCursor counter = readings.get().open(new ViolationCounts())) {
+      while (counter.next()) {
+        if (Thread.currentThread().isInterrupted()) {
+          throw new InterruptedIOException("interrupted while reading " + file.path());
+        }
+        counts = counts.plus(counter.reading().kind());
+      }
+    }
+    return counts;
   }
 
   /** Decodes until the packet is full, the clock goes back or the file ends. */
@@ -198,10 +311,28 @@ public final class DecodingReader implements RecordingReader {
     }
     if (wanted >= segments.size()) {
       atEnd = true;
+      seekReadingsOutsideOfEvents(segments.isEmpty(), timeUs);
       return;
+    }
+    if (order != null) {
+      order.seek(index.stateBefore(wanted, fromUs), fromUs, index.startOffset(wanted));
     }
     index.seek(cursor, wanted, fromUs);
     dropBefore(fromUs);
+  }
+
+  /** A recording without events may hold readings; behind the last event there is nothing. */
+  private void seekReadingsOutsideOfEvents(boolean noEvents, long timeUs) throws IOException {
+    if (order == null) {
+      return;
+    }
+    order.close();
+    order = new ReadingOrder(readings.orElseThrow().open(readingViolations));
+    if (noEvents) {
+      order.dropBefore(timeUs);
+    } else {
+      order.seekEnd();
+    }
   }
 
   /**
@@ -219,6 +350,8 @@ public final class DecodingReader implements RecordingReader {
       packet.move(before + i, i);
     }
     packet.truncate(kept);
+    given = 0;
+    packetOffset = cursor.positionBytes();
     primed = kept > 0;
   }
 
@@ -226,6 +359,9 @@ public final class DecodingReader implements RecordingReader {
   public void close() throws IOException {
     try {
       cursor.close();
+      if (order != null) {
+        order.close();
+      }
     } finally {
       file.close();
     }

@@ -9,27 +9,34 @@ import java.util.Optional;
  *
  * @param sensor the sensor's size where the file does not state it; the file's own word wins
  * @param format name of the format to read it as, whatever its content looks like
- * @param topic which of several streams of events is read; the name of a bag's topic
  * @param packetEvents events per packet at the most, 1 to 1,048,576
+ * @param readings whether frames, inertial samples and triggers are wanted too
  */
 public record ReadOptions(
-    Optional<SensorGeometry> sensor,
-    Optional<String> format,
-    Optional<String> topic,
-    int packetEvents) {
+    Optional<SensorGeometry> sensor, Optional<String> format, int packetEvents, boolean readings) {
   /** What everybody starts with. */
   public static final ReadOptions DEFAULT =
-      new ReadOptions(Optional.empty(), Optional.empty(), Optional.empty(), 8192);
+      new ReadOptions(Optional.empty(), Optional.empty(), 8192, false);
 
   /** Checks the values. */
   public ReadOptions {
     Objects.requireNonNull(sensor, "sensor");
     Objects.requireNonNull(format, "format");
-    Objects.requireNonNull(topic, "topic");
     if (packetEvents < 1 || packetEvents > 1 << 20) {
       throw new IllegalArgumentException(
           "packets hold 1 to " + (1 << 20) + " events, not " + packetEvents);
     }
+  }
+
+  /**
+   * Options of one who wants events only.
+   *
+   * @param sensor the sensor's size where the file does not state it
+   * @param format name of the format to read it as
+   * @param packetEvents events per packet at the most, 1 to 1,048,576
+   */
+  public ReadOptions(Optional<SensorGeometry> sensor, Optional<String> format, int packetEvents) {
+    this(sensor, format, packetEvents, false);
   }
 
   /**
@@ -39,7 +46,7 @@ public record ReadOptions(
    * @return new options
    */
   public ReadOptions withSensor(SensorGeometry geometry) {
-    return new ReadOptions(Optional.of(geometry), format, topic, packetEvents);
+    return new ReadOptions(Optional.of(geometry), format, packetEvents, readings);
   }
 
   /**
@@ -49,17 +56,7 @@ public record ReadOptions(
    * @return new options
    */
   public ReadOptions withFormat(String name) {
-    return new ReadOptions(sensor, Optional.of(name), topic, packetEvents);
-  }
-
-  /**
-   * The same options but for the topic.
-   *
-   * @param name of a topic of events
-   * @return new options
-   */
-  public ReadOptions withTopic(String name) {
-    return new ReadOptions(sensor, format, Optional.of(name), packetEvents);
+    return new ReadOptions(sensor, Optional.of(name), packetEvents, readings);
   }
 
   /**
@@ -69,6 +66,16 @@ public record ReadOptions(
    * @return new options
    */
   public ReadOptions withPacketEvents(int events) {
-    return new ReadOptions(sensor, format, topic, events);
+    return new ReadOptions(sensor, format, events, readings);
+  }
+
+  /**
+   * The same options but for readings.
+   *
+   * @param wanted whether frames, inertial samples and triggers are wanted too
+   * @return new options
+   */
+  public ReadOptions withReadings(boolean wanted) {
+    return new ReadOptions(sensor, format, packetEvents, wanted);
   }
 }

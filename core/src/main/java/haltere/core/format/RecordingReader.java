@@ -58,6 +58,17 @@ public interface RecordingReader extends EventSource {
   List<String> remarks();
 
   /**
+   * How many frames, inertial samples and triggers the recording holds, whether or not they are
+   * wanted as a part of the stream. It may read through the file, but does not move this reader.
+   *
+   * @return counts; {@link ReadingCounts#NONE} for formats that have no such thing
+   * @throws IOException if the file can no longer be read
+   */
+  default ReadingCounts countReadings() throws IOException {
+    return ReadingCounts.NONE;
+  }
+
+  /**
    * The stretches of continuous time, in file order. The first call may read through the file.
    *
    * @return at least one segment unless the recording has no event

@@ -32,6 +32,7 @@ import java.util.Objects;
  * @param gaps losses that the recording itself tells of, and silences of the whole sensor of at
  *     least {@link #SILENCE_US}; the first {@link #MAX_LISTED}
  * @param segments stretches between which the clock goes back; the first {@link #MAX_LISTED}
+ * @param readings frames, inertial samples and triggers that it holds beside the events
  * @param warnings what a user should know: assumptions of the reader and what was wrong or left out
  */
 public record RecordingSummary(
@@ -48,6 +49,7 @@ public record RecordingSummary(
     boolean timestampsMonotonic,
     List<Gap> gaps,
     List<TimeSegment> segments,
+    ReadingCounts readings,
     List<String> warnings) {
   /** Silence of a whole sensor that counts as a gap: any sensor's noise is denser than that. */
   public static final long SILENCE_US = 1_000_000;
@@ -61,6 +63,7 @@ public record RecordingSummary(
   public RecordingSummary {
     Objects.requireNonNull(format, "format");
     Objects.requireNonNull(geometry, "geometry");
+    Objects.requireNonNull(readings, "readings");
     gaps = List.copyOf(gaps);
     segments = List.copyOf(segments);
     warnings = List.copyOf(warnings);
@@ -88,7 +91,8 @@ public record RecordingSummary(
         progress.progress(reported, reader.sizeBytes());
       }
     }
-    return scan.summary(reader);
+    boolean others = reader.violations().count(Violation.OTHER_DATA) > 0;
+    return scan.summary(reader, others ? reader.countReadings() : ReadingCounts.NONE);
   }
 
   private static final class Scan implements StreamHandler {
@@ -174,7 +178,7 @@ public record RecordingSummary(
       }
     }
 
-    RecordingSummary summary(RecordingReader reader) {
+    RecordingSummary summary(RecordingReader reader, ReadingCounts readings) {
       startPeak(0);
       endSegment();
       List<String> warnings = new ArrayList<>(reader.remarks());
@@ -200,6 +204,7 @@ public record RecordingSummary(
           monotonic,
           gaps,
           segments,
+          readings,
           warnings);
     }
   }

@@ -1,6 +1,7 @@
 package haltere.core.format;
 
 import haltere.core.event.EventPacket;
+import haltere.core.event.SensorReading;
 import java.io.Closeable;
 import java.io.IOException;
 import java.util.List;
@@ -27,6 +28,17 @@ public interface RecordingWriter extends Closeable {
    * @throws IOException if it cannot be written
    */
   default void writeThrough() throws IOException {}
+
+  /**
+   * Writes a frame, an inertial sample or a trigger. It comes in order of time among the packets.
+   *
+   * @param reading what to write
+   * @return false if the format holds nothing of the kind, so that it is lost
+   * @throws IOException if it cannot be written
+   */
+  default boolean write(SensorReading reading) throws IOException {
+    return false;
+  }
 
   /**
    * What the format could not hold so far, such as times beyond its clock.

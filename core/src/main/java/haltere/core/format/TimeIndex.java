@@ -24,6 +24,7 @@ final class TimeIndex {
   private final int stateLongs;
   private final List<TimeSegment> segments = new ArrayList<>();
   private int[] firstWaypoint = new int[4];
+  private long[] startOffsets = new long[4];
   private int waypoints;
   private long[] lastsUs = new long[64];
   private long[] states;
@@ -84,8 +85,10 @@ final class TimeIndex {
     }
     if (segment == firstWaypoint.length) {
       firstWaypoint = Arrays.copyOf(firstWaypoint, segment * 2);
+      startOffsets = Arrays.copyOf(startOffsets, segment * 2);
     }
     firstWaypoint[segment] = waypoints;
+    startOffsets[segment] = offset;
   }
 
   private void addWaypoint(long[] state, long lastUs) {
@@ -104,6 +107,21 @@ final class TimeIndex {
 
   /** Puts a cursor at the last waypoint of a segment before which all events are before a time. */
   void seek(EventCursor cursor, int segment, long timeUs) throws IOException {
+    cursor.restore(states, waypoint(segment, timeUs) * stateLongs);
+  }
+
+  /** The state one waypoint earlier, for what stands somewhat before the events of its time. */
+  long[] stateBefore(int segment, long timeUs) {
+    int waypoint = Math.max(firstWaypoint[segment], waypoint(segment, timeUs) - 1);
+    return Arrays.copyOfRange(states, waypoint * stateLongs, (waypoint + 1) * stateLongs);
+  }
+
+  /** Where in the file a segment starts. */
+  long startOffset(int segment) {
+    return segment == 0 ? 0 : startOffsets[segment];
+  }
+
+  private int waypoint(int segment, long timeUs) {
     int low = firstWaypoint[segment];
     int high = (segment + 1 < segments.size() ? firstWaypoint[segment + 1] : waypoints) - 1;
     while (low < high) {
@@ -114,6 +132,6 @@ final class TimeIndex {
         high = middle - 1;
       }
     }
-    cursor.restore(states, low * stateLongs);
+    return low;
   }
 }

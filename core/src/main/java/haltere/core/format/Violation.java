@@ -14,12 +14,12 @@ public enum Violation {
   LYING_LENGTH("lengths or counts that cannot be true"),
   /** A packet that cannot be unpacked; it is left out. */
   DAMAGED_PACKET("damaged packets were left out"),
-  /** Messages that were lost before they were recorded, by the numbers of those that were not. */
-  MISSING_MESSAGE("messages were lost before they were recorded"),
   /** Events before the first word that tells the time; they are left out. */
   NO_TIME_YET("events before the first time word were left out"),
   /** Data of another kind than polarity events (frames, inertial samples, triggers). */
-  OTHER_DATA("words of frames, inertial samples or triggers were skipped");
+  OTHER_DATA("words hold something else than events (frames, inertial samples, triggers)"),
+  /** A frame or an inertial sample of which a part is missing, or that cannot be true. */
+  INCOMPLETE_READING("frames or inertial samples that are not whole were left out");
 
   private final String sentence;
 
@@ -43,6 +43,6 @@ public enum Violation {
    * @return true for damage
    */
   public boolean isDamage() {
-    return this != OTHER_DATA && this != NO_TIME_YET && this != MISSING_MESSAGE;
+    return this != OTHER_DATA && this != NO_TIME_YET && this != INCOMPLETE_READING;
   }
 }

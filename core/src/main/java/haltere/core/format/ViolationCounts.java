@@ -75,6 +75,17 @@ public final class ViolationCounts {
   }
 
   /**
+   * Takes over what another one has counted of a kind.
+   *
+   * @param kind what was wrong
+   * @param other has the count
+   */
+  public void take(Violation kind, ViolationCounts other) {
+    counts[kind.ordinal()] = other.counts[kind.ordinal()];
+    firstOffsets[kind.ordinal()] = other.firstOffsets[kind.ordinal()];
+  }
+
+  /**
    * How often a kind was seen.
    *
    * @param kind what was wrong

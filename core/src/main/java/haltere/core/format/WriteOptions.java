@@ -1,10 +1,12 @@
 package haltere.core.format;
 
 import haltere.core.event.Origin;
+import haltere.core.event.ReadingKind;
 import haltere.core.event.SensorGeometry;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
 
 /**
  * What a writer needs to know beside the events.
@@ -13,17 +15,36 @@ import java.util.Optional;
  * @param overwrite whether an existing file may be replaced
  * @param origin where plain exports count rows from, if not as their source did
  * @param metadata lines for the header of formats that can hold them, by key
+ * @param readings what will be written beside events, for formats whose header says so
  */
 public record WriteOptions(
     SensorGeometry geometry,
     boolean overwrite,
     Optional<Origin> origin,
-    Map<String, String> metadata) {
+    Map<String, String> metadata,
+    Set<ReadingKind> readings) {
   /** Checks and copies. */
   public WriteOptions {
     Objects.requireNonNull(geometry, "geometry");
     Objects.requireNonNull(origin, "origin");
     metadata = Map.copyOf(metadata);
+    readings = Set.copyOf(readings);
+  }
+
+  /**
+   * Options of one who writes events only.
+   *
+   * @param geometry sensor of the events
+   * @param overwrite whether an existing file may be replaced
+   * @param origin where plain exports count rows from, if not as their source did
+   * @param metadata lines for the header of formats that can hold them, by key
+   */
+  public WriteOptions(
+      SensorGeometry geometry,
+      boolean overwrite,
+      Optional<Origin> origin,
+      Map<String, String> metadata) {
+    this(geometry, overwrite, origin, metadata, Set.of());
   }
 
   /**
@@ -43,6 +64,16 @@ public record WriteOptions(
    * @return new options
    */
   public WriteOptions withOverwrite(boolean allowed) {
-    return new WriteOptions(geometry, allowed, origin, metadata);
+    return new WriteOptions(geometry, allowed, origin, metadata, readings);
+  }
+
+  /**
+   * The same options but for what is written beside events.
+   *
+   * @param kinds kinds of readings that will be written
+   * @return new options
+   */
+  public WriteOptions withReadings(Set<ReadingKind> kinds) {
+    return new WriteOptions(geometry, overwrite, origin, metadata, kinds);
   }
 }

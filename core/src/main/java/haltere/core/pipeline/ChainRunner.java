@@ -3,6 +3,7 @@ package haltere.core.pipeline;
 import haltere.core.chain.FilterChain;
 import haltere.core.chain.FilterFailure;
 import haltere.core.event.EventPacket;
+import haltere.core.event.SensorReading;
 import haltere.core.pipeline.PipelineCounters.Counter;
 import haltere.core.stream.DataLost;
 import haltere.core.stream.EndOfStream;
@@ -173,6 +174,31 @@ public final class ChainRunner implements StreamHandler {
     tellChain(notification);
     for (StreamHandler sink : sinks) {
       guarded(sinks, sink, handler -> handler.notified(notification));
+    }
+  }
+
+  /** {@inheritDoc} The filters see it, and the sinks before and behind them get the same. */
+  @Override
+  public void reading(SensorReading reading) {
+    for (StreamHandler sink : rawSinks) {
+      guarded(rawSinks, sink, handler -> handler.reading(reading));
+    }
+    runUpReading(reading);
+    for (StreamHandler sink : sinks) {
+      guarded(sinks, sink, handler -> handler.reading(reading));
+    }
+  }
+
+  /**
+   * Shows a reading to the chain alone, during a run-up.
+   *
+   * @param reading a reading
+   */
+  public void runUpReading(SensorReading reading) {
+    try {
+      chain.reading(reading);
+    } catch (FilterFailure failure) {
+      filterFailed(failure);
     }
   }
 

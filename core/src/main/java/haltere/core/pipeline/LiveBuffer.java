@@ -1,7 +1,9 @@
 package haltere.core.pipeline;
 
 import haltere.core.event.EventPacket;
+import haltere.core.event.Frame;
 import haltere.core.event.SensorGeometry;
+import haltere.core.event.SensorReading;
 import haltere.core.stream.DataLost;
 import haltere.core.stream.EndOfStream;
 import haltere.core.stream.EventSource;
@@ -27,6 +29,11 @@ import java.util.concurrent.locks.ReentrantLock;
  * EventSource}; the counts may be read from any thread.
  */
 public final class LiveBuffer implements StreamHandler, EventSource {
+  /** So much of frames, samples and triggers may wait. */
+  private static final long MAX_READING_BYTES = 32 << 20;
+
+  private static final int BYTES_PER_READING = 256;
+
   /** What is missing at a place of the stream. */
   private static final class Gap {
     long events;
@@ -40,7 +47,8 @@ public final class LiveBuffer implements StreamHandler, EventSource {
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition changed = lock.newCondition();
   private final ArrayDeque<EventPacket> free = new ArrayDeque<>();
-  // EventPacket, StreamNotification or Gap; a gap is never at the end of what may be taken.
+  // EventPacket, SensorReading, StreamNotification or Gap; a gap is never at the end of what may be
+  // taken.
   private final List<Object> waiting = new ArrayList<>();
   private boolean ending;
   private boolean ended;
@@ -51,6 +59,9 @@ public final class LiveBuffer implements StreamHandler, EventSource {
   private long eventsLost;
   private int packetsWaiting;
   private int mostWaiting;
+  private long readingBytes;
+  private int readingsWaiting;
+  private long readingsLost;
 
   /**
    * An empty buffer.
@@ -207,6 +218,43 @@ public final class LiveBuffer implements StreamHandler, EventSource {
     gap.events += events;
   }
 
+  /**
+   * Puts a reading in. Readings that wait are bounded too: beyond 32 MiB of them {@link
+   * OverflowPolicy#BLOCK} waits, and the other policies drop the newest and count it.
+   *
+   * @param reading immutable
+   */
+  @Override
+  public void reading(SensorReading reading) {
+    lock.lock();
+    try {
+      while (policy == OverflowPolicy.BLOCK && !hasRoomForReading() && !closed && !ending) {
+        changed.await();
+      }
+      if (closed || ending || !hasRoomForReading()) {
+        readingsLost++;
+        return;
+      }
+      readingsWaiting++;
+      readingBytes += bytes(reading);
+      waiting.add(reading);
+      changed.signalAll();
+    } catch (InterruptedException interrupted) {
+      Thread.currentThread().interrupt();
+      readingsLost++;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private boolean hasRoomForReading() {
+    return readingsWaiting == 0 || readingBytes < MAX_READING_BYTES;
+  }
+
+  private static long bytes(SensorReading reading) {
+    return BYTES_PER_READING + (reading instanceof Frame frame ? frame.rows().capacity() : 0);
+  }
+
   @Override
   public void notified(StreamNotification notification) {
     lock.lock();
@@ -253,6 +301,8 @@ public final class LiveBuffer implements StreamHandler, EventSource {
       } finally {
         giveBack(packet, events);
       }
+    } else if (next instanceof SensorReading reading) {
+      handler.reading(reading);
     } else if (next != null) {
       handler.notified((StreamNotification) next);
     }
@@ -286,7 +336,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
     return new InterruptedIOException("interrupted while waiting for " + place);
   }
 
-  /** A packet, a notification, or null at the end. */
+  /** A packet, a reading, a notification, or null at the end. */
   private Object take() throws InterruptedIOException {
     lock.lock();
     try {
@@ -308,6 +358,12 @@ public final class LiveBuffer implements StreamHandler, EventSource {
                 ? packet.firstTimeUs()
                 : StreamNotification.NO_TIME_US;
         return new DataLost(-1, gap.events, lastHandedUs, toUs, place);
+      }
+      if (next instanceof SensorReading reading) {
+        readingsWaiting--;
+        readingBytes -= bytes(reading);
+        changed.signalAll();
+        return reading;
       }
       StreamNotification notification = (StreamNotification) next;
       if (notification.endsContinuity()) {
@@ -348,6 +404,9 @@ public final class LiveBuffer implements StreamHandler, EventSource {
         for (Object item : waiting) {
           eventsLost += item instanceof EventPacket packet ? packet.size() : 0;
         }
+        readingsLost += readingsWaiting;
+        readingsWaiting = 0;
+        readingBytes = 0;
         waiting.clear();
         packetsWaiting = 0;
         changed.signalAll();
@@ -369,6 +428,20 @@ public final class LiveBuffer implements StreamHandler, EventSource {
    * @param mostWaitingPackets the most that ever waited
    */
   public record Counts(long in, long out, long lost, int waitingPackets, int mostWaitingPackets) {}
+
+  /**
+   * Frames, inertial samples and triggers that were dropped.
+   *
+   * @return a count since the buffer was made
+   */
+  public long readingsLost() {
+    lock.lock();
+    try {
+      return readingsLost;
+    } finally {
+      lock.unlock();
+    }
+  }
 
   /**
    * Reads the counts: in = out + lost while no packet waits or is in the consumer's hands.

@@ -407,10 +407,15 @@ final class PlaybackEngine {
       return false;
     }
     boolean byCount = slicing instanceof Slicing.ByCount;
+    if (ahead == SourceCursor.Ahead.READING && (byCount || !belongsToSlice())) {
+      runner.reading(cursor.takeReading());
+      return false;
+    }
     if (!positionKnown) {
       keepGridTo = NO_PLACE;
     }
-    long nextEvent = cursor.elapsedUs();
+    long nextEvent =
+        ahead == SourceCursor.Ahead.READING ? cursor.readingElapsedUs() : cursor.elapsedUs();
     if (!positionKnown || nextEvent < position || byCount && nextEvent < outPoint) {
       // By count a slice starts at its first event. By time an event can lie before the start if it
       // is of the very microsecond after which the last slice was cut short.
@@ -437,6 +442,17 @@ final class PlaybackEngine {
     open = true;
     begun = false;
     return true;
+  }
+
+  /**
+   * Whether the reading that is ahead waits for its slice: one between the first and the last event
+   * does, unless nobody knows where the next slice starts.
+   */
+  private boolean belongsToSlice() {
+    long place = cursor.readingElapsedUs();
+    return positionKnown
+        && place >= position
+        && place < playable.durationUs().orElse(Long.MAX_VALUE);
   }
 
   private long sliceUs() {
@@ -473,6 +489,14 @@ final class PlaybackEngine {
   }
 
   private void feed(SourceCursor.Ahead ahead) {
+    if (ahead == SourceCursor.Ahead.READING) {
+      if (slicing instanceof Slicing.ByCount || cursor.readingElapsedUs() < sliceTo) {
+        runner.reading(cursor.takeReading());
+      } else {
+        endSlice(sliceTo);
+      }
+      return;
+    }
     if (ahead != SourceCursor.Ahead.EVENTS) {
       boolean reset = ahead == SourceCursor.Ahead.NOTIFICATION;
       long gridTo = reset ? sliceTo : NO_PLACE;
@@ -512,6 +536,11 @@ final class PlaybackEngine {
   private long runUp(SourceCursor.Ahead ahead) {
     if (ahead == SourceCursor.Ahead.NOTIFICATION) {
       runner.runUpNotified(cursor.takeNotification());
+      return 0;
+    }
+    if (ahead == SourceCursor.Ahead.READING
+        && cursor.readingElapsedUs() < runUpTo + Math.min(runUpTies, 1)) {
+      runner.runUpReading(cursor.takeReading());
       return 0;
     }
     if (ahead == SourceCursor.Ahead.EVENTS) {

@@ -2,6 +2,7 @@ package haltere.core.playback;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.event.SensorReading;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.TimeSegment;
 import haltere.core.stream.Reset;
@@ -95,6 +96,11 @@ public final class RecordingPlayable implements Playable {
           @Override
           public void packet(EventPacket packet) {
             handler.packet(packet);
+          }
+
+          @Override
+          public void reading(SensorReading reading) {
+            handler.reading(reading);
           }
 
           @Override

@@ -1,6 +1,7 @@
 package haltere.core.playback;
 
 import haltere.core.event.EventPacket;
+import haltere.core.event.SensorReading;
 import haltere.core.stream.EndOfStream;
 import haltere.core.stream.Reset;
 import haltere.core.stream.StreamHandler;
@@ -9,14 +10,15 @@ import haltere.core.stream.StreamStarted;
 import java.io.IOException;
 
 /**
- * Looks one packet or notification ahead in what a playable gives, and hands it out in pieces. What
- * the playable says after a seek, or at its start, is kept back: the player says that in its own
- * words.
+ * Looks one packet, reading or notification ahead in what a playable gives, and hands it out in
+ * pieces. What the playable says after a seek, or at its start, is kept back: the player says that
+ * in its own words.
  */
 final class SourceCursor implements StreamHandler {
   /** What comes next. */
   enum Ahead {
     EVENTS,
+    READING,
     NOTIFICATION,
     END,
     /** Not known yet: ask again. */
@@ -28,6 +30,7 @@ final class SourceCursor implements StreamHandler {
   private final EventPacket piece = new EventPacket(PlaybackEngine.CHUNK_EVENTS);
   private int index;
   private int limit;
+  private SensorReading reading;
   private StreamNotification notification;
   private StreamStarted start;
   private EndOfStream end;
@@ -55,6 +58,9 @@ final class SourceCursor implements StreamHandler {
     if (index < limit) {
       return Ahead.EVENTS;
     }
+    if (reading != null) {
+      return Ahead.READING;
+    }
     if (notification != null) {
       return Ahead.NOTIFICATION;
     }
@@ -72,6 +78,13 @@ final class SourceCursor implements StreamHandler {
     index = 0;
     limit = pending.size();
     offsetUs = playable.elapsedUs(pending.timeUs(0)) - pending.timeUs(0);
+  }
+
+  @Override
+  public void reading(SensorReading given) {
+    breakExpected = false;
+    reading = given;
+    offsetUs = playable.elapsedUs(given.timeUs()) - given.timeUs();
   }
 
   @Override
@@ -95,6 +108,7 @@ final class SourceCursor implements StreamHandler {
     playable.seek(elapsedUs);
     index = 0;
     limit = 0;
+    reading = null;
     notification = null;
     end = null;
     breakExpected = true;
@@ -115,6 +129,18 @@ final class SourceCursor implements StreamHandler {
     StreamNotification taken = notification;
     notification = null;
     return taken;
+  }
+
+  /** Takes the reading that is ahead. */
+  SensorReading takeReading() {
+    SensorReading taken = reading;
+    reading = null;
+    return taken;
+  }
+
+  /** Elapsed time of the reading that is ahead. */
+  long readingElapsedUs() {
+    return reading.timeUs() + offsetUs;
   }
 
   /** Time of the event that is ahead. */

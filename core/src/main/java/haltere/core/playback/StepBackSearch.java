@@ -53,6 +53,7 @@ final class StepBackSearch {
     while (true) {
       switch (cursor.ahead()) {
         case NOTIFICATION -> cursor.takeNotification();
+        case READING -> cursor.takeReading();
         case END -> {
           return new Place(last, ties);
         }

@@ -2,6 +2,8 @@ package haltere.core.sink;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.event.SensorReading;
+import haltere.core.format.ReadingCounts;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.WriteOptions;
 import haltere.core.format.aedat4.Aedat4Compression;
@@ -67,6 +69,7 @@ public final class Recorder implements StreamHandler, Closeable {
   // The writing thread's.
   private final List<DataLost> gaps = new ArrayList<>();
   private long waitingNanos;
+  private volatile ReadingCounts readingsLeftOut = ReadingCounts.NONE;
   private volatile long handed;
   private volatile long written;
   private volatile Throwable failure;
@@ -137,6 +140,14 @@ public final class Recorder implements StreamHandler, Closeable {
     buffer.packet(packet);
   }
 
+  /** {@inheritDoc} It is written if the format holds its kind, and counted if not. */
+  @Override
+  public void reading(SensorReading reading) {
+    if (stoppedBy == null && failure == null) {
+      buffer.reading(reading);
+    }
+  }
+
   @Override
   public void notified(StreamNotification notification) {
     if (stoppedBy != null) {
@@ -198,6 +209,17 @@ public final class Recorder implements StreamHandler, Closeable {
             handed += packet.size();
             if (untilFlush() <= 0) {
               flush();
+            }
+          } catch (IOException thrown) {
+            throw new UncheckedIOException(thrown);
+          }
+        }
+
+        @Override
+        public void reading(SensorReading reading) {
+          try {
+            if (!writer.write(reading)) {
+              readingsLeftOut = readingsLeftOut.plus(reading.kind());
             }
           } catch (IOException thrown) {
             throw new UncheckedIOException(thrown);
@@ -306,6 +328,8 @@ public final class Recorder implements StreamHandler, Closeable {
         counts.lost() + (failed ? counts.out() - written : 0),
         eventsAfterStop,
         counts.waitingPackets(),
+        readingsLeftOut,
+        buffer.readingsLost(),
         told,
         Optional.ofNullable(stoppedBy),
         failed ? Optional.of(problem().getMessage()) : Optional.empty());

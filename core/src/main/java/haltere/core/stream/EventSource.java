@@ -5,8 +5,8 @@ import java.io.Closeable;
 import java.io.IOException;
 
 /**
- * Where events come from, pulled one packet or one notification at a time. What it hands out keeps
- * the grammar of {@link StreamNotification}.
+ * Where events come from, pulled one packet, reading or notification at a time. What it hands out
+ * keeps the grammar of {@link StreamNotification}.
  *
  * <p>Thread rule: one thread at a time.
  */
@@ -19,7 +19,8 @@ public interface EventSource extends Closeable {
   SensorGeometry geometry();
 
   /**
-   * Hands the next thing of the stream to the handler: exactly one packet or one notification.
+   * Hands the next thing of the stream to the handler: exactly one packet, one reading or one
+   * notification.
    *
    * @param handler takes it
    * @return false, and nothing was handed over, once {@link EndOfStream} has been

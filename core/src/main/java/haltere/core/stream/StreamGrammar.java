@@ -2,6 +2,7 @@ package haltere.core.stream;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.event.SensorReading;
 import java.util.Objects;
 
 /**
@@ -55,6 +56,13 @@ public final class StreamGrammar implements StreamHandler {
       }
     }
     next.packet(packet);
+  }
+
+  /** {@inheritDoc} Its time is not checked: sources order readings as near as they can. */
+  @Override
+  public void reading(SensorReading reading) {
+    require(state == State.RUNNING, "a reading came " + where());
+    next.reading(reading);
   }
 
   @Override

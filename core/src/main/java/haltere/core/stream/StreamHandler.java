@@ -1,8 +1,12 @@
 package haltere.core.stream;
 
 import haltere.core.event.EventPacket;
+import haltere.core.event.SensorReading;
 
-/** Takes a stream: packets and notifications, one at a time, in order, on the processing thread. */
+/**
+ * Takes a stream: packets, readings and notifications, one at a time, in order, on the processing
+ * thread.
+ */
 public interface StreamHandler {
   /**
    * Takes the next packet. It is borrowed: it must not be kept after the call.
@@ -17,4 +21,13 @@ public interface StreamHandler {
    * @param notification what happened between the last packet and the next one
    */
   void notified(StreamNotification notification);
+
+  /**
+   * Takes a frame, an inertial sample or a trigger: it comes after all events before its time and
+   * before all events at or after it, as near as the source has it. Sources give them only if they
+   * are asked to. One that means nothing to the handler is ignored, and nobody has to take any.
+   *
+   * @param reading immutable; it may be kept
+   */
+  default void reading(SensorReading reading) {}
 }

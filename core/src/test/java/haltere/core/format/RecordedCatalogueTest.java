@@ -23,7 +23,6 @@ class RecordedCatalogueTest {
     return Stream.of(
             RecordedPackets.aedat(),
             RecordedPackets.dv(),
-            RecordedPackets.ros(),
             RecordedPackets.prophesee(),
             RecordedPackets.dataSets())
         .flatMap(List::stream)

@@ -82,7 +82,8 @@ class RecordingSummaryTest {
     try (RecordingReader reader = RecordedPackets.ROTATING_DISK.open()) {
       assertEquals(
           List.of(
-              "51688 words of frames, inertial samples or triggers were skipped (first at byte "
+              "51688 words hold something else than events (frames, inertial samples, triggers)"
+                  + " (first at byte "
                   + reader.violations().firstOffset(Violation.OTHER_DATA)
                   + ")"),
           warnings(reader).stream()

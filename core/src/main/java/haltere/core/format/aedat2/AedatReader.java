@@ -11,6 +11,7 @@ import haltere.core.format.ViolationCounts;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
@@ -48,11 +49,22 @@ final class AedatReader {
     if (header.cutOff()) {
       found.add(Violation.CUT_OFF, header.dataOffset());
     }
+    InertialRange range = InertialRange.of(file.read(0, header.dataOffset()));
+    List<String> told = new ArrayList<>(remarks);
+    boolean fromCamera = sensor.layout() == AedatSensor.Layout.DAVIS && header.sensor().isEmpty();
+    if (options.readings() && fromCamera && !range.stated()) {
+      told.add(
+          "the header does not state the range of the inertial sensor; "
+              + range.accelerationG()
+              + " g and "
+              + range.rotationDegS()
+              + " degrees a second, the usual ones, are assumed");
+    }
     return new DecodingReader(
         formatName,
         file,
         sensor.geometry(),
-        remarks,
+        told,
         options,
         found,
         violations ->
@@ -62,6 +74,16 @@ final class AedatReader {
                 ByteOrder.BIG_ENDIAN,
                 new RecordDecoder(
                     sensor.decoder(), recordBytes, header.firstTurnUs().orElse(0), violations),
-                violations));
+                violations),
+        Optional.of(
+            violations ->
+                new AedatReadingCursor(
+                    file,
+                    header.dataOffset(),
+                    recordBytes,
+                    sensor,
+                    header.firstTurnUs().orElse(0),
+                    range,
+                    violations)));
   }
 }

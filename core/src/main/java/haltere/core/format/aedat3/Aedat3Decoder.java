@@ -19,13 +19,8 @@ import java.nio.ByteBuffer;
  * <p>Thread rule: one thread.
  */
 public final class Aedat3Decoder implements StreamDecoder {
-  static final int HEADER_BYTES = 28;
   static final int EVENT_BYTES = 8;
-  static final int POLARITY = 1;
 
-  private static final int TIME_OFFSET = 4;
-  private static final int MAX_KIND = 31;
-  private static final int MAX_EVENT_BYTES = 64 * 1024 * 1024;
   private static final int TIME_BITS = 31;
   private static final long NO_SOURCE = -1;
 
@@ -80,7 +75,7 @@ public final class Aedat3Decoder implements StreamDecoder {
         int step = (int) Math.min(skip, limit - position);
         skip -= step;
         position += step;
-      } else if (limit - position < HEADER_BYTES) {
+      } else if (limit - position < PacketHeader.BYTES) {
         break;
       } else {
         position += header(in, position, at);
@@ -92,30 +87,9 @@ public final class Aedat3Decoder implements StreamDecoder {
 
   /** Reads a header; returns how many bytes to go on. */
   private int header(ByteBuffer in, int position, long offset) {
-    int kind = in.getShort(position);
-    int from = in.getShort(position + 2);
-    long eventBytes = in.getInt(position + 4);
-    int timeOffset = in.getInt(position + 8);
-    int overflow = in.getInt(position + 12);
-    int capacity = in.getInt(position + 16);
-    int number = in.getInt(position + 20);
-    int valid = in.getInt(position + 24);
-    boolean possible =
-        kind >= 0
-            && kind <= MAX_KIND
-            && from >= 0
-            && eventBytes > 0
-            && eventBytes <= MAX_EVENT_BYTES
-            && (kind != POLARITY || eventBytes == EVENT_BYTES && timeOffset == TIME_OFFSET)
-            && timeOffset >= 0
-            && timeOffset < eventBytes
-            && overflow >= 0
-            && valid >= 0
-            && number >= valid
-            && capacity >= number;
-    long bytes = capacity * eventBytes;
-    boolean fits = bytes <= fileBytes - offset - HEADER_BYTES;
-    if (!possible || lost && !(kind == POLARITY && number > 0 && fits && from <= MAX_KIND)) {
+    PacketHeader header = PacketHeader.read(in, position);
+    long bytesLeft = fileBytes - offset - PacketHeader.BYTES;
+    if (!header.isPossible() || lost && !header.canFollowDamage(bytesLeft)) {
       if (!lost) {
         violations.add(Violation.LYING_LENGTH, offset);
       }
@@ -123,20 +97,22 @@ public final class Aedat3Decoder implements StreamDecoder {
       return 1;
     }
     lost = false;
-    if (!fits) {
+    if (header.payloadBytes() > bytesLeft) {
       violations.addOnce(Violation.CUT_OFF, offset);
     }
-    boolean ours = kind == POLARITY && (source == NO_SOURCE || source == from);
+    boolean ours =
+        header.kind() == PacketHeader.POLARITY
+            && (source == NO_SOURCE || source == header.source());
     if (ours) {
-      source = from;
-      events = number;
-      skip = bytes - number * eventBytes;
-      turnUs = (long) overflow << TIME_BITS;
+      source = header.source();
+      events = header.number();
+      skip = header.payloadBytes() - events * EVENT_BYTES;
+      turnUs = (long) header.overflow() << TIME_BITS;
     } else {
-      violations.add(Violation.OTHER_DATA, offset, number);
-      skip = bytes;
+      violations.add(Violation.OTHER_DATA, offset, header.number());
+      skip = header.payloadBytes();
     }
-    return HEADER_BYTES;
+    return PacketHeader.BYTES;
   }
 
   /** Returns how many were decoded before the clock went back. */
@@ -195,6 +171,7 @@ public final class Aedat3Decoder implements StreamDecoder {
     return 6;
   }
 
+  /** {@link Aedat3ReadingCursor} goes by these numbers too. */
   @Override
   public void save(long[] state, int at) {
     state[at] = events;

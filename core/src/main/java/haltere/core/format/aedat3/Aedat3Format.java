@@ -104,7 +104,10 @@ public final class Aedat3Format implements RecordingFormat {
         remarks,
         options,
         found,
-        violations -> cursor(file, header, geometry, violations));
+        violations -> cursor(file, header, geometry, violations),
+        Optional.of(
+            violations ->
+                new Aedat3ReadingCursor(file, header.dataOffset(), geometry, violations)));
   }
 
   private static SensorGeometry geometry(

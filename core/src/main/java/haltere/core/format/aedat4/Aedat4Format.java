@@ -20,8 +20,11 @@ import haltere.core.format.packed.DamagedPacketException;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
@@ -162,7 +165,31 @@ public final class Aedat4Format implements RecordingFormat {
           remarks,
           options,
           violations,
-          counts -> new Aedat4Cursor(file, layout, geometry, stream, counts));
+          counts -> new Aedat4Cursor(file, layout, geometry, stream, counts),
+          Optional.of(counts -> readings(geometry, description, counts)));
+    }
+
+    /** Of several streams of a kind those of the same camera are read, or the first. */
+    private Aedat4ReadingCursor readings(
+        SensorGeometry geometry, Optional<Aedat4Stream> events, ViolationCounts counts) {
+      Set<Integer> passed = new HashSet<>();
+      Map<String, Aedat4Stream> taken = new HashMap<>();
+      for (Aedat4Stream known : header.streams()) {
+        boolean reading = ReadingPayload.isKnown(known.type());
+        boolean sameCamera = events.isEmpty() || known.source().equals(events.get().source());
+        if (reading && sameCamera) {
+          taken.putIfAbsent(known.type(), known);
+        }
+      }
+      for (Aedat4Stream known : header.streams()) {
+        boolean chosen = taken.computeIfAbsent(known.type(), type -> known).equals(known);
+        if (!chosen || !ReadingPayload.isKnown(known.type())) {
+          passed.add(known.id());
+        }
+      }
+      boolean fromBottom = geometry.origin() == Origin.BOTTOM;
+      return new Aedat4ReadingCursor(
+          file, layout, passed, new ReadingPayload(geometry.height(), fromBottom), counts);
     }
 
     private int first(List<Aedat4Stream> events) throws IOException {

@@ -52,6 +52,11 @@ public final class Evt21Format extends EvtFormat {
   }
 
   @Override
+  EvtReadingCursor.Words words() {
+    return legacy ? EvtReadingCursor.Words.EVT21_LEGACY : EvtReadingCursor.Words.EVT21;
+  }
+
+  @Override
   EvtDecoder decoder(SensorGeometry geometry, long firstTurnUs, ViolationCounts violations) {
     return new Evt21Decoder(geometry, firstTurnUs, legacy, violations);
   }

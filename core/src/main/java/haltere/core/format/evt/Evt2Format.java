@@ -37,6 +37,11 @@ public final class Evt2Format extends EvtFormat {
   }
 
   @Override
+  EvtReadingCursor.Words words() {
+    return EvtReadingCursor.Words.EVT2;
+  }
+
+  @Override
   EvtDecoder decoder(SensorGeometry geometry, long firstTurnUs, ViolationCounts violations) {
     return new Evt2Decoder(geometry, firstTurnUs, violations);
   }

@@ -37,6 +37,11 @@ public final class Evt3Format extends EvtFormat {
   }
 
   @Override
+  EvtReadingCursor.Words words() {
+    return EvtReadingCursor.Words.EVT3;
+  }
+
+  @Override
   EvtDecoder decoder(SensorGeometry geometry, long firstTurnUs, ViolationCounts violations) {
     return new Evt3Decoder(geometry, firstTurnUs, violations);
   }

@@ -74,6 +74,7 @@ public abstract sealed class EvtDecoder implements StreamDecoder
     return 3;
   }
 
+  /** {@link EvtReadingCursor} goes by these numbers too. */
   @Override
   public void save(long[] state, int at) {
     state[at] = lastUs;

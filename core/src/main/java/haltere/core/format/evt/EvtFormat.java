@@ -37,6 +37,9 @@ abstract sealed class EvtFormat implements RecordingFormat
   abstract EvtDecoder decoder(
       SensorGeometry geometry, long firstTurnUs, ViolationCounts violations);
 
+  /** The words of the encoding. */
+  abstract EvtReadingCursor.Words words();
+
   /** Lets an encoding look for what it needs to know; gives what it decides with. */
   EvtFormat fitted(RecordingFile file, PropheseeHeader header, List<String> remarks)
       throws IOException {
@@ -109,7 +112,10 @@ abstract sealed class EvtFormat implements RecordingFormat
         remarks,
         options,
         found,
-        violations -> fitted.cursor(file, header, sensor.geometry(), firstTurnUs, violations));
+        violations -> fitted.cursor(file, header, sensor.geometry(), firstTurnUs, violations),
+        Optional.of(
+            violations ->
+                new EvtReadingCursor(file, header.dataOffset(), fitted.words(), firstTurnUs)));
   }
 
   private EventCursor cursor(

@@ -51,7 +51,7 @@ class Aedat3FormatTest extends RecordingFormatContract {
 
     Builder packet(int kind, int source, int eventBytes, int overflow, int number, int capacity) {
       bytes.writeBytes(
-          ByteBuffer.allocate(Aedat3Decoder.HEADER_BYTES)
+          ByteBuffer.allocate(PacketHeader.BYTES)
               .order(ByteOrder.LITTLE_ENDIAN)
               .putShort((short) kind)
               .putShort((short) source)
@@ -85,7 +85,7 @@ class Aedat3FormatTest extends RecordingFormatContract {
         while (to < events.size() && to - from < most && events.timeUs(to) >>> 31 == overflow) {
           to++;
         }
-        packet(Aedat3Decoder.POLARITY, 1, 8, overflow, to - from, to - from);
+        packet(PacketHeader.POLARITY, 1, 8, overflow, to - from, to - from);
         for (; from < to; from++) {
           int y = sensor.height() - 1 - events.y(from);
           int word = events.x(from) << 17 | y << 2 | (events.isOn(from) ? 2 : 0) | 1;
@@ -139,7 +139,7 @@ class Aedat3FormatTest extends RecordingFormatContract {
   protected List<byte[]> lyingFiles(byte[] file) {
     int packet = new String(file, StandardCharsets.ISO_8859_1).indexOf("END-HEADER\r\n") + 12;
     List<byte[]> lies = new ArrayList<>();
-    for (int at = packet; at < packet + Aedat3Decoder.HEADER_BYTES; at++) {
+    for (int at = packet; at < packet + PacketHeader.BYTES; at++) {
       for (int lie : new int[] {0, 1, -1, 500, Integer.MAX_VALUE, Integer.MIN_VALUE, 1 << 28}) {
         byte[] copy = file.clone();
         ByteBuffer.wrap(copy).order(ByteOrder.LITTLE_ENDIAN).putInt(at, lie);
@@ -171,10 +171,10 @@ class Aedat3FormatTest extends RecordingFormatContract {
             .events(DAVIS240, EventPackets.part(events, 0, 400), 100)
             .packet(FRAME, 1, 300_000, 0, 1, 2)
             .zeros(600_000)
-            .packet(Aedat3Decoder.POLARITY, 1, 8, 0, 1, 3)
+            .packet(PacketHeader.POLARITY, 1, 8, 0, 1, 3)
             .event(2, 0)
             .zeros(16)
-            .packet(Aedat3Decoder.POLARITY, 2, 8, 0, 5, 5)
+            .packet(PacketHeader.POLARITY, 2, 8, 0, 5, 5)
             .zeros(40)
             .packet(3, 1, 36, 0, 10, 10)
             .zeros(360)
@@ -188,7 +188,7 @@ class Aedat3FormatTest extends RecordingFormatContract {
     byte[] bytes =
         new Builder()
             .text("#!AER-DAT3.0\n#Format: RAW\n#Source 0: DVS128\n")
-            .packet(Aedat3Decoder.POLARITY, 0, 8, 2, 2, 2)
+            .packet(PacketHeader.POLARITY, 0, 8, 2, 2, 2)
             .event(127 << 18 | 1 << 4 | 2 | 1, 7)
             .event(3 << 18 | 127 << 4 | 1, 8)
             .toBytes();
@@ -203,7 +203,7 @@ class Aedat3FormatTest extends RecordingFormatContract {
     byte[] bytes =
         new Builder()
             .header("3.1", "Something")
-            .packet(Aedat3Decoder.POLARITY, 0, 8, 0, 2, 2)
+            .packet(PacketHeader.POLARITY, 0, 8, 0, 2, 2)
             .event(9 << 17 | 4 << 2 | 1, 7)
             .event(3 << 17 | 19 << 2 | 1, 8)
             .toBytes();

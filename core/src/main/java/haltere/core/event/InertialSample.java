@@ -1,0 +1,72 @@
+package haltere.core.event;
+
+/**
+ * What the inertial sensor on a camera measured at one moment. The axes are those that the
+ * recording has; all formats give acceleration in standard gravities and rotation in degrees per
+ * second, as does this. What was not measured is NaN.
+ *
+ * @param timeUs microseconds on the source's clock
+ * @param accelerationXG acceleration along x, in standard gravities (9.80665 m/s²)
+ * @param accelerationYG acceleration along y, in standard gravities
+ * @param accelerationZG acceleration along z, in standard gravities
+ * @param rotationXDegS rate of rotation about x, in degrees per second
+ * @param rotationYDegS rate of rotation about y, in degrees per second
+ * @param rotationZDegS rate of rotation about z, in degrees per second
+ * @param temperatureC of the sensor, in degrees Celsius
+ * @param magneticXMicrotesla magnetic field along x, in microteslas
+ * @param magneticYMicrotesla magnetic field along y, in microteslas
+ * @param magneticZMicrotesla magnetic field along z, in microteslas
+ */
+public record InertialSample(
+    long timeUs,
+    float accelerationXG,
+    float accelerationYG,
+    float accelerationZG,
+    float rotationXDegS,
+    float rotationYDegS,
+    float rotationZDegS,
+    float temperatureC,
+    float magneticXMicrotesla,
+    float magneticYMicrotesla,
+    float magneticZMicrotesla)
+    implements SensorReading {
+  /**
+   * A sample of a sensor without a compass.
+   *
+   * @param timeUs microseconds on the source's clock
+   * @param accelerationXG acceleration along x, in standard gravities
+   * @param accelerationYG acceleration along y, in standard gravities
+   * @param accelerationZG acceleration along z, in standard gravities
+   * @param rotationXDegS rate of rotation about x, in degrees per second
+   * @param rotationYDegS rate of rotation about y, in degrees per second
+   * @param rotationZDegS rate of rotation about z, in degrees per second
+   * @param temperatureC of the sensor, in degrees Celsius
+   */
+  public InertialSample(
+      long timeUs,
+      float accelerationXG,
+      float accelerationYG,
+      float accelerationZG,
+      float rotationXDegS,
+      float rotationYDegS,
+      float rotationZDegS,
+      float temperatureC) {
+    this(
+        timeUs,
+        accelerationXG,
+        accelerationYG,
+        accelerationZG,
+        rotationXDegS,
+        rotationYDegS,
+        rotationZDegS,
+        temperatureC,
+        Float.NaN,
+        Float.NaN,
+        Float.NaN);
+  }
+
+  @Override
+  public ReadingKind kind() {
+    return ReadingKind.INERTIAL_SAMPLE;
+  }
+}

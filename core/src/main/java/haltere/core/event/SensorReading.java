@@ -1,0 +1,24 @@
+package haltere.core.event;
+
+/**
+ * What a camera tells beside its polarity events. Readings travel in the stream one by one, between
+ * the packets, in order of time; see {@link haltere.core.stream.StreamHandler#reading}.
+ *
+ * <p>Thread rule: immutable; they may be kept and handed to other threads.
+ */
+public sealed interface SensorReading permits Frame, InertialSample, Trigger {
+  /**
+   * The time at which it stands in the stream.
+   *
+   * @return microseconds on the source's clock, the clock of the events; of a frame the start of
+   *     its exposure
+   */
+  long timeUs();
+
+  /**
+   * What it is.
+   *
+   * @return its kind
+   */
+  ReadingKind kind();
+}

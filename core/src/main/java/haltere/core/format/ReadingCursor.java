@@ -1,0 +1,62 @@
+package haltere.core.format;
+
+import haltere.core.event.SensorReading;
+import java.io.Closeable;
+import java.io.IOException;
+
+/**
+ * A place in a recording from which frames, inertial samples and triggers are read. It goes through
+ * the file by itself, beside the {@link EventCursor} of the same recording, so that reading events
+ * alone costs nothing; {@link DecodingReader} puts both in order.
+ *
+ * <p>Thread rule: one thread.
+ */
+public interface ReadingCursor extends Closeable {
+  /** Makes cursors that do not share their places. */
+  @FunctionalInterface
+  interface Factory {
+    /**
+     * Opens the recording once more.
+     *
+     * @param violations where the cursor counts readings that are not whole
+     * @return a cursor at the start
+     * @throws IOException if the file cannot be read
+     */
+    ReadingCursor open(ViolationCounts violations) throws IOException;
+  }
+
+  /**
+   * Goes to the next reading, in the order of the file.
+   *
+   * @return false if there is none any more
+   * @throws IOException if the file can no longer be read
+   */
+  boolean next() throws IOException;
+
+  /**
+   * The reading to which {@link #next} went.
+   *
+   * @return a reading
+   */
+  SensorReading reading();
+
+  /**
+   * Where that reading ends.
+   *
+   * @return byte offset in the file, or of the packet that holds it
+   */
+  long offset();
+
+  /**
+   * Goes to a place that the {@link EventCursor} of the same recording noted. A reading that is
+   * only half before the place is left out.
+   *
+   * @param state has the numbers that it noted
+   * @param at index of the first of them
+   * @throws IOException if the file can no longer be read
+   */
+  void restore(long[] state, int at) throws IOException;
+
+  @Override
+  void close() throws IOException;
+}
