@@ -466,6 +466,39 @@ public record RecordedPackets(
           "01d6e90a",
           59);
 
+  /** A bag of ROS 1, Prophesee, whose words are EVT3. */
+  public static final RecordedPackets EVT3_BAG =
+      new RecordedPackets(
+          "evt3-eventpacket.bag",
+          "rosbag",
+          new SensorGeometry(640, 480, Origin.TOP),
+          125183,
+          218291,
+          7139845,
+          9218023,
+          0,
+          639,
+          0,
+          479,
+          List.of(
+              row(7139845, 479, 441, 0),
+              row(7139854, 503, 443, 0),
+              row(7139856, 340, 219, 0),
+              row(7139858, 1, 393, 0),
+              row(7139868, 560, 384, 0)),
+          List.of(row(9218021, 579, 417, 0), row(9218023, 39, 374, 0)),
+          "03df4072",
+          5957);
+
+  /**
+   * The recordings of ROS.
+   *
+   * @return ROS 1 first
+   */
+  public static List<RecordedPackets> ros() {
+    return List.of(EVT3_BAG);
+  }
+
   /**
    * The recordings of DV.
    *

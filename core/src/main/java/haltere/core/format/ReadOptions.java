@@ -9,19 +9,25 @@ import java.util.Optional;
  *
  * @param sensor the sensor's size where the file does not state it; the file's own word wins
  * @param format name of the format to read it as, whatever its content looks like
+ * @param topic which of several streams of events is read; the name of a bag's topic
  * @param packetEvents events per packet at the most, 1 to 1,048,576
  * @param readings whether frames, inertial samples and triggers are wanted too
  */
 public record ReadOptions(
-    Optional<SensorGeometry> sensor, Optional<String> format, int packetEvents, boolean readings) {
+    Optional<SensorGeometry> sensor,
+    Optional<String> format,
+    Optional<String> topic,
+    int packetEvents,
+    boolean readings) {
   /** What everybody starts with. */
   public static final ReadOptions DEFAULT =
-      new ReadOptions(Optional.empty(), Optional.empty(), 8192, false);
+      new ReadOptions(Optional.empty(), Optional.empty(), Optional.empty(), 8192, false);
 
   /** Checks the values. */
   public ReadOptions {
     Objects.requireNonNull(sensor, "sensor");
     Objects.requireNonNull(format, "format");
+    Objects.requireNonNull(topic, "topic");
     if (packetEvents < 1 || packetEvents > 1 << 20) {
       throw new IllegalArgumentException(
           "packets hold 1 to " + (1 << 20) + " events, not " + packetEvents);
@@ -33,10 +39,15 @@ public record ReadOptions(
    *
    * @param sensor the sensor's size where the file does not state it
    * @param format name of the format to read it as
+   * @param topic which of several streams of events is read
    * @param packetEvents events per packet at the most, 1 to 1,048,576
    */
-  public ReadOptions(Optional<SensorGeometry> sensor, Optional<String> format, int packetEvents) {
-    this(sensor, format, packetEvents, false);
+  public ReadOptions(
+      Optional<SensorGeometry> sensor,
+      Optional<String> format,
+      Optional<String> topic,
+      int packetEvents) {
+    this(sensor, format, topic, packetEvents, false);
   }
 
   /**
@@ -46,7 +57,7 @@ public record ReadOptions(
    * @return new options
    */
   public ReadOptions withSensor(SensorGeometry geometry) {
-    return new ReadOptions(Optional.of(geometry), format, packetEvents, readings);
+    return new ReadOptions(Optional.of(geometry), format, topic, packetEvents, readings);
   }
 
   /**
@@ -56,7 +67,17 @@ public record ReadOptions(
    * @return new options
    */
   public ReadOptions withFormat(String name) {
-    return new ReadOptions(sensor, Optional.of(name), packetEvents, readings);
+    return new ReadOptions(sensor, Optional.of(name), topic, packetEvents, readings);
+  }
+
+  /**
+   * The same options but for the topic.
+   *
+   * @param name of a topic of events
+   * @return new options
+   */
+  public ReadOptions withTopic(String name) {
+    return new ReadOptions(sensor, format, Optional.of(name), packetEvents, readings);
   }
 
   /**
@@ -66,7 +87,7 @@ public record ReadOptions(
    * @return new options
    */
   public ReadOptions withPacketEvents(int events) {
-    return new ReadOptions(sensor, format, events, readings);
+    return new ReadOptions(sensor, format, topic, events, readings);
   }
 
   /**
@@ -76,6 +97,6 @@ public record ReadOptions(
    * @return new options
    */
   public ReadOptions withReadings(boolean wanted) {
-    return new ReadOptions(sensor, format, packetEvents, wanted);
+    return new ReadOptions(sensor, format, topic, packetEvents, wanted);
   }
 }

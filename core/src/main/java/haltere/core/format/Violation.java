@@ -14,6 +14,8 @@ public enum Violation {
   LYING_LENGTH("lengths or counts that cannot be true"),
   /** A packet that cannot be unpacked; it is left out. */
   DAMAGED_PACKET("damaged packets were left out"),
+  /** Messages that were lost before they were recorded, by the numbers of those that were not. */
+  MISSING_MESSAGE("messages were lost before they were recorded"),
   /** Events before the first word that tells the time; they are left out. */
   NO_TIME_YET("events before the first time word were left out"),
   /** Data of another kind than polarity events (frames, inertial samples, triggers). */
@@ -43,6 +45,9 @@ public enum Violation {
    * @return true for damage
    */
   public boolean isDamage() {
-    return this != OTHER_DATA && this != NO_TIME_YET && this != INCOMPLETE_READING;
+    return switch (this) {
+      case OTHER_DATA, NO_TIME_YET, MISSING_MESSAGE, INCOMPLETE_READING -> false;
+      default -> true;
+    };
   }
 }

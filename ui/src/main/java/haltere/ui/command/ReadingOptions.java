@@ -34,6 +34,12 @@ final class ReadingOptions {
   SensorGeometry sensor;
 
   @Option(
+      names = "--topic",
+      paramLabel = "NAME",
+      description = "Which of several topics of events in a bag is read, such as /dvs/events.")
+  String topic;
+
+  @Option(
       names = "--strict",
       description = "A recording that is cut off or damaged is an error (status 1).")
   boolean strict;
@@ -56,6 +62,7 @@ final class ReadingOptions {
     return new ReadOptions(
         Optional.ofNullable(sensor),
         Optional.ofNullable(format),
+        Optional.ofNullable(topic),
         ReadOptions.DEFAULT.packetEvents());
   }
 

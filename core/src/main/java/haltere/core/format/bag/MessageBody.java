@@ -1,0 +1,126 @@
+package haltere.core.format.bag;
+
+import haltere.core.format.packed.DamagedPacketException;
+import haltere.core.format.packed.LittleEndian;
+import haltere.core.format.packed.Payload;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+
+/**
+ * The bytes of one message, read from its start.
+ *
+ * <p>Thread rule: one thread.
+ */
+final class MessageBody {
+  private static final int LONGEST_TEXT = 4096;
+
+  private Payload payload;
+  private long size;
+  private long used;
+
+  /** Starts with a message. */
+  void open(Payload bytes, long messageBytes) {
+    payload = bytes;
+    size = messageBytes;
+    used = 0;
+  }
+
+  /** Bytes that are used already. */
+  long used() {
+    return used;
+  }
+
+  /** Bytes that are not used yet. */
+  long left() {
+    return size - used;
+  }
+
+  /** Declares that the message ends earlier than it says. */
+  void shorten(long bytesLeft) {
+    size = used + Math.min(left(), bytesLeft);
+  }
+
+  byte[] data() {
+    return payload.data();
+  }
+
+  int from() {
+    return payload.from();
+  }
+
+  /** Where the bytes end that are there and belong to the message. */
+  int to() {
+    return (int) Math.min(payload.to(), payload.from() + left());
+  }
+
+  void use(int bytes) {
+    payload.use(bytes);
+    used += bytes;
+  }
+
+  /** Gets more bytes; false if the message has no more. */
+  boolean more() throws IOException, DamagedPacketException {
+    if (left() <= payload.to() - payload.from()) {
+      return false;
+    }
+    if (!payload.more()) {
+      throw new DamagedPacketException("a message that ends too early");
+    }
+    return true;
+  }
+
+  void skip(long bytes) throws IOException, DamagedPacketException {
+    if (bytes > left()) {
+      throw new DamagedPacketException("a message that ends too early");
+    }
+    payload.skip(bytes);
+    used += bytes;
+  }
+
+  /** Passes over what makes the place in the message a multiple of a number of bytes. */
+  void align(int bytes, long start) throws IOException, DamagedPacketException {
+    skip(-(used - start) & bytes - 1);
+  }
+
+  private int take(int bytes) throws IOException, DamagedPacketException {
+    if (bytes > left() || !payload.gather(bytes)) {
+      throw new DamagedPacketException("a message that ends too early");
+    }
+    int at = payload.from();
+    use(bytes);
+    return at;
+  }
+
+  int takeByte() throws IOException, DamagedPacketException {
+    int at = take(1);
+    return data()[at];
+  }
+
+  int takeInt() throws IOException, DamagedPacketException {
+    int at = take(4);
+    return LittleEndian.getInt(data(), at);
+  }
+
+  long takeUnsignedInt() throws IOException, DamagedPacketException {
+    return takeInt() & 0xffff_ffffL;
+  }
+
+  long takeLong() throws IOException, DamagedPacketException {
+    int at = take(8);
+    return LittleEndian.getLong(data(), at);
+  }
+
+  /** A text with its length before it. */
+  String takeText() throws IOException, DamagedPacketException {
+    long length = takeUnsignedInt();
+    if (length > LONGEST_TEXT) {
+      throw new DamagedPacketException("a text that is too long");
+    }
+    int at = take((int) length);
+    int end = at + (int) length;
+    if (end > at && data()[end - 1] == 0) {
+      end--;
+    }
+    return new String(data(), at, end - at, StandardCharsets.UTF_8);
+  }
+}

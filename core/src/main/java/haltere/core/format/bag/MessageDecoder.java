@@ -1,0 +1,91 @@
+package haltere.core.format.bag;
+
+import haltere.core.event.EventAddress;
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.StreamDecoder;
+import haltere.core.format.Violation;
+import haltere.core.format.ViolationCounts;
+import haltere.core.stream.StreamNotification;
+
+/**
+ * What the decoders of messages have in common whose times count from one in the message. Rows
+ * count from the top in messages.
+ *
+ * <p>Thread rule: one thread.
+ */
+abstract class MessageDecoder implements StreamDecoder {
+  static final long NS_PER_US = 1_000;
+
+  final int width;
+  final int top;
+  final ViolationCounts violations;
+  long lastUs = StreamNotification.NO_TIME_US;
+  private boolean restarted;
+  private long restartUs;
+
+  MessageDecoder(SensorGeometry geometry, ViolationCounts violations) {
+    width = geometry.width();
+    top = geometry.height() - 1;
+    this.violations = violations;
+  }
+
+  /** Starts with the events of a message. */
+  abstract void startMessage(EventMessage message);
+
+  /**
+   * Appends an event, unless it is outside of the sensor.
+   *
+   * @return false if the clock goes back with it
+   */
+  final boolean take(EventPacket out, long timeUs, int x, int row, int on, long offset) {
+    if (x < 0 || x >= width || row < 0 || row > top) {
+      violations.add(Violation.OUTSIDE_SENSOR, offset);
+      return true;
+    }
+    if (timeUs < lastUs) {
+      restarted = true;
+      restartUs = timeUs;
+      violations.add(Violation.CLOCK_WENT_BACK, offset);
+      return false;
+    }
+    lastUs = timeUs;
+    out.append(timeUs, EventAddress.pack(x, top - row, on));
+    return true;
+  }
+
+  @Override
+  public final long lastUs() {
+    return lastUs;
+  }
+
+  @Override
+  public final long restartUs() {
+    return restartUs;
+  }
+
+  @Override
+  public final void acceptRestart() {
+    if (!restarted) {
+      throw new IllegalStateException("the clock did not go back");
+    }
+    restarted = false;
+    lastUs = StreamNotification.NO_TIME_US;
+  }
+
+  @Override
+  public int stateLongs() {
+    return 1;
+  }
+
+  @Override
+  public void save(long[] state, int at) {
+    state[at] = lastUs;
+  }
+
+  @Override
+  public void restore(long[] state, int at) {
+    restarted = false;
+    lastUs = state[at];
+  }
+}
