@@ -17,6 +17,7 @@ import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import java.io.Closeable;
 import java.io.IOException;
+import java.io.InterruptedIOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -74,6 +75,7 @@ public final class Recorder implements StreamHandler, Closeable {
   private volatile long written;
   private volatile Throwable failure;
   private volatile boolean complete;
+  private volatile boolean finished;
 
   /**
    * Starts to record.
@@ -178,6 +180,7 @@ public final class Recorder implements StreamHandler, Closeable {
       flush();
       if (complete) {
         writer.finish();
+        finished = true;
       }
     } catch (IOException | RuntimeException | Error thrown) {
       failure = thrown;
@@ -257,6 +260,9 @@ public final class Recorder implements StreamHandler, Closeable {
     if (failure != null) {
       throw problem();
     }
+    if (!finished) {
+      throw new InterruptedIOException("interrupted while the recording was ended");
+    }
     return report();
   }
 
@@ -277,28 +283,36 @@ public final class Recorder implements StreamHandler, Closeable {
 
   private void end() throws IOException {
     buffer.notified(new EndOfStream(StreamNotification.NO_TIME_US));
-    try {
-      long before;
-      do {
-        before = handed;
+    boolean interrupted = false;
+    long before;
+    do {
+      before = handed;
+      try {
         thread.join(patience.toMillis());
-      } while (thread.isAlive() && handed != before);
-      if (thread.isAlive()) {
-        buffer.close();
-        thread.interrupt();
-        throw new IOException(
-            "the disk has taken nothing for "
-                + patience.toSeconds()
-                + " s; the recording has its first "
-                + written
-                + " events");
+      } catch (InterruptedException e) {
+        interrupted = true;
+        stop();
       }
-    } catch (InterruptedException interrupted) {
-      buffer.close();
-      thread.interrupt();
+    } while (thread.isAlive() && handed != before);
+    if (interrupted) {
       Thread.currentThread().interrupt();
-      throw new IOException("interrupted while the recording was ended", interrupted);
     }
+    if (thread.isAlive()) {
+      stop();
+      throw new IOException(
+          "the disk has taken nothing for "
+              + patience.toSeconds()
+              + " s; the recording has its first "
+              + written
+              + " events");
+    }
+  }
+
+  /** Drops what waits; a thread that is held up by the disk may go on being so. */
+  private void stop() {
+    complete = false;
+    buffer.close();
+    thread.interrupt();
   }
 
   private IOException problem() {

@@ -225,6 +225,19 @@ class RecorderTest {
   }
 
   @Test
+  void whoeverIsInterruptedWhileItEndsHasNoRecording() throws Exception {
+    disk.gate = new CountDownLatch(1);
+    try (Recorder recorder = recorder(OverflowPolicy.BLOCK, 2, LONG)) {
+      recorder.packet(packet(3, 0));
+      assertTrue(disk.reached.await(20, TimeUnit.SECONDS));
+      Thread.currentThread().interrupt();
+      assertThrows(IOException.class, recorder::finish);
+      assertTrue(Thread.interrupted());
+    }
+    assertEquals(List.of("close"), disk.calls);
+  }
+
+  @Test
   void closedWithoutBeingFinishedItLeavesAFileThatCanBeRead() throws IOException {
     Path file = folder.resolve("open.aedat4");
     EventPacket all = EventPackets.uniform(SENSOR, 1, 20_000, 0, 3);

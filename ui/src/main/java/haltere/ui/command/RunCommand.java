@@ -8,8 +8,10 @@ import haltere.core.chain.Outlet;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.RecordingWriter;
+import haltere.core.pipeline.OverflowPolicy;
 import haltere.core.pipeline.Pipeline;
 import haltere.core.pipeline.PipelineCounters;
+import haltere.core.sink.Recorder;
 import java.io.IOException;
 import java.nio.charset.CharacterCodingException;
 import java.nio.file.Path;
@@ -92,15 +94,16 @@ final class RunCommand extends Subcommand {
     checkTables(chain);
     Map<Path, Long> rows;
     long events;
-    try (RecordingWriter writer = writing.create(out, reader.geometry());
+    RecordingWriter writer = writing.create(out, reader.geometry());
+    try (Recorder recorder = new Recorder(writer, reader.geometry(), OverflowPolicy.BLOCK);
         OutletTables tables = OutletTables.open(chain, this::table, writing.overwrite)) {
-      events = run(reader, chain, writer);
+      events = run(reader, chain, recorder);
       reading.requireWhole(reader);
+      tables.finish();
+      recorder.finish();
       for (String loss : writer.losses()) {
         warning(out + ": " + loss);
       }
-      tables.finish();
-      writer.finish();
       rows = tables.rows();
     }
     message("wrote " + out + " (" + Quantities.events(events) + ")");
@@ -129,11 +132,11 @@ final class RunCommand extends Subcommand {
   }
 
   /** Runs the whole recording through the chain; gives back how many events are left. */
-  private long run(RecordingReader reader, FilterChain chain, RecordingWriter writer)
+  private long run(RecordingReader reader, FilterChain chain, Recorder recorder)
       throws IOException {
     try (ProgressBar bar = progressBar("filtering", file)) {
       PipelineCounters counters = new PipelineCounters();
-      WritingSink sink = new WritingSink(reader, writer, bar, counters);
+      WritingSink sink = new WritingSink(reader, recorder, bar, counters);
       Pipeline.run(reader, chain, List.of(sink), counters);
       return counters.get(PipelineCounters.Counter.EVENTS_OUT);
     }
