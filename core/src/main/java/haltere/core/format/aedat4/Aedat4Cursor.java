@@ -12,7 +12,6 @@ import haltere.core.format.packed.FileWindow;
 import haltere.core.format.packed.LittleEndian;
 import haltere.core.stream.StreamNotification;
 import java.io.IOException;
-import java.lang.invoke.VarHandle;
 import java.nio.file.Path;
 import java.util.Set;
 
@@ -25,29 +24,34 @@ import java.util.Set;
 final class Aedat4Cursor implements EventCursor {
   static final int EVENT_BYTES = 16;
 
-  /** A packet's table and the vector of events must start within so many bytes. */
-  private static final int TABLE_BYTES = 4096;
-
   /** So many packets in order before a thread is started that helps. */
   private static final int PACKETS_ALONE = 8;
 
-  private static final int RUN = 4096;
+  /** So often it is started again after damage. */
+  private static final int MAX_RESTARTS = 16;
+
+  /** Events that are decoded at a time. */
+  static final int RUN = 1024;
+
   private static final long POLARITY = 1L << 32;
 
   private final SensorGeometry geometry;
+  private final EventRun events;
   private final Layout layout;
   private final long fileBytes;
   private final Path path;
+  private final RecordingFile file;
   private final int eventStream;
   private final ViolationCounts violations;
   private final Unpacker unpacker;
   private final PacketWalk walk;
 
-  private UnpackAhead ahead;
-  private UnpackAhead.Slot slot;
+  private DecodeAhead ahead;
+  private DecodeAhead.Slot slot;
   private boolean alone;
   private int packetsInOrder;
-  private long packetsShared;
+  private long bytesInOrder;
+  private int restarts;
   private boolean inPacket;
   private long count;
   private long index;
@@ -62,9 +66,11 @@ final class Aedat4Cursor implements EventCursor {
       int eventStream,
       ViolationCounts violations) {
     this.geometry = geometry;
+    events = new EventRun(geometry);
     this.layout = layout;
     fileBytes = file.size();
     path = file.path();
+    this.file = file;
     this.eventStream = eventStream;
     this.violations = violations;
     unpacker = new Unpacker(file);
@@ -123,51 +129,44 @@ final class Aedat4Cursor implements EventCursor {
   }
 
   private void openPacket() throws IOException, DamagedPacketException {
-    if (!takeFromAhead()) {
+    if (takeFromAhead()) {
+      count = slot.events().size();
+    } else {
       unpacker.open(walk.payload(), walk.size());
-    }
-    unpacker.gather(TABLE_BYTES);
-    byte[] data = unpacker.data();
-    int from = unpacker.from();
-    int to = unpacker.to();
-    if (!FlatTable.identifier(data, from, to).equals(Aedat4Stream.EVENTS)) {
-      throw new DamagedPacketException("a packet without events");
-    }
-    FlatTable table = FlatTable.root(data, from, to);
-    count = table.vectorLength(0);
-    int elements = table.vectorElements(0);
-    if (count > 0) {
-      unpacker.use(elements - from);
+      count = unpacker.events();
     }
     index = 0;
     inPacket = true;
   }
 
-  /** Takes the packet if it was unpacked on the other thread; starts that where it is worth it. */
+  /** Takes the packet if it is unpacked already; starts a thread for that where it is worth it. */
   private boolean takeFromAhead() throws IOException {
-    releaseSlot();
-    if (ahead == null) {
-      if (alone || ++packetsInOrder <= PACKETS_ALONE || !isPacked()) {
-        return false;
-      }
-      ahead = new UnpackAhead(path, layout, eventStream, walk.position());
-      packetsShared = 0;
-    }
-    if (packetsShared++ % UnpackAhead.SHARE == 0) {
+    if (ahead == null && !startAhead()) {
       return false;
+    }
+    if (slot != null) {
+      ahead.release();
     }
     slot = ahead.take();
     if (slot == null || slot.position() != walk.position()) {
-      // An interrupt, or damage that led the two threads to different places.
+      // An interrupt, or damage that led the two to different places.
       stopAhead();
-      alone = true;
+      alone = ++restarts > MAX_RESTARTS;
       return false;
     }
-    if (!slot.unpacked()) {
-      releaseSlot();
+    return slot.isDecoded();
+  }
+
+  private boolean startAhead() throws IOException {
+    bytesInOrder += walk.size();
+    if (alone
+        || ++packetsInOrder <= PACKETS_ALONE
+        || bytesInOrder < (long) packetsInOrder * DecodeAhead.WORTH_BYTES
+        || !isPacked()) {
       return false;
     }
-    unpacker.present(slot.data(), slot.length());
+    ahead = new DecodeAhead(path, layout, geometry, eventStream, walk.position());
+    walk.lookThrough(new FileWindow(file, DecodeAhead.HEADER_WINDOW));
     return true;
   }
 
@@ -178,19 +177,14 @@ final class Aedat4Cursor implements EventCursor {
         && Runtime.getRuntime().availableProcessors() > 1;
   }
 
-  private void releaseSlot() {
-    if (slot != null) {
-      ahead.release(slot);
-      slot = null;
-    }
-  }
-
-  private void stopAhead() {
+  private void stopAhead() throws IOException {
     slot = null;
     packetsInOrder = 0;
+    bytesInOrder = 0;
     if (ahead != null) {
       ahead.close();
       ahead = null;
+      walk.lookThrough(unpacker.window());
     }
   }
 
@@ -209,6 +203,9 @@ final class Aedat4Cursor implements EventCursor {
   /** Returns true if the clock goes back with the event at the index. */
   private boolean decode(EventPacket out, int maxEvents)
       throws IOException, DamagedPacketException {
+    if (slot != null && slot.isDecoded() && index < count && copy(out, maxEvents)) {
+      return true;
+    }
     while (index < count && out.size() < maxEvents) {
       int there = (unpacker.to() - unpacker.from()) / EVENT_BYTES;
       if (there == 0) {
@@ -217,8 +214,8 @@ final class Aedat4Cursor implements EventCursor {
         }
         continue;
       }
-      int events = (int) Math.min(Math.min(there, count - index), maxEvents - out.size());
-      int run = Math.min(events, RUN);
+      long left = Math.min(Math.min(there, count - index), maxEvents - out.size());
+      int run = (int) Math.min(left, RUN);
       int done = decodeRun(run, out) ? run : decodeSingly(run, out);
       unpacker.use(done * EVENT_BYTES);
       index += done;
@@ -235,42 +232,30 @@ final class Aedat4Cursor implements EventCursor {
     return false;
   }
 
+  /** Takes events of a packet that is decoded; returns true if the clock goes back with it. */
+  private boolean copy(EventPacket out, int maxEvents) {
+    EventPacket decoded = slot.events();
+    int from = (int) index;
+    if (started && decoded.timeUs(from) < lastUs) {
+      violations.add(Violation.CLOCK_WENT_BACK, offset(index));
+      restartUs = decoded.timeUs(from);
+      return true;
+    }
+    int to = Math.min(decoded.size(), from + maxEvents - out.size());
+    out.append(decoded, from, to);
+    lastUs = out.lastTimeUs();
+    started = true;
+    index = to;
+    violations.reached(offset(index));
+    return false;
+  }
+
   /** Decodes events as long as nothing is odd about them; if something is, none. */
-  private boolean decodeRun(int events, EventPacket out) {
-    if (!started) {
+  private boolean decodeRun(int run, EventPacket out) {
+    if (!started || !events.decode(unpacker.data(), unpacker.from(), run, lastUs, out)) {
       return false;
     }
-    VarHandle longs = LittleEndian.LONG;
-    byte[] data = unpacker.data();
-    int at = unpacker.from();
-    int size = out.size();
-    long[] times = out.timesUs();
-    int[] addresses = out.addresses();
-    int maxX = geometry.width() - 1;
-    int maxY = geometry.height() - 1;
-    boolean top = geometry.origin() == Origin.TOP;
-    int turn = top ? maxY : 0;
-    int sign = top ? -1 : 1;
-    long last = lastUs;
-    long back = 0;
-    int odd = 0;
-    for (int i = 0; i < events; i++) {
-      long time = (long) longs.get(data, at + i * EVENT_BYTES);
-      long word = (long) longs.get(data, at + i * EVENT_BYTES + 8);
-      int x = (short) word;
-      int y = (short) (word >>> 16);
-      int on = (int) (word >>> 32) & 0xff;
-      odd |= x | y | maxX - x | maxY - y | 1 - on;
-      back |= time < last ? 1 : 0;
-      last = time;
-      times[size + i] = time;
-      addresses[size + i] = (turn + sign * y) << 16 | x << 1 | on;
-    }
-    if (odd < 0 || back != 0) {
-      return false;
-    }
-    lastUs = last;
-    out.setSize(size + events);
+    lastUs = out.lastTimeUs();
     return true;
   }
 
@@ -356,8 +341,11 @@ final class Aedat4Cursor implements EventCursor {
   }
 
   @Override
-  public void close() {
-    stopAhead();
-    unpacker.close();
+  public void close() throws IOException {
+    try {
+      stopAhead();
+    } finally {
+      unpacker.close();
+    }
   }
 }

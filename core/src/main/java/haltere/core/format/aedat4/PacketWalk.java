@@ -20,7 +20,7 @@ final class PacketWalk {
 
   private static final int LOOK_BYTES = HEADER_BYTES + 12;
 
-  private final FileWindow window;
+  private FileWindow window;
   private final Set<Integer> known;
   private final long end;
   private final boolean cutOff;
@@ -58,6 +58,11 @@ final class PacketWalk {
   /** Where the packet's header is. */
   long position() {
     return position;
+  }
+
+  /** Looks at the file through another window. */
+  void lookThrough(FileWindow other) {
+    window = other;
   }
 
   void moveTo(long offset) {

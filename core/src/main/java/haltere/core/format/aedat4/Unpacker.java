@@ -18,27 +18,10 @@ import java.io.IOException;
  * <p>Thread rule: one thread.
  */
 final class Unpacker {
-  /** A payload that is unpacked already. */
-  private static final class ReadyPayload extends Payload {
-    @Override
-    public void open(long offset, long size) {
-      throw new UnsupportedOperationException();
-    }
-
-    @Override
-    public boolean more() {
-      return false;
-    }
-
-    void present(byte[] payload, int length) {
-      data = payload;
-      from = 0;
-      to = length;
-    }
-  }
+  /** A packet's table and the vector of events must start within so many bytes. */
+  private static final int TABLE_BYTES = 4096;
 
   private final FileWindow window;
-  private final ReadyPayload ready = new ReadyPayload();
   private final StoredPayload stored;
   private Lz4Payload lz4;
   private ZstdPayload zstd;
@@ -85,12 +68,6 @@ final class Unpacker {
     method.open(offset, size);
   }
 
-  /** Takes a payload that is unpacked already. */
-  void present(byte[] payload, int length) {
-    ready.present(payload, length);
-    method = ready;
-  }
-
   byte[] data() {
     return method.data();
   }
@@ -107,6 +84,24 @@ final class Unpacker {
     method.use(bytes);
   }
 
+  /**
+   * Comes to the events of a payload that was opened.
+   *
+   * @return how many it says it has
+   */
+  long events() throws IOException, DamagedPacketException {
+    gather(TABLE_BYTES);
+    if (!FlatTable.identifier(data(), from(), to()).equals(Aedat4Stream.EVENTS)) {
+      throw new DamagedPacketException("a packet without events");
+    }
+    FlatTable table = FlatTable.root(data(), from(), to());
+    long count = table.vectorLength(0);
+    if (count > 0) {
+      use(table.vectorElements(0) - from());
+    }
+    return count;
+  }
+
   boolean more() throws IOException, DamagedPacketException {
     return method.more();
   }
@@ -116,8 +111,8 @@ final class Unpacker {
   }
 
   /** Gets at least so many bytes together, or all that there are. */
-  void gather(int bytes) throws IOException, DamagedPacketException {
-    method.gather(bytes);
+  boolean gather(int bytes) throws IOException, DamagedPacketException {
+    return method.gather(bytes);
   }
 
   void close() {

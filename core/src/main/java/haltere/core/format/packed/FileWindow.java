@@ -10,12 +10,13 @@ import java.nio.ByteBuffer;
  * <p>Thread rule: one thread.
  */
 public final class FileWindow {
-  private static final int USUAL_BYTES = 256 * 1024;
+  private static final int USUAL_BYTES = 64 * 1024;
 
   /** Asking for more than this at once is a fault of the caller. */
   public static final int MAX_BYTES = 8 * 1024 * 1024;
 
   private final RecordingFile file;
+  private final int usualBytes;
   private byte[] bytes = new byte[0];
   private ByteBuffer buffer = ByteBuffer.wrap(bytes);
   private long start;
@@ -27,7 +28,18 @@ public final class FileWindow {
    * @param file the file; it is not closed with the window
    */
   public FileWindow(RecordingFile file) {
+    this(file, USUAL_BYTES);
+  }
+
+  /**
+   * A window that holds nothing yet.
+   *
+   * @param file the file; it is not closed with the window
+   * @param usualBytes how many are read at a time if no more are asked for, at least 1
+   */
+  public FileWindow(RecordingFile file, int usualBytes) {
     this.file = file;
+    this.usualBytes = usualBytes;
   }
 
   /**
@@ -48,7 +60,7 @@ public final class FileWindow {
     if (offset < 0 || offset + count > file.size()) {
       return -1;
     }
-    int wanted = (int) Math.min(Math.max(USUAL_BYTES, count), file.size());
+    int wanted = (int) Math.min(Math.max(usualBytes, count), file.size());
     if (bytes.length < wanted) {
       bytes = new byte[Math.max(wanted, bytes.length)];
       buffer = ByteBuffer.wrap(bytes);

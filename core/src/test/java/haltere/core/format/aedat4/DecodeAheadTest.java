@@ -26,10 +26,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 /** With a thread that helps to unpack, a recording gives the same events. */
-class UnpackAheadTest {
+class DecodeAheadTest {
   private static final SensorGeometry SENSOR = new SensorGeometry(346, 260, Origin.TOP);
   private static final int PACKETS = 60;
-  private static final int EVENTS = 300;
+  private static final int EVENTS = 900;
 
   @TempDir Path folder;
 
@@ -104,7 +104,7 @@ class UnpackAheadTest {
 
   private static List<Thread> helpers() {
     return Thread.getAllStackTraces().keySet().stream()
-        .filter(thread -> thread.getName().equals("haltere-unpack"))
+        .filter(thread -> thread.getName().equals("haltere-decode"))
         .toList();
   }
 
