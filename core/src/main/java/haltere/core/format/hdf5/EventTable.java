@@ -1,0 +1,110 @@
+package haltere.core.format.hdf5;
+
+import haltere.core.event.Origin;
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.EventColumn;
+import haltere.core.format.RecordingFile;
+import haltere.core.format.RecordingProblem;
+import java.io.IOException;
+import java.util.EnumMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+
+/**
+ * Where the events of a file are, whoever laid them out.
+ *
+ * @param container the file
+ * @param columns by what they hold; there are times, columns and rows at least
+ * @param rows events that all columns promise
+ * @param lying whether columns promise different numbers
+ * @param timeScale power of ten that makes microseconds of the times
+ * @param timeOffsetUs what is added to the times
+ * @param sensor its size, if the file states it
+ * @param origin where rows count from
+ * @param remarks what a user should know
+ * @param otherRows rows of triggers, that are not read
+ */
+record EventTable(
+    ContainerFile container,
+    Map<EventColumn, Column> columns,
+    long rows,
+    boolean lying,
+    int timeScale,
+    long timeOffsetUs,
+    Optional<SensorGeometry> sensor,
+    Origin origin,
+    List<String> remarks,
+    long otherRows) {
+  /** Names of attributes of our own files, and of others. */
+  static final String WIDTH = "width";
+
+  static final String HEIGHT = "height";
+  static final String ROWS_UP = "rows_up";
+  static final String TIME_OFFSET = "t_offset";
+
+  /** Unpacked chunks, and what is needed to unpack the largest, must fit this. */
+  private static final long MEMORY_BYTES = 28L << 20;
+
+  private static final int UNPACKING = 3;
+
+  /**
+   * A column.
+   *
+   * @param dataset in whose rows it is
+   * @param offset of it in a row
+   * @param type of its numbers
+   */
+  record Column(Dataset dataset, int offset, ElementType type) {
+    String name() {
+      String path = dataset.name();
+      return path.substring(path.lastIndexOf('/') + 1);
+    }
+  }
+
+  /** Finds the events of a file. */
+  static EventTable of(RecordingFile bytes) throws IOException {
+    ContainerFile container = ContainerFile.open(bytes);
+    return new EventSearch(container).table();
+  }
+
+  /** Datasets of the columns, each once. */
+  Set<Dataset> datasets() {
+    Set<Dataset> datasets = new LinkedHashSet<>();
+    columns.values().forEach(column -> datasets.add(column.dataset()));
+    return datasets;
+  }
+
+  /** Refuses what cannot be read, or not within bounded memory. */
+  void check() throws RecordingProblem {
+    long unpacked = 0;
+    long largest = 0;
+    for (Dataset dataset : datasets()) {
+      for (FilterStep step : dataset.filters()) {
+        Optional<String> obstacle = step.obstacle();
+        if (obstacle.isPresent()) {
+          throw new RecordingProblem(
+              container.bytes().path(), dataset.name() + " is packed with " + obstacle.get());
+        }
+      }
+      if (dataset.isChunked() && !dataset.filters().isEmpty()) {
+        unpacked += dataset.chunkBytes();
+        largest = Math.max(largest, dataset.chunkBytes());
+      }
+    }
+    if (unpacked + UNPACKING * largest > MEMORY_BYTES) {
+      throw new RecordingProblem(
+          container.bytes().path(),
+          "its events are packed in chunks of up to "
+              + (largest >> 10)
+              + " KiB, more than a reader with bounded memory takes; rewrite it with smaller ones,"
+              + " such as h5repack -l CHUNK=65536");
+    }
+  }
+
+  static Map<EventColumn, Column> noColumns() {
+    return new EnumMap<>(EventColumn.class);
+  }
+}
