@@ -508,6 +508,53 @@ public record RecordedPackets(
     return List.of(DVS128_GESTURE, DAVIS346_FRAMES, DVXPLORER);
   }
 
+  /** The events of {@link #DAVIS346_FRAMES} as eventcv writes HDF5: deflate and shuffle. */
+  public static final RecordedPackets EVENTCV_HDF5 =
+      new RecordedPackets(
+          "davis346-by-eventcv.h5",
+          "hdf5",
+          DAVIS346_FRAMES.sensor(),
+          DAVIS346_FRAMES.on(),
+          DAVIS346_FRAMES.off(),
+          DAVIS346_FRAMES.firstUs(),
+          DAVIS346_FRAMES.lastUs(),
+          DAVIS346_FRAMES.minX(),
+          DAVIS346_FRAMES.maxX(),
+          DAVIS346_FRAMES.minY(),
+          DAVIS346_FRAMES.maxY(),
+          DAVIS346_FRAMES.head(),
+          DAVIS346_FRAMES.tail(),
+          DAVIS346_FRAMES.crc32(),
+          0);
+
+  /** The same as evutils writes them, of the DSEC kind: Blosc with Zstandard. */
+  public static final RecordedPackets EVUTILS_HDF5 =
+      new RecordedPackets(
+          "davis346-by-evutils.h5",
+          "hdf5",
+          DAVIS346_FRAMES.sensor(),
+          DAVIS346_FRAMES.on(),
+          DAVIS346_FRAMES.off(),
+          DAVIS346_FRAMES.firstUs(),
+          DAVIS346_FRAMES.lastUs(),
+          DAVIS346_FRAMES.minX(),
+          DAVIS346_FRAMES.maxX(),
+          DAVIS346_FRAMES.minY(),
+          DAVIS346_FRAMES.maxY(),
+          DAVIS346_FRAMES.head(),
+          DAVIS346_FRAMES.tail(),
+          DAVIS346_FRAMES.crc32(),
+          0);
+
+  /**
+   * The recordings in HDF5, which hold the events of {@link #DAVIS346_FRAMES}.
+   *
+   * @return eventcv's first
+   */
+  public static List<RecordedPackets> hdf5() {
+    return List.of(EVENTCV_HDF5, EVUTILS_HDF5);
+  }
+
   private static EventRow row(long timeUs, int x, int y, int on) {
     return new EventRow(timeUs, x, y, on);
   }

@@ -120,14 +120,14 @@ class DamagedFilesTest {
       case "evt2", "evt21", "evt3" -> text.indexOf("% end\n") + 6;
       case "dat" -> text.indexOf("\n\f\b") + 3;
       case "es" -> 20;
-      case "npz" -> whole.length;
+      case "npz", "hdf5" -> whole.length;
       case "csv" -> text.indexOf('\n') + 1;
       default -> 0;
     };
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"evt2", "evt21", "evt3", "dat", "es", "csv", "nmnist", "npz"})
+  @ValueSource(strings = {"evt2", "evt21", "evt3", "dat", "es", "csv", "nmnist", "npz", "hdf5"})
   void damageIsFoundAndWhatWasBeforeItIsRead(String name) {
     RecordingFormat format = Recordings.formats().get(name);
     assertTimeout(

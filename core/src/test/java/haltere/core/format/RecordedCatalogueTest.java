@@ -23,6 +23,7 @@ class RecordedCatalogueTest {
     return Stream.of(
             RecordedPackets.aedat(),
             RecordedPackets.dv(),
+            RecordedPackets.hdf5(),
             RecordedPackets.ros(),
             RecordedPackets.prophesee(),
             RecordedPackets.dataSets())

@@ -3,9 +3,6 @@ package haltere.core.format.hdf5;
 import haltere.core.format.packed.DamagedPacketException;
 import haltere.core.format.packed.LittleEndian;
 import haltere.core.format.packed.Lz4Block;
-import haltere.core.format.packed.ZstdBlock;
-import java.util.zip.DataFormatException;
-import java.util.zip.Inflater;
 
 /**
  * Unpacks what the Blosc filter (version 1) packed: blocks whose bytes are sorted by their place in
@@ -18,14 +15,12 @@ final class BloscBlock {
   private static final int MAX_SPLITS = 16;
   private static final int SMALLEST_SPLIT = 128;
 
-  private final Inflater inflater;
-  private final ZstdBlock zstd;
+  private final ChunkUnpacker unpacker;
   private byte[] sorted = {};
 
-  /** Borrows what it needs for its parts. */
-  BloscBlock(Inflater inflater, ZstdBlock zstd) {
-    this.inflater = inflater;
-    this.zstd = zstd;
+  /** For an unpacker, of which it takes zlib and Zstandard. */
+  BloscBlock(ChunkUnpacker unpacker) {
+    this.unpacker = unpacker;
   }
 
   /** Unpacks a chunk from the start of an array to the start of another; returns its length. */
@@ -101,31 +96,10 @@ final class BloscBlock {
     return switch (method) {
       case 0 -> LzfBlock.unpackBlosc(in, from, to, out, outFrom, outTo);
       case 1 -> Lz4Block.unpack(in, from, to, out, outFrom, outTo, outFrom);
-      case 3 -> inflate(inflater, in, from, to, out, outFrom, outTo);
-      case 4 -> zstd.unpack(in, from, to, out, outFrom, outTo);
+      case 3 -> unpacker.inflate(in, from, to, out, outFrom, outTo);
+      case 4 -> unpacker.zstd(in, from, to, out, outFrom, outTo);
       default -> throw new DamagedPacketException("Blosc with a method that is not read");
     };
-  }
-
-  /** Unpacks a zlib stream; returns the end of the bytes. */
-  static int inflate(
-      Inflater inflater, byte[] in, int from, int to, byte[] out, int outFrom, int outTo)
-      throws DamagedPacketException {
-    try {
-      inflater.reset();
-      inflater.setInput(in, from, to - from);
-      int done = outFrom;
-      while (!inflater.finished()) {
-        int count = inflater.inflate(out, done, outTo - done);
-        done += count;
-        if (count == 0 && !inflater.finished()) {
-          throw new DamagedPacketException("a chunk that does not end, or is too large");
-        }
-      }
-      return done;
-    } catch (DataFormatException e) {
-      throw new DamagedPacketException(String.valueOf(e.getMessage()));
-    }
   }
 
   private static void check(boolean possible) throws DamagedPacketException {

@@ -7,6 +7,7 @@ import haltere.core.format.packed.ZstdBlock;
 import java.io.Closeable;
 import java.nio.ByteBuffer;
 import java.util.List;
+import java.util.zip.DataFormatException;
 import java.util.zip.Inflater;
 
 /**
@@ -20,9 +21,12 @@ final class ChunkUnpacker implements Closeable {
 
   private static final int CHECKSUM = 4;
 
-  private final Inflater inflater = new Inflater();
-  private final ZstdBlock zstd = new ZstdBlock();
-  private final BloscBlock blosc = new BloscBlock(inflater, zstd);
+  private final BloscBlock blosc = new BloscBlock(this);
+
+  /** Made when they are needed. */
+  private Inflater inflater;
+
+  private ZstdBlock zstd;
   private byte[] one = {};
   private byte[] other = {};
 
@@ -87,7 +91,7 @@ final class ChunkUnpacker implements Closeable {
   private int undo(FilterStep step, byte[] in, int length, byte[] out, int most)
       throws DamagedPacketException {
     return switch (step.number()) {
-      case FilterStep.DEFLATE -> BloscBlock.inflate(inflater, in, 0, length, out, 0, most);
+      case FilterStep.DEFLATE -> inflate(in, 0, length, out, 0, most);
       case FilterStep.SHUFFLE -> {
         if (length > most) {
           throw new DamagedPacketException("a chunk that is too large");
@@ -98,9 +102,41 @@ final class ChunkUnpacker implements Closeable {
       case FilterStep.LZF -> LzfBlock.unpack(in, 0, length, out, 0, most);
       case FilterStep.BLOSC -> blosc.unpack(in, length, out, most);
       case FilterStep.LZ4 -> lz4(in, length, out, most);
-      case FilterStep.ZSTD -> zstd.unpack(in, 0, length, out, 0, most);
+      case FilterStep.ZSTD -> zstd(in, 0, length, out, 0, most);
       default -> throw new DamagedPacketException("filter " + step.number());
     };
+  }
+
+  /** Unpacks a Zstandard frame; returns the end of the bytes. */
+  int zstd(byte[] in, int from, int to, byte[] out, int outFrom, int outTo)
+      throws DamagedPacketException {
+    if (zstd == null) {
+      zstd = new ZstdBlock();
+    }
+    return zstd.unpack(in, from, to, out, outFrom, outTo);
+  }
+
+  /** Unpacks a zlib stream; returns the end of the bytes. */
+  int inflate(byte[] in, int from, int to, byte[] out, int outFrom, int outTo)
+      throws DamagedPacketException {
+    if (inflater == null) {
+      inflater = new Inflater();
+    }
+    try {
+      inflater.reset();
+      inflater.setInput(in, from, to - from);
+      int done = outFrom;
+      while (!inflater.finished()) {
+        int count = inflater.inflate(out, done, outTo - done);
+        done += count;
+        if (count == 0 && !inflater.finished()) {
+          throw new DamagedPacketException("a chunk that does not end, or is too large");
+        }
+      }
+      return done;
+    } catch (DataFormatException e) {
+      throw new DamagedPacketException(String.valueOf(e.getMessage()));
+    }
   }
 
   /** HDF5's LZ4 filter: the whole size, that of a block, then blocks; numbers are big-endian. */
@@ -165,7 +201,11 @@ final class ChunkUnpacker implements Closeable {
 
   @Override
   public void close() {
-    inflater.end();
-    zstd.close();
+    if (inflater != null) {
+      inflater.end();
+    }
+    if (zstd != null) {
+      zstd.close();
+    }
   }
 }

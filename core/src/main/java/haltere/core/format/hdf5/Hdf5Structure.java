@@ -12,7 +12,7 @@ import java.util.Map;
  */
 final class Hdf5Structure {
   /** Bytes that it takes at the start of a file. */
-  static final int BYTES = 8192;
+  static final int BYTES = 4096;
 
   private static final int SYMBOLS_PER_NODE = 8;
   private static final int GROUP_NODE_BYTES = 544;

@@ -1,0 +1,46 @@
+"""Makes the files beside it, which Hdf5FormatTest reads: python make.py FOLDER (h5py 3.16, hdf5plugin 7.1)."""
+import h5py,numpy as np,hdf5plugin,os,sys
+d=sys.argv[1]; n=300
+i=np.arange(n)
+t=(1000000+i*7+i//150*1000000).astype(np.int64); x=(i*31%346).astype(np.uint16); y=(i*17%260).astype(np.uint16); p=(i//3%2).astype(np.uint8)
+def f(name,**kw): return h5py.File(os.path.join(d,name+'.h5'),'w',**kw)
+def cols(h,chunks=None,maxshape=None,tt=t,pp=p,**kw):
+    g=h.create_group('events')
+    for k,v in dict(t=tt,x=x,y=y,p=pp).items(): g.create_dataset(k,data=v,chunks=chunks,maxshape=maxshape,**kw)
+    h.attrs['width']=346; h.attrs['height']=260
+with f('old-deflate-shuffle-fletcher32') as h: cols(h,(50,),compression='gzip',shuffle=True,fletcher32=True)
+with f('new-growing',libver='latest') as h: cols(h,(3,),(None,))
+with f('new-array-lzf',libver='latest') as h: cols(h,(30,),compression='lzf')
+with f('new-single-deflate',libver='latest') as h: cols(h,(n,),compression='gzip')
+with f('new-run',libver='latest') as h: cols(h)
+with f('blosc-zstd') as h: cols(h,(200,),**hdf5plugin.Blosc(cname='zstd',clevel=5,shuffle=1))
+with f('blosc-blosclz-bits') as h: cols(h,(200,),**hdf5plugin.Blosc(cname='blosclz',clevel=5,shuffle=2))
+with f('blosc-lz4') as h: cols(h,(200,),**hdf5plugin.Blosc(cname='lz4',clevel=5,shuffle=1))
+with f('zstd') as h: cols(h,(200,),**hdf5plugin.Zstd())
+with f('lz4') as h: cols(h,(200,),**hdf5plugin.LZ4())
+with f('dsec') as h:
+    cols(h,(200,),tt=(t-t[0]).astype(np.uint32),compression='gzip'); h['t_offset']=t[0]
+    h['ms_to_idx']=np.searchsorted(t-t[0],np.arange(0,10)*1000).astype(np.uint64)
+a=np.zeros(n,dtype=[('x','<u2'),('y','<u2'),('p','<i2'),('t','<i8')]); a['x']=x;a['y']=y;a['p']=p;a['t']=t
+def prophesee(h,**kw):
+    h.create_dataset('CD/events',data=a,chunks=(100,),**kw); h.create_dataset('CD/indexes',data=np.zeros(5,dtype=[('id','u8'),('ts','i8')]))
+    h.create_dataset('EXT_TRIGGER/events',data=np.zeros(3,dtype=[('p','<i2'),('t','<i8'),('id','<i2')]))
+    h.attrs['geometry']='346x260'; h.attrs['format']='HDF5'
+with f('prophesee') as h: prophesee(h,compression='gzip')
+with f('table-txyp') as h: h.create_dataset('events',data=np.stack([t,x,y,p],axis=1).astype(np.uint32),chunks=(100,4),maxshape=(None,4),compression='gzip')
+with f('table-xytp-seconds') as h: h.create_dataset('davis/left/events',data=np.stack([x,y,t/1e6,p*2.0-1],axis=1),chunks=(100,4),compression='gzip')
+with f('seconds-big-endian-truth') as h:
+    h['events/xs']=x.astype('i2'); h['events/ys']=y.astype('>i2'); h['events/ts']=t/1e6; h['events/ps']=p.astype(bool)
+    h['images/image000']=np.zeros((3,3))
+with f('nanoseconds-user-block',userblock_size=512) as h:
+    g=h.create_group('events'); g['t_ns']=t*1000; g['x']=x; g['y']=y; g['p']=p
+def other(name,number):
+    with f(name) as h:
+        for k,v in dict(t=t,x=x,y=y,p=p).items():
+            c=h5py.h5p.create(h5py.h5p.DATASET_CREATE); c.set_chunk((100,)); c.set_filter(number,h5py.h5z.FLAG_OPTIONAL,())
+            h5py.h5d.create(h.id,k.encode(),h5py.h5t.py_create(v.dtype),h5py.h5s.create_simple((n,)),c).write(h5py.h5s.ALL,h5py.h5s.ALL,v)
+other('filter-ecf',36559); other('filter-unknown',54321)
+with f('large-chunks') as h: 
+    g=h.create_group('events')
+    for k,v in dict(t=t,x=x,y=y,p=p).items(): g.create_dataset(k,shape=(0,),maxshape=(None,),dtype=v.dtype,chunks=(4000000,),compression='gzip')
+with f('no-events') as h: h['weights']=np.zeros((2,2))
