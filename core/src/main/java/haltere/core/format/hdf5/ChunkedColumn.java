@@ -14,7 +14,7 @@ import java.util.zip.Deflater;
  * <p>Thread rule: one thread.
  */
 final class ChunkedColumn {
-  /** Rows of a chunk. */
+  /** Rows of a chunk, unless there are fewer in all. */
   static final int CHUNK_ROWS = 1 << 16;
 
   /** Half of the entries that a node of the tree has room for, as every reader expects it. */
@@ -35,6 +35,7 @@ final class ChunkedColumn {
   private final byte[] sorted;
   private byte[] packed;
   private final ByteBuffer chunkBuffer;
+  private int chunkRows = CHUNK_ROWS;
   private int filled;
   private long rows;
 
@@ -83,6 +84,10 @@ final class ChunkedColumn {
     return rows;
   }
 
+  int chunkRows() {
+    return chunkRows;
+  }
+
   /** The rows that are not yet written. */
   byte[] chunk() {
     return chunk;
@@ -108,16 +113,24 @@ final class ChunkedColumn {
     setFilled(filled + 1, file);
   }
 
-  /** Writes the rows that are not yet written. */
-  void flush(AtomicFile file) throws IOException {
+  /** Writes the rows that are not yet written, the last ones. */
+  void end(AtomicFile file) throws IOException {
+    if (filled > 0 && chunkCount == 0) {
+      chunkRows = filled;
+    }
+    flush(file);
+  }
+
+  private void flush(AtomicFile file) throws IOException {
     if (filled == 0) {
       return;
     }
-    Arrays.fill(chunk, filled * size, chunk.length, (byte) 0);
+    int length = chunkRows * size;
+    Arrays.fill(chunk, filled * size, length, (byte) 0);
     if (2 * chunkCount == chunks.length) {
       chunks = Arrays.copyOf(chunks, 2 * chunks.length);
     }
-    ByteBuffer bytes = deflater == null ? chunkBuffer.clear() : pack();
+    ByteBuffer bytes = deflater == null ? chunkBuffer.clear().limit(length) : pack(length);
     chunks[2 * chunkCount] = file.channel().position();
     chunks[2 * chunkCount + 1] = bytes.remaining();
     file.write(bytes);
@@ -125,12 +138,12 @@ final class ChunkedColumn {
     filled = 0;
   }
 
-  private ByteBuffer pack() {
+  private ByteBuffer pack(int bytes) {
     if (sorted != chunk) {
-      ByteShuffle.apply(chunk, sorted, chunk.length, size);
+      ByteShuffle.apply(chunk, sorted, bytes, size);
     }
     deflater.reset();
-    deflater.setInput(sorted);
+    deflater.setInput(sorted, 0, bytes);
     deflater.finish();
     int length = 0;
     while (!deflater.finished()) {
@@ -189,7 +202,7 @@ final class ChunkedColumn {
 
   private void key(Hdf5Bytes node, int chunkNumber) {
     node.u4(chunkNumber < chunkCount ? chunks[2 * chunkNumber + 1] : 0).u4(0);
-    node.u8((long) chunkNumber * CHUNK_ROWS).u8(0);
+    node.u8((long) chunkNumber * chunkRows).u8(0);
   }
 
   void close() {

@@ -159,7 +159,7 @@ final class Hdf5Structure {
     endMessage(message);
     typeAndFill(column.size(), column.isSigned());
     message = startMessage(ObjectHeader.LAYOUT);
-    bytes.u1(3).u1(2).u1(2).u8(tree).u4(ChunkedColumn.CHUNK_ROWS).u4(column.size());
+    bytes.u1(3).u1(2).u1(2).u8(tree).u4(column.chunkRows()).u4(column.size());
     endMessage(message);
     if (column.level() > 0) {
       boolean shuffled = column.size() > 1;

@@ -169,12 +169,12 @@ public final class Hdf5Writer implements RecordingWriter {
     Map<ChunkedColumn, Long> beside = new LinkedHashMap<>();
     if (indexed) {
       index.append(times.rows(), file);
-      index.flush(file);
+      index.end(file);
       beside.put(index, index.writeTree(file));
     }
     List<ChunkedColumn> columns = List.of(on, times, x, y);
     for (ChunkedColumn column : columns) {
-      column.flush(file);
+      column.end(file);
     }
     for (ChunkedColumn column : columns) {
       events.put(column, column.writeTree(file));
