@@ -12,7 +12,7 @@ import java.nio.ByteOrder;
  */
 public final class FileCursor implements EventCursor {
   /** Small enough to stay in the cache between reading and decoding. */
-  private static final int BUFFER_BYTES = 256 * 1024;
+  private static final int BUFFER_BYTES = 64 * 1024;
 
   private final RecordingFile file;
   private final StreamDecoder decoder;

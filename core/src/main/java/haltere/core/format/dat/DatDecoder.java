@@ -9,6 +9,7 @@ import haltere.core.format.ViolationCounts;
 import haltere.core.format.WrappingClock;
 import haltere.core.stream.StreamNotification;
 import java.nio.ByteBuffer;
+import java.nio.IntBuffer;
 
 /**
  * Turns the records of a DAT file into packets: little-endian, 32 bits of time, 32 bits of column,
@@ -23,6 +24,13 @@ public final class DatDecoder implements StreamDecoder {
   private static final int RUN = 1024;
   private static final long UNSIGNED = 0xffffffffL;
 
+  // Constants, since the loop over records of version 2 has no register for them.
+  private static final int X_BITS = 14;
+  private static final int Y_BITS = 14;
+  private static final int ROW_SHIFT = EventAddress.Y_SHIFT - X_BITS;
+  private static final int COLUMN = (1 << X_BITS) - 1 << EventAddress.X_SHIFT;
+  private static final int ROW = (1 << Y_BITS) - 1 << EventAddress.Y_SHIFT;
+
   /**
    * Where a record's second half has what.
    *
@@ -31,7 +39,7 @@ public final class DatDecoder implements StreamDecoder {
    */
   public record Layout(int xBits, int yBits) {
     /** Of version 2 and later. */
-    public static final Layout VERSION_2 = new Layout(14, 14);
+    public static final Layout VERSION_2 = new Layout(X_BITS, Y_BITS);
 
     /** Of the files of the first sensors, of 304x240 pixels. */
     public static final Layout VERSION_1 = new Layout(9, 8);
@@ -41,8 +49,13 @@ public final class DatDecoder implements StreamDecoder {
   private final int top;
   private final int xBits;
   private final int yBits;
+  private final boolean usual;
   private final ViolationCounts violations;
   private final WrappingClock clock;
+
+  /** Records on their way; an array is read faster than a buffer. */
+  private final int[] stage = new int[2 * RUN];
+
   private boolean restarted;
   private long restartUs;
 
@@ -60,6 +73,7 @@ public final class DatDecoder implements StreamDecoder {
     top = geometry.height() - 1;
     xBits = layout.xBits();
     yBits = layout.yBits();
+    usual = layout.equals(Layout.VERSION_2);
     this.violations = violations;
     clock = new WrappingClock(1L << 32, firstTurnUs);
   }
@@ -67,13 +81,15 @@ public final class DatDecoder implements StreamDecoder {
   @Override
   public boolean decode(ByteBuffer in, long offset, EventPacket out, int maxEvents) {
     out.ensureCapacity(maxEvents);
+    IntBuffer words = in.asIntBuffer();
     int start = in.position();
     int position = start;
     int end = start + (in.remaining() & -RECORD_BYTES);
     while (position < end && out.size() < maxEvents && !restarted) {
       int records =
           Math.min(RUN, Math.min(maxEvents - out.size(), (end - position) / RECORD_BYTES));
-      if (!decodeRun(in, position, records, out)) {
+      words.get((position - start) / Integer.BYTES, stage, 0, 2 * records);
+      if (!decodeRun(records, out)) {
         records = decodeSingly(in, position, records, offset + (position - start), out);
       }
       position += records * RECORD_BYTES;
@@ -82,42 +98,38 @@ public final class DatDecoder implements StreamDecoder {
     return restarted;
   }
 
-  /** Decodes records at once as long as nothing is odd about any of them; if so, none. */
-  private boolean decodeRun(ByteBuffer in, int position, int records, EventPacket out) {
-    if (!clock.started()) {
+  /**
+   * Decodes staged records of version 2 as long as nothing is odd about any of them; if so, none.
+   */
+  private boolean decodeRun(int count, EventPacket out) {
+    if (!clock.started() || !usual) {
       return false;
     }
-    int size = out.size();
+    int[] words = stage;
     long[] times = out.timesUs();
     int[] addresses = out.addresses();
-    int right = width - 1;
-    int topRow = top;
-    int xMask = (1 << xBits) - 1;
-    int yMask = (1 << yBits) - 1;
-    int yShift = xBits;
-    int onShift = xBits + yBits;
+    int size = out.size();
+    int right = width - 1 << EventAddress.X_SHIFT;
+    int topRow = top << EventAddress.Y_SHIFT;
     long turnUs = clock.turnUs();
-    long lastUs = clock.lastUs();
-    long odd = 0;
-    for (int i = 0; i < records; i++) {
-      long record = in.getLong(position + i * RECORD_BYTES);
-      long timeUs = turnUs + (record & UNSIGNED);
-      int word = (int) (record >>> 32);
-      int x = word & xMask;
-      int y = topRow - (word >>> yShift & yMask);
-      long stepUs = timeUs - lastUs;
+    int last = (int) (clock.lastUs() - turnUs);
+    int odd = 0;
+    for (int i = 0; i < count; i++) {
+      int time = words[2 * i];
+      int word = words[2 * i + 1];
+      int column = word << EventAddress.X_SHIFT & COLUMN;
+      int address = topRow - (word << ROW_SHIFT & ROW) + column + (word >>> X_BITS + Y_BITS & 1);
       // Negative if the clock goes back or leaps by half a turn, or the pixel is outside.
-      odd |= stepUs | stepUs << 32 | y | right - x;
-      lastUs = timeUs;
-      times[size + i] = timeUs;
-      addresses[size + i] =
-          y << EventAddress.Y_SHIFT | x << EventAddress.X_SHIFT | word >>> onShift & 1;
+      odd |= time - last | last & ~time | address | right - column;
+      last = time;
+      times[size + i] = turnUs + (time & UNSIGNED);
+      addresses[size + i] = address;
     }
     if (odd < 0) {
       return false;
     }
-    out.setSize(size + records);
-    clock.advance(lastUs);
+    out.setSize(size + count);
+    clock.advance(turnUs + (last & UNSIGNED));
     return true;
   }
 

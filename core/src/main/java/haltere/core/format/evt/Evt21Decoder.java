@@ -6,6 +6,7 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
 import java.nio.ByteBuffer;
+import java.nio.LongBuffer;
 
 /**
  * EVT2.1: little-endian words of 64 bits, each with a row of up to 32 neighbouring pixels that
@@ -19,6 +20,12 @@ public final class Evt21Decoder extends EvtDecoder {
   private static final int IMU = 0xd;
   private static final int OTHERS = 0xe;
   private static final int CONTINUED = 0xf;
+
+  /** Words that are looked at together. */
+  private static final int STAGE_WORDS = 512;
+
+  /** Words on their way; an array is read faster than a buffer. */
+  private final long[] stage = new long[STAGE_WORDS];
 
   private final int turned;
 
@@ -55,67 +62,93 @@ public final class Evt21Decoder extends EvtDecoder {
   @Override
   public boolean decode(ByteBuffer in, long offset, EventPacket out, int maxEvents) {
     out.ensureCapacity(maxEvents);
-    int start = in.position();
-    int end = start + (in.remaining() & -WORD_BYTES);
-    int position = start;
-    while (position < end && out.size() < maxEvents && !restarted) {
-      if (handedOver == 0) {
-        position = decodeRun(in, position, end, out, maxEvents);
-      }
-      if (position < end && out.size() < maxEvents) {
-        long word = Long.rotateLeft(in.getLong(position), turned);
-        if (decodeWord(word, offset + (position - start), out, maxEvents)) {
-          position += WORD_BYTES;
-        }
-      }
+    LongBuffer words = in.asLongBuffer();
+    int end = words.limit();
+    int first = 0;
+    while (first < end && out.size() < maxEvents && !restarted) {
+      int count = Math.min(STAGE_WORDS, end - first);
+      words.get(first, stage, 0, count);
+      first += decodeStage(count, offset + (long) first * WORD_BYTES, out, maxEvents);
     }
-    in.position(position);
+    in.position(in.position() + first * WORD_BYTES);
     return restarted;
   }
 
-  /** Decodes until a word needs care or the packet is nearly full; returns where that is. */
-  private int decodeRun(ByteBuffer in, int from, int end, EventPacket out, int maxEvents) {
-    int limit = maxEvents - VECTOR;
-    int size = out.size();
-    if (clock.high() < 0 || size > limit) {
-      return from;
-    }
-    long[] times = out.timesUs();
-    int[] addresses = out.addresses();
-    int right = width - 1;
-    int topRow = top;
-    long startUs = clock.startUs();
-    long previousUs = lastUs;
-    int position = from;
-    for (; position < end && size <= limit; position += WORD_BYTES) {
-      long word = Long.rotateLeft(in.getLong(position), turned);
-      if (word >>> 61 == 0) {
-        int mask = (int) word;
-        long timeUs = startUs + (word >>> 54 & 0x3f);
-        int x = (int) (word >>> 43) & 0x7ff;
-        int y = topRow - ((int) (word >>> 32) & 0x7ff);
-        int last = x + 31 - Integer.numberOfLeadingZeros(mask);
-        if ((timeUs - previousUs | y | right - last) < 0 || mask == 0) {
-          break;
-        }
-        previousUs = timeUs;
-        int address =
-            y << EventAddress.Y_SHIFT | x << EventAddress.X_SHIFT | (int) (word >>> 60) & 1;
-        do {
-          times[size] = timeUs;
-          addresses[size++] =
-              address + (Integer.numberOfTrailingZeros(mask) << EventAddress.X_SHIFT);
-          mask &= mask - 1;
-        } while (mask != 0);
-      } else if (word >>> 60 == TIME_HIGH) {
-        startUs = clock.take((int) (word >>> 32) & 0xfffffff);
-      } else {
-        break;
+  /** Decodes words of the stage until the packet is full; returns how many. */
+  private int decodeStage(int count, long offset, EventPacket out, int maxEvents) {
+    int at = 0;
+    while (at < count && out.size() < maxEvents && !restarted) {
+      if (handedOver == 0) {
+        at = decodeRun(at, count, out, maxEvents);
+      }
+      if (at < count && out.size() < maxEvents) {
+        long word = Long.rotateLeft(stage[at], turned);
+        at += decodeWord(word, offset + (long) at * WORD_BYTES, out, maxEvents) ? 1 : 0;
       }
     }
+    return at;
+  }
+
+  /** Decodes until a word needs care or the packet is nearly full; returns where that is. */
+  private int decodeRun(int from, int end, EventPacket out, int maxEvents) {
+    int at = from;
+    while (at < end && clock.high() >= 0) {
+      long word = Long.rotateLeft(stage[at], turned);
+      int next = at;
+      if (word >>> 60 == TIME_HIGH) {
+        clock.take((int) (word >>> 32) & 0xfffffff);
+        next++;
+      } else {
+        next = decodeEvents(at, end, out, maxEvents - VECTOR);
+        if (next == at) {
+          break;
+        }
+      }
+      at = next;
+    }
+    return at;
+  }
+
+  /**
+   * Decodes events until there is another word, or one that needs care, or more events than a
+   * limit; returns where that is. The loop keeps nothing that it does not need for each word: it
+   * lives from its registers.
+   */
+  private int decodeEvents(int from, int end, EventPacket out, int limit) {
+    long[] words = stage;
+    long[] times = out.timesUs();
+    int[] addresses = out.addresses();
+    int size = out.size();
+    long startUs = clock.startUs();
+    int right = width - 1;
+    int topRow = top << EventAddress.Y_SHIFT;
+    int turn = turned;
+    int low = lowNow(startUs);
+    int at = from;
+    while (at < end && size <= limit) {
+      long word = Long.rotateLeft(words[at], turn);
+      int mask = (int) word;
+      int head = (int) (word >>> 32);
+      int newLow = head >>> 22 & 0x3f;
+      int x = head >>> 11 & 0x7ff;
+      int address = topRow - (head << EventAddress.Y_SHIFT & 0x7ff0000);
+      int last = x + 31 - Integer.numberOfLeadingZeros(mask);
+      // Negative if it is no event, the time goes back or a pixel is outside.
+      if ((-(head >>> 29) | newLow - low | address | right - last | last - x) < 0) {
+        break;
+      }
+      low = newLow;
+      address += x << EventAddress.X_SHIFT | head >>> 28;
+      do {
+        times[size] = startUs + newLow;
+        addresses[size++] = address + (Integer.numberOfTrailingZeros(mask) << EventAddress.X_SHIFT);
+        mask &= mask - 1;
+      } while (mask != 0);
+      at++;
+    }
     out.setSize(size);
-    lastUs = previousUs;
-    return position;
+    lastUs = at > from ? startUs + low : lastUs;
+    return at;
   }
 
   /** Decodes one word, whatever it is; false if it is not done with. */

@@ -6,6 +6,7 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
 import java.nio.ByteBuffer;
+import java.nio.IntBuffer;
 
 /** EVT2: little-endian words of 32 bits, at most one event in each. */
 public final class Evt2Decoder extends EvtDecoder {
@@ -15,6 +16,12 @@ public final class Evt2Decoder extends EvtDecoder {
   private static final int IMU = 0xd;
   private static final int OTHERS = 0xe;
   private static final int CONTINUED = 0xf;
+
+  /** Words that are looked at together. */
+  private static final int STAGE_WORDS = 1024;
+
+  /** Words on their way; an array is read faster than a buffer. */
+  private final int[] stage = new int[STAGE_WORDS];
 
   /**
    * A decoder before the first word.
@@ -30,57 +37,81 @@ public final class Evt2Decoder extends EvtDecoder {
   @Override
   public boolean decode(ByteBuffer in, long offset, EventPacket out, int maxEvents) {
     out.ensureCapacity(maxEvents);
-    int start = in.position();
-    int end = start + (in.remaining() & -WORD_BYTES);
-    int position = start;
-    while (position < end && out.size() < maxEvents && !restarted) {
-      position = decodeRun(in, position, end, out, maxEvents);
-      if (position < end && out.size() < maxEvents) {
-        int word = in.getInt(position);
-        if (decodeWord(word, offset + (position - start), out)) {
-          position += WORD_BYTES;
-        }
-      }
+    IntBuffer words = in.asIntBuffer();
+    int end = words.limit();
+    int first = 0;
+    while (first < end && out.size() < maxEvents && !restarted) {
+      int count = Math.min(STAGE_WORDS, end - first);
+      words.get(first, stage, 0, count);
+      first += decodeStage(count, offset + (long) first * WORD_BYTES, out, maxEvents);
     }
-    in.position(position);
+    in.position(in.position() + first * WORD_BYTES);
     return restarted;
   }
 
-  /** Decodes until a word needs care or the packet is full; returns where that is. */
-  private int decodeRun(ByteBuffer in, int from, int end, EventPacket out, int maxEvents) {
-    if (clock.high() < 0) {
-      return from;
-    }
-    long[] times = out.timesUs();
-    int[] addresses = out.addresses();
-    int right = width - 1;
-    int topRow = top;
-    int size = out.size();
-    long startUs = clock.startUs();
-    long previousUs = lastUs;
-    int position = from;
-    int stop = (int) Math.min(end, position + (long) (maxEvents - size) * WORD_BYTES);
-    for (; position < stop; position += WORD_BYTES) {
-      int word = in.getInt(position);
-      if (word >>> 29 == 0) {
-        long timeUs = startUs + (word >>> 22 & 0x3f);
-        int x = word >>> 11 & 0x7ff;
-        int y = topRow - (word & 0x7ff);
-        if ((timeUs - previousUs | y | right - x) < 0) {
-          break;
-        }
-        times[size] = timeUs;
-        addresses[size++] = y << EventAddress.Y_SHIFT | x << EventAddress.X_SHIFT | word >>> 28;
-        previousUs = timeUs;
-      } else if (word >>> 28 == TIME_HIGH) {
-        startUs = clock.take(word & 0xfffffff);
-      } else {
-        break;
+  /** Decodes words of the stage until the packet is full; returns how many. */
+  private int decodeStage(int count, long offset, EventPacket out, int maxEvents) {
+    int at = 0;
+    while (at < count && out.size() < maxEvents && !restarted) {
+      at = decodeRun(at, count, out, maxEvents);
+      if (at < count && out.size() < maxEvents) {
+        at += decodeWord(stage[at], offset + (long) at * WORD_BYTES, out) ? 1 : 0;
       }
     }
-    out.setSize(size);
-    lastUs = previousUs;
-    return position;
+    return at;
+  }
+
+  /** Decodes until a word needs care or the packet is full; returns where that is. */
+  private int decodeRun(int from, int end, EventPacket out, int maxEvents) {
+    int at = from;
+    while (at < end && out.size() < maxEvents && clock.high() >= 0) {
+      int word = stage[at];
+      int events = 0;
+      if (word >>> 28 == TIME_HIGH) {
+        clock.take(word & 0xfffffff);
+        at++;
+      } else {
+        events = decodeEvents(at, Math.min(end - at, maxEvents - out.size()), out);
+        if (events == 0) {
+          break;
+        }
+      }
+      at += events;
+    }
+    return at;
+  }
+
+  /**
+   * Decodes events until there is another word, or an event that needs care; returns how many. The
+   * loop keeps nothing that it does not need for each event: it lives from its registers.
+   */
+  private int decodeEvents(int from, int most, EventPacket out) {
+    int[] words = stage;
+    long[] times = out.timesUs();
+    int[] addresses = out.addresses();
+    int size = out.size();
+    long startUs = clock.startUs();
+    int right = width - 1 << EventAddress.X_SHIFT;
+    int topRow = top << EventAddress.Y_SHIFT;
+    int low = lowNow(startUs);
+    int count = 0;
+    while (count < most) {
+      int word = words[from + count];
+      int newLow = word >>> 22;
+      int column = word >>> 10 & 0xffe;
+      int address = topRow - (word << EventAddress.Y_SHIFT & 0x7ff0000) + column + (word >>> 28);
+      // Negative if it is no event, the time goes back or the pixel is outside.
+      if ((-(word >>> 29) | (newLow & 0x3f) - low | address | right - column) < 0) {
+        break;
+      }
+      low = newLow & 0x3f;
+      times[size + count] = startUs + low;
+      addresses[size + count] = address;
+      count++;
+    }
+    out.setSize(size + count);
+    lastUs = count > 0 ? startUs + low : lastUs;
+    return count;
   }
 
   /** Decodes one word, whatever it is; false if the clock goes back there. */

@@ -34,21 +34,34 @@ public final class Evt3Decoder extends EvtDecoder {
 
   private static final int GROUP_BYTES = 8;
 
-  /** So many bytes without a vector word, and the stream is no longer taken for one with them. */
-  private static final int PATIENCE_BYTES = 128;
-
-  /** The types of the words of a group, as one little-endian number. */
-  private static final long BASE_12_12_8 = 0x5000400040003000L;
-
-  private static final long GROUP_TYPES = 0xf000f000f000f000L;
+  /** Pixels that are written without asking for each. */
+  private static final int AT_ONCE = 4;
 
   /** Events of a group, and room for what is too much. */
-  private static final int LONGEST_RUN = GROUP + 4;
+  private static final int LONGEST_RUN = GROUP + AT_ONCE;
+
+  /** Bytes that are looked at together. */
+  private static final int STAGE_BYTES = 4096;
+
+  /** A bit for each type of word that has no effect on pixel events. */
+  private static final int OTHER_WORDS =
+      1 << OTHERS | 1 << CONTINUED_12 | 1 << CONTINUED_4 | 1 << EXT_TRIGGER;
+
+  private static final long EACH_WORD = 0x0001000100010001L;
+
+  /** Types of four words, the first of which is in the lowest bits. */
+  private static final long GROUP_TYPES = 0xf000f000f000f000L;
+
+  private static final long BASE_12_12_8 = 0x5000400040003000L;
+  private static final long LOW_ROW_COLUMN_TYPES = 0x0000f000f000f000L;
+  private static final long LOW_ROW_COLUMN = 0x0000200000006000L;
 
   /** Row of {@link #row} before the first row word and for data that are no pixel events. */
   private static final int NO_ROW = 1 << 31;
 
   private static final int NO_ROW_OTHER = NO_ROW | 1;
+
+  private final byte[] stage = new byte[STAGE_BYTES + GROUP_BYTES];
 
   /** Row of an address, counted from the bottom, in its place; negative if there is none. */
   private int row = NO_ROW;
@@ -58,6 +71,9 @@ public final class Evt3Decoder extends EvtDecoder {
 
   /** Column of the next vector word's first pixel. */
   private int vectorX;
+
+  /** Whether the camera says high parts again that it has said. */
+  private boolean repeatedHighs;
 
   /** Polarity bit of vector words. */
   private int vectorOn;
@@ -77,31 +93,43 @@ public final class Evt3Decoder extends EvtDecoder {
   public boolean decode(ByteBuffer in, long offset, EventPacket out, int maxEvents) {
     out.ensureCapacity(maxEvents + LONGEST_RUN);
     int start = in.position();
-    int end = start + (in.remaining() & -WORD_BYTES);
-    int position = start;
-    while (position < end && out.size() < maxEvents && !restarted) {
-      if (handedOver == 0 && clock.high() >= 0 && timeUs >= lastUs) {
-        position = decodeSingles(in, position, end, offset - start, out, maxEvents);
-        position = decodeVectors(in, position, end, out, maxEvents);
-      }
-      if (position < end && out.size() < maxEvents) {
-        int word = in.getShort(position) & 0xffff;
-        if (decodeWord(word, offset + (position - start), out, maxEvents)) {
-          position += WORD_BYTES;
-        }
-      }
+    int end = in.remaining() & -WORD_BYTES;
+    int first = 0;
+    while (first < end && out.size() < maxEvents && !restarted) {
+      int bytes = Math.min(STAGE_BYTES, end - first);
+      in.get(start + first, stage, 0, bytes);
+      first += decodeStage(bytes, first + bytes == end, offset + first, out, maxEvents);
     }
-    in.position(position);
+    in.position(start + first);
     return restarted;
   }
 
+  /** Decodes words of the stage until the packet is full; returns the bytes of them. */
+  private int decodeStage(int bytes, boolean last, long offset, EventPacket out, int maxEvents) {
+    int at = 0;
+    while (at < bytes && out.size() < maxEvents && !restarted) {
+      if (handedOver == 0 && clock.high() >= 0 && timeUs >= lastUs) {
+        at = decodeRun(at, bytes, offset, out, maxEvents);
+        if (bytes - at < GROUP_BYTES && !last) {
+          return at;
+        }
+      }
+      if (at < bytes && out.size() < maxEvents) {
+        int word = (int) Stage.eightBytes(stage, at) & 0xffff;
+        at += decodeWord(word, offset + at, out, maxEvents) ? WORD_BYTES : 0;
+      }
+    }
+    return at;
+  }
+
   /**
-   * Decodes until there is a vector word, a word needs care or the packet is full; returns where
-   * that is. The loop is as bare as it is because it lives from its registers: what is not needed
-   * for nearly every word is elsewhere.
+   * Decodes until a word needs care, the packet is full or fewer than four words are left; returns
+   * where that is. Four words are looked at together, since what follows a word can be foretold
+   * only for the usual sequences; high parts that say nothing new are passed over without asking
+   * how many there are.
    */
-  private int decodeSingles(
-      ByteBuffer in, int from, int end, long fileOffset, EventPacket out, int maxEvents) {
+  private int decodeRun(int from, int end, long offset, EventPacket out, int maxEvents) {
+    byte[] words = stage;
     long[] times = out.timesUs();
     int[] addresses = out.addresses();
     int before = out.size();
@@ -110,174 +138,82 @@ public final class Evt3Decoder extends EvtDecoder {
     int topRow = top;
     int rowBits = row;
     long startUs = clock.startUs();
-    int high = clock.high();
-    long now = timeUs;
-    int others = 0;
+    long sameHighs = (TIME_HIGH << 12 | clock.high()) * EACH_WORD;
+    boolean passOver = repeatedHighs;
+    int low = (int) (timeUs - startUs);
+    long others = 0;
     boolean careForOthers =
-        violations.reached() > fileOffset + from || violations.count(Violation.OTHER_DATA) == 0;
-    int stop = (int) Math.min(end, from + (long) (maxEvents - size) * WORD_BYTES);
-    int position = from;
-    words:
-    for (; position < stop; position += WORD_BYTES) {
-      int word = in.getShort(position) & 0xffff;
-      switch (word >>> 12) {
-        case ADDR_Y:
-          rowBits = topRow - (word & 0x7ff) << EventAddress.Y_SHIFT;
+        violations.reached() > offset + from || violations.count(Violation.OTHER_DATA) == 0;
+    int stop = end - GROUP_BYTES;
+    int at = from;
+    while (at <= stop && size < maxEvents) {
+      long ahead = Stage.eightBytes(words, at);
+      if (passOver) {
+        at += Long.numberOfTrailingZeros(ahead ^ sameHighs) >>> 4 << 1;
+        if (at > stop) {
           break;
-        case ADDR_X:
-          int x = word & 0x7ff;
-          if ((rowBits | right - x) < 0) {
-            break words;
-          }
-          times[size] = now;
-          addresses[size++] = rowBits | x << EventAddress.X_SHIFT | word >>> 11 & 1;
+        }
+        ahead = Stage.eightBytes(words, at);
+      }
+      int value = (int) ahead & 0x7ff;
+      int type = (int) ahead >>> 12 & 0xf;
+      if ((ahead & LOW_ROW_COLUMN_TYPES) == LOW_ROW_COLUMN) {
+        int newLow = (int) ahead & 0xfff;
+        int y = topRow - ((int) (ahead >>> 16) & 0x7ff);
+        int x = (int) (ahead >>> 32) & 0x7ff;
+        if ((newLow - low | y | right - x) < 0) {
           break;
-        case TIME_LOW:
-          long low = startUs + (word & 0xfff);
-          if (low < now) {
-            break words;
-          }
-          now = low;
+        }
+        low = newLow;
+        rowBits = y << EventAddress.Y_SHIFT;
+        times[size] = startUs + low;
+        addresses[size++] = rowBits | x << EventAddress.X_SHIFT | (int) (ahead >>> 43) & 1;
+        at += 3 * WORD_BYTES;
+      } else if (type == ADDR_X) {
+        if ((rowBits | right - value) < 0) {
           break;
-        case TIME_HIGH:
-          if ((word & 0xfff) != high) {
-            break words;
-          }
+        }
+        times[size] = startUs + low;
+        addresses[size++] = rowBits | value << EventAddress.X_SHIFT | (int) ahead >>> 11 & 1;
+        at += WORD_BYTES;
+      } else if (type == ADDR_Y) {
+        rowBits = topRow - value << EventAddress.Y_SHIFT;
+        at += WORD_BYTES;
+      } else if ((ahead & GROUP_TYPES) == BASE_12_12_8) {
+        if ((rowBits | right + 1 - GROUP - value | maxEvents - GROUP - size) < 0) {
           break;
-        case OTHERS, CONTINUED_12, CONTINUED_4, EXT_TRIGGER:
-          if (careForOthers) {
-            break words;
-          }
-          others++;
-          break;
-        default:
-          break words;
+        }
+        vectorX = value + GROUP;
+        vectorOn = (int) ahead >>> 11 & 1;
+        size =
+            appendPixels(
+                times,
+                addresses,
+                size,
+                startUs + low,
+                rowBits | value << EventAddress.X_SHIFT | vectorOn,
+                (int) (ahead >>> 16) & 0xfff
+                    | ((int) (ahead >>> 32) & 0xfff) << 12
+                    | (int) (ahead >>> 48) << 24);
+        at += GROUP_BYTES;
+      } else if (type == TIME_LOW && ((int) ahead & 0xfff) >= low) {
+        low = (int) ahead & 0xfff;
+        at += WORD_BYTES;
+      } else if ((OTHER_WORDS >>> type & 1) != 0 && !careForOthers) {
+        others++;
+        at += WORD_BYTES;
+      } else {
+        break;
       }
     }
-    violations.add(Violation.OTHER_DATA, fileOffset + from, others);
-    setState(out, before, size, rowBits, now);
-    return position;
-  }
-
-  /**
-   * The same for streams with vector words: decodes from one on, until there has been none for a
-   * while, a word needs care or the packet is nearly full.
-   */
-  private int decodeVectors(ByteBuffer in, int from, int end, EventPacket out, int maxEvents) {
-    int limit = maxEvents - GROUP;
-    int before = out.size();
-    int size = before;
-    if (from >= end || size > limit || !isVector(in.getShort(from))) {
-      return from;
-    }
-    long[] times = out.timesUs();
-    int[] addresses = out.addresses();
-    int right = width - 1;
-    int topRow = top;
-    int rowBits = row;
-    long startUs = clock.startUs();
-    int high = clock.high();
-    long now = timeUs;
-    int position = from;
-    int patience = from + PATIENCE_BYTES;
-    words:
-    for (; position < end && size <= limit; position += WORD_BYTES) {
-      int word = in.getShort(position) & 0xffff;
-      switch (word >>> 12) {
-        case ADDR_Y:
-          rowBits = topRow - (word & 0x7ff) << EventAddress.Y_SHIFT;
-          break;
-        case ADDR_X:
-          int x = word & 0x7ff;
-          if ((rowBits | right - x) < 0 || position > patience) {
-            break words;
-          }
-          times[size] = now;
-          addresses[size++] = rowBits | x << EventAddress.X_SHIFT | word >>> 11 & 1;
-          break;
-        case TIME_LOW:
-          long low = startUs + (word & 0xfff);
-          if (low < now) {
-            break words;
-          }
-          now = low;
-          break;
-        case TIME_HIGH:
-          if ((word & 0xfff) != high) {
-            break words;
-          }
-          break;
-        case VECT_BASE_X:
-          vectorX = word & 0x7ff;
-          vectorOn = word >>> 11 & 1;
-          patience = position + PATIENCE_BYTES;
-          int group = groupMask(in, position, end);
-          if (group == 0 || (rowBits | right + 1 - GROUP - vectorX) < 0) {
-            break;
-          }
-          size =
-              appendPixels(
-                  times,
-                  addresses,
-                  size,
-                  now,
-                  rowBits | vectorX << EventAddress.X_SHIFT | vectorOn,
-                  group);
-          vectorX += GROUP;
-          position += GROUP_BYTES - WORD_BYTES;
-          break;
-        case VECT_12, VECT_8:
-          int length = word >>> 12 == VECT_12 ? 12 : 8;
-          if ((rowBits | right + 1 - length - vectorX) < 0) {
-            break words;
-          }
-          size =
-              appendPixels(
-                  times,
-                  addresses,
-                  size,
-                  now,
-                  rowBits | vectorX << EventAddress.X_SHIFT | vectorOn,
-                  word & (1 << length) - 1);
-          vectorX += length;
-          break;
-        default:
-          break words;
-      }
-    }
-    setState(out, before, size, rowBits, now);
-    return position;
-  }
-
-  private static boolean isVector(short word) {
-    int type = word >>> 12 & 0xf;
-    return type >= VECT_BASE_X && type <= VECT_8;
-  }
-
-  private void setState(EventPacket out, int before, int size, int rowBits, long now) {
+    violations.add(Violation.OTHER_DATA, offset + from, others);
     out.setSize(size);
     row = rowBits;
-    timeUs = now;
+    timeUs = startUs + low;
     if (size > before) {
-      lastUs = out.timesUs()[size - 1];
+      lastUs = times[size - 1];
     }
-  }
-
-  /**
-   * The pixels of a group of vector words as cameras send it: a start and 12, 12 and 8 pixels; 0 if
-   * there is none.
-   */
-  private static int groupMask(ByteBuffer in, int position, int end) {
-    if (position + GROUP_BYTES > end) {
-      return 0;
-    }
-    long words = in.getLong(position);
-    if ((words & GROUP_TYPES) != BASE_12_12_8) {
-      return 0;
-    }
-    return (int) (words >>> 16) & 0xfff
-        | ((int) (words >>> 32) & 0xfff) << 12
-        | (int) (words >>> 48) << 24;
+    return at;
   }
 
   /**
@@ -288,7 +224,8 @@ public final class Evt3Decoder extends EvtDecoder {
       long[] times, int[] addresses, int size, long timeUs, int address, int pixels) {
     int next = size + Integer.bitCount(pixels);
     int mask = pixels;
-    for (int i = size; i < next; i += 4) {
+    int i = size;
+    do {
       times[i] = timeUs;
       times[i + 1] = timeUs;
       times[i + 2] = timeUs;
@@ -301,7 +238,8 @@ public final class Evt3Decoder extends EvtDecoder {
       mask &= mask - 1;
       addresses[i + 3] = address + (Integer.numberOfTrailingZeros(mask) << EventAddress.X_SHIFT);
       mask &= mask - 1;
-    }
+      i += AT_ONCE;
+    } while (i < next);
     return next;
   }
 
@@ -336,6 +274,8 @@ public final class Evt3Decoder extends EvtDecoder {
       case TIME_HIGH -> {
         if ((word & 0xfff) != clock.high()) {
           timeUs = clock.take(word & 0xfff);
+        } else {
+          repeatedHighs = true;
         }
       }
       case EXT_TRIGGER, OTHERS, CONTINUED_12, CONTINUED_4 ->

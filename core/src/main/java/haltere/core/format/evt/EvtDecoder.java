@@ -39,6 +39,13 @@ public abstract sealed class EvtDecoder implements StreamDecoder
     this.violations = violations;
   }
 
+  /**
+   * How far the last event is behind a high part's start, in its 64 us; 64 if it is beyond them.
+   */
+  final int lowNow(long startUs) {
+    return lastUs <= startUs ? 0 : (int) Math.min(64, lastUs - startUs);
+  }
+
   /** Whether an event at a time must wait for {@link #acceptRestart()}. */
   final boolean goesBack(long timeUs, long offset) {
     if (timeUs >= lastUs) {
