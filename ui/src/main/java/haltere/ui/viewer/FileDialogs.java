@@ -58,6 +58,13 @@ final class FileDialogs {
     return remembered(chooser.showSaveDialog(owner));
   }
 
+  Optional<Path> table() {
+    FileChooser chooser = chooser("Save plots as table");
+    chooser.getExtensionFilters().add(new ExtensionFilter("Tables", "*.csv"));
+    chooser.setInitialFileName("plots.csv");
+    return remembered(chooser.showSaveDialog(owner));
+  }
+
   private FileChooser chooser(String title) {
     FileChooser chooser = new FileChooser();
     chooser.setTitle(title);

@@ -57,6 +57,16 @@ final class Texts {
     return String.format(Locale.ROOT, "%." + decimals + "f", value);
   }
 
+  /** A number of unknown size with about five digits that count. */
+  static String number(double value) {
+    double abs = Math.abs(value);
+    if (abs != 0 && (abs < 1e-3 || abs >= 1e7)) {
+      return String.format(Locale.ROOT, "%.3e", value);
+    }
+    int decimals = abs >= 1000 ? 1 : abs >= 100 ? 2 : abs >= 10 ? 3 : 4;
+    return String.format(Locale.ROOT, "%." + decimals + "f", value);
+  }
+
   /** A speed: 1\u00d7, 2.38\u00d7, 1/20\u00d7, max. */
   static String speed(double speed) {
     if (Double.isInfinite(speed)) {

@@ -44,9 +44,16 @@ final class ViewerMenu extends MenuBar {
 
     void setMarksVisible(boolean visible);
 
+    void setPlotsVisible(boolean visible);
+
+    void savePlotTable();
+
+    void savePlotPicture();
+
     void showKeys();
   }
 
+  private final CheckMenuItem plots = new CheckMenuItem("Plots");
   private final Map<ColourMap, RadioMenuItem> colourItems = new LinkedHashMap<>();
 
   ViewerMenu(Actions actions, PlaybackController playback) {
@@ -74,6 +81,8 @@ final class ViewerMenu extends MenuBar {
         item("load-chain", "Load chain\u2026", "Shortcut+L", actions::loadChain),
         item("save-chain", "Save chain\u2026", "Shortcut+S", actions::saveChain),
         item("save-picture", "Save picture\u2026", "Shortcut+P", actions::savePicture),
+        item("save-plot-table", "Save plots as table\u2026", "", actions::savePlotTable),
+        item("save-plot-picture", "Save plots as picture\u2026", "", actions::savePlotPicture),
         new SeparatorMenuItem(),
         item("quit", "Quit", "Shortcut+Q", actions::quit));
   }
@@ -115,6 +124,9 @@ final class ViewerMenu extends MenuBar {
     marks.setId("overlays");
     marks.setSelected(true);
     marks.setOnAction(event -> actions.setMarksVisible(marks.isSelected()));
+    plots.setId("show-plots");
+    plots.setAccelerator(KeyCombination.keyCombination("Shortcut+G"));
+    plots.setOnAction(event -> actions.setPlotsVisible(plots.isSelected()));
     return new Menu(
         "_View",
         null,
@@ -122,6 +134,7 @@ final class ViewerMenu extends MenuBar {
         colours,
         decay,
         marks,
+        plots,
         new SeparatorMenuItem(),
         item("show-all", "Whole sensor", "Shortcut+0", actions::showAll),
         item("full-screen", "Full screen", "F11", actions::toggleFullScreen));

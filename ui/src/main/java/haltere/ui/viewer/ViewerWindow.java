@@ -3,7 +3,6 @@ package haltere.ui.viewer;
 import haltere.core.chain.ChainFile;
 import haltere.core.chain.FilterChain;
 import haltere.core.event.SensorGeometry;
-import haltere.core.format.AtomicFile;
 import haltere.core.format.RateProfile;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.Recordings;
@@ -13,10 +12,8 @@ import haltere.core.playback.PlayerStatus;
 import haltere.core.playback.PlayerStatus.State;
 import haltere.ui.overlay.JavaFxOverlayCanvas;
 import haltere.ui.rendering.ColourMap;
-import haltere.ui.rendering.Pictures;
 import java.io.File;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -24,6 +21,7 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.Future;
 import java.util.concurrent.RejectedExecutionException;
 import javafx.animation.AnimationTimer;
+import javafx.geometry.Orientation;
 import javafx.scene.Group;
 import javafx.scene.Scene;
 import javafx.scene.control.SplitPane;
@@ -55,6 +53,9 @@ public final class ViewerWindow implements ViewerMenu.Actions {
   private final ChainPanel chainPanel = new ChainPanel(editor);
   private final TransportBar transport = new TransportBar(playback);
   private final SeekBar seekBar = new SeekBar(playback);
+  private final Saving saving = new Saving(background, editor, statusLine::showError);
+  private final PlotPanel plots = new PlotPanel(editor, playback);
+  private final SplitPane left = new SplitPane(view);
   private final ViewerMenu menu = new ViewerMenu(this, playback);
   private final FrameMeter meter = new FrameMeter();
   private final AnimationTimer pulse =
@@ -79,7 +80,8 @@ public final class ViewerWindow implements ViewerMenu.Actions {
   public ViewerWindow(Stage stage) {
     this.stage = stage;
     dialogs = new FileDialogs(stage);
-    SplitPane middle = new SplitPane(view, chainPanel);
+    left.setOrientation(Orientation.VERTICAL);
+    SplitPane middle = new SplitPane(left, chainPanel);
     middle.setDividerPositions(0.72);
     SplitPane.setResizableWithParent(chainPanel, false);
     BorderPane root =
@@ -222,6 +224,7 @@ public final class ViewerWindow implements ViewerMenu.Actions {
     view.setGeometry(geometry, displayOptions.colours());
     made.display().setOptions(displayOptions);
     showStages(made.firstStages());
+    plots.startAnew();
     seekBar.clear();
     repaintAsked = false;
     shownStatus = null;
@@ -247,6 +250,7 @@ public final class ViewerWindow implements ViewerMenu.Actions {
 
   private void showStages(List<StageState> stages) {
     chainPanel.show(stages);
+    plots.followChain();
   }
 
   private void pulse(ViewerSession open, long nowNanos) {
@@ -264,6 +268,7 @@ public final class ViewerWindow implements ViewerMenu.Actions {
           painted -> repaintAsked = false);
     }
     PlayerStatus now = open.player().status();
+    plots.update(now, nowNanos);
     if (now == shownStatus && nowNanos - numbersNanos < NUMBERS_NANOS) {
       return;
     }
@@ -335,19 +340,7 @@ public final class ViewerWindow implements ViewerMenu.Actions {
 
   /** Saves the chain that is open; a file that is there is replaced. */
   void saveChain(Path file) {
-    editor.read(
-        ChainFile::write,
-        json ->
-            background.file(
-                () -> {
-                  try (AtomicFile output = AtomicFile.create(file, true)) {
-                    output.stream().write(json.getBytes(StandardCharsets.UTF_8));
-                    output.commit();
-                  }
-                  return file;
-                },
-                saved -> {},
-                problem -> statusLine.showError(Texts.oneLine(problem))));
+    saving.chain(file);
   }
 
   @Override
@@ -357,18 +350,7 @@ public final class ViewerWindow implements ViewerMenu.Actions {
 
   /** Saves what is shown as a picture; a file that is there is replaced. */
   void savePicture(Path file) {
-    session.ifPresent(
-        open ->
-            editor.read(
-                chain -> open.display().picture(),
-                image ->
-                    background.file(
-                        () -> {
-                          Pictures.write(file, image);
-                          return file;
-                        },
-                        saved -> {},
-                        problem -> statusLine.showError(Texts.oneLine(problem)))));
+    session.ifPresent(open -> saving.picture(file, open));
   }
 
   @Override
@@ -390,6 +372,7 @@ public final class ViewerWindow implements ViewerMenu.Actions {
   public void setTheme(Theme theme) {
     theme.apply();
     seekBar.setDark(theme == Theme.DARK);
+    plots.setDark(theme == Theme.DARK);
     menu.showColours(theme.colours());
     setColours(theme.colours());
   }
@@ -414,6 +397,26 @@ public final class ViewerWindow implements ViewerMenu.Actions {
   @Override
   public void setMarksVisible(boolean visible) {
     view.setMarksVisible(visible);
+  }
+
+  @Override
+  public void setPlotsVisible(boolean visible) {
+    if (visible && !left.getItems().contains(plots)) {
+      left.getItems().add(plots);
+      left.setDividerPositions(0.6);
+    } else if (!visible) {
+      left.getItems().remove(plots);
+    }
+  }
+
+  @Override
+  public void savePlotTable() {
+    dialogs.table().ifPresent(file -> saving.plots(file, plots.table()));
+  }
+
+  @Override
+  public void savePlotPicture() {
+    dialogs.picture().ifPresent(file -> saving.plots(file, plots.snapshot(null, null)));
   }
 
   @Override
@@ -445,6 +448,10 @@ public final class ViewerWindow implements ViewerMenu.Actions {
     return view;
   }
 
+  PlotPanel plots() {
+    return plots;
+  }
+
   SeekBar seekBar() {
     return seekBar;
   }
@@ -459,6 +466,7 @@ public final class ViewerWindow implements ViewerMenu.Actions {
     openings++;
     session.ifPresent(background::close);
     session = Optional.empty();
+    plots.close();
     background.close();
   }
 }

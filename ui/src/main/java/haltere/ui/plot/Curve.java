@@ -1,0 +1,248 @@
+package haltere.ui.plot;
+
+/**
+ * A number over time in bounded memory: the newest samples as they are, older ones as the lowest
+ * and highest of each 16, 256 and 4,096 of them. At 1 kHz that is a minute of samples, and 18 hours
+ * in all, in at most 4 MB.
+ *
+ * <p>Where two samples are much further apart than those before, the curve has a gap. A time that
+ * goes back means that the recording is played anew: the curve starts again.
+ *
+ * <p>Thread rule: one thread.
+ */
+public final class Curve {
+  /** Takes the parts of a curve that fall into a window, oldest first. */
+  public interface Painter {
+    /**
+     * Takes a stretch: a sample, or several that are too many to be told apart.
+     *
+     * @param fromUs time of its first sample
+     * @param toUs time of its last sample
+     * @param lowest its lowest value
+     * @param highest its highest value
+     * @param joined whether a line leads to it from the stretch before
+     */
+    void stretch(long fromUs, long toUs, double lowest, double highest, boolean joined);
+  }
+
+  private static final int SAMPLES = 1 << 16;
+  private static final int STRETCHES = 1 << 14;
+  private static final int MERGED = 16;
+  private static final int LEVELS = 4;
+  private static final int FINEST_PER_COLUMN = 64;
+  private static final long MIN_GAP_US = 200_000;
+  private static final double GAP_INTERVALS = 30;
+
+  private final String key;
+  private final int number;
+  private final SummaryRing[] levels = new SummaryRing[LEVELS];
+
+  /** What is being merged into the next stretch of each level. */
+  private final int[] pending = new int[LEVELS];
+
+  private final long[] pendingFromUs = new long[LEVELS];
+  private final double[] pendingLowest = new double[LEVELS];
+  private final double[] pendingHighest = new double[LEVELS];
+  private long lastUs = Long.MIN_VALUE;
+  private double last = Double.NaN;
+  private double intervalUs;
+
+  /**
+   * An empty curve.
+   *
+   * @param key what tells it from others, in words
+   * @param number how many curves there were before it in its lane, which gives it its colour
+   */
+  public Curve(String key, int number) {
+    this.key = key;
+    this.number = number;
+    for (int level = 0; level < LEVELS; level++) {
+      levels[level] = new SummaryRing(level == 0 ? SAMPLES : STRETCHES);
+    }
+  }
+
+  /**
+   * What tells the curve from others.
+   *
+   * @return words, may be empty
+   */
+  public String key() {
+    return key;
+  }
+
+  /**
+   * Which curve of its lane it was when it began.
+   *
+   * @return 0 for the first
+   */
+  public int number() {
+    return number;
+  }
+
+  /**
+   * Time of the newest sample.
+   *
+   * @return microseconds, {@link Long#MIN_VALUE} before the first
+   */
+  public long lastUs() {
+    return lastUs;
+  }
+
+  /**
+   * The newest value.
+   *
+   * @return NaN before the first
+   */
+  public double last() {
+    return last;
+  }
+
+  /**
+   * Takes a sample; one that is not a number is left out.
+   *
+   * @param timeUs microseconds
+   * @param value the number
+   */
+  public void add(long timeUs, double value) {
+    if (Double.isNaN(value) || Double.isInfinite(value)) {
+      return;
+    }
+    if (timeUs < lastUs) {
+      clear();
+    }
+    if (lastUs != Long.MIN_VALUE) {
+      double interval = (double) timeUs - lastUs;
+      intervalUs =
+          intervalUs == 0 ? interval : intervalUs + 0.05 * (Math.min(interval, 1e6) - intervalUs);
+    }
+    lastUs = timeUs;
+    last = value;
+    levels[0].add(timeUs, timeUs, value, value);
+    merge(1, timeUs, timeUs, value, value);
+  }
+
+  private void merge(int level, long fromUs, long toUs, double lowest, double highest) {
+    if (level == LEVELS) {
+      return;
+    }
+    if (pending[level] == 0) {
+      pendingFromUs[level] = fromUs;
+      pendingLowest[level] = lowest;
+      pendingHighest[level] = highest;
+    } else {
+      pendingLowest[level] = Math.min(pendingLowest[level], lowest);
+      pendingHighest[level] = Math.max(pendingHighest[level], highest);
+    }
+    if (++pending[level] == MERGED) {
+      pending[level] = 0;
+      levels[level].add(pendingFromUs[level], toUs, pendingLowest[level], pendingHighest[level]);
+      merge(level + 1, pendingFromUs[level], toUs, pendingLowest[level], pendingHighest[level]);
+    }
+  }
+
+  /** Forgets all samples. */
+  public void clear() {
+    for (int level = 0; level < LEVELS; level++) {
+      levels[level].clear();
+      pending[level] = 0;
+    }
+    lastUs = Long.MIN_VALUE;
+    last = Double.NaN;
+    intervalUs = 0;
+  }
+
+  /**
+   * Hands over what falls into a window, as finely as there is use for. One stretch on either side
+   * comes along, so that lines lead to the edges.
+   *
+   * @param fromUs start of the window
+   * @param toUs end of the window
+   * @param columns pixels that the window is wide; some dozens of stretches may come for each
+   * @param painter takes them
+   */
+  public void paint(long fromUs, long toUs, int columns, Painter painter) {
+    int level = level(fromUs, toUs, columns);
+    SummaryRing ring = levels[level];
+    double gapUs = gapUs();
+    long beforeUs = Long.MIN_VALUE;
+    for (int i = Math.max(0, ring.firstEndingFrom(fromUs) - 1); i < ring.size(); i++) {
+      boolean joined = beforeUs != Long.MIN_VALUE && ring.fromUs(i) - beforeUs <= gapUs;
+      painter.stretch(ring.fromUs(i), ring.toUs(i), ring.lowest(i), ring.highest(i), joined);
+      beforeUs = ring.toUs(i);
+      if (beforeUs > toUs) {
+        return;
+      }
+    }
+    // what a coarse level has not merged yet the finest one knows
+    if (level > 0) {
+      SummaryRing samples = levels[0];
+      int from = samples.firstEndingFrom(Math.max(fromUs, beforeUs + 1));
+      for (int i = from; i < samples.size() && samples.fromUs(i) <= toUs; i++) {
+        boolean joined = beforeUs != Long.MIN_VALUE && samples.fromUs(i) - beforeUs <= gapUs;
+        painter.stretch(
+            samples.fromUs(i), samples.toUs(i), samples.lowest(i), samples.highest(i), joined);
+        beforeUs = samples.toUs(i);
+      }
+    }
+  }
+
+  private double gapUs() {
+    return Math.max(MIN_GAP_US, GAP_INTERVALS * intervalUs);
+  }
+
+  /** The finest level that reaches back far enough and is not far too fine. */
+  private int level(long fromUs, long toUs, int columns) {
+    for (int level = 0; level < LEVELS - 1; level++) {
+      SummaryRing ring = levels[level];
+      boolean reachesBack =
+          levels[level + 1].size() == 0
+              || ring.size() > 0 && ring.fromUs(0) <= fromUs
+              || ring.size() > 0 && ring.fromUs(0) <= levels[level + 1].fromUs(0);
+      int within = ring.firstEndingFrom(toUs) - ring.firstEndingFrom(fromUs);
+      if (reachesBack && within <= FINEST_PER_COLUMN * Math.max(1, columns)) {
+        return level;
+      }
+    }
+    int coarsest = LEVELS - 1;
+    while (coarsest > 0 && levels[coarsest].size() == 0) {
+      coarsest--;
+    }
+    return coarsest;
+  }
+
+  /**
+   * The value at a time.
+   *
+   * @param timeUs microseconds
+   * @return that of the sample nearest to it, or the middle of the stretch it lies in; NaN where
+   *     the curve has nothing near
+   */
+  public double valueAt(long timeUs) {
+    for (SummaryRing ring : levels) {
+      if (ring.size() > 0 && (ring.fromUs(0) <= timeUs || ring == levels[LEVELS - 1])) {
+        int after = Math.min(ring.size() - 1, ring.firstEndingFrom(timeUs));
+        int nearest =
+            after > 0 && timeUs - ring.toUs(after - 1) < Math.abs(ring.fromUs(after) - timeUs)
+                ? after - 1
+                : after;
+        long away =
+            Math.max(0, Math.max(ring.fromUs(nearest) - timeUs, timeUs - ring.toUs(nearest)));
+        return away <= gapUs() ? (ring.lowest(nearest) + ring.highest(nearest)) / 2 : Double.NaN;
+      }
+    }
+    return Double.NaN;
+  }
+
+  /**
+   * Memory that the samples take.
+   *
+   * @return bytes
+   */
+  public long bytes() {
+    long bytes = 0;
+    for (SummaryRing ring : levels) {
+      bytes += ring.bytes();
+    }
+    return bytes;
+  }
+}

@@ -1,0 +1,127 @@
+package haltere.ui.plot;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * One plot under others: the curves of one or more fields with the same vertical axis. A curve for
+ * each key that a field's rows bear; the one that has been silent for longest makes room for a new
+ * one.
+ *
+ * <p>Thread rule: one thread.
+ */
+public final class Lane {
+  /** More curves than this cannot be told apart. */
+  static final int MAX_CURVES = 32;
+
+  private final Map<PlotField, Map<String, Curve>> curves = new LinkedHashMap<>();
+  private final List<Curve> all = new ArrayList<>();
+  private int begun;
+
+  /**
+   * A lane with one field.
+   *
+   * @param field its first field
+   */
+  public Lane(PlotField field) {
+    add(field);
+  }
+
+  /**
+   * Plots another field in the same lane.
+   *
+   * @param field has no effect if it is there already
+   */
+  public void add(PlotField field) {
+    curves.computeIfAbsent(field, absent -> new LinkedHashMap<>());
+  }
+
+  /**
+   * What is plotted.
+   *
+   * @return in the order in which they were added
+   */
+  public List<PlotField> fields() {
+    return List.copyOf(curves.keySet());
+  }
+
+  /**
+   * Takes a sample of one of the fields.
+   *
+   * @param field one of {@link #fields()}
+   * @param timeUs microseconds on the recording's clock
+   * @param key which curve
+   * @param value the number
+   */
+  public void take(PlotField field, long timeUs, String key, double value) {
+    Map<String, Curve> ofField = curves.get(field);
+    Curve curve = ofField.get(key);
+    if (curve == null) {
+      if (all.size() >= MAX_CURVES) {
+        forgetSilent();
+      }
+      curve = new Curve(name(field, key), begun++);
+      ofField.put(key, curve);
+      all.add(curve);
+    }
+    curve.add(timeUs, value);
+  }
+
+  private static String name(PlotField field, String key) {
+    return key.isEmpty() ? field.column() : key;
+  }
+
+  private void forgetSilent() {
+    Curve silent = all.get(0);
+    for (Curve curve : all) {
+      if (curve.lastUs() < silent.lastUs()) {
+        silent = curve;
+      }
+    }
+    all.remove(silent);
+    Curve gone = silent;
+    curves.values().forEach(ofField -> ofField.values().remove(gone));
+  }
+
+  /**
+   * The curves.
+   *
+   * @return oldest first
+   */
+  public List<Curve> curves() {
+    return List.copyOf(all);
+  }
+
+  /**
+   * The curves of a field.
+   *
+   * @param field one of {@link #fields()}
+   * @return oldest first
+   */
+  public Collection<Curve> curves(PlotField field) {
+    return List.copyOf(curves.get(field).values());
+  }
+
+  /** Forgets all curves. */
+  public void clear() {
+    curves.values().forEach(Map::clear);
+    all.clear();
+    begun = 0;
+  }
+
+  /**
+   * Time of the newest sample.
+   *
+   * @return microseconds, {@link Long#MIN_VALUE} before the first
+   */
+  public long lastUs() {
+    long lastUs = Long.MIN_VALUE;
+    for (Curve curve : all) {
+      lastUs = Math.max(lastUs, curve.lastUs());
+    }
+    return lastUs;
+  }
+}

@@ -1,0 +1,78 @@
+package haltere.ui.plot;
+
+import haltere.core.chain.FilterChain;
+import haltere.core.chain.Outlet;
+import java.util.Optional;
+
+/**
+ * Listens to a field of a running chain and keeps its samples until the window takes them.
+ *
+ * <p>Thread rule: samples come on the processing thread; all else is for one other thread.
+ */
+public final class PlotFeed implements AutoCloseable {
+  private static final int CAPACITY = 1 << 15;
+
+  private final PlotField field;
+  private final SampleQueue queue = new SampleQueue(CAPACITY);
+  private final Outlet.Subscription subscription;
+
+  private PlotFeed(PlotField field, Outlet<?> outlet, RowFields row, int column) {
+    this.field = field;
+    subscription =
+        outlet.subscribe(
+            result -> queue.put(row.timeUs(result), row.key(result), row.value(result, column)));
+  }
+
+  /**
+   * Starts to listen.
+   *
+   * @param field which number
+   * @param chain read now; on its processing thread, or while it does not run
+   * @return empty where the chain does not publish it
+   */
+  public static Optional<PlotFeed> open(PlotField field, FilterChain chain) {
+    return field
+        .find(chain)
+        .flatMap(
+            outlet ->
+                RowFields.of(outlet.type())
+                    .filter(row -> row.columns().contains(field.column()))
+                    .map(
+                        row ->
+                            new PlotFeed(
+                                field, outlet, row, row.columns().indexOf(field.column()))));
+  }
+
+  /**
+   * What it listens to.
+   *
+   * @return the field
+   */
+  public PlotField field() {
+    return field;
+  }
+
+  /**
+   * Hands over the samples that came since the last call.
+   *
+   * @param taker called for each, oldest first
+   */
+  public void drainTo(SampleQueue.Taker taker) {
+    queue.drainTo(taker);
+  }
+
+  /**
+   * Samples that came faster than they were taken and are left out.
+   *
+   * @return a count
+   */
+  public long lost() {
+    return queue.lost();
+  }
+
+  /** Ends listening. */
+  @Override
+  public void close() {
+    subscription.close();
+  }
+}

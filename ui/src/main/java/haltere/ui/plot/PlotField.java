@@ -1,0 +1,71 @@
+package haltere.ui.plot;
+
+import haltere.core.chain.ChainStage;
+import haltere.core.chain.FilterChain;
+import haltere.core.chain.Outlet;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * A number that is published over time, by name, so that it is found again in another chain.
+ *
+ * @param stage name of the stage; empty for what is no filter's
+ * @param outlet name of the outlet
+ * @param column name of the column
+ */
+public record PlotField(String stage, String outlet, String column) {
+  /** The rate of events into the chain, which is no filter's. */
+  public static final PlotField EVENT_RATE = new PlotField("", "playback", "event_rate_eps");
+
+  /**
+   * All that the filters of a chain publish and that can be plotted.
+   *
+   * @param chain read now; processing thread, or while it does not run
+   * @return in the order of the chain, without {@link #EVENT_RATE}
+   */
+  public static List<PlotField> of(FilterChain chain) {
+    List<PlotField> fields = new ArrayList<>();
+    for (ChainStage stage : chain.stages()) {
+      for (Outlet<?> outlet : stage.filter().outlets()) {
+        RowFields.of(outlet.type())
+            .ifPresent(
+                row ->
+                    row.columns()
+                        .forEach(
+                            column ->
+                                fields.add(new PlotField(stage.name(), outlet.name(), column))));
+      }
+    }
+    return fields;
+  }
+
+  /**
+   * The outlet that publishes the number.
+   *
+   * @param chain read now; processing thread, or while it does not run
+   * @return empty where the chain has no such stage or outlet
+   */
+  public Optional<Outlet<?>> find(FilterChain chain) {
+    for (ChainStage candidate : chain.stages()) {
+      if (candidate.name().equals(stage)) {
+        for (Outlet<?> published : candidate.filter().outlets()) {
+          if (published.name().equals(outlet)) {
+            return Optional.of(published);
+          }
+        }
+      }
+    }
+    return Optional.empty();
+  }
+
+  /**
+   * The field in words.
+   *
+   * @return such as "cluster-tracker / clusters / x_px"
+   */
+  @Override
+  public String toString() {
+    return (stage.isEmpty() ? "" : stage + " / ") + outlet + " / " + column;
+  }
+}

@@ -1,0 +1,61 @@
+package haltere.ui.plot;
+
+import haltere.core.format.AtomicFile;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+
+/**
+ * What lanes show, as a table: {@code t_us,field,key,value,lowest,highest}. Where the plot keeps
+ * only stretches of samples the row is of the stretch's middle and the two ends differ.
+ *
+ * @param text the whole table
+ */
+public record PlotTable(String text) {
+  private static final int ALL = 1 << 20;
+
+  /**
+   * Makes the table of a window of time.
+   *
+   * @param lanes the lanes
+   * @param window which times
+   * @return a table with a header line
+   */
+  public static PlotTable of(List<Lane> lanes, TimeWindow window) {
+    StringBuilder text = new StringBuilder("t_us,field,key,value,lowest,highest\n");
+    for (Lane lane : lanes) {
+      for (PlotField field : lane.fields()) {
+        String name = field.toString().replace(" / ", "/");
+        for (Curve curve : lane.curves(field)) {
+          curve.paint(
+              window.fromUs(),
+              window.toUs(),
+              ALL,
+              (fromUs, toUs, lowest, highest, joined) -> {
+                long timeUs = fromUs + (toUs - fromUs) / 2;
+                if (timeUs >= window.fromUs() && timeUs <= window.toUs()) {
+                  text.append(timeUs).append(',').append(name).append(',');
+                  text.append(curve.key()).append(',').append((lowest + highest) / 2);
+                  text.append(',').append(lowest).append(',').append(highest).append('\n');
+                }
+              });
+        }
+      }
+    }
+    return new PlotTable(text.toString());
+  }
+
+  /**
+   * Saves the table; a file that is there is replaced.
+   *
+   * @param file where
+   * @throws IOException if it cannot be written; the target is then as it was
+   */
+  public void write(Path file) throws IOException {
+    try (AtomicFile output = AtomicFile.create(file, true)) {
+      output.stream().write(text.getBytes(StandardCharsets.UTF_8));
+      output.commit();
+    }
+  }
+}

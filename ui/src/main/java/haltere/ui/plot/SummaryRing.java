@@ -1,0 +1,111 @@
+package haltere.ui.plot;
+
+/**
+ * The newest stretches of a curve, each with its first and last time and its lowest and highest
+ * value; a stretch may be a single sample. Grows up to a limit, then forgets the oldest.
+ */
+final class SummaryRing {
+  private final int limit;
+  private long[] fromUs = new long[64];
+  private long[] toUs = new long[64];
+  private double[] lowest = new double[64];
+  private double[] highest = new double[64];
+  private int start;
+  private int size;
+
+  SummaryRing(int limit) {
+    this.limit = limit;
+  }
+
+  int size() {
+    return size;
+  }
+
+  void clear() {
+    start = 0;
+    size = 0;
+  }
+
+  void add(long from, long to, double low, double high) {
+    if (size == fromUs.length && size < limit) {
+      grow();
+    }
+    int slot;
+    if (size == fromUs.length) {
+      slot = start;
+      start = next(start);
+    } else {
+      slot = slot(size);
+      size++;
+    }
+    fromUs[slot] = from;
+    toUs[slot] = to;
+    lowest[slot] = low;
+    highest[slot] = high;
+  }
+
+  private void grow() {
+    int length = Math.min(limit, fromUs.length * 2);
+    long[] from = new long[length];
+    long[] to = new long[length];
+    double[] low = new double[length];
+    double[] high = new double[length];
+    for (int i = 0; i < size; i++) {
+      int slot = slot(i);
+      from[i] = fromUs[slot];
+      to[i] = toUs[slot];
+      low[i] = lowest[slot];
+      high[i] = highest[slot];
+    }
+    fromUs = from;
+    toUs = to;
+    lowest = low;
+    highest = high;
+    start = 0;
+  }
+
+  private int next(int slot) {
+    return slot + 1 == fromUs.length ? 0 : slot + 1;
+  }
+
+  private int slot(int index) {
+    int slot = start + index;
+    return slot >= fromUs.length ? slot - fromUs.length : slot;
+  }
+
+  long fromUs(int index) {
+    return fromUs[slot(index)];
+  }
+
+  long toUs(int index) {
+    return toUs[slot(index)];
+  }
+
+  double lowest(int index) {
+    return lowest[slot(index)];
+  }
+
+  double highest(int index) {
+    return highest[slot(index)];
+  }
+
+  /** Index of the first stretch that ends at or after a time; the size if there is none. */
+  int firstEndingFrom(long timeUs) {
+    int low = 0;
+    int high = size;
+    while (low < high) {
+      int middle = (low + high) >>> 1;
+      if (toUs(middle) < timeUs) {
+        low = middle + 1;
+      } else {
+        high = middle;
+      }
+    }
+    return low;
+  }
+
+  /** Bytes that its arrays take. */
+  long bytes() {
+    return 32L * fromUs.length;
+  }
+}

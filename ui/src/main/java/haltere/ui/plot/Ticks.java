@@ -1,0 +1,69 @@
+package haltere.ui.plot;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+
+/**
+ * Round numbers for an axis.
+ *
+ * @param step distance between two ticks, 1, 2 or 5 times a power of ten
+ * @param values the ticks within the range, ascending
+ */
+public record Ticks(double step, List<Double> values) {
+  /** Keeps the values as they are now. */
+  public Ticks {
+    values = List.copyOf(values);
+  }
+
+  /**
+   * Ticks of a range.
+   *
+   * @param from lower end
+   * @param to upper end, above it
+   * @param most how many ticks there is room for, at least 1
+   * @return at most that many, none where the range is empty or not finite
+   */
+  public static Ticks of(double from, double to, int most) {
+    if (!(to > from) || Double.isInfinite(to - from)) {
+      return new Ticks(1, List.of());
+    }
+    double rough = (to - from) / Math.max(1, most);
+    double power = Math.pow(10, Math.floor(Math.log10(rough)));
+    double step = 10 * power;
+    for (double factor : new double[] {1, 2, 5}) {
+      if (factor * power >= rough * (1 - 1e-9)) {
+        step = factor * power;
+        break;
+      }
+    }
+    List<Double> values = new ArrayList<>();
+    long first = (long) Math.ceil(from / step - 1e-9);
+    long last = (long) Math.floor(to / step + 1e-9);
+    for (long i = first; i <= last && values.size() < most; i++) {
+      values.add(i * step);
+    }
+    return new Ticks(step, values);
+  }
+
+  /**
+   * A tick in words, with as many digits as tell it from its neighbours.
+   *
+   * @param value one of the values
+   * @return such as 0.25, 40 or 2.5e6
+   */
+  public String label(double value) {
+    double size = Math.max(Math.abs(value), step);
+    if (size >= 1e6 || size < 1e-4) {
+      double exponent = Math.floor(Math.log10(size));
+      int digits = (int) Math.max(0, exponent - Math.floor(Math.log10(step) + 1e-9));
+      return value == 0
+          ? "0"
+          : String.format(Locale.ROOT, "%." + digits + "e", value)
+              .replaceAll("e([+-])0?", "e$1")
+              .replace("e+", "e");
+    }
+    int decimals = (int) Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
+    return String.format(Locale.ROOT, "%." + decimals + "f", value == 0 ? 0.0 : value);
+  }
+}

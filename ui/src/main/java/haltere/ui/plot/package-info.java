@@ -1,0 +1,5 @@
+/**
+ * Published results over time, ready to be drawn: what can be plotted, the way of the numbers from
+ * the processing thread to the window, and curves of bounded memory. Knows no toolkit.
+ */
+package haltere.ui.plot;

@@ -1,0 +1,273 @@
+package haltere.ui.viewer;
+
+import haltere.core.playback.PlayerStatus;
+import haltere.ui.plot.Lane;
+import haltere.ui.plot.PlotField;
+import haltere.ui.plot.PlotTable;
+import haltere.ui.plot.TimeWindow;
+import java.util.ArrayList;
+import java.util.List;
+import javafx.geometry.Pos;
+import javafx.geometry.Side;
+import javafx.scene.control.Button;
+import javafx.scene.control.ContextMenu;
+import javafx.scene.control.Label;
+import javafx.scene.control.MenuButton;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.input.MouseButton;
+import javafx.scene.input.MouseEvent;
+import javafx.scene.input.ScrollEvent;
+import javafx.scene.layout.BorderPane;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
+import javafx.scene.layout.VBox;
+
+/**
+ * Plots of what filters publish, one above the other with one axis of time. The wheel shows more or
+ * less time, a drag goes back, a double click follows again, a click with Ctrl takes playback
+ * there.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+final class PlotPanel extends BorderPane {
+  private static final long FRAME_NANOS = 30_000_000;
+  private static final long VALUES_NANOS = 100_000_000;
+
+  private final PlaybackController playback;
+  private final TimeWindow window = new TimeWindow();
+  private final PlotFeeds feeds;
+  private final List<PlotLane> lanes = new ArrayList<>();
+  private final VBox laneBox = new VBox();
+  private final PlotTimeAxis axis = new PlotTimeAxis(window);
+  private final MenuButton add = new MenuButton("Add plot");
+  private final ToggleButton follow = Controls.toggle("plot-follow", Icons.PLAY, "");
+  private final Label span = new Label();
+  private final Label empty = new Label("Choose with \u201cAdd plot\u201d what to plot over time.");
+  private final Label lost = new Label();
+  private List<PlotField> offered = List.of();
+  private PlotInk ink = PlotInk.DARK;
+  private double pointed = Double.NaN;
+  private double dragX;
+  private long startUs;
+  private long nowUs;
+  private long drawnNanos;
+  private long valuesNanos;
+  private boolean dirty = true;
+
+  PlotPanel(ChainEditor editor, PlaybackController playback) {
+    this.playback = playback;
+    feeds = new PlotFeeds(editor, this::offer);
+    setId("plots");
+    getStyleClass().add("plots");
+    add.setId("add-plot");
+    Controls.help(add, "What filters publish, over time");
+    Controls.help(follow, "Follow the newest values");
+    follow.setAccessibleText("Follow the newest values");
+    follow.setSelected(true);
+    follow.setOnAction(event -> setFollowing(follow.isSelected()));
+    span.getStyleClass().add("status-number");
+    lost.getStyleClass().add("problem");
+    Region space = new Region();
+    HBox.setHgrow(space, Priority.ALWAYS);
+    HBox head =
+        new HBox(
+            6,
+            add,
+            follow,
+            Controls.button("plot-less-time", Icons.LESS, "Show less time", () -> zoom(0.5, 1)),
+            span,
+            Controls.button("plot-more-time", Icons.ADD, "Show more time", () -> zoom(2, 1)),
+            lost,
+            space,
+            Controls.button("plot-clear", Icons.RESET, "Forget what was plotted", this::clear));
+    head.setAlignment(Pos.CENTER_LEFT);
+    head.getStyleClass().add("plots-head");
+    laneBox.setFillWidth(true);
+    VBox.setVgrow(laneBox, Priority.ALWAYS);
+    empty.getStyleClass().add("chain-empty");
+    setTop(head);
+    setCenter(new VBox(empty, laneBox, axis));
+    setMinHeight(120);
+    offer(List.of());
+    showSpan();
+  }
+
+  void setDark(boolean dark) {
+    ink = dark ? PlotInk.DARK : PlotInk.LIGHT;
+    dirty = true;
+  }
+
+  /** The fields of each lane, to be found again. */
+  List<Lane> lanes() {
+    return lanes.stream().map(PlotLane::lane).toList();
+  }
+
+  TimeWindow window() {
+    return window;
+  }
+
+  /** Listens to the chain as it is now. */
+  void followChain() {
+    feeds.follow(lanes());
+  }
+
+  /** Another recording: what was plotted is of no more use. */
+  void startAnew() {
+    clear();
+    setFollowing(true);
+    followChain();
+  }
+
+  /** What is shown as a table. */
+  PlotTable table() {
+    return PlotTable.of(lanes(), window);
+  }
+
+  private void offer(List<PlotField> fields) {
+    offered = fields;
+    add.getItems().setAll(PlotMenu.items(fields, this::addLane));
+  }
+
+  /** Adds a lane below the others. */
+  void addLane(PlotField field) {
+    PlotLane[] made = new PlotLane[1];
+    Button another =
+        Controls.button("plot-add-here", Icons.ADD, "Plot something else in this lane", () -> {});
+    another.setOnAction(
+        event -> {
+          ContextMenu menu = new ContextMenu();
+          menu.getItems().setAll(PlotMenu.items(offered, chosen -> addTo(made[0], chosen)));
+          menu.show(another, Side.BOTTOM, 0, 0);
+        });
+    Button remove =
+        Controls.button("plot-remove", Icons.REMOVE, "Remove this plot", () -> remove(made[0]));
+    PlotLane lane = new PlotLane(new Lane(field), window, List.of(another, remove));
+    made[0] = lane;
+    VBox.setVgrow(lane, Priority.ALWAYS);
+    lane.plot().setOnMouseMoved(event -> point(lane, event));
+    lane.plot().setOnMouseExited(event -> pointed = Double.NaN);
+    lane.plot().setOnMousePressed(event -> press(lane, event));
+    lane.plot().setOnMouseDragged(event -> drag(lane, event));
+    lane.plot().setOnScroll(event -> scroll(lane, event));
+    lanes.add(lane);
+    laneBox.getChildren().add(lane);
+    changed();
+  }
+
+  private void addTo(PlotLane lane, PlotField field) {
+    lane.add(field);
+    changed();
+  }
+
+  private void remove(PlotLane lane) {
+    lanes.remove(lane);
+    laneBox.getChildren().remove(lane);
+    changed();
+  }
+
+  private void changed() {
+    empty.setVisible(lanes.isEmpty());
+    empty.setManaged(lanes.isEmpty());
+    dirty = true;
+    followChain();
+  }
+
+  private void clear() {
+    lanes.forEach(lane -> lane.lane().clear());
+    dirty = true;
+  }
+
+  private void point(PlotLane lane, MouseEvent event) {
+    pointed = LanePicture.place(event.getX(), lane.plot().getWidth());
+    valuesNanos = 0;
+    dirty = true;
+  }
+
+  private void press(PlotLane lane, MouseEvent event) {
+    dragX = event.getX();
+    if (event.getButton() != MouseButton.PRIMARY) {
+      return;
+    }
+    if (event.isShortcutDown()) {
+      double place = LanePicture.place(event.getX(), lane.plot().getWidth());
+      playback.seek(Math.max(0, window.timeAt(place) - startUs));
+    } else if (event.getClickCount() == 2) {
+      setFollowing(true);
+    }
+  }
+
+  private void drag(PlotLane lane, MouseEvent event) {
+    double width = lane.plot().getWidth();
+    double moved = LanePicture.place(event.getX(), width) - LanePicture.place(dragX, width);
+    dragX = event.getX();
+    window.scroll(Math.round(-moved * window.spanUs()));
+    follow.setSelected(window.isFollowing());
+    point(lane, event);
+  }
+
+  private void scroll(PlotLane lane, ScrollEvent event) {
+    if (event.getDeltaY() != 0) {
+      double place = LanePicture.place(event.getX(), lane.plot().getWidth());
+      zoom(Math.pow(2, -event.getDeltaY() / 80), place);
+      event.consume();
+    }
+  }
+
+  private void zoom(double factor, double place) {
+    window.zoom(factor, place);
+    showSpan();
+    dirty = true;
+  }
+
+  private void showSpan() {
+    span.setText(Texts.duration(window.spanUs()));
+  }
+
+  private void setFollowing(boolean on) {
+    window.setFollowing(on);
+    follow.setSelected(on);
+    dirty = true;
+  }
+
+  /** Takes in what has come and draws it; at most some 30 times a second. */
+  void update(PlayerStatus status, long nanos) {
+    List<Lane> plotted = lanes();
+    boolean came = feeds.drainTo(plotted);
+    if (nowUs != status.timeUs()) {
+      nowUs = status.timeUs();
+      startUs = status.timeUs() - status.elapsedUs();
+      came = true;
+      for (Lane lane : plotted) {
+        if (lane.fields().contains(PlotField.EVENT_RATE)) {
+          lane.take(PlotField.EVENT_RATE, nowUs, "", status.eventRateEps());
+        }
+      }
+    }
+    window.advanceTo(nowUs);
+    if ((came || dirty) && isVisible() && nanos - drawnNanos >= FRAME_NANOS) {
+      drawnNanos = nanos;
+      dirty = false;
+      draw(nanos);
+    }
+  }
+
+  private void draw(long nanos) {
+    for (PlotLane lane : lanes) {
+      lane.draw(ink, nowUs, startUs);
+    }
+    axis.draw(ink, startUs);
+    if (nanos - valuesNanos >= VALUES_NANOS) {
+      valuesNanos = nanos;
+      for (PlotLane lane : lanes) {
+        lane.showValues(pointed, ink);
+      }
+      long gone = feeds.lost();
+      lost.setText(gone == 0 ? "" : Texts.count(gone) + " values came too fast to be plotted");
+    }
+  }
+
+  void close() {
+    feeds.close();
+  }
+}

@@ -1,0 +1,113 @@
+package haltere.ui.plot;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.core.chain.FilterChain;
+import haltere.core.event.SensorGeometry;
+import haltere.core.sink.Column;
+import haltere.filters.DefaultChain;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** From rows that filters publish to curves. */
+class LaneTest {
+  private enum Side {
+    LEFT,
+    RIGHT
+  }
+
+  private record Beat(@Column("t_us") long timeUs, Side side, int beat, double angleRad) {}
+
+  private record NoTime(double x) {}
+
+  private static final PlotField FIELD = new PlotField("wings", "beats", "angle_rad");
+
+  @Test
+  void aRowIsReadByItsColumns() {
+    RowFields fields = RowFields.of(Beat.class).orElseThrow();
+    Beat row = new Beat(1234, Side.RIGHT, 5, 0.25);
+    assertEquals(List.of("beat", "angle_rad"), fields.columns());
+    assertEquals(1234, fields.timeUs(row));
+    assertEquals("RIGHT", fields.key(row));
+    assertEquals(5, fields.value(row, 0));
+    assertEquals(0.25, fields.value(row, 1));
+  }
+
+  @Test
+  void rowsWithoutATimeCannotBePlotted() {
+    assertTrue(RowFields.of(NoTime.class).isEmpty());
+    assertTrue(RowFields.of(String.class).isEmpty());
+  }
+
+  @Test
+  void whatADefaultChainPublishesCanBePlottedAndFound() {
+    FilterChain chain = DefaultChain.create(new SensorGeometry(64, 64));
+    List<PlotField> fields = PlotField.of(chain);
+    PlotField x = new PlotField("cluster-tracker", "clusters", "x_px");
+    assertTrue(fields.contains(x), () -> "only " + fields);
+    for (PlotField field : fields) {
+      PlotFeed.open(field, chain).orElseThrow().close();
+    }
+    assertTrue(new PlotField("gone", "clusters", "x_px").find(chain).isEmpty());
+    assertTrue(PlotFeed.open(new PlotField("cluster-tracker", "clusters", "no"), chain).isEmpty());
+  }
+
+  @Test
+  void eachKeyHasACurve() {
+    Lane lane = new Lane(FIELD);
+    lane.take(FIELD, 1, "LEFT", 1);
+    lane.take(FIELD, 2, "RIGHT", 2);
+    lane.take(FIELD, 3, "LEFT", 3);
+    assertEquals(List.of("LEFT", "RIGHT"), lane.curves().stream().map(Curve::key).toList());
+    assertEquals(3, lane.lastUs());
+  }
+
+  @Test
+  void theCurveThatHasBeenSilentForLongestMakesRoom() {
+    Lane lane = new Lane(FIELD);
+    for (int i = 0; i < Lane.MAX_CURVES + 5; i++) {
+      lane.take(FIELD, i, String.valueOf(i), 1);
+      lane.take(FIELD, i, "0", 1);
+    }
+    assertEquals(Lane.MAX_CURVES, lane.curves().size());
+    assertEquals("0", lane.curves().get(0).key());
+    assertEquals(Lane.MAX_CURVES, lane.curves(FIELD).size());
+  }
+
+  @Test
+  void theTableHasWhatTheWindowShows() {
+    Lane lane = new Lane(FIELD);
+    for (int i = 0; i < 10; i++) {
+      lane.take(FIELD, i * 1_000_000L, "LEFT", i);
+    }
+    TimeWindow window = new TimeWindow();
+    window.advanceTo(9_000_000);
+    String text = PlotTable.of(List.of(lane), window).text();
+    assertEquals(
+        List.of(
+            "t_us,field,key,value,lowest,highest",
+            "4000000,wings/beats/angle_rad,LEFT,4.0,4.0,4.0"),
+        text.lines().limit(2).toList());
+    assertEquals(7, text.lines().count());
+  }
+
+  @Test
+  void theWindowFollowsUntilSomeoneLooksAround() {
+    TimeWindow window = new TimeWindow();
+    window.advanceTo(10_000_000);
+    assertEquals(5_000_000, window.fromUs());
+    window.zoom(0.5, 0);
+    assertEquals(7_500_000, window.fromUs());
+    window.scroll(-1_000_000);
+    window.advanceTo(20_000_000);
+    assertEquals(9_000_000, window.toUs());
+    long under = window.timeAt(0.25);
+    window.zoom(3, 0.25);
+    assertEquals(under, window.timeAt(0.25), 2);
+    for (int i = 0; i < 100; i++) {
+      window.zoom(0.1, 0.5);
+    }
+    assertEquals(TimeWindow.MIN_SPAN_US, window.spanUs());
+  }
+}
