@@ -11,7 +11,7 @@ import haltere.core.format.RecordingWriter;
 import haltere.core.pipeline.OverflowPolicy;
 import haltere.core.pipeline.Pipeline;
 import haltere.core.pipeline.PipelineCounters;
-import haltere.core.sink.Recorder;
+import haltere.core.pipeline.Recorder;
 import java.io.IOException;
 import java.nio.charset.CharacterCodingException;
 import java.nio.file.Path;

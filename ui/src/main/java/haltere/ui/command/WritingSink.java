@@ -3,7 +3,7 @@ package haltere.ui.command;
 import haltere.core.event.EventPacket;
 import haltere.core.format.RecordingReader;
 import haltere.core.pipeline.PipelineCounters;
-import haltere.core.sink.Recorder;
+import haltere.core.pipeline.Recorder;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 

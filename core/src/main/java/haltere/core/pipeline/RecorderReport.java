@@ -1,4 +1,4 @@
-package haltere.core.sink;
+package haltere.core.pipeline;
 
 import haltere.core.format.ReadingCounts;
 import haltere.core.stream.DataLost;

@@ -1,4 +1,4 @@
-package haltere.core.sink;
+package haltere.core.pipeline;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
@@ -8,8 +8,6 @@ import haltere.core.format.RecordingWriter;
 import haltere.core.format.WriteOptions;
 import haltere.core.format.aedat4.Aedat4Compression;
 import haltere.core.format.aedat4.Aedat4Writer;
-import haltere.core.pipeline.LiveBuffer;
-import haltere.core.pipeline.OverflowPolicy;
 import haltere.core.stream.DataLost;
 import haltere.core.stream.EndOfStream;
 import haltere.core.stream.Reset;

@@ -1,4 +1,4 @@
-package haltere.core.sink;
+package haltere.core.pipeline;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;

@@ -1,4 +1,4 @@
-package haltere.core.sink;
+package haltere.core.pipeline;
 
 import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
@@ -6,7 +6,6 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.format.WriteOptions;
 import haltere.core.format.aedat4.Aedat4Compression;
 import haltere.core.format.aedat4.Aedat4Writer;
-import haltere.core.pipeline.OverflowPolicy;
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;
 import java.io.IOException;
