@@ -8,10 +8,8 @@ import haltere.core.format.WriteOptions;
 import haltere.core.format.packed.LittleEndian;
 import java.io.Closeable;
 import java.io.IOException;
-import java.lang.invoke.VarHandle;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.List;
@@ -27,8 +25,6 @@ import java.util.TreeMap;
  * <p>Thread rule: one thread at a time.
  */
 public final class Aedat4Writer implements RecordingWriter {
-  private static final int PACKET_EVENTS = 8192;
-  private static final int PAYLOAD_HEADER = 32;
   private static final String SOURCE = "source";
 
   private final SensorGeometry geometry;
@@ -36,17 +32,14 @@ public final class Aedat4Writer implements RecordingWriter {
   private final Closeable owner;
   private final Commit commit;
   private final boolean inPlace;
+  private final Aedat4Compression compression;
   private final PacketPacker packer;
   private final DataTable table = new DataTable();
-  private final byte[] payload =
-      new byte[PAYLOAD_HEADER + PACKET_EVENTS * Aedat4Cursor.EVENT_BYTES];
+  private final EventPayload payload;
   private final byte[] packed;
-  private final ByteBuffer output;
-  private long position;
+  private final BlockOutput output;
+  private final byte[] packetHeader = new byte[PacketWalk.HEADER_BYTES];
   private long packetsEnd;
-  private int events;
-  private long lastUs;
-  private long outside;
   private boolean finished;
 
   @FunctionalInterface
@@ -66,13 +59,13 @@ public final class Aedat4Writer implements RecordingWriter {
     this.owner = owner;
     this.commit = commit;
     this.inPlace = inPlace;
+    this.compression = compression;
     geometry = options.geometry();
     packer = new PacketPacker(compression);
-    packed = new byte[PacketWalk.HEADER_BYTES + packer.bound(payload.length)];
-    output = ByteBuffer.wrap(packed);
-    preparePayload();
-    position = channel.size();
-    packetsEnd = position;
+    payload = new EventPayload(geometry);
+    packed = new byte[packer.bound(payload.bytes().length)];
+    output = new BlockOutput(channel);
+    packetsEnd = output.position();
   }
 
   /**
@@ -131,65 +124,18 @@ public final class Aedat4Writer implements RecordingWriter {
         InfoNode.ofEvents(compression.name(), sensor.width(), sensor.height(), source, rest));
   }
 
-  /** All but the sizes is the same in each packet. */
-  private void preparePayload() {
-    LittleEndian.putInt(payload, 4, 16);
-    System.arraycopy(Aedat4Stream.EVENTS.getBytes(StandardCharsets.ISO_8859_1), 0, payload, 8, 4);
-    LittleEndian.putShort(payload, 14, 6);
-    LittleEndian.putShort(payload, 16, 8);
-    LittleEndian.putShort(payload, 18, 4);
-    LittleEndian.putInt(payload, 20, 6);
-    LittleEndian.putInt(payload, 24, 4);
-  }
-
-  private void write(ByteBuffer bytes) throws IOException {
-    int count = bytes.remaining();
-    while (bytes.hasRemaining()) {
-      channel.write(bytes, position + count - bytes.remaining());
-    }
-    position += count;
-  }
-
   @Override
   public void write(EventPacket packet) throws IOException {
     int size = packet.size();
     int from = 0;
-    if (size > 0 && events > 0 && packet.firstTimeUs() < lastUs) {
-      writeThrough();
+    if (size > 0 && payload.events() > 0 && packet.firstTimeUs() < payload.lastUs()) {
+      writeEvents();
     }
     while (from < size) {
-      int count = Math.min(size - from, PACKET_EVENTS - events);
-      append(packet, from, from + count);
-      from += count;
-      if (events == PACKET_EVENTS) {
-        writeThrough();
+      from = payload.append(packet, from, size);
+      if (payload.events() == EventPayload.MAX_EVENTS) {
+        writeEvents();
       }
-    }
-  }
-
-  private void append(EventPacket packet, int from, int to) {
-    VarHandle longs = LittleEndian.LONG;
-    long[] times = packet.timesUs();
-    int[] addresses = packet.addresses();
-    int width = geometry.width();
-    int top = geometry.height() - 1;
-    byte[] bytes = payload;
-    int start = PAYLOAD_HEADER + events * Aedat4Cursor.EVENT_BYTES;
-    int at = start;
-    for (int i = from; i < to; i++) {
-      int address = addresses[i];
-      int x = address >>> 1 & 0x7fff;
-      int y = top - (address >>> 16);
-      longs.set(bytes, at, times[i]);
-      longs.set(bytes, at + 8, (long) (address & 1) << 32 | (long) y << 16 & 0xffff_0000L | x);
-      // An event outside of the sensor is overwritten by the next.
-      at += x < width && y >= 0 ? Aedat4Cursor.EVENT_BYTES : 0;
-    }
-    int kept = (at - start) / Aedat4Cursor.EVENT_BYTES;
-    outside += to - from - kept;
-    events += kept;
-    if (kept > 0) {
-      lastUs = LittleEndian.getLong(bytes, at - Aedat4Cursor.EVENT_BYTES);
     }
   }
 
@@ -200,32 +146,41 @@ public final class Aedat4Writer implements RecordingWriter {
    */
   @Override
   public void writeThrough() throws IOException {
-    if (events == 0) {
+    writeEvents();
+    output.flush();
+  }
+
+  private void writeEvents() throws IOException {
+    if (payload.events() == 0) {
       return;
     }
-    int size = PAYLOAD_HEADER + events * Aedat4Cursor.EVENT_BYTES;
-    LittleEndian.putInt(payload, 0, size - 4);
-    LittleEndian.putInt(payload, 28, events);
-    int header = PacketWalk.HEADER_BYTES;
-    int end = packer.pack(payload, size, PAYLOAD_HEADER, packed, header);
-    LittleEndian.putInt(packed, 0, 0);
-    LittleEndian.putInt(packed, 4, end - header);
-    table.add(
-        position + header,
-        end - header,
-        events,
-        LittleEndian.getLong(payload, PAYLOAD_HEADER),
-        lastUs);
-    events = 0;
-    write(output.clear().limit(end));
-    packetsEnd = position;
+    int size = payload.complete();
+    boolean asItIs = compression == Aedat4Compression.NONE;
+    if (!asItIs) {
+      size = packer.pack(payload.bytes(), size, EventPayload.HEADER_BYTES, packed, 0);
+    }
+    long start = output.position() + PacketWalk.HEADER_BYTES;
+    table.add(start, size, payload.events(), payload.firstUs(), payload.lastUs());
+    payload.clear();
+    writePacket(0, asItIs ? payload.bytes() : packed, size);
+  }
+
+  private void writePacket(int stream, byte[] bytes, int size) throws IOException {
+    LittleEndian.putInt(packetHeader, 0, stream);
+    LittleEndian.putInt(packetHeader, 4, size);
+    output.write(packetHeader, 0, packetHeader.length);
+    output.write(bytes, 0, size);
+    if (inPlace) {
+      output.flush();
+      packetsEnd = output.position();
+    }
   }
 
   @Override
   public List<String> losses() {
-    return outside == 0
+    return payload.outside() == 0
         ? List.of()
-        : List.of(outside + " events outside of " + geometry + " were left out");
+        : List.of(payload.outside() + " events outside of " + geometry + " were left out");
   }
 
   @Override
@@ -233,9 +188,11 @@ public final class Aedat4Writer implements RecordingWriter {
     if (finished) {
       throw new IllegalStateException("it is finished already");
     }
-    writeThrough();
-    long tablePosition = position;
-    write(ByteBuffer.wrap(packer.pack(table.toBytes())));
+    writeEvents();
+    long tablePosition = output.position();
+    byte[] packedTable = packer.pack(table.toBytes());
+    output.write(packedTable, 0, packedTable.length);
+    output.flush();
     byte[] patch = new byte[8];
     LittleEndian.putLong(patch, 0, tablePosition);
     ByteBuffer bytes = ByteBuffer.wrap(patch);

@@ -19,6 +19,11 @@ final class PacketPacker implements Closeable {
   private static final int LZ4_HEADER = 7;
   private static final int LZ4_STORED = 0x8000_0000;
 
+  /**
+   * DV takes level 3. Of events level 2 makes less (5.31 bytes each instead of 5.35) and is faster.
+   */
+  private static final int ZSTD_LEVEL = 2;
+
   private final Aedat4Compression compression;
   private final Lz4Packer lz4 = new Lz4Packer();
   private ZstdCompressCtx zstd;
@@ -27,7 +32,8 @@ final class PacketPacker implements Closeable {
     this.compression = compression;
     if (compression.isZstd()) {
       zstd = new ZstdCompressCtx();
-      zstd.setLevel(compression == Aedat4Compression.ZSTD ? 3 : 9);
+      zstd.setLevel(
+          compression == Aedat4Compression.ZSTD ? ZSTD_LEVEL : Zstd.maxCompressionLevel());
     }
   }
 
