@@ -74,6 +74,7 @@ public final class Recorder implements StreamHandler, Closeable {
   private volatile Throwable failure;
   private volatile boolean complete;
   private volatile boolean finished;
+  private volatile boolean endAsked;
 
   /**
    * Starts to record.
@@ -268,30 +269,34 @@ public final class Recorder implements StreamHandler, Closeable {
    * Ends the recording. If it was not finished what waits is still written, but the writer is not
    * told to finish: a file in place can be read, one that is to appear whole does not appear.
    *
-   * @throws IOException as {@link #finish()}
+   * @throws IOException as {@link #finish()}, unless that said it already
    */
   @Override
   public void close() throws IOException {
-    boolean first = thread.isAlive();
-    end();
-    if (first && failure != null) {
-      throw problem();
+    if (!endAsked) {
+      end();
+      if (failure != null) {
+        throw problem();
+      }
     }
   }
 
   private void end() throws IOException {
+    endAsked = true;
     buffer.notified(new EndOfStream(StreamNotification.NO_TIME_US));
     boolean interrupted = false;
-    long before;
+    boolean waitAgain;
     do {
-      before = handed;
+      long before = handed;
       try {
         thread.join(patience.toMillis());
+        waitAgain = handed != before;
       } catch (InterruptedException e) {
         interrupted = true;
         stop();
+        waitAgain = true;
       }
-    } while (thread.isAlive() && handed != before);
+    } while (thread.isAlive() && waitAgain);
     if (interrupted) {
       Thread.currentThread().interrupt();
     }
