@@ -1,16 +1,34 @@
 package haltere.filters.cluster;
 
-import java.util.ArrayList;
-import java.util.List;
-
 /**
- * The state of one cluster, a struct that {@link ClusterTracker} works on. Made once, used again.
+ * The state of one cluster, a struct that the tracker's parts work on, and what an event does to
+ * it. Made once, used again.
+ *
+ * <p>The centre is a line in time: (x, y) at {@link #atUs}, moving with (vx, vy). An event at z of
+ * polarity s (1 for ON, -1 for OFF) is expected at the centre plus s times the lead, for the edges
+ * in front and behind have different polarities. What is left, e = z - s lead - centre, moves the
+ * centre by a e and the velocity by b e; the gains a and b are {@link ClusterMotion}'s.
  */
 final class Cluster {
-  /** Positions that a path remembers: a second at 100 Hz. */
-  private static final int PATH_LENGTH = 100;
+  /** Place in the tracker's store, the same for as long as the tracker lives. */
+  final int slot;
 
-  /** Centre, pixels. */
+  final ClusterPath path = new ClusterPath();
+
+  /** Identity, 0 until the cluster is visible. */
+  int id;
+
+  long bornUs;
+
+  /** Events taken since birth. */
+  long events;
+
+  /** Time of the last event taken, microseconds. */
+  long lastUs;
+
+  // Motion.
+
+  /** Centre at {@link #atUs}, pixels. */
   double x;
 
   double y;
@@ -20,93 +38,266 @@ final class Cluster {
 
   double vy;
 
-  /** Centre at the last upkeep, pixels. */
-  double upkeepX;
+  /** Time of the centre, microseconds. */
+  long atUs;
 
-  double upkeepY;
+  /** 1e-6 where the centre moves with the velocity between events, else 0. */
+  double carry;
 
-  /** Time of the last event taken, microseconds. */
-  long lastUs;
+  /** Share a of what is left that the centre moves by. */
+  double gain;
+
+  /** What is left times this is added to the velocity, 1/s. */
+  double velocityGain;
+
+  /** How long a stretch of events the line is fitted to, seconds. */
+  double memoryS;
+
+  /** Sum of the weights of the events so far, where weights fall with the time. */
+  double weights;
+
+  /** Whether the gains follow from {@link #weights}. */
+  boolean gainByWeights;
+
+  /** Velocity gain over gain, 1/s. */
+  double velocityShare;
+
+  /** What is left, averaged: about 0 as long as the line fits. */
+  double driftX;
+
+  double driftY;
+
+  double driftGain;
+
+  /** Variance of the velocity, per axis, (pixels a second) squared. */
+  double velocityVariance;
+
+  // Form.
+
+  /** Mean offset of ON events from the centre; OFF events have the opposite one. */
+  double leadX;
+
+  double leadY;
+
+  double leadGain;
+
+  /** Covariance of what is left, pixels squared. */
+  double cxx;
+
+  double cxy;
+
+  double cyy;
+
+  double formGain;
+
+  /** Share of ON events less that of OFF events, -1 to 1. */
+  double balance;
+
+  /** Inverse of that covariance, and one over the root of its determinant. */
+  double ixx;
+
+  double ixy;
+
+  double iyy;
+
+  double density;
+
+  /** Half axis at the direction (cos, sin), and the other, pixels. */
+  double radiusA;
+
+  double radiusB;
+
+  double cos;
+
+  double sin;
+
+  /** The matrix that makes the region whose events are taken the unit circle, or box. */
+  double m11;
+
+  double m12;
+
+  double m21;
+
+  double m22;
+
+  /** Half width and height of that region, pixels. */
+  double extentX;
+
+  double extentY;
+
+  /** Squared radius beyond which that region is surround, 1 where there is none. */
+  double surroundFrom;
+
+  // Support.
 
   /** Events taken, each counting less the longer ago it was. */
   double mass;
 
-  /** Events taken since birth. */
-  long events;
+  /** Events a second. */
+  double rateHz;
 
-  /** Identity, 0 until the cluster is visible. */
-  int id;
+  /** Events taken since the last upkeep. */
+  double fresh;
 
-  private final ClusterTrack[] path = new ClusterTrack[PATH_LENGTH];
-  private int pathSize;
-  private int pathNext;
+  /** When there was last more than noise. */
+  long supportedUs;
 
-  /** A cluster of one event. */
-  void beginAt(double eventX, double eventY, long timeUs) {
-    x = eventX;
-    y = eventY;
-    vx = 0;
-    vy = 0;
-    lastUs = timeUs;
-    mass = 1;
-    events = 1;
-    id = 0;
-    pathSize = 0;
-    pathNext = 0;
+  long keptUntilUs;
+  boolean mayMerge;
+  boolean overlapped;
+
+  // The measurement since the last reading.
+
+  double batchEvents;
+  double batchContested;
+  double batchX;
+  double batchY;
+
+  /** Sum of the times since {@link #batchFromUs}, microseconds. */
+  double batchTimes;
+
+  long batchFromUs;
+
+  /** Centre where the index knows it, and how far it may go from there, pixels. */
+  double indexX;
+
+  double indexY;
+  double indexSlack;
+
+  Cluster(int slot) {
+    this.slot = slot;
   }
 
   boolean isVisible() {
     return id > 0;
   }
 
-  /** Gives the cluster its identity and lets its motion begin here. */
-  void becomeVisible(int identity) {
-    id = identity;
-    vx = 0;
-    vy = 0;
-    upkeepX = x;
-    upkeepY = y;
+  /** Squared distance of a place from the centre, 1 at the outline of what is taken. */
+  double distance(double placeX, double placeY, long timeUs, boolean box) {
+    double dt = (timeUs - atUs) * carry;
+    double dx = placeX - x - vx * dt;
+    double dy = placeY - y - vy * dt;
+    double u = m11 * dx + m12 * dy;
+    double w = m21 * dx + m22 * dy;
+    u *= u;
+    w *= w;
+    return box ? Math.max(u, w) : u + w;
   }
 
   /**
-   * Takes over what another cluster has; the merged one is where their common centre of mass is.
+   * How likely an event is here rather than elsewhere, but for a factor that all clusters share: a
+   * Student distribution with four degrees of freedom, because things have no Gaussian form.
    */
-  void absorb(Cluster other) {
-    double share = other.mass / (mass + other.mass);
-    double dx = share * (other.x - x);
-    double dy = share * (other.y - y);
-    x += dx;
-    y += dy;
-    // The jump to the common centre is no motion.
-    upkeepX += dx;
-    upkeepY += dy;
-    // Not the sum: noise spread over two circles would look like a thing within one.
-    mass = Math.max(mass, other.mass);
-    events += other.events;
-    lastUs = Math.max(lastUs, other.lastUs);
+  double likelihood(int eventX, int eventY, int sign, long timeUs) {
+    double dt = (timeUs - atUs) * carry;
+    double dx = eventX - sign * leadX - x - vx * dt;
+    double dy = eventY - sign * leadY - y - vy * dt;
+    double tail = 1 + 0.25 * (dx * (ixx * dx + 2 * ixy * dy) + iyy * dy * dy);
+    return density / (tail * tail * tail);
   }
 
-  void remember(ClusterTrack track) {
-    path[pathNext] = track;
-    pathNext = (pathNext + 1) % PATH_LENGTH;
-    pathSize = Math.min(PATH_LENGTH, pathSize + 1);
-  }
-
-  /** Whether the cluster is visible and has been reported. */
-  boolean hasPath() {
-    return pathSize > 0;
-  }
-
-  ClusterTrack lastRemembered() {
-    return path[(pathNext + PATH_LENGTH - 1) % PATH_LENGTH];
-  }
-
-  /** The path, oldest position first. */
-  List<ClusterTrack> path() {
-    List<ClusterTrack> positions = new ArrayList<>(pathSize);
-    for (int i = pathSize; i > 0; i--) {
-      positions.add(path[(pathNext + PATH_LENGTH - i) % PATH_LENGTH]);
+  /** Takes an event that is nobody else's. */
+  void take(int eventX, int eventY, int sign, long timeUs) {
+    double ownX = eventX - sign * leadX;
+    double ownY = eventY - sign * leadY;
+    double dt = (timeUs - atUs) * carry;
+    double px = x + vx * dt;
+    double py = y + vy * dt;
+    double ex = ownX - px;
+    double ey = ownY - py;
+    if (gainByWeights) {
+      weights++;
+      gain = 1 / weights;
+      velocityGain = gain * velocityShare;
     }
-    return positions;
+    x = px + gain * ex;
+    y = py + gain * ey;
+    vx += velocityGain * ex;
+    vy += velocityGain * ey;
+    atUs = timeUs;
+    lastUs = timeUs;
+    driftX += driftGain * (ex - driftX);
+    driftY += driftGain * (ey - driftY);
+    double lean = leadGain * sign;
+    leadX += lean * ex;
+    leadY += lean * ey;
+    cxx += formGain * (ex * ex - cxx);
+    cxy += formGain * (ex * ey - cxy);
+    cyy += formGain * (ey * ey - cyy);
+    balance += formGain * (sign - balance);
+    mass++;
+    fresh++;
+    events++;
+    batchEvents++;
+    batchX += ownX;
+    batchY += ownY;
+    batchTimes += timeUs - batchFromUs;
+  }
+
+  /**
+   * Takes a share of an event that may be another's as well: it moves the cluster by as much less,
+   * and says nothing about its form.
+   */
+  void take(int eventX, int eventY, int sign, long timeUs, double share) {
+    double ownX = eventX - sign * leadX;
+    double ownY = eventY - sign * leadY;
+    double dt = (timeUs - atUs) * carry;
+    double px = x + vx * dt;
+    double py = y + vy * dt;
+    double ex = ownX - px;
+    double ey = ownY - py;
+    if (gainByWeights) {
+      weights += share;
+      gain = 1 / Math.max(1, weights);
+      velocityGain = gain * velocityShare;
+    }
+    x = px + share * gain * ex;
+    y = py + share * gain * ey;
+    vx += share * velocityGain * ex;
+    vy += share * velocityGain * ey;
+    atUs = timeUs;
+    lastUs = timeUs;
+    mass += share;
+    fresh += share;
+    events++;
+    batchEvents += share;
+    batchContested += share;
+    batchX += share * ownX;
+    batchY += share * ownY;
+    batchTimes += share * (timeUs - batchFromUs);
+  }
+
+  /** Moves the centre on to a time. */
+  void moveTo(long timeUs) {
+    double dt = (timeUs - atUs) * carry;
+    x += vx * dt;
+    y += vy * dt;
+    atUs = timeUs;
+  }
+
+  /** Whether the centre has left the place that the index knows. */
+  boolean hasLeftIndex() {
+    return Math.abs(x - indexX) + Math.abs(y - indexY) > indexSlack;
+  }
+
+  void clearBatch(long timeUs) {
+    batchEvents = 0;
+    batchContested = 0;
+    batchX = 0;
+    batchY = 0;
+    batchTimes = 0;
+    batchFromUs = timeUs;
+  }
+
+  /** Geometric mean of the half axes, pixels. */
+  double radius() {
+    return Math.sqrt(radiusA * radiusB);
+  }
+
+  /** Distance of the outline from the centre in a direction, a vector of any length but 0. */
+  double reach(double directionX, double directionY) {
+    double u = (cos * directionX + sin * directionY) / radiusA;
+    double w = (cos * directionY - sin * directionX) / radiusB;
+    return Math.sqrt((directionX * directionX + directionY * directionY) / (u * u + w * w));
   }
 }

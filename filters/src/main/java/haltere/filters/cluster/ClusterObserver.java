@@ -4,7 +4,7 @@ package haltere.filters.cluster;
  * Hears from a {@link ClusterTracker} at regular times what its visible clusters have seen since
  * the time before: for estimators that build on clusters. Times are those of the events, whole
  * multiples of the observer's interval on their clock, whatever the packets are. While there is no
- * visible cluster the times jump.
+ * visible cluster the times jump, unless the observer is waiting.
  *
  * <p>Thread rule: called on the thread that calls the tracker, from within {@link
  * ClusterTracker#track}. Must not call the tracker; what it wants changed it says to the readings.
@@ -27,5 +27,15 @@ public interface ClusterObserver {
    */
   default void clustersMerged(long timeUs, int keptId, int lostId) {
     // Whoever does not care sees the lost identity end.
+  }
+
+  /**
+   * Whether readings go on while there is no visible cluster. Until it says no, the times do not
+   * jump, so an observer that waits for long has to say no some time.
+   *
+   * @return false unless overridden
+   */
+  default boolean isWaiting() {
+    return false;
   }
 }

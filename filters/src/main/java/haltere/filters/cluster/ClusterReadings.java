@@ -62,12 +62,13 @@ public interface ClusterReadings {
 
   /**
    * Events in the measurement: those that the cluster has taken since the last reading, at the
-   * first one since its birth.
+   * first one since its birth. Where clusters overlap an event is shared among them by how likely
+   * it is each one's, so this need not be a whole number.
    *
    * @param index of the cluster
    * @return at least 0; at 0 there is no measurement
    */
-  int newEvents(int index);
+  double newEvents(int index);
 
   /**
    * How many of the new events lay within another cluster as well, and so may be the other's.
@@ -75,7 +76,7 @@ public interface ClusterReadings {
    * @param index of the cluster
    * @return 0 to {@link #newEvents}
    */
-  int contestedEvents(int index);
+  double contestedEvents(int index);
 
   /**
    * Column of the measured centre: mean over the new events, each without the mean offset of its

@@ -11,8 +11,14 @@ import haltere.core.sink.Column;
  * @param yPx row of the centre, pixels
  * @param vxPxPerS velocity to the right, pixels a second
  * @param vyPxPerS velocity upwards, pixels a second
- * @param radiusPx radius within which events belong to the cluster, pixels
+ * @param radiusPx geometric mean of the half axes, pixels
+ * @param aspect half axis at the angle over the other one
+ * @param angleRad direction of the first half axis, counterclockwise from +x, above -pi/2 and up to
+ *     pi/2
  * @param events events that the cluster has taken since its birth
+ * @param mass recent events, each counting less the longer ago it was
+ * @param rateHz events a second
+ * @param ageUs time since its birth, microseconds; it was born before it was visible
  */
 public record ClusterTrack(
     @Column("t_us") long timeUs,
@@ -22,4 +28,45 @@ public record ClusterTrack(
     @Column(value = "vx_px_s", decimals = 3) double vxPxPerS,
     @Column(value = "vy_px_s", decimals = 3) double vyPxPerS,
     @Column(decimals = 3) double radiusPx,
-    long events) {}
+    @Column(decimals = 3) double aspect,
+    @Column(decimals = 4) double angleRad,
+    long events,
+    @Column(decimals = 1) double mass,
+    @Column(decimals = 1) double rateHz,
+    long ageUs) {
+  /**
+   * Half axis at the angle.
+   *
+   * @return pixels
+   */
+  public double radiusAlongPx() {
+    return radiusPx * Math.sqrt(aspect);
+  }
+
+  /**
+   * Half axis across the angle.
+   *
+   * @return pixels
+   */
+  public double radiusAcrossPx() {
+    return radiusPx / Math.sqrt(aspect);
+  }
+
+  static ClusterTrack of(Cluster cluster, long timeUs) {
+    double angle = Math.atan(cluster.sin / cluster.cos);
+    return new ClusterTrack(
+        timeUs,
+        cluster.id,
+        cluster.x,
+        cluster.y,
+        cluster.vx,
+        cluster.vy,
+        cluster.radius(),
+        cluster.radiusA / cluster.radiusB,
+        cluster.cos == 0 ? Math.PI / 2 : angle,
+        cluster.events,
+        cluster.mass,
+        cluster.rateHz,
+        timeUs - cluster.bornUs);
+  }
+}

@@ -7,7 +7,7 @@ import haltere.core.overlay.OverlayCanvas;
 import java.util.List;
 
 /**
- * Draws each visible cluster as a circle with its identity, the path that it has come, and a line
+ * Draws each visible cluster as an ellipse with its identity, the path that it has come, and a line
  * to where it would be in a tenth of a second.
  */
 public final class ClusterTrackOverlay implements Overlay<ClusterSnapshot> {
@@ -19,7 +19,13 @@ public final class ClusterTrackOverlay implements Overlay<ClusterSnapshot> {
       drawPath(trail.path(), canvas);
       ClusterTrack now = trail.now();
       int id = now.id();
-      canvas.circle(now.xPx(), now.yPx(), now.radiusPx(), MarkStyle.of(Role.OBJECT, id));
+      canvas.ellipse(
+          now.xPx(),
+          now.yPx(),
+          now.radiusAlongPx(),
+          now.radiusAcrossPx(),
+          now.angleRad(),
+          MarkStyle.of(Role.OBJECT, id));
       canvas.line(
           now.xPx(),
           now.yPx(),

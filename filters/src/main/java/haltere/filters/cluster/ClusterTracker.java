@@ -1,53 +1,74 @@
 package haltere.filters.cluster;
 
+import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.filters.selection.PolaritySettings.Keep;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.function.LongConsumer;
 
 /**
- * Follows compact groups of events. An event within the radius of a cluster moves the nearest one
- * by a share m of the distance:
+ * Follows compact groups of events: things that move.
  *
- * <pre>x_k = (1 - m) x_(k-1) + m x_event</pre>
+ * <p>An event within the region of a cluster moves it. Events in no cluster gather at {@link
+ * BirthPlaces}, and where there are more than noise makes a cluster is born: noise needs no
+ * clusters and takes no room. A cluster becomes visible, and gets its identity, when it has enough
+ * recent events; it dies when it has had none, or no more than noise, for a lifetime. What moves it
+ * is {@link ClusterMotion}, how large it is {@link ClusterForm}, which clusters become one {@link
+ * ClusterMerging}; which may take an event at all a {@link ClusterGrid} knows.
  *
- * <p>and one that is in no cluster begins a new one. A cluster is a mere candidate until it has had
- * enough events in a short time; then it becomes visible and gets its identity. One that gets no
- * event for longer than a lifetime dies, and two that overlap merge.
+ * <p>Where the regions of clusters overlap, an event is shared among those that it is in, by how
+ * likely it is each one's given where their ON and OFF events have been. To give it to the nearest
+ * would push clusters that meet apart; shared, they go through each other.
  *
- * <p>Equation and two parameters (m and the size) after J. Cardinale, "Tracking objects and wing
- * beat analysis methods of a fruit fly with the event-based silicon retina", 2006. What differs:
- * the nearest cluster takes an event, not the oldest; deaths, merging and velocities are attended
- * to every millisecond of event time, not once a packet; where there is room for no more clusters
- * the weakest candidate gives way, so that noise cannot keep a thing from being seen.
+ * <p>The idea of clusters that events move, and most of the settings, come from J. Cardinale,
+ * "Tracking objects and wing beat analysis methods of a fruit fly with the event-based silicon
+ * retina", 2006, and from T. Delbruck's trackers that followed it.
  *
  * <p>Times at which something happens are whole multiples of its interval on the clock of the
- * events; it happens after the events before that time and before those at or after it.
+ * events; it happens after the events before that time and before those at or after it. So results
+ * do not depend on how the stream is cut into packets.
  *
  * <p>Thread rule: not safe for use by two threads at a time.
  */
 public final class ClusterTracker {
-  private static final long UPKEEP_US = 1000;
+  private static final long NEVER = Long.MAX_VALUE;
+
+  /** A second cluster that is less likely by more than this has no share in an event. */
+  private static final double LEAST_SHARE = 0.02;
 
   private final SensorGeometry geometry;
   private final LongConsumer atReport;
+  private final ClusterGrid grid;
+  private final ClusterMerging merging = new ClusterMerging();
+  private final ClusterReader reader = new ClusterReader();
   private ClusterTrackerSettings settings;
+  private ClusterMotion motion;
+  private ClusterForm form;
+  private ClusterLife life;
+  private BirthPlaces places;
   private Cluster[] clusters = new Cluster[0];
   private int count;
   private int lastId;
+  private ClusterObserver observer;
 
   // Derived from the settings.
-  private double radius;
-  private double massDecay;
-  private double velocityGain;
+  private long upkeepUs;
   private long reportUs;
+  private long observeUs;
+  private boolean box;
+  private boolean onlyClustered;
+  private int otherPolarity;
+  private double inhibition;
 
   private boolean started;
   private boolean showedSomething;
+  private boolean observedSomething;
   private long nextUpkeepUs;
   private long nextReportUs;
+  private long nextObservationUs = NEVER;
 
   /**
    * A tracker that has seen nothing.
@@ -62,6 +83,7 @@ public final class ClusterTracker {
       SensorGeometry geometry, ClusterTrackerSettings settings, LongConsumer atReport) {
     this.geometry = Objects.requireNonNull(geometry, "geometry");
     this.atReport = Objects.requireNonNull(atReport, "atReport");
+    grid = new ClusterGrid(geometry);
     apply(settings);
   }
 
@@ -70,6 +92,10 @@ public final class ClusterTracker {
     count = 0;
     started = false;
     showedSomething = false;
+    observedSomething = false;
+    places.reset();
+    merging.reset();
+    grid.index(clusters, 0, 0);
   }
 
   /**
@@ -89,35 +115,100 @@ public final class ClusterTracker {
    */
   public void apply(ClusterTrackerSettings newSettings) {
     settings = Objects.requireNonNull(newSettings, "newSettings");
-    radius = Math.max(1, settings.clusterSize() * geometry.longerSide());
-    massDecay = Math.exp(-(double) UPKEEP_US / settings.visibleTimeUs());
-    velocityGain = 1 - Math.exp(-(double) UPKEEP_US / settings.velocityTimeUs());
-    reportUs = Math.round(1e6 / settings.reportRateHz());
-    Cluster[] old = clusters;
-    clusters = new Cluster[settings.mostClusters()];
-    for (int i = 0; i < clusters.length; i++) {
-      clusters[i] = i < old.length ? old[i] : new Cluster();
+    upkeepUs = settings.output().upkeepUs();
+    reportUs = Math.round(1e6 / settings.output().reportRateHz());
+    onlyClustered = settings.output().onlyClustered();
+    inhibition = settings.events().inhibition();
+    Keep keep = settings.events().polarity();
+    otherPolarity = keep == Keep.BOTH ? -1 : keep == Keep.ON ? 0 : 1;
+    motion = new ClusterMotion(settings);
+    form = new ClusterForm(geometry, settings);
+    box = form.isBox();
+    places = new BirthPlaces(geometry, form.startRadius());
+    places.apply(settings);
+    life = new ClusterLife(geometry, settings, places);
+    makeRoom(settings.output().mostClusters());
+    for (int i = 0; i < count; i++) {
+      form.upkeep(clusters[i], clusters[i].atUs);
+      motion.setGains(clusters[i]);
     }
-    count = Math.min(count, clusters.length);
+    index();
     if (started) {
-      nextReportUs = nextMultiple(nextUpkeepUs - UPKEEP_US, reportUs);
+      long nowUs = nextUpkeepUs - 1;
+      nextUpkeepUs = nextMultiple(nowUs, upkeepUs);
+      nextReportUs = nextMultiple(nowUs, reportUs);
     }
+  }
+
+  private void makeRoom(int most) {
+    merging.apply(settings.merging(), most);
+    if (most == clusters.length) {
+      return;
+    }
+    count = Math.min(count, most);
+    Cluster[] old = clusters;
+    clusters = new Cluster[most];
+    boolean[] taken = new boolean[most];
+    int kept = 0;
+    for (int i = 0; i < count; i++) {
+      if (old[i].slot < most) {
+        taken[old[i].slot] = true;
+        clusters[kept++] = old[i];
+      }
+    }
+    count = kept;
+    for (int slot = 0; slot < most; slot++) {
+      if (!taken[slot]) {
+        clusters[kept++] = new Cluster(slot);
+      }
+    }
+  }
+
+  /**
+   * Sets who hears of the visible clusters.
+   *
+   * @param newObserver takes the place of the one before; null for nobody
+   * @param intervalUs time between two readings, microseconds, at least 1
+   */
+  public void observe(ClusterObserver newObserver, long intervalUs) {
+    if (intervalUs < 1) {
+      throw new IllegalArgumentException("an interval is at least 1 us, not " + intervalUs);
+    }
+    observer = newObserver;
+    observeUs = intervalUs;
+    observedSomething = false;
+    nextObservationUs =
+        observer == null || !started ? NEVER : nextMultiple(nextUpkeepUs - upkeepUs, observeUs);
   }
 
   /**
    * Takes events.
    *
-   * @param packet only read
+   * @param packet only read, unless events outside clusters are to be taken out
    */
   public void track(EventPacket packet) {
+    long[] timesUs = packet.timesUs();
+    int[] addresses = packet.addresses();
+    int kept = 0;
     int from = 0;
     while (from < packet.size()) {
-      advance(packet.timeUs(from));
-      int to = packet.indexAtOrAfter(Math.min(nextUpkeepUs, nextReportUs), from);
-      for (int i = from; i < to; i++) {
-        take(packet.x(i), packet.y(i), packet.timeUs(i));
+      advance(timesUs[from]);
+      int to = packet.indexAtOrAfter(nextUs(), from);
+      if (onlyClustered) {
+        for (int i = from; i < to; i++) {
+          if (take(addresses[i], timesUs[i])) {
+            packet.move(i, kept++);
+          }
+        }
+      } else {
+        for (int i = from; i < to; i++) {
+          take(addresses[i], timesUs[i]);
+        }
       }
       from = to;
+    }
+    if (onlyClustered) {
+      packet.truncate(kept);
     }
   }
 
@@ -129,8 +220,8 @@ public final class ClusterTracker {
   public List<ClusterTrack> tracks() {
     List<ClusterTrack> tracks = new ArrayList<>(count);
     for (int i = 0; i < count; i++) {
-      if (clusters[i].hasPath()) {
-        tracks.add(clusters[i].lastRemembered());
+      if (isReported(clusters[i])) {
+        tracks.add(clusters[i].path.last());
       }
     }
     return tracks;
@@ -145,57 +236,117 @@ public final class ClusterTracker {
   public ClusterSnapshot snapshot(long timeUs) {
     List<ClusterSnapshot.Trail> trails = new ArrayList<>(count);
     for (int i = 0; i < count; i++) {
-      if (clusters[i].hasPath()) {
-        trails.add(new ClusterSnapshot.Trail(clusters[i].path()));
+      if (isReported(clusters[i])) {
+        trails.add(new ClusterSnapshot.Trail(clusters[i].path.list()));
       }
     }
     return new ClusterSnapshot(timeUs, trails);
   }
 
-  private void take(int x, int y, long timeUs) {
-    double nearest = radius * radius;
-    Cluster taker = null;
-    for (int i = 0; i < count; i++) {
-      Cluster cluster = clusters[i];
-      double dx = x - cluster.x;
-      double dy = y - cluster.y;
-      double distance = dx * dx + dy * dy;
-      if (distance < nearest) {
-        nearest = distance;
-        taker = cluster;
+  private static boolean isReported(Cluster cluster) {
+    return cluster.isVisible() && !cluster.path.isEmpty();
+  }
+
+  /** Takes an event, and says whether it is in a visible cluster. */
+  private boolean take(int address, long timeUs) {
+    if ((address & EventAddress.ON_BIT) == otherPolarity) {
+      return false;
+    }
+    int x = EventAddress.x(address);
+    int y = EventAddress.y(address);
+    int sign = 2 * (address & EventAddress.ON_BIT) - 1;
+    int cell = grid.cellOf(x, y);
+    int candidates = grid.count(cell);
+    if (candidates == 1) {
+      Cluster cluster = clusters[grid.name(cell, 0)];
+      double distance = cluster.distance(x, y, timeUs, box);
+      if (distance < 1) {
+        give(cluster, x, y, sign, timeUs, distance);
+        return cluster.isVisible();
+      }
+    } else if (candidates > 1) {
+      Cluster taker = contest(cell, candidates, x, y, sign, timeUs);
+      if (taker != null) {
+        return taker.isVisible();
       }
     }
-    if (taker == null) {
-      begin(x, y, timeUs);
+    if (places.add(x, y, timeUs)) {
+      birth(x, y, timeUs);
+    }
+    return false;
+  }
+
+  private void give(Cluster cluster, int x, int y, int sign, long timeUs, double distance) {
+    cluster.take(x, y, sign, timeUs);
+    if (inhibition > 0 && distance > cluster.surroundFrom) {
+      cluster.mass = Math.max(0, cluster.mass - 1 - inhibition);
+    }
+    if (cluster.hasLeftIndex()) {
+      index();
+    }
+  }
+
+  /** Shares an event among the two clusters that it is most likely to belong to. */
+  private Cluster contest(int cell, int candidates, int x, int y, int sign, long timeUs) {
+    Cluster first = null;
+    Cluster second = null;
+    double firstDistance = 0;
+    double best = 0;
+    double next = 0;
+    int all = candidates == ClusterGrid.ALL ? count : candidates;
+    for (int i = 0; i < all; i++) {
+      Cluster cluster = clusters[candidates == ClusterGrid.ALL ? i : grid.name(cell, i)];
+      double distance = cluster.distance(x, y, timeUs, box);
+      if (distance < 1) {
+        double likelihood = cluster.likelihood(x, y, sign, timeUs);
+        if (likelihood > best) {
+          second = first;
+          next = best;
+          first = cluster;
+          best = likelihood;
+          firstDistance = distance;
+        } else if (likelihood > next) {
+          second = cluster;
+          next = likelihood;
+        }
+      }
+    }
+    if (first == null) {
+      return null;
+    }
+    double share = next / (best + next);
+    if (second == null || share < LEAST_SHARE) {
+      give(first, x, y, sign, timeUs, firstDistance);
+    } else {
+      first.take(x, y, sign, timeUs, 1 - share);
+      second.take(x, y, sign, timeUs, share);
+      if (first.hasLeftIndex() || second.hasLeftIndex()) {
+        index();
+      }
+    }
+    return first;
+  }
+
+  private void birth(int x, int y, long timeUs) {
+    Cluster born = count < clusters.length ? clusters[count++] : life.weakest(clusters, count);
+    if (born == null) {
+      places.clearBirth(x, y);
       return;
     }
-    double m = settings.mixingFactor();
-    taker.x += m * (x - taker.x);
-    taker.y += m * (y - taker.y);
-    taker.mass++;
-    taker.events++;
-    taker.lastUs = timeUs;
+    merging.forget(born);
+    life.begin(born, clusters, count, timeUs);
+    form.begin(born);
+    motion.begin(born, places.bornEvents(), (timeUs - places.bornFirstUs()) * 1e-6);
+    places.clearBirth(x, y);
+    index();
   }
 
-  private void begin(int x, int y, long timeUs) {
-    Cluster room = count < clusters.length ? clusters[count++] : weakestCandidate();
-    if (room != null) {
-      room.beginAt(x, y, timeUs);
-    }
+  private void index() {
+    grid.index(clusters, count, upkeepUs * 1e-6);
   }
 
-  private Cluster weakestCandidate() {
-    Cluster weakest = null;
-    for (int i = 0; i < count; i++) {
-      Cluster cluster = clusters[i];
-      if (!cluster.isVisible()
-          && (weakest == null
-              || cluster.mass < weakest.mass
-              || (cluster.mass == weakest.mass && cluster.lastUs < weakest.lastUs))) {
-        weakest = cluster;
-      }
-    }
-    return weakest;
+  private long nextUs() {
+    return Math.min(Math.min(nextUpkeepUs, nextReportUs), nextObservationUs);
   }
 
   /** Lets everything happen that is due until an event. */
@@ -204,14 +355,17 @@ public final class ClusterTracker {
       started = true;
       skipTo(timeUs);
     }
-    while (Math.min(nextUpkeepUs, nextReportUs) <= timeUs) {
-      if (count == 0 && !showedSomething) {
+    while (nextUs() <= timeUs) {
+      if (isIdle()) {
         skipTo(timeUs);
         return;
       }
-      if (nextUpkeepUs <= nextReportUs) {
+      if (nextUpkeepUs == nextUs()) {
         upkeep(nextUpkeepUs);
-        nextUpkeepUs += UPKEEP_US;
+        nextUpkeepUs += upkeepUs;
+      } else if (nextObservationUs == nextUs()) {
+        observation(nextObservationUs);
+        nextObservationUs += observeUs;
       } else {
         report(nextReportUs);
         nextReportUs += reportUs;
@@ -219,9 +373,19 @@ public final class ClusterTracker {
     }
   }
 
+  /** Whether nothing can happen until the next event. */
+  private boolean isIdle() {
+    return count == 0
+        && !showedSomething
+        && !observedSomething
+        && places.areForgotten()
+        && (observer == null || !observer.isWaiting());
+  }
+
   private void skipTo(long timeUs) {
-    nextUpkeepUs = nextMultiple(timeUs, UPKEEP_US);
+    nextUpkeepUs = nextMultiple(timeUs, upkeepUs);
     nextReportUs = nextMultiple(timeUs, reportUs);
+    nextObservationUs = observer == null ? NEVER : nextMultiple(timeUs, observeUs);
   }
 
   /** The first multiple of an interval after a time. */
@@ -230,57 +394,51 @@ public final class ClusterTracker {
   }
 
   private void upkeep(long timeUs) {
+    double covered = 0;
+    for (int i = 0; i < count; i++) {
+      covered += 4 * clusters[i].extentX * clusters[i].extentY;
+    }
+    places.upkeep(covered);
     for (int i = count - 1; i >= 0; i--) {
       Cluster cluster = clusters[i];
-      if (timeUs - cluster.lastUs > settings.lifetimeUs()) {
+      cluster.moveTo(timeUs);
+      if (life.isOver(cluster, timeUs)) {
         remove(i);
       } else {
-        cluster.mass *= massDecay;
+        motion.upkeep(cluster, timeUs);
+        form.upkeep(cluster, timeUs);
       }
     }
-    mergeOverlapping();
+    merge(timeUs);
     for (int i = 0; i < count; i++) {
-      Cluster cluster = clusters[i];
-      if (cluster.isVisible()) {
-        updateVelocity(cluster);
-      } else if (cluster.mass >= settings.visibleEvents()) {
-        cluster.becomeVisible(++lastId);
+      if (!clusters[i].isVisible() && life.isToBeSeen(clusters[i])) {
+        clusters[i].id = ++lastId;
       }
     }
+    index();
   }
 
-  private void updateVelocity(Cluster cluster) {
-    double perSecond = 1e6 / UPKEEP_US;
-    cluster.vx += velocityGain * ((cluster.x - cluster.upkeepX) * perSecond - cluster.vx);
-    cluster.vy += velocityGain * ((cluster.y - cluster.upkeepY) * perSecond - cluster.vy);
-    cluster.upkeepX = cluster.x;
-    cluster.upkeepY = cluster.y;
-  }
-
-  private void mergeOverlapping() {
-    double near = 4 * radius * radius;
+  private void merge(long timeUs) {
+    for (int i = 0; i < count; i++) {
+      clusters[i].overlapped = false;
+    }
     for (int i = 0; i < count; i++) {
       for (int j = i + 1; j < count; j++) {
-        double dx = clusters[i].x - clusters[j].x;
-        double dy = clusters[i].y - clusters[j].y;
-        if (dx * dx + dy * dy < near) {
-          boolean first = isStronger(clusters[i], clusters[j]);
-          clusters[first ? i : j].absorb(clusters[first ? j : i]);
-          remove(first ? j : i);
-          // The merged one has moved: look at all pairs again.
-          i = -1;
-          break;
+        if (merging.unite(clusters[i], clusters[j], (int) upkeepUs, timeUs)) {
+          boolean firstStays = ClusterMerging.isStronger(clusters[i], clusters[j]);
+          Cluster kept = clusters[firstStays ? i : j];
+          Cluster lost = clusters[firstStays ? j : i];
+          merging.absorb(kept, lost);
+          form.upkeep(kept, timeUs);
+          if (observer != null && kept.isVisible() && lost.isVisible()) {
+            observer.clustersMerged(timeUs, kept.id, lost.id);
+          }
+          remove(firstStays ? j : i);
+          // The others are looked at in the next upkeep.
+          return;
         }
       }
     }
-  }
-
-  /** Whether the first of two clusters keeps its identity: a visible one, else the heavier one. */
-  private static boolean isStronger(Cluster first, Cluster second) {
-    if (first.isVisible() != second.isVisible()) {
-      return first.isVisible();
-    }
-    return first.mass >= second.mass;
   }
 
   /** Takes a cluster out and keeps the order of the others, which is that of their births. */
@@ -290,22 +448,27 @@ public final class ClusterTracker {
     clusters[--count] = removed;
   }
 
+  private void observation(long timeUs) {
+    reader.open(clusters, count, timeUs, geometry.width(), geometry.height());
+    boolean something = reader.count() > 0;
+    if (something || observedSomething || observer.isWaiting()) {
+      observedSomething = something;
+      observer.clustersRead(timeUs, reader);
+    }
+    reader.close();
+    if (reader.wasFedBack()) {
+      index();
+    }
+  }
+
   private void report(long timeUs) {
     boolean shows = false;
     for (int i = 0; i < count; i++) {
       Cluster cluster = clusters[i];
       if (cluster.isVisible()) {
         shows = true;
-        cluster.remember(
-            new ClusterTrack(
-                timeUs,
-                cluster.id,
-                cluster.x,
-                cluster.y,
-                cluster.vx,
-                cluster.vy,
-                radius,
-                cluster.events));
+        cluster.moveTo(timeUs);
+        cluster.path.add(ClusterTrack.of(cluster, timeUs), settings.output().pathPoints());
       }
     }
     if (shows || showedSomething) {

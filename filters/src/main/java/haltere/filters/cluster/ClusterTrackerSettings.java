@@ -1,78 +1,69 @@
 package haltere.filters.cluster;
 
-import haltere.core.settings.Help;
-import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
-import haltere.core.settings.Unit;
 
 /**
  * Settings of {@link ClusterTracker}.
  *
- * @param mixingFactor weight of each event in the centre
- * @param clusterSize radius as a share of the sensor's longer side
- * @param mostClusters how many clusters there may be
- * @param lifetimeUs how long a cluster lives without an event
- * @param visibleEvents recent events that make a cluster visible
- * @param visibleTimeUs how long an event counts as recent
- * @param velocityTimeUs time constant of the velocity
- * @param reportRateHz how often the visible clusters are reported
+ * @param form which form clusters begin with
+ * @param growth how they take on the size of what they follow
+ * @param motion how events move them
+ * @param life when there is one, when it is visible, when it is no more
+ * @param merging which become one
+ * @param perspective how their size depends on where they are
+ * @param events which events count
+ * @param output what is kept and told
  */
 public record ClusterTrackerSettings(
-    @Help("Each event moves its cluster by this share of the distance between them.")
-        @Range(min = 0.0001, max = 1, logarithmic = true)
-        @Unit("1")
-        double mixingFactor,
-    @Help("Radius of a cluster as a share of the longer side of the sensor.")
-        @Range(min = 0.005, max = 0.5, logarithmic = true)
-        @Unit("1")
-        double clusterSize,
-    @Help("There are no more clusters than this at a time, visible ones and candidates together.")
-        @Range(min = 1, max = 200, logarithmic = true)
-        @Unit("clusters")
-        int mostClusters,
-    @Help("A cluster that gets no event for longer than this dies.")
-        @Range(min = 1000, max = 10_000_000, logarithmic = true)
-        @Unit("us")
-        int lifetimeUs,
-    @Help("A cluster is shown once it has this many recent events.")
-        @Range(min = 1, max = 10_000, logarithmic = true)
-        @Unit("events")
-        double visibleEvents,
-    @Help("For the visibility an event counts less and less with this time constant.")
-        @Range(min = 1000, max = 10_000_000, logarithmic = true)
-        @Unit("us")
-        int visibleTimeUs,
-    @Help("The velocity is averaged over about this time.")
-        @Range(min = 1000, max = 10_000_000, logarithmic = true)
-        @Unit("us")
-        int velocityTimeUs,
-    @Help("The visible clusters are reported at this rate of recording time.")
-        @Range(min = 1, max = 1000, logarithmic = true)
-        @Unit("Hz")
-        double reportRateHz) {
-  /** Checks the ranges. */
+    ClusterFormSettings form,
+    ClusterGrowthSettings growth,
+    ClusterMotionSettings motion,
+    ClusterLifeSettings life,
+    ClusterMergingSettings merging,
+    PerspectiveSettings perspective,
+    ClusterEventSettings events,
+    ClusterOutputSettings output) {
+  /** Checks the values. */
   public ClusterTrackerSettings {
     SettingsSchema.validate(
         ClusterTrackerSettings.class,
-        mixingFactor,
-        clusterSize,
-        mostClusters,
-        lifetimeUs,
-        visibleEvents,
-        visibleTimeUs,
-        velocityTimeUs,
-        reportRateHz);
+        form,
+        growth,
+        motion,
+        life,
+        merging,
+        perspective,
+        events,
+        output);
   }
 
   /**
-   * The settings to start from. A circle of a tenth of a sensor of 128 x 128 pixels holds 515
-   * pixels, so noise of 1 Hz a pixel that nobody has filtered gives a candidate 10 events in 20 ms,
-   * and 30 are out of its reach. The lifetime lets a pendulum turn.
+   * The settings to start from. They follow things of 2 to 80 pixels on a sensor of 128 x 128
+   * pixels, and accordingly larger ones on a larger sensor, whatever their event rate is.
    *
-   * @return 0.02 an event, a tenth of the sensor, 10 clusters, 100 ms, 30 events in 20 ms, 50 ms,
-   *     100 Hz
+   * @return the defaults of all parts
    */
   public static ClusterTrackerSettings defaults() {
-    return new ClusterTrackerSettings(0.02, 0.1, 10, 100_000, 30, 20_000, 50_000, 100);
+    return new ClusterTrackerSettings(
+        ClusterFormSettings.defaults(),
+        ClusterGrowthSettings.defaults(),
+        ClusterMotionSettings.defaults(),
+        ClusterLifeSettings.defaults(),
+        ClusterMergingSettings.defaults(),
+        PerspectiveSettings.defaults(),
+        ClusterEventSettings.defaults(),
+        ClusterOutputSettings.defaults());
+  }
+
+  /**
+   * These settings but for some.
+   *
+   * @param assignments texts of the form {@code name=value}, such as {@code form.size=0.1}
+   * @return new settings
+   * @throws haltere.core.settings.SettingsProblem for a name or a value that is not valid
+   */
+  public ClusterTrackerSettings with(String... assignments) {
+    return SettingsSchema.of(ClusterTrackerSettings.class)
+        .withAssignments(this, java.util.List.of(assignments));
   }
 }

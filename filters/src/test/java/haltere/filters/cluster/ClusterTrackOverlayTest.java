@@ -12,9 +12,10 @@ import org.junit.jupiter.api.Test;
 
 class ClusterTrackOverlayTest {
   @Test
-  void aClusterIsACircleWithItsPathItsVelocityAndItsIdentity() {
-    ClusterTrack before = new ClusterTrack(0, 7, 10, 20, 0, 0, 5, 100);
-    ClusterTrack now = new ClusterTrack(10_000, 7, 11, 21, 100, -50, 5, 200);
+  void aClusterIsAnEllipseWithItsPathItsVelocityAndItsIdentity() {
+    ClusterTrack before = new ClusterTrack(0, 7, 10, 20, 0, 0, 5, 1, 0, 100, 20, 1000, 0);
+    ClusterTrack now =
+        new ClusterTrack(10_000, 7, 11, 21, 100, -50, 6, 2.25, 0.5, 200, 20, 1000, 10_000);
     ClusterSnapshot snapshot =
         new ClusterSnapshot(10_000, List.of(new ClusterSnapshot.Trail(List.of(before, now))));
     Notebook notebook = new Notebook();
@@ -22,9 +23,9 @@ class ClusterTrackOverlayTest {
     assertEquals(
         List.of(
             "PATH 7: [10.0, 11.0] [20.0, 21.0]",
-            "OBJECT 7: circle 11.0 21.0 radius 5.0",
+            "OBJECT 7: ellipse 11.0 21.0 half axes 9.0 4.0 at 0.5",
             "VELOCITY 7: line 11.0 21.0 to 21.0 16.0",
-            "LABEL 7: 7 at 14.5 24.5"),
+            "LABEL 7: 7 at 15.2 25.2"),
         notebook.marks);
   }
 
@@ -70,7 +71,8 @@ class ClusterTrackOverlayTest {
     @Override
     public void ellipse(
         double x, double y, double radiusA, double radiusB, double angleRad, MarkStyle style) {
-      note(style, "ellipse");
+      note(
+          style, "ellipse %.1f %.1f half axes %.1f %.1f at %.1f", x, y, radiusA, radiusB, angleRad);
     }
 
     @Override

@@ -1,0 +1,199 @@
+package haltere.filters.cluster;
+
+import haltere.core.event.SensorGeometry;
+import haltere.filters.cluster.ClusterFormSettings.Angle;
+import haltere.filters.cluster.ClusterFormSettings.Outline;
+
+/**
+ * Size, aspect and angle of clusters.
+ *
+ * <p>The spread of a cluster's events is the covariance of what is left around the expected places
+ * of the two polarities, plus the outer product of the lead, the covariance of these places. The
+ * half axes are {@link #RADII} standard deviations: a disc of which only the edge makes events then
+ * just fits. That times the default surround is below 2, so a region full of evenly spread noise
+ * shrinks rather than grows, and one that ends within a thing grows until it contains it.
+ */
+final class ClusterForm {
+  /** Half axis over standard deviation. */
+  private static final double RADII = 1.7;
+
+  /** The smallest variance, of the pixel itself and what it blurs, pixels squared. */
+  private static final double LEAST_VARIANCE = 0.15;
+
+  private static final double LEAST_RADIUS = 1.5;
+  private static final double GREATEST_ASPECT = 5;
+
+  /** A settled cluster grows by no more than the factor e in this time. */
+  private static final double GROWTH_TIME_US = 250_000;
+
+  private static final long SETTLED_US = 150_000;
+
+  private final ClusterFormSettings form;
+  private final ClusterGrowthSettings growth;
+  private final PerspectiveSettings perspective;
+  private final boolean edges;
+  private final double startRadius;
+  private final double vanishingX;
+  private final double vanishingY;
+  private final double scalePerPixel;
+  private final double growthFactor;
+  private final double surround;
+  private final double fixedCos;
+  private final double fixedSin;
+
+  ClusterForm(SensorGeometry geometry, ClusterTrackerSettings all) {
+    form = all.form();
+    growth = all.growth();
+    perspective = all.perspective();
+    edges = all.events().edges();
+    startRadius = Math.max(LEAST_RADIUS, form.size() * geometry.longerSide());
+    vanishingX = perspective.vanishingX() * (geometry.width() - 1);
+    vanishingY = perspective.vanishingY() * (geometry.height() - 1);
+    scalePerPixel = 1.0 / geometry.longerSide();
+    growthFactor = StrictMath.exp(all.output().upkeepUs() / GROWTH_TIME_US);
+    surround = growth.size() || all.events().inhibition() > 0 ? growth.surround() : 1;
+    fixedCos = StrictMath.cos(StrictMath.toRadians(form.angleDeg()));
+    fixedSin = StrictMath.sin(StrictMath.toRadians(form.angleDeg()));
+  }
+
+  boolean isBox() {
+    return form.outline() == Outline.BOX;
+  }
+
+  /** Radius that a cluster begins with, pixels. */
+  double startRadius() {
+    return startRadius;
+  }
+
+  /** Begins with the a-priori form, at the cluster's place. */
+  void begin(Cluster cluster) {
+    double radius = startRadius * scale(cluster.x, cluster.y);
+    double variance = radius * radius / (RADII * RADII);
+    cluster.cxx = variance;
+    cluster.cxy = 0;
+    cluster.cyy = variance;
+    cluster.leadX = 0;
+    cluster.leadY = 0;
+    cluster.balance = 0;
+    cluster.radiusA = radius;
+    cluster.radiusB = radius;
+    cluster.cos = fixedCos;
+    cluster.sin = fixedSin;
+    invert(cluster);
+    upkeep(cluster, cluster.bornUs);
+  }
+
+  /** Works out the region from the spread. */
+  void upkeep(Cluster cluster, long timeUs) {
+    double settled = Math.min(growth.events(), cluster.events + 8.0);
+    cluster.formGain = 1 / settled;
+    cluster.leadGain = edges ? 1 / settled : 0;
+    if (!edges) {
+      cluster.leadX = 0;
+      cluster.leadY = 0;
+    }
+    invert(cluster);
+    double sxx = cluster.cxx + cluster.leadX * cluster.leadX + LEAST_VARIANCE;
+    double sxy = cluster.cxy + cluster.leadX * cluster.leadY;
+    double syy = cluster.cyy + cluster.leadY * cluster.leadY + LEAST_VARIANCE;
+    turn(cluster, sxx, sxy, syy);
+    double c = cluster.cos;
+    double s = cluster.sin;
+    double along = RADII * Math.sqrt(c * c * sxx + 2 * c * s * sxy + s * s * syy);
+    double across = RADII * Math.sqrt(Math.max(0, s * s * sxx - 2 * c * s * sxy + c * c * syy));
+    setRadii(cluster, along, across, timeUs);
+    setRegion(cluster);
+  }
+
+  private void setRadii(Cluster cluster, double along, double across, long timeUs) {
+    double a = along;
+    double b = across;
+    double scaled = startRadius * scale(cluster.x, cluster.y);
+    if (!growth.aspect()) {
+      double larger = Math.max(a, b);
+      double root = Math.sqrt(form.aspect());
+      a = larger / root;
+      b = larger * root;
+    } else {
+      a = Math.max(a, b / GREATEST_ASPECT);
+      b = Math.max(b, a / GREATEST_ASPECT);
+    }
+    if (growth.size()) {
+      double least = Math.max(LEAST_RADIUS, scaled / growth.mostScale());
+      double most = Math.max(least, scaled * growth.mostScale());
+      if (timeUs - cluster.bornUs > SETTLED_US) {
+        a = Math.min(a, cluster.radiusA * growthFactor);
+        b = Math.min(b, cluster.radiusB * growthFactor);
+      }
+      a = Math.min(most, Math.max(least, a));
+      b = Math.min(most, Math.max(least, b));
+    } else {
+      double correction = scaled / Math.sqrt(a * b);
+      a *= correction;
+      b *= correction;
+    }
+    cluster.radiusA = a;
+    cluster.radiusB = b;
+  }
+
+  /** Chooses the direction of the first half axis. */
+  private void turn(Cluster cluster, double sxx, double sxy, double syy) {
+    double directionX = cluster.cos;
+    double directionY = cluster.sin;
+    if (form.angle() == Angle.OF_EVENTS) {
+      double half = 0.5 * (sxx - syy);
+      double root = Math.sqrt(half * half + sxy * sxy);
+      directionX = half >= 0 ? half + root : sxy;
+      directionY = half >= 0 ? sxy : root - half;
+    } else if (form.angle() == Angle.OF_VELOCITY) {
+      directionX = cluster.vx;
+      directionY = cluster.vy;
+    } else {
+      directionX = fixedCos;
+      directionY = fixedSin;
+    }
+    double length = Math.sqrt(directionX * directionX + directionY * directionY);
+    if (length > 1e-6) {
+      cluster.cos = directionX / length;
+      cluster.sin = directionY / length;
+    }
+  }
+
+  private void setRegion(Cluster cluster) {
+    double a = cluster.radiusA * surround;
+    double b = cluster.radiusB * surround;
+    double c = cluster.cos;
+    double s = cluster.sin;
+    cluster.m11 = c / a;
+    cluster.m12 = s / a;
+    cluster.m21 = -s / b;
+    cluster.m22 = c / b;
+    cluster.surroundFrom = 1 / (surround * surround);
+    if (isBox()) {
+      cluster.extentX = Math.abs(a * c) + Math.abs(b * s);
+      cluster.extentY = Math.abs(a * s) + Math.abs(b * c);
+    } else {
+      cluster.extentX = Math.sqrt(a * c * a * c + b * s * b * s);
+      cluster.extentY = Math.sqrt(a * s * a * s + b * c * b * c);
+    }
+  }
+
+  private static void invert(Cluster cluster) {
+    double cxx = cluster.cxx + LEAST_VARIANCE;
+    double cyy = cluster.cyy + LEAST_VARIANCE;
+    double determinant = cxx * cyy - cluster.cxy * cluster.cxy;
+    cluster.ixx = cyy / determinant;
+    cluster.iyy = cxx / determinant;
+    cluster.ixy = -cluster.cxy / determinant;
+    cluster.density = 1 / Math.sqrt(determinant);
+  }
+
+  private double scale(double x, double y) {
+    if (!perspective.enabled()) {
+      return 1;
+    }
+    double dx = x - vanishingX;
+    double dy = y - vanishingY;
+    return Math.max(perspective.leastScale(), scalePerPixel * Math.sqrt(dx * dx + dy * dy));
+  }
+}

@@ -1,0 +1,134 @@
+package haltere.filters.cluster;
+
+import haltere.core.event.SensorGeometry;
+import haltere.filters.cluster.ClusterLifeSettings.Border;
+import haltere.filters.cluster.ClusterLifeSettings.Visibility;
+import haltere.filters.cluster.ClusterMotionSettings.Start;
+
+/** Births, visibility and deaths of clusters. */
+final class ClusterLife {
+  /** Recent events below which a cluster has no support, whatever noise there is. */
+  private static final double LEAST_SUPPORT = 2;
+
+  /** Standard deviations of a Poisson count above noise, to be seen and to be supported. */
+  private static final double SEEN_SIGMAS = 4;
+
+  private static final double SUPPORTED_SIGMAS = 2;
+
+  private final ClusterLifeSettings settings;
+  private final BirthPlaces places;
+  private final boolean meanStart;
+  private final double massDecay;
+  private final double right;
+  private final double top;
+
+  ClusterLife(SensorGeometry geometry, ClusterTrackerSettings all, BirthPlaces places) {
+    settings = all.life();
+    this.places = places;
+    meanStart = all.motion().start() == Start.MEAN;
+    massDecay = StrictMath.exp(-(double) all.output().upkeepUs() / settings.recentUs());
+    right = geometry.width() - 0.5;
+    top = geometry.height() - 0.5;
+  }
+
+  /** Begins a life at the place of birth that was found last. */
+  void begin(Cluster born, Cluster[] clusters, int count, long timeUs) {
+    born.id = 0;
+    born.bornUs = timeUs;
+    born.lastUs = timeUs;
+    born.atUs = timeUs;
+    born.x = places.bornX();
+    born.y = places.bornY();
+    born.mass = places.bornEvents();
+    born.events = Math.round(places.bornEvents());
+    born.supportedUs = timeUs;
+    born.keptUntilUs = Long.MIN_VALUE;
+    born.mayMerge = true;
+    born.overlapped = false;
+    born.path.clear();
+    born.clearBatch(timeUs);
+    setVelocity(born, clusters, count);
+  }
+
+  private void setVelocity(Cluster born, Cluster[] clusters, int count) {
+    born.vx = 0;
+    born.vy = 0;
+    double visible = 0;
+    double vx = 0;
+    double vy = 0;
+    for (int i = 0; meanStart && i < count; i++) {
+      if (clusters[i].isVisible() && clusters[i] != born) {
+        visible++;
+        vx += clusters[i].vx;
+        vy += clusters[i].vy;
+      }
+    }
+    if (visible > 0) {
+      born.vx = vx / visible;
+      born.vy = vy / visible;
+    }
+  }
+
+  /** Takes away the age of its events' weights, and says whether the cluster is to die. */
+  boolean isOver(Cluster cluster, long timeUs) {
+    cluster.mass *= massDecay;
+    double noise = noise(cluster);
+    if (cluster.mass > Math.max(LEAST_SUPPORT, noise + SUPPORTED_SIGMAS * Math.sqrt(noise))) {
+      cluster.supportedUs = timeUs;
+    }
+    if (isOutside(cluster)) {
+      return true;
+    }
+    long silentUs = timeUs - cluster.lastUs;
+    long weakUs = timeUs - cluster.supportedUs;
+    return timeUs > cluster.keptUntilUs
+        && (silentUs > settings.lifetimeUs() || weakUs > settings.lifetimeUs());
+  }
+
+  private double noise(Cluster cluster) {
+    return places.noiseOf(Math.PI * cluster.radiusA * cluster.radiusB);
+  }
+
+  private boolean isOutside(Cluster cluster) {
+    if (settings.border() == Border.NEVER) {
+      return false;
+    }
+    boolean outline = settings.border() == Border.OUTLINE;
+    double reachX = outline ? cluster.reach(1, 0) : 0;
+    double reachY = outline ? cluster.reach(0, 1) : 0;
+    return cluster.x - reachX < -0.5
+        || cluster.y - reachY < -0.5
+        || cluster.x + reachX > right
+        || cluster.y + reachY > top;
+  }
+
+  /** Whether a cluster is to become visible. */
+  boolean isToBeSeen(Cluster cluster) {
+    double pixels = Math.PI * cluster.radiusA * cluster.radiusB;
+    double noise = places.noiseOf(pixels);
+    if (cluster.mass < noise + SEEN_SIGMAS * Math.sqrt(noise)) {
+      return false;
+    }
+    double least = settings.leastSpeedPxPerS();
+    if (cluster.vx * cluster.vx + cluster.vy * cluster.vy < least * least) {
+      return false;
+    }
+    return settings.visibleBy() == Visibility.MASS
+        ? cluster.mass >= settings.visibleMass()
+        : cluster.rateHz >= settings.visibleRateHz() * pixels;
+  }
+
+  /** The invisible cluster with the fewest recent events, or null: it gives way to a newborn. */
+  Cluster weakest(Cluster[] clusters, int count) {
+    Cluster weakest = null;
+    for (int i = 0; i < count; i++) {
+      Cluster cluster = clusters[i];
+      if (!cluster.isVisible()
+          && cluster.mass < places.bornEvents()
+          && (weakest == null || cluster.mass < weakest.mass)) {
+        weakest = cluster;
+      }
+    }
+    return weakest;
+  }
+}

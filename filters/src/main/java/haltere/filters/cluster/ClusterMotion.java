@@ -1,0 +1,117 @@
+package haltere.filters.cluster;
+
+import haltere.filters.cluster.ClusterMotionSettings.Mixing;
+
+/**
+ * The gains with which events move a cluster, set at each upkeep.
+ *
+ * <p>Adaptive: a line is fitted to the events of the last T seconds. For n events at equal
+ * intervals, the newest last, the fit of least squares moves the end of the line by a = 4 / n of
+ * what is left and its slope by b = 6 / (n T) (leading terms of the growing memory filter, N.
+ * Morrison, "Introduction to Sequential Smoothing and Prediction", 1969). With T as old as the
+ * cluster the fit uses everything; later T is held. What is left, averaged over a third of T, has a
+ * known variance as long as a line fits; where it is larger the motion turns and T is made shorter,
+ * otherwise T grows again.
+ */
+final class ClusterMotion {
+  /**
+   * Squared length of the averaged rest, over its expectation, from which the line does not fit.
+   */
+  private static final double MISFIT = 3;
+
+  /** How much faster a memory shortens than it grows. */
+  private static final double HASTE = 4;
+
+  private static final double LEAST_MEMORY_S = 0.004;
+  private static final double LEAST_EVENTS = 12;
+  private static final double GREATEST_GAIN = 0.5;
+
+  private final ClusterMotionSettings settings;
+  private final double upkeepS;
+  private final double weightDecay;
+  private final double velocityDecay;
+  private final double rateGain;
+
+  ClusterMotion(ClusterTrackerSettings all) {
+    settings = all.motion();
+    double upkeepUs = all.output().upkeepUs();
+    upkeepS = upkeepUs * 1e-6;
+    weightDecay = StrictMath.exp(-upkeepUs / settings.mixingTimeUs());
+    double velocityTimeUs =
+        settings.predict()
+            ? settings.frictionTimeUs() == 0 ? Double.POSITIVE_INFINITY : settings.frictionTimeUs()
+            : settings.velocityTimeUs();
+    velocityDecay = StrictMath.exp(-upkeepUs / velocityTimeUs);
+    rateGain = 1 - StrictMath.exp(-upkeepUs / all.life().recentUs());
+  }
+
+  /** Begins a motion with what is known of the events that made the cluster. */
+  void begin(Cluster cluster, double events, double ageS) {
+    cluster.memoryS = Math.max(LEAST_MEMORY_S, ageS);
+    cluster.rateHz = events / cluster.memoryS;
+    cluster.weights = events;
+    cluster.driftX = 0;
+    cluster.driftY = 0;
+    cluster.fresh = 0;
+    setGains(cluster);
+  }
+
+  /** Takes over new settings. */
+  void setGains(Cluster cluster) {
+    cluster.carry = settings.predict() ? 1e-6 : 0;
+    cluster.velocityShare = 1e6 / settings.velocityTimeUs();
+    cluster.gainByWeights = settings.mixing() == Mixing.PER_TIME;
+    double events = Math.max(1, cluster.rateHz * cluster.memoryS);
+    switch (settings.mixing()) {
+      case PER_EVENT -> {
+        cluster.gain = settings.mixingFactor();
+        cluster.velocityGain = cluster.gain * cluster.velocityShare;
+      }
+      case PER_TIME -> {
+        cluster.gain = 1 / Math.max(1, cluster.weights);
+        cluster.velocityGain = cluster.gain * cluster.velocityShare;
+      }
+      default -> {
+        cluster.gain = Math.min(GREATEST_GAIN, 4 / events);
+        cluster.velocityGain = 1.5 * cluster.gain / cluster.memoryS;
+      }
+    }
+    cluster.driftGain = Math.min(GREATEST_GAIN, 1.5 * cluster.gain);
+    // Of the slope of the line, 12 variance / (n T T), in terms of the gains.
+    double variance = 0.5 * (cluster.cxx + cluster.cyy);
+    cluster.velocityVariance =
+        4 * variance * cluster.velocityGain * cluster.velocityGain / (3 * cluster.gain);
+  }
+
+  /** Attends to a cluster that has been moved to the time of the upkeep. */
+  void upkeep(Cluster cluster, long timeUs) {
+    double ageS = (timeUs - cluster.bornUs) * 1e-6;
+    double share = Math.max(rateGain, upkeepS / (ageS + upkeepS));
+    cluster.rateHz += share * (cluster.fresh / upkeepS - cluster.rateHz);
+    cluster.fresh = 0;
+    cluster.weights *= weightDecay;
+    cluster.vx *= velocityDecay;
+    cluster.vy *= velocityDecay;
+    if (settings.mixing() == Mixing.ADAPTIVE) {
+      adaptMemory(cluster);
+    }
+    setGains(cluster);
+  }
+
+  private void adaptMemory(Cluster cluster) {
+    double g = cluster.driftGain;
+    double misfit =
+        (cluster.driftX * (cluster.ixx * cluster.driftX + 2 * cluster.ixy * cluster.driftY)
+                + cluster.iyy * cluster.driftY * cluster.driftY)
+            * (2 - g)
+            / (2 * g);
+    // Where clusters overlap, what is left over is the other's.
+    double step =
+        cluster.overlapped
+            ? 0
+            : misfit > MISFIT ? -HASTE * upkeepS * Math.min(4, misfit / MISFIT) : upkeepS;
+    double least = Math.max(LEAST_MEMORY_S, LEAST_EVENTS / Math.max(1, cluster.rateHz));
+    double most = Math.max(least, settings.longestMemoryUs() * 1e-6);
+    cluster.memoryS = Math.min(most, Math.max(least, cluster.memoryS + step));
+  }
+}

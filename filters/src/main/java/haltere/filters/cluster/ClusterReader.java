@@ -1,0 +1,172 @@
+package haltere.filters.cluster;
+
+/** The visible ones of a tracker's clusters, as its observer sees them. */
+final class ClusterReader implements ClusterReadings {
+  private Cluster[] visible = new Cluster[0];
+  private int count;
+  private long timeUs;
+  private double width;
+  private double height;
+  private boolean fedBack;
+
+  /** Opens the view, with the clusters moved on to its time. */
+  void open(Cluster[] clusters, int clusterCount, long readingUs, int widthPx, int heightPx) {
+    if (visible.length < clusters.length) {
+      visible = new Cluster[clusters.length];
+    }
+    timeUs = readingUs;
+    width = widthPx;
+    height = heightPx;
+    fedBack = false;
+    count = 0;
+    for (int i = 0; i < clusterCount; i++) {
+      if (clusters[i].isVisible()) {
+        clusters[i].moveTo(readingUs);
+        visible[count++] = clusters[i];
+      }
+    }
+  }
+
+  /** Ends the measurements that were read. */
+  void close() {
+    for (int i = 0; i < count; i++) {
+      visible[i].clearBatch(timeUs);
+      visible[i] = null;
+    }
+    count = 0;
+  }
+
+  /** Whether a cluster was moved. */
+  boolean wasFedBack() {
+    return fedBack;
+  }
+
+  private Cluster at(int index) {
+    if (index >= count) {
+      throw new IndexOutOfBoundsException(
+          "there are " + count + " visible clusters, none at " + index);
+    }
+    return visible[index];
+  }
+
+  @Override
+  public int count() {
+    return count;
+  }
+
+  @Override
+  public int id(int index) {
+    return at(index).id;
+  }
+
+  @Override
+  public double x(int index) {
+    return at(index).x;
+  }
+
+  @Override
+  public double y(int index) {
+    return at(index).y;
+  }
+
+  @Override
+  public double vx(int index) {
+    return at(index).vx;
+  }
+
+  @Override
+  public double vy(int index) {
+    return at(index).vy;
+  }
+
+  @Override
+  public double newEvents(int index) {
+    return at(index).batchEvents;
+  }
+
+  @Override
+  public double contestedEvents(int index) {
+    return at(index).batchContested;
+  }
+
+  @Override
+  public double measuredX(int index) {
+    return at(index).batchX / at(index).batchEvents;
+  }
+
+  @Override
+  public double measuredY(int index) {
+    return at(index).batchY / at(index).batchEvents;
+  }
+
+  @Override
+  public double measuredAgeUs(int index) {
+    Cluster cluster = at(index);
+    return timeUs - cluster.batchFromUs - cluster.batchTimes / cluster.batchEvents;
+  }
+
+  @Override
+  public double eventVarianceX(int index) {
+    return at(index).cxx;
+  }
+
+  @Override
+  public double eventVarianceY(int index) {
+    return at(index).cyy;
+  }
+
+  @Override
+  public double eventCovarianceXy(int index) {
+    return at(index).cxy;
+  }
+
+  @Override
+  public double radiusPx(int index) {
+    return at(index).radius();
+  }
+
+  @Override
+  public long events(int index) {
+    return at(index).events;
+  }
+
+  @Override
+  public double mass(int index) {
+    return at(index).mass;
+  }
+
+  @Override
+  public long ageUs(int index) {
+    return timeUs - at(index).bornUs;
+  }
+
+  @Override
+  public boolean overlapped(int index) {
+    return at(index).overlapped;
+  }
+
+  @Override
+  public void feedBack(int index, double xPx, double yPx, double vxPxPerS, double vyPxPerS) {
+    Cluster cluster = at(index);
+    double radius = cluster.radius();
+    boolean inside =
+        xPx > -radius && yPx > -radius && xPx < width + radius && yPx < height + radius;
+    if (inside && Double.isFinite(vxPxPerS) && Double.isFinite(vyPxPerS)) {
+      cluster.x = xPx;
+      cluster.y = yPx;
+      cluster.vx = vxPxPerS;
+      cluster.vy = vyPxPerS;
+      fedBack = true;
+    }
+  }
+
+  @Override
+  public void keepAlive(int index, long untilUs) {
+    at(index).keptUntilUs = untilUs;
+  }
+
+  @Override
+  public void allowMerging(int index, boolean allowed) {
+    at(index).mayMerge = allowed;
+  }
+}

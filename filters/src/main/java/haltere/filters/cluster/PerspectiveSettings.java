@@ -1,0 +1,44 @@
+package haltere.filters.cluster;
+
+import haltere.core.settings.Help;
+import haltere.core.settings.Range;
+import haltere.core.settings.SettingsSchema;
+import haltere.core.settings.Unit;
+
+/**
+ * How the size of clusters depends on where they are: a camera above a road sees things the smaller
+ * the nearer they are to the vanishing point.
+ *
+ * @param enabled whether it does
+ * @param vanishingX column of the vanishing point as a share of the sensor's width
+ * @param vanishingY row of the vanishing point as a share of the sensor's height, 1 at the top
+ * @param leastScale the smallest scale, at the vanishing point
+ */
+public record PerspectiveSettings(
+    @Help("Clusters are the smaller the nearer they are to the vanishing point.") boolean enabled,
+    @Help("Column of the vanishing point as a share of the sensor's width.")
+        @Range(min = -2, max = 3)
+        @Unit("1")
+        double vanishingX,
+    @Help("Row of the vanishing point as a share of the sensor's height; 1 is the top.")
+        @Range(min = -2, max = 3)
+        @Unit("1")
+        double vanishingY,
+    @Help("Clusters are not scaled down to less than this.")
+        @Range(min = 0.01, max = 1, logarithmic = true)
+        @Unit("1")
+        double leastScale) {
+  /** Checks the ranges. */
+  public PerspectiveSettings {
+    SettingsSchema.validate(PerspectiveSettings.class, enabled, vanishingX, vanishingY, leastScale);
+  }
+
+  /**
+   * The default perspective.
+   *
+   * @return none; once enabled, towards the middle of the top row
+   */
+  public static PerspectiveSettings defaults() {
+    return new PerspectiveSettings(false, 0.5, 1, 0.1);
+  }
+}
