@@ -105,7 +105,7 @@ class HaltereCommandTest {
     CommandRun run = CommandRun.of("--help");
     assertEquals(0, run.status());
     for (String command :
-        List.of("view", "info", "convert", "run", "simulate", "filters", "bench")) {
+        List.of("view", "info", "convert", "run", "track", "simulate", "filters", "bench")) {
       assertTrue(run.out().contains("\n  " + command + " "), run.out());
       CommandRun help = CommandRun.of(command, "--help");
       assertEquals(0, help.status());

@@ -1,0 +1,54 @@
+package haltere.filters.track;
+
+import haltere.filters.cluster.ClusterReadings;
+
+/**
+ * One measurement of a place in pixels, made of what a cluster has gathered. Thread rule: that of
+ * its owner.
+ */
+final class Measurement {
+  private final MeasurementSettings settings;
+  long timeUs;
+  double x;
+  double y;
+  double xx;
+  double xy;
+  double yy;
+
+  Measurement(MeasurementSettings settings) {
+    this.settings = settings;
+  }
+
+  /** What a batch says to a track, or to nobody yet. */
+  void of(EventBatch batch, Track track, ClusterReadings readings, long nowUs) {
+    if (settings.source() == MeasurementSource.CENTRE) {
+      timeUs = nowUs;
+      x = readings.x(batch.index);
+      y = readings.y(batch.index);
+      // From a hundredth of its end at first to its end.
+      double variance =
+          settings.maxMeasurementVariance()
+              * (track == null
+                  ? settings.dynamicVariances() ? 0.01 : 1
+                  : 1 - 0.99 * track.youth(nowUs));
+      xx = variance;
+      yy = variance;
+      xy = 0;
+      return;
+    }
+    timeUs = batch.meanTimeUs();
+    x = batch.meanX();
+    y = batch.meanY();
+    // Of two tracks in one place each event may be the other's: as good as one event.
+    double share = track != null && track.contested ? 1 : settings.varianceFactor() / batch.events;
+    double floor = settings.floorPx() * settings.floorPx();
+    xx = batch.varianceX() * share + floor;
+    yy = batch.varianceY() * share + floor;
+    xy = batch.covarianceXy() * share;
+  }
+
+  /** Maps it to the plane of the tracks; false if it is not on it. */
+  boolean map(MeasurementPlane plane) {
+    return plane.map(x, y, xx, xy, yy);
+  }
+}

@@ -1,0 +1,106 @@
+package haltere.filters.track;
+
+/** The numbers of {@link MotionModes}, taken from settings once. Thread rule: immutable. */
+final class MotionNoise {
+  /** A rate of turning that is unknown: 8 rad/s, three quarters of a second for a circle. */
+  private static final double TURN_RATE_VARIANCE = 64;
+
+  /** Share of a track's way of moving on a road that brakes or changes lanes: m²/s³. */
+  private static final double ROAD_AGILE_FACTOR = 200;
+
+  private static final double ROAD_LAUNCH_SPEED_M_S = 40;
+
+  /** How long a target does anything, as a share of how long it goes on in another way. */
+  private static final double AGILE_STAY = 0.1;
+
+  /** Share of the changes between more than two modes that lead to doing anything. */
+  private static final double AGILE_ENTRY = 0.1;
+
+  private final boolean perStep;
+  private final double[] acceleration;
+  private final boolean[] turns;
+  private final double turn;
+  private final double launchVelocityVariance;
+  private final double stayS;
+
+  private MotionNoise(
+      MotionSettings settings, double[] acceleration, boolean[] turns, double launchSpeed) {
+    perStep = settings.noise() == ProcessNoise.PER_UPDATE;
+    turn = settings.turnVariance();
+    stayS = settings.meanStayS();
+    this.acceleration = acceleration;
+    this.turns = turns;
+    launchVelocityVariance = launchSpeed * launchSpeed;
+  }
+
+  /** Of tracks in pixels. */
+  static MotionNoise inPixels(MotionSettings settings) {
+    double launch = settings.launchSpeedPxS();
+    if (settings.model() == MotionModel.STRAIGHT) {
+      return new MotionNoise(
+          settings, new double[] {settings.minProcessVariance()}, new boolean[1], launch);
+    }
+    return new MotionNoise(
+        settings,
+        new double[] {
+          settings.minProcessVariance(), settings.turningVariance(), settings.agileVariance()
+        },
+        new boolean[] {false, true, false},
+        launch);
+  }
+
+  /** Of tracks in metres: a vehicle goes straight on, or brakes and steers. */
+  static MotionNoise onRoad(MotionSettings settings, double processVariance) {
+    double[] one = {processVariance};
+    double[] two = {processVariance, ROAD_AGILE_FACTOR * processVariance};
+    double[] densities = settings.model() == MotionModel.STRAIGHT ? one : two;
+    return new MotionNoise(
+        settings, densities, new boolean[densities.length], ROAD_LAUNCH_SPEED_M_S);
+  }
+
+  int modes() {
+    return acceleration.length;
+  }
+
+  boolean perStep() {
+    return perStep;
+  }
+
+  boolean turns(int mode) {
+    return turns[mode];
+  }
+
+  double acceleration(int mode) {
+    return acceleration[mode];
+  }
+
+  double turn() {
+    return turn;
+  }
+
+  double turnRateVariance() {
+    return TURN_RATE_VARIANCE;
+  }
+
+  double launchVelocityVariance() {
+    return launchVelocityVariance;
+  }
+
+  /**
+   * Probability that a target is in a mode, given the mode that it was in a time before. The last
+   * of several modes, in which anything goes, is rarely entered and soon left.
+   */
+  double transition(int from, int to, double dtS) {
+    int last = acceleration.length - 1;
+    if (from == last) {
+      double leave = -Math.expm1(-dtS / (stayS * AGILE_STAY));
+      return to == last ? 1 - leave : leave / last;
+    }
+    double leave = -Math.expm1(-dtS / stayS);
+    double agile = last == 1 ? leave : leave * AGILE_ENTRY;
+    if (to == last) {
+      return agile;
+    }
+    return to == from ? 1 - leave : (leave - agile) / (last - 1);
+  }
+}

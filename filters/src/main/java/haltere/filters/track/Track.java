@@ -1,0 +1,220 @@
+package haltere.filters.track;
+
+/**
+ * One track: its filter, what it holds on to and since when. Its bookkeeping is that of {@link
+ * TrackEstimator}.
+ *
+ * <p>Thread rule: that of its owner.
+ */
+final class Track {
+  private static final double US = 1e-6;
+
+  final MotionModes motion;
+  private final MotionModes ahead;
+  private final MeasurementPlane plane;
+  private final MeasurementSettings settings;
+
+  /** 0 until it is shown. */
+  int id;
+
+  long bornUs;
+
+  /** Time of the state. */
+  long stateUs;
+
+  /** When it last got a measurement, by the clock of the steps. */
+  long heardUs;
+
+  int updates;
+  int gatedInARow;
+  double events;
+
+  /** The cluster that it has, or null while it coasts. */
+  EventBatch batch;
+
+  double radiusPx;
+
+  /** Standard deviation of an event of its own about its centre. */
+  double spreadPx;
+
+  /** Whether another track is so near that events may be the other's. */
+  boolean contested;
+
+  /** Whether another track is so near that which is which may be in question. */
+  boolean nearOther;
+
+  /** Whether one of these moves differently. */
+  boolean nearUnlike;
+
+  /** Whether it lost its cluster to another track, not in the open. */
+  boolean hidden;
+
+  /** Where it was in pixels when it lost its cluster. */
+  double lostXPx;
+
+  double lostYPx;
+
+  /** Where it is at the time of the step, in pixels, and whether that is in the picture. */
+  double nowXPx;
+
+  double nowYPx;
+  double nowVxPxS;
+  double nowVyPxS;
+  double nowVarianceVx;
+  double nowVarianceVy;
+  boolean inView;
+  private byte[] sides = new byte[0];
+
+  Track(MotionNoise noise, MeasurementPlane plane, MeasurementSettings settings) {
+    this.plane = plane;
+    this.settings = settings;
+    motion = new MotionModes(noise);
+    ahead = new MotionModes(noise);
+  }
+
+  /** Begins with the measurement that the plane has mapped. */
+  void launch(long timeUs, long stepUs) {
+    id = 0;
+    bornUs = timeUs;
+    stateUs = timeUs;
+    heardUs = stepUs;
+    updates = 1;
+    gatedInARow = 0;
+    events = 0;
+    batch = null;
+    contested = false;
+    nearOther = false;
+    nearUnlike = false;
+    hidden = false;
+    java.util.Arrays.fill(sides, (byte) 0);
+    motion.launch(plane.x, plane.y, plane.xx, plane.xy, plane.yy);
+  }
+
+  /** Begins again where the plane has mapped a measurement to, as the same track. */
+  void relaunch(long timeUs, long stepUs) {
+    stateUs = timeUs;
+    heardUs = stepUs;
+    gatedInARow = 0;
+    motion.launch(plane.x, plane.y, plane.xx, plane.xy, plane.yy);
+  }
+
+  double ageS(long timeUs) {
+    return (timeUs - bornUs) * US;
+  }
+
+  /** How far a variance that changes with the age of a track is from its end: from 1 to 0. */
+  double youth(long timeUs) {
+    return settings.dynamicVariances() ? Math.exp(-ageS(timeUs) / settings.rampTimeS()) : 0;
+  }
+
+  private double noiseFactor(long timeUs) {
+    return 1 + 9 * youth(timeUs);
+  }
+
+  /** The state at a later time, for a look only. */
+  MotionModes at(long timeUs) {
+    ahead.copyFrom(motion);
+    double dtS = (timeUs - stateUs) * US;
+    if (dtS > 0) {
+      ahead.coast(dtS, noiseFactor(timeUs));
+    }
+    return ahead;
+  }
+
+  /**
+   * Compares a measurement in pixels with the prediction for its time; the prediction is kept for
+   * {@link #take}.
+   *
+   * @return the normalised innovation squared, NaN if it cannot be compared
+   */
+  double compare(long timeUs, double zX, double zY, double xx, double xy, double yy) {
+    ahead.copyFrom(motion);
+    double dtS = (timeUs - stateUs) * US;
+    if (dtS > 0) {
+      ahead.predict(dtS, noiseFactor(timeUs));
+    }
+    if (!plane.map(ahead.x(), ahead.y(), zX, zY, xx, xy, yy)) {
+      return Double.NaN;
+    }
+    return ahead.innovate(plane.x, plane.y, plane.xx, plane.xy, plane.yy);
+  }
+
+  /** Logarithm of the likelihood of what {@link #compare} has compared. */
+  double logLikelihood() {
+    return ahead.logLikelihood();
+  }
+
+  /** Takes in what {@link #compare} has compared. */
+  void take(long timeUs, long stepUs) {
+    ahead.correct();
+    motion.copyFrom(ahead);
+    stateUs = Math.max(stateUs, timeUs);
+    heardUs = stepUs;
+    updates++;
+    gatedInARow = 0;
+  }
+
+  /** Works out where it is in the picture at the time of a step. */
+  void look(long timeUs) {
+    inView = plane.toPixels(at(timeUs));
+    nowXPx = plane.xPx;
+    nowYPx = plane.yPx;
+    nowVxPxS = plane.vxPxS;
+    nowVyPxS = plane.vyPxS;
+    nowVarianceVx = plane.varianceVxPx2S2;
+    nowVarianceVy = plane.varianceVyPx2S2;
+  }
+
+  double speedPxS() {
+    return Math.hypot(nowVxPxS, nowVyPxS);
+  }
+
+  /** Whether two tracks are known to move differently. */
+  boolean movesUnlike(Track other) {
+    double dx = nowVxPxS - other.nowVxPxS;
+    double dy = nowVyPxS - other.nowVyPxS;
+    double apart =
+        dx * dx / (nowVarianceVx + other.nowVarianceVx)
+            + dy * dy / (nowVarianceVy + other.nowVarianceVy);
+    return apart > 16 && dx * dx + dy * dy > 0.01 * speedPxS() * other.speedPxS();
+  }
+
+  /** On which side of each counting line it is: 0 as long as that is not known. */
+  byte[] sides(int lines) {
+    if (sides.length != lines) {
+      sides = new byte[lines];
+    }
+    return sides;
+  }
+
+  /** What the last comparison has come to, of the likeliest model. */
+  TrackUpdate lastUpdate(long timeUs, boolean accepted) {
+    PlaneFilter model = ahead.likeliest();
+    return new TrackUpdate(
+        timeUs,
+        id,
+        plane.x,
+        plane.y,
+        model.innovationX(),
+        model.innovationY(),
+        model.innovationXx(),
+        model.innovationXy(),
+        model.innovationYy(),
+        model.nis(),
+        accepted ? model.gain(0, 0) : 0,
+        accepted ? model.gain(1, 1) : 0,
+        accepted ? model.gain(2, 0) : 0,
+        accepted ? model.gain(3, 1) : 0,
+        motion.x(),
+        motion.y(),
+        motion.vx(),
+        motion.vy(),
+        motion.covariance(0, 0),
+        motion.covariance(0, 2),
+        motion.covariance(2, 2),
+        motion.covariance(1, 1),
+        motion.covariance(1, 3),
+        motion.covariance(3, 3),
+        accepted);
+  }
+}

@@ -1,0 +1,44 @@
+package haltere.filters.track;
+
+import java.util.List;
+
+/**
+ * All tracks that are shown at one time.
+ *
+ * @param timeUs time on the clock of the events, microseconds
+ * @param tracks each track once
+ */
+public record TrackSnapshot(long timeUs, List<Shown> tracks) {
+  /** Copies the list. */
+  public TrackSnapshot {
+    tracks = List.copyOf(tracks);
+  }
+
+  /**
+   * A track and where it has been.
+   *
+   * @param path where it was at the last reports, oldest first; the last one is the present
+   * @param covarianceXyPx2 covariance of column and row, px²
+   * @param coasting whether it goes on without events
+   * @param speedKmH speed on a road in kilometres an hour; NaN where there is no road
+   */
+  public record Shown(
+      List<TrackPoint> path, double covarianceXyPx2, boolean coasting, double speedKmH) {
+    /** Copies the list, which has at least one element. */
+    public Shown {
+      path = List.copyOf(path);
+      if (path.isEmpty()) {
+        throw new IllegalArgumentException("a track has at least one place");
+      }
+    }
+
+    /**
+     * Where it is.
+     *
+     * @return the last element of the path
+     */
+    public TrackPoint now() {
+      return path.get(path.size() - 1);
+    }
+  }
+}

@@ -1,0 +1,94 @@
+package haltere.filters.track;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import haltere.core.overlay.MarkStyle;
+import haltere.core.overlay.OverlayCanvas;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import org.junit.jupiter.api.Test;
+
+class TrackOverlayTest {
+  private static final TrackPoint BEFORE = new TrackPoint(0, 7, 10, 20, 0, 0, 1, 1, 1, 1, 5);
+  private static final TrackPoint NOW = new TrackPoint(10_000, 7, 11, 21, 100, -50, 2, 1, 1, 1, 9);
+
+  @Test
+  void aTrackIsItsEllipseItsWayItsVelocityAndItsIdentity() {
+    assertEquals(
+        List.of(
+            "PATH 7: [10.0, 11.0] [20.0, 21.0]",
+            "ESTIMATE 7: line 9.0 21.0 to 13.0 21.0",
+            "ESTIMATE 7: line 11.0 19.0 to 11.0 23.0",
+            "UNCERTAINTY 7: ellipse 11.0 21.0 axes 4.90 2.45 at 0.00",
+            "VELOCITY 7: line 11.0 21.0 to 21.0 16.0",
+            "LABEL 7: 7 at 14.0 24.0"),
+        drawn(new TrackSnapshot.Shown(List.of(BEFORE, NOW), 0, false, Double.NaN)));
+  }
+
+  @Test
+  void onARoadTheSpeedIsWrittenAndACoastingTrackStandsOut() {
+    List<String> marks = drawn(new TrackSnapshot.Shown(List.of(NOW), 0, true, 53.7));
+    assertEquals("LABEL 7: 7: 54 km/h at 14.0 24.0", marks.get(5));
+    assertEquals("WARNING 7: ellipse 11.0 21.0 axes 4.90 2.45 at 0.00", marks.get(3));
+  }
+
+  @Test
+  void theEllipseLiesAlongTheLargerUncertainty() {
+    TrackPoint diagonal = new TrackPoint(0, 1, 0, 0, 0, 0, 1, 1, 1, 1, 1);
+    List<String> marks = drawn(new TrackSnapshot.Shown(List.of(diagonal), -1, false, Double.NaN));
+    assertEquals("UNCERTAINTY 1: ellipse 0.0 0.0 axes 3.46 0.00 at -0.79", marks.get(3));
+  }
+
+  private static List<String> drawn(TrackSnapshot.Shown track) {
+    Notebook notebook = new Notebook();
+    new TrackOverlay().draw(new TrackSnapshot(10_000, List.of(track)), notebook);
+    return notebook.marks;
+  }
+
+  /** A canvas that writes down what is drawn. */
+  private static final class Notebook implements OverlayCanvas {
+    final List<String> marks = new ArrayList<>();
+
+    private void note(MarkStyle style, String format, Object... values) {
+      marks.add(
+          style.role()
+              + " "
+              + style.identity()
+              + ": "
+              + String.format(Locale.ROOT, format, values));
+    }
+
+    @Override
+    public void circle(double x, double y, double radius, MarkStyle style) {
+      note(style, "circle");
+    }
+
+    @Override
+    public void line(double x1, double y1, double x2, double y2, MarkStyle style) {
+      note(style, "line %.1f %.1f to %.1f %.1f", x1, y1, x2, y2);
+    }
+
+    @Override
+    public void polyline(double[] x, double[] y, int points, MarkStyle style) {
+      note(style, "%s %s", Arrays.toString(x), Arrays.toString(y));
+    }
+
+    @Override
+    public void ellipse(
+        double x, double y, double radiusA, double radiusB, double angleRad, MarkStyle style) {
+      note(style, "ellipse %.1f %.1f axes %.2f %.2f at %.2f", x, y, radiusA, radiusB, angleRad);
+    }
+
+    @Override
+    public void rectangle(double x, double y, double width, double height, MarkStyle style) {
+      note(style, "rectangle");
+    }
+
+    @Override
+    public void text(double x, double y, String text, MarkStyle style) {
+      note(style, "%s at %.1f %.1f", text, x, y);
+    }
+  }
+}

@@ -1,0 +1,191 @@
+package haltere.ui.command;
+
+import haltere.core.chain.ChainFile;
+import haltere.core.chain.ChainStage;
+import haltere.core.chain.ConfigurableFilter;
+import haltere.core.chain.FilterChain;
+import haltere.core.chain.Filters;
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.RecordingReader;
+import haltere.core.pipeline.Pipeline;
+import haltere.core.pipeline.PipelineCounters;
+import haltere.core.sink.CsvSink;
+import haltere.filters.cluster.ClusterTrackerFilter;
+import haltere.filters.track.KalmanTracksFilter;
+import haltere.filters.track.KalmanTracksSettings;
+import haltere.filters.track.RoadTracksSettings;
+import haltere.filters.track.TrackPoint;
+import java.io.IOException;
+import java.nio.charset.CharacterCodingException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Objects;
+import java.util.stream.Stream;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** Follows what moves in a recording and writes a table of it. */
+@Command(
+    name = "track",
+    description = {
+      "Follow what moves in a recording and write where it is, how fast, and how sure that is.",
+      "A row for each visible track at each tick of the rate, from events before that time only."
+    })
+final class TrackCommand extends Subcommand {
+  private static final String TRACKS = "kalman-tracks";
+
+  @Parameters(index = "0", paramLabel = "FILE", description = "A recording.")
+  Path file;
+
+  @Option(
+      names = "--out",
+      required = true,
+      paramLabel = "TRACKS.csv",
+      description = "Where the table goes.")
+  Path out;
+
+  @Option(
+      names = "--rate",
+      paramLabel = "HZ",
+      defaultValue = "100",
+      description = "Rows of each track a second of recording time; 100 if not given.")
+  double rateHz;
+
+  @Option(
+      names = "--chain",
+      paramLabel = "CHAIN.json",
+      description =
+          "A chain of filters; one without "
+              + TRACKS
+              + " gets it at its end. If not given: background activity, hot pixels and tracks.")
+  Path chainFile;
+
+  @Option(
+      names = "--road",
+      paramLabel = "ROAD.json",
+      description = {
+        "The road that the camera looks along: adds columns in metres. Keys: bridgeHeightM,"
+            + " nearestM, farthestM, vanishingPoint {xPx, yPx}, lanes {lanes, leftEdgeM, widthM},"
+            + " countingLines {lines, firstM, apartM}; all may be left out."
+      })
+  Path roadFile;
+
+  @Mixin ReadingOptions reading;
+  @Mixin WritingOptions writing;
+
+  TrackCommand(Surroundings surroundings) {
+    super(surroundings);
+  }
+
+  @Override
+  public Integer call() throws IOException {
+    if (!(rateHz >= 0.001 && rateHz <= 100_000)) {
+      throw wrongArguments("--rate is " + rateHz + ", it must be from 0.001 to 100000 Hz");
+    }
+    writing.check(out);
+    for (Path input : inputs()) {
+      WritingOptions.checkDifferent(input, out);
+    }
+    try (RecordingReader reader = reading.open(file)) {
+      FilterChain chain = chain(reader.geometry());
+      try {
+        track(reader, chain);
+      } finally {
+        chain.close();
+      }
+      warnings(reader);
+    }
+    return OK;
+  }
+
+  private List<Path> inputs() {
+    return Stream.of(file, chainFile, roadFile).filter(Objects::nonNull).toList();
+  }
+
+  private FilterChain chain(SensorGeometry geometry) throws IOException {
+    if (chainFile == null) {
+      FilterChain chain = new FilterChain(geometry);
+      for (String name : List.of("background-activity", "hot-pixels", TRACKS)) {
+        chain.add(Filters.named(name));
+      }
+      return chain;
+    }
+    try {
+      return ChainFile.read(chainFile, geometry);
+    } catch (CharacterCodingException notText) {
+      throw Failures.notText(chainFile, notText);
+    }
+  }
+
+  private RoadTracksSettings road(RoadTracksSettings usual) throws IOException {
+    try {
+      return roadFile == null ? usual : RoadFile.read(roadFile, usual);
+    } catch (CharacterCodingException notText) {
+      throw Failures.notText(roadFile, notText);
+    }
+  }
+
+  /** The chain's own tracks, or new ones at its end that stand on the clusters it asks for. */
+  private KalmanTracksFilter tracks(FilterChain chain) {
+    KalmanTracksFilter tracks = last(chain, KalmanTracksFilter.class);
+    if (tracks == null) {
+      ClusterTrackerFilter clusters = last(chain, ClusterTrackerFilter.class);
+      KalmanTracksSettings settings = KalmanTracksSettings.defaults();
+      if (clusters != null) {
+        settings = settings.withClusters(clusters.settings());
+      }
+      tracks = new KalmanTracksFilter(chain.geometry(), settings);
+      chain.add(TRACKS, tracks);
+    }
+    return tracks;
+  }
+
+  private static <F extends ConfigurableFilter<?>> F last(FilterChain chain, Class<F> type) {
+    F found = null;
+    for (ChainStage stage : chain.stages()) {
+      if (stage.isEnabled() && stage.filter() instanceof FilterChain nested) {
+        F inside = last(nested, type);
+        found = inside == null ? found : inside;
+      } else if (stage.isEnabled() && type.isInstance(stage.filter())) {
+        found = type.cast(stage.filter());
+      }
+    }
+    return found;
+  }
+
+  private void track(RecordingReader reader, FilterChain chain) throws IOException {
+    KalmanTracksFilter tracks = tracks(chain);
+    tracks.apply(tracks.settings().onRoad(road(tracks.settings().road())).withReportRate(rateHz));
+    long rows;
+    if (roadFile == null) {
+      try (CsvSink<TrackPoint> table = CsvSink.create(out, TrackPoint.class, writing.overwrite)) {
+        tracks.points().subscribe(table);
+        rows = run(reader, chain, table);
+      }
+    } else {
+      try (CsvSink<RoadTrackRow> table =
+          CsvSink.create(out, RoadTrackRow.class, writing.overwrite)) {
+        // A track's place in the picture is published before its place on the road.
+        TrackPoint[] inPicture = new TrackPoint[1];
+        tracks.points().subscribe(point -> inPicture[0] = point);
+        tracks
+            .roadPoints()
+            .subscribe(onRoad -> table.accept(RoadTrackRow.of(inPicture[0], onRoad)));
+        rows = run(reader, chain, table);
+      }
+    }
+    message("wrote " + out + " (" + Quantities.count(rows) + " rows)");
+  }
+
+  private long run(RecordingReader reader, FilterChain chain, CsvSink<?> table) throws IOException {
+    try (ProgressBar bar = progressBar("tracking", file)) {
+      PipelineCounters counters = new PipelineCounters();
+      Pipeline.run(reader, chain, List.of(new WritingSink(reader, null, bar, counters)), counters);
+    }
+    reading.requireWhole(reader);
+    table.finish();
+    return table.rows();
+  }
+}

@@ -1,0 +1,248 @@
+package haltere.ui.command;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class TrackCommandTest {
+  private static final String COLUMNS =
+      "t_us,id,x_px,y_px,vx_px_s,vy_px_s,sd_x_px,sd_y_px,sd_vx_px_s,sd_vy_px_s,events";
+
+  @TempDir Path folder;
+
+  private Path in;
+  private Path out;
+
+  @BeforeEach
+  void simulate() {
+    in = folder.resolve("dots.aedat");
+    out = folder.resolve("tracks.csv");
+    CommandRun made =
+        CommandRun.of(
+            "simulate",
+            "dots",
+            in,
+            "--duration",
+            "1",
+            "--set",
+            "dots.count=2",
+            "--set",
+            "run.startUs=5000000",
+            "--set",
+            "noise.shotHz=0");
+    assertEquals(0, made.status(), made.err());
+  }
+
+  private List<String[]> rows(Path table) throws IOException {
+    return Files.readAllLines(table).stream().skip(1).map(row -> row.split(",", -1)).toList();
+  }
+
+  @Test
+  void eachTrackHasARowAtEachTickOfRecordingTime() throws IOException {
+    CommandRun run = CommandRun.of("track", in, "--out", out);
+    assertEquals(0, run.status(), run.err());
+    assertEquals(COLUMNS, Files.readAllLines(out).get(0));
+    List<String[]> rows = rows(out);
+    assertTrue(rows.size() > 120, rows.size() + " rows");
+    for (String[] row : rows) {
+      long timeUs = Long.parseLong(row[0]);
+      assertTrue(timeUs > 5_000_000 && timeUs < 6_000_000, row[0]);
+      assertEquals(0, timeUs % 10_000);
+      assertEquals(11, row.length);
+      for (int i = 6; i < 10; i++) {
+        assertTrue(Double.parseDouble(row[i]) > 0, Arrays.toString(row));
+      }
+    }
+    assertTrue(run.err().contains("wrote " + out + " ("), run.err());
+  }
+
+  @Test
+  void whereATrackIsNearADotItMovesAsTheDotDoes() throws IOException {
+    assertEquals(0, CommandRun.of("track", in, "--out", out).status());
+    List<String[]> rows = rows(out);
+    long lastUs = Long.parseLong(rows.get(rows.size() - 1)[0]);
+    List<String[]> last = rows.stream().filter(row -> Long.parseLong(row[0]) == lastUs).toList();
+    assertEquals(2, last.size(), "tracks at the end");
+    for (String[] row : last) {
+      double speed = Math.hypot(Double.parseDouble(row[4]), Double.parseDouble(row[5]));
+      assertEquals(150, speed, 20);
+      // Circles about the middle: the velocity is orthogonal to the radius.
+      double along =
+          (Double.parseDouble(row[2]) - 63.5) * Double.parseDouble(row[4])
+              + (Double.parseDouble(row[3]) - 63.5) * Double.parseDouble(row[5]);
+      assertEquals(0, along, 0.2 * 60 * speed);
+    }
+  }
+
+  @Test
+  void theRateDecidesAtWhichTimesThereAreRows() throws IOException {
+    assertEquals(0, CommandRun.of("track", in, "--out", out, "--rate", "30").status());
+    for (String[] row : rows(out)) {
+      long timeUs = Long.parseLong(row[0]);
+      long tick = Math.round(timeUs * 30e-6);
+      assertEquals(Math.round(tick * 1e6 / 30), timeUs);
+    }
+  }
+
+  @Test
+  void withARoadThereAreMetresToo() throws IOException {
+    Path cars = folder.resolve("road.aedat");
+    CommandRun made =
+        CommandRun.of(
+            "simulate",
+            "road",
+            cars,
+            "--duration",
+            "4",
+            "--set",
+            "vehicles.heightShare=0",
+            "--set",
+            "noise.shotHz=0");
+    assertEquals(0, made.status(), made.err());
+    Path road = folder.resolve("road.json");
+    Files.writeString(
+        road,
+        """
+        {"bridgeHeightM": 5, "nearestM": 6, "farthestM": 300,
+         "vanishingPoint": {"xPx": 63.5, "yPx": 127},
+         "lanes": {"lanes": 4, "leftEdgeM": -7, "widthM": 3.5}, "countingLines": {"lines": 2}}
+        """);
+    CommandRun run = CommandRun.of("track", cars, "--out", out, "--road", road);
+    assertEquals(0, run.status(), run.err());
+    assertEquals(COLUMNS + ",x_m,y_m,vx_m_s,vy_m_s", Files.readAllLines(out).get(0));
+    List<String[]> rows = rows(out);
+    assertTrue(rows.size() > 100, rows.size() + " rows");
+    long onTheRoad =
+        rows.stream()
+            .filter(row -> Math.abs(Double.parseDouble(row[11])) < 9)
+            .filter(row -> Double.parseDouble(row[12]) > 4 && Double.parseDouble(row[12]) < 130)
+            .count();
+    assertTrue(onTheRoad > 0.9 * rows.size(), onTheRoad + " of " + rows.size());
+  }
+
+  @Test
+  void aChainOfOnesOwnIsUsedAndGetsTracksIfItHasNone() throws IOException {
+    Path chain = folder.resolve("chain.json");
+    Files.writeString(
+        chain,
+        """
+        {"filters": [
+          {"filter": "refractory"},
+          {"filter": "kalman-tracks", "settings": {"life": {"updatesTillShown": 40}}}
+        ]}
+        """);
+    assertEquals(0, CommandRun.of("track", in, "--out", out, "--chain", chain).status());
+    long late = Long.parseLong(rows(out).get(0)[0]);
+    assertTrue(late >= 5_390_000, "first row at " + late);
+    Files.writeString(chain, "{\"filters\": [{\"filter\": \"cluster-tracker\"}]}");
+    Path other = folder.resolve("other.csv");
+    assertEquals(0, CommandRun.of("track", in, "--out", other, "--chain", chain).status());
+    assertTrue(rows(other).size() > 100);
+  }
+
+  @Test
+  void theLocaleDoesNotMatterAndTheSameRunGivesTheSameBytes() throws IOException {
+    assertEquals(0, CommandRun.of("track", in, "--out", out).status());
+    Path again = folder.resolve("again.csv");
+    Locale before = Locale.getDefault();
+    try {
+      Locale.setDefault(Locale.GERMANY);
+      assertEquals(0, CommandRun.of("track", in, "--out", again).status());
+    } finally {
+      Locale.setDefault(before);
+    }
+    assertEquals(-1, Files.mismatch(out, again));
+  }
+
+  @Test
+  void aRecordingWithoutEventsGivesATableWithoutRows() throws IOException {
+    Path empty = folder.resolve("empty.csv");
+    Files.writeString(empty, "t_us,x,y,on\n");
+    CommandRun run = CommandRun.of("track", empty, "--sensor", "128x128", "--out", out);
+    assertEquals(0, run.status(), run.err());
+    assertEquals(List.of(COLUMNS), Files.readAllLines(out));
+  }
+
+  @Test
+  void wrongArgumentsAreSaidWithTheUsage() {
+    assertFails(2, "--out", "track", in);
+    assertFails(2, "--rate", "track", in, "--out", out, "--rate", "0");
+    assertFails(2, "--rate", "track", in, "--out", out, "--rate", "NaN");
+    assertFails(2, "--rate", "track", in, "--out", out, "--rate", "fast");
+  }
+
+  @Test
+  void badInputIsSaidInOneLineThatNamesTheFileAndLeavesNothing() throws IOException {
+    Path json = folder.resolve("x.json");
+    for (String text :
+        List.of("", "[]", "{\"filters\": 1}", "{\"filters\": [{\"filter\": \"?\"}]}")) {
+      Files.writeString(json, text);
+      assertFails(1, json.toString(), "track", in, "--out", out, "--chain", json);
+    }
+    for (String text :
+        List.of(
+            "",
+            "[]",
+            "{\"bridgeHeightM\": -1}",
+            "{\"bridge\": 5}",
+            "{\"nearestM\": 50, \"farthestM\": 20}",
+            "{\"lanes\": 4}",
+            "{\"lanes\": {\"lanes\": -1}}",
+            "{\"countingLines\": 20}",
+            "{\"countingLines\": {\"apartM\": 0}}",
+            "{\"vanishingPoint\": {\"yPx\": 0}}")) {
+      Files.writeString(json, text);
+      assertFails(1, json.toString(), "track", in, "--out", out, "--road", json);
+    }
+    Path none = folder.resolve("none.json");
+    assertFails(1, "none.json", "track", in, "--out", out, "--road", none);
+    assertFails(1, "none.json", "track", in, "--out", out, "--chain", none);
+    assertFails(1, "none.json", "track", none, "--out", out);
+    assertFails(1, "same file", "track", in, "--out", in, "--overwrite");
+    try (Stream<Path> files = Files.list(folder)) {
+      assertEquals(
+          List.of("dots.aedat", "x.json"),
+          files.map(file -> file.getFileName().toString()).sorted().toList());
+    }
+  }
+
+  private static void assertFails(int status, String word, Object... words) {
+    CommandRun run = CommandRun.of(words);
+    assertEquals(status, run.status(), run.err());
+    assertTrue(run.errorLines().get(0).contains(word), run.err());
+    assertTrue(status == 2 || run.errorLines().size() == 1, run.err());
+    assertFalse(run.err().contains("\tat "), run.err());
+  }
+
+  @Test
+  void aTableThatExistsIsKeptUnlessAskedOtherwise() throws IOException {
+    Files.writeString(out, "mine");
+    assertFails(1, out + ": exists already", "track", in, "--out", out);
+    assertEquals("mine", Files.readString(out));
+    assertEquals(0, CommandRun.of("track", in, "--out", out, "--overwrite").status());
+    assertTrue(Files.readString(out).startsWith(COLUMNS));
+  }
+
+  @Test
+  void aFileThatIsCutOffIsReadUpToThereAndStrictMakesItAnError() throws IOException {
+    byte[] whole = Files.readAllBytes(in);
+    Files.write(in, Arrays.copyOf(whole, whole.length - 3));
+    CommandRun strict = CommandRun.of("track", in, "--out", out, "--strict");
+    assertEquals(1, strict.status(), strict.err());
+    assertFalse(Files.exists(out));
+    CommandRun lenient = CommandRun.of("track", in, "--out", out);
+    assertEquals(0, lenient.status(), lenient.err());
+    assertTrue(lenient.err().contains("warning"), lenient.err());
+  }
+}
