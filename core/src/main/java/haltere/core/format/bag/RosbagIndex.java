@@ -10,7 +10,6 @@ import haltere.core.format.packed.Payload;
 import haltere.core.format.packed.StoredPayload;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.util.Arrays;
 
 /**
  * What the end of a ROS 1 bag says that was closed: its connections, and where its chunks are.
@@ -26,13 +25,10 @@ final class RosbagIndex {
   /** Where the first record starts. */
   static final int FIRST_RECORD = MAGIC.length();
 
-  private static final int MAX_CHUNKS = 1 << 20;
-
   private final long fileBytes;
   private long end;
   private boolean cutOff;
-  private long[] chunks = new long[16];
-  private int chunkCount;
+  private final ChunkPlaces chunks = new ChunkPlaces();
 
   private RosbagIndex(long fileBytes) {
     this.fileBytes = fileBytes;
@@ -91,7 +87,11 @@ final class RosbagIndex {
         if (record.kind() != RosbagRecord.CHUNK_INFO) {
           throw new DamagedPacketException("no record of an index");
         }
-        addChunk(record.fields().getLong("chunk_pos"), place);
+        long chunk = record.fields().getLong("chunk_pos");
+        if (chunk < FIRST_RECORD || chunk >= place) {
+          throw new DamagedPacketException("a chunk outside of the file");
+        }
+        chunks.add(chunk);
         payload.skip(record.dataBytes());
       }
       end = place;
@@ -99,20 +99,6 @@ final class RosbagIndex {
       violations.add(Violation.LYING_LENGTH, place);
       cutOff = place >= fileBytes;
     }
-    Arrays.sort(chunks, 0, chunkCount);
-  }
-
-  private void addChunk(long position, long place) throws DamagedPacketException {
-    if (position < FIRST_RECORD || position >= place) {
-      throw new DamagedPacketException("a chunk outside of the file");
-    }
-    if (chunkCount == MAX_CHUNKS) {
-      return;
-    }
-    if (chunkCount == chunks.length) {
-      chunks = Arrays.copyOf(chunks, 2 * chunkCount);
-    }
-    chunks[chunkCount++] = position;
   }
 
   /** Where chunks end and the index begins, or the file ends. */
@@ -127,8 +113,6 @@ final class RosbagIndex {
 
   /** Where the first chunk after a place begins, as far as it is known; else the end. */
   long chunkAfter(long position) {
-    int at = Arrays.binarySearch(chunks, 0, chunkCount, position + 1);
-    int found = at < 0 ? -at - 1 : at;
-    return found < chunkCount ? chunks[found] : end;
+    return chunks.after(position, end);
   }
 }
