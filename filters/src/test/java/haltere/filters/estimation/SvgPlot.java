@@ -12,7 +12,7 @@ import java.util.Locale;
  * charting library's, so that the same numbers give the same bytes on any machine, whatever its
  * fonts.
  */
-final class SvgPlot {
+public final class SvgPlot {
   private static final int WIDTH = 640;
   private static final int HEIGHT = 300;
   private static final int LEFT = 60;
@@ -29,7 +29,7 @@ final class SvgPlot {
   private final List<String> colours = new ArrayList<>();
 
   /** A plot of a range. */
-  SvgPlot(double fromX, double toX, double fromY, double toY) {
+  public SvgPlot(double fromX, double toX, double fromY, double toY) {
     this.fromX = fromX;
     this.toX = toX;
     this.fromY = fromY;
@@ -37,14 +37,14 @@ final class SvgPlot {
   }
 
   /** A line through points; those outside the range are cut off at its edge. */
-  SvgPlot line(String name, String colour, double[] x, double[] y) {
+  public SvgPlot line(String name, String colour, double[] x, double[] y) {
     marks.append("<polyline fill=\"none\" stroke-width=\"1.5\" stroke=\"");
     marks.append(colour).append("\" points=\"").append(points(x, y)).append("\"/>\n");
     return named(name, colour);
   }
 
   /** What lies between two lines. */
-  SvgPlot band(String name, String colour, double[] x, double[] low, double[] high) {
+  public SvgPlot band(String name, String colour, double[] x, double[] low, double[] high) {
     double[] around = new double[2 * x.length];
     double[] edge = new double[2 * x.length];
     for (int i = 0; i < x.length; i++) {
@@ -62,7 +62,7 @@ final class SvgPlot {
   }
 
   /** Dots. */
-  SvgPlot dots(String name, String colour, double[] x, double[] y) {
+  public SvgPlot dots(String name, String colour, double[] x, double[] y) {
     marks.append("<g fill=\"").append(colour).append("\">\n");
     for (int i = 0; i < x.length; i++) {
       marks.append(text("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"1.5\"/>%n", atX(x[i]), atY(y[i])));
@@ -72,12 +72,12 @@ final class SvgPlot {
   }
 
   /** A horizontal line over the whole width. */
-  SvgPlot level(String name, String colour, double y) {
+  public SvgPlot level(String name, String colour, double y) {
     return line(name, colour, new double[] {fromX, toX}, new double[] {y, y});
   }
 
   /** Writes the picture. */
-  void write(Path file, String title, String xLabel, String yLabel) throws IOException {
+  public void write(Path file, String title, String xLabel, String yLabel) throws IOException {
     StringBuilder svg = new StringBuilder();
     svg.append(
         text(

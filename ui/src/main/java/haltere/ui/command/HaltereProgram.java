@@ -24,7 +24,7 @@ import picocli.CommandLine.ParseResult;
  */
 public final class HaltereProgram {
   private static final List<String> COMMANDS =
-      List.of("view", "info", "convert", "run", "track", "simulate", "filters", "bench");
+      List.of("view", "info", "convert", "run", "track", "wings", "simulate", "filters", "bench");
 
   private final Surroundings surroundings;
 
@@ -134,6 +134,7 @@ public final class HaltereProgram {
       case "convert" -> new ConvertCommand(surroundings);
       case "run" -> new RunCommand(surroundings);
       case "track" -> new TrackCommand(surroundings);
+      case "wings" -> new WingsCommand(surroundings);
       case "simulate" -> new SimulateCommand(surroundings);
       case "filters" -> new FiltersCommand(surroundings);
       case "bench" -> new BenchCommand(surroundings);

@@ -1,0 +1,239 @@
+package haltere.filters.wing;
+
+import haltere.filters.estimation.Angles;
+import haltere.filters.estimation.FourStateEkf;
+import haltere.filters.estimation.Gate;
+
+/**
+ * A filter for each edge of a wing, as the source has it: h = a + M sin xi, the same noise added
+ * whenever time has passed, whatever the time. Several events may be averaged before an update.
+ *
+ * <p>Thread rule: one thread at a time.
+ */
+final class EdgesEstimator implements SideEstimator {
+  private static final double US = 1e-6;
+  private static final int LOST_AFTER = 400;
+  private static final double START_AMPLITUDE = 1;
+  private static final double START_VARIANCE = 1;
+  private static final double PAIR_NOISE_SHARE = 1;
+  private static final double WIDEST_GATE_SD = 30;
+
+  private final WingSide side;
+  private final StrokeFrame frame;
+  private final BeatListener beats;
+  private final FourStateEkf[] filters = new FourStateEkf[2];
+  private WingNoiseSettings noise;
+  private WingFilterSettings options;
+  private final long[] lastUs = new long[2];
+  private final long[] taken = new long[2];
+  private final double[] sums = new double[2];
+  private final int[] counts = new int[2];
+  private final double[] lastPhase = new double[2];
+  private long nowUs;
+  private long lastEventUs;
+  private double lastPassedUs = Double.NaN;
+
+  EdgesEstimator(
+      WingSide side, StrokeFrame frame, WingTrackerSettings settings, BeatListener beats) {
+    this.side = side;
+    this.frame = frame;
+    this.beats = beats;
+    noise = settings.noise();
+    options = settings.filter();
+    for (int edge = 0; edge < 2; edge++) {
+      filters[edge] = new FourStateEkf(gate(options.gateSd()), LOST_AFTER);
+    }
+  }
+
+  private static Gate gate(double sd) {
+    return sd > WIDEST_GATE_SD ? Gate.OPEN : Gate.sigmas(sd);
+  }
+
+  @Override
+  public void apply(WingTrackerSettings settings) {
+    noise = settings.noise();
+    options = settings.filter();
+  }
+
+  /** Begins with a centre and a frequency, as the source does: amplitude 1, phase the centre. */
+  void launch(long atUs, StrokeSeed seed, boolean knowsPhase) {
+    nowUs = atUs;
+    lastEventUs = atUs;
+    lastPassedUs = Double.NaN;
+    for (int edge = 0; edge < 2; edge++) {
+      sums[edge] = 0;
+      counts[edge] = 0;
+      taken[edge] = 0;
+      double phase =
+          knowsPhase ? seed.phase() + seed.omega() * (atUs - seed.timeUs()) * US : seed.centre();
+      double amplitude = knowsPhase ? seed.amplitude() : START_AMPLITUDE;
+      filters[edge].setState(seed.centre(), amplitude, Angles.wrapPi(phase), seed.omega());
+      filters[edge].setVariances(START_VARIANCE, 1e-9, START_VARIANCE, START_VARIANCE);
+      lastUs[edge] = atUs;
+      lastPhase[edge] = phase(edge);
+    }
+  }
+
+  @Override
+  public void event(long timeUs, boolean on) {
+    int edge = on ? 1 : 0;
+    lastEventUs = timeUs;
+    taken[edge]++;
+    FourStateEkf ekf = filters[edge];
+    double measured =
+        counts[edge] == 0
+            ? frame.angle()
+            : sums[edge] / counts[edge] + Angles.wrapPi(frame.angle() - sums[edge] / counts[edge]);
+    sums[edge] += measured;
+    if (++counts[edge] < options.averagedEvents()) {
+      return;
+    }
+    double angle = sums[edge] / counts[edge];
+    sums[edge] = 0;
+    counts[edge] = 0;
+    predict(edge, timeUs);
+    double sin = Math.sin(ekf.x2());
+    double cos = Math.cos(ekf.x2());
+    double y = Angles.wrapPi(angle - (ekf.x0() + ekf.x1() * sin));
+    double r = noise.measurement() > 0 ? noise.measurement() : 0.006;
+    ekf.update(y, 1, sin, ekf.x1() * cos, 0, r);
+    mend(ekf);
+    if (edge == 0) {
+      watchBeat(timeUs);
+    }
+  }
+
+  private void predict(int edge, long timeUs) {
+    FourStateEkf ekf = filters[edge];
+    double dtS = (timeUs - lastUs[edge]) * US;
+    if (dtS > 0) {
+      ekf.predict(0, 0, 0, 0, 0, dtS);
+      ekf.addNoise(noise.centre(), noise.amplitude(), noise.phase(), noise.frequency());
+      ekf.addPairNoise(0, PAIR_NOISE_SHARE * Math.min(noise.phase(), noise.frequency()));
+      lastUs[edge] = timeUs;
+    }
+  }
+
+  /** Keeps the phase small, so that it stays exact, and the amplitude positive. */
+  private static void mend(FourStateEkf ekf) {
+    double phase = ekf.x2();
+    double amplitude = ekf.x1();
+    if (Math.abs(phase) > 4 * Math.PI || amplitude < 0) {
+      if (amplitude < 0) {
+        phase += Math.PI;
+        amplitude = -amplitude;
+      }
+      ekf.setState(ekf.x0(), amplitude, Angles.wrapPi(phase), ekf.x3());
+    }
+  }
+
+  private void watchBeat(long timeUs) {
+    double phase = phase(0);
+    if (phase < lastPhase[0] - Math.PI) {
+      double passedUs = timeUs - phase / Math.max(1, filters[0].x3()) * 1e6;
+      beats.beat(
+          side, passedUs, passedUs - lastPassedUs, centre() - amplitude(), centre() + amplitude());
+      lastPassedUs = passedUs;
+      lastPhase[0] = phase;
+    } else if (phase - lastPhase[0] < Math.PI) {
+      lastPhase[0] = Math.max(lastPhase[0], phase);
+    }
+  }
+
+  private double phase(int edge) {
+    double turns = filters[edge].x2() / (2 * Math.PI);
+    return (turns - Math.floor(turns)) * 2 * Math.PI;
+  }
+
+  @Override
+  public void advance(long timeUs) {
+    nowUs = timeUs;
+  }
+
+  private double phaseNow(int edge) {
+    FourStateEkf ekf = filters[edge];
+    return ekf.x2()
+        + ekf.x3() * ((nowUs - lastUs[edge]) * US + Math.max(0, options.latencyUs()) * US);
+  }
+
+  @Override
+  public double angle() {
+    return (edgeAngle(0) + edgeAngle(1)) / 2;
+  }
+
+  @Override
+  public double edgeAngle(int edge) {
+    return filters[edge].x0() + filters[edge].x1() * Math.sin(phaseNow(edge));
+  }
+
+  @Override
+  public double centre() {
+    return (filters[0].x0() + filters[1].x0()) / 2;
+  }
+
+  @Override
+  public double amplitude() {
+    return (Math.abs(filters[0].x1()) + Math.abs(filters[1].x1())) / 2;
+  }
+
+  @Override
+  public double phase() {
+    double turns = phaseNow(0) / (2 * Math.PI);
+    return (turns - Math.floor(turns)) * 2 * Math.PI;
+  }
+
+  @Override
+  public double frequencyHz() {
+    return (filters[0].x3() + filters[1].x3()) / (4 * Math.PI);
+  }
+
+  @Override
+  public double sdAngle() {
+    FourStateEkf ekf = filters[0];
+    double sin = Math.sin(ekf.x2());
+    double slope = ekf.x1() * Math.cos(ekf.x2());
+    double variance =
+        ekf.covariance(0, 0)
+            + sin * sin * ekf.covariance(1, 1)
+            + slope * slope * ekf.covariance(2, 2)
+            + 2 * (sin * ekf.covariance(0, 1) + slope * ekf.covariance(0, 2))
+            + 2 * sin * slope * ekf.covariance(1, 2);
+    return Math.sqrt(Math.max(0, variance) / 2);
+  }
+
+  @Override
+  public double sdFrequencyHz() {
+    return Math.sqrt(filters[0].covariance(3, 3) / 2) / (2 * Math.PI);
+  }
+
+  @Override
+  public double nis() {
+    return (filters[0].nis() + filters[1].nis()) / 2;
+  }
+
+  @Override
+  public long events(int edge) {
+    return taken[edge];
+  }
+
+  @Override
+  public StrokeSeed seed() {
+    return new StrokeSeed(
+        nowUs,
+        centre(),
+        amplitude(),
+        phase(),
+        2 * Math.PI * frequencyHz(),
+        0.02,
+        0,
+        new double[0],
+        new double[0]);
+  }
+
+  @Override
+  public boolean isLost(long timeUs) {
+    return timeUs - lastEventUs > 30_000
+        || filters[0].monitor().lockLost()
+        || filters[1].monitor().lockLost();
+  }
+}

@@ -1,0 +1,56 @@
+package haltere.filters.wing;
+
+import haltere.core.settings.Help;
+import haltere.core.settings.Range;
+import haltere.core.settings.SettingsSchema;
+import haltere.core.settings.Unit;
+
+/**
+ * The weighted running average.
+ *
+ * @param mixingFactor weight of each event
+ * @param timeConstantUs time constant instead of a weight of each event; 0 for the weight
+ * @param hysteresis share of the amplitude that a wing has to go past its centre
+ * @param leastHysteresisRad least hysteresis
+ * @param bodyUpdate whether the body follows the events after each beat
+ * @param headingUpdate whether the heading follows after each beat
+ */
+public record RunningAverageSettings(
+    @Help("Each event moves its edge by this share of the difference.")
+        @Range(min = 0.0001, max = 1, logarithmic = true)
+        @Unit("1")
+        double mixingFactor,
+    @Help(
+            "Time constant of the average, whatever the rate of the events; 0 weighs each event by the mixing factor.")
+        @Range(min = 0, max = 100_000)
+        @Unit("us")
+        int timeConstantUs,
+    @Help("A wing has passed its centre when it is this share of its amplitude past it.")
+        @Range(min = 0.01, max = 0.9)
+        @Unit("1")
+        double hysteresis,
+    @Help("Least hysteresis, whatever the amplitude.") @Range(min = 0, max = 1.5) @Unit("rad")
+        double leastHysteresisRad,
+    @Help("Whether the body follows the events after each beat.") boolean bodyUpdate,
+    @Help("Whether the heading follows the events after each beat.") boolean headingUpdate) {
+  /** Checks the ranges. */
+  public RunningAverageSettings {
+    SettingsSchema.validate(
+        RunningAverageSettings.class,
+        mixingFactor,
+        timeConstantUs,
+        hysteresis,
+        leastHysteresisRad,
+        bodyUpdate,
+        headingUpdate);
+  }
+
+  /**
+   * The settings to start from: the source's weight, a hysteresis that follows the amplitude.
+   *
+   * @return 0.1 an event, a third of the amplitude, at least 5 degrees
+   */
+  public static RunningAverageSettings defaults() {
+    return new RunningAverageSettings(0.1, 0, 0.33, 0.0873, false, false);
+  }
+}

@@ -1,0 +1,422 @@
+package haltere.filters.wing;
+
+import java.util.Arrays;
+
+/**
+ * Estimates the stroke of a wing with one {@link StrokeEkf} over both its edges: gathers events for
+ * a few tens of microseconds into one update for each edge, learns what events are worth ({@link
+ * EventNoise}), follows the hinge ({@link HingeTracker}), lets the frequency run in manoeuvres, and
+ * takes the latency out of what it says.
+ *
+ * <p>Thread rule: one thread at a time.
+ */
+final class WingEstimator implements SideEstimator {
+  private static final int SLOW_US = 1000;
+  private static final int HINGE_US = 10_000;
+  private static final double FORGET_S = 0.3;
+  private static final double RATE_S = 0.2;
+  private static final double[] SERIES_SD = {0.08, 0.03, 0.012};
+  private static final double WIDTH_MEAN = 0.025;
+  private static final double WIDTH_SD = 0.02;
+  private static final double LAG_MEAN_S = 50e-6;
+  private static final double LAG_SD_S = 150e-6;
+
+  /** Events of one beat repeat each other's errors: so many of them count for one. */
+  private static final double REPEATING = 3;
+
+  /** Density of the frequency's noise for each squared radian by which the phase runs away. */
+  private static final double RUN_AWAY = 4e7;
+
+  /** What a wing's estimate can be wrong by beyond its noise: heading, hinge, width. */
+  private static final double SYSTEMATIC_RAD = 0.008;
+
+  private static final double LEAST_EXCESS = 0.1;
+  private static final double SILENT_SHARE = 0.12;
+  private static final double USUAL_S = 0.5;
+
+  // A pixel whose ON events lag behind its OFF events has a photoreceptor, which delays OFF events
+  // as well, by at most half of the time that the wing is over the pixel; and it has a constant
+  // delay, which no event tells. A pixel without a lag is taken for ideal.
+  private static final double USUAL_LATENCY_S = 60e-6;
+  private static final double SURE_LAG_S = 20e-6;
+  private static final double RESPONSE_SHARE = 0.6;
+  private static final double LONGEST_RESPONSE_S = 25e-6;
+
+  final StrokeEkf filter;
+  final EventNoise noise;
+  private final StrokeFrame frame;
+  private final WingSide side;
+  private WingNoiseSettings settings;
+  private WingFilterSettings options;
+  private final BeatListener beats;
+  private final StrokeShape shape = new StrokeShape();
+  private final HingeTracker hinge = new HingeTracker();
+  private boolean followsHinge;
+  private final double[] density;
+  private double averagingS;
+
+  private long timeUs;
+  private long covarianceUs;
+  private long slowUs;
+  private long hingeUs;
+  private long lastTakenUs;
+  private long firstPendingUs;
+  private int pending;
+  private final double[] sumW = new double[2];
+  private final double[] sumY = new double[2];
+  private final double[] sumC = new double[2];
+  private final double[] sumS = new double[2];
+  private final long[] taken = new long[2];
+  private double expected;
+  private double runAwayY;
+  private double runAwayW;
+  private double lastPhase;
+  private double lastCrossingUs = Double.NaN;
+  private int poor;
+  private long countedEvents;
+  private double quickRate;
+  private double usualRate;
+  private double sinceLaunchS;
+
+  /**
+   * An estimator that has to be {@link #launch launched}.
+   *
+   * @param side which wing
+   * @param frame where it is hinged; follows the events if the settings say so
+   * @param settings of the tracker
+   * @param beats takes the beats
+   */
+  WingEstimator(
+      WingSide side, StrokeFrame frame, WingTrackerSettings settings, BeatListener beats) {
+    this.side = side;
+    this.frame = frame;
+    this.beats = beats;
+    filter = new StrokeEkf(settings.filter().harmonics());
+    noise = new EventNoise(settings.filter().gateSd(), settings.noise().measurement());
+    density = new double[filter.size];
+    apply(settings);
+  }
+
+  @Override
+  public final void apply(WingTrackerSettings changed) {
+    settings = changed.noise();
+    options = changed.filter();
+    followsHinge = changed.place().followsHinges();
+    averagingS = options.averagingUs() * 1e-6;
+    noise.apply(options.gateSd(), settings.measurement());
+    density[StrokeEkf.CENTRE] = settings.centre();
+    density[StrokeEkf.AMPLITUDE] = settings.amplitude();
+    density[StrokeEkf.PHASE] = settings.phase();
+    density[StrokeEkf.OMEGA] = settings.frequency();
+  }
+
+  /** Begins at a time with a state. */
+  void launch(long atUs, double[] state, double[] sd) {
+    filter.launch(state, sd);
+    timeUs = atUs;
+    covarianceUs = atUs;
+    slowUs = atUs;
+    hingeUs = atUs;
+    lastTakenUs = atUs;
+    density[StrokeEkf.OMEGA] = settings.frequency();
+    noise.reset();
+    Arrays.fill(sumW, 0);
+    Arrays.fill(sumY, 0);
+    Arrays.fill(sumC, 0);
+    Arrays.fill(sumS, 0);
+    Arrays.fill(taken, 0);
+    pending = 0;
+    expected = 0;
+    runAwayY = 0;
+    runAwayW = 0;
+    lastCrossingUs = Double.NaN;
+    poor = 0;
+    countedEvents = 0;
+    quickRate = 0;
+    usualRate = 0;
+    sinceLaunchS = 0;
+    hinge.launch(0.3);
+    shape.of(filter);
+    lastPhase = phase();
+  }
+
+  @Override
+  public void event(long atUs, boolean on) {
+    if (pending > 0 && (atUs - firstPendingUs) * 1e-6 >= averagingS) {
+      flush();
+    }
+    turnTo(atUs);
+    double[] x = filter.x;
+    double c = filter.cos;
+    double s = filter.sin;
+    if (on) {
+      double behind = c * filter.lagCos + s * filter.lagSin;
+      s = s * filter.lagCos - c * filter.lagSin;
+      c = behind;
+    }
+    double slope = filter.slope(c, s);
+    double speed = slope * x[StrokeEkf.OMEGA];
+    double ahead = slope >= 0 == on ? -x[StrokeEkf.WIDTH] : x[StrokeEkf.WIDTH];
+    double y = frame.angle() - filter.angle(c, s) - ahead;
+    if (y > Math.PI) {
+      y -= 2 * Math.PI;
+    } else if (y < -Math.PI) {
+      y += 2 * Math.PI;
+    }
+    double variance = noise.variance(frame.square, speed);
+    double full = x[StrokeEkf.AMPLITUDE] * x[StrokeEkf.OMEGA];
+    double belief = noise.judge(y, expected, speed, full);
+    if (belief == 0) {
+      return;
+    }
+    lastTakenUs = atUs;
+    double w = belief / variance;
+    double ws = w * slope;
+    runAwayY += ws * y;
+    runAwayW += ws * slope;
+    if (followsHinge) {
+      // the residual counts by its distance on the sensor, which changes with the hinge as well
+      double gx = (y * frame.dx - frame.turn() * frame.dy) / frame.square;
+      double gy = (y * frame.dy + frame.turn() * frame.dx) / frame.square;
+      hinge.add(w, y, gx, gy, s, slope);
+    }
+    if (pending == 0) {
+      firstPendingUs = atUs;
+    }
+    pending++;
+    int edge = on ? 1 : 0;
+    taken[edge]++;
+    sumW[edge] += w;
+    sumY[edge] += w * y;
+    sumC[edge] += w * c;
+    sumS[edge] += w * s;
+  }
+
+  private void turnTo(long atUs) {
+    if (atUs != timeUs) {
+      filter.turn(filter.x[StrokeEkf.OMEGA] * ((atUs - timeUs) * 1e-6));
+      timeUs = atUs;
+    }
+  }
+
+  private void flush() {
+    if (pending > 0) {
+      pending = 0;
+      predict();
+      filter.mark();
+      for (int edge = 0; edge < 2; edge++) {
+        double w = sumW[edge];
+        if (w > 0) {
+          double c = sumC[edge] / w;
+          double s = sumS[edge] / w;
+          double scale = 1.5 - 0.5 * (c * c + s * s);
+          filter.look(c * scale, s * scale, 1 - 2 * edge);
+          expected = filter.expectedVariance();
+          filter.update(sumY[edge] / w - filter.movedBy(), 1 / w);
+        }
+        sumW[edge] = 0;
+        sumY[edge] = 0;
+        sumC[edge] = 0;
+        sumS[edge] = 0;
+      }
+      filter.settle();
+    }
+    if (timeUs - hingeUs >= HINGE_US) {
+      followHinge();
+    }
+    if (timeUs - slowUs >= SLOW_US) {
+      slowStep();
+    }
+  }
+
+  private void predict() {
+    if (timeUs > covarianceUs) {
+      filter.predictCovariance((timeUs - covarianceUs) * 1e-6, density);
+      covarianceUs = timeUs;
+    }
+  }
+
+  private void followHinge() {
+    double dtS = (timeUs - hingeUs) * 1e-6;
+    hingeUs = timeUs;
+    if (followsHinge && hinge.solve(dtS, settings.hingePx2PerS(), REPEATING)) {
+      frame.shift(hinge.shiftX, hinge.shiftY);
+      filter.x[StrokeEkf.CENTRE] += hinge.centreShift;
+      filter.x[StrokeEkf.AMPLITUDE] += hinge.amplitudeShift;
+      filter.turn(hinge.phaseShift);
+    }
+  }
+
+  private void slowStep() {
+    double dtS = (timeUs - slowUs) * 1e-6;
+    slowUs = timeUs;
+    if (runAwayW > 0) {
+      double off = runAwayY / runAwayW;
+      double excess = off * off - 4 * REPEATING / runAwayW;
+      density[StrokeEkf.OMEGA] =
+          settings.frequency() + Math.min(settings.manoeuvre(), excess > 0 ? RUN_AWAY * excess : 0);
+    }
+    double fade = Math.exp(-dtS * filter.x[StrokeEkf.OMEGA] / (2 * Math.PI));
+    runAwayY *= fade;
+    runAwayW *= fade;
+    filter.forget(StrokeEkf.RATE, 0, 1 - Math.exp(-dtS / RATE_S), settings.rateSd());
+    double share = 1 - Math.exp(-dtS / FORGET_S);
+    filter.forget(StrokeEkf.WIDTH, WIDTH_MEAN, share, WIDTH_SD);
+    filter.forget(StrokeEkf.LAG, LAG_MEAN_S, share, LAG_SD_S);
+    for (int i = StrokeEkf.SERIES; i < filter.size; i++) {
+      filter.forget(i, 0, share, SERIES_SD[(i - StrokeEkf.SERIES) / 2]);
+    }
+    judgeRate(dtS);
+    judgeLock();
+    shape.of(filter);
+    double phase = phase();
+    if (phase < lastPhase - Math.PI) {
+      double crossingUs = timeUs - phase / filter.x[StrokeEkf.OMEGA] * 1e6;
+      beats.beat(side, crossingUs, crossingUs - lastCrossingUs, shape.least, shape.most);
+      lastCrossingUs = crossingUs;
+      lastPhase = phase;
+    } else if (phase - lastPhase < Math.PI) {
+      lastPhase = Math.max(lastPhase, phase);
+    }
+  }
+
+  /** Follows the rate of the events that were taken in: over three beats, and over long. */
+  private void judgeRate(double dtS) {
+    double rate = (taken[0] + taken[1] - countedEvents) / dtS;
+    countedEvents = taken[0] + taken[1];
+    double beats3 = 6 * Math.PI / Math.max(100, filter.x[StrokeEkf.OMEGA]);
+    quickRate += dtS / (dtS + beats3) * (rate - quickRate);
+    sinceLaunchS += dtS;
+    usualRate += dtS / Math.min(sinceLaunchS, USUAL_S) * (rate - usualRate);
+  }
+
+  private void judgeLock() {
+    double omega = filter.x[StrokeEkf.OMEGA];
+    boolean impossible =
+        !(omega > 2 * Math.PI * 30)
+            || omega > 2 * Math.PI * 1000
+            || !(filter.x[StrokeEkf.AMPLITUDE] > 0.12)
+            || filter.x[StrokeEkf.AMPLITUDE] > 2.2;
+    boolean silent = quickRate < SILENT_SHARE * usualRate;
+    poor = impossible ? poor + 30 : silent || noise.excess() < LEAST_EXCESS ? poor + 1 : 0;
+  }
+
+  @Override
+  public boolean isLost(long atUs) {
+    double periodUs = 2e6 * Math.PI / Math.max(100, filter.x[StrokeEkf.OMEGA]);
+    return poor >= 25 || atUs - lastTakenUs > Math.max(12_000, 3 * periodUs);
+  }
+
+  @Override
+  public void advance(long toUs) {
+    flush();
+    if (toUs > timeUs) {
+      turnTo(toUs);
+      predict();
+      flush();
+    }
+  }
+
+  @Override
+  public StrokeSeed seed() {
+    int terms = filter.harmonics - 1;
+    double[] cosines = new double[terms];
+    double[] sines = new double[terms];
+    for (int k = 0; k < terms; k++) {
+      cosines[k] = filter.x[StrokeEkf.SERIES + 2 * k];
+      sines[k] = filter.x[StrokeEkf.SERIES + 2 * k + 1];
+    }
+    return new StrokeSeed(
+        timeUs,
+        filter.x[StrokeEkf.CENTRE],
+        filter.x[StrokeEkf.AMPLITUDE],
+        filter.x[StrokeEkf.PHASE],
+        filter.x[StrokeEkf.OMEGA],
+        filter.x[StrokeEkf.WIDTH],
+        filter.x[StrokeEkf.LAG],
+        cosines,
+        sines);
+  }
+
+  /** Turns the frame by an angle; the centre stays where it is on the sensor. */
+  void turnHeading(double by) {
+    frame.setHeading(frame.headingRad() + by);
+    filter.x[StrokeEkf.CENTRE] -= frame.turn() * by;
+  }
+
+  /** Time from the edge's passage to the time stamp of an OFF event, seconds. */
+  double latencyS() {
+    double lag = Math.max(0, filter.x[StrokeEkf.LAG]);
+    double constant =
+        options.latencyUs() >= 0
+            ? options.latencyUs() * 1e-6
+            : USUAL_LATENCY_S * Math.min(1, lag / SURE_LAG_S);
+    return constant + Math.min(LONGEST_RESPONSE_S, RESPONSE_SHARE * lag);
+  }
+
+  private double ahead() {
+    return latencyS() * filter.x[StrokeEkf.OMEGA];
+  }
+
+  @Override
+  public double angle() {
+    double turned = ahead();
+    double c = Math.cos(turned);
+    double s = Math.sin(turned);
+    return filter.angle(filter.cos * c - filter.sin * s, filter.sin * c + filter.cos * s);
+  }
+
+  @Override
+  public double edgeAngle(int edge) {
+    double turned = ahead();
+    double c = Math.cos(turned);
+    double s = Math.sin(turned);
+    double slope = filter.slope(filter.cos * c - filter.sin * s, filter.sin * c + filter.cos * s);
+    double half = slope >= 0 == (edge == 0) ? 1 : -1;
+    return angle() + half * filter.x[StrokeEkf.WIDTH];
+  }
+
+  @Override
+  public double centre() {
+    return filter.x[StrokeEkf.CENTRE];
+  }
+
+  @Override
+  public double amplitude() {
+    shape.of(filter);
+    return shape.amplitude();
+  }
+
+  @Override
+  public double phase() {
+    double phase = filter.x[StrokeEkf.PHASE] + ahead() - shape.crossingRad;
+    double turns = phase / (2 * Math.PI);
+    return (turns - Math.floor(turns)) * 2 * Math.PI;
+  }
+
+  @Override
+  public double frequencyHz() {
+    return filter.x[StrokeEkf.OMEGA] / (2 * Math.PI);
+  }
+
+  @Override
+  public double sdAngle() {
+    filter.look(filter.cos, filter.sin, 0);
+    return Math.sqrt(Math.max(0, filter.expectedVariance()) + SYSTEMATIC_RAD * SYSTEMATIC_RAD);
+  }
+
+  @Override
+  public double sdFrequencyHz() {
+    return filter.sd(StrokeEkf.OMEGA) / (2 * Math.PI);
+  }
+
+  @Override
+  public double nis() {
+    return noise.nis();
+  }
+
+  @Override
+  public long events(int edge) {
+    return taken[edge];
+  }
+}

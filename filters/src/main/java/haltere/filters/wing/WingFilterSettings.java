@@ -1,0 +1,68 @@
+package haltere.filters.wing;
+
+import haltere.core.settings.Help;
+import haltere.core.settings.Range;
+import haltere.core.settings.SettingsSchema;
+import haltere.core.settings.Unit;
+
+/**
+ * The extended Kalman filter.
+ *
+ * @param method which method gives the estimates
+ * @param model what the filter's object is
+ * @param harmonics of the stroke
+ * @param latencyUs constant delay of the camera; -1 for what is usual
+ * @param averagingUs events within this time go into one update
+ * @param averagedEvents events that each edge's filter averages before an update (model EDGES)
+ * @param gateSd innovations beyond this are not taken in
+ * @param firstOfRun whether only the first of a pixel's events of one polarity in a row counts
+ */
+public record WingFilterSettings(
+    @Help("Which method gives the estimates.") WingMethod method,
+    @Help("A filter for each wing, or one for each edge as in the original.") WingModel model,
+    @Help("Harmonics of the stroke; 1 is a plain sinusoid.")
+        @Range(min = 1, max = 4)
+        @Unit("harmonics")
+        int harmonics,
+    @Help(
+            "Constant delay of the camera, from light to time stamp: estimates are ahead of the events by this, and by what a slow pixel adds. -1 takes 60 us, or 0 where pixels are ideal.")
+        @Range(min = -1, max = 2000)
+        @Unit("us")
+        double latencyUs,
+    @Help("Events within this time go into one update; 0 makes an update for each event.")
+        @Range(min = 0, max = 500)
+        @Unit("us")
+        int averagingUs,
+    @Help("Events that each edge's filter averages before an update, with a filter for each edge.")
+        @Range(min = 1, max = 1000, logarithmic = true)
+        @Unit("events")
+        int averagedEvents,
+    @Help("Innovations beyond this many standard deviations are not taken in.")
+        @Range(min = 2, max = 1000, logarithmic = true)
+        @Unit("SD")
+        double gateSd,
+    @Help("Whether only the first of a pixel's events of one polarity in a row counts.")
+        boolean firstOfRun) {
+  /** Checks the ranges. */
+  public WingFilterSettings {
+    SettingsSchema.validate(
+        WingFilterSettings.class,
+        method,
+        model,
+        harmonics,
+        latencyUs,
+        averagingUs,
+        averagedEvents,
+        gateSd,
+        firstOfRun);
+  }
+
+  /**
+   * The settings to start from.
+   *
+   * @return a filter for each wing with three harmonics, 50 us, 4 SD
+   */
+  public static WingFilterSettings defaults() {
+    return new WingFilterSettings(WingMethod.EKF, WingModel.WINGS, 3, -1, 50, 1, 4, true);
+  }
+}

@@ -1,0 +1,74 @@
+package haltere.filters.wing;
+
+/**
+ * Takes the results of a {@link WingTracker} as they come, on the thread that tracks. Results that
+ * nobody wants are not made.
+ */
+public interface WingListener {
+  /**
+   * Whether estimates and pairs are wanted.
+   *
+   * @return true to get them at each tick
+   */
+  default boolean wantsEstimates() {
+    return true;
+  }
+
+  /**
+   * Whether snapshots are wanted.
+   *
+   * @return true to get them at each tick
+   */
+  default boolean wantsSnapshots() {
+    return false;
+  }
+
+  /**
+   * An estimate of an edge or of a wing.
+   *
+   * @param estimate by the method that is set
+   */
+  default void estimate(WingEstimate estimate) {}
+
+  /**
+   * What the running average makes of a wing, where it runs beside the Kalman filter.
+   *
+   * @param estimate by the running average
+   */
+  default void average(WingEstimate estimate) {}
+
+  /**
+   * Both wings against each other.
+   *
+   * @param pair at a tick
+   */
+  default void pair(WingPair pair) {}
+
+  /**
+   * A beat that has ended.
+   *
+   * @param beat of one wing
+   */
+  default void beat(WingBeat beat) {}
+
+  /**
+   * Where the fly was found.
+   *
+   * @param geometry of the fly, with what a person says of it
+   */
+  default void geometry(FlyGeometry geometry) {}
+
+  /**
+   * A step of the search or a change of what is tracked.
+   *
+   * @param state the step
+   */
+  default void state(WingTrackerState state) {}
+
+  /**
+   * Everything at a tick.
+   *
+   * @param snapshot to be drawn
+   */
+  default void snapshot(WingSnapshot snapshot) {}
+}

@@ -1,0 +1,40 @@
+package haltere.filters.wing;
+
+import haltere.core.settings.Help;
+import haltere.core.settings.Range;
+import haltere.core.settings.SettingsSchema;
+import haltere.core.settings.Unit;
+
+/**
+ * What the tracker publishes, and which edges it takes.
+ *
+ * @param rateHz estimates a second of recording time
+ * @param leftLeading whether events of the left leading edge are taken
+ * @param leftTrailing whether events of the left trailing edge are taken
+ * @param rightLeading whether events of the right leading edge are taken
+ * @param rightTrailing whether events of the right trailing edge are taken
+ */
+public record WingOutputSettings(
+    @Help("Estimates are published at this rate of recording time.")
+        @Range(min = 1, max = 100_000, logarithmic = true)
+        @Unit("Hz")
+        double rateHz,
+    @Help("Whether events of the left leading edge are taken.") boolean leftLeading,
+    @Help("Whether events of the left trailing edge are taken.") boolean leftTrailing,
+    @Help("Whether events of the right leading edge are taken.") boolean rightLeading,
+    @Help("Whether events of the right trailing edge are taken.") boolean rightTrailing) {
+  /** Checks the ranges. */
+  public WingOutputSettings {
+    SettingsSchema.validate(
+        WingOutputSettings.class, rateHz, leftLeading, leftTrailing, rightLeading, rightTrailing);
+  }
+
+  /**
+   * The settings to start from.
+   *
+   * @return 1000 Hz, all edges
+   */
+  public static WingOutputSettings defaults() {
+    return new WingOutputSettings(1000, true, true, true, true);
+  }
+}

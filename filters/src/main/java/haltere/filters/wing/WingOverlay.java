@@ -1,0 +1,83 @@
+package haltere.filters.wing;
+
+import haltere.core.overlay.MarkStyle;
+import haltere.core.overlay.MarkStyle.Role;
+import haltere.core.overlay.Overlay;
+import haltere.core.overlay.OverlayCanvas;
+import java.util.Locale;
+
+/**
+ * Draws the body with its heading, the hinges, the region of interest, the four edges and how sure
+ * they are.
+ */
+public final class WingOverlay implements Overlay<WingSnapshot> {
+  private static final double BODY_SHARE = 0.45;
+  private static final double BODY_WIDTH_SHARE = 0.15;
+  private static final double HINGE_PX = 1.5;
+  private static final double UNCERTAINTY_SD = 2;
+
+  @Override
+  public void draw(WingSnapshot snapshot, OverlayCanvas canvas) {
+    FlyGeometry fly = snapshot.geometry();
+    double heading = fly.headingRad();
+    double cos = Math.cos(heading);
+    double sin = Math.sin(heading);
+    double length = BODY_SHARE * fly.sizePx();
+    MarkStyle object = MarkStyle.of(Role.OBJECT);
+    canvas.ellipse(
+        fly.centreX(), fly.centreY(), length, BODY_WIDTH_SHARE * fly.sizePx(), heading, object);
+    canvas.line(
+        fly.centreX() - length * cos,
+        fly.centreY() - length * sin,
+        fly.centreX() + 1.3 * length * cos,
+        fly.centreY() + 1.3 * length * sin,
+        object);
+    canvas.circle(fly.centreX(), fly.centreY(), snapshot.regionPx(), MarkStyle.of(Role.REGION));
+    double[] edges = snapshot.edgesRad();
+    double[] sd = snapshot.sdRad();
+    for (int side = 0; side < 2; side++) {
+      double x = side == 0 ? fly.leftHingeX() : fly.rightHingeX();
+      double y = side == 0 ? fly.leftHingeY() : fly.rightHingeY();
+      double turn = side == 0 ? 1 : -1;
+      Role role = side == 0 ? Role.LEFT : Role.RIGHT;
+      canvas.circle(x, y, HINGE_PX, MarkStyle.of(role));
+      double leading = edges[2 * side];
+      double trailing = edges[2 * side + 1];
+      if (Double.isNaN(leading)) {
+        continue;
+      }
+      ray(canvas, x, y, heading + turn * leading, fly.sizePx(), MarkStyle.of(role, 0));
+      ray(canvas, x, y, heading + turn * trailing, fly.sizePx(), MarkStyle.of(role, 1));
+      if (!Double.isNaN(sd[side])) {
+        double middle = (leading + trailing) / 2;
+        double half = UNCERTAINTY_SD * sd[side] + Math.abs(leading - trailing) / 2;
+        arc(canvas, x, y, heading + turn * middle, half, 0.9 * fly.sizePx());
+      }
+    }
+    canvas.text(
+        fly.centreX() + fly.sizePx() * 0.7,
+        fly.centreY() + fly.sizePx() * 0.7,
+        snapshot.phase() == WingTrackerState.Phase.ONE_WING
+            ? "one wing"
+            : String.format(Locale.ROOT, "head %.0f %%", 100 * fly.headTailConfidence()),
+        MarkStyle.of(Role.LABEL));
+  }
+
+  private static void ray(
+      OverlayCanvas canvas, double x, double y, double angle, double length, MarkStyle style) {
+    canvas.line(x, y, x + length * Math.cos(angle), y + length * Math.sin(angle), style);
+  }
+
+  private static void arc(
+      OverlayCanvas canvas, double x, double y, double middle, double half, double radius) {
+    int points = 9;
+    double[] px = new double[points];
+    double[] py = new double[points];
+    for (int i = 0; i < points; i++) {
+      double angle = middle + half * (2.0 * i / (points - 1) - 1);
+      px[i] = x + radius * Math.cos(angle);
+      py[i] = y + radius * Math.sin(angle);
+    }
+    canvas.polyline(px, py, points, MarkStyle.of(Role.UNCERTAINTY));
+  }
+}

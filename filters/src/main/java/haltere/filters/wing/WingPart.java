@@ -1,0 +1,50 @@
+package haltere.filters.wing;
+
+/**
+ * An edge of a wing, or a wing as a whole. The leading edge is the one in front in the direction of
+ * motion: it takes light from the pixels (OFF events). The trailing edge gives it back (ON events).
+ */
+public enum WingPart {
+  /** Leading edge of the left wing. */
+  LEFT_LEADING("left-leading"),
+  /** Trailing edge of the left wing. */
+  LEFT_TRAILING("left-trailing"),
+  /** Leading edge of the right wing. */
+  RIGHT_LEADING("right-leading"),
+  /** Trailing edge of the right wing. */
+  RIGHT_TRAILING("right-trailing"),
+  /** The left wing, both edges together. */
+  LEFT("left"),
+  /** The right wing, both edges together. */
+  RIGHT("right");
+
+  private static final WingPart[] EDGES = {
+    LEFT_LEADING, LEFT_TRAILING, RIGHT_LEADING, RIGHT_TRAILING
+  };
+
+  private final String text;
+
+  WingPart(String text) {
+    this.text = text;
+  }
+
+  /** An edge: side 0 is left, edge 0 leading. */
+  static WingPart edge(int side, int edge) {
+    return EDGES[2 * side + edge];
+  }
+
+  /** A wing: side 0 is left. */
+  static WingPart wing(int side) {
+    return side == 0 ? LEFT : RIGHT;
+  }
+
+  /**
+   * The name in tables.
+   *
+   * @return such as {@code left-leading}
+   */
+  @Override
+  public String toString() {
+    return text;
+  }
+}

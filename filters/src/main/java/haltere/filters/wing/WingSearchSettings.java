@@ -1,0 +1,57 @@
+package haltere.filters.wing;
+
+import haltere.core.settings.Help;
+import haltere.core.settings.Range;
+import haltere.core.settings.SettingsSchema;
+import haltere.core.settings.Unit;
+
+/**
+ * How the fly is searched for.
+ *
+ * @param windowUs length of the stretch of events that the fly is searched in
+ * @param leastEvents events that the search begins with
+ * @param leastFrequencyHz slowest beat that is looked for
+ * @param mostFrequencyHz fastest beat that is looked for
+ * @param startFrequencyHz the beat frequency, if it is known; 0 to find it
+ */
+public record WingSearchSettings(
+    @Help("Length of the stretch of events that the fly is searched in.")
+        @Range(min = 25_000, max = 100_000)
+        @Unit("us")
+        int windowUs,
+    @Help("The search begins when it has this many events.")
+        @Range(min = 100, max = 10_000, logarithmic = true)
+        @Unit("events")
+        int leastEvents,
+    @Help("Slowest wing beat that is looked for.")
+        @Range(min = 40, max = 400, logarithmic = true)
+        @Unit("Hz")
+        double leastFrequencyHz,
+    @Help("Fastest wing beat that is looked for.")
+        @Range(min = 100, max = 1000, logarithmic = true)
+        @Unit("Hz")
+        double mostFrequencyHz,
+    @Help("Wing beat frequency if it is known, else 0: it is found then.")
+        @Range(min = 0, max = 1000)
+        @Unit("Hz")
+        double startFrequencyHz) {
+  /** Checks the ranges. */
+  public WingSearchSettings {
+    SettingsSchema.validate(
+        WingSearchSettings.class,
+        windowUs,
+        leastEvents,
+        leastFrequencyHz,
+        mostFrequencyHz,
+        startFrequencyHz);
+  }
+
+  /**
+   * The settings to start from: more than two beats of the slowest fly.
+   *
+   * @return 35 ms, 400 events, 70 to 400 Hz
+   */
+  public static WingSearchSettings defaults() {
+    return new WingSearchSettings(35_000, 400, 70, 400, 0);
+  }
+}

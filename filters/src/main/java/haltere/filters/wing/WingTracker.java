@@ -1,0 +1,311 @@
+package haltere.filters.wing;
+
+import haltere.core.event.EventAddress;
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.filters.wing.WingTrackerState.Phase;
+import java.util.Arrays;
+
+/**
+ * Tracks the wings of a tethered fly: gathers events, finds the fly in them ({@link FlyFinder}),
+ * tracks the wings with the method of the settings, and searches again when it has lost them.
+ *
+ * <p>What it says depends on the events alone, not on how they come in packets. Thread rule: one
+ * thread at a time.
+ */
+public final class WingTracker {
+  private static final int RECENT = 16384;
+  private static final int CHECK_US = 10_000;
+  private static final int LONGEST_WAIT_US = 80_000;
+  private static final int LONGEST_WAIT_ONE_WING_US = 320_000;
+
+  /** A run of events of one polarity on a pixel ends after this time, whatever comes. */
+  private static final int LONGEST_RUN_US = 2500;
+
+  private static final long NO_EVENT = Long.MIN_VALUE >> 1;
+
+  private final int width;
+  private final WingListener listener;
+  private final FlyFinder finder;
+  private final RecentEvents recent = new RecentEvents(RECENT);
+  private final TrackedFly fly;
+  private final long[] lastOfPixel;
+  private WingTrackerSettings settings;
+  private Phase phase = Phase.COLLECTING;
+  private boolean begun;
+  private long nextSearchUs;
+  private int waitUs;
+  private long nextTickUs;
+  private long nextCheckUs;
+  private double tickUs;
+  private long tickCount;
+  private long tickOriginUs;
+
+  /**
+   * A tracker that has seen nothing.
+   *
+   * @param geometry the sensor whose events it will see
+   * @param settings what to do
+   * @param listener takes the results
+   */
+  public WingTracker(SensorGeometry geometry, WingTrackerSettings settings, WingListener listener) {
+    width = geometry.width();
+    this.settings = settings;
+    this.listener = listener;
+    finder = new FlyFinder(geometry, RECENT);
+    fly = new TrackedFly(settings, listener);
+    lastOfPixel = new long[geometry.pixels()];
+    reset();
+  }
+
+  /** Forgets everything that events have said; what a person has said stays. */
+  public void reset() {
+    recent.clear();
+    Arrays.fill(lastOfPixel, NO_EVENT);
+    phase = Phase.COLLECTING;
+    begun = false;
+    fly.forget();
+  }
+
+  /**
+   * The settings in force.
+   *
+   * @return an immutable record
+   */
+  public WingTrackerSettings settings() {
+    return settings;
+  }
+
+  /**
+   * Takes new settings; what is tracked is tracked on.
+   *
+   * @param changed valid settings
+   */
+  public void apply(WingTrackerSettings changed) {
+    settings = changed;
+    fly.apply(changed);
+    tickUs = 1e6 / settings.output().rateHz();
+  }
+
+  /**
+   * What the tracker does.
+   *
+   * @return the present phase
+   */
+  public Phase phase() {
+    return phase;
+  }
+
+  /**
+   * Mean normalised innovation squared of the Kalman filters of late; 1 if they know how good their
+   * measurements are.
+   *
+   * @return at least 0; NaN while no wing is tracked by a filter that tells
+   */
+  public double meanNis() {
+    return fly.meanNis();
+  }
+
+  /**
+   * Settings that place the body where a person says, as an offset from where it was found.
+   *
+   * @param x column
+   * @param y row
+   * @return the present settings with other offsets; the same while no fly is tracked
+   */
+  public WingTrackerSettings withBodyAt(double x, double y) {
+    if (!fly.isTracked()) {
+      return settings;
+    }
+    FlyGeometry now = fly.geometry();
+    return settings.with(
+        "place.bodyOffsetXPx=" + (settings.place().bodyOffsetXPx() + x - now.centreX()),
+        "place.bodyOffsetYPx=" + (settings.place().bodyOffsetYPx() + y - now.centreY()));
+  }
+
+  /**
+   * Settings that turn the heading to where a person says, as an offset from what was found.
+   *
+   * @param headingRad from tail to head
+   * @return the present settings with another offset; the same while no fly is tracked
+   */
+  public WingTrackerSettings withHeading(double headingRad) {
+    if (!fly.isTracked()) {
+      return settings;
+    }
+    double offset =
+        haltere.filters.estimation.Angles.wrapPi(
+            settings.place().headingOffsetRad() + headingRad - fly.geometry().headingRad());
+    return settings.with("place.headingOffsetRad=" + offset);
+  }
+
+  /**
+   * Settings with head and tail exchanged.
+   *
+   * @return the present settings with the other heading
+   */
+  public WingTrackerSettings withHeadingFlipped() {
+    return settings.with("place.flipHeading=" + !settings.place().flipHeading());
+  }
+
+  /**
+   * Settings with a region of interest as a person says.
+   *
+   * @param radiusPx about each hinge
+   * @return the present settings with another offset; the same while no fly is tracked
+   */
+  public WingTrackerSettings withRegion(double radiusPx) {
+    if (!fly.isTracked()) {
+      return settings;
+    }
+    return settings.with(
+        "place.regionOffsetPx=" + (settings.place().regionOffsetPx() + radiusPx - fly.regionPx()));
+  }
+
+  /**
+   * Tracks through a packet; leaves it as it is.
+   *
+   * @param packet in order of time
+   */
+  public void track(EventPacket packet) {
+    long[] times = packet.timesUs();
+    int[] addresses = packet.addresses();
+    int size = packet.size();
+    boolean firstOfRun = settings.filter().firstOfRun();
+    for (int i = 0; i < size; i++) {
+      long timeUs = times[i];
+      int address = addresses[i];
+      recent.add(timeUs, address);
+      if (!fly.isTracked()) {
+        search(timeUs);
+        continue;
+      }
+      if (timeUs >= nextTickUs) {
+        passTicks(timeUs);
+        if (!fly.isTracked()) {
+          continue;
+        }
+      }
+      int x = EventAddress.x(address);
+      int y = EventAddress.y(address);
+      int on = address & EventAddress.ON_BIT;
+      if (firstOfRun) {
+        int pixel = y * width + x;
+        long last = lastOfPixel[pixel];
+        lastOfPixel[pixel] = timeUs << 1 | on;
+        if ((last & 1) == on && timeUs - (last >> 1) < LONGEST_RUN_US && last != NO_EVENT) {
+          continue;
+        }
+      }
+      fly.event(timeUs, x, y, on != 0);
+    }
+  }
+
+  private void search(long timeUs) {
+    if (!begun) {
+      begun = true;
+      waitUs = CHECK_US;
+      nextSearchUs = timeUs + settings.search().windowUs();
+      say(timeUs, Phase.COLLECTING, 0);
+    }
+    if (timeUs < nextSearchUs) {
+      return;
+    }
+    int windowUs = settings.search().windowUs();
+    int inWindow = recent.size() - recent.indexAtOrAfter(timeUs - windowUs);
+    if (inWindow < settings.search().leastEvents()) {
+      nextSearchUs = timeUs + CHECK_US;
+      return;
+    }
+    FoundFly found = find(timeUs);
+    if (found == null) {
+      nextSearchUs = timeUs + waitUs;
+      waitUs = Math.min(2 * waitUs, LONGEST_WAIT_US);
+      return;
+    }
+    begin(found, timeUs);
+  }
+
+  private FoundFly find(long timeUs) {
+    return finder.find(
+        recent,
+        timeUs - settings.search().windowUs(),
+        settings.search(),
+        (step, events, hz, x, y, heading, size, confidence) ->
+            listener.state(
+                new WingTrackerState(timeUs, step, events, hz, x, y, heading, size, confidence)));
+  }
+
+  private void begin(FoundFly found, long timeUs) {
+    fly.begin(found, timeUs);
+    tickUs = 1e6 / settings.output().rateHz();
+    tickOriginUs = Math.floorDiv(timeUs, 1_000_000L) * 1_000_000L;
+    tickCount = (long) ((timeUs - tickOriginUs) / tickUs) + 1;
+    nextTickUs = tickAt(tickCount);
+    nextCheckUs = timeUs + CHECK_US;
+    waitUs = CHECK_US;
+    setPhase(timeUs);
+    listener.geometry(fly.geometry());
+  }
+
+  private void setPhase(long timeUs) {
+    Phase now = fly.isTracked() ? fly.wings() == 2 ? Phase.TRACKING : Phase.ONE_WING : Phase.LOST;
+    if (now != phase) {
+      phase = now;
+      say(timeUs, now, recent.size());
+      nextSearchUs = timeUs + CHECK_US;
+      waitUs = CHECK_US;
+    }
+  }
+
+  private void say(long timeUs, Phase now, int events) {
+    FlyGeometry g = fly.isTracked() ? fly.geometry() : null;
+    listener.state(
+        new WingTrackerState(
+            timeUs,
+            now,
+            events,
+            fly.frequencyHz(),
+            g == null ? Double.NaN : g.centreX(),
+            g == null ? Double.NaN : g.centreY(),
+            g == null ? Double.NaN : g.headingRad(),
+            g == null ? Double.NaN : g.sizePx(),
+            g == null ? Double.NaN : g.headTailConfidence()));
+  }
+
+  private long tickAt(long count) {
+    return tickOriginUs + Math.round(count * tickUs);
+  }
+
+  private void passTicks(long timeUs) {
+    while (nextTickUs <= timeUs) {
+      long now = nextTickUs;
+      fly.advance(now);
+      if (now >= nextCheckUs) {
+        check(now);
+        if (!fly.isTracked()) {
+          return;
+        }
+      }
+      fly.publish(now, phase);
+      tickCount++;
+      nextTickUs = tickAt(tickCount);
+    }
+  }
+
+  /** Regular work: the heading follows, a lost wing is noticed, and searched for. */
+  private void check(long timeUs) {
+    nextCheckUs = timeUs + CHECK_US;
+    fly.check(timeUs);
+    setPhase(timeUs);
+    if (phase == Phase.ONE_WING && timeUs >= nextSearchUs) {
+      FoundFly found = find(timeUs);
+      if (found != null && found.seeds()[0] != null && found.seeds()[1] != null) {
+        begin(found, timeUs);
+      } else {
+        nextSearchUs = timeUs + waitUs;
+        waitUs = Math.min(2 * waitUs, LONGEST_WAIT_ONE_WING_US);
+      }
+    }
+  }
+}

@@ -1,0 +1,162 @@
+package haltere.filters.wing;
+
+import haltere.core.chain.ConfigurableFilter;
+import haltere.core.chain.FilterProvider;
+import haltere.core.chain.Outlet;
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.overlay.OverlayLayer;
+import haltere.core.stream.DataLost;
+import haltere.core.stream.StreamNotification;
+import java.util.List;
+
+/**
+ * {@link WingTracker} as a stage of a chain. Lets all events through; publishes what it tracks.
+ *
+ * <p>Outlets: {@code estimates} of edges and wings, {@code averages} of the running average beside
+ * the Kalman filter, {@code beats}, {@code pairs} of wings, {@code geometry} of the fly, {@code
+ * initialisation} step by step, and {@code snapshot} to be drawn.
+ */
+public final class WingTrackerFilter implements ConfigurableFilter<WingTrackerSettings> {
+  private final Outlet<WingEstimate> estimates = new Outlet<>("estimates", WingEstimate.class);
+  private final Outlet<WingEstimate> averages = new Outlet<>("averages", WingEstimate.class);
+  private final Outlet<WingBeat> beats = new Outlet<>("beats", WingBeat.class);
+  private final Outlet<WingPair> pairs = new Outlet<>("pairs", WingPair.class);
+  private final Outlet<FlyGeometry> geometries = new Outlet<>("geometry", FlyGeometry.class);
+  private final Outlet<WingTrackerState> states =
+      new Outlet<>("initialisation", WingTrackerState.class);
+  private final Outlet<WingSnapshot> snapshots = new Outlet<>("snapshot", WingSnapshot.class);
+  private final List<Outlet<?>> outlets =
+      List.of(estimates, averages, beats, pairs, geometries, states, snapshots);
+  private final List<OverlayLayer<?>> overlays =
+      List.of(new OverlayLayer<WingSnapshot>("wings", snapshots::subscribe, new WingOverlay()));
+  private final WingTracker tracker;
+
+  /**
+   * A filter in its initial state.
+   *
+   * @param geometry the sensor whose events it will see
+   * @param settings what to do
+   */
+  public WingTrackerFilter(SensorGeometry geometry, WingTrackerSettings settings) {
+    tracker = new WingTracker(geometry, settings, new Publisher());
+  }
+
+  /**
+   * The tracker, to ask for settings that place the fly as a person says.
+   *
+   * @return always the same
+   */
+  public WingTracker tracker() {
+    return tracker;
+  }
+
+  @Override
+  public void process(EventPacket packet) {
+    tracker.track(packet);
+  }
+
+  @Override
+  public void reset() {
+    tracker.reset();
+  }
+
+  /** Time goes on over a gap in the data; whether the wings are still there will show. */
+  @Override
+  public void notified(StreamNotification notification) {
+    if (!(notification instanceof DataLost)) {
+      ConfigurableFilter.super.notified(notification);
+    }
+  }
+
+  @Override
+  public List<Outlet<?>> outlets() {
+    return outlets;
+  }
+
+  @Override
+  public List<OverlayLayer<?>> overlays() {
+    return overlays;
+  }
+
+  @Override
+  public WingTrackerSettings settings() {
+    return tracker.settings();
+  }
+
+  @Override
+  public void apply(WingTrackerSettings settings) {
+    tracker.apply(settings);
+  }
+
+  /** From the tracker to the outlets. */
+  private final class Publisher implements WingListener {
+    @Override
+    public boolean wantsEstimates() {
+      return estimates.hasSubscribers() || averages.hasSubscribers() || pairs.hasSubscribers();
+    }
+
+    @Override
+    public boolean wantsSnapshots() {
+      return snapshots.hasSubscribers();
+    }
+
+    @Override
+    public void estimate(WingEstimate estimate) {
+      estimates.publish(estimate);
+    }
+
+    @Override
+    public void average(WingEstimate estimate) {
+      averages.publish(estimate);
+    }
+
+    @Override
+    public void pair(WingPair pair) {
+      pairs.publish(pair);
+    }
+
+    @Override
+    public void beat(WingBeat beat) {
+      beats.publish(beat);
+    }
+
+    @Override
+    public void geometry(FlyGeometry geometry) {
+      geometries.publish(geometry);
+    }
+
+    @Override
+    public void state(WingTrackerState state) {
+      states.publish(state);
+    }
+
+    @Override
+    public void snapshot(WingSnapshot snapshot) {
+      snapshots.publish(snapshot);
+    }
+  }
+
+  /** Makes the filter where its name is found in a chain. */
+  public static final class Provider implements FilterProvider<WingTrackerSettings> {
+    @Override
+    public String name() {
+      return "wing-tracker";
+    }
+
+    @Override
+    public String description() {
+      return "Follows the wings of a tethered fly within each beat.";
+    }
+
+    @Override
+    public Class<WingTrackerSettings> settingsType() {
+      return WingTrackerSettings.class;
+    }
+
+    @Override
+    public WingTrackerFilter create(SensorGeometry geometry, WingTrackerSettings settings) {
+      return new WingTrackerFilter(geometry, settings);
+    }
+  }
+}

@@ -1,0 +1,74 @@
+package haltere.filters.wing;
+
+import haltere.core.settings.SettingsSchema;
+
+/**
+ * Settings of {@link WingTracker}.
+ *
+ * @param search how the fly is found
+ * @param place what a person says about where it is
+ * @param filter the extended Kalman filter
+ * @param noise its noise
+ * @param average the running average
+ * @param output what is published
+ */
+public record WingTrackerSettings(
+    WingSearchSettings search,
+    WingPlaceSettings place,
+    WingFilterSettings filter,
+    WingNoiseSettings noise,
+    RunningAverageSettings average,
+    WingOutputSettings output) {
+  /** Checks that nothing is missing. */
+  public WingTrackerSettings {
+    SettingsSchema.validate(
+        WingTrackerSettings.class, search, place, filter, noise, average, output);
+  }
+
+  /**
+   * The settings to start from.
+   *
+   * @return valid settings
+   */
+  public static WingTrackerSettings defaults() {
+    return new WingTrackerSettings(
+        WingSearchSettings.defaults(),
+        WingPlaceSettings.defaults(),
+        WingFilterSettings.defaults(),
+        WingNoiseSettings.defaults(),
+        RunningAverageSettings.defaults(),
+        WingOutputSettings.defaults());
+  }
+
+  /**
+   * The method of the source (J. Cardinale's wing tracker of 2006) with its defaults: a filter for
+   * each edge, a plain sinusoid, started at 240 Hz, the same process noise added at each update
+   * whatever the time, R = 1000, no gate, no compensation of latency; body and heading as they were
+   * found. Two of its slips are not reproduced: the fourth entry of its Jacobian (it is 0, not a t
+   * cos xi) and the innovation of a state that is one step old.
+   *
+   * @return valid settings
+   */
+  public static WingTrackerSettings original() {
+    WingTrackerSettings defaults = defaults();
+    return new WingTrackerSettings(
+        new WingSearchSettings(35_000, 2000, 70, 400, 240),
+        new WingPlaceSettings(0, 0, 0, false, 0, 0, false, false),
+        new WingFilterSettings(WingMethod.EKF, WingModel.EDGES, 1, 0, 0, 1, 1000, false),
+        new WingNoiseSettings(2, 1, 0.5, 2, 0, 0.001, 0, 1000),
+        new RunningAverageSettings(0.1, 0, 0.01, 0.1745, true, true),
+        defaults.output());
+  }
+
+  /**
+   * These settings but for some.
+   *
+   * @param assignments texts of the form {@code name=value}, such as {@code filter.harmonics=2}
+   * @return new settings
+   * @throws haltere.core.settings.SettingsProblem for a name or a value that is not valid
+   */
+  public WingTrackerSettings with(String... assignments) {
+    return SettingsSchema.of(WingTrackerSettings.class)
+        .withAssignments(this, java.util.List.of(assignments));
+  }
+}

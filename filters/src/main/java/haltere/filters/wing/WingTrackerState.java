@@ -1,0 +1,48 @@
+package haltere.filters.wing;
+
+import haltere.core.sink.Column;
+
+/**
+ * A step of the search for the fly, or a change of what is tracked.
+ *
+ * @param timeUs time on the clock of the events, microseconds
+ * @param phase what the tracker does from now on, or has just done
+ * @param events events that it was done with
+ * @param frequencyHz beat frequency as known then, hertz; NaN if not yet
+ * @param centreX body centre as known then, pixels; NaN if not yet
+ * @param centreY body centre as known then, pixels; NaN if not yet
+ * @param headingRad heading as known then; NaN if not yet
+ * @param sizePx size as known then, pixels; NaN if not yet
+ * @param confidence of head and tail as known then, 0 to 1; NaN if not yet
+ */
+public record WingTrackerState(
+    @Column("t_us") long timeUs,
+    Phase phase,
+    int events,
+    @Column(decimals = 3) double frequencyHz,
+    @Column(decimals = 3) double centreX,
+    @Column(decimals = 3) double centreY,
+    @Column(decimals = 5) double headingRad,
+    @Column(decimals = 3) double sizePx,
+    @Column(decimals = 4) double confidence) {
+
+  /** What the tracker does. */
+  public enum Phase {
+    /** Gathers events. */
+    COLLECTING,
+    /** Has divided the events into two wings: body, heading up to head and tail, size. */
+    TWO_MEANS,
+    /** Has found the beat and the body axis. */
+    BEAT,
+    /** Has found the hinges and the strokes. */
+    HINGES,
+    /** Has told head from tail. */
+    HEAD_AND_TAIL,
+    /** Tracks both wings. */
+    TRACKING,
+    /** Tracks one wing; there is no second one. */
+    ONE_WING,
+    /** Has lost the wings and gathers events again. */
+    LOST
+  }
+}

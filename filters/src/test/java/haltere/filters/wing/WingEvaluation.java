@@ -1,0 +1,161 @@
+package haltere.filters.wing;
+
+import haltere.core.simulation.FlyScene;
+import haltere.core.simulation.FlySceneSettings;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.ToDoubleFunction;
+
+/**
+ * Tracks many simulated flies and writes the figures of docs/wings.md: {@code ./gradlew
+ * :filters:evaluateWings -Pscenes=500 -PfirstSeed=1}.
+ */
+public final class WingEvaluation {
+  private static final double SECONDS = 1;
+
+  /** A fly and how well it was tracked. */
+  private record Result(
+      long seed, FlySceneSettings scene, double eventsPerEdge, WingScores usual, WingScores known) {
+    boolean manoeuvres() {
+      return scene.disturbances().manoeuvres().everyS() > 0;
+    }
+  }
+
+  private WingEvaluation() {}
+
+  /**
+   * Runs.
+   *
+   * @param args number of scenes, first seed, folder of the result
+   * @throws IOException if the result cannot be written
+   */
+  public static void main(String[] args) throws IOException {
+    int scenes = Integer.parseInt(args[0]);
+    long firstSeed = Long.parseLong(args[1]);
+    List<Result> results = new ArrayList<>();
+    for (long seed = firstSeed; seed < firstSeed + scenes; seed++) {
+      results.add(track(seed, EvaluationScenes.random(seed)));
+    }
+    List<Result> heavy = new ArrayList<>();
+    for (long seed = firstSeed; seed < firstSeed + Math.max(4, scenes / 10); seed++) {
+      heavy.add(track(seed, EvaluationScenes.heavyNoise(seed)));
+    }
+    StringBuilder text = new StringBuilder();
+    table(text, "all scenes of at least 100 events an edge and beat", enough(results));
+    table(text, "steady among them", enough(results).stream().filter(r -> !r.manoeuvres()).toList());
+    table(text, "with manoeuvres among them", enough(results).stream().filter(Result::manoeuvres).toList());
+    table(text, "fewer than 100 events an edge and beat",
+        results.stream().filter(r -> r.eventsPerEdge < 100).toList());
+    table(text, "heavy noise", heavy);
+    worst(text, enough(results));
+    Path folder = Path.of(args[2]);
+    Files.createDirectories(folder);
+    Files.writeString(folder.resolve("wings-figures.md"), text);
+    System.out.print(text);
+  }
+
+  private static List<Result> enough(List<Result> results) {
+    return results.stream().filter(r -> r.eventsPerEdge >= 100).toList();
+  }
+
+  private static Result track(long seed, FlySceneSettings scene) {
+    WingScores usual = new WingScores(new FlyScene(scene), WingTrackerSettings.defaults());
+    usual.run(SECONDS);
+    double latency = scene.pixel().latencyUs();
+    WingScores known =
+        new WingScores(
+            new FlyScene(scene),
+            WingTrackerSettings.defaults().with("filter.latencyUs=" + latency));
+    known.run(SECONDS);
+    return new Result(
+        seed,
+        scene,
+        EvaluationScenes.eventsPerEdgeAndBeat(scene, usual.events, SECONDS),
+        usual,
+        known);
+  }
+
+  private static boolean locked(Result r) {
+    return r.usual.foundAtUs >= 0 && r.usual.losses == 0 && r.usual.longestWrongUs() <= 50_000;
+  }
+
+  private static void table(StringBuilder text, String name, List<Result> results) {
+    List<Result> found = results.stream().filter(WingEvaluation::locked).toList();
+    line(text, "### %s: %d scenes", name, results.size());
+    line(text, "");
+    line(
+        text,
+        "locked %d of %d, found after (ms) median %.0f most %.0f",
+        found.size(),
+        results.size(),
+        quantile(found, r -> r.usual.foundAtUs / 1000.0, 0.5),
+        quantile(found, r -> r.usual.foundAtUs / 1000.0, 1));
+    line(text, "");
+    line(text, "| RMS | median scene | 90 %% of scenes | worst scene |");
+    line(text, "| --- | --- | --- | --- |");
+    row(text, "frequency (Hz)", found, r -> r.usual.frequencyHz());
+    row(text, "angle, latency of the camera known (deg)", found, r -> r.known.angleDeg());
+    row(text, "same, heading's error apart (deg)", found, r -> r.known.angleOfStrokeDeg());
+    row(text, "same, at the reversals (deg)", found, r -> r.known.reversalDeg());
+    row(text, "angle, all defaults (deg)", found, r -> r.usual.angleDeg());
+    row(text, "amplitude of a beat (deg)", found, r -> r.usual.amplitudeDeg());
+    row(text, "amplitude bias (deg)", found, r -> Math.abs(r.usual.amplitudeBiasDeg()));
+    row(text, "phase between the wings (deg)", found, r -> r.usual.lagDeg());
+    row(text, "body centre (px)", found, r -> r.usual.centrePx());
+    row(text, "heading (deg)", found, r -> r.usual.headingDeg());
+    row(text, "mean NIS", found, r -> r.usual.meanNis());
+    row(text, "NEES of the frequency", found, r -> r.usual.neesFrequency());
+    row(text, "NEES of the angle", found, r -> r.known.neesAngle());
+    line(
+        text,
+        "| head and tail right | %d of %d | | |",
+        found.stream().filter(r -> r.usual.headingDeg() < 90).count(),
+        found.size());
+    line(
+        text,
+        "| mean NIS in 0.95 to 1.05 | %d of %d | | |",
+        found.stream().filter(r -> Math.abs(r.usual.meanNis() - 1) <= 0.05).count(),
+        found.size());
+    line(text, "");
+  }
+
+  private static void worst(StringBuilder text, List<Result> results) {
+    line(text, "not locked: seeds %s",
+        results.stream().filter(r -> !locked(r)).map(Result::seed).toList());
+    line(text, "head for tail: seeds %s",
+        results.stream().filter(r -> locked(r) && r.usual.headingDeg() > 90).map(Result::seed).toList());
+    line(text, "angle above 1.2 degrees: seeds %s",
+        results.stream()
+            .filter(r -> locked(r) && r.known.angleOfStrokeDeg() > 1.2)
+            .map(Result::seed)
+            .toList());
+  }
+
+  private static void row(
+      StringBuilder text, String name, List<Result> results, ToDoubleFunction<Result> value) {
+    line(
+        text,
+        "| %s | %.3f | %.3f | %.3f |",
+        name,
+        quantile(results, value, 0.5),
+        quantile(results, value, 0.9),
+        quantile(results, value, 1));
+  }
+
+  private static double quantile(
+      List<Result> results, ToDoubleFunction<Result> value, double share) {
+    double[] values = results.stream().mapToDouble(value).sorted().toArray();
+    return values.length == 0
+        ? Double.NaN
+        : values[(int) Math.min(values.length - 1, Math.floor(share * values.length))];
+  }
+
+  private static void line(StringBuilder text, String format, Object... values) {
+    text.append(String.format(Locale.ROOT, format, values)).append('\n');
+  }
+
+}

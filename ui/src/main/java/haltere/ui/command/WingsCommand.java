@@ -1,0 +1,236 @@
+package haltere.ui.command;
+
+import haltere.core.chain.FilterChain;
+import haltere.core.format.RecordingReader;
+import haltere.core.json.Json;
+import haltere.core.pipeline.Pipeline;
+import haltere.core.pipeline.PipelineCounters;
+import haltere.core.settings.SettingsProblem;
+import haltere.core.sink.CsvSink;
+import haltere.filters.wing.WingBeat;
+import haltere.filters.wing.WingEstimate;
+import haltere.filters.wing.WingMethod;
+import haltere.filters.wing.WingPair;
+import haltere.filters.wing.WingTrackerFilter;
+import haltere.filters.wing.WingTrackerSettings;
+import java.io.Closeable;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** Tracks the wings of a tethered fly through a recording. */
+@Command(
+    name = "wings",
+    description = {
+      "Track the wings of a tethered fly through a recording.",
+      "OUT has a row for each edge and each wing at each tick of the rate; the angle is the"
+          + " estimate at that time from events up to that time only."
+    })
+final class WingsCommand extends Subcommand {
+  @Parameters(index = "0", paramLabel = "FILE", description = "A recording.")
+  Path file;
+
+  @Option(
+      names = "--out",
+      required = true,
+      paramLabel = "WINGS.csv",
+      description = "Where the estimates go.")
+  Path out;
+
+  @Option(names = "--beats", paramLabel = "BEATS.csv", description = "Where the beats go.")
+  Path beats;
+
+  @Option(
+      names = "--pairs",
+      paramLabel = "PAIRS.csv",
+      description = "Where left minus right, left plus right and the phase lag go.")
+  Path pairs;
+
+  @Option(
+      names = "--geometry",
+      paramLabel = "GEO.json",
+      description = "Where body, heading and hinges go.")
+  Path geometry;
+
+  @Option(
+      names = "--log",
+      paramLabel = "LOG.txt",
+      description = "Where a log in the layout of the original goes, with a header that explains it.")
+  Path log;
+
+  @Option(
+      names = "--method",
+      paramLabel = "ekf|wra",
+      description = "Extended Kalman filter (the default) or weighted running average.")
+  String method;
+
+  @Option(names = "--rate", paramLabel = "HZ", description = "Ticks a second; 1000 if not given.")
+  Double rateHz;
+
+  @Option(
+      names = "--initial-frequency",
+      paramLabel = "HZ",
+      description = "The wing beat frequency, where it is known; it is found otherwise.")
+  Double initialHz;
+
+  @Option(names = "--flip-heading", description = "Exchange head and tail.")
+  boolean flipHeading;
+
+  @Option(
+      names = "--preset",
+      paramLabel = "NAME",
+      description = "original: the method of 2006 with its defaults, for comparison.")
+  String preset;
+
+  @Option(
+      names = "--set",
+      paramLabel = "name=value",
+      description = "A setting of the tracker, see: haltere filters; may be repeated.")
+  List<String> assignments = List.of();
+
+  @Mixin ReadingOptions reading;
+
+  @Option(names = "--overwrite", description = "Replace output files that exist.")
+  boolean overwrite;
+
+  WingsCommand(Surroundings surroundings) {
+    super(surroundings);
+  }
+
+  @Override
+  public Integer call() throws IOException {
+    WingTrackerSettings settings = settings();
+    checkOutputs();
+    try (RecordingReader reader = reading.open(file)) {
+      WingTrackerFilter filter = new WingTrackerFilter(reader.geometry(), settings);
+      FilterChain chain = new FilterChain(reader.geometry());
+      chain.add("wing-tracker", filter);
+      WingsSummary summary = new WingsSummary(filter, settings.output().rateHz());
+      try {
+        run(reader, chain, filter, summary);
+      } finally {
+        chain.close();
+      }
+      warnings(reader);
+      summary.lines().forEach(this::result);
+    }
+    return OK;
+  }
+
+  private WingTrackerSettings settings() {
+    WingTrackerSettings start =
+        switch (preset == null ? "" : preset) {
+          case "" -> WingTrackerSettings.defaults();
+          case "original" -> WingTrackerSettings.original();
+          default -> throw wrongArguments("there is no preset " + preset + "; there is: original");
+        };
+    List<String> all = new ArrayList<>();
+    if (method != null) {
+      all.add("filter.method=" + method(method));
+    }
+    if (rateHz != null) {
+      all.add("output.rateHz=" + rateHz);
+    }
+    if (initialHz != null) {
+      if (!(initialHz > 0)) {
+        throw wrongArguments("--initial-frequency is " + initialHz + ", it must be above 0 Hz");
+      }
+      all.add("search.startFrequencyHz=" + initialHz);
+    }
+    if (flipHeading) {
+      all.add("place.flipHeading=true");
+    }
+    all.addAll(assignments);
+    try {
+      return start.with(all.toArray(new String[0]));
+    } catch (SettingsProblem problem) {
+      throw wrongArguments(problem.getMessage());
+    }
+  }
+
+  private WingMethod method(String name) {
+    return switch (name.toLowerCase(Locale.ROOT)) {
+      case "ekf" -> WingMethod.EKF;
+      case "wra" -> WingMethod.WRA;
+      default -> throw wrongArguments("--method is " + name + "; there are ekf and wra");
+    };
+  }
+
+  private void checkOutputs() throws IOException {
+    WritingOptions writing = new WritingOptions();
+    writing.overwrite = overwrite;
+    Set<Path> seen = new HashSet<>();
+    for (Path output : new Path[] {out, beats, pairs, geometry, log}) {
+      if (output != null) {
+        writing.check(output);
+        WritingOptions.checkDifferent(file, output);
+        if (!seen.add(output.toAbsolutePath().normalize())) {
+          throw wrongArguments(output + " is named for two outputs");
+        }
+      }
+    }
+  }
+
+  private void run(
+      RecordingReader reader, FilterChain chain, WingTrackerFilter filter, WingsSummary summary)
+      throws IOException {
+    List<Closeable> open = new ArrayList<>();
+    try (ProgressBar bar = progressBar("tracking", file)) {
+      CsvSink<WingEstimate> rows = CsvSink.create(out, WingEstimate.class, overwrite);
+      open.add(rows);
+      chain.outlet("estimates", WingEstimate.class).subscribe(rows);
+      CsvSink<WingBeat> beatRows = null;
+      if (beats != null) {
+        beatRows = CsvSink.create(beats, WingBeat.class, overwrite);
+        open.add(beatRows);
+        chain.outlet("beats", WingBeat.class).subscribe(beatRows);
+      }
+      CsvSink<WingPair> pairRows = null;
+      if (pairs != null) {
+        pairRows = CsvSink.create(pairs, WingPair.class, overwrite);
+        open.add(pairRows);
+        chain.outlet("pairs", WingPair.class).subscribe(pairRows);
+      }
+      WingLog wingLog = null;
+      if (log != null) {
+        wingLog = WingLog.create(log, file, filter.settings(), overwrite);
+        open.add(wingLog);
+        chain.outlet("estimates", WingEstimate.class).subscribe(wingLog);
+      }
+      PipelineCounters counters = new PipelineCounters();
+      summary.listenTo(chain);
+      Pipeline.run(
+          reader,
+          chain,
+          List.of(new WritingSink(reader, null, bar, counters), summary),
+          counters);
+      reading.requireWhole(reader);
+      rows.finish();
+      if (beatRows != null) {
+        beatRows.finish();
+      }
+      if (pairRows != null) {
+        pairRows.finish();
+      }
+      if (wingLog != null) {
+        wingLog.finish();
+      }
+      if (geometry != null) {
+        TextFile.write(geometry, Json.write(summary.geometry()) + "\n", overwrite);
+      }
+      message("wrote " + out + " (" + Quantities.count(rows.rows()) + " rows)");
+    } finally {
+      for (Closeable closeable : open) {
+        closeable.close();
+      }
+    }
+  }
+}

@@ -1,0 +1,135 @@
+package haltere.ui.command;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.core.json.Json;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class WingsCommandTest {
+  @TempDir Path folder;
+
+  private Path fly() {
+    Path file = folder.resolve("fly.aedat");
+    CommandRun run =
+        CommandRun.of(
+            "simulate",
+            "fly",
+            file,
+            "--duration",
+            "0.3",
+            "--set",
+            "disturbances.manoeuvres.everyS=0",
+            "--set",
+            "run.startUs=7000000");
+    assertEquals(0, run.status(), run.err());
+    return file;
+  }
+
+  @Test
+  void writesTheTablesOfTheContractAndASummary() throws IOException {
+    Path wings = folder.resolve("wings.csv");
+    Path beats = folder.resolve("beats.csv");
+    Path geometry = folder.resolve("geometry.json");
+    Path log = folder.resolve("log.txt");
+    CommandRun run =
+        CommandRun.of(
+            "wings", fly(), "--out", wings, "--beats", beats, "--geometry", geometry, "--log", log,
+            "--rate", "500");
+    assertEquals(0, run.status(), run.err());
+    List<String> rows = Files.readAllLines(wings);
+    assertEquals(
+        "t_us,edge,angle_rad,centre_rad,amplitude_rad,phase_rad,frequency_hz,sd_angle_rad,"
+            + "sd_frequency_hz,events",
+        rows.get(0));
+    Set<String> edges =
+        rows.stream().skip(1).map(row -> row.split(",")[1]).collect(Collectors.toSet());
+    assertEquals(
+        Set.of(
+            "left-leading", "left-trailing", "right-leading", "right-trailing", "left", "right"),
+        edges);
+    long first = Long.parseLong(rows.get(1).split(",")[0]);
+    assertEquals(0, first % 2000, "ticks of 500 Hz on the recording's own clock");
+    assertTrue(first > 7_000_000 && first < 7_060_000, rows.get(1));
+    assertEquals(
+        "side,beat,t_us,period_us,frequency_hz,amplitude_rad,min_rad,max_rad,phase_lag_rad",
+        Files.readAllLines(beats).get(0));
+    Map<?, ?> keys = (Map<?, ?>) Json.read(geometry);
+    assertEquals(
+        Set.of(
+            "centreX",
+            "centreY",
+            "headingRad",
+            "sizePx",
+            "leftHingeX",
+            "leftHingeY",
+            "rightHingeX",
+            "rightHingeY",
+            "headTailConfidence",
+            "initialisedAtUs"),
+        keys.keySet());
+    assertEquals(Math.PI / 2, ((Number) keys.get("headingRad")).doubleValue(), 0.05);
+    assertTrue(run.out().contains("in lock"), run.out());
+    assertTrue(run.out().contains("mean NIS"), run.out());
+    List<String> lines = Files.readAllLines(log);
+    assertTrue(lines.get(0).startsWith("# haltere"), lines.get(0));
+    assertEquals(7, lines.get(lines.size() - 1).split("\t").length);
+  }
+
+  @Test
+  void withTheHeadingFlippedTheHeadIsOnTheOtherSide() throws IOException {
+    Path geometry = folder.resolve("geometry.json");
+    CommandRun run =
+        CommandRun.of(
+            "wings",
+            fly(),
+            "--out",
+            folder.resolve("w.csv"),
+            "--geometry",
+            geometry,
+            "--flip-heading",
+            "--method",
+            "wra");
+    assertEquals(0, run.status(), run.err());
+    Map<?, ?> keys = (Map<?, ?>) Json.read(geometry);
+    assertEquals(1.5 * Math.PI, ((Number) keys.get("headingRad")).doubleValue(), 0.1);
+  }
+
+  @Test
+  void aRecordingWithoutAFlyGivesAnEmptyTableAndSaysSo() throws IOException {
+    Path dots = folder.resolve("dots.aedat");
+    assertEquals(0, CommandRun.of("simulate", "dots", dots, "--duration", "0.3").status());
+    Path wings = folder.resolve("wings.csv");
+    CommandRun run = CommandRun.of("wings", dots, "--out", wings);
+    assertEquals(0, run.status(), run.err());
+    assertEquals(1, Files.readAllLines(wings).size());
+    assertTrue(run.out().contains("waiting for wings"), run.out());
+  }
+
+  @Test
+  void wrongArgumentsAreRefusedBeforeAnythingIsWritten() {
+    Path out = folder.resolve("wings.csv");
+    Path fly = fly();
+    for (List<String> wrong :
+        List.of(
+            List.of("--method", "magic"),
+            List.of("--rate", "0"),
+            List.of("--initial-frequency", "-1"),
+            List.of("--preset", "new"),
+            List.of("--set", "filter.harmonics=9"))) {
+      CommandRun run =
+          CommandRun.of("wings", fly, "--out", out, wrong.get(0), wrong.get(1));
+      assertEquals(2, run.status(), run.err());
+      assertFalse(Files.exists(out));
+    }
+  }
+}
