@@ -26,7 +26,7 @@ import java.util.regex.Pattern;
  * Writes records as rows of a table: comma separated, UTF-8, a header line, lines that end in a
  * line feed, a point as decimal point whatever the locale. Names of components become names of
  * columns in snake_case unless {@link Column} says otherwise. Not-a-number, null and an empty
- * optional are empty fields; infinity is {@code inf}.
+ * optional are empty fields; infinity is {@code inf}; enum constants are as their {@code toString}.
  *
  * <p>Thread rule: one thread at a time.
  *
@@ -209,7 +209,7 @@ public final class CsvSink<R extends Record> implements Consumer<R>, Closeable {
     } else if (value instanceof Number number) {
       text.number(number.longValue());
     } else if (value instanceof Enum<?> constant) {
-      text.text(constant.name());
+      text.text(constant.toString());
     } else if (value instanceof OptionalDouble number) {
       text.number(number.orElse(Double.NaN), decimals);
     } else if (value instanceof OptionalLong number) {

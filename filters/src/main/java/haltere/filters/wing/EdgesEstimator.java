@@ -183,6 +183,11 @@ final class EdgesEstimator implements SideEstimator {
   }
 
   @Override
+  public double phaseAt(double timeUs) {
+    return phase() + 2 * Math.PI * frequencyHz() * (timeUs - nowUs) * US;
+  }
+
+  @Override
   public double frequencyHz() {
     return (filters[0].x3() + filters[1].x3()) / (4 * Math.PI);
   }

@@ -15,6 +15,7 @@ final class EventNoise {
 
   private static final double LEARN = 0.004;
   private static final double FOLLOW = 0.002;
+  private static final double SCALE_SHARE = 0.3;
   private static final double FAR_FROM = 0.45;
   private static final double FAR_TO = 1.25;
   private static final double FAR_WIDTH = 2 * (FAR_TO - FAR_FROM);
@@ -27,6 +28,7 @@ final class EventNoise {
   private double strays = 0.05;
   private double near = 1;
   private double nis = 1;
+  private double scale = 1;
   private double varianceNow = 1e-3;
 
   /**
@@ -51,13 +53,16 @@ final class EventNoise {
     strays = 0.05;
     near = 1;
     nis = 1;
+    scale = 1;
     varianceNow = 1e-3;
   }
 
   /** Variance of an event's angle. */
   double variance(double radiusSquare, double speed) {
     varianceNow =
-        fixed > 0 ? fixed : blade + PIXEL_VARIANCE / radiusSquare + timing * speed * speed;
+        fixed > 0
+            ? fixed
+            : scale * (blade + PIXEL_VARIANCE / radiusSquare + timing * speed * speed);
     return varianceNow;
   }
 
@@ -85,6 +90,7 @@ final class EventNoise {
         1 / (1 + (strays + 1e-3) * Math.sqrt(2 * Math.PI * variance) * Math.exp(normalised / 2));
     double step = LEARN * belief;
     nis += step * (normalised - nis);
+    scale = Math.max(0.5, Math.min(2, scale + SCALE_SHARE * step * (normalised - 1)));
     double share = speed * speed / (fullSpeed * fullSpeed);
     if (share > 0.4) {
       timing += step * (square - variance) / (speed * speed);

@@ -180,6 +180,11 @@ final class RunningAverage implements SideEstimator {
   }
 
   @Override
+  public double phaseAt(double timeUs) {
+    return phase() + 2 * Math.PI * (timeUs - nowUs) / periodUs;
+  }
+
+  @Override
   public double frequencyHz() {
     return 1e6 / periodUs;
   }

@@ -28,6 +28,9 @@ interface SideEstimator {
   /** Phase in [0, 2 pi), 0 where the wing passes its centre towards the tail. */
   double phase();
 
+  /** Phase at a time near the present one. */
+  double phaseAt(double timeUs);
+
   double frequencyHz();
 
   /** Standard deviation of the angle, NaN if unknown. */

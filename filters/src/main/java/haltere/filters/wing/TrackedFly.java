@@ -353,7 +353,9 @@ final class TrackedFly implements BeatListener {
     }
     int other = 1 - own;
     double lag =
-        tracked[other] ? Angles.wrapPi(main[other].phase() - main[own].phase()) : Double.NaN;
+        tracked[other]
+            ? Angles.wrapPi(main[other].phaseAt(timeUs) - main[own].phaseAt(timeUs))
+            : Double.NaN;
     listener.beat(
         new WingBeat(
             side,

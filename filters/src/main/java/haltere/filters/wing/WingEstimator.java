@@ -395,6 +395,11 @@ final class WingEstimator implements SideEstimator {
   }
 
   @Override
+  public double phaseAt(double atUs) {
+    return phase() + filter.x[StrokeEkf.OMEGA] * (atUs - timeUs) * 1e-6;
+  }
+
+  @Override
   public double frequencyHz() {
     return filter.x[StrokeEkf.OMEGA] / (2 * Math.PI);
   }

@@ -46,9 +46,15 @@ public final class WingEvaluation {
     }
     StringBuilder text = new StringBuilder();
     table(text, "all scenes of at least 100 events an edge and beat", enough(results));
-    table(text, "steady among them", enough(results).stream().filter(r -> !r.manoeuvres()).toList());
-    table(text, "with manoeuvres among them", enough(results).stream().filter(Result::manoeuvres).toList());
-    table(text, "fewer than 100 events an edge and beat",
+    table(
+        text, "steady among them", enough(results).stream().filter(r -> !r.manoeuvres()).toList());
+    table(
+        text,
+        "with manoeuvres among them",
+        enough(results).stream().filter(Result::manoeuvres).toList());
+    table(
+        text,
+        "fewer than 100 events an edge and beat",
         results.stream().filter(r -> r.eventsPerEdge < 100).toList());
     table(text, "heavy noise", heavy);
     worst(text, enough(results));
@@ -124,11 +130,20 @@ public final class WingEvaluation {
   }
 
   private static void worst(StringBuilder text, List<Result> results) {
-    line(text, "not locked: seeds %s",
+    line(
+        text,
+        "not locked: seeds %s",
         results.stream().filter(r -> !locked(r)).map(Result::seed).toList());
-    line(text, "head for tail: seeds %s",
-        results.stream().filter(r -> locked(r) && r.usual.headingDeg() > 90).map(Result::seed).toList());
-    line(text, "angle above 1.2 degrees: seeds %s",
+    line(
+        text,
+        "head for tail: seeds %s",
+        results.stream()
+            .filter(r -> locked(r) && r.usual.headingDeg() > 90)
+            .map(Result::seed)
+            .toList());
+    line(
+        text,
+        "angle above 1.2 degrees: seeds %s",
         results.stream()
             .filter(r -> locked(r) && r.known.angleOfStrokeDeg() > 1.2)
             .map(Result::seed)
@@ -157,5 +172,4 @@ public final class WingEvaluation {
   private static void line(StringBuilder text, String format, Object... values) {
     text.append(String.format(Locale.ROOT, format, values)).append('\n');
   }
-
 }

@@ -30,11 +30,11 @@ final class WingLog implements Consumer<WingEstimate>, Closeable {
   private WingLog(AtomicFile atomic) {
     this.atomic = atomic;
     text =
-        new BufferedWriter(new OutputStreamWriter(atomic.stream(), StandardCharsets.UTF_8), 1 << 16);
+        new BufferedWriter(
+            new OutputStreamWriter(atomic.stream(), StandardCharsets.UTF_8), 1 << 16);
   }
 
-  static WingLog create(
-      Path file, Path recording, WingTrackerSettings settings, boolean overwrite)
+  static WingLog create(Path file, Path recording, WingTrackerSettings settings, boolean overwrite)
       throws IOException {
     WingLog log = new WingLog(AtomicFile.create(file, overwrite));
     try {

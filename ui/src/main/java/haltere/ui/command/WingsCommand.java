@@ -63,7 +63,8 @@ final class WingsCommand extends Subcommand {
   @Option(
       names = "--log",
       paramLabel = "LOG.txt",
-      description = "Where a log in the layout of the original goes, with a header that explains it.")
+      description =
+          "Where a log in the layout of the original goes, with a header that explains it.")
   Path log;
 
   @Option(
@@ -208,10 +209,7 @@ final class WingsCommand extends Subcommand {
       PipelineCounters counters = new PipelineCounters();
       summary.listenTo(chain);
       Pipeline.run(
-          reader,
-          chain,
-          List.of(new WritingSink(reader, null, bar, counters), summary),
-          counters);
+          reader, chain, List.of(new WritingSink(reader, null, bar, counters), summary), counters);
       reading.requireWhole(reader);
       rows.finish();
       if (beatRows != null) {

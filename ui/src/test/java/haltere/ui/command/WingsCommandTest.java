@@ -43,8 +43,18 @@ class WingsCommandTest {
     Path log = folder.resolve("log.txt");
     CommandRun run =
         CommandRun.of(
-            "wings", fly(), "--out", wings, "--beats", beats, "--geometry", geometry, "--log", log,
-            "--rate", "500");
+            "wings",
+            fly(),
+            "--out",
+            wings,
+            "--beats",
+            beats,
+            "--geometry",
+            geometry,
+            "--log",
+            log,
+            "--rate",
+            "500");
     assertEquals(0, run.status(), run.err());
     List<String> rows = Files.readAllLines(wings);
     assertEquals(
@@ -54,8 +64,7 @@ class WingsCommandTest {
     Set<String> edges =
         rows.stream().skip(1).map(row -> row.split(",")[1]).collect(Collectors.toSet());
     assertEquals(
-        Set.of(
-            "left-leading", "left-trailing", "right-leading", "right-trailing", "left", "right"),
+        Set.of("left-leading", "left-trailing", "right-leading", "right-trailing", "left", "right"),
         edges);
     long first = Long.parseLong(rows.get(1).split(",")[0]);
     assertEquals(0, first % 2000, "ticks of 500 Hz on the recording's own clock");
@@ -126,8 +135,7 @@ class WingsCommandTest {
             List.of("--initial-frequency", "-1"),
             List.of("--preset", "new"),
             List.of("--set", "filter.harmonics=9"))) {
-      CommandRun run =
-          CommandRun.of("wings", fly, "--out", out, wrong.get(0), wrong.get(1));
+      CommandRun run = CommandRun.of("wings", fly, "--out", out, wrong.get(0), wrong.get(1));
       assertEquals(2, run.status(), run.err());
       assertFalse(Files.exists(out));
     }
