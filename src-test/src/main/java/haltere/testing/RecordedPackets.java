@@ -490,13 +490,37 @@ public record RecordedPackets(
           "03df4072",
           5957);
 
+  /** A bag of ROS 2 in an SQLite file, Prophesee, with external triggers among the words. */
+  public static final RecordedPackets TRIGGERS_BAG =
+      new RecordedPackets(
+          "evt3-with-triggers.db3",
+          "rosbag2",
+          new SensorGeometry(1280, 720, Origin.TOP),
+          41439,
+          41030,
+          14224870,
+          15476187,
+          0,
+          1279,
+          0,
+          719,
+          List.of(
+              row(14224870, 354, 604, 1),
+              row(14224883, 835, 577, 1),
+              row(14224884, 54, 188, 0),
+              row(14224890, 67, 110, 0),
+              row(14224895, 732, 333, 0)),
+          List.of(row(15476176, 1188, 344, 1), row(15476187, 15, 157, 0)),
+          "e04d3cb2",
+          53226);
+
   /**
    * The recordings of ROS.
    *
    * @return ROS 1 first
    */
   public static List<RecordedPackets> ros() {
-    return List.of(EVT3_BAG);
+    return List.of(EVT3_BAG, TRIGGERS_BAG);
   }
 
   /**

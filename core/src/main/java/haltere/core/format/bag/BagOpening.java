@@ -58,6 +58,12 @@ final class BagOpening {
     this.walks = walks;
   }
 
+  /** Adds what a user should know. */
+  BagOpening remark(List<String> lines) {
+    remarks.addAll(lines);
+    return this;
+  }
+
   /**
    * Opens it.
    *

@@ -2,9 +2,9 @@
  * Bags of ROS: messages of many topics, of which one with events is read.
  *
  * <p><b>Containers.</b> ROS 1 bags (version 2.0): records in chunks that are packed with LZ4, bzip2
- * or not at all. MCAP: the same with LZ4 or Zstandard, or messages without chunks. A container's
- * walk finds the messages, in the order of the file; what is in them is decoded by the same code
- * whatever the container.
+ * or not at all. MCAP: the same with LZ4 or Zstandard, or messages without chunks. ROS 2 bags in
+ * SQLite files: a table of messages. A container's walk finds the messages, in the order of the
+ * file; what is in them is decoded by the same code whatever the container.
  *
  * <p><b>Messages.</b> {@code dvs_msgs/EventArray} and {@code prophesee_event_msgs/EventArray} hold
  * events one by one; {@code event_camera_msgs/EventPacket} and its predecessor {@code
