@@ -18,6 +18,15 @@ public enum ReadingKind {
   }
 
   /**
+   * What several of this kind are called.
+   *
+   * @return such as "triggers"
+   */
+  public String many() {
+    return many;
+  }
+
+  /**
    * A count of this kind, for a person.
    *
    * @param number how many

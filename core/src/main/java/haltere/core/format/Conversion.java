@@ -11,6 +11,7 @@ import java.io.UncheckedIOException;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
 
 /**
  * Copies a recording, or the part of it in a half-open stretch of time, into a writer, through a
@@ -104,7 +105,8 @@ public final class Conversion {
     copy.end();
     writer.finish();
     List<String> warnings = new java.util.ArrayList<>(reader.remarks());
-    warnings.addAll(reader.violations().describe());
+    boolean told = !copy.readingsWritten.isEmpty() || !copy.readingsLeftOut.isEmpty();
+    warnings.addAll(reader.violations().describe(told ? Set.of(Violation.OTHER_DATA) : Set.of()));
     warnings.addAll(writer.losses());
     if (!copy.readingsLeftOut.isEmpty()) {
       warnings.add(

@@ -74,6 +74,15 @@ public interface EventCursor extends Closeable {
   long positionBytes();
 
   /**
+   * Which of several streams of events in the recording it reads.
+   *
+   * @return a number that no other stream of the recording has; 0 where there is one only
+   */
+  default long streamNumber() {
+    return 0;
+  }
+
+  /**
    * How many numbers {@link #save} needs.
    *
    * @return at least 1

@@ -12,16 +12,19 @@ import java.util.Optional;
  * @param topic which of several streams of events is read; the name of a bag's topic
  * @param packetEvents events per packet at the most, 1 to 1,048,576
  * @param readings whether frames, inertial samples and triggers are wanted too
+ * @param keepIndex whether the index that seeking needs is kept in a file beside the recording; one
+ *     that is there is used in any case
  */
 public record ReadOptions(
     Optional<SensorGeometry> sensor,
     Optional<String> format,
     Optional<String> topic,
     int packetEvents,
-    boolean readings) {
+    boolean readings,
+    boolean keepIndex) {
   /** What everybody starts with. */
   public static final ReadOptions DEFAULT =
-      new ReadOptions(Optional.empty(), Optional.empty(), Optional.empty(), 8192, false);
+      new ReadOptions(Optional.empty(), Optional.empty(), Optional.empty(), 8192, false, false);
 
   /** Checks the values. */
   public ReadOptions {
@@ -47,7 +50,7 @@ public record ReadOptions(
       Optional<String> format,
       Optional<String> topic,
       int packetEvents) {
-    this(sensor, format, topic, packetEvents, false);
+    this(sensor, format, topic, packetEvents, false, false);
   }
 
   /**
@@ -57,7 +60,7 @@ public record ReadOptions(
    * @return new options
    */
   public ReadOptions withSensor(SensorGeometry geometry) {
-    return new ReadOptions(Optional.of(geometry), format, topic, packetEvents, readings);
+    return new ReadOptions(Optional.of(geometry), format, topic, packetEvents, readings, keepIndex);
   }
 
   /**
@@ -67,7 +70,7 @@ public record ReadOptions(
    * @return new options
    */
   public ReadOptions withFormat(String name) {
-    return new ReadOptions(sensor, Optional.of(name), topic, packetEvents, readings);
+    return new ReadOptions(sensor, Optional.of(name), topic, packetEvents, readings, keepIndex);
   }
 
   /**
@@ -77,7 +80,7 @@ public record ReadOptions(
    * @return new options
    */
   public ReadOptions withTopic(String name) {
-    return new ReadOptions(sensor, format, Optional.of(name), packetEvents, readings);
+    return new ReadOptions(sensor, format, Optional.of(name), packetEvents, readings, keepIndex);
   }
 
   /**
@@ -87,7 +90,7 @@ public record ReadOptions(
    * @return new options
    */
   public ReadOptions withPacketEvents(int events) {
-    return new ReadOptions(sensor, format, topic, events, readings);
+    return new ReadOptions(sensor, format, topic, events, readings, keepIndex);
   }
 
   /**
@@ -97,6 +100,16 @@ public record ReadOptions(
    * @return new options
    */
   public ReadOptions withReadings(boolean wanted) {
-    return new ReadOptions(sensor, format, topic, packetEvents, wanted);
+    return new ReadOptions(sensor, format, topic, packetEvents, wanted, keepIndex);
+  }
+
+  /**
+   * The same options but for the index.
+   *
+   * @param kept whether the index is kept in a file beside the recording
+   * @return new options
+   */
+  public ReadOptions withKeptIndex(boolean kept) {
+    return new ReadOptions(sensor, format, topic, packetEvents, readings, kept);
   }
 }

@@ -1,5 +1,6 @@
 package haltere.core.format;
 
+import haltere.core.event.ReadingKind;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -60,6 +61,15 @@ public interface RecordingFormat {
    */
   default boolean writable() {
     return true;
+  }
+
+  /**
+   * What a writer of the format holds beside events.
+   *
+   * @return kinds of readings, of each perhaps not all
+   */
+  default Set<ReadingKind> writableReadings() {
+    return Set.of();
   }
 
   /**

@@ -11,6 +11,7 @@ import java.io.InterruptedIOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import java.util.Set;
 
 /**
  * What a recording holds, found by reading it once from start to end.
@@ -182,7 +183,10 @@ public record RecordingSummary(
       startPeak(0);
       endSegment();
       List<String> warnings = new ArrayList<>(reader.remarks());
-      warnings.addAll(reader.violations().describe());
+      warnings.addAll(
+          reader
+              .violations()
+              .describe(readings.isEmpty() ? Set.of() : Set.of(Violation.OTHER_DATA)));
       if (gapCount > MAX_LISTED) {
         warnings.add(gapCount + " gaps, of which the first " + MAX_LISTED + " are listed");
       }

@@ -1,6 +1,9 @@
 package haltere.core.format;
 
 import haltere.core.event.EventPacket;
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
+import java.io.EOFException;
 import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.nio.file.Path;
@@ -8,6 +11,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * Where in a recording which time is: one pass over its events that keeps a waypoint at least every
@@ -71,6 +75,72 @@ final class TimeIndex {
       index.segments.add(new TimeSegment(segmentFirstUs, cursor.lastUs()));
     }
     return index;
+  }
+
+  /** Writes all of it. */
+  void write(DataOutputStream out) throws IOException {
+    out.writeInt(stateLongs);
+    out.writeInt(segments.size());
+    for (int i = 0; i < segments.size(); i++) {
+      out.writeLong(segments.get(i).firstUs());
+      out.writeLong(segments.get(i).lastUs());
+      out.writeInt(firstWaypoint[i]);
+      out.writeLong(startOffsets[i]);
+    }
+    out.writeInt(waypoints);
+    for (int i = 0; i < waypoints; i++) {
+      out.writeLong(lastsUs[i]);
+    }
+    for (int i = 0; i < waypoints * stateLongs; i++) {
+      out.writeLong(states[i]);
+    }
+  }
+
+  /** Reads what was written; empty if it cannot be true. */
+  static Optional<TimeIndex> read(DataInputStream in, int stateLongs) throws IOException {
+    try {
+      if (in.readInt() != stateLongs) {
+        return Optional.empty();
+      }
+      TimeIndex index = new TimeIndex(stateLongs);
+      int segments = in.readInt();
+      index.firstWaypoint = new int[Math.min(segments, MAX_SEGMENTS) + 1];
+      index.startOffsets = new long[index.firstWaypoint.length];
+      for (int i = 0; i < segments; i++) {
+        index.segments.add(new TimeSegment(in.readLong(), in.readLong()));
+        index.firstWaypoint[i] = in.readInt();
+        index.startOffsets[i] = in.readLong();
+      }
+      int waypoints = in.readInt();
+      if (waypoints < segments || (waypoints > 0) != (segments > 0)) {
+        return Optional.empty();
+      }
+      // At least as many bytes are there, so a count that lies takes no memory.
+      if (in.available() != 8L * waypoints * (1 + stateLongs)) {
+        return Optional.empty();
+      }
+      index.waypoints = waypoints;
+      index.lastsUs = longs(in, waypoints);
+      index.states = longs(in, waypoints * stateLongs);
+      int before = -1;
+      for (int i = 0; i < segments; i++) {
+        if (index.firstWaypoint[i] <= before || index.firstWaypoint[i] >= waypoints) {
+          return Optional.empty();
+        }
+        before = index.firstWaypoint[i];
+      }
+      return Optional.of(index);
+    } catch (EOFException | IllegalArgumentException | IndexOutOfBoundsException cannotBe) {
+      return Optional.empty();
+    }
+  }
+
+  private static long[] longs(DataInputStream in, int count) throws IOException {
+    long[] numbers = new long[count];
+    for (int i = 0; i < count; i++) {
+      numbers[i] = in.readLong();
+    }
+    return numbers;
   }
 
   private void startSegment(Path path, long offset) throws RecordingProblem {

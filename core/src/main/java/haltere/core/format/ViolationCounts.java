@@ -1,7 +1,9 @@
 package haltere.core.format;
 
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
+import java.util.Set;
 
 /**
  * Counts violations by kind and remembers where each kind was first seen.
@@ -117,9 +119,19 @@ public final class ViolationCounts {
    * @return for a person
    */
   public List<String> describe() {
+    return describe(EnumSet.noneOf(Violation.class));
+  }
+
+  /**
+   * A line per kind that was seen.
+   *
+   * @param told kinds that have been told otherwise and are left out
+   * @return for a person
+   */
+  public List<String> describe(Set<Violation> told) {
     List<String> lines = new ArrayList<>();
     for (Violation kind : KINDS) {
-      if (count(kind) > 0) {
+      if (count(kind) > 0 && !told.contains(kind)) {
         lines.add(
             kind == Violation.CUT_OFF
                 ? kind.sentence() + " (byte " + firstOffset(kind) + ")"

@@ -4,8 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.EventPacket;
+import haltere.core.event.Frame;
+import haltere.core.event.InertialSample;
 import haltere.core.event.Origin;
+import haltere.core.event.ReadingKind;
 import haltere.core.event.SensorGeometry;
+import haltere.core.event.Trigger;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.Recordings;
@@ -23,9 +27,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.SplittableRandom;
 import java.util.concurrent.TimeUnit;
+import java.util.zip.CRC32;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -106,6 +113,87 @@ class Aedat4PeersTest {
       expected.add("aedat" + facts);
     }
     assertEquals(Optional.of(expected), run(command.toArray(String[]::new)));
+  }
+
+  @Test
+  void twoOtherProgramsReadEveryFrameSampleAndTriggerThatWeWrite() throws IOException {
+    Path file = folder.resolve("readings.aedat4");
+    WriteOptions options = WriteOptions.of(SENSOR).withReadings(EnumSet.allOf(ReadingKind.class));
+    List<String> expected = new ArrayList<>();
+    try (RecordingWriter writer = Aedat4Writer.create(file, options, Aedat4Compression.LZ4)) {
+      EventPacket events = events();
+      for (int i = 0; i < 300; i++) {
+        long timeUs = events.firstTimeUs() + 1000L * i;
+        writer.write(
+            EventPackets.part(
+                events, events.indexAtOrAfter(timeUs - 1000), events.indexAtOrAfter(timeUs)));
+        expected.add(writeSample(writer, timeUs, i));
+        if (i % 10 == 0) {
+          expected.add(writeFrame(writer, timeUs, i));
+          expected.add(writeTrigger(writer, timeUs, i % 20 == 0));
+        }
+      }
+      assertEquals(List.of(), writer.losses());
+      writer.finish();
+    }
+    List<String> lines = run("readings", file.toString()).orElseThrow();
+    for (String program : List.of("dv-processing ", "aedat ")) {
+      List<String> seen =
+          lines.stream()
+              .filter(line -> line.startsWith(program))
+              .map(line -> line.substring(program.length()))
+              .sorted()
+              .toList();
+      assertEquals(expected.stream().sorted().toList(), seen, program);
+    }
+  }
+
+  private static String crc32(byte[] bytes) {
+    CRC32 crc = new CRC32();
+    crc.update(bytes);
+    return String.format("%08x", crc.getValue());
+  }
+
+  private static String writeSample(RecordingWriter writer, long timeUs, int number)
+      throws IOException {
+    ByteBuffer values = ByteBuffer.allocate(40).order(ByteOrder.LITTLE_ENDIAN);
+    float[] v = new float[10];
+    for (int i = 0; i < v.length; i++) {
+      v[i] = number / 8f + i;
+      values.putFloat(v[i]);
+    }
+    writer.write(
+        new InertialSample(timeUs, v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8], v[9]));
+    return "sample " + timeUs + " " + crc32(values.array());
+  }
+
+  private static String writeTrigger(RecordingWriter writer, long timeUs, boolean rising)
+      throws IOException {
+    Trigger.Edge edge = rising ? Trigger.Edge.RISING : Trigger.Edge.FALLING;
+    writer.write(new Trigger(timeUs, Trigger.Source.EXTERNAL_INPUT, edge, 0));
+    return "trigger " + timeUs + (rising ? " 1" : " 2");
+  }
+
+  /** A grey picture of a part of the sensor; the rows of the other programs count from the top. */
+  private static String writeFrame(RecordingWriter writer, long timeUs, int number)
+      throws IOException {
+    int width = 300 - number / 2;
+    int height = 200 + number / 6;
+    byte[] rows = new byte[width * height];
+    new SplittableRandom(number).nextBytes(rows);
+    writer.write(
+        new Frame(
+            new Frame.Times(timeUs, timeUs + 700, timeUs - 100, timeUs + 900),
+            number / 10,
+            4,
+            width,
+            height,
+            1,
+            Frame.Depth.UNSIGNED_8,
+            rows));
+    int top = SENSOR.height() - 4 - height;
+    String place = number / 10 + " " + top + " " + width + " " + height;
+    return "frame " + timeUs + " 700 " + place + " " + crc32(rows);
   }
 
   @Test

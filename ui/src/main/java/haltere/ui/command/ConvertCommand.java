@@ -4,14 +4,19 @@ import haltere.core.chain.FilterChain;
 import haltere.core.chain.FilterProvider;
 import haltere.core.chain.Filters;
 import haltere.core.event.EventPacket;
+import haltere.core.event.ReadingKind;
 import haltere.core.event.SensorGeometry;
+import haltere.core.event.SensorReading;
 import haltere.core.format.Conversion;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.RecordingWriter;
+import haltere.core.format.Violation;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -48,6 +53,14 @@ final class ConvertCommand extends Subcommand {
               + " in order.")
   List<String> filters = List.of();
 
+  @Option(
+      names = "--stream",
+      paramLabel = "NAME",
+      description =
+          "Write, instead of a recording, its inertial samples (imu) or triggers (triggers) to a"
+              + " table OUT, or its frames (frames) as PNG pictures to a new folder OUT.")
+  ReadingStream stream;
+
   @Mixin ReadingOptions reading;
   @Mixin WritingOptions writing;
 
@@ -58,6 +71,13 @@ final class ConvertCommand extends Subcommand {
   @Override
   public Integer call() throws IOException {
     checkArguments();
+    if (stream != null) {
+      checkStream();
+      writing.check(out);
+      WritingOptions.checkDifferent(in, out);
+      convertStream();
+      return OK;
+    }
     writing.checkRecording(out);
     WritingOptions.checkDifferent(in, out);
     convert();
@@ -79,10 +99,50 @@ final class ConvertCommand extends Subcommand {
     }
   }
 
+  private void checkStream() {
+    if (!filters.isEmpty()) {
+      throw wrongArguments("--filter works on events; leave it out with --stream");
+    }
+    if (stream != ReadingStream.FRAMES && !out.toString().endsWith(".csv")) {
+      throw wrongArguments("--stream writes a table; let " + out + " end in .csv");
+    }
+  }
+
+  private void convertStream() throws IOException {
+    long rows;
+    List<String> warnings = new ArrayList<>();
+    try (RecordingReader reader = reading.openWithReadings(in);
+        ProgressBar bar = progressBar("converting", in)) {
+      ReadingExport export =
+          new ReadingExport(
+              stream,
+              out,
+              writing.overwrite,
+              fromUs == null ? Long.MIN_VALUE : fromUs,
+              toUs == null ? Long.MAX_VALUE : toUs);
+      rows = export.run(reader, bar, () -> reading.requireWhole(reader));
+      warnings.addAll(reader.remarks());
+      warnings.addAll(reader.violations().describe(Set.of(Violation.OTHER_DATA)));
+    }
+    for (String warning : warnings) {
+      warning(in + ": " + warning);
+    }
+    ReadingKind kind =
+        switch (stream) {
+          case IMU -> ReadingKind.INERTIAL_SAMPLE;
+          case TRIGGERS -> ReadingKind.TRIGGER;
+          case FRAMES -> ReadingKind.FRAME;
+        };
+    if (rows == 0) {
+      warning(in + ": there are no " + kind.many() + (isPart() ? " in this stretch of time" : ""));
+    }
+    message("wrote " + out + " (" + kind.count(rows) + ")");
+  }
+
   private void convert() throws IOException {
     Conversion.Result done;
-    try (RecordingReader reader = reading.open(in);
-        RecordingWriter writer = new StrictWriter(writing.create(out, reader.geometry()), reader);
+    try (RecordingReader reader = reading.openWithReadings(in);
+        RecordingWriter writer = new StrictWriter(writing.create(out, reader), reader);
         ProgressBar bar = progressBar("converting", in)) {
       FilterChain chain = chain(reader.geometry());
       Conversion conversion =
@@ -106,6 +166,7 @@ final class ConvertCommand extends Subcommand {
             + " ("
             + Quantities.events(done.eventsWritten())
             + (filters.isEmpty() ? "" : " of " + Quantities.count(done.eventsRead()))
+            + (done.readingsWritten().isEmpty() ? "" : ", " + done.readingsWritten())
             + ")");
   }
 
@@ -135,6 +196,16 @@ final class ConvertCommand extends Subcommand {
     @Override
     public void write(EventPacket packet) throws IOException {
       writer.write(packet);
+    }
+
+    @Override
+    public boolean write(SensorReading given) throws IOException {
+      return writer.write(given);
+    }
+
+    @Override
+    public void writeThrough() throws IOException {
+      writer.writeThrough();
     }
 
     @Override

@@ -126,6 +126,11 @@ final class InfoCommand extends Subcommand {
     }
     object.put("gaps", gaps);
     object.put("warnings", summary.warnings());
+    if (!summary.readings().isEmpty()) {
+      object.put("frames", summary.readings().frames());
+      object.put("inertialSamples", summary.readings().inertialSamples());
+      object.put("triggers", summary.readings().triggers());
+    }
     return object;
   }
 
@@ -149,6 +154,9 @@ final class InfoCommand extends Subcommand {
             + " ON, "
             + Quantities.count(summary.off())
             + " OFF)");
+    if (!summary.readings().isEmpty()) {
+      line("also", summary.readings().toString());
+    }
     if (summary.events() == 0) {
       return;
     }

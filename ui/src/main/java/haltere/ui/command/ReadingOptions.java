@@ -44,6 +44,13 @@ final class ReadingOptions {
       description = "A recording that is cut off or damaged is an error (status 1).")
   boolean strict;
 
+  @Option(
+      names = "--index",
+      description =
+          "Keep the index that seeking needs beside the recording (FILE.haltere-index), for the"
+              + " next time.")
+  boolean index;
+
   /**
    * The options as the readers take them.
    *
@@ -59,15 +66,35 @@ final class ReadingOptions {
               + "; there are "
               + String.join(", ", Recordings.formats().keySet()));
     }
-    return new ReadOptions(
-        Optional.ofNullable(sensor),
-        Optional.ofNullable(format),
-        Optional.ofNullable(topic),
-        ReadOptions.DEFAULT.packetEvents());
+    ReadOptions said =
+        new ReadOptions(
+            Optional.ofNullable(sensor),
+            Optional.ofNullable(format),
+            Optional.ofNullable(topic),
+            ReadOptions.DEFAULT.packetEvents());
+    return said.withKeptIndex(index);
   }
 
   RecordingReader open(Path file) throws IOException {
-    return Recordings.open(file, readOptions());
+    return indexed(Recordings.open(file, readOptions()));
+  }
+
+  /** A reader that also gives frames, inertial samples and triggers. */
+  RecordingReader openWithReadings(Path file) throws IOException {
+    return indexed(Recordings.open(file, readOptions().withReadings(true)));
+  }
+
+  /** A user who asks for the index gets it even where nobody seeks. */
+  private RecordingReader indexed(RecordingReader reader) throws IOException {
+    if (index) {
+      try {
+        reader.segments();
+      } catch (IOException | RuntimeException e) {
+        reader.close();
+        throw e;
+      }
+    }
+    return reader;
   }
 
   /**

@@ -1,9 +1,12 @@
 package haltere.ui.command;
 
 import haltere.core.event.Origin;
+import haltere.core.event.ReadingKind;
 import haltere.core.event.SensorGeometry;
+import haltere.core.format.ReadingCounts;
 import haltere.core.format.RecordingFormat;
 import haltere.core.format.RecordingProblem;
+import haltere.core.format.RecordingReader;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.Recordings;
 import haltere.core.format.WriteOptions;
@@ -11,8 +14,10 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
+import java.util.EnumSet;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -81,8 +86,32 @@ final class WritingOptions {
    * @throws IOException if it cannot be written
    */
   RecordingWriter create(Path output, SensorGeometry geometry) throws IOException {
+    return create(output, geometry, Set.of());
+  }
+
+  /**
+   * Starts a recording in the format that its name ends in, for all that another one holds, as far
+   * as the format can.
+   *
+   * @param output where it will be
+   * @param reader the other recording
+   * @return an open writer
+   * @throws IOException if it cannot be written, or the other one not be read
+   */
+  RecordingWriter create(Path output, RecordingReader reader) throws IOException {
+    Set<ReadingKind> readings = EnumSet.noneOf(ReadingKind.class);
+    readings.addAll(Recordings.forWriting(output).writableReadings());
+    if (!readings.isEmpty()) {
+      ReadingCounts there = reader.countReadings();
+      readings.removeIf(kind -> there.of(kind) == 0);
+    }
+    return create(output, reader.geometry(), readings);
+  }
+
+  private RecordingWriter create(Path output, SensorGeometry geometry, Set<ReadingKind> readings)
+      throws IOException {
     WriteOptions options =
-        new WriteOptions(geometry, overwrite, Optional.ofNullable(origin), Map.of());
+        new WriteOptions(geometry, overwrite, Optional.ofNullable(origin), Map.of(), readings);
     RecordingFormat format = Recordings.forWriting(output);
     return format
         .create(output, options)

@@ -309,6 +309,11 @@ final class Aedat4Cursor implements EventCursor {
   }
 
   @Override
+  public long streamNumber() {
+    return eventStream;
+  }
+
+  @Override
   public int stateLongs() {
     return 4;
   }

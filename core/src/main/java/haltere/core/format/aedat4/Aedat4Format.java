@@ -1,6 +1,7 @@
 package haltere.core.format.aedat4;
 
 import haltere.core.event.Origin;
+import haltere.core.event.ReadingKind;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.DecodingReader;
 import haltere.core.format.FileHead;
@@ -20,6 +21,7 @@ import haltere.core.format.packed.DamagedPacketException;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
@@ -97,6 +99,11 @@ public final class Aedat4Format implements RecordingFormat {
     try (RecordingFile bytes = new RecordingFile(file)) {
       return Aedat4Header.read(bytes).streams();
     }
+  }
+
+  @Override
+  public Set<ReadingKind> writableReadings() {
+    return EnumSet.allOf(ReadingKind.class);
   }
 
   @Override

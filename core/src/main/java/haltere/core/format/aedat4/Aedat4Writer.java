@@ -2,6 +2,7 @@ package haltere.core.format.aedat4;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.event.SensorReading;
 import haltere.core.format.AtomicFile;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.WriteOptions;
@@ -12,15 +13,17 @@ import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.TreeMap;
 
 /**
- * Writes AEDAT-4.0 as DV does: one stream of events, rows counted from the top, a table of packets
- * at the end. The header is complete from the start and packets are written whole, so the file can
- * be read up to its last whole packet whenever its writer dies.
+ * Writes AEDAT-4.0 as DV does: a stream of events and those of readings that the options name, rows
+ * counted from the top, a table of packets at the end. The header is complete from the start and
+ * packets are written whole, so the file can be read up to its last whole packet whenever its
+ * writer dies.
  *
  * <p>Thread rule: one thread at a time.
  */
@@ -40,6 +43,7 @@ public final class Aedat4Writer implements RecordingWriter {
   private final BlockOutput output;
   private final byte[] packetHeader = new byte[PacketWalk.HEADER_BYTES];
   private long packetsEnd;
+  private final ReadingPackets readings;
   private boolean finished;
 
   @FunctionalInterface
@@ -66,6 +70,7 @@ public final class Aedat4Writer implements RecordingWriter {
     packed = new byte[packer.bound(payload.bytes().length)];
     output = new BlockOutput(channel);
     packetsEnd = output.position();
+    readings = new ReadingPackets(geometry.height(), options.readings(), this::writeReadings);
   }
 
   /**
@@ -120,8 +125,7 @@ public final class Aedat4Writer implements RecordingWriter {
     String source = Objects.requireNonNullElse(rest.remove(SOURCE), "haltere");
     SensorGeometry sensor = options.geometry();
     return Aedat4Header.write(
-        compression,
-        InfoNode.ofEvents(compression.name(), sensor.width(), sensor.height(), source, rest));
+        compression, InfoNode.of(compression.name(), sensor, source, rest, options.readings()));
   }
 
   @Override
@@ -130,6 +134,9 @@ public final class Aedat4Writer implements RecordingWriter {
     int from = 0;
     if (size > 0 && payload.events() > 0 && packet.firstTimeUs() < payload.lastUs()) {
       writeEvents();
+    }
+    if (size > 0) {
+      readings.reached(packet.lastTimeUs());
     }
     while (from < size) {
       from = payload.append(packet, from, size);
@@ -140,13 +147,32 @@ public final class Aedat4Writer implements RecordingWriter {
   }
 
   /**
-   * Writes the events up to now as a packet, so that a reader finds them.
+   * Writes a frame, an inertial sample or a trigger, if the options named its kind.
+   *
+   * @return false for a kind that they did not name, and for what the format has no number for
+   */
+  @Override
+  public boolean write(SensorReading reading) throws IOException {
+    return readings.add(reading);
+  }
+
+  private void writeReadings(int stream, byte[] reading, int elements, long firstUs, long lastUs)
+      throws IOException {
+    byte[] bytes = packer.pack(reading);
+    long start = output.position() + PacketWalk.HEADER_BYTES;
+    table.add(stream, start, bytes.length, elements, firstUs, lastUs);
+    writePacket(stream, bytes, bytes.length);
+  }
+
+  /**
+   * Writes events and readings up to now as packets, so that a reader finds them.
    *
    * @throws IOException if they cannot be written
    */
   @Override
   public void writeThrough() throws IOException {
     writeEvents();
+    readings.flush();
     output.flush();
   }
 
@@ -160,7 +186,7 @@ public final class Aedat4Writer implements RecordingWriter {
       size = packer.pack(payload.bytes(), size, EventPayload.HEADER_BYTES, packed, 0);
     }
     long start = output.position() + PacketWalk.HEADER_BYTES;
-    table.add(start, size, payload.events(), payload.firstUs(), payload.lastUs());
+    table.add(0, start, size, payload.events(), payload.firstUs(), payload.lastUs());
     payload.clear();
     writePacket(0, asItIs ? payload.bytes() : packed, size);
   }
@@ -178,9 +204,16 @@ public final class Aedat4Writer implements RecordingWriter {
 
   @Override
   public List<String> losses() {
-    return payload.outside() == 0
-        ? List.of()
-        : List.of(payload.outside() + " events outside of " + geometry + " were left out");
+    List<String> lines = new ArrayList<>();
+    if (payload.outside() > 0) {
+      lines.add(payload.outside() + " events outside of " + geometry + " were left out");
+    }
+    if (readings.channelsLost() > 0) {
+      lines.add(
+          readings.channelsLost()
+              + " triggers are of other inputs than the first, which the format does not tell");
+    }
+    return lines;
   }
 
   @Override
@@ -189,6 +222,7 @@ public final class Aedat4Writer implements RecordingWriter {
       throw new IllegalStateException("it is finished already");
     }
     writeEvents();
+    readings.flush();
     long tablePosition = output.position();
     byte[] packedTable = packer.pack(table.toBytes());
     output.write(packedTable, 0, packedTable.length);

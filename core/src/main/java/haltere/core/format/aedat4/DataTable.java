@@ -15,7 +15,7 @@ import java.util.Arrays;
 final class DataTable {
   static final String IDENTIFIER = "FTAB";
 
-  private static final int ENTRY_LONGS = 5;
+  private static final int ENTRY_LONGS = 6;
   private static final int ENTRY_BYTES = 48;
   private static final int MAX_ENTRIES = 1 << 25;
 
@@ -34,8 +34,8 @@ final class DataTable {
         || FlatTable.identifier(start, 0, start.length).equals(IDENTIFIER);
   }
 
-  /** Notes a packet of stream 0; beyond what a table can hold, nothing. */
-  void add(long payloadOffset, int size, int events, long firstUs, long lastUs) {
+  /** Notes a packet; beyond what a table can hold, nothing. */
+  void add(int stream, long payloadOffset, int size, int events, long firstUs, long lastUs) {
     if (count == MAX_ENTRIES) {
       return;
     }
@@ -48,6 +48,7 @@ final class DataTable {
     entries[at + 2] = events;
     entries[at + 3] = firstUs;
     entries[at + 4] = lastUs;
+    entries[at + 5] = stream;
   }
 
   /** The table as a buffer that starts with its size, laid out as DV does it. */
@@ -70,7 +71,7 @@ final class DataTable {
       int at = 4 + table;
       int entry = i * ENTRY_LONGS;
       LittleEndian.putInt(bytes, at, table - 24);
-      LittleEndian.putInt(bytes, at + 4, 0);
+      LittleEndian.putInt(bytes, at + 4, (int) entries[entry + 5]);
       LittleEndian.putInt(bytes, at + 8, (int) entries[entry + 1]);
       LittleEndian.putLong(bytes, at + 12, entries[entry]);
       LittleEndian.putLong(bytes, at + 20, entries[entry + 2]);

@@ -1,5 +1,7 @@
 package haltere.core.format.aedat4;
 
+import haltere.core.event.ReadingKind;
+import haltere.core.event.SensorGeometry;
 import haltere.core.format.packed.DamagedPacketException;
 import java.io.StringReader;
 import java.util.ArrayDeque;
@@ -8,7 +10,9 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import javax.xml.stream.XMLInputFactory;
 import javax.xml.stream.XMLStreamConstants;
 import javax.xml.stream.XMLStreamException;
@@ -19,6 +23,21 @@ final class InfoNode {
   private static final int MAX_DEPTH = 64;
   private static final int MAX_STREAMS = 1024;
   private static final int MAX_SIDE = 32 * 1024;
+
+  /** How DV calls and describes what it writes. */
+  private static final Map<String, String> OUTPUTS =
+      Map.of(
+          Aedat4Stream.EVENTS, "events",
+          ReadingPayload.FRAME, "frames",
+          ReadingPayload.INERTIAL, "imu",
+          ReadingPayload.TRIGGERS, "triggers");
+
+  private static final Map<String, String> DESCRIPTIONS =
+      Map.of(
+          Aedat4Stream.EVENTS, "Array of events (polarity ON/OFF).",
+          ReadingPayload.FRAME, "Standard frame.",
+          ReadingPayload.INERTIAL, "Inertial Measurement Unit data samples.",
+          ReadingPayload.TRIGGERS, "External triggers and special signals.");
 
   private InfoNode() {}
 
@@ -119,33 +138,57 @@ final class InfoNode {
     return side <= MAX_SIDE ? side : 0;
   }
 
-  /** Writes the description of one stream of events, as DV does. */
-  static String ofEvents(
-      String compression, int width, int height, String source, Map<String, String> metadata) {
+  /** Writes the description of a stream of events and of others beside it, as DV does. */
+  static String of(
+      String compression,
+      SensorGeometry sensor,
+      String source,
+      Map<String, String> metadata,
+      Set<ReadingKind> readings) {
     StringBuilder xml = new StringBuilder();
     xml.append("<dv version=\"2.0\">\n");
     xml.append("    <node name=\"outInfo\" path=\"/mainloop/Recorder/outInfo/\">\n");
-    xml.append("        <node name=\"0\" path=\"/mainloop/Recorder/outInfo/0/\">\n");
-    attribute(xml, 3, "compression", "string", compression);
-    attribute(xml, 3, "originalModuleName", "string", "haltere");
-    attribute(xml, 3, "originalOutputName", "string", "events");
-    attribute(xml, 3, "typeDescription", "string", "Array of events (polarity ON/OFF).");
-    attribute(xml, 3, "typeIdentifier", "string", Aedat4Stream.EVENTS);
-    xml.append("            <node name=\"info\"");
-    xml.append(" path=\"/mainloop/Recorder/outInfo/0/info/\">\n");
-    attribute(xml, 4, "sizeX", "int", Integer.toString(width));
-    attribute(xml, 4, "sizeY", "int", Integer.toString(height));
-    attribute(xml, 4, "source", "string", source);
-    attribute(xml, 4, "tsOffset", "long", "0");
-    xml.append("            </node>\n");
+    startStream(xml, 0, compression, Aedat4Stream.EVENTS);
+    info(xml, 0, Optional.of(sensor), source);
     if (!metadata.isEmpty()) {
       xml.append("            <node name=\"metadata\"");
       xml.append(" path=\"/mainloop/Recorder/outInfo/0/metadata/\">\n");
       new TreeMap<>(metadata).forEach((key, value) -> attribute(xml, 4, key, "string", value));
       xml.append("            </node>\n");
     }
-    xml.append("        </node>\n    </node>\n</dv>\n");
+    xml.append("        </node>\n");
+    for (ReadingKind kind : new TreeSet<>(readings)) {
+      int id = ReadingPackets.stream(kind);
+      startStream(xml, id, compression, ReadingPackets.type(kind));
+      info(xml, id, kind == ReadingKind.FRAME ? Optional.of(sensor) : Optional.empty(), source);
+      xml.append("        </node>\n");
+    }
+    xml.append("    </node>\n</dv>\n");
     return xml.toString();
+  }
+
+  private static void startStream(StringBuilder xml, int id, String compression, String type) {
+    xml.append("        <node name=\"").append(id);
+    xml.append("\" path=\"/mainloop/Recorder/outInfo/").append(id).append("/\">\n");
+    attribute(xml, 3, "compression", "string", compression);
+    attribute(xml, 3, "originalModuleName", "string", "haltere");
+    attribute(xml, 3, "originalOutputName", "string", OUTPUTS.get(type));
+    attribute(xml, 3, "typeDescription", "string", DESCRIPTIONS.get(type));
+    attribute(xml, 3, "typeIdentifier", "string", type);
+  }
+
+  private static void info(
+      StringBuilder xml, int id, Optional<SensorGeometry> size, String source) {
+    xml.append("            <node name=\"info\"");
+    xml.append(" path=\"/mainloop/Recorder/outInfo/").append(id).append("/info/\">\n");
+    size.ifPresent(
+        sensor -> {
+          attribute(xml, 4, "sizeX", "int", Integer.toString(sensor.width()));
+          attribute(xml, 4, "sizeY", "int", Integer.toString(sensor.height()));
+        });
+    attribute(xml, 4, "source", "string", source);
+    attribute(xml, 4, "tsOffset", "long", "0");
+    xml.append("            </node>\n");
   }
 
   private static void attribute(

@@ -10,9 +10,10 @@
  * <p><b>Rows.</b> DV counts from the top, jAER, which says that it was jAER, from the bottom; both
  * are turned to Haltere's upwards. We write as DV does.
  *
- * <p><b>What is not read yet.</b> Frames, inertial samples, triggers and other streams; each of
- * their packets counts as one of {@link haltere.core.format.Violation#OTHER_DATA}. {@link
- * haltere.core.format.aedat4.Aedat4Format#streams} lists them.
+ * <p><b>Other streams.</b> Frames, inertial samples and triggers are read if they are wanted; for
+ * who reads events each of their packets counts as one of {@link
+ * haltere.core.format.Violation#OTHER_DATA}. {@link
+ * haltere.core.format.aedat4.Aedat4Format#streams} lists all streams.
  *
  * <p><b>Damage.</b> A file that is cut, or whose writer died, is read up to its last whole packet.
  * Behind a damaged packet the next is found by its header, or, where that is damaged too, by

@@ -15,6 +15,7 @@ final class Evt21Writer extends EvtWriter {
   private static final int WORD_BYTES = 8;
   private static final int LOW_BITS = 6;
   private static final long TIME_HIGH = 8L << 60;
+  private static final long EXT_TRIGGER = 0xaL << 60;
 
   /** What events of a word have in common: all of the address but the place in the block. */
   private static final int BLOCK = ~(31 << EventAddress.X_SHIFT);
@@ -30,6 +31,21 @@ final class Evt21Writer extends EvtWriter {
   List<String> encodingLines() {
     return List.of(
         "endianness little", "evt 2.1", "format EVT21;height=" + (top + 1) + ";width=" + width);
+  }
+
+  @Override
+  int lastChannel() {
+    return 31;
+  }
+
+  @Override
+  void putTrigger(long timeUs, int channel, int value) throws IOException {
+    if (timeUs >> LOW_BITS != high) {
+      high = timeUs >> LOW_BITS;
+      moveTo(timeUs);
+    }
+    room(WORD_BYTES);
+    buffer.putLong(EXT_TRIGGER | (timeUs & 0x3f) << 54 | (long) channel << 40 | (long) value << 32);
   }
 
   @Override

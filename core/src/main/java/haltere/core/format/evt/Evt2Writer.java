@@ -12,6 +12,7 @@ final class Evt2Writer extends EvtWriter {
   private static final int WORD_BYTES = 4;
   private static final int LOW_BITS = 6;
   private static final int TIME_HIGH = 8 << 28;
+  private static final int EXT_TRIGGER = 0xa << 28;
 
   /** Time over 64 of the high part that was written last. */
   private long high = Long.MIN_VALUE;
@@ -23,6 +24,21 @@ final class Evt2Writer extends EvtWriter {
   @Override
   List<String> encodingLines() {
     return List.of("evt 2.0", "format EVT2;height=" + (top + 1) + ";width=" + width);
+  }
+
+  @Override
+  int lastChannel() {
+    return 31;
+  }
+
+  @Override
+  void putTrigger(long timeUs, int channel, int value) throws IOException {
+    if (timeUs >> LOW_BITS != high) {
+      high = timeUs >> LOW_BITS;
+      moveTo(timeUs);
+    }
+    room(WORD_BYTES);
+    buffer.putInt(EXT_TRIGGER | ((int) timeUs & 0x3f) << 22 | channel << 8 | value);
   }
 
   @Override

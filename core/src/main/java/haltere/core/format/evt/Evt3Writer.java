@@ -22,6 +22,7 @@ final class Evt3Writer extends EvtWriter {
   private static final int VECT_8 = 5 << 12;
   private static final int TIME_LOW = 6 << 12;
   private static final int TIME_HIGH = 8 << 12;
+  private static final int EXT_TRIGGER = 0xa << 12;
   private static final int LOW_BITS = 12;
   private static final int VECTOR = 32;
   private static final int SHORTEST_VECTOR = 5;
@@ -40,6 +41,30 @@ final class Evt3Writer extends EvtWriter {
   @Override
   List<String> encodingLines() {
     return List.of("evt 3.0", "format EVT3;height=" + (top + 1) + ";width=" + width);
+  }
+
+  @Override
+  int lastChannel() {
+    return 15;
+  }
+
+  @Override
+  void putTrigger(long timeUs, int channel, int value) throws IOException {
+    placeTime(timeUs);
+    room(GROUP_BYTES);
+    buffer.putShort((short) (EXT_TRIGGER | channel << 8 | value));
+  }
+
+  private void placeTime(long timeUs) throws IOException {
+    if (timeUs != lastUs || !placed) {
+      if (timeUs >> LOW_BITS != lastUs >> LOW_BITS || !placed) {
+        moveTo(timeUs);
+      }
+      placed = true;
+      lastUs = timeUs;
+      room(GROUP_BYTES);
+      buffer.putShort((short) (TIME_LOW | (int) timeUs & 0xfff));
+    }
   }
 
   @Override
@@ -64,17 +89,8 @@ final class Evt3Writer extends EvtWriter {
         i++;
         continue;
       }
-      if (timeUs != lastUs || !placed) {
-        if (timeUs >> LOW_BITS != lastUs >> LOW_BITS || !placed) {
-          moveTo(timeUs);
-        }
-        placed = true;
-        lastUs = timeUs;
-        room(GROUP_BYTES);
-        buffer.putShort((short) (TIME_LOW | (int) timeUs & 0xfff));
-      } else {
-        room(GROUP_BYTES);
-      }
+      placeTime(timeUs);
+      room(GROUP_BYTES);
       if (y != row) {
         row = y;
         buffer.putShort((short) y);

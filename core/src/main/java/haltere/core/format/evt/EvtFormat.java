@@ -1,5 +1,6 @@
 package haltere.core.format.evt;
 
+import haltere.core.event.ReadingKind;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.DecodingReader;
 import haltere.core.format.EventCursor;
@@ -21,6 +22,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 
 /** What the three encodings of Prophesee's RAW files have in common. */
 abstract sealed class EvtFormat implements RecordingFormat
@@ -56,6 +58,12 @@ abstract sealed class EvtFormat implements RecordingFormat
     return header
         .value("evt")
         .map(version -> "EVT" + version.replace(".0", "").replace(".", "").strip());
+  }
+
+  /** Edges on inputs; the words have no room for other triggers. */
+  @Override
+  public Set<ReadingKind> writableReadings() {
+    return Set.of(ReadingKind.TRIGGER);
   }
 
   @Override

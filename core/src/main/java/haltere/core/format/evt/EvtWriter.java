@@ -2,6 +2,8 @@ package haltere.core.format.evt;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.event.SensorReading;
+import haltere.core.event.Trigger;
 import haltere.core.format.AtomicFile;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingWriter;
@@ -78,16 +80,43 @@ abstract sealed class EvtWriter implements RecordingWriter
   /** Appends events that are on the sensor. */
   abstract void append(EventPacket packet) throws IOException;
 
+  /** Writes an edge on an input. */
+  abstract void putTrigger(long timeUs, int channel, int value) throws IOException;
+
+  /** Number of the last input that the words can tell. */
+  abstract int lastChannel();
+
   /** Writes a high part. */
   abstract void putHigh(int value) throws IOException;
 
   @Override
   public final void write(EventPacket packet) throws IOException {
-    if (!started && !packet.isEmpty()) {
-      long turns = Math.floorDiv(packet.firstTimeUs(), turnLengthUs);
-      start(turns >= 0 && turns <= MAX_START_TURNS ? 0 : turns * turnLengthUs);
+    if (!packet.isEmpty()) {
+      startAt(packet.firstTimeUs());
     }
     append(packet);
+  }
+
+  private void startAt(long timeUs) throws IOException {
+    if (!started) {
+      long turns = Math.floorDiv(timeUs, turnLengthUs);
+      start(turns >= 0 && turns <= MAX_START_TURNS ? 0 : turns * turnLengthUs);
+    }
+  }
+
+  /** Writes an edge on one of the camera's inputs; words for anything else there are none. */
+  @Override
+  public final boolean write(SensorReading reading) throws IOException {
+    if (!(reading instanceof Trigger trigger)
+        || trigger.source() != Trigger.Source.EXTERNAL_INPUT
+        || trigger.edge() == Trigger.Edge.PULSE
+        || trigger.channel() > lastChannel()) {
+      return false;
+    }
+    startAt(trigger.timeUs());
+    int value = trigger.edge() == Trigger.Edge.RISING ? 1 : 0;
+    putTrigger(trigger.timeUs(), trigger.channel(), value);
+    return true;
   }
 
   /** Counts an event that cannot be written. */

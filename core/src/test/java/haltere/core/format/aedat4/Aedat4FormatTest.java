@@ -28,6 +28,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -278,7 +279,7 @@ class Aedat4FormatTest extends RecordingFormatContract {
     EventPacket written = EventPackets.uniform(DAVIS346, 8, 900, 0, 9);
     write(file, DAVIS346, written);
     String info =
-        InfoNode.ofEvents("LZ4", 346, 260, "DAVIS346", Map.of()).replace(">haltere<", ">jAER<");
+        InfoNode.of("LZ4", DAVIS346, "DAVIS346", Map.of(), Set.of()).replace(">haltere<", ">jAER<");
     Files.write(file, withHeader(Files.readAllBytes(file), info, -2));
     EventPacket expected = EventPackets.copy(written);
     for (int i = 0; i < expected.size(); i++) {
@@ -320,7 +321,8 @@ class Aedat4FormatTest extends RecordingFormatContract {
         "<!DOCTYPE dv [<!ENTITY a SYSTEM \""
             + secret.toUri()
             + "\">]>"
-            + InfoNode.ofEvents("LZ4", 7777, 260, "x", Map.of()).replace("7777", "&a;");
+            + InfoNode.of("LZ4", new SensorGeometry(7777, 260), "x", Map.of(), Set.of())
+                .replace("7777", "&a;");
     Files.write(file, withHeader(Files.readAllBytes(file), info, -1));
     assertTrue(Aedat4Format.streams(file).stream().noneMatch(stream -> stream.width() == 346));
   }
@@ -333,7 +335,7 @@ class Aedat4FormatTest extends RecordingFormatContract {
     write(file, DAVIS346, first);
     Path other = folder.resolve("other.aedat4");
     write(other, DAVIS346, second);
-    String one = InfoNode.ofEvents("LZ4", 346, 260, "x", Map.of());
+    String one = InfoNode.of("LZ4", DAVIS346, "x", Map.of(), Set.of());
     int node = one.indexOf("        <node name=\"0\"");
     int end = one.indexOf("    </node>\n</dv>");
     String two = one.substring(0, end) + one.substring(node, end).replace("\"0\"", "\"4\"");
