@@ -19,10 +19,8 @@ import haltere.core.format.aedat4.Aedat4Writer;
 import haltere.testing.EventPackets;
 import haltere.testing.StreamRecorder;
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -31,56 +29,25 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
-import java.util.concurrent.TimeUnit;
 import java.util.zip.CRC32;
-import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
  * dv-processing and aedat read every event of what we write, and we of what dv-processing writes.
- * Needs a Python that has both: the one that the environment's HALTERE_PEERS names, else the one in
- * build/peers, where the continuous build installs them; skipped without.
+ * Skipped without them, see {@link PythonPrograms}.
  */
 class Aedat4PeersTest {
   private static final SensorGeometry SENSOR = new SensorGeometry(346, 260, Origin.TOP);
   private static final int EVENTS = 30_000;
 
   @TempDir Path folder;
-  private Path script;
+  private PythonPrograms programs;
 
   @BeforeEach
   void findPeers() throws IOException {
-    script = folder.resolve("aedat4.py");
-    try (InputStream in = Aedat4PeersTest.class.getResourceAsStream("/peers/aedat4.py")) {
-      Files.copy(in, script);
-    }
-    Assumptions.assumeTrue(
-        Files.isExecutable(python()) && run("check").isPresent(),
-        "there is no Python with dv-processing and aedat (HALTERE_PEERS names one)");
-  }
-
-  private static Path python() {
-    String named = System.getenv("HALTERE_PEERS");
-    return named != null ? Path.of(named) : Path.of("../build/peers/bin/python3");
-  }
-
-  /** Lines that the script printed, empty if it failed. */
-  private Optional<List<String>> run(String... arguments) throws IOException {
-    List<String> command = new ArrayList<>(List.of(python().toString(), script.toString()));
-    command.addAll(Arrays.asList(arguments));
-    Path errors = folder.resolve("errors.txt");
-    Process process = new ProcessBuilder(command).redirectError(errors.toFile()).start();
-    try (InputStream out = process.getInputStream()) {
-      String text = new String(out.readAllBytes(), StandardCharsets.UTF_8);
-      boolean done = process.waitFor(60, TimeUnit.SECONDS) && process.exitValue() == 0;
-      return done ? Optional.of(text.lines().toList()) : Optional.empty();
-    } catch (InterruptedException e) {
-      throw new IOException(e);
-    } finally {
-      process.destroy();
-    }
+    programs = PythonPrograms.orSkip("aedat4.py", folder);
   }
 
   private static EventPacket events() {
@@ -112,7 +79,7 @@ class Aedat4PeersTest {
       expected.add("dv-processing" + facts);
       expected.add("aedat" + facts);
     }
-    assertEquals(Optional.of(expected), run(command.toArray(String[]::new)));
+    assertEquals(Optional.of(expected), programs.run(command.toArray(String[]::new)));
   }
 
   @Test
@@ -136,7 +103,7 @@ class Aedat4PeersTest {
       assertEquals(List.of(), writer.losses());
       writer.finish();
     }
-    List<String> lines = run("readings", file.toString()).orElseThrow();
+    List<String> lines = programs.run("readings", file.toString()).orElseThrow();
     for (String program : List.of("dv-processing ", "aedat ")) {
       List<String> seen =
           lines.stream()
@@ -206,7 +173,7 @@ class Aedat4PeersTest {
     }
     Path raw = Files.write(folder.resolve("events.bin"), rows.array());
     String target = folder.resolve("theirs").toString();
-    assertTrue(run("write", raw.toString(), "346", "260", target).isPresent());
+    assertTrue(programs.run("write", raw.toString(), "346", "260", target).isPresent());
     for (Aedat4Compression compression : Aedat4Compression.values()) {
       StreamRecorder recorder = new StreamRecorder();
       try (RecordingReader reader =

@@ -1,0 +1,63 @@
+package haltere.testing.peers;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Assumptions;
+
+/**
+ * Other programs that read and write the same formats, behind a script that uses them. Needs a
+ * Python that has them: the one that the environment's HALTERE_PEERS names, else the one in
+ * build/peers, where the continuous build installs them.
+ */
+final class PythonPrograms {
+  private final Path script;
+  private final Path folder;
+
+  private PythonPrograms(Path script, Path folder) {
+    this.script = script;
+    this.folder = folder;
+  }
+
+  /** The programs that a script uses; the running test is skipped if they are not there. */
+  static PythonPrograms orSkip(String name, Path folder) throws IOException {
+    Path script = folder.resolve(name);
+    try (InputStream in = PythonPrograms.class.getResourceAsStream("/peers/" + name)) {
+      Files.copy(in, script);
+    }
+    PythonPrograms programs = new PythonPrograms(script, folder);
+    Assumptions.assumeTrue(
+        Files.isExecutable(python()) && programs.run("check").isPresent(),
+        "there is no Python with what " + name + " imports (HALTERE_PEERS names one)");
+    return programs;
+  }
+
+  private static Path python() {
+    String named = System.getenv("HALTERE_PEERS");
+    return named != null ? Path.of(named) : Path.of("../build/peers/bin/python3");
+  }
+
+  /** Lines that the script printed, empty if it failed. */
+  Optional<List<String>> run(String... arguments) throws IOException {
+    List<String> command = new ArrayList<>(List.of(python().toString(), script.toString()));
+    command.addAll(Arrays.asList(arguments));
+    Path errors = folder.resolve("errors.txt");
+    Process process = new ProcessBuilder(command).redirectError(errors.toFile()).start();
+    try (InputStream out = process.getInputStream()) {
+      String text = new String(out.readAllBytes(), StandardCharsets.UTF_8);
+      boolean done = process.waitFor(60, TimeUnit.SECONDS) && process.exitValue() == 0;
+      return done ? Optional.of(text.lines().toList()) : Optional.empty();
+    } catch (InterruptedException e) {
+      throw new IOException(e);
+    } finally {
+      process.destroy();
+    }
+  }
+}
