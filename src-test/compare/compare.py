@@ -5,9 +5,8 @@
 Installs the other programs, pinned, into build/compare/python (each by itself; one that cannot be had is left out),
 makes inputs in build/compare/inputs by repeating the recordings that HALTERE_RECORDINGS names, runs every program on
 one core (taskset -c 0) and on all, and writes build/compare/comparison.md. Files are in the page cache; the figure is the
-median of the runs, in million events a second. Ours are runs in one warm process: the first ones, in which the JVM still
-compiles, are left out (as many as there are runs, at most three); the first run of the others, in which some compile as
-well, is left out too. Needs Linux with taskset and a Python with venv; standard library only.
+median of the runs, in million events a second. Ours are runs of a warm JVM: it reads or writes the file for five seconds
+first. The first run of the others, in which some compile as well, is left out too. Needs Linux with taskset and a Python with venv; standard library only.
 """
 import argparse
 import os
@@ -25,17 +24,21 @@ PACKAGES = {
     "event-stream": ["event-stream==1.6.3"],
     "aedat": ["aedat==2.3.0"],
     "dv-processing": ["dv-processing==2.0.4"],
+    "dv-stores": ["dv-processing==2.0.4"],
     "eventcv": ["eventcv==1.0.8"],
     "tonic": ["tonic==1.7.0"],
 }
+
+# dv-stores: events of dv-processing that C++ can use, but that Python has not as arrays yet.
+AEDAT4 = ["faery", "dv-processing", "dv-stores", "aedat", "eventcv"]
 
 # Format: (how its input is made, programs that read it, what ours is to reach on one core and on two)
 READING = {
     "aedat2-dvs128": (("bytes", "dvs128-pendulum.aedat", 70, ".aedat"), ["tonic"], 200, None),
     "aedat2-davis": (("repeat", "davis240c-rotating-disk-imu-aps.aedat", "aedat2", ".aedat"), ["eventcv"], 150, None),
-    "aedat4-none": (("repeat", "dvxplorer-sample.aedat4", "aedat4-none", ".aedat4"), ["faery", "dv-processing", "aedat", "eventcv"], 200, None),
-    "aedat4-lz4": (("repeat", "dvxplorer-sample.aedat4", "aedat4-lz4", ".aedat4"), ["faery", "dv-processing", "aedat", "eventcv"], 60, 115),
-    "aedat4-zstd": (("repeat", "dvxplorer-sample.aedat4", "aedat4-zstd", ".aedat4"), ["faery", "dv-processing", "aedat", "eventcv"], 48, 90),
+    "aedat4-none": (("repeat", "dvxplorer-sample.aedat4", "aedat4-none", ".aedat4"), AEDAT4, 200, None),
+    "aedat4-lz4": (("repeat", "dvxplorer-sample.aedat4", "aedat4-lz4", ".aedat4"), AEDAT4, 60, 115),
+    "aedat4-zstd": (("repeat", "dvxplorer-sample.aedat4", "aedat4-zstd", ".aedat4"), AEDAT4, 48, 90),
     "evt2": (("repeat", "gen3-evt2.raw", "evt2", ".raw"), ["evutils", "faery", "expelliarmus", "eventcv"], 300, None),
     "evt21": (("bytes", "gen3-evt21-by-evutils.raw", 40, ".raw"), ["evutils"], 250, None),
     "evt3-dense": (("dense", None, "evt3", ".raw"), ["evutils", "evt3", "faery", "expelliarmus", "eventcv"], 200, None),
@@ -132,9 +135,6 @@ class Comparison:
     def ours(self, *arguments, memory=()):
         return ["java", *memory, "-cp", self.options.classpath, "haltere.testing.comparison.ComparedRuns", *arguments]
 
-    def warm(self):
-        return self.options.runs + min(3, self.options.runs)
-
     def make(self, name, how):
         """An input of about as many events as asked for; None if its recording is missing."""
         kind, recording, parameter, ending = how
@@ -212,7 +212,7 @@ class Comparison:
                 self.notes.append(f"{name}: left out, its recording or the program that writes it is missing")
                 continue
             file.read_bytes()  # into the page cache
-            ours = [self.run(self.ours("read", file, str(self.warm())), cores) for cores in (1, 2)]
+            ours = [self.run(self.ours("read", file, str(self.options.runs)), cores) for cores in (1, 2)]
             if any(isinstance(result, str) for result in ours):
                 self.notes.append(f"{name}: ours failed: {ours}")
                 continue
@@ -222,7 +222,7 @@ class Comparison:
                 if python is not None:
                     others.append((program, [python, self.tools, "read", program, name, file, str(self.options.runs + 1)]))
             lines.append(self.row(name, ours, others, (one, two)))
-            small = self.run(self.ours("read", file, "2", memory=MEMORY), 2)
+            small = self.run(self.ours("read", file, "2", memory=[*MEMORY, "-Dwarm=0"]), 2)
             told = small if isinstance(small, str) else f"{(small[2] - idle[2]) / 1024:.0f}"
             memory.append(f"| {name} | {told} |")
         return lines + [""] + memory
@@ -237,7 +237,7 @@ class Comparison:
             if events is None:
                 continue
             file = target.with_suffix(ending)
-            ours = [self.run(self.ours("write", events, name, file, str(self.warm())), cores) for cores in (1, 2)]
+            ours = [self.run(self.ours("write", events, name, file, str(self.options.runs)), cores) for cores in (1, 2)]
             if any(isinstance(result, str) for result in ours):
                 self.notes.append(f"{name}: ours failed: {ours}")
                 continue

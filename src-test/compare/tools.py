@@ -56,7 +56,7 @@ def aedat_read(kind, path):
     return sum(len(packet["events"]) for packet in aedat.Decoder(path) if "events" in packet)
 
 
-def dv_read(kind, path):
+def dv_read(kind, path, arrays=True):
     import dv_processing as dv
 
     reader = dv.io.MonoCameraRecording(path)
@@ -65,7 +65,7 @@ def dv_read(kind, path):
         batch = reader.getNextEventBatch()
         if batch is None:
             return count
-        count += batch.size()
+        count += len(batch.numpy()) if arrays else batch.size()
 
 
 def eventcv_read(kind, path):
@@ -95,6 +95,7 @@ READ = {
     "event-stream": eventstream_read,
     "aedat": aedat_read,
     "dv-processing": dv_read,
+    "dv-stores": lambda kind, path: dv_read(kind, path, arrays=False),
     "eventcv": eventcv_read,
     "tonic": tonic_read,
 }

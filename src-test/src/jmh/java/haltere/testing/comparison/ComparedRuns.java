@@ -20,7 +20,8 @@ import java.util.SplittableRandom;
 
 /**
  * Reads and writes recordings as an embedder would, and prints a line for each run: events and
- * seconds. The last line is {@code peak} and the most memory that the process has had, in KiB.
+ * seconds. Before that it does the same for some seconds, so that the JVM has compiled what it
+ * runs. The last line is {@code peak} and the most memory that the process has had, in KiB.
  *
  * <pre>
  * read FILE RUNS                           reads to the end with drainTo
@@ -34,6 +35,7 @@ import java.util.SplittableRandom;
 public final class ComparedRuns {
   private static final int PACKET = 8192;
   private static final long GAP_US = 1000;
+  private static final double WARM_SECONDS = Double.parseDouble(System.getProperty("warm", "5"));
 
   private ComparedRuns() {}
 
@@ -82,22 +84,38 @@ public final class ComparedRuns {
     System.out.println("peak " + peakKibibytes());
   }
 
-  private static void print(long events, long startNs) {
-    double seconds = (System.nanoTime() - startNs) / 1e9;
-    System.out.println(String.format(Locale.ROOT, "run %d %.6f", events, seconds));
+  /** Reads or writes a file once and says how many events that were. */
+  @FunctionalInterface
+  private interface Run {
+    long events() throws IOException;
+  }
+
+  private static void time(Run run, int runs) throws IOException {
+    long warmNs = System.nanoTime() + (long) (WARM_SECONDS * 1e9);
+    do {
+      run.events();
+    } while (System.nanoTime() < warmNs);
+    for (int i = 0; i < runs; i++) {
+      long startNs = System.nanoTime();
+      long events = run.events();
+      double seconds = (System.nanoTime() - startNs) / 1e9;
+      System.out.println(String.format(Locale.ROOT, "run %d %.6f", events, seconds));
+    }
   }
 
   private static void read(Path file, int runs) throws IOException {
-    for (int run = 0; run < runs; run++) {
-      long startNs = System.nanoTime();
-      Sum sum = new Sum();
-      try (RecordingReader reader = Recordings.open(file)) {
-        reader.drainTo(sum);
-      }
-      if (sum.lastUs == Long.MIN_VALUE) {
-        throw new IllegalStateException("no times");
-      }
-      print(sum.events, startNs);
+    Sum sum = new Sum();
+    time(
+        () -> {
+          sum.events = 0;
+          try (RecordingReader reader = Recordings.open(file)) {
+            reader.drainTo(sum);
+          }
+          return sum.events;
+        },
+        runs);
+    if (sum.lastUs == Long.MIN_VALUE) {
+      throw new IllegalStateException("no times");
     }
   }
 
@@ -138,17 +156,18 @@ public final class ComparedRuns {
     SensorGeometry sensor = sensor(from);
     List<EventPacket> packets = packets(from);
     long events = packets.stream().mapToLong(EventPacket::size).sum();
-    for (int run = 0; run < runs; run++) {
-      Files.deleteIfExists(to);
-      long startNs = System.nanoTime();
-      try (RecordingWriter writer = writer(format, to, sensor)) {
-        for (EventPacket packet : packets) {
-          writer.write(packet);
-        }
-        writer.finish();
-      }
-      print(events, startNs);
-    }
+    time(
+        () -> {
+          Files.deleteIfExists(to);
+          try (RecordingWriter writer = writer(format, to, sensor)) {
+            for (EventPacket packet : packets) {
+              writer.write(packet);
+            }
+            writer.finish();
+          }
+          return events;
+        },
+        runs);
   }
 
   private static void repeat(Path from, String format, Path to, int copies) throws IOException {
