@@ -191,7 +191,9 @@ def eventcv_write(kind, events, path):
     t, x, y, p, width, height = events
     table = np.stack([x.astype("i8"), y.astype("i8"), t, p.astype("i8")], axis=1)
     stream = eventcv.from_numpy(table, sensor_size=(width, height), time_unit="us")
-    return lambda: eventcv.save(stream, path)
+    # A .raw file is EVT2 unless it is told otherwise.
+    encoding = kind if kind in ("evt2", "evt3") else None
+    return lambda: eventcv.save(stream, path, format=encoding)
 
 
 WRITE = {
