@@ -15,6 +15,10 @@ import java.util.Arrays;
  */
 final class BirthPlaces {
   private static final double SIGMAS = 5;
+
+  /** How many times as many events as noise makes. */
+  private static final double CONTRAST = 1.6;
+
   private static final double NOISE_TIME_US = 500_000;
 
   /** Radial variance below which the events of a place are one flickering pixel, pixels squared. */
@@ -50,6 +54,7 @@ final class BirthPlaces {
 
   private long upkeep;
   private long strays;
+  private long sinceUpkeep;
   private long lastStrayAt;
   private double straysPerUpkeep;
   private double needed;
@@ -96,18 +101,26 @@ final class BirthPlaces {
     Arrays.fill(atUpkeep, 0);
     straysPerUpkeep = 0;
     strays = 0;
+    sinceUpkeep = 0;
     upkeep = 0;
     lastStrayAt = 0;
     crowd = CROWD;
     setNeeded();
   }
 
-  /** Time goes on by one upkeep, while clusters take the events of so many pixels. */
-  void upkeep(double coveredPixels) {
+  /**
+   * Time goes on by one upkeep.
+   *
+   * @param thinEvents events since the last one that clusters took and that may be noise
+   * @param densePixels pixels whose events clusters took that are none
+   */
+  void upkeep(double thinEvents, double densePixels) {
     upkeep++;
-    double free = Math.max(LEAST_FREE, 1 - coveredPixels / area);
-    straysPerUpkeep += Math.max(noiseGain, 1.0 / upkeep) * (strays / free - straysPerUpkeep);
+    double free = Math.max(LEAST_FREE, 1 - densePixels / area);
+    straysPerUpkeep +=
+        Math.max(noiseGain, 1.0 / upkeep) * ((strays + thinEvents) / free - straysPerUpkeep);
     strays = 0;
+    sinceUpkeep = 0;
     crowd = CROWD * (1 + straysPerUpkeep * recentUpkeeps / count.length);
     setNeeded();
   }
@@ -120,7 +133,7 @@ final class BirthPlaces {
   private void setNeeded() {
     // An edge of the sensor has fewer neighbours, which errs on the side of births.
     double noise = noiseOf(9.0 * (1 << 2 * shift));
-    needed = Math.max(leastEvents, noise + SIGMAS * Math.sqrt(noise));
+    needed = Math.max(leastEvents, Math.max(CONTRAST * noise, noise + SIGMAS * Math.sqrt(noise)));
   }
 
   /** Recent events that noise makes within an area of some pixels. */
@@ -143,6 +156,7 @@ final class BirthPlaces {
       firstUs[cell] = timeUs;
     }
     double share = count[cell] > 0 ? recent / count[cell] : 0;
+    sinceUpkeep++;
     if (recent < crowd) {
       strays++;
     }
@@ -180,7 +194,9 @@ final class BirthPlaces {
         }
       }
     }
-    if (events < needed) {
+    // What came since the last upkeep is not in the mean yet, at the beginning nothing is.
+    double noise = CONTRAST * sinceUpkeep * Math.min(1, 9.0 * (1 << 2 * shift) / area);
+    if (events < needed || events < noise) {
       return false;
     }
     bornX = x / events;

@@ -90,6 +90,16 @@ final class Cluster {
 
   double formGain;
 
+  /**
+   * Mean square and fourth power of what is left along (cos, sin): small if it is at two places.
+   */
+  double square;
+
+  double fourth;
+
+  /** Radius that the cluster has had for a while, pixels. */
+  double usualRadius;
+
   /** Share of ON events less that of OFF events, -1 to 1. */
   double balance;
 
@@ -143,6 +153,10 @@ final class Cluster {
   long supportedUs;
 
   long keptUntilUs;
+
+  /** Before this it is not seen: it may turn out to be a part of another one. */
+  long unseenUntilUs;
+
   boolean mayMerge;
   boolean overlapped;
 
@@ -225,6 +239,10 @@ final class Cluster {
     cxy += formGain * (ex * ey - cxy);
     cyy += formGain * (ey * ey - cyy);
     balance += formGain * (sign - balance);
+    double along = ex * cos + ey * sin;
+    along *= along;
+    square += formGain * (along - square);
+    fourth += formGain * (along * along - fourth);
     mass++;
     fresh++;
     events++;

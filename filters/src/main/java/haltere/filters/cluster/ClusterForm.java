@@ -26,6 +26,24 @@ final class ClusterForm {
   /** A settled cluster grows by no more than the factor e in this time. */
   private static final double GROWTH_TIME_US = 250_000;
 
+  /** The same for a young one. */
+  private static final double YOUNG_GROWTH_TIME_US = 40_000;
+
+  /** A radius is usual after about this time. */
+  private static final double USUAL_TIME_US = 1_000_000;
+
+  /** How much larger than usual a cluster is whose things part. */
+  private static final double PARTING = 1.1;
+
+  /**
+   * Fourth moment over the square of the second, below which events are at two places: 1 for two
+   * points, 1.8 for an even spread, 3 for a Gaussian one.
+   */
+  private static final double TWO_PLACES = 1.5;
+
+  /** Share of the spread along the two places that is the distance between them. */
+  private static final double WITHIN = 0.85;
+
   private static final long SETTLED_US = 150_000;
 
   private final ClusterFormSettings form;
@@ -37,6 +55,8 @@ final class ClusterForm {
   private final double vanishingY;
   private final double scalePerPixel;
   private final double growthFactor;
+  private final double youngGrowthFactor;
+  private final double usualGain;
   private final double surround;
   private final double fixedCos;
   private final double fixedSin;
@@ -51,6 +71,8 @@ final class ClusterForm {
     vanishingY = perspective.vanishingY() * (geometry.height() - 1);
     scalePerPixel = 1.0 / geometry.longerSide();
     growthFactor = StrictMath.exp(all.output().upkeepUs() / GROWTH_TIME_US);
+    youngGrowthFactor = StrictMath.exp(all.output().upkeepUs() / YOUNG_GROWTH_TIME_US);
+    usualGain = 1 - StrictMath.exp(-all.output().upkeepUs() / USUAL_TIME_US);
     surround = growth.size() || all.events().inhibition() > 0 ? growth.surround() : 1;
     fixedCos = StrictMath.cos(StrictMath.toRadians(form.angleDeg()));
     fixedSin = StrictMath.sin(StrictMath.toRadians(form.angleDeg()));
@@ -80,11 +102,18 @@ final class ClusterForm {
     cluster.cos = fixedCos;
     cluster.sin = fixedSin;
     invert(cluster);
-    upkeep(cluster, cluster.bornUs);
+    cluster.square = variance;
+    cluster.fourth = 3 * variance * variance;
+    cluster.usualRadius = radius;
+    upkeep(cluster, cluster.bornUs, 0);
   }
 
-  /** Works out the region from the spread. */
-  void upkeep(Cluster cluster, long timeUs) {
+  /**
+   * Works out the region from the spread.
+   *
+   * @param noise share of the cluster's events that are noise, evenly spread over its region
+   */
+  void upkeep(Cluster cluster, long timeUs, double noise) {
     double settled = Math.min(growth.events(), cluster.events + 8.0);
     cluster.formGain = 1 / settled;
     cluster.leadGain = edges ? 1 / settled : 0;
@@ -99,10 +128,75 @@ final class ClusterForm {
     turn(cluster, sxx, sxy, syy);
     double c = cluster.cos;
     double s = cluster.sin;
-    double along = RADII * Math.sqrt(c * c * sxx + 2 * c * s * sxy + s * s * syy);
-    double across = RADII * Math.sqrt(Math.max(0, s * s * sxx - 2 * c * s * sxy + c * c * syy));
+    double along = c * c * sxx + 2 * c * s * sxy + s * s * syy;
+    double across = s * s * sxx - 2 * c * s * sxy + c * c * syy;
+    if (noise > 0) {
+      along = withoutNoise(along, cluster.radiusA, noise);
+      across = withoutNoise(across, cluster.radiusB, noise);
+    }
+    along = RADII * Math.sqrt(Math.max(0, along));
+    across = RADII * Math.sqrt(Math.max(0, across));
     setRadii(cluster, along, across, timeUs);
     setRegion(cluster);
+  }
+
+  /** Takes from a variance what evenly spread noise adds: a quarter of the squared half axis. */
+  private double withoutNoise(double variance, double radius, double noise) {
+    double reach = radius * surround;
+    return (variance - noise * 0.25 * reach * reach) / (1 - noise);
+  }
+
+  /**
+   * Whether a cluster grows because its events are at two places that part: two things that were
+   * taken for one.
+   */
+  boolean isParting(Cluster cluster, long timeUs) {
+    return growth.size()
+        && timeUs - cluster.bornUs > SETTLED_US
+        && !cluster.overlapped
+        && cluster.radius() > PARTING * cluster.usualRadius
+        && cluster.fourth < TWO_PLACES * cluster.square * cluster.square;
+  }
+
+  /** Gives both parts of a cluster what is left of its spread once that between them is gone. */
+  void part(Cluster cluster, Cluster born, long timeUs) {
+    double between = cluster.square * WITHIN;
+    double c = cluster.cos;
+    double s = cluster.sin;
+    cluster.cxx -= between * c * c;
+    cluster.cxy -= between * c * s;
+    cluster.cyy -= between * s * s;
+    cluster.square -= between;
+    cluster.fourth = 3 * cluster.square * cluster.square;
+    born.cxx = cluster.cxx;
+    born.cxy = cluster.cxy;
+    born.cyy = cluster.cyy;
+    born.square = cluster.square;
+    born.fourth = cluster.fourth;
+    born.leadX = cluster.leadX;
+    born.leadY = cluster.leadY;
+    born.balance = cluster.balance;
+    born.cos = c;
+    born.sin = s;
+    born.radiusA = cluster.radiusA;
+    born.radiusB = cluster.radiusB;
+    upkeep(cluster, timeUs, 0);
+    upkeep(born, timeUs, 0);
+    cluster.usualRadius = cluster.radius();
+    born.usualRadius = born.radius();
+  }
+
+  /** Takes a form that has changed at once as the usual one. */
+  void settle(Cluster cluster, long timeUs) {
+    cluster.square =
+        cluster.cxx * cluster.cos * cluster.cos
+            + 2 * cluster.cxy * cluster.cos * cluster.sin
+            + cluster.cyy * cluster.sin * cluster.sin;
+    cluster.fourth = 3 * cluster.square * cluster.square;
+    cluster.radiusA = Double.POSITIVE_INFINITY;
+    cluster.radiusB = Double.POSITIVE_INFINITY;
+    upkeep(cluster, timeUs, 0);
+    cluster.usualRadius = cluster.radius();
   }
 
   private void setRadii(Cluster cluster, double along, double across, long timeUs) {
@@ -121,10 +215,9 @@ final class ClusterForm {
     if (growth.size()) {
       double least = Math.max(LEAST_RADIUS, scaled / growth.mostScale());
       double most = Math.max(least, scaled * growth.mostScale());
-      if (timeUs - cluster.bornUs > SETTLED_US) {
-        a = Math.min(a, cluster.radiusA * growthFactor);
-        b = Math.min(b, cluster.radiusB * growthFactor);
-      }
+      double faster = timeUs - cluster.bornUs > SETTLED_US ? growthFactor : youngGrowthFactor;
+      a = Math.min(a, cluster.radiusA * faster);
+      b = Math.min(b, cluster.radiusB * faster);
       a = Math.min(most, Math.max(least, a));
       b = Math.min(most, Math.max(least, b));
     } else {
@@ -134,6 +227,11 @@ final class ClusterForm {
     }
     cluster.radiusA = a;
     cluster.radiusB = b;
+    double radius = cluster.radius();
+    cluster.usualRadius =
+        radius < cluster.usualRadius || timeUs - cluster.bornUs <= SETTLED_US
+            ? radius
+            : cluster.usualRadius + usualGain * (radius - cluster.usualRadius);
   }
 
   /** Chooses the direction of the first half axis. */

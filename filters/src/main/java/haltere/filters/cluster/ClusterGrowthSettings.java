@@ -40,6 +40,6 @@ public record ClusterGrowthSettings(
    * @return the size follows 100 events, up to 6 times larger or smaller
    */
   public static ClusterGrowthSettings defaults() {
-    return new ClusterGrowthSettings(true, false, 6, 1.45, 100);
+    return new ClusterGrowthSettings(true, false, 6, 1.3, 100);
   }
 }

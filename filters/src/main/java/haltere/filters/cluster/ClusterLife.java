@@ -8,12 +8,28 @@ import haltere.filters.cluster.ClusterMotionSettings.Start;
 /** Births, visibility and deaths of clusters. */
 final class ClusterLife {
   /** Recent events below which a cluster has no support, whatever noise there is. */
-  private static final double LEAST_SUPPORT = 2;
+  private static final double LEAST_SUPPORT = 4;
 
   /** Standard deviations of a Poisson count above noise, to be seen and to be supported. */
   private static final double SEEN_SIGMAS = 4;
 
-  private static final double SUPPORTED_SIGMAS = 2;
+  private static final double SUPPORTED_SIGMAS = 3;
+
+  /** How many times as many events as noise makes, to be seen and to be supported. */
+  private static final double SEEN_CONTRAST = 1.6;
+
+  private static final double SUPPORTED_CONTRAST = 1.3;
+
+  /** A cluster with fewer than this many times the events of noise may be noise. */
+  private static final double THIN = 2;
+
+  /** A part of a cluster is seen when it has stayed apart for this time. */
+  private static final long PARTING_US = 60_000;
+
+  private static final double MOST_NOISE = 0.9;
+
+  /** A cluster that was never seen does not live on for longer than this without support. */
+  private static final long UNSEEN_LIFETIME_US = 20_000;
 
   private final ClusterLifeSettings settings;
   private final BirthPlaces places;
@@ -43,11 +59,39 @@ final class ClusterLife {
     born.events = Math.round(places.bornEvents());
     born.supportedUs = timeUs;
     born.keptUntilUs = Long.MIN_VALUE;
+    born.unseenUntilUs = Long.MIN_VALUE;
     born.mayMerge = true;
     born.overlapped = false;
     born.path.clear();
     born.clearBatch(timeUs);
     setVelocity(born, clusters, count);
+  }
+
+  /** Parts a cluster that has grown over two things; the newborn one is the second. */
+  void part(Cluster cluster, Cluster born, long timeUs) {
+    double distance = Math.sqrt(cluster.square);
+    double dx = distance * cluster.cos;
+    double dy = distance * cluster.sin;
+    born.x = cluster.x + dx;
+    born.y = cluster.y + dy;
+    born.vx = cluster.vx;
+    born.vy = cluster.vy;
+    born.atUs = timeUs;
+    born.bornUs = timeUs;
+    born.lastUs = timeUs;
+    born.id = 0;
+    born.events = cluster.events / 2;
+    born.mass = 0.5 * cluster.mass;
+    born.supportedUs = timeUs;
+    born.keptUntilUs = Long.MIN_VALUE;
+    born.unseenUntilUs = timeUs + PARTING_US;
+    born.mayMerge = true;
+    born.overlapped = true;
+    born.path.clear();
+    born.clearBatch(timeUs);
+    cluster.x -= dx;
+    cluster.y -= dy;
+    cluster.mass *= 0.5;
   }
 
   private void setVelocity(Cluster born, Cluster[] clusters, int count) {
@@ -73,7 +117,8 @@ final class ClusterLife {
   boolean isOver(Cluster cluster, long timeUs) {
     cluster.mass *= massDecay;
     double noise = noise(cluster);
-    if (cluster.mass > Math.max(LEAST_SUPPORT, noise + SUPPORTED_SIGMAS * Math.sqrt(noise))) {
+    if (cluster.mass
+        > Math.max(LEAST_SUPPORT, moreThan(noise, SUPPORTED_CONTRAST, SUPPORTED_SIGMAS))) {
       cluster.supportedUs = timeUs;
     }
     if (isOutside(cluster)) {
@@ -81,8 +126,40 @@ final class ClusterLife {
     }
     long silentUs = timeUs - cluster.lastUs;
     long weakUs = timeUs - cluster.supportedUs;
-    return timeUs > cluster.keptUntilUs
-        && (silentUs > settings.lifetimeUs() || weakUs > settings.lifetimeUs());
+    long lifetimeUs =
+        cluster.isVisible()
+            ? settings.lifetimeUs()
+            : Math.min(settings.lifetimeUs(), UNSEEN_LIFETIME_US);
+    return timeUs > cluster.keptUntilUs && (silentUs > lifetimeUs || weakUs > lifetimeUs);
+  }
+
+  /**
+   * Measures the noise wherever there is no cluster, and within clusters that are so thin that they
+   * may be noise themselves.
+   */
+  void measureNoise(Cluster[] clusters, int count) {
+    double thinEvents = 0;
+    double densePixels = 0;
+    for (int i = 0; i < count; i++) {
+      Cluster cluster = clusters[i];
+      double pixels = Math.PI * cluster.extentX * cluster.extentY;
+      if (cluster.mass < THIN * places.noiseOf(pixels)) {
+        thinEvents += cluster.fresh;
+      } else {
+        densePixels += pixels;
+      }
+    }
+    places.upkeep(thinEvents, densePixels);
+  }
+
+  /** Share of a cluster's events that are noise. */
+  double noiseShare(Cluster cluster) {
+    double noise = places.noiseOf(Math.PI * cluster.extentX * cluster.extentY);
+    return Math.min(MOST_NOISE, noise / Math.max(1, cluster.mass));
+  }
+
+  private static double moreThan(double noise, double contrast, double sigmas) {
+    return Math.max(contrast * noise, noise + sigmas * Math.sqrt(noise));
   }
 
   private double noise(Cluster cluster) {
@@ -103,10 +180,13 @@ final class ClusterLife {
   }
 
   /** Whether a cluster is to become visible. */
-  boolean isToBeSeen(Cluster cluster) {
+  boolean isToBeSeen(Cluster cluster, long timeUs) {
+    if (timeUs < cluster.unseenUntilUs) {
+      return false;
+    }
     double pixels = Math.PI * cluster.radiusA * cluster.radiusB;
     double noise = places.noiseOf(pixels);
-    if (cluster.mass < noise + SEEN_SIGMAS * Math.sqrt(noise)) {
+    if (cluster.mass < moreThan(noise, SEEN_CONTRAST, SEEN_SIGMAS)) {
       return false;
     }
     double least = settings.leastSpeedPxPerS();

@@ -11,8 +11,14 @@ final class ClusterMerging {
   /** Standard deviations by which two velocities must differ to be different. */
   private static final double SIGMAS = 3;
 
-  /** Two that will be a radius farther apart in this time move differently. */
+  /** Two that will be their radii farther apart in this time move differently. */
   private static final double FORESIGHT_S = 0.5;
+
+  /** The same for two that were never seen apart: parts of one thing move differently as well. */
+  private static final double ONE_FORESIGHT_S = 0.2;
+
+  /** How much nearer two that were seen apart must be to be one after all. */
+  private static final double TWO_NEAR = 0.85;
 
   /** How many radii apart clusters are seen as two. */
   private static final double APART = 1.2;
@@ -23,7 +29,8 @@ final class ClusterMerging {
   /** Balance from which on a cluster has events of one polarity only. */
   private static final double ONE_SIDED = 0.8;
 
-  private static final long GROWN_UP_US = 50_000;
+  /** Two that were apart for this time are two things. */
+  private static final int SEEN_APART_US = 60_000;
 
   private ClusterMergingSettings settings;
   private double differentCos;
@@ -32,7 +39,8 @@ final class ClusterMerging {
   /** How long each pair has been near and alike, microseconds, by slots. */
   private int[] togetherUs = new int[0];
 
-  private boolean[] apart = new boolean[0];
+  /** How long each pair has been apart, both visible, microseconds, by slots. */
+  private int[] apartUs = new int[0];
 
   void apply(ClusterMergingSettings newSettings, int mostClusters) {
     settings = newSettings;
@@ -40,7 +48,7 @@ final class ClusterMerging {
     if (slots != mostClusters) {
       slots = mostClusters;
       togetherUs = new int[slots * slots];
-      apart = new boolean[slots * slots];
+      apartUs = new int[slots * slots];
     }
   }
 
@@ -49,13 +57,18 @@ final class ClusterMerging {
     for (int other = 0; other < slots; other++) {
       int pair = pair(cluster.slot, other);
       togetherUs[pair] = 0;
-      apart[pair] = false;
+      apartUs[pair] = 0;
     }
+  }
+
+  /** Two that have just parted are two. */
+  void keepApart(Cluster first, Cluster second) {
+    apartUs[pair(first.slot, second.slot)] = SEEN_APART_US;
   }
 
   void reset() {
     Arrays.fill(togetherUs, 0);
-    Arrays.fill(apart, false);
+    Arrays.fill(apartUs, 0);
   }
 
   private int pair(int first, int second) {
@@ -67,14 +80,14 @@ final class ClusterMerging {
    *
    * @return whether they are to merge now
    */
-  boolean unite(Cluster first, Cluster second, int upkeepUs, long timeUs) {
+  boolean unite(Cluster first, Cluster second, int upkeepUs) {
     double dx = second.x - first.x;
     double dy = second.y - first.y;
     boolean edges = areTwoEdges(first, second);
     double far = edges ? EDGES_APART : 1;
     if (Math.abs(dx) > far * (first.extentX + second.extentX)
         || Math.abs(dy) > far * (first.extentY + second.extentY)) {
-      note(first, second, timeUs);
+      note(first, second, upkeepUs);
       return false;
     }
     double distance = Math.sqrt(dx * dx + dy * dy);
@@ -83,31 +96,28 @@ final class ClusterMerging {
       first.overlapped = true;
       second.overlapped = true;
     } else if (!edges) {
-      note(first, second, timeUs);
+      note(first, second, upkeepUs);
       return false;
     }
     if (!settings.allowed() || !first.mayMerge || !second.mayMerge) {
       return false;
     }
     int pair = pair(first.slot, second.slot);
-    double near = edges ? EDGES_APART : settings.overlap();
-    if (distance > near * reach || moveDifferently(first, second, reach)) {
+    boolean two = apartUs[pair] >= SEEN_APART_US && !edges;
+    double near = edges ? EDGES_APART : two ? TWO_NEAR * settings.overlap() : settings.overlap();
+    if (distance > near * reach || moveDifferently(first, second, reach, two)) {
       togetherUs[pair] = 0;
       return false;
     }
     togetherUs[pair] = Math.min(1 << 30, togetherUs[pair] + upkeepUs);
-    return togetherUs[pair]
-        >= (apart[pair] && !edges ? settings.seenApartUs() : settings.seenTogetherUs());
+    return togetherUs[pair] >= (two ? settings.seenApartUs() : settings.seenTogetherUs());
   }
 
-  private void note(Cluster first, Cluster second, long timeUs) {
+  private void note(Cluster first, Cluster second, int upkeepUs) {
     int pair = pair(first.slot, second.slot);
     togetherUs[pair] = 0;
-    if (!apart[pair]
-        && first.isVisible()
-        && second.isVisible()
-        && timeUs - Math.max(first.bornUs, second.bornUs) > GROWN_UP_US) {
-      apart[pair] = true;
+    if (apartUs[pair] < SEEN_APART_US && first.isVisible() && second.isVisible()) {
+      apartUs[pair] += upkeepUs;
     }
   }
 
@@ -117,7 +127,7 @@ final class ClusterMerging {
         && Math.min(Math.abs(first.balance), Math.abs(second.balance)) > ONE_SIDED;
   }
 
-  private boolean moveDifferently(Cluster first, Cluster second, double reach) {
+  private boolean moveDifferently(Cluster first, Cluster second, double reach, boolean two) {
     double dvx = first.vx - second.vx;
     double dvy = first.vy - second.vy;
     double difference = dvx * dvx + dvy * dvy;
@@ -125,14 +135,15 @@ final class ClusterMerging {
     if (difference <= noise) {
       return false;
     }
-    if (difference * FORESIGHT_S * FORESIGHT_S > reach * reach) {
+    double foresightS = two ? FORESIGHT_S : ONE_FORESIGHT_S;
+    if (difference * foresightS * foresightS > reach * reach) {
       return true;
     }
     double product = first.vx * second.vx + first.vy * second.vy;
     double lengths =
         (first.vx * first.vx + first.vy * first.vy)
             * (second.vx * second.vx + second.vy * second.vy);
-    return product < differentCos * Math.sqrt(lengths);
+    return two && product < differentCos * Math.sqrt(lengths);
   }
 
   /** Whether the first of two clusters keeps its identity: a visible one, else the heavier one. */

@@ -50,9 +50,9 @@ public record ClusterMergingSettings(
   /**
    * The default rule.
    *
-   * @return near at 0.8 of both radii, 60 degrees, 20 ms, 1 s, sizes joined
+   * @return near at 0.6 of both radii, 60 degrees, 20 ms, 1 s, sizes joined
    */
   public static ClusterMergingSettings defaults() {
-    return new ClusterMergingSettings(true, 0.8, 60, 20_000, 1_000_000, true);
+    return new ClusterMergingSettings(true, 0.6, 60, 20_000, 1_000_000, true);
   }
 }

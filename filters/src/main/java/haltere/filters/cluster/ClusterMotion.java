@@ -22,6 +22,7 @@ final class ClusterMotion {
   /** How much faster a memory shortens than it grows. */
   private static final double HASTE = 4;
 
+  private static final double PARTED_MEMORY_S = 0.05;
   private static final double LEAST_MEMORY_S = 0.004;
   private static final double LEAST_EVENTS = 12;
   private static final double GREATEST_GAIN = 0.5;
@@ -54,6 +55,12 @@ final class ClusterMotion {
     cluster.driftY = 0;
     cluster.fresh = 0;
     setGains(cluster);
+  }
+
+  /** Lets both parts of a cluster find their own motion, beginning with what it had. */
+  void part(Cluster cluster, Cluster born) {
+    begin(born, 0.5 * cluster.rateHz * PARTED_MEMORY_S, PARTED_MEMORY_S);
+    begin(cluster, 0.5 * cluster.rateHz * PARTED_MEMORY_S, PARTED_MEMORY_S);
   }
 
   /** Takes over new settings. */

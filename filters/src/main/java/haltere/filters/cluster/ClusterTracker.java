@@ -129,7 +129,7 @@ public final class ClusterTracker {
     life = new ClusterLife(geometry, settings, places);
     makeRoom(settings.output().mostClusters());
     for (int i = 0; i < count; i++) {
-      form.upkeep(clusters[i], clusters[i].atUs);
+      form.upkeep(clusters[i], clusters[i].atUs, 0);
       motion.setGains(clusters[i]);
     }
     index();
@@ -394,11 +394,7 @@ public final class ClusterTracker {
   }
 
   private void upkeep(long timeUs) {
-    double covered = 0;
-    for (int i = 0; i < count; i++) {
-      covered += 4 * clusters[i].extentX * clusters[i].extentY;
-    }
-    places.upkeep(covered);
+    life.measureNoise(clusters, count);
     for (int i = count - 1; i >= 0; i--) {
       Cluster cluster = clusters[i];
       cluster.moveTo(timeUs);
@@ -406,16 +402,28 @@ public final class ClusterTracker {
         remove(i);
       } else {
         motion.upkeep(cluster, timeUs);
-        form.upkeep(cluster, timeUs);
+        form.upkeep(cluster, timeUs, life.noiseShare(cluster));
+        if (count < clusters.length && form.isParting(cluster, timeUs)) {
+          part(cluster, timeUs);
+        }
       }
     }
     merge(timeUs);
     for (int i = 0; i < count; i++) {
-      if (!clusters[i].isVisible() && life.isToBeSeen(clusters[i])) {
+      if (!clusters[i].isVisible() && life.isToBeSeen(clusters[i], timeUs)) {
         clusters[i].id = ++lastId;
       }
     }
     index();
+  }
+
+  private void part(Cluster cluster, long timeUs) {
+    Cluster born = clusters[count++];
+    merging.forget(born);
+    life.part(cluster, born, timeUs);
+    form.part(cluster, born, timeUs);
+    motion.part(cluster, born);
+    merging.keepApart(cluster, born);
   }
 
   private void merge(long timeUs) {
@@ -424,12 +432,12 @@ public final class ClusterTracker {
     }
     for (int i = 0; i < count; i++) {
       for (int j = i + 1; j < count; j++) {
-        if (merging.unite(clusters[i], clusters[j], (int) upkeepUs, timeUs)) {
+        if (merging.unite(clusters[i], clusters[j], (int) upkeepUs)) {
           boolean firstStays = ClusterMerging.isStronger(clusters[i], clusters[j]);
           Cluster kept = clusters[firstStays ? i : j];
           Cluster lost = clusters[firstStays ? j : i];
           merging.absorb(kept, lost);
-          form.upkeep(kept, timeUs);
+          form.settle(kept, timeUs);
           if (observer != null && kept.isVisible() && lost.isVisible()) {
             observer.clustersMerged(timeUs, kept.id, lost.id);
           }
