@@ -4,6 +4,7 @@ import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.AtomicFile;
+import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.WriteOptions;
 import haltere.core.format.packed.LittleEndian;
@@ -19,7 +20,7 @@ import java.util.List;
  * packets of encoded events, and whose times are exact. A message holds at most {@value
  * #MAX_EVENTS} events and 10 ms; chunks are packed with Zstandard.
  *
- * <p>Times have signed 32 bits of seconds: what is more than 68 years from 0 is left out, and told.
+ * <p>Times have signed 32 bits of seconds: what is more than 68 years from 0 is refused.
  */
 final class McapWriter implements RecordingWriter {
   /** Most events of a message. */
@@ -37,6 +38,7 @@ final class McapWriter implements RecordingWriter {
   private static final int NO_MESSAGE = -1;
   private static final String FRAME = "camera";
 
+  private final Path path;
   private final AtomicFile file;
   private final McapSummary summary;
   private final ZstdPacker packer = new ZstdPacker(ZSTD_LEVEL);
@@ -52,9 +54,9 @@ final class McapWriter implements RecordingWriter {
   private long secondUs = Long.MAX_VALUE;
   private int second;
   private long outside;
-  private long tooFar;
 
   McapWriter(Path path, WriteOptions options) throws IOException {
+    this.path = path;
     geometry = options.geometry();
     file = AtomicFile.create(path, options.overwrite());
     try {
@@ -84,8 +86,7 @@ final class McapWriter implements RecordingWriter {
         continue;
       }
       if (timeUs > MAX_US || timeUs < -MAX_US) {
-        tooFar++;
-        continue;
+        throw tooFar(timeUs);
       }
       if (lengthAt == NO_MESSAGE
           || count == MAX_EVENTS
@@ -120,6 +121,15 @@ final class McapWriter implements RecordingWriter {
         bytes[at + 15] = on;
       }
     }
+  }
+
+  private RecordingProblem tooFar(long timeUs) {
+    return new RecordingProblem(
+        path,
+        "an event at "
+            + timeUs
+            + " us is more than 68 years from 0, which messages of ROS 2 cannot say;"
+            + " choose another format");
   }
 
   private void startMessage(long timeUs) throws IOException {
@@ -169,11 +179,6 @@ final class McapWriter implements RecordingWriter {
     List<String> lines = new ArrayList<>();
     if (outside > 0) {
       lines.add(outside + " events outside of " + geometry + " were left out");
-    }
-    if (tooFar > 0) {
-      lines.add(
-          tooFar
-              + " events more than 68 years from 0 have no time in messages; they were left out");
     }
     return lines;
   }

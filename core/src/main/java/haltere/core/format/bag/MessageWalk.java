@@ -18,7 +18,12 @@ interface MessageWalk extends Closeable {
   /** Which messages a walk stops at. */
   @FunctionalInterface
   interface Wanted {
-    /** Whether a topic's messages are wanted. */
+    /**
+     * Whether a topic's messages are wanted.
+     *
+     * @param topic any
+     * @return true to stop at them
+     */
     boolean topic(BagTopic topic);
   }
 
