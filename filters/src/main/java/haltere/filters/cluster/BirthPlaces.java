@@ -136,6 +136,11 @@ final class BirthPlaces {
     needed = Math.max(leastEvents, Math.max(CONTRAST * noise, noise + SIGMAS * Math.sqrt(noise)));
   }
 
+  /** Whether what there is has been seen for long enough to tell noise from what moves. */
+  boolean knowNoise() {
+    return upkeep > recentUpkeeps;
+  }
+
   /** Recent events that noise makes within an area of some pixels. */
   double noiseOf(double pixels) {
     return straysPerUpkeep * recentUpkeeps * Math.min(1, pixels / area);

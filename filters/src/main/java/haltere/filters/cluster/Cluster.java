@@ -143,6 +143,9 @@ final class Cluster {
   /** Events taken, each counting less the longer ago it was. */
   double mass;
 
+  /** The mass that it has had for a while. */
+  double usualMass;
+
   /** Events a second. */
   double rateHz;
 

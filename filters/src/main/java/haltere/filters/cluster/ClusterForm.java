@@ -41,6 +41,12 @@ final class ClusterForm {
    */
   private static final double TWO_PLACES = 1.5;
 
+  /** Balance from which on a cluster has one polarity only. */
+  private static final double ONE_SIDED = 0.95;
+
+  /** Share of the lead that then fades with each upkeep. */
+  private static final double LEAD_FADING = 0.01;
+
   /** Share of the spread along the two places that is the distance between them. */
   private static final double WITHIN = 0.85;
 
@@ -116,10 +122,14 @@ final class ClusterForm {
   void upkeep(Cluster cluster, long timeUs, double noise) {
     double settled = Math.min(growth.events(), cluster.events + 8.0);
     cluster.formGain = 1 / settled;
-    cluster.leadGain = edges ? 1 / settled : 0;
+    boolean oneSided = Math.abs(cluster.balance) > ONE_SIDED;
+    cluster.leadGain = edges && !oneSided ? 1 / settled : 0;
     if (!edges) {
       cluster.leadX = 0;
       cluster.leadY = 0;
+    }
+    if (oneSided) {
+      forgetLead(cluster);
     }
     invert(cluster);
     double sxx = cluster.cxx + cluster.leadX * cluster.leadX + LEAST_VARIANCE;
@@ -138,6 +148,18 @@ final class ClusterForm {
     across = RADII * Math.sqrt(Math.max(0, across));
     setRadii(cluster, along, across, timeUs);
     setRegion(cluster);
+  }
+
+  /**
+   * Where there is one polarity only, how far its events are from the centre cannot be known: the
+   * lead fades, and the centre goes to where the events are.
+   */
+  private static void forgetLead(Cluster cluster) {
+    double side = cluster.balance > 0 ? LEAD_FADING : -LEAD_FADING;
+    cluster.x += side * cluster.leadX;
+    cluster.y += side * cluster.leadY;
+    cluster.leadX -= LEAD_FADING * cluster.leadX;
+    cluster.leadY -= LEAD_FADING * cluster.leadY;
   }
 
   /** Takes from a variance what evenly spread noise adds: a quarter of the squared half axis. */

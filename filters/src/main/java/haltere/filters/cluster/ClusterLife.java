@@ -20,10 +20,18 @@ final class ClusterLife {
 
   private static final double SUPPORTED_CONTRAST = 1.3;
 
+  /** A thing that makes fewer than this share of the events that it usually makes is gone. */
+  private static final double LEAST_OF_USUAL = 0.12;
+
+  private static final double USUAL_TIME_US = 500_000;
+
   /** A cluster with fewer than this many times the events of noise may be noise. */
   private static final double THIN = 2;
 
-  /** A part of a cluster is seen when it has stayed apart for this time. */
+  /** How many radii from another cluster a newborn one may be a part of it. */
+  private static final double BESIDE = 2;
+
+  /** What may be a part of another cluster is seen when it has stayed apart for this time. */
   private static final long PARTING_US = 60_000;
 
   private static final double MOST_NOISE = 0.9;
@@ -35,6 +43,7 @@ final class ClusterLife {
   private final BirthPlaces places;
   private final boolean meanStart;
   private final double massDecay;
+  private final double usualGain;
   private final double right;
   private final double top;
 
@@ -43,6 +52,7 @@ final class ClusterLife {
     this.places = places;
     meanStart = all.motion().start() == Start.MEAN;
     massDecay = StrictMath.exp(-(double) all.output().upkeepUs() / settings.recentUs());
+    usualGain = 1 - StrictMath.exp(-all.output().upkeepUs() / USUAL_TIME_US);
     right = geometry.width() - 0.5;
     top = geometry.height() - 0.5;
   }
@@ -56,10 +66,11 @@ final class ClusterLife {
     born.x = places.bornX();
     born.y = places.bornY();
     born.mass = places.bornEvents();
+    born.usualMass = 0;
     born.events = Math.round(places.bornEvents());
     born.supportedUs = timeUs;
     born.keptUntilUs = Long.MIN_VALUE;
-    born.unseenUntilUs = Long.MIN_VALUE;
+    born.unseenUntilUs = isBeside(born, clusters, count) ? timeUs + PARTING_US : Long.MIN_VALUE;
     born.mayMerge = true;
     born.overlapped = false;
     born.path.clear();
@@ -92,6 +103,20 @@ final class ClusterLife {
     cluster.x -= dx;
     cluster.y -= dy;
     cluster.mass *= 0.5;
+    cluster.usualMass *= 0.5;
+    born.usualMass = cluster.usualMass;
+  }
+
+  private static boolean isBeside(Cluster born, Cluster[] clusters, int count) {
+    for (int i = 0; i < count; i++) {
+      Cluster other = clusters[i];
+      if (other != born
+          && Math.abs(other.x - born.x) < BESIDE * other.extentX
+          && Math.abs(other.y - born.y) < BESIDE * other.extentY) {
+        return true;
+      }
+    }
+    return false;
   }
 
   private void setVelocity(Cluster born, Cluster[] clusters, int count) {
@@ -116,9 +141,13 @@ final class ClusterLife {
   /** Takes away the age of its events' weights, and says whether the cluster is to die. */
   boolean isOver(Cluster cluster, long timeUs) {
     cluster.mass *= massDecay;
+    cluster.usualMass += usualGain * (cluster.mass - cluster.usualMass);
     double noise = noise(cluster);
-    if (cluster.mass
-        > Math.max(LEAST_SUPPORT, moreThan(noise, SUPPORTED_CONTRAST, SUPPORTED_SIGMAS))) {
+    double least =
+        Math.max(
+            Math.max(LEAST_SUPPORT, LEAST_OF_USUAL * cluster.usualMass),
+            moreThan(noise, SUPPORTED_CONTRAST, SUPPORTED_SIGMAS));
+    if (cluster.mass > least) {
       cluster.supportedUs = timeUs;
     }
     if (isOutside(cluster)) {
@@ -154,6 +183,9 @@ final class ClusterLife {
 
   /** Share of a cluster's events that are noise. */
   double noiseShare(Cluster cluster) {
+    if (!places.knowNoise()) {
+      return 0;
+    }
     double noise = places.noiseOf(Math.PI * cluster.extentX * cluster.extentY);
     return Math.min(MOST_NOISE, noise / Math.max(1, cluster.mass));
   }

@@ -23,7 +23,11 @@ final class ClusterMotion {
   private static final double HASTE = 4;
 
   private static final double PARTED_MEMORY_S = 0.05;
-  private static final double LEAST_MEMORY_S = 0.004;
+
+  /** The first events, within a short time, say little about the velocity. */
+  private static final double FIRST_MEMORY_S = 0.01;
+
+  private static final double LEAST_MEMORY_S = 0.02;
   private static final double LEAST_EVENTS = 12;
   private static final double GREATEST_GAIN = 0.5;
 
@@ -48,8 +52,8 @@ final class ClusterMotion {
 
   /** Begins a motion with what is known of the events that made the cluster. */
   void begin(Cluster cluster, double events, double ageS) {
-    cluster.memoryS = Math.max(LEAST_MEMORY_S, ageS);
-    cluster.rateHz = events / cluster.memoryS;
+    cluster.memoryS = Math.max(FIRST_MEMORY_S, ageS);
+    cluster.rateHz = events / Math.max(upkeepS, ageS);
     cluster.weights = events;
     cluster.driftX = 0;
     cluster.driftY = 0;
