@@ -199,9 +199,8 @@ class ArchitectureTest {
             .that()
             .resideInAPackage("haltere.filters.*..")
             .and()
-            .haveSimpleNameNotEndingWith("Filter")
-            .and()
-            .haveSimpleNameNotEndingWith("Provider")
+            // with the classes inside of a filter
+            .haveNameNotMatching(".*(Filter|Provider)(\\$.*)?")
             .should()
             .dependOnClassesThat()
             .resideInAPackage("haltere.core.chain..")
