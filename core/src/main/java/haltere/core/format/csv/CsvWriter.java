@@ -16,8 +16,6 @@ import java.util.List;
 final class CsvWriter implements RecordingWriter {
   private static final int BUFFER_BYTES = 64 * 1024;
   private static final int MAX_ROW = 64;
-  private static final byte[] LONG_MIN =
-      Long.toString(Long.MIN_VALUE).getBytes(StandardCharsets.US_ASCII);
 
   private static final String ROWS_UP =
       "rows count from the bottom, as in the source; most programs, this one too, take those of text"
@@ -31,6 +29,7 @@ final class CsvWriter implements RecordingWriter {
   private final boolean unasked;
 
   private final byte[] bytes = new byte[BUFFER_BYTES];
+  private final NumberText text = new NumberText();
   private int length;
   private boolean any;
 
@@ -58,37 +57,13 @@ final class CsvWriter implements RecordingWriter {
         flush();
       }
       int y = packet.y(i);
-      number(packet.timeUs(i));
-      bytes[length++] = ',';
-      number(packet.x(i));
-      bytes[length++] = ',';
-      number(fromTop ? top - y : y);
-      bytes[length++] = ',';
-      bytes[length++] = (byte) (packet.isOn(i) ? '1' : '0');
-      bytes[length++] = '\n';
+      int at = text.time(bytes, length, packet.timeUs(i));
+      at = text.coordinate(bytes, at, packet.x(i));
+      at = text.coordinate(bytes, at, fromTop ? top - y : y);
+      bytes[at] = (byte) (packet.isOn(i) ? '1' : '0');
+      bytes[at + 1] = '\n';
+      length = at + 2;
     }
-  }
-
-  private void number(long value) {
-    if (value == Long.MIN_VALUE) {
-      System.arraycopy(LONG_MIN, 0, bytes, length, LONG_MIN.length);
-      length += LONG_MIN.length;
-      return;
-    }
-    long rest = value;
-    if (rest < 0) {
-      bytes[length++] = '-';
-      rest = -rest;
-    }
-    int digits = 1;
-    for (long bound = rest; bound >= 10; bound /= 10) {
-      digits++;
-    }
-    for (int i = length + digits - 1; i >= length; i--) {
-      bytes[i] = (byte) ('0' + rest % 10);
-      rest /= 10;
-    }
-    length += digits;
   }
 
   private void flush() throws IOException {
