@@ -76,7 +76,6 @@ final class RandomRecordings {
       all.add(extreme("from " + startUs + " us", usual, random(usual, startUs, 400, startUs)));
       all.add(extreme("one event", usual, random(usual, startUs, 1, startUs)));
     }
-    all.add(extreme("silences of two hours", usual, withSilences(usual, 7, 2 * HOUR_US)));
     all.add(extreme("silences of a turn", usual, withSilences(usual, 8, TURNS_US)));
     all.add(
         extreme(

@@ -9,7 +9,7 @@ import haltere.core.format.ViolationCounts;
 import haltere.core.format.WrappingClock;
 import haltere.core.stream.StreamNotification;
 import java.nio.ByteBuffer;
-import java.nio.IntBuffer;
+import java.nio.LongBuffer;
 
 /**
  * Turns the records of a DAT file into packets: little-endian, 32 bits of time, 32 bits of column,
@@ -54,7 +54,7 @@ public final class DatDecoder implements StreamDecoder {
   private final WrappingClock clock;
 
   /** Records on their way; an array is read faster than a buffer. */
-  private final int[] stage = new int[2 * RUN];
+  private final long[] stage = new long[RUN];
 
   private boolean restarted;
   private long restartUs;
@@ -81,14 +81,14 @@ public final class DatDecoder implements StreamDecoder {
   @Override
   public boolean decode(ByteBuffer in, long offset, EventPacket out, int maxEvents) {
     out.ensureCapacity(maxEvents);
-    IntBuffer words = in.asIntBuffer();
+    LongBuffer words = in.asLongBuffer();
     int start = in.position();
     int position = start;
     int end = start + (in.remaining() & -RECORD_BYTES);
     while (position < end && out.size() < maxEvents && !restarted) {
       int records =
           Math.min(RUN, Math.min(maxEvents - out.size(), (end - position) / RECORD_BYTES));
-      words.get((position - start) / Integer.BYTES, stage, 0, 2 * records);
+      words.get((position - start) / RECORD_BYTES, stage, 0, records);
       if (!decodeRun(records, out)) {
         records = decodeSingly(in, position, records, offset + (position - start), out);
       }
@@ -105,7 +105,7 @@ public final class DatDecoder implements StreamDecoder {
     if (!clock.started() || !usual) {
       return false;
     }
-    int[] words = stage;
+    long[] records = stage;
     long[] times = out.timesUs();
     int[] addresses = out.addresses();
     int size = out.size();
@@ -115,8 +115,8 @@ public final class DatDecoder implements StreamDecoder {
     int last = (int) (clock.lastUs() - turnUs);
     int odd = 0;
     for (int i = 0; i < count; i++) {
-      int time = words[2 * i];
-      int word = words[2 * i + 1];
+      int time = (int) records[i];
+      int word = (int) (records[i] >>> 32);
       int column = word << EventAddress.X_SHIFT & COLUMN;
       int address = topRow - (word << ROW_SHIFT & ROW) + column + (word >>> X_BITS + Y_BITS & 1);
       // Negative if the clock goes back or leaps by half a turn, or the pixel is outside.
