@@ -30,10 +30,6 @@ final class WingEstimator implements SideEstimator {
   /** What a wing's estimate can be wrong by beyond its noise: heading, hinge, width. */
   private static final double SYSTEMATIC_RAD = 0.008;
 
-  private static final double LEAST_EXCESS = 0.1;
-  private static final double SILENT_SHARE = 0.12;
-  private static final double USUAL_S = 0.5;
-
   // A pixel whose ON events lag behind its OFF events has a photoreceptor, which delays OFF events
   // as well, by at most half of the time that the wing is over the pixel; and it has a constant
   // delay, which no event tells. A pixel without a lag is taken for ideal.
@@ -51,6 +47,7 @@ final class WingEstimator implements SideEstimator {
   private final BeatListener beats;
   private final StrokeShape shape = new StrokeShape();
   private final HingeTracker hinge = new HingeTracker();
+  private final LockJudge judge = new LockJudge();
   private boolean followsHinge;
   private final double[] density;
   private double averagingS;
@@ -72,11 +69,6 @@ final class WingEstimator implements SideEstimator {
   private double runAwayW;
   private double lastPhase;
   private double lastCrossingUs = Double.NaN;
-  private int poor;
-  private long countedEvents;
-  private double quickRate;
-  private double usualRate;
-  private double sinceLaunchS;
 
   /**
    * An estimator that has to be {@link #launch launched}.
@@ -130,11 +122,7 @@ final class WingEstimator implements SideEstimator {
     runAwayY = 0;
     runAwayW = 0;
     lastCrossingUs = Double.NaN;
-    poor = 0;
-    countedEvents = 0;
-    quickRate = 0;
-    usualRate = 0;
-    sinceLaunchS = 0;
+    judge.launch();
     hinge.launch(0.3);
     shape.of(filter);
     lastPhase = phase();
@@ -266,8 +254,12 @@ final class WingEstimator implements SideEstimator {
     for (int i = StrokeEkf.SERIES; i < filter.size; i++) {
       filter.forget(i, 0, share, SERIES_SD[(i - StrokeEkf.SERIES) / 2]);
     }
-    judgeRate(dtS);
-    judgeLock();
+    judge.look(
+        dtS,
+        taken[0] + taken[1],
+        filter.x[StrokeEkf.OMEGA],
+        filter.x[StrokeEkf.AMPLITUDE],
+        noise.excess());
     shape.of(filter);
     double phase = phase();
     if (phase < lastPhase - Math.PI) {
@@ -280,31 +272,10 @@ final class WingEstimator implements SideEstimator {
     }
   }
 
-  /** Follows the rate of the events that were taken in: over three beats, and over long. */
-  private void judgeRate(double dtS) {
-    double rate = (taken[0] + taken[1] - countedEvents) / dtS;
-    countedEvents = taken[0] + taken[1];
-    double beats3 = 6 * Math.PI / Math.max(100, filter.x[StrokeEkf.OMEGA]);
-    quickRate += dtS / (dtS + beats3) * (rate - quickRate);
-    sinceLaunchS += dtS;
-    usualRate += dtS / Math.min(sinceLaunchS, USUAL_S) * (rate - usualRate);
-  }
-
-  private void judgeLock() {
-    double omega = filter.x[StrokeEkf.OMEGA];
-    boolean impossible =
-        !(omega > 2 * Math.PI * 30)
-            || omega > 2 * Math.PI * 1000
-            || !(filter.x[StrokeEkf.AMPLITUDE] > 0.12)
-            || filter.x[StrokeEkf.AMPLITUDE] > 2.2;
-    boolean silent = quickRate < SILENT_SHARE * usualRate;
-    poor = impossible ? poor + 30 : silent || noise.excess() < LEAST_EXCESS ? poor + 1 : 0;
-  }
-
   @Override
   public boolean isLost(long atUs) {
     double periodUs = 2e6 * Math.PI / Math.max(100, filter.x[StrokeEkf.OMEGA]);
-    return poor >= 25 || atUs - lastTakenUs > Math.max(12_000, 3 * periodUs);
+    return judge.isLost() || atUs - lastTakenUs > Math.max(12_000, 3 * periodUs);
   }
 
   @Override

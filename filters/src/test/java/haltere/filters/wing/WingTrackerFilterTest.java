@@ -39,9 +39,11 @@ class WingTrackerFilterTest extends EventFilterContract {
     }
 
     static EventPacket events(double seconds, String... assignments) {
-      FlyScene scene =
-          new FlyScene(
-              FlySceneSettings.defaults().with(assignments).with("run.durationS=" + seconds));
+      return events(seconds, FlySceneSettings.defaults().with(assignments));
+    }
+
+    static EventPacket events(double seconds, FlySceneSettings settings) {
+      FlyScene scene = new FlyScene(settings.with("run.durationS=" + seconds));
       EventPacket all = new EventPacket(0);
       StreamHandler collect =
           new StreamHandler() {
