@@ -39,7 +39,7 @@ public final class WingTrackerFilter implements ConfigurableFilter<WingTrackerSe
    * @param settings what to do
    */
   public WingTrackerFilter(SensorGeometry geometry, WingTrackerSettings settings) {
-    tracker = new WingTracker(geometry, settings, new Publisher());
+    tracker = new WingTracker(geometry, settings, new OutletsOfFilter());
   }
 
   /**
@@ -90,7 +90,7 @@ public final class WingTrackerFilter implements ConfigurableFilter<WingTrackerSe
   }
 
   /** From the tracker to the outlets. */
-  private final class Publisher implements WingListener {
+  private final class OutletsOfFilter implements WingListener {
     @Override
     public boolean wantsEstimates() {
       return estimates.hasSubscribers() || averages.hasSubscribers() || pairs.hasSubscribers();
