@@ -91,6 +91,15 @@ public final class KalmanTracksFilter implements ConfigurableFilter<KalmanTracks
     return roadPoints;
   }
 
+  /**
+   * Where the steps of the filters come out.
+   *
+   * @return a result for each measurement of each track
+   */
+  public Outlet<TrackUpdate> updates() {
+    return updates;
+  }
+
   @Override
   public List<Outlet<?>> outlets() {
     return outlets;

@@ -103,9 +103,16 @@ final class MeasurementPlane {
 
   /** Works out what a state is in pixels; false if it is not in the picture's half of the road. */
   boolean toPixels(MotionModes state) {
+    return toPixels(state, 0);
+  }
+
+  /** The same a time later if the velocity stays; the covariance is that of the state. */
+  boolean toPixels(MotionModes state, double dtS) {
+    double laterX = state.x() + dtS * state.vx();
+    double laterY = state.y() + dtS * state.vy();
     if (road == null) {
-      xPx = state.x();
-      yPx = state.y();
+      xPx = laterX;
+      yPx = laterY;
       vxPxS = state.vx();
       vyPxS = state.vy();
       varianceXPx2 = state.covariance(0, 0);
@@ -115,11 +122,11 @@ final class MeasurementPlane {
       varianceVyPx2S2 = state.covariance(3, 3);
       return true;
     }
-    if (!(state.y() > 0)) {
+    if (!(laterY > 0)) {
       return false;
     }
-    xPx = road.columnOf(state.x(), state.y());
-    yPx = road.rowOf(state.y());
+    xPx = road.columnOf(laterX, laterY);
+    yPx = road.rowOf(laterY);
     if (!road.onRoad(yPx)) {
       return false;
     }

@@ -18,12 +18,16 @@ final class MotionModes {
   private static final int N = PlaneFilter.STATES;
   private static final double LEAST_PROBABILITY = 1e-9;
 
+  /** Share of the speed of a new target by which one that is thrown back may be faster. */
+  private static final double RELAUNCH_SHARE = 0.1;
+
   private final MotionNoise noise;
   private final int modes;
   private final PlaneFilter[] filters;
   private final PlaneFilter[] mixed;
   private final double[] probability;
   private final double[] next;
+  private final double[] leave;
   private final double[] weights;
   private final double[] state = new double[N];
   private final double[] covariance = new double[N * N];
@@ -39,20 +43,26 @@ final class MotionModes {
     }
     probability = new double[modes];
     next = new double[modes];
+    leave = new double[modes];
     weights = new double[modes * modes];
   }
 
   /** Begins at a place, with a velocity of 0 that is unknown. */
   void launch(double atX, double atY, double xx, double xy, double yy) {
+    launch(atX, atY, xx, xy, yy, noise.launchVelocityVariance());
+  }
+
+  /** Begins again at a place, with a velocity that is hardly larger than it was. */
+  void relaunch(double atX, double atY, double xx, double xy, double yy) {
+    double speed = Math.hypot(state[2], state[3]) + RELAUNCH_SHARE * noise.launchSpeed();
+    launch(atX, atY, xx, xy, yy, speed * speed);
+  }
+
+  private void launch(
+      double atX, double atY, double xx, double xy, double yy, double velocityVariance) {
     for (int j = 0; j < modes; j++) {
       filters[j].launch(
-          atX,
-          atY,
-          xx,
-          xy,
-          yy,
-          noise.launchVelocityVariance(),
-          noise.turns(j) ? noise.turnRateVariance() : 0);
+          atX, atY, xx, xy, yy, velocityVariance, noise.turns(j) ? noise.turnRateVariance() : 0);
       probability[j] = 1.0 / modes;
     }
     combine();
@@ -177,10 +187,13 @@ final class MotionModes {
   }
 
   private void mix(double dtS) {
+    for (int i = 0; i < modes; i++) {
+      leave[i] = noise.leave(i, dtS);
+    }
     for (int j = 0; j < modes; j++) {
       double sum = 0;
       for (int i = 0; i < modes; i++) {
-        double weight = probability[i] * noise.transition(i, j, dtS);
+        double weight = probability[i] * noise.transition(i, j, leave[i]);
         weights[j * modes + i] = weight;
         sum += weight;
       }

@@ -20,7 +20,7 @@ final class MotionNoise {
   private final double[] acceleration;
   private final boolean[] turns;
   private final double turn;
-  private final double launchVelocityVariance;
+  private final double launchSpeed;
   private final double stayS;
 
   private MotionNoise(
@@ -30,7 +30,7 @@ final class MotionNoise {
     stayS = settings.meanStayS();
     this.acceleration = acceleration;
     this.turns = turns;
-    launchVelocityVariance = launchSpeed * launchSpeed;
+    this.launchSpeed = launchSpeed;
   }
 
   /** Of tracks in pixels. */
@@ -82,25 +82,35 @@ final class MotionNoise {
     return TURN_RATE_VARIANCE;
   }
 
+  /** Standard deviation of each velocity of a new target. */
+  double launchSpeed() {
+    return launchSpeed;
+  }
+
   double launchVelocityVariance() {
-    return launchVelocityVariance;
+    return launchSpeed * launchSpeed;
+  }
+
+  /** Probability that a target has left a mode after a time. */
+  double leave(int mode, double dtS) {
+    boolean agile = mode > 0 && mode == acceleration.length - 1;
+    return -Math.expm1(-dtS / (agile ? stayS * AGILE_STAY : stayS));
   }
 
   /**
-   * Probability that a target is in a mode, given the mode that it was in a time before. The last
-   * of several modes, in which anything goes, is rarely entered and soon left.
+   * Probability that a target is in a mode, given the mode that it was in before and the
+   * probability that it has left that. The last of several modes, in which anything goes, is rarely
+   * entered and soon left.
    */
-  double transition(int from, int to, double dtS) {
+  double transition(int from, int to, double leave) {
+    if (to == from) {
+      return 1 - leave;
+    }
     int last = acceleration.length - 1;
     if (from == last) {
-      double leave = -Math.expm1(-dtS / (stayS * AGILE_STAY));
-      return to == last ? 1 - leave : leave / last;
+      return leave / last;
     }
-    double leave = -Math.expm1(-dtS / stayS);
     double agile = last == 1 ? leave : leave * AGILE_ENTRY;
-    if (to == last) {
-      return agile;
-    }
-    return to == from ? 1 - leave : (leave - agile) / (last - 1);
+    return to == last ? agile : (leave - agile) / (last - 1);
   }
 }

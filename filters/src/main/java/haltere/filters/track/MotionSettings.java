@@ -68,6 +68,6 @@ public record MotionSettings(
    */
   public static MotionSettings defaults() {
     return new MotionSettings(
-        MotionModel.MANOEUVRING, ProcessNoise.DENSITY, 5, 100, 1_000_000, 1, 1000, 3);
+        MotionModel.MANOEUVRING, ProcessNoise.DENSITY, 5, 100, 200_000, 1, 400, 3);
   }
 }

@@ -9,8 +9,8 @@ package haltere.filters.track;
 final class Track {
   private static final double US = 1e-6;
 
-  final MotionModes motion;
-  private final MotionModes ahead;
+  MotionModes motion;
+  private MotionModes ahead;
   private final MeasurementPlane plane;
   private final MeasurementSettings settings;
 
@@ -95,7 +95,7 @@ final class Track {
     stateUs = timeUs;
     heardUs = stepUs;
     gatedInARow = 0;
-    motion.launch(plane.x, plane.y, plane.xx, plane.xy, plane.yy);
+    motion.relaunch(plane.x, plane.y, plane.xx, plane.xy, plane.yy);
   }
 
   double ageS(long timeUs) {
@@ -147,16 +147,19 @@ final class Track {
   /** Takes in what {@link #compare} has compared. */
   void take(long timeUs, long stepUs) {
     ahead.correct();
-    motion.copyFrom(ahead);
+    MotionModes before = motion;
+    motion = ahead;
+    ahead = before;
     stateUs = Math.max(stateUs, timeUs);
     heardUs = stepUs;
     updates++;
     gatedInARow = 0;
   }
 
-  /** Works out where it is in the picture at the time of a step. */
+  /** Works out about where it is in the picture at the time of a step: straight on from here. */
   void look(long timeUs) {
-    inView = plane.toPixels(at(timeUs));
+    double dtS = Math.max(0, (timeUs - stateUs) * US);
+    inView = plane.toPixels(motion, dtS);
     nowXPx = plane.xPx;
     nowYPx = plane.yPx;
     nowVxPxS = plane.vxPxS;
@@ -189,7 +192,7 @@ final class Track {
 
   /** What the last comparison has come to, of the likeliest model. */
   TrackUpdate lastUpdate(long timeUs, boolean accepted) {
-    PlaneFilter model = ahead.likeliest();
+    PlaneFilter model = (accepted ? motion : ahead).likeliest();
     return new TrackUpdate(
         timeUs,
         id,

@@ -32,8 +32,17 @@ public final class TrackEstimator implements ClusterObserver {
   /** A report goes on for so long after the last measurement of a track that is not hidden. */
   private static final long SHOWN_WITHOUT_CLUSTER_US = 100_000;
 
+  /** Nearer to the border than this, what loses its cluster is taken to have left. */
+  private static final double LEAVING_SPREADS = 1.3;
+
   /** A cluster that gets too few events for so long gives what it has. */
   private static final long LONGEST_BATCH_US = 50_000;
+
+  /**
+   * A track near others takes its own cluster without a thought of them up to this normalised
+   * innovation squared: 95 % of good measurements are below it.
+   */
+  private static final double EXPECTED_NIS = 6;
 
   /** Gated measurements in a row after which a track begins again where its cluster is. */
   private static final int GATED_TILL_RELAUNCH = 3;
@@ -246,6 +255,7 @@ public final class TrackEstimator implements ClusterObserver {
     for (int i = 0; i < count; i++) {
       tracks[i].look(timeUs);
     }
+    dropThoseThatLeft();
     pairs.markContested(tracks, count);
     updateAll(timeUs, readings);
     endTracks(timeUs);
@@ -368,7 +378,8 @@ public final class TrackEstimator implements ClusterObserver {
       } else {
         measurement.of(batch, track, readings, timeUs);
         double nis = compare(track);
-        if (nis <= gate && !track.nearOther) {
+        double expected = track.nearOther ? EXPECTED_NIS : gate;
+        if (nis <= expected && !track.contested) {
           take(track, batch, timeUs);
         } else {
           pairs.addBatch(batch);
@@ -490,6 +501,15 @@ public final class TrackEstimator implements ClusterObserver {
     batch.clear(timeUs);
   }
 
+  /** What has left takes no cluster of what is at the border after it. */
+  private void dropThoseThatLeft() {
+    for (int i = count - 1; i >= 0; i--) {
+      if (tracks[i].batch == null && isLeaving(tracks[i])) {
+        drop(i);
+      }
+    }
+  }
+
   private void endTracks(long timeUs) {
     for (int i = count - 1; i >= 0; i--) {
       Track track = tracks[i];
@@ -502,15 +522,18 @@ public final class TrackEstimator implements ClusterObserver {
         continue;
       }
       double silentS = (timeUs - track.heardUs) * US;
-      boolean coasts =
-          track.inView
-              && isInPicture(track.nowXPx, track.nowYPx, track.spreadPx)
-              && silentS <= settings.life().coastTimeS();
+      boolean coasts = track.inView && !isLeaving(track) && silentS <= settings.life().coastTimeS();
       boolean rests = pairs.mayRest(track) && silentS <= settings.life().restTimeS();
       if (track.id == 0 || !coasts && !rests) {
         drop(i);
       }
     }
+  }
+
+  /** Whether a track without a cluster is at the border of the picture or beyond it. */
+  private boolean isLeaving(Track track) {
+    double border = Math.min(LEAVING_SPREADS * track.spreadPx, geometry.longerSide() * 0.1);
+    return !isInPicture(track.nowXPx, track.nowYPx, -border);
   }
 
   private int indexOf(Track track) {
