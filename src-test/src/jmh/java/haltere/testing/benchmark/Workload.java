@@ -11,6 +11,7 @@ import haltere.core.stream.StreamNotification;
 import haltere.testing.EventPackets;
 import haltere.testing.Recorded;
 import java.io.IOException;
+import java.util.SplittableRandom;
 
 /**
  * The event streams that filters are measured on, handed out in packets that are filled anew each
@@ -37,9 +38,10 @@ final class Workload {
    * A workload by name.
    *
    * @param name {@code noise-320x240} (uniform, the worst case for a branch predictor and a cache),
-   *     {@code bars-320x240} (clustered in space and time), {@code fly} (the simulated fly), or the
-   *     file name of a recording in the folder that the environment variable HALTERE_RECORDINGS
-   *     names, which is repeated
+   *     {@code bars-320x240} (clustered in space and time), {@code fly} (the simulated fly), {@code
+   *     discs-320x240} and {@code noisydiscs-320x240} (twenty discs, the latter with as many events
+   *     of noise), or the file name of a recording in the folder that the environment variable
+   *     HALTERE_RECORDINGS names, which is repeated
    */
   static Workload named(String name) throws IOException {
     if (name.startsWith("noise-")) {
@@ -50,6 +52,12 @@ final class Workload {
       SensorGeometry geometry = size(name);
       long durationUs = 150_000L * STREAM_EVENTS / geometry.pixels();
       return new Workload(geometry, EventPackets.movingBars(geometry, 1, durationUs, 0));
+    }
+    if (name.startsWith("discs-")) {
+      return new Workload(size(name), discs(size(name), 0));
+    }
+    if (name.startsWith("noisydiscs-")) {
+      return new Workload(size(name), discs(size(name), 0.5));
     }
     EventSource source =
         name.equals("fly")
@@ -63,6 +71,32 @@ final class Workload {
   private static SensorGeometry size(String name) {
     String[] size = name.substring(name.indexOf('-') + 1).split("x");
     return new SensorGeometry(Integer.parseInt(size[0]), Integer.parseInt(size[1]));
+  }
+
+  /** Twenty discs on circles at 5 million events a second, a share of which is noise. */
+  private static EventPacket discs(SensorGeometry geometry, double noise) {
+    SplittableRandom random = new SplittableRandom(1);
+    EventPacket events = new EventPacket(STREAM_EVENTS);
+    double disc = geometry.width() / 60.0;
+    double circle = Math.min(geometry.width(), geometry.height()) / 16.0;
+    for (int i = 0; i < STREAM_EVENTS; i++) {
+      long timeUs = i / 5;
+      int x = random.nextInt(geometry.width());
+      int y = random.nextInt(geometry.height());
+      boolean on = random.nextBoolean();
+      if (random.nextDouble() >= noise) {
+        int which = random.nextInt(20);
+        double turn = which + timeUs * 2e-6;
+        double side = random.nextDouble(2 * Math.PI);
+        double middleX = geometry.width() * (0.1 + 0.2 * (which % 5));
+        double middleY = geometry.height() * (0.125 + 0.25 * (which / 5));
+        x = (int) Math.round(middleX + circle * Math.cos(turn) + disc * Math.cos(side));
+        y = (int) Math.round(middleY + circle * Math.sin(turn) + disc * Math.sin(side));
+        on = Math.sin(side - turn) < 0;
+      }
+      events.append(timeUs, x, y, on);
+    }
+    return events;
   }
 
   private static EventPacket read(EventSource source) throws IOException {
