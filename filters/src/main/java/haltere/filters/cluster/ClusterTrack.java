@@ -51,22 +51,4 @@ public record ClusterTrack(
   public double radiusAcrossPx() {
     return radiusPx / Math.sqrt(aspect);
   }
-
-  static ClusterTrack of(Cluster cluster, long timeUs) {
-    double angle = Math.atan(cluster.sin / cluster.cos);
-    return new ClusterTrack(
-        timeUs,
-        cluster.id,
-        cluster.x,
-        cluster.y,
-        cluster.vx,
-        cluster.vy,
-        cluster.radius(),
-        cluster.radiusA / cluster.radiusB,
-        cluster.cos == 0 ? Math.PI / 2 : angle,
-        cluster.events,
-        cluster.mass,
-        cluster.rateHz,
-        timeUs - cluster.bornUs);
-  }
 }

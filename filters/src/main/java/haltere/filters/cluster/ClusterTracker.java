@@ -128,6 +128,9 @@ public final class ClusterTracker {
     places.apply(settings);
     life = new ClusterLife(geometry, settings, places);
     makeRoom(settings.output().mostClusters());
+    for (Cluster cluster : clusters) {
+      cluster.path.setMost(settings.output().pathPoints());
+    }
     for (int i = 0; i < count; i++) {
       form.upkeep(clusters[i], clusters[i].atUs, 0);
       motion.setGains(clusters[i]);
@@ -221,7 +224,7 @@ public final class ClusterTracker {
     List<ClusterTrack> tracks = new ArrayList<>(count);
     for (int i = 0; i < count; i++) {
       if (isReported(clusters[i])) {
-        tracks.add(clusters[i].path.last());
+        tracks.add(clusters[i].path.last(clusters[i].id));
       }
     }
     return tracks;
@@ -237,7 +240,7 @@ public final class ClusterTracker {
     List<ClusterSnapshot.Trail> trails = new ArrayList<>(count);
     for (int i = 0; i < count; i++) {
       if (isReported(clusters[i])) {
-        trails.add(new ClusterSnapshot.Trail(clusters[i].path.list()));
+        trails.add(new ClusterSnapshot.Trail(clusters[i].path.list(clusters[i].id)));
       }
     }
     return new ClusterSnapshot(timeUs, trails);
@@ -476,7 +479,7 @@ public final class ClusterTracker {
       if (cluster.isVisible()) {
         shows = true;
         cluster.moveTo(timeUs);
-        cluster.path.add(ClusterTrack.of(cluster, timeUs), settings.output().pathPoints());
+        cluster.path.add(cluster, timeUs);
       }
     }
     if (shows || showedSomething) {
