@@ -3,6 +3,7 @@
 peers/aedat4.py check                   exits with 0 if the packages are there
 peers/aedat4.py read FILE...            a line per file and program: events and CRC-32 of int64 t,x,y,p rows
 peers/aedat4.py readings FILE           a line per program and reading: what, time and values
+peers/aedat4.py read-cut FILE...        the same of files that end within a packet
 peers/aedat4.py write EVENTS W H FILE   from int64 t,x,y,p rows, one file FILE-<compression>.aedat4 each
 """
 import sys
@@ -40,7 +41,21 @@ def by_aedat(path):
     return np.concatenate(parts)
 
 
-def read(paths):
+def by_aedat_to_the_cut(path):
+    """It gives all whole packets, and then complains of the one that is cut."""
+    parts = []
+    try:
+        for packet in aedat.Decoder(path):
+            if "events" in packet:
+                e = packet["events"]
+                parts.append(rows(e["t"], e["x"], e["y"], e["on"]))
+    except RuntimeError as cut:
+        if "fill whole buffer" not in str(cut):
+            raise
+    return np.concatenate(parts)
+
+
+def read(paths, by_aedat=by_aedat):
     for path in paths:
         for name, reader in (("dv-processing", by_dv), ("aedat", by_aedat)):
             table = reader(path)
@@ -94,5 +109,7 @@ if sys.argv[1] == "read":
     read(sys.argv[2:])
 elif sys.argv[1] == "readings":
     readings(sys.argv[2])
+elif sys.argv[1] == "read-cut":
+    read(sys.argv[2:], by_aedat_to_the_cut)
 elif sys.argv[1] == "write":
     write(sys.argv[2], int(sys.argv[3]), int(sys.argv[4]), sys.argv[5])

@@ -38,6 +38,35 @@ public interface EventCursor extends Closeable {
     EventCursor open(ViolationCounts violations) throws IOException;
   }
 
+  /** Takes what a recording says about itself, piece by piece, in order. */
+  @FunctionalInterface
+  interface PieceVisitor {
+    /**
+     * Takes a piece with events.
+     *
+     * @param state what {@link EventCursor#save} would give before it; copied
+     * @param offset where it is in the file
+     * @param firstUs time of its first event, microseconds
+     * @param lastUs time of its last event; if the first of the next piece is below, the clock went
+     *     back between them
+     * @throws IOException if there are too many segments
+     */
+    void piece(long[] state, long offset, long firstUs, long lastUs) throws IOException;
+  }
+
+  /**
+   * Goes through the pieces of the recording without decoding them, if the file says where they are
+   * and what times they have, and can be believed. For a cursor at the start that does nothing else
+   * afterwards.
+   *
+   * @param visitor takes the pieces; it has had some, or all, only where true is returned
+   * @return false if all must be decoded to know
+   * @throws IOException if the file cannot be read
+   */
+  default boolean visitPieces(PieceVisitor visitor) throws IOException {
+    return false;
+  }
+
   /**
    * Appends events to a packet. Times within the packet do not descend.
    *

@@ -14,8 +14,9 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Where in a recording which time is: one pass over its events that keeps a waypoint at least every
- * {@value #SCAN_EVENTS} events and at the start of each segment. A few dozen bytes for each.
+ * Where in a recording which time is: what the file itself says about its pieces, else one pass
+ * over its events that keeps a waypoint at least every {@value #SCAN_EVENTS} events and at the
+ * start of each segment. A few dozen bytes for each.
  *
  * <p>Thread rule: immutable once built.
  */
@@ -38,9 +39,12 @@ final class TimeIndex {
     states = new long[64 * stateLongs];
   }
 
-  /** One pass over the file with a cursor of its own, from its start. */
+  /** Made with a cursor of its own, at its start. */
   static TimeIndex scan(Path path, EventCursor cursor) throws IOException {
     TimeIndex index = new TimeIndex(cursor.stateLongs());
+    if (index.fromPieces(path, cursor)) {
+      return index;
+    }
     EventPacket packet = new EventPacket(SCAN_EVENTS);
     long[] state = new long[cursor.stateLongs()];
     long segmentFirstUs = 0;
@@ -141,6 +145,29 @@ final class TimeIndex {
       numbers[i] = in.readLong();
     }
     return numbers;
+  }
+
+  private boolean fromPieces(Path path, EventCursor cursor) throws IOException {
+    // First and last time of the segment that is open.
+    long[] open = {0, Long.MIN_VALUE};
+    boolean told =
+        cursor.visitPieces(
+            (state, offset, firstUs, lastUs) -> {
+              boolean starts = waypoints == 0 || firstUs < open[1];
+              if (starts) {
+                if (waypoints > 0) {
+                  segments.add(new TimeSegment(open[0], open[1]));
+                }
+                startSegment(path, offset);
+                open[0] = firstUs;
+              }
+              addWaypoint(state, starts ? Long.MIN_VALUE : open[1]);
+              open[1] = lastUs;
+            });
+    if (told && waypoints > 0) {
+      segments.add(new TimeSegment(open[0], open[1]));
+    }
+    return told;
   }
 
   private void startSegment(Path path, long offset) throws RecordingProblem {

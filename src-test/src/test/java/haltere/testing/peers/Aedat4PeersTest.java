@@ -24,6 +24,7 @@ import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
@@ -160,6 +161,34 @@ class Aedat4PeersTest {
     int top = SENSOR.height() - 4 - height;
     String place = number / 10 + " " + top + " " + width + " " + height;
     return "frame " + timeUs + " 700 " + place + " " + crc32(rows);
+  }
+
+  @Test
+  void ofARecordingWhoseProgramWasKilledTheyReadAllWholePackets() throws IOException {
+    EventPacket events = events();
+    int whole = 20_000;
+    String facts = " " + whole + " " + record(EventPackets.part(events, 0, whole)).crc32(SENSOR);
+    List<String> command = new ArrayList<>(List.of("read-cut"));
+    List<String> expected = new ArrayList<>();
+    for (Aedat4Compression compression : Aedat4Compression.values()) {
+      Path file = folder.resolve("killed-" + compression + ".aedat4");
+      byte[] bytes;
+      try (Aedat4Writer writer =
+          Aedat4Writer.createInPlace(file, WriteOptions.of(SENSOR), compression)) {
+        for (int from = 0; from < EVENTS; from += 5000) {
+          writer.write(EventPackets.part(events, from, from + 5000));
+          writer.writeThrough();
+        }
+        bytes = Files.readAllBytes(file);
+      }
+      // Two packets of six are left out, the second but for its first part.
+      int end = (int) (bytes.length - 1.5 * (bytes.length - 2000) / 6);
+      Files.write(file, Arrays.copyOf(bytes, end));
+      command.add(file.toString());
+      expected.add("dv-processing" + facts);
+      expected.add("aedat" + facts);
+    }
+    assertEquals(Optional.of(expected), programs.run(command.toArray(String[]::new)));
   }
 
   @Test

@@ -24,6 +24,9 @@ import java.util.Set;
 final class Aedat4Cursor implements EventCursor {
   static final int EVENT_BYTES = 16;
 
+  /** Numbers that say where a cursor is. */
+  static final int STATE_LONGS = 4;
+
   /** So many packets in order before a thread is started that helps. */
   private static final int PACKETS_ALONE = 8;
 
@@ -314,8 +317,21 @@ final class Aedat4Cursor implements EventCursor {
   }
 
   @Override
+  public boolean visitPieces(PieceVisitor visitor) throws IOException {
+    return PacketTable.visit(file, layout, eventStream, visitor);
+  }
+
+  @Override
   public int stateLongs() {
-    return 4;
+    return STATE_LONGS;
+  }
+
+  /** What {@link #save} gives before a packet. */
+  static void save(long[] state, long position, long lastUs, boolean started) {
+    state[0] = position;
+    state[1] = 0;
+    state[2] = lastUs;
+    state[3] = started ? 1 : 0;
   }
 
   @Override

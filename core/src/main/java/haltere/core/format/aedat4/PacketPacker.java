@@ -26,10 +26,14 @@ final class PacketPacker implements Closeable {
 
   private final Aedat4Compression compression;
   private final Lz4Packer lz4 = new Lz4Packer();
+  private Lz4HighPacker lz4High;
   private ZstdCompressCtx zstd;
 
   PacketPacker(Aedat4Compression compression) {
     this.compression = compression;
+    if (compression == Aedat4Compression.LZ4_HIGH) {
+      lz4High = new Lz4HighPacker();
+    }
     if (compression.isZstd()) {
       zstd = new ZstdCompressCtx();
       zstd.setLevel(
@@ -80,7 +84,9 @@ final class PacketPacker implements Closeable {
     for (int from = 0; from < size; from += LZ4_BLOCK) {
       int to = Math.min(size, from + LZ4_BLOCK);
       int end = at + 4;
-      if (from == 0 && events < size) {
+      if (lz4High != null) {
+        end = lz4High.pack(payload, from, to, target, at + 4);
+      } else if (from == 0 && events < size) {
         end = lz4.pack(payload, 0, events, to, target, at + 4);
       }
       if (end == at + 4 || end - at - 4 >= to - from) {
