@@ -20,7 +20,7 @@ class RecordingServicesTest {
     assertEquals(
         Set.of(
             "aedat1", "aedat2", "aedat3", "aedat4", "csv", "dat", "es", "evt2", "evt21", "evt3",
-            "hdf5", "mcap", "nmnist", "npz", "rosbag"),
+            "hdf5", "mcap", "nmnist", "npz", "rosbag", "rosbag2"),
         Recordings.formats().keySet());
     Recordings.formats().forEach((name, format) -> assertEquals(name, format.name()));
   }

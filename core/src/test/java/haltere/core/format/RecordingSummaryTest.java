@@ -80,15 +80,9 @@ class RecordingSummaryTest {
   @Test
   void theWarningsTellWhatWasAssumedAndLeftOut() throws IOException {
     try (RecordingReader reader = RecordedPackets.ROTATING_DISK.open()) {
-      assertEquals(
-          List.of(
-              "51688 words hold something else than events (frames, inertial samples, triggers)"
-                  + " (first at byte "
-                  + reader.violations().firstOffset(Violation.OTHER_DATA)
-                  + ")"),
-          warnings(reader).stream()
-              .map(line -> line.replaceFirst("byte \\d+", "byte -1"))
-              .toList());
+      RecordingSummary summary = RecordingSummary.scan(reader, ProgressListener.NONE);
+      assertEquals(List.of(), summary.warnings(), "its samples are no damage");
+      assertEquals(51_688, reader.violations().count(Violation.OTHER_DATA));
     }
     try (RecordingReader reader = RecordedPackets.ROTATING_BAR.open()) {
       assertEquals(2, warnings(reader).size());

@@ -62,9 +62,10 @@ class RunCommandTest {
     assertEquals(
         List.of("chain.json", "fly.aedat", "left.cluster-tracker.clusters.csv", "left.csv"),
         names());
-    assertEquals(2, run.errorLines().size(), run.err());
-    assertTrue(run.errorLines().get(0).startsWith("wrote " + out + " ("), run.err());
-    assertTrue(run.errorLines().get(1).contains("left.cluster-tracker.clusters.csv ("), run.err());
+    assertEquals(3, run.errorLines().size(), run.err());
+    assertTrue(run.errorLines().get(0).contains("rows count from the bottom"), run.err());
+    assertTrue(run.errorLines().get(1).startsWith("wrote " + out + " ("), run.err());
+    assertTrue(run.errorLines().get(2).contains("left.cluster-tracker.clusters.csv ("), run.err());
     List<String> rows = Files.readAllLines(folder.resolve("left.cluster-tracker.clusters.csv"));
     assertTrue(rows.get(0).startsWith("t_us,id,"), rows.get(0));
     assertTrue(rows.size() > 1);

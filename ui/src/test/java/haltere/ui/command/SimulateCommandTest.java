@@ -40,7 +40,8 @@ class SimulateCommandTest {
     assertEquals(20 + 1, rows.size());
     assertEquals(5_000_000, time(rows.get(1)));
     assertEquals(5_095_000, time(rows.get(20)));
-    assertEquals(2, run.errorLines().size(), run.err());
+    assertEquals(3, run.errorLines().size(), run.err());
+    assertTrue(run.errorLines().get(0).contains("rows count from the bottom"), run.err());
   }
 
   private static long time(String row) {

@@ -149,7 +149,13 @@ class ViewerWindowTest {
       }
     }
     assertTrue(marked > 200, marked + " pixels are marked");
-    assertTrue(left < x - BlobSource.RADIUS * scale && right > x + BlobSource.RADIUS * scale);
+    assertTrue(
+        left < x - BlobSource.RADIUS * scale && right > x + BlobSource.RADIUS * scale,
+        "marks from "
+            + (left - x) / scale
+            + " to "
+            + (right - x) / scale
+            + " pixels of the sensor");
   }
 
   @Test
