@@ -47,6 +47,12 @@ import org.junit.jupiter.api.io.TempDir;
 public abstract class RecordingFormatContract {
   private static final int[] PACKET_SIZES = {1, 7, 1000, 8192, 1 << 20};
 
+  /** Places in which a file is cut, at the most; a longer one is cut in every second, third... */
+  private static final int MOST_CUTS = 2500;
+
+  /** Bytes at the start of a file of which none is passed over. */
+  private static final int EVERY_BYTE = 500;
+
   /** Files that the tests make. */
   @TempDir protected Path folder;
 
@@ -229,7 +235,7 @@ public abstract class RecordingFormatContract {
   }
 
   @Test
-  void aFileCutAtAnyByteGivesTheEventsBeforeTheCut() throws IOException {
+  void aFileCutAnywhereGivesTheEventsBeforeTheCut() throws IOException {
     EventPacket events = randomEvents(usualSensor(), 3, 60);
     Path whole = file("whole");
     write(whole, usualSensor(), events);
@@ -237,7 +243,8 @@ public abstract class RecordingFormatContract {
     int cutsNoticed = 0;
     int cutsRead = 0;
     Path cut = file("cut");
-    for (int length = 0; length < bytes.length; length++) {
+    int step = 1 + (bytes.length - 1) / MOST_CUTS;
+    for (int length = 0; length < bytes.length; length += length < EVERY_BYTE ? 1 : step) {
       Files.write(cut, Arrays.copyOf(bytes, length));
       try (RecordingReader reader = format().open(cut, options(usualSensor()))) {
         EventPacket got = read(reader).events();

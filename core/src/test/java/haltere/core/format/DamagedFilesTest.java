@@ -1,18 +1,16 @@
 package haltere.core.format;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTimeout;
+import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.EventPacket;
-import haltere.core.event.Origin;
-import haltere.core.event.SensorGeometry;
 import haltere.core.stream.StreamGrammar;
 import haltere.testing.EventPackets;
-import haltere.testing.Recorded;
 import haltere.testing.StreamRecorder;
 import java.io.IOException;
 import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -20,44 +18,28 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Set;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.MethodSource;
 
 /**
  * Files cut, changed, lengthened and filled up at random, the same at every run: nothing but a
  * problem in words may come of them, and the events before the damage are the true ones.
  */
 class DamagedFilesTest {
-  private static final int CASES = 800;
-  private static final int EVENTS = 120;
+  private static final int CASES = 1000;
+  private static final int FILES = 7;
   private static final Duration SOON = Duration.ofSeconds(60);
-  private static final SensorGeometry SENSOR = new SensorGeometry(64, 48, Origin.TOP);
+  private static final long[] LIES = {
+    0, 1, -1, 500, 0x7fff, Integer.MAX_VALUE, Integer.MIN_VALUE, 1 << 28, Long.MAX_VALUE, 1L << 40
+  };
 
   @TempDir Path folder;
 
-  private static EventPacket events(long seed) {
-    EventPacket events = EventPackets.uniform(SENSOR, seed, EVENTS, 1000 * seed, 40);
-    for (int i = 0; i < events.size(); i++) {
-      // Some at the same time and in neighbouring columns, so that there are vectors.
-      events.timesUs()[i] -= events.timesUs()[i] % 256;
-    }
-    return events;
-  }
-
-  private byte[] trueFile(RecordingFormat format, long seed) throws IOException {
-    Path file = folder.resolve("true-" + seed);
-    if (!format.writable()) {
-      byte[] sample = Files.readAllBytes(Recorded.file("nmnist-sample.bin"));
-      return Arrays.copyOf(sample, EVENTS * 5);
-    }
-    try (RecordingWriter writer =
-        format.create(file, WriteOptions.of(SENSOR).withOverwrite(true)).orElseThrow()) {
-      writer.write(events(seed));
-      writer.finish();
-    }
-    return Files.readAllBytes(file);
+  static Set<String> formats() {
+    return Recordings.formats().keySet();
   }
 
   /** A damaged copy, and the first byte that is not as it was. */
@@ -65,7 +47,7 @@ class DamagedFilesTest {
 
   private static Damage damage(byte[] whole, SplittableRandom random) {
     int at = random.nextInt(whole.length);
-    switch (random.nextInt(5)) {
+    switch (random.nextInt(6)) {
       case 0:
         return new Damage(Arrays.copyOf(whole, at), at);
       case 1:
@@ -85,10 +67,27 @@ class DamagedFilesTest {
         byte[] filler = new byte[random.nextInt(1, 20_000)];
         Arrays.fill(filler, (byte) random.nextInt(256));
         return new Damage(joined(whole, at, filler, at), at);
+      case 4:
+        return lie(whole, at, random);
       default:
         int lost = Math.min(whole.length, at + random.nextInt(1, 30));
         return new Damage(joined(whole, at, new byte[0], lost), at);
     }
+  }
+
+  /** A number that cannot be true, of 2, 4 or 8 bytes in either order. */
+  private static Damage lie(byte[] whole, int place, SplittableRandom random) {
+    int size = 2 << random.nextInt(3);
+    int at = Math.min(place, whole.length - size);
+    long number = LIES[random.nextInt(LIES.length)];
+    ByteBuffer bytes = ByteBuffer.wrap(whole.clone());
+    bytes.order(random.nextBoolean() ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN);
+    switch (size) {
+      case 2 -> bytes.putShort(at, (short) number);
+      case 4 -> bytes.putInt(at, (int) number);
+      default -> bytes.putLong(at, number);
+    }
+    return new Damage(bytes.array(), at);
   }
 
   private static byte[] joined(byte[] whole, int to, byte[] between, int from) {
@@ -102,7 +101,8 @@ class DamagedFilesTest {
   private EventPacket read(RecordingFormat format, byte[] bytes) throws IOException {
     Path file = Files.write(folder.resolve("damaged"), bytes);
     StreamRecorder recorder = new StreamRecorder();
-    try (RecordingReader reader = format.open(file, ReadOptions.DEFAULT.withSensor(SENSOR))) {
+    ReadOptions options = ReadOptions.DEFAULT.withSensor(SmallFiles.sensor(format));
+    try (RecordingReader reader = format.open(file, options)) {
       reader.drainTo(new StreamGrammar(recorder));
       List<TimeSegment> segments = reader.segments();
       assertEquals(recorder.events().isEmpty(), segments.isEmpty());
@@ -113,51 +113,60 @@ class DamagedFilesTest {
     return recorder.events();
   }
 
-  /** Where the header ends; damage before it may make another recording of the file. */
+  /**
+   * Where the header ends; damage before it may make another recording of the file. Formats with a
+   * directory, which may be what is damaged, are all header.
+   */
   private static int headerBytes(String name, byte[] whole) {
     String text = new String(whole, StandardCharsets.ISO_8859_1);
     return switch (name) {
+      case "aedat1" -> text.indexOf("us\r\n") + 4;
+      case "aedat3" -> text.indexOf("END-HEADER\r\n") + 12;
       case "evt2", "evt21", "evt3" -> text.indexOf("% end\n") + 6;
       case "dat" -> text.indexOf("\n\f\b") + 3;
       case "es" -> 20;
-      case "npz", "hdf5" -> whole.length;
       case "csv" -> text.indexOf('\n') + 1;
-      default -> 0;
+      case "nmnist" -> 0;
+      default -> whole.length;
     };
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"evt2", "evt21", "evt3", "dat", "es", "csv", "nmnist", "npz", "hdf5"})
+  @MethodSource("formats")
   void damageIsFoundAndWhatWasBeforeItIsRead(String name) {
-    RecordingFormat format = Recordings.formats().get(name);
-    assertTimeout(
-        SOON,
-        () -> {
-          SplittableRandom random = new SplittableRandom(name.hashCode());
-          List<Integer> read = new ArrayList<>();
-          for (int i = 0; i < CASES; i++) {
-            byte[] whole = trueFile(format, i % 7 + 1);
-            Damage damage = damage(whole, random);
-            try {
-              EventPacket got = read(format, damage.bytes());
-              read.add(got.size());
-              if (damage.at() >= headerBytes(name, whole)) {
-                EventPacket before = read(format, Arrays.copyOf(whole, damage.at()));
-                // A row of text that ends too early may look like a whole one.
-                int sure = name.equals("csv") ? Math.max(0, before.size() - 1) : before.size();
-                assertTrue(got.size() >= sure, "case " + i + " of " + name);
-                assertEquals(
-                    EventPackets.part(before, 0, sure),
-                    EventPackets.part(got, 0, sure),
-                    "case " + i + " of " + name);
-              }
-            } catch (RecordingProblem problem) {
-              assertTrue(
-                  problem.getMessage().startsWith(folder.resolve("damaged").toString()),
-                  problem.getMessage());
-            }
-          }
-          assertTrue(read.size() > CASES / 4, read.size() + " of the files were read");
-        });
+    assertTimeoutPreemptively(SOON, () -> damageAndRead(Recordings.formats().get(name)));
+  }
+
+  private void damageAndRead(RecordingFormat format) throws IOException {
+    String name = format.name();
+    SplittableRandom random = new SplittableRandom(name.hashCode());
+    List<byte[]> files = new ArrayList<>();
+    for (int i = 1; i <= FILES; i++) {
+      files.add(SmallFiles.bytes(format, i, folder));
+    }
+    int read = 0;
+    for (int i = 0; i < CASES; i++) {
+      byte[] whole = files.get(i % FILES);
+      Damage damage = damage(whole, random);
+      String what = "case " + i + " of " + name + ", damaged at byte " + damage.at();
+      try {
+        EventPacket got = read(format, damage.bytes());
+        read++;
+        if (damage.at() >= headerBytes(name, whole)) {
+          EventPacket before = read(format, Arrays.copyOf(whole, damage.at()));
+          // A row of text that ends too early may look like a whole one.
+          int sure = name.equals("csv") ? Math.max(0, before.size() - 1) : before.size();
+          assertTrue(got.size() >= sure, what);
+          assertEquals(EventPackets.part(before, 0, sure), EventPackets.part(got, 0, sure), what);
+        }
+      } catch (RecordingProblem problem) {
+        assertTrue(
+            problem.getMessage().startsWith(folder.resolve("damaged").toString()),
+            problem.getMessage());
+      } catch (RuntimeException fault) {
+        throw new AssertionError(what + ": " + fault, fault);
+      }
+    }
+    assertTrue(read > CASES / 4, read + " of the files were read");
   }
 }
