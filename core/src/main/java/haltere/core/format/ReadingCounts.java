@@ -43,6 +43,19 @@ public record ReadingCounts(long frames, long inertialSamples, long triggers) {
   }
 
   /**
+   * What is left of these without others that are among them.
+   *
+   * @param others at most as many of each kind
+   * @return the difference
+   */
+  public ReadingCounts minus(ReadingCounts others) {
+    return new ReadingCounts(
+        frames - others.frames,
+        inertialSamples - others.inertialSamples,
+        triggers - others.triggers);
+  }
+
+  /**
    * Whether there is none at all.
    *
    * @return true if all counts are 0

@@ -73,6 +73,16 @@ public interface RecordingFormat {
   }
 
   /**
+   * Whether rows may count from the top or from the bottom in files of the format, as {@link
+   * WriteOptions#origin()} asks for; other formats count them from where their definition says.
+   *
+   * @return true for plain tables of events
+   */
+  default boolean hasEitherOrigin() {
+    return false;
+  }
+
+  /**
    * Starts to write a recording.
    *
    * @param file where it will be

@@ -8,13 +8,17 @@ import haltere.core.event.ReadingKind;
 import haltere.core.event.SensorGeometry;
 import haltere.core.event.SensorReading;
 import haltere.core.format.Conversion;
+import haltere.core.format.RecordingFormat;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.RecordingWriter;
+import haltere.core.format.Recordings;
 import haltere.core.format.Violation;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import picocli.CommandLine.Command;
@@ -27,6 +31,10 @@ import picocli.CommandLine.Parameters;
     name = "convert",
     description = "Write a recording, or a part of it, in the format that OUT's name ends in.")
 final class ConvertCommand extends Subcommand {
+  /** Names of the formats that {@code .raw} files may have. */
+  private static final Map<String, String> ENCODINGS =
+      Map.of("2", "evt2", "2.1", "evt21", "3", "evt3");
+
   @Parameters(index = "0", paramLabel = "IN", description = "A recording.")
   Path in;
 
@@ -54,6 +62,12 @@ final class ConvertCommand extends Subcommand {
   List<String> filters = List.of();
 
   @Option(
+      names = "--evt",
+      paramLabel = "2|2.1|3",
+      description = "The encoding of an OUT that ends in .raw: EVT2, EVT2.1 or EVT3 (the usual).")
+  String evt;
+
+  @Option(
       names = "--stream",
       paramLabel = "NAME",
       description =
@@ -62,7 +76,7 @@ final class ConvertCommand extends Subcommand {
   ReadingStream stream;
 
   @Mixin ReadingOptions reading;
-  @Mixin WritingOptions writing;
+  @Mixin RecordingWritingOptions writing;
 
   ConvertCommand(Surroundings surroundings) {
     super(surroundings);
@@ -80,7 +94,8 @@ final class ConvertCommand extends Subcommand {
     }
     writing.checkRecording(out);
     WritingOptions.checkDifferent(in, out);
-    convert();
+    convert(
+        evt == null ? Recordings.forWriting(out) : Recordings.formats().get(ENCODINGS.get(evt)));
     return OK;
   }
 
@@ -88,6 +103,7 @@ final class ConvertCommand extends Subcommand {
     if (fromUs != null && toUs != null && fromUs >= toUs) {
       throw wrongArguments("--from " + fromUs + " must be before --to " + toUs);
     }
+    checkEncoding();
     for (String name : filters) {
       if (!Filters.all().containsKey(name)) {
         throw wrongArguments(
@@ -96,6 +112,18 @@ final class ConvertCommand extends Subcommand {
                 + "; there are "
                 + String.join(", ", Filters.all().keySet()));
       }
+    }
+  }
+
+  private void checkEncoding() {
+    if (evt == null) {
+      return;
+    }
+    if (!ENCODINGS.containsKey(evt)) {
+      throw wrongArguments("--evt is " + evt + ", it must be 2, 2.1 or 3");
+    }
+    if (stream != null || !out.toString().toLowerCase(Locale.ROOT).endsWith(".raw")) {
+      throw wrongArguments("--evt is about recordings in .raw files, which " + out + " is not");
     }
   }
 
@@ -139,10 +167,10 @@ final class ConvertCommand extends Subcommand {
     message("wrote " + out + " (" + kind.count(rows) + ")");
   }
 
-  private void convert() throws IOException {
+  private void convert(RecordingFormat format) throws IOException {
     Conversion.Result done;
     try (RecordingReader reader = reading.openWithReadings(in);
-        RecordingWriter writer = new StrictWriter(writing.create(out, reader), reader);
+        RecordingWriter writer = new StrictWriter(writing.create(out, format, reader), reader);
         ProgressBar bar = progressBar("converting", in)) {
       FilterChain chain = chain(reader.geometry());
       Conversion conversion =

@@ -29,7 +29,9 @@ final class InfoCommand extends Subcommand {
 
   @Option(
       names = "--json",
-      description = "Write a JSON object, or an array of objects for several files.")
+      description =
+          "Write a JSON object, or for several files an array with an object for each; one that"
+              + " cannot be read has only the keys file and error.")
   boolean json;
 
   @Mixin ReadingOptions reading;
@@ -61,7 +63,9 @@ final class InfoCommand extends Subcommand {
         if (isDebug()) {
           problem.printStackTrace(surroundings().err());
         }
-        error(Failures.describe(problem));
+        String line = Failures.describe(problem);
+        error(line);
+        objects.add(failed(file, line));
         status = FAILED;
       }
     }
@@ -90,7 +94,9 @@ final class InfoCommand extends Subcommand {
       objection = reading.objection(file, reader.violations());
     }
     if (json) {
-      objects.add(object(summary));
+      Map<String, Object> object = object(summary);
+      objection.ifPresent(problem -> object.put("error", problem.getMessage()));
+      objects.add(object);
     } else {
       print(file, summary);
     }
@@ -99,6 +105,14 @@ final class InfoCommand extends Subcommand {
     }
     objection.ifPresent(problem -> error(problem.getMessage()));
     return objection.isEmpty();
+  }
+
+  /** Stands for a file that cannot be read, so that the array has a place for each file. */
+  private static Map<String, Object> failed(Path file, String line) {
+    Map<String, Object> object = new LinkedHashMap<>();
+    object.put("file", file.toString());
+    object.put("error", line);
+    return object;
   }
 
   private static Map<String, Object> object(RecordingSummary summary) {

@@ -6,12 +6,16 @@ import haltere.core.chain.FilterChain;
 import haltere.core.chain.FilterTiming;
 import haltere.core.chain.Outlet;
 import haltere.core.event.SensorGeometry;
+import haltere.core.format.ReadingCounts;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.RecordingWriter;
+import haltere.core.format.Recordings;
+import haltere.core.format.Violation;
 import haltere.core.pipeline.OverflowPolicy;
 import haltere.core.pipeline.Pipeline;
 import haltere.core.pipeline.PipelineCounters;
 import haltere.core.pipeline.Recorder;
+import haltere.core.pipeline.RecorderReport;
 import java.io.IOException;
 import java.nio.charset.CharacterCodingException;
 import java.nio.file.Path;
@@ -31,7 +35,8 @@ import picocli.CommandLine.Parameters;
     description = {
       "Run a saved chain of filters over a recording.",
       "Without --out: say what each filter let through and what it cost. With --out: also write"
-          + " the events that are left, and what the filters publish to CSV files beside them,"
+          + " the events that are left, with frames, inertial samples and triggers where its"
+          + " format can hold them, and what the filters publish to CSV files beside them,"
           + " named OUT.STAGE.OUTLET.csv."
     })
 final class RunCommand extends Subcommand {
@@ -52,7 +57,7 @@ final class RunCommand extends Subcommand {
   Path out;
 
   @Mixin ReadingOptions reading;
-  @Mixin WritingOptions writing;
+  @Mixin RecordingWritingOptions writing;
 
   RunCommand(Surroundings surroundings) {
     super(surroundings);
@@ -64,19 +69,19 @@ final class RunCommand extends Subcommand {
       writing.checkRecording(out);
       WritingOptions.checkDifferent(file, out);
     }
-    try (RecordingReader reader = reading.open(file)) {
+    try (RecordingReader reader = reading.openWithReadings(file)) {
       FilterChain chain = chain(reader.geometry());
       try {
         if (out == null) {
           run(reader, chain, null);
           reading.requireWhole(reader);
+          warnings(reader);
         } else {
           runAndWrite(reader, chain);
         }
       } finally {
         chain.close();
       }
-      warnings(reader);
       summary(chain);
     }
     return OK;
@@ -93,20 +98,34 @@ final class RunCommand extends Subcommand {
   private void runAndWrite(RecordingReader reader, FilterChain chain) throws IOException {
     checkTables(chain);
     Map<Path, Long> rows;
-    long events;
-    RecordingWriter writer = writing.create(out, reader.geometry());
+    Passed passed;
+    RecorderReport report;
+    RecordingWriter writer = writing.create(out, Recordings.forWriting(out), reader);
     try (Recorder recorder = new Recorder(writer, reader.geometry(), OverflowPolicy.BLOCK);
         OutletTables tables = OutletTables.open(chain, this::table, writing.overwrite)) {
-      events = run(reader, chain, recorder);
+      passed = run(reader, chain, recorder);
       reading.requireWhole(reader);
       tables.finish();
-      recorder.finish();
+      report = recorder.finish();
       for (String loss : writer.losses()) {
         warning(out + ": " + loss);
       }
       rows = tables.rows();
     }
-    message("wrote " + out + " (" + Quantities.events(events) + ")");
+    boolean readings = !passed.readings().isEmpty();
+    warnings(reader, readings ? Set.of(Violation.OTHER_DATA) : Set.of());
+    ReadingCounts leftOut = report.readingsLeftOut();
+    if (!leftOut.isEmpty()) {
+      warning(file + ": " + leftOut + " were left out: the format of " + out + " cannot hold them");
+    }
+    ReadingCounts written = passed.readings().minus(leftOut);
+    message(
+        "wrote "
+            + out
+            + " ("
+            + Quantities.events(passed.events())
+            + (written.isEmpty() ? "" : ", " + written)
+            + ")");
     rows.forEach(
         (table, count) -> message("wrote " + table + " (" + Quantities.count(count) + " rows)"));
   }
@@ -131,14 +150,17 @@ final class RunCommand extends Subcommand {
     return out.resolveSibling(stem + "." + stage.name() + "." + outlet.name() + ".csv");
   }
 
-  /** Runs the whole recording through the chain; gives back how many events are left. */
-  private long run(RecordingReader reader, FilterChain chain, Recorder recorder)
+  /** What a chain left of a recording. */
+  private record Passed(long events, ReadingCounts readings) {}
+
+  /** Runs the whole recording through the chain. */
+  private Passed run(RecordingReader reader, FilterChain chain, Recorder recorder)
       throws IOException {
     try (ProgressBar bar = progressBar("filtering", file)) {
       PipelineCounters counters = new PipelineCounters();
       WritingSink sink = new WritingSink(reader, recorder, bar, counters);
       Pipeline.run(reader, chain, List.of(sink), counters);
-      return counters.get(PipelineCounters.Counter.EVENTS_OUT);
+      return new Passed(counters.get(PipelineCounters.Counter.EVENTS_OUT), sink.readings());
     }
   }
 

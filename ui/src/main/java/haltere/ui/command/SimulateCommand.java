@@ -58,7 +58,7 @@ final class SimulateCommand extends Subcommand {
       description = "Length in seconds; if not given, as the scene's settings say, else 10.")
   Double durationS;
 
-  @Mixin WritingOptions writing;
+  @Mixin RecordingWritingOptions writing;
 
   SimulateCommand(Surroundings surroundings) {
     super(surroundings);

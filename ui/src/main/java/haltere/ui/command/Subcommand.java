@@ -2,8 +2,10 @@ package haltere.ui.command;
 
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingReader;
+import haltere.core.format.Violation;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -71,10 +73,15 @@ abstract class Subcommand implements Callable<Integer> {
 
   /** Reports what was wrong with a recording that has been read. */
   void warnings(RecordingReader reader) {
+    warnings(reader, Set.of());
+  }
+
+  /** Reports what was wrong with a recording that has been read, but for some kinds. */
+  void warnings(RecordingReader reader, Set<Violation> untold) {
     for (String remark : reader.remarks()) {
       warning(reader.path() + ": " + remark);
     }
-    for (String violation : reader.violations().describe()) {
+    for (String violation : reader.violations().describe(untold)) {
       warning(reader.path() + ": " + violation);
     }
   }

@@ -1,6 +1,8 @@
 package haltere.ui.command;
 
 import haltere.core.event.EventPacket;
+import haltere.core.event.SensorReading;
+import haltere.core.format.ReadingCounts;
 import haltere.core.format.RecordingReader;
 import haltere.core.pipeline.PipelineCounters;
 import haltere.core.pipeline.Recorder;
@@ -13,12 +15,13 @@ final class WritingSink implements StreamHandler {
   private final Recorder recorder;
   private final ProgressBar bar;
   private final PipelineCounters counters;
+  private ReadingCounts readings = ReadingCounts.NONE;
 
   /**
    * A sink.
    *
    * @param reader where the events come from, for the bar
-   * @param recorder takes the events; null to write nothing
+   * @param recorder takes the events and readings; null to write nothing
    * @param bar shows how far the reader is
    * @param counters know how many events went into the chain
    */
@@ -37,6 +40,19 @@ final class WritingSink implements StreamHandler {
     }
     bar.events(counters.get(PipelineCounters.Counter.EVENTS_IN));
     bar.progress(reader.positionBytes(), reader.sizeBytes());
+  }
+
+  @Override
+  public void reading(SensorReading reading) {
+    readings = readings.plus(reading.kind());
+    if (recorder != null) {
+      recorder.reading(reading);
+    }
+  }
+
+  /** How many readings came by. */
+  ReadingCounts readings() {
+    return readings;
   }
 
   @Override

@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import haltere.core.format.RecordingReader;
+import haltere.core.format.Recordings;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -14,6 +16,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class ConvertCommandTest {
   @TempDir Path folder;
@@ -78,6 +82,15 @@ class ConvertCommandTest {
   }
 
   @Test
+  void whereRowsCountFromIsRefusedWhereTheFormatDecidesIt() {
+    Path copy = folder.resolve("copy.aedat4");
+    CommandRun run = CommandRun.of("convert", in, copy, "--origin", "top");
+    assertEquals(2, run.status(), run.err());
+    assertTrue(run.err().startsWith("haltere convert: --origin is about plain"), run.err());
+    assertEquals(0, CommandRun.of("convert", in, copy).status());
+  }
+
+  @Test
   void textWhoseRowsCountFromTheBottomComesWithAWarning() {
     String err = CommandRun.of("convert", in, out).err();
     assertTrue(err.contains("warning") && err.contains("--origin top"), err);
@@ -104,6 +117,40 @@ class ConvertCommandTest {
     in = noisy;
     assertEquals(2, converted("--filter", "refractory").size());
     assertEquals(1, converted("--filter", "refractory", "--filter", "background-activity").size());
+  }
+
+  @ParameterizedTest
+  @CsvSource({"2, evt2", "2.1, evt21", "3, evt3", ", evt3"})
+  void rawFilesHaveTheEncodingThatIsAskedFor(String encoding, String format) throws IOException {
+    List<String> direct = converted("--origin", "top");
+    Path raw = folder.resolve("hundred.raw");
+    CommandRun made =
+        encoding == null
+            ? CommandRun.of("convert", in, raw)
+            : CommandRun.of("convert", in, raw, "--evt", encoding);
+    assertEquals(0, made.status(), made.err());
+    try (RecordingReader reader = Recordings.open(raw)) {
+      assertEquals(format, reader.formatName());
+    }
+    in = raw;
+    assertEquals(direct, converted());
+  }
+
+  @Test
+  void anEncodingIsForRawFilesOnly() throws IOException {
+    for (Object[] words :
+        new Object[][] {
+          {"convert", in, out, "--evt", "2"},
+          {"convert", in, folder.resolve("a.raw"), "--evt", "4"},
+          {"convert", in, folder.resolve("a.raw"), "--evt", "2", "--stream", "frames"}
+        }) {
+      CommandRun run = CommandRun.of(words);
+      assertEquals(2, run.status(), run.err());
+      assertTrue(run.errorLines().get(0).startsWith("haltere convert: --evt is "), run.err());
+    }
+    try (Stream<Path> files = Files.list(folder)) {
+      assertArrayEquals(new Path[] {in}, files.toArray());
+    }
   }
 
   @Test

@@ -7,10 +7,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import haltere.core.json.Json;
 import haltere.testing.Recorded;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -105,6 +108,36 @@ class InfoCommandTest {
     assertEquals(2, array.size());
     assertEquals(100L, ((Map<?, ?>) array.get(0)).get("events"));
     assertEquals(1L, ((Map<?, ?>) array.get(1)).get("events"));
+  }
+
+  @Test
+  void aFileThatCannotBeReadHasItsPlaceInTheArray() throws IOException {
+    Path missing = folder.resolve("missing.aedat");
+    CommandRun run = CommandRun.of("info", "--json", missing, recording);
+    assertEquals(1, run.status());
+    List<?> array = (List<?>) Json.parse(run.out(), "the output");
+    assertEquals(2, array.size());
+    Map<?, ?> first = (Map<?, ?>) array.get(0);
+    assertEquals(Set.of("file", "error"), first.keySet());
+    assertEquals(missing.toString(), first.get("file"));
+    assertEquals("haltere: " + first.get("error") + "\n", run.err());
+    Map<?, ?> second = (Map<?, ?>) array.get(1);
+    assertEquals(100L, second.get("events"));
+    assertFalse(second.containsKey("error"));
+  }
+
+  @Test
+  void whatAStrictUserObjectsToIsInTheObject() throws IOException {
+    byte[] bytes = Files.readAllBytes(recording);
+    Path cut = Files.write(folder.resolve("cut.aedat"), Arrays.copyOf(bytes, bytes.length - 3));
+    CommandRun lenient = CommandRun.of("info", "--json", cut);
+    assertEquals(0, lenient.status());
+    assertFalse(lenient.out().contains("error"), lenient.out());
+    CommandRun strict = CommandRun.of("info", "--json", "--strict", cut);
+    assertEquals(1, strict.status());
+    Map<?, ?> object = (Map<?, ?>) Json.parse(strict.out(), "the output");
+    assertEquals(99L, object.get("events"));
+    assertTrue(strict.err().endsWith("haltere: " + object.get("error") + "\n"), strict.err());
   }
 
   @Test

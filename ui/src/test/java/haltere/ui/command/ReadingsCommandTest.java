@@ -70,6 +70,21 @@ class ReadingsCommandTest {
   }
 
   @Test
+  void runCarriesThemWhereTheTargetCanAndSaysWhatIsLeftBehind() throws IOException {
+    Path chain = out("chain.json");
+    Files.writeString(chain, "{\"filters\": [{\"filter\": \"refractory\"}]}");
+    String carried = succeed("run", davis, "--chain", chain, "--out", out("left.aedat4"));
+    assertTrue(carried.contains(" events, 59 frames, 2363 inertial samples, 236 trig"), carried);
+    assertFalse(carried.contains("warning"), carried);
+    String info = CommandRun.of("info", out("left.aedat4")).out();
+    assertTrue(info.contains("59 frames, 2363 inertial samples, 236 triggers"), info);
+    String left = succeed("run", davis, "--chain", chain, "--out", out("left.csv"), "--quiet");
+    String loss = "59 frames, 2363 inertial samples, 236 triggers were left out";
+    assertTrue(left.startsWith("haltere: warning: " + davis + ": " + loss), left);
+    assertEquals(1, left.lines().count(), left);
+  }
+
+  @Test
   void samplesAndTriggersBecomeTables() throws IOException {
     succeed("convert", davis, out("imu.csv"), "--stream", "imu");
     List<String> imu = Files.readAllLines(out("imu.csv"));

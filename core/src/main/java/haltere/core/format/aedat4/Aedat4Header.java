@@ -35,7 +35,8 @@ record Aedat4Header(
   static Aedat4Header read(RecordingFile file) throws IOException {
     byte[] start = file.read(0, MAGIC_BYTES + 4);
     if (!new String(start, StandardCharsets.ISO_8859_1).startsWith(MAGIC)) {
-      throw new RecordingProblem(file.path(), "it does not begin with #!AER-DAT4.0");
+      throw new RecordingProblem(
+          file.path(), "it does not begin with #!AER-DAT4.0; leave out --format");
     }
     if (start.length < MAGIC_BYTES + 4) {
       throw new RecordingProblem(

@@ -55,7 +55,8 @@ final class McapIndex {
   static McapIndex read(RecordingFile file, BagTopics topics, ViolationCounts violations)
       throws IOException {
     if (!isMcap(file.read(0, MAGIC.length))) {
-      throw new RecordingProblem(file.path(), "it does not begin as MCAP files do");
+      throw new RecordingProblem(
+          file.path(), "it does not begin as MCAP files do; leave out --format");
     }
     McapIndex index = new McapIndex(file.size(), topics);
     long footerAt = file.size() - MAGIC.length - FOOTER_BYTES;

@@ -46,7 +46,8 @@ final class RosbagIndex {
       throws IOException {
     byte[] start = file.read(0, FIRST_RECORD);
     if (!new String(start, StandardCharsets.ISO_8859_1).equals(MAGIC)) {
-      throw new RecordingProblem(file.path(), "it does not begin with #ROSBAG V2.0");
+      throw new RecordingProblem(
+          file.path(), "it does not begin with #ROSBAG V2.0; leave out --format");
     }
     RosbagIndex index = new RosbagIndex(file.size());
     StoredPayload payload = new StoredPayload(new FileWindow(file));

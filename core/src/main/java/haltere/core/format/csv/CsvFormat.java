@@ -53,6 +53,11 @@ public final class CsvFormat implements RecordingFormat {
   }
 
   @Override
+  public boolean hasEitherOrigin() {
+    return true;
+  }
+
+  @Override
   public ProbeResult probe(FileHead head) {
     Optional<CsvLayout> layout = CsvLayout.of(head.head());
     if (layout.isEmpty()) {

@@ -45,6 +45,11 @@ public final class Hdf5Format implements RecordingFormat {
   }
 
   @Override
+  public boolean hasEitherOrigin() {
+    return true;
+  }
+
+  @Override
   public ProbeResult probe(FileHead head) {
     for (int at = 0; at < head.head().length; at = at == 0 ? 512 : 2 * at) {
       if (ContainerFile.isSignature(head.head(), at)) {

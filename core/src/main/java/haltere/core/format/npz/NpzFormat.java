@@ -50,6 +50,11 @@ public final class NpzFormat implements RecordingFormat {
   }
 
   @Override
+  public boolean hasEitherOrigin() {
+    return true;
+  }
+
+  @Override
   public ProbeResult probe(FileHead head) {
     if (head.startsWith("\u0093NUMPY")) {
       return new ProbeResult(Support.CERTAIN, "it begins as a NumPy array");

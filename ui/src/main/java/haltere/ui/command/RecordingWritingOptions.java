@@ -1,0 +1,105 @@
+package haltere.ui.command;
+
+import haltere.core.event.Origin;
+import haltere.core.event.ReadingKind;
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.ReadingCounts;
+import haltere.core.format.RecordingFormat;
+import haltere.core.format.RecordingProblem;
+import haltere.core.format.RecordingReader;
+import haltere.core.format.RecordingWriter;
+import haltere.core.format.Recordings;
+import haltere.core.format.WriteOptions;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.EnumSet;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** Options of every command that writes recordings. */
+final class RecordingWritingOptions extends WritingOptions {
+  @Spec(Spec.Target.MIXEE)
+  CommandSpec command;
+
+  @Option(
+      names = "--origin",
+      paramLabel = "top|bottom",
+      description =
+          "Where plain exports (CSV, NumPy, HDF5) count rows from; if not given, as their source.")
+  Origin origin;
+
+  /**
+   * Refuses a recording that cannot be written, before any work is done.
+   *
+   * @param output where it will be
+   * @throws ParameterException if nothing writes files whose names end so, or the origin is not to
+   *     be chosen
+   * @throws CommandProblem as {@link #check}
+   */
+  void checkRecording(Path output) {
+    RecordingFormat format;
+    try {
+      format = Recordings.forWriting(output);
+    } catch (RecordingProblem unknownEnding) {
+      throw new ParameterException(command.commandLine(), unknownEnding.getMessage());
+    }
+    if (origin != null && !format.hasEitherOrigin()) {
+      throw new ParameterException(
+          command.commandLine(),
+          "--origin is about plain exports (CSV, NumPy, HDF5); rows of "
+              + format.name()
+              + " files count from where the format says");
+    }
+    check(output);
+  }
+
+  /**
+   * Starts a recording in the format that its name ends in.
+   *
+   * @param output where it will be
+   * @param geometry the sensor of its events
+   * @return an open writer
+   * @throws IOException if it cannot be written
+   */
+  RecordingWriter create(Path output, SensorGeometry geometry) throws IOException {
+    return create(output, Recordings.forWriting(output), geometry, Set.of());
+  }
+
+  /**
+   * Starts a recording for all that another one holds, as far as the format can.
+   *
+   * @param output where it will be
+   * @param format of the new recording
+   * @param reader the other recording
+   * @return an open writer
+   * @throws IOException if it cannot be written, or the other one not be read
+   */
+  RecordingWriter create(Path output, RecordingFormat format, RecordingReader reader)
+      throws IOException {
+    Set<ReadingKind> readings = EnumSet.noneOf(ReadingKind.class);
+    readings.addAll(format.writableReadings());
+    if (!readings.isEmpty()) {
+      ReadingCounts there = reader.countReadings();
+      readings.removeIf(kind -> there.of(kind) == 0);
+    }
+    return create(output, format, reader.geometry(), readings);
+  }
+
+  private RecordingWriter create(
+      Path output, RecordingFormat format, SensorGeometry geometry, Set<ReadingKind> readings)
+      throws IOException {
+    WriteOptions options =
+        new WriteOptions(geometry, overwrite, Optional.ofNullable(origin), Map.of(), readings);
+    return format
+        .create(output, options)
+        .orElseThrow(
+            () ->
+                new CommandProblem(
+                    output + ": " + format.name() + " is only read; choose another ending"));
+  }
+}
