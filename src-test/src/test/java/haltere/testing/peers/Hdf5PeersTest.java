@@ -14,26 +14,21 @@ import haltere.core.format.hdf5.Hdf5Writer;
 import haltere.testing.EventPackets;
 import haltere.testing.StreamRecorder;
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
  * h5py and evutils read every event of what we write, and we of what h5py stores in each of its
- * ways. Needs a Python that has both, see {@link Aedat4PeersTest}; skipped without.
+ * ways. Needs {@link PythonPrograms}; skipped without.
  */
 class Hdf5PeersTest {
   private static final SensorGeometry SENSOR = new SensorGeometry(346, 260, Origin.TOP);
@@ -43,39 +38,11 @@ class Hdf5PeersTest {
   private static final int THEIR_EVENTS = 40_000;
 
   @TempDir Path folder;
-  private Path script;
+  private PythonPrograms peers;
 
   @BeforeEach
   void findPeers() throws IOException {
-    script = folder.resolve("hdf5.py");
-    try (InputStream in = Hdf5PeersTest.class.getResourceAsStream("/peers/hdf5.py")) {
-      Files.copy(in, script);
-    }
-    Assumptions.assumeTrue(
-        Files.isExecutable(python()) && run("check").isPresent(),
-        "there is no Python with h5py, hdf5plugin and evutils (HALTERE_PEERS names one)");
-  }
-
-  private static Path python() {
-    String named = System.getenv("HALTERE_PEERS");
-    return named != null ? Path.of(named) : Path.of("../build/peers/bin/python3");
-  }
-
-  /** Lines that the script printed, empty if it failed. */
-  private Optional<List<String>> run(String... arguments) throws IOException {
-    List<String> command = new ArrayList<>(List.of(python().toString(), script.toString()));
-    command.addAll(Arrays.asList(arguments));
-    Path errors = folder.resolve("errors.txt");
-    Process process = new ProcessBuilder(command).redirectError(errors.toFile()).start();
-    try (InputStream out = process.getInputStream()) {
-      String text = new String(out.readAllBytes(), StandardCharsets.UTF_8);
-      boolean done = process.waitFor(60, TimeUnit.SECONDS) && process.exitValue() == 0;
-      return done ? Optional.of(text.lines().toList()) : Optional.empty();
-    } catch (InterruptedException e) {
-      throw new IOException(e);
-    } finally {
-      process.destroy();
-    }
+    peers = PythonPrograms.orSkip("hdf5.py", folder);
   }
 
   private static EventPacket events(int count) {
@@ -102,9 +69,9 @@ class Hdf5PeersTest {
       command.add(file.toString());
       expected.add("h5py" + facts);
       expected.add("evutils" + facts);
-      assertTrue(run("index", file.toString()).isPresent(), "ms_to_idx of level " + level);
+      assertTrue(peers.run("index", file.toString()).isPresent(), "ms_to_idx of level " + level);
     }
-    assertEquals(Optional.of(expected), run(command.toArray(String[]::new)));
+    assertEquals(Optional.of(expected), peers.run(command.toArray(String[]::new)));
   }
 
   @Test
@@ -117,7 +84,7 @@ class Hdf5PeersTest {
     }
     Path raw = Files.write(folder.resolve("events.bin"), rows.array());
     Path theirs = Files.createDirectory(folder.resolve("theirs"));
-    assertTrue(run("write", raw.toString(), "346", "260", theirs.toString()).isPresent());
+    assertTrue(peers.run("write", raw.toString(), "346", "260", theirs.toString()).isPresent());
     List<Path> files;
     try (Stream<Path> listed = Files.list(theirs)) {
       files = listed.sorted().toList();
