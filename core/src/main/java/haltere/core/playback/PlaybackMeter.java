@@ -4,26 +4,38 @@ import haltere.core.chain.ChainStage;
 import haltere.core.chain.FilterChain;
 import java.util.IdentityHashMap;
 import java.util.Map;
+import java.util.function.LongSupplier;
 
-/** Measures how fast playback goes, how many events there are and which stage takes the time. */
+/**
+ * Measures how fast playback goes, how many events there are and what takes the time: which stage
+ * of the chain, or the source.
+ *
+ * <p>Thread rule: the processing thread only.
+ */
 final class PlaybackMeter {
   private static final long WINDOW_NANOS = 500_000_000L;
   private static final long FIRST_READING_NANOS = 50_000_000L;
   private static final double RATE_MEMORY_US = 50_000;
 
   private final FilterChain chain;
+  private final SourceCursor source;
+  private final LongSupplier nanoTime;
   private boolean windowOpen;
   private long windowNanos;
   private long windowPositionUs;
   private double speed;
   private boolean speedKnown;
   private final Map<ChainStage, Long> busyAtWindow = new IdentityHashMap<>();
+  private long sourceBusyAtWindow;
   private String slowest = "";
+  private double sourceShare;
   private double rateEvents;
   private double rateUs;
 
-  PlaybackMeter(FilterChain chain) {
+  PlaybackMeter(FilterChain chain, SourceCursor source, LongSupplier nanoTime) {
     this.chain = chain;
+    this.source = source;
+    this.nanoTime = nanoTime;
   }
 
   /** Time does not go on from what was before: a pause, a jump, another speed. */
@@ -51,6 +63,7 @@ final class PlaybackMeter {
     }
     if (passed >= WINDOW_NANOS) {
       slowest = slowestSinceWindow();
+      sourceShare = sourceShareSinceWindow(nanos);
       speedKnown = true;
       open(nanos, positionUs);
     }
@@ -59,6 +72,7 @@ final class PlaybackMeter {
   private void open(long nanos, long positionUs) {
     windowNanos = nanos;
     windowPositionUs = positionUs;
+    sourceBusyAtWindow = source.busyNanos();
     busyAtWindow.clear();
     for (ChainStage stage : chain.stages()) {
       busyAtWindow.put(stage, stage.timing().busyNanos());
@@ -82,6 +96,21 @@ final class PlaybackMeter {
 
   String slowestStage() {
     return speedKnown ? slowest : slowestSinceWindow();
+  }
+
+  /** Share of real time that the source takes, 0 to 1; 0 while nothing is measured. */
+  double sourceShare() {
+    if (!windowOpen) {
+      return 0;
+    }
+    return speedKnown ? sourceShare : sourceShareSinceWindow(nanoTime.getAsLong());
+  }
+
+  private double sourceShareSinceWindow(long nanos) {
+    long passed = nanos - windowNanos;
+    return passed <= 0
+        ? 0
+        : Math.min(1, (source.busyNanos() - sourceBusyAtWindow) / (double) passed);
   }
 
   private String slowestSinceWindow() {

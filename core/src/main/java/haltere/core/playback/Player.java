@@ -30,11 +30,11 @@ import java.util.function.Consumer;
  * the chain first, so that trackers are warm; sinks do not see the run-up, but filters publish to
  * their outlets during it.
  *
- * <p>Nothing is left out when the chain cannot keep up: playback runs late, {@link PlayerStatus}
- * says how much and which stage is the slowest, and what is late by more than a second is not
- * caught up. A filter that throws is switched off, what it threw is in the status, the events of
- * its packet are counted as lost and announced by a {@code DataLost}. A sink that throws is
- * removed.
+ * <p>Nothing is left out when source or chain cannot keep up: playback runs late, {@link
+ * PlayerStatus} says how much, which stage is the slowest and whether the source is slower still,
+ * and what is late by more than a second is not caught up. A filter that throws is switched off,
+ * what it threw is in the status, the events of its packet are counted as lost and announced by a
+ * {@code DataLost}. A sink that throws is removed.
  *
  * <p>Thread rule: all methods may be called from any thread. Filters, sinks and edits run on the
  * processing thread, and futures are completed there. The player owns its playable and closes it,

@@ -16,6 +16,8 @@ package haltere.core.playback;
  *     changed its speed, microseconds; 0 at unlimited speed
  * @param slowestStage name of the stage of the chain that took most of the time of the last half
  *     second or so, empty if none took any
+ * @param sourceShare share of the real time of the last half second or so that the source took to
+ *     read, decode or simulate what is played, 0 to 1; 0 when paused
  * @param eventsIn events that went to the chain since the start
  * @param eventsOut events that came out of it
  * @param eventRateEps events into the chain per second of recording time, over the last 50 ms or so
@@ -34,6 +36,7 @@ public record PlayerStatus(
     double achievedSpeed,
     long lagUs,
     String slowestStage,
+    double sourceShare,
     long eventsIn,
     long eventsOut,
     double eventRateEps,
@@ -56,11 +59,21 @@ public record PlayerStatus(
   }
 
   /**
-   * Whether the chain cannot keep up.
+   * Whether playback cannot keep up.
    *
    * @return true if playback lags by more than {@link #LATE_US}
    */
   public boolean late() {
     return lagUs > LATE_US;
+  }
+
+  /**
+   * Whether playback waits for its source more than for everything else together. Where it is
+   * {@link #late()}, no faster chain would help.
+   *
+   * @return true if the source takes more than half of the time
+   */
+  public boolean sourceIsSlowest() {
+    return sourceShare > 0.5;
   }
 }

@@ -8,11 +8,14 @@ import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import haltere.core.stream.StreamStarted;
 import java.io.IOException;
+import java.util.function.LongSupplier;
 
 /**
  * Looks one packet, reading or notification ahead in what a playable gives, and hands it out in
  * pieces. What the playable says after a seek, or at its start, is kept back: the player says that
- * in its own words.
+ * in its own words. Measures how long the playable takes.
+ *
+ * <p>Thread rule: the processing thread only.
  */
 final class SourceCursor implements StreamHandler {
   /** What comes next. */
@@ -26,6 +29,7 @@ final class SourceCursor implements StreamHandler {
   }
 
   private final Playable playable;
+  private final LongSupplier nanoTime;
   private final EventPacket pending = new EventPacket(PlaybackEngine.CHUNK_EVENTS);
   private final EventPacket piece = new EventPacket(PlaybackEngine.CHUNK_EVENTS);
   private int index;
@@ -36,9 +40,11 @@ final class SourceCursor implements StreamHandler {
   private EndOfStream end;
   private boolean breakExpected = true;
   private long offsetUs;
+  private long busyNanos;
 
-  SourceCursor(Playable playable) {
+  SourceCursor(Playable playable, LongSupplier nanoTime) {
     this.playable = playable;
+    this.nanoTime = nanoTime;
     start = new StreamStarted(playable.geometry(), playable.name());
   }
 
@@ -48,7 +54,10 @@ final class SourceCursor implements StreamHandler {
     if (known != Ahead.UNKNOWN) {
       return known;
     }
-    if (!playable.next(this)) {
+    long beginNanos = nanoTime.getAsLong();
+    boolean more = playable.next(this);
+    busyNanos += nanoTime.getAsLong() - beginNanos;
+    if (!more) {
       end = new EndOfStream(StreamNotification.NO_TIME_US);
     }
     return known();
@@ -112,6 +121,11 @@ final class SourceCursor implements StreamHandler {
     notification = null;
     end = null;
     breakExpected = true;
+  }
+
+  /** Real time that the playable has taken to give what it gave, nanoseconds. */
+  long busyNanos() {
+    return busyNanos;
   }
 
   /** How the stream starts, as the source said last. */

@@ -557,8 +557,52 @@ class PlaybackEngineTest {
     assertEquals(499 * 10_000, status.lagUs(), 20_000);
     assertTrue(status.late());
     assertEquals("dawdler", status.slowestStage());
+    assertFalse(status.sourceIsSlowest());
     assertEquals(5_000, rig.log.events);
     assertEquals(10.0, rig.clock.getAsLong() / 1e9, 0.02);
+  }
+
+  @Test
+  void aSourceThatCannotKeepUpIsToldFromTheChain() throws IOException {
+    EngineRig[] rig = new EngineRig[1];
+    long[] next = new long[1];
+    EventSource slow =
+        new EventSource() {
+          @Override
+          public SensorGeometry geometry() {
+            return SENSOR;
+          }
+
+          @Override
+          public boolean next(StreamHandler handler) {
+            rig[0].clock.advance(15_000_000);
+            handler.packet(events(next[0]));
+            next[0] += 10_000;
+            return true;
+          }
+
+          @Override
+          public void close() {}
+        };
+    rig[0] = new EngineRig(new ScenePlayable(() -> slow, "slow"), byTime(10_000));
+    rig[0].log.quiet = true;
+    rig[0].raw.quiet = true;
+    ChainStage stage =
+        rig[0].chain.add("dawdler", filter(packet -> rig[0].clock.advance(5_000_000)));
+    rig[0].runUntil(2_000_000_000);
+    PlayerStatus status = rig[0].engine.status();
+    assertTrue(status.late());
+    assertEquals(0.75, status.sourceShare(), 0.02);
+    assertTrue(status.sourceIsSlowest());
+    rig[0].chain.remove(stage);
+    rig[0].chain.add("worse", filter(packet -> rig[0].clock.advance(35_000_000)));
+    rig[0].runUntil(4_000_000_000L);
+    status = rig[0].engine.status();
+    assertTrue(status.late());
+    assertEquals(0.3, status.sourceShare(), 0.02);
+    assertFalse(status.sourceIsSlowest());
+    rig[0].ask(new PlaybackCommand.Play(false));
+    assertEquals(0, rig[0].engine.status().sourceShare());
   }
 
   @Test

@@ -119,11 +119,7 @@ final class StatusLine extends HBox {
     } else if (!activity.isEmpty()) {
       text = activity;
     } else if (late) {
-      text =
-          "The chain is "
-              + Texts.duration(status.lagUs())
-              + " behind"
-              + (status.slowestStage().isEmpty() ? "" : ": " + status.slowestStage());
+      text = Texts.late(status);
     } else if (status != null && status.state() == State.ENDED) {
       text = source + " \u2013 end";
     } else if (status != null && status.state() == State.PAUSED) {

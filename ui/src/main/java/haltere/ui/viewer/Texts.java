@@ -1,5 +1,6 @@
 package haltere.ui.viewer;
 
+import haltere.core.playback.PlayerStatus;
 import java.util.Locale;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.ExecutionException;
@@ -28,6 +29,16 @@ final class Texts {
             ? String.format(Locale.ROOT, ".%06d", abs % 1_000_000)
             : String.format(Locale.ROOT, ".%03d", abs % 1_000_000 / 1000);
     return (us < 0 ? "\u2212" : "") + whole + part;
+  }
+
+  /** By how much playback is late, and what takes the time. */
+  static String late(PlayerStatus status) {
+    String behind = duration(status.lagUs()) + " behind";
+    if (status.sourceIsSlowest()) {
+      return "The source is " + behind + ": reading or simulating it takes most of the time";
+    }
+    String stage = status.slowestStage();
+    return "The chain is " + behind + (stage.isEmpty() ? "" : ": " + stage);
   }
 
   /** Three digits and a letter for thousands: 1.25 M, 34.2 k, 512. */

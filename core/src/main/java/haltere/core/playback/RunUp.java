@@ -1,0 +1,75 @@
+package haltere.core.playback;
+
+import haltere.core.event.EventPacket;
+import haltere.core.pipeline.ChainRunner;
+
+/**
+ * Warms the chain before a slice that a step back shows: hands it what lies before that slice,
+ * unseen by sinks.
+ *
+ * <p>Thread rule: the processing thread only.
+ */
+final class RunUp {
+  private final SourceCursor cursor;
+  private final ChainRunner runner;
+  private final EventTies ties;
+  private boolean open;
+  private long targetUs;
+  private int tiesLeft;
+
+  RunUp(SourceCursor cursor, ChainRunner runner, EventTies ties) {
+    this.cursor = cursor;
+    this.runner = runner;
+    this.ties = ties;
+  }
+
+  /** What comes from the cursor from now on goes to the chain alone, up to a place. */
+  void open(StepBackSearch.Place target) {
+    open = true;
+    targetUs = target.elapsedUs();
+    tiesLeft = target.ties();
+  }
+
+  /** What comes is wanted elsewhere. */
+  void cancel() {
+    open = false;
+  }
+
+  /** Whether a run-up is under way. */
+  boolean isOpen() {
+    return open;
+  }
+
+  /** Where the run-up leads to, on the elapsed timeline. */
+  long targetUs() {
+    return targetUs;
+  }
+
+  /** Hands over one piece of what is ahead; false once the place has been reached. */
+  boolean advance(SourceCursor.Ahead ahead) {
+    if (ahead == SourceCursor.Ahead.NOTIFICATION) {
+      runner.runUpNotified(cursor.takeNotification());
+      return true;
+    }
+    if (ahead == SourceCursor.Ahead.READING
+        && cursor.readingElapsedUs() < targetUs + Math.min(tiesLeft, 1)) {
+      runner.runUpReading(cursor.takeReading());
+      return true;
+    }
+    if (ahead == SourceCursor.Ahead.EVENTS) {
+      int count = Math.min(cursor.countBefore(targetUs), PlaybackEngine.CHUNK_EVENTS);
+      if (count == 0 && tiesLeft > 0) {
+        count = 1;
+        tiesLeft--;
+      }
+      if (count > 0) {
+        EventPacket piece = cursor.take(count);
+        ties.handOver(piece, cursor.offsetUs());
+        runner.runUp(piece);
+        return true;
+      }
+    }
+    open = false;
+    return false;
+  }
+}
