@@ -32,7 +32,7 @@ public final class ViewerApplication {
     AtomicReference<Throwable> problem = new AtomicReference<>();
     // the first session is made ready while JavaFX starts
     FutureTask<ViewerSession> first =
-        new FutureTask<>(() -> ViewerWindow.firstSession(file, options));
+        new FutureTask<>(() -> SessionRequest.of(file, options).firstSession());
     Thread ahead = new Thread(first, "haltere-first");
     ahead.setDaemon(true);
     ahead.start();

@@ -1,5 +1,6 @@
 /**
- * The window. One class per panel; {@code ViewerWindow} only puts them together.
+ * The window. One class per panel; {@code ViewerPanels} lays them out and keeps them up to date,
+ * {@code SessionOpener} opens what they show, {@code ViewerWindow} does what the menus ask for.
  *
  * <p>Thread rule, for the whole package: nodes are touched on the JavaFX thread only, and that
  * thread never reads a file, never runs a filter and never waits for another thread. The player's

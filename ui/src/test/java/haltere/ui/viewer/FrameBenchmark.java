@@ -16,7 +16,6 @@ import java.time.Duration;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.TreeMap;
 import java.util.concurrent.Callable;
@@ -62,8 +61,7 @@ public final class FrameBenchmark {
 
   /** Time from the start of this program to the first events of the fly scene on the screen. */
   private static void measureStart() throws Exception {
-    FutureTask<ViewerSession> first =
-        new FutureTask<>(() -> ViewerWindow.firstSession(Optional.empty(), ReadOptions.DEFAULT));
+    FutureTask<ViewerSession> first = new FutureTask<>(() -> SessionRequest.scene().firstSession());
     Thread ahead = new Thread(first, "haltere-first");
     ahead.setDaemon(true);
     ahead.start();

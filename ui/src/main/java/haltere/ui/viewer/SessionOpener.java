@@ -1,0 +1,111 @@
+package haltere.ui.viewer;
+
+import haltere.core.chain.ChainFile;
+import haltere.core.format.ReadOptions;
+import haltere.core.playback.PlayerOptions;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.concurrent.Future;
+import java.util.function.BiConsumer;
+
+/**
+ * Opens sessions in the background, one after the other, and hands over the one that was asked for
+ * last; those before it are closed unseen. What goes wrong the status line says.
+ *
+ * <p>Thread rule: JavaFX thread only; nothing here waits.
+ */
+final class SessionOpener {
+  private final BackgroundWork background;
+  private final ChainEditor editor;
+  private final PlaybackController playback;
+  private final StatusLine statusLine;
+  private final BiConsumer<ViewerSession, ReadOptions> opened;
+  private int openings;
+
+  /** An opener that hands over each session together with what the user said of its file. */
+  SessionOpener(
+      BackgroundWork background,
+      ChainEditor editor,
+      PlaybackController playback,
+      StatusLine statusLine,
+      BiConsumer<ViewerSession, ReadOptions> opened) {
+    this.background = background;
+    this.editor = editor;
+    this.playback = playback;
+    this.statusLine = statusLine;
+    this.opened = opened;
+  }
+
+  /**
+   * Opens something.
+   *
+   * @param keepChain whether it gets the filters that are open now, else the default ones
+   * @param shownAs how its events are shown
+   */
+  void open(SessionRequest request, boolean keepChain, DisplayOptions shownAs) {
+    int number = announce(request.name());
+    PlayerOptions playerOptions = playback.options();
+    if (keepChain) {
+      editor.read(
+          ChainFile::write,
+          json ->
+              load(
+                  number,
+                  () -> request.session(Optional.of(json), playerOptions, shownAs),
+                  request.options()));
+    } else {
+      load(
+          number,
+          () -> request.session(Optional.empty(), playerOptions, shownAs),
+          request.options());
+    }
+  }
+
+  /** Opens a session that is being made and whose player was started in pause. */
+  void open(Future<ViewerSession> making, String name, ReadOptions options) {
+    int number = announce(name);
+    Callable<ViewerSession> made = making::get;
+    if (making.isDone()) {
+      // then the first thing that the window shows are events
+      try {
+        handOver(number, made.call(), options);
+      } catch (Exception problem) {
+        showProblem(number, problem);
+      }
+    } else {
+      load(number, made, options);
+    }
+  }
+
+  /** Nothing that was asked for is wanted any more. */
+  void cancel() {
+    openings++;
+  }
+
+  /** Says what is about to be opened, and that nothing that was asked for before is wanted. */
+  private int announce(String name) {
+    statusLine.clearError();
+    statusLine.setActivity("Opening " + name + " \u2026");
+    return ++openings;
+  }
+
+  private void load(int number, Callable<ViewerSession> making, ReadOptions options) {
+    background.file(
+        making, made -> handOver(number, made, options), problem -> showProblem(number, problem));
+  }
+
+  private void handOver(int number, ViewerSession made, ReadOptions options) {
+    if (number == openings) {
+      opened.accept(made, options);
+    } else {
+      background.close(made);
+    }
+  }
+
+  private void showProblem(int number, Exception problem) {
+    if (number == openings) {
+      statusLine.setActivity("");
+      statusLine.showError(Texts.oneLine(problem));
+    }
+  }
+}

@@ -1,0 +1,77 @@
+package haltere.ui.viewer;
+
+import haltere.core.chain.FilterChain;
+import haltere.core.format.ReadOptions;
+import haltere.core.playback.Playable;
+import haltere.core.playback.PlayerOptions;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+
+/**
+ * What is to be opened, and how a session of it is made.
+ *
+ * <p>Thread rule: may be made on any thread; sessions are made in the background, because files are
+ * read.
+ *
+ * @param playable opens it
+ * @param file where it is, if it is a file
+ * @param options what the user says about the file
+ * @param name what a person would call it
+ */
+record SessionRequest(
+    Callable<Playable> playable, Optional<Path> file, ReadOptions options, String name) {
+  /** A recording. */
+  static SessionRequest recording(Path file, ReadOptions options) {
+    return new SessionRequest(
+        () -> Sources.recording(file, options), Optional.of(file), options, file.toString());
+  }
+
+  /** The built-in scene. */
+  static SessionRequest scene() {
+    return made(Sources::flyScene, "the fly scene");
+  }
+
+  /** What is not a file. */
+  static SessionRequest made(Callable<Playable> playable, String name) {
+    return new SessionRequest(playable, Optional.empty(), ReadOptions.DEFAULT, name);
+  }
+
+  /** A recording, or the built-in scene where there is no file. */
+  static SessionRequest of(Optional<Path> file, ReadOptions options) {
+    return file.map(path -> recording(path, options)).orElseGet(SessionRequest::scene);
+  }
+
+  /**
+   * Makes a session; background thread.
+   *
+   * @param chainJson the chain as saved, or empty for the default one
+   */
+  ViewerSession session(
+      Optional<String> chainJson, PlayerOptions playerOptions, DisplayOptions displayOptions)
+      throws Exception {
+    Playable opened = playable.call();
+    try {
+      FilterChain chain = Sources.chain(opened.geometry(), chainJson);
+      return new ViewerSession(opened, file, chain, playerOptions, displayOptions);
+    } catch (IOException | RuntimeException problem) {
+      opened.close();
+      throw problem;
+    }
+  }
+
+  /**
+   * Makes the session that a new window shows, and has its player paint the first slice, so that
+   * there are events to show as soon as there is a window. Background thread.
+   */
+  ViewerSession firstSession() throws Exception {
+    ViewerSession made =
+        session(
+            Optional.empty(),
+            PlaybackController.firstOptions().withPaused(true),
+            DisplayOptions.DEFAULT);
+    made.prepare();
+    return made;
+  }
+}

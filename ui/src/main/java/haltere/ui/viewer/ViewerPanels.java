@@ -1,0 +1,150 @@
+package haltere.ui.viewer;
+
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.RateProfile;
+import haltere.core.playback.PlayerStatus;
+import haltere.core.playback.PlayerStatus.State;
+import haltere.ui.rendering.ColourMap;
+import java.util.List;
+import javafx.geometry.Orientation;
+import javafx.scene.control.MenuBar;
+import javafx.scene.control.SplitPane;
+import javafx.scene.layout.BorderPane;
+import javafx.scene.layout.VBox;
+
+/**
+ * The panels of the window, laid out; at each pulse hands them the newest frame and what the player
+ * says of itself.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+final class ViewerPanels extends BorderPane {
+  /** How often words and numbers are brought up to date while playing. */
+  private static final long NUMBERS_NANOS = 125_000_000;
+
+  private final PlaybackController playback;
+  private final ChainEditor editor;
+  private final StatusLine statusLine;
+  private final EventView view = new EventView();
+  private final ChainPanel chainPanel;
+  private final TransportBar transport;
+  private final SeekBar seekBar;
+  private final PlotPanel plots;
+  private final SplitPane left = new SplitPane(view);
+  private final FrameMeter meter = new FrameMeter();
+  private PlayerStatus shownStatus;
+  private boolean repaintAsked;
+  private long numbersNanos;
+
+  ViewerPanels(
+      MenuBar menu, PlaybackController playback, ChainEditor editor, StatusLine statusLine) {
+    this.playback = playback;
+    this.editor = editor;
+    this.statusLine = statusLine;
+    chainPanel = new ChainPanel(editor);
+    transport = new TransportBar(playback);
+    seekBar = new SeekBar(playback);
+    plots = new PlotPanel(editor, playback);
+    left.setOrientation(Orientation.VERTICAL);
+    SplitPane middle = new SplitPane(left, chainPanel);
+    middle.setDividerPositions(0.72);
+    SplitPane.setResizableWithParent(chainPanel, false);
+    setCenter(middle);
+    setTop(menu);
+    setBottom(new VBox(seekBar, transport, statusLine));
+    getStyleClass().add("viewer");
+    view.setGeometry(new SensorGeometry(128, 128), DisplayOptions.DEFAULT.colours());
+  }
+
+  EventView view() {
+    return view;
+  }
+
+  PlotPanel plots() {
+    return plots;
+  }
+
+  SeekBar seekBar() {
+    return seekBar;
+  }
+
+  /** Pictures shown so far. */
+  long framesShown() {
+    return meter.total();
+  }
+
+  /** Begins to show a session that has not started, in place of another one. */
+  void startAnew(ViewerSession made, ColourMap colours) {
+    String name = made.player().playable().name();
+    SensorGeometry geometry = made.player().playable().geometry();
+    statusLine.setSource(name + "   " + geometry.width() + " \u00d7 " + geometry.height());
+    view.setGeometry(geometry, colours);
+    showStages(made.firstStages());
+    plots.startAnew();
+    seekBar.clear();
+    repaintAsked = false;
+    shownStatus = null;
+  }
+
+  /** Shows how many events there are along the recording. */
+  void setProfile(RateProfile profile) {
+    seekBar.setProfile(profile);
+  }
+
+  /** Shows what the chain consists of. */
+  void showStages(List<StageState> stages) {
+    chainPanel.show(stages);
+    plots.followChain();
+  }
+
+  /** Shows or hides the plots below the events. */
+  void setPlotsVisible(boolean visible) {
+    if (visible && !left.getItems().contains(plots)) {
+      left.getItems().add(plots);
+      left.setDividerPositions(0.6);
+    } else if (!visible) {
+      left.getItems().remove(plots);
+    }
+  }
+
+  /** Draws what is painted here, and not by the style sheet, dark or light. */
+  void setDark(boolean dark) {
+    seekBar.setDark(dark);
+    plots.setDark(dark);
+  }
+
+  /** Brings all panels up to date with a session; called at each pulse of JavaFX. */
+  void pulse(ViewerSession open, long nowNanos) {
+    DisplayFrame frame = open.display().exchange().fetch();
+    if (frame != null) {
+      view.show(frame);
+      meter.shown();
+    } else if (open.display().isStale() && !repaintAsked) {
+      repaintAsked = true;
+      editor.read(
+          chain -> {
+            open.display().paint();
+            return open;
+          },
+          painted -> repaintAsked = false);
+    }
+    PlayerStatus now = open.player().status();
+    plots.update(now, nowNanos);
+    if (now == shownStatus && nowNanos - numbersNanos < NUMBERS_NANOS) {
+      return;
+    }
+    seekBar.update(now, playback.marks());
+    boolean held = now.state() != State.PLAYING;
+    if (held || nowNanos - numbersNanos >= NUMBERS_NANOS) {
+      showNumbers(open, now, nowNanos);
+    }
+    shownStatus = now;
+  }
+
+  private void showNumbers(ViewerSession open, PlayerStatus now, long nowNanos) {
+    transport.update(now);
+    statusLine.update(now, meter.perSecond(nowNanos), open.display().exchange().conflated());
+    chainPanel.update(nowNanos - numbersNanos);
+    numbersNanos = nowNanos;
+  }
+}
