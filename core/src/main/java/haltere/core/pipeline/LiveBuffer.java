@@ -1,19 +1,15 @@
 package haltere.core.pipeline;
 
 import haltere.core.event.EventPacket;
-import haltere.core.event.Frame;
 import haltere.core.event.SensorGeometry;
 import haltere.core.event.SensorReading;
 import haltere.core.stream.DataLost;
 import haltere.core.stream.EndOfStream;
 import haltere.core.stream.EventSource;
-import haltere.core.stream.Reset;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import java.io.InterruptedIOException;
 import java.util.ArrayDeque;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
@@ -29,16 +25,6 @@ import java.util.concurrent.locks.ReentrantLock;
  * EventSource}; the counts may be read from any thread.
  */
 public final class LiveBuffer implements StreamHandler, EventSource {
-  /** So much of frames, samples and triggers may wait. */
-  private static final long MAX_READING_BYTES = 32 << 20;
-
-  private static final int BYTES_PER_READING = 256;
-
-  /** What is missing at a place of the stream. */
-  private static final class Gap {
-    long events;
-  }
-
   private final SensorGeometry geometry;
   private final int capacity;
   private final OverflowPolicy policy;
@@ -47,20 +33,13 @@ public final class LiveBuffer implements StreamHandler, EventSource {
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition changed = lock.newCondition();
   private final ArrayDeque<EventPacket> free = new ArrayDeque<>();
-  // EventPacket, SensorReading, StreamNotification or Gap; a gap is never at the end of what may be
-  // taken.
-  private final List<Object> waiting = new ArrayList<>();
+  private final LiveQueue waiting;
   private boolean ending;
   private boolean ended;
   private boolean closed;
-  private long lastHandedUs = StreamNotification.NO_TIME_US;
   private long eventsIn;
   private long eventsOut;
   private long eventsLost;
-  private int packetsWaiting;
-  private int mostWaiting;
-  private long readingBytes;
-  private int readingsWaiting;
   private long readingsLost;
 
   /**
@@ -93,6 +72,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
     this.policy = Objects.requireNonNull(policy, "policy");
     this.place = Objects.requireNonNull(place, "place");
     this.gathering = gathering;
+    waiting = new LiveQueue(place);
     for (int i = 0; i < packets; i++) {
       free.add(new EventPacket(capacity));
     }
@@ -128,7 +108,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
     while (from < packet.size()) {
       lock.lock();
       try {
-        EventPacket last = gathering ? lastWaiting() : null;
+        EventPacket last = gathering ? waiting.lastPacket() : null;
         int room = last == null ? 0 : capacity - last.size();
         int to = Math.min(packet.size(), from + (room > 0 ? room : capacity));
         eventsIn += to - from;
@@ -144,22 +124,15 @@ public final class LiveBuffer implements StreamHandler, EventSource {
     }
   }
 
-  private EventPacket lastWaiting() {
-    int last = waiting.size() - 1;
-    return last >= 0 && waiting.get(last) instanceof EventPacket packet ? packet : null;
-  }
-
   private void putCopy(EventPacket packet, int from, int to) {
     EventPacket copy = room();
     if (copy == null) {
-      lose(waiting.size(), to - from);
+      lose(to - from);
       return;
     }
     copy.clear();
     copy.append(packet, from, to);
     waiting.add(copy);
-    packetsWaiting++;
-    mostWaiting = Math.max(mostWaiting, packetsWaiting);
     changed.signalAll();
   }
 
@@ -185,37 +158,18 @@ public final class LiveBuffer implements StreamHandler, EventSource {
   }
 
   private void dropOldest() {
-    for (int i = 0; i < waiting.size(); i++) {
-      if (waiting.get(i) instanceof EventPacket oldest) {
-        waiting.remove(i);
-        packetsWaiting--;
-        free.add(oldest);
-        lose(i, oldest.size());
-        return;
-      }
+    EventPacket oldest = waiting.dropOldest();
+    if (oldest != null) {
+      eventsLost += oldest.size();
+      free.add(oldest);
     }
   }
 
-  /** Notes that events are missing before what stands at an index. */
-  private void lose(int index, int events) {
+  private void lose(int events) {
     eventsLost += events;
-    if (closed || ending) {
-      return;
+    if (!closed && !ending) {
+      waiting.addGap(events);
     }
-    Gap gap;
-    if (index > 0 && waiting.get(index - 1) instanceof Gap before) {
-      gap = before;
-      if (index < waiting.size() && waiting.get(index) instanceof Gap after) {
-        gap.events += after.events;
-        waiting.remove(index);
-      }
-    } else if (index < waiting.size() && waiting.get(index) instanceof Gap after) {
-      gap = after;
-    } else {
-      gap = new Gap();
-      waiting.add(index, gap);
-    }
-    gap.events += events;
   }
 
   /**
@@ -228,15 +182,13 @@ public final class LiveBuffer implements StreamHandler, EventSource {
   public void reading(SensorReading reading) {
     lock.lock();
     try {
-      while (policy == OverflowPolicy.BLOCK && !hasRoomForReading() && !closed && !ending) {
+      while (policy == OverflowPolicy.BLOCK && !waiting.hasRoomForReading() && !closed && !ending) {
         changed.await();
       }
-      if (closed || ending || !hasRoomForReading()) {
+      if (closed || ending || !waiting.hasRoomForReading()) {
         readingsLost++;
         return;
       }
-      readingsWaiting++;
-      readingBytes += bytes(reading);
       waiting.add(reading);
       changed.signalAll();
     } catch (InterruptedException interrupted) {
@@ -247,14 +199,6 @@ public final class LiveBuffer implements StreamHandler, EventSource {
     }
   }
 
-  private boolean hasRoomForReading() {
-    return readingsWaiting == 0 || readingBytes < MAX_READING_BYTES;
-  }
-
-  private static long bytes(SensorReading reading) {
-    return BYTES_PER_READING + (reading instanceof Frame frame ? frame.rows().capacity() : 0);
-  }
-
   @Override
   public void notified(StreamNotification notification) {
     lock.lock();
@@ -263,14 +207,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
         return;
       }
       ending = notification instanceof EndOfStream;
-      int last = waiting.size() - 1;
-      if (notification instanceof Reset next
-          && last >= 0
-          && waiting.get(last) instanceof Reset before) {
-        waiting.set(last, new Reset(next.cause(), before.lastUs(), next.nextUs()));
-      } else {
-        waiting.add(notification);
-      }
+      waiting.add(notification);
       changed.signalAll();
     } finally {
       lock.unlock();
@@ -320,10 +257,10 @@ public final class LiveBuffer implements StreamHandler, EventSource {
     lock.lock();
     try {
       long left = nanos;
-      while (!closed && !ended && !somethingToTake() && left > 0) {
+      while (!closed && !ended && !waiting.hasNext() && left > 0) {
         left = changed.awaitNanos(left);
       }
-      return closed || ended || somethingToTake();
+      return closed || ended || waiting.hasNext();
     } catch (InterruptedException interrupted) {
       throw interrupted();
     } finally {
@@ -340,47 +277,23 @@ public final class LiveBuffer implements StreamHandler, EventSource {
   private Object take() throws InterruptedIOException {
     lock.lock();
     try {
-      while (!closed && !ended && !somethingToTake()) {
+      while (!closed && !ended && !waiting.hasNext()) {
         changed.await();
       }
       if (closed || ended) {
         return null;
       }
-      Object next = waiting.remove(0);
-      if (next instanceof EventPacket packet) {
-        packetsWaiting--;
-        lastHandedUs = packet.lastTimeUs();
-        return packet;
-      }
-      if (next instanceof Gap gap) {
-        long toUs =
-            waiting.get(0) instanceof EventPacket packet
-                ? packet.firstTimeUs()
-                : StreamNotification.NO_TIME_US;
-        return new DataLost(-1, gap.events, lastHandedUs, toUs, place);
-      }
-      if (next instanceof SensorReading reading) {
-        readingsWaiting--;
-        readingBytes -= bytes(reading);
+      Object next = waiting.take();
+      if (next instanceof SensorReading) {
         changed.signalAll();
-        return reading;
       }
-      StreamNotification notification = (StreamNotification) next;
-      if (notification.endsContinuity()) {
-        lastHandedUs = StreamNotification.NO_TIME_US;
-      }
-      ended = notification instanceof EndOfStream;
-      return notification;
+      ended = next instanceof EndOfStream;
+      return next;
     } catch (InterruptedException interrupted) {
       throw interrupted();
     } finally {
       lock.unlock();
     }
-  }
-
-  /** A gap waits for what comes after it, which may widen it and tells where it ends. */
-  private boolean somethingToTake() {
-    return waiting.size() > 1 || (!waiting.isEmpty() && !(waiting.get(0) instanceof Gap));
   }
 
   private void giveBack(EventPacket packet, int events) {
@@ -401,14 +314,8 @@ public final class LiveBuffer implements StreamHandler, EventSource {
     try {
       if (!closed) {
         closed = true;
-        for (Object item : waiting) {
-          eventsLost += item instanceof EventPacket packet ? packet.size() : 0;
-        }
-        readingsLost += readingsWaiting;
-        readingsWaiting = 0;
-        readingBytes = 0;
-        waiting.clear();
-        packetsWaiting = 0;
+        readingsLost += waiting.readings();
+        eventsLost += waiting.clear();
         changed.signalAll();
       }
     } finally {
@@ -451,7 +358,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
   public Counts counts() {
     lock.lock();
     try {
-      return new Counts(eventsIn, eventsOut, eventsLost, packetsWaiting, mostWaiting);
+      return new Counts(eventsIn, eventsOut, eventsLost, waiting.packets(), waiting.mostPackets());
     } finally {
       lock.unlock();
     }

@@ -1,0 +1,177 @@
+package haltere.core.pipeline;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.Frame;
+import haltere.core.event.SensorReading;
+import haltere.core.stream.DataLost;
+import haltere.core.stream.Reset;
+import haltere.core.stream.StreamNotification;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * What waits in a {@link LiveBuffer}, in the order of the stream, with a note wherever events are
+ * missing.
+ *
+ * <p>Thread rule: under the lock of its buffer only.
+ */
+final class LiveQueue {
+  /** So much of frames, samples and triggers may wait. */
+  private static final long MAX_READING_BYTES = 32 << 20;
+
+  private static final int BYTES_PER_READING = 256;
+
+  /** What is missing at a place of the stream. */
+  private static final class Gap {
+    long events;
+  }
+
+  private final String place;
+  // EventPacket, SensorReading, StreamNotification or Gap; a gap is never at the end of what may be
+  // taken.
+  private final List<Object> waiting = new ArrayList<>();
+  private long lastTakenUs = StreamNotification.NO_TIME_US;
+  private int packets;
+  private int mostPackets;
+  private int readings;
+  private long readingBytes;
+
+  /**
+   * An empty queue.
+   *
+   * @param place who loses events, in words for a person
+   */
+  LiveQueue(String place) {
+    this.place = place;
+  }
+
+  /** Packets that wait. */
+  int packets() {
+    return packets;
+  }
+
+  /** The most packets that ever waited. */
+  int mostPackets() {
+    return mostPackets;
+  }
+
+  /** Readings that wait. */
+  int readings() {
+    return readings;
+  }
+
+  /** Whether another reading may wait; one always may. */
+  boolean hasRoomForReading() {
+    return readings == 0 || readingBytes < MAX_READING_BYTES;
+  }
+
+  /** The packet that came last, or null if it was something else that did. */
+  EventPacket lastPacket() {
+    int last = waiting.size() - 1;
+    return last >= 0 && waiting.get(last) instanceof EventPacket packet ? packet : null;
+  }
+
+  void add(EventPacket packet) {
+    waiting.add(packet);
+    packets++;
+    mostPackets = Math.max(mostPackets, packets);
+  }
+
+  void add(SensorReading reading) {
+    waiting.add(reading);
+    readings++;
+    readingBytes += bytes(reading);
+  }
+
+  /** Adds a notification; a reset straight after a reset takes its place. */
+  void add(StreamNotification notification) {
+    int last = waiting.size() - 1;
+    if (notification instanceof Reset next
+        && last >= 0
+        && waiting.get(last) instanceof Reset before) {
+      waiting.set(last, new Reset(next.cause(), before.lastUs(), next.nextUs()));
+    } else {
+      waiting.add(notification);
+    }
+  }
+
+  /** Notes that events are missing after all that waits. */
+  void addGap(int events) {
+    addGap(waiting.size(), events);
+  }
+
+  /** Takes the oldest packet out and notes that its events are missing; null if there is none. */
+  EventPacket dropOldest() {
+    for (int i = 0; i < waiting.size(); i++) {
+      if (waiting.get(i) instanceof EventPacket oldest) {
+        waiting.remove(i);
+        packets--;
+        addGap(i, oldest.size());
+        return oldest;
+      }
+    }
+    return null;
+  }
+
+  /** Notes that events are missing before what stands at an index. */
+  private void addGap(int index, int events) {
+    Gap gap;
+    if (index > 0 && waiting.get(index - 1) instanceof Gap before) {
+      gap = before;
+      if (index < waiting.size() && waiting.get(index) instanceof Gap after) {
+        gap.events += after.events;
+        waiting.remove(index);
+      }
+    } else if (index < waiting.size() && waiting.get(index) instanceof Gap after) {
+      gap = after;
+    } else {
+      gap = new Gap();
+      waiting.add(index, gap);
+    }
+    gap.events += events;
+  }
+
+  /** A gap waits for what comes after it, which may widen it and tells where it ends. */
+  boolean hasNext() {
+    return waiting.size() > 1 || (!waiting.isEmpty() && !(waiting.get(0) instanceof Gap));
+  }
+
+  /** Takes a packet, a reading or a notification, if there {@link #hasNext() is one}. */
+  Object take() {
+    Object next = waiting.remove(0);
+    if (next instanceof Gap gap) {
+      long toUs =
+          waiting.get(0) instanceof EventPacket packet
+              ? packet.firstTimeUs()
+              : StreamNotification.NO_TIME_US;
+      return new DataLost(-1, gap.events, lastTakenUs, toUs, place);
+    }
+    if (next instanceof EventPacket packet) {
+      packets--;
+      lastTakenUs = packet.lastTimeUs();
+    } else if (next instanceof SensorReading reading) {
+      readings--;
+      readingBytes -= bytes(reading);
+    } else if (((StreamNotification) next).endsContinuity()) {
+      lastTakenUs = StreamNotification.NO_TIME_US;
+    }
+    return next;
+  }
+
+  /** Throws away all that waits; returns how many events that were. */
+  long clear() {
+    long events = 0;
+    for (Object item : waiting) {
+      events += item instanceof EventPacket packet ? packet.size() : 0;
+    }
+    waiting.clear();
+    packets = 0;
+    readings = 0;
+    readingBytes = 0;
+    return events;
+  }
+
+  private static long bytes(SensorReading reading) {
+    return BYTES_PER_READING + (reading instanceof Frame frame ? frame.rows().capacity() : 0);
+  }
+}
