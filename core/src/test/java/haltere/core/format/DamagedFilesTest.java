@@ -31,6 +31,10 @@ import org.junit.jupiter.params.provider.MethodSource;
 class DamagedFilesTest {
   private static final int CASES = 1000;
   private static final int FILES = 7;
+
+  /** Bytes before the header of AEDAT-4, the last four of which are its size. */
+  private static final int AEDAT4_START = 18;
+
   private static final Duration SOON = Duration.ofSeconds(60);
   private static final long[] LIES = {
     0, 1, -1, 500, 0x7fff, Integer.MAX_VALUE, Integer.MIN_VALUE, 1 << 28, Long.MAX_VALUE, 1L << 40
@@ -114,13 +118,17 @@ class DamagedFilesTest {
   }
 
   /**
-   * Where the header ends; damage before it may make another recording of the file. Formats with a
-   * directory, which may be what is damaged, are all header.
+   * Where the header ends; damage before it may make another recording of the file. NumPy, HDF5 and
+   * bags, whose directories and checksums may be what is damaged, are all header.
    */
   private static int headerBytes(String name, byte[] whole) {
     String text = new String(whole, StandardCharsets.ISO_8859_1);
     return switch (name) {
       case "aedat1" -> text.indexOf("us\r\n") + 4;
+      case "aedat2" -> endOfLines(text);
+      case "aedat4" ->
+          AEDAT4_START
+              + ByteBuffer.wrap(whole).order(ByteOrder.LITTLE_ENDIAN).getInt(AEDAT4_START - 4);
       case "aedat3" -> text.indexOf("END-HEADER\r\n") + 12;
       case "evt2", "evt21", "evt3" -> text.indexOf("% end\n") + 6;
       case "dat" -> text.indexOf("\n\f\b") + 3;
@@ -129,6 +137,14 @@ class DamagedFilesTest {
       case "nmnist" -> 0;
       default -> whole.length;
     };
+  }
+
+  private static int endOfLines(String text) {
+    int end = 0;
+    while (text.charAt(end) == '#') {
+      end = text.indexOf("\r\n", end) + 2;
+    }
+    return end;
   }
 
   @ParameterizedTest
