@@ -100,15 +100,18 @@ final class PlaybackEngine {
   // ---- Commands
 
   void apply(PlaybackCommand command, CompletableFuture<Void> done) {
+    // who waits for the future may look at the status at once
     try {
-      if (!obey(command, done)) {
+      boolean later = obey(command, done);
+      board.publish();
+      if (!later) {
         done.complete(null);
       }
     } catch (IOException | RuntimeException thrown) {
       board.setMessage(thrown.getMessage() == null ? thrown.toString() : thrown.getMessage());
+      board.publish();
       done.completeExceptionally(thrown);
     }
-    board.publish();
   }
 
   /** Returns true if the future will be completed later. */

@@ -148,8 +148,10 @@ class ViewerWindowTest {
       }
     }
     assertTrue(marked > 200, marked + " pixels are marked");
+    // the ellipse is the estimated outline, which is as large as the blob but for its noise
+    double most = 0.8 * BlobSource.RADIUS * scale;
     assertTrue(
-        left < x - BlobSource.RADIUS * scale && right > x + BlobSource.RADIUS * scale,
+        left < x - most && right > x + most,
         "marks from "
             + (left - x) / scale
             + " to "
