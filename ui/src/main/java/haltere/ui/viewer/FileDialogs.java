@@ -58,6 +58,13 @@ final class FileDialogs {
     return remembered(chooser.showSaveDialog(owner));
   }
 
+  Optional<Path> recordingToWrite() {
+    FileChooser chooser = chooser("Record to");
+    chooser.getExtensionFilters().add(new ExtensionFilter("AEDAT-4", "*.aedat4"));
+    chooser.setInitialFileName("recording.aedat4");
+    return remembered(chooser.showSaveDialog(owner));
+  }
+
   Optional<Path> table() {
     FileChooser chooser = chooser("Save plots as table");
     chooser.getExtensionFilters().add(new ExtensionFilter("Tables", "*.csv"));

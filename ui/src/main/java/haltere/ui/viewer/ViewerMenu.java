@@ -30,6 +30,8 @@ final class ViewerMenu extends MenuBar {
 
     void savePicture();
 
+    void toggleRecording();
+
     void quit();
 
     void toggleFullScreen();
@@ -53,6 +55,7 @@ final class ViewerMenu extends MenuBar {
     void showKeys();
   }
 
+  private final MenuItem record = new MenuItem("Record\u2026");
   private final CheckMenuItem plots = new CheckMenuItem("Plots");
   private final Map<ColourMap, RadioMenuItem> colourItems = new LinkedHashMap<>();
 
@@ -66,12 +69,20 @@ final class ViewerMenu extends MenuBar {
             new Menu("_Help", null, help(actions)));
   }
 
+  /** Shows whether a recording is under way. */
+  void showRecording(boolean under) {
+    record.setText(under ? "Stop recording" : "Record\u2026");
+  }
+
   /** Shows which colours are in use. */
   void showColours(ColourMap colours) {
     colourItems.get(colours).setSelected(true);
   }
 
-  private static Menu file(Actions actions) {
+  private Menu file(Actions actions) {
+    record.setId("record");
+    record.setAccelerator(KeyCombination.keyCombination("Shortcut+E"));
+    record.setOnAction(event -> actions.toggleRecording());
     return new Menu(
         "_File",
         null,
@@ -80,6 +91,7 @@ final class ViewerMenu extends MenuBar {
         new SeparatorMenuItem(),
         item("load-chain", "Load chain\u2026", "Shortcut+L", actions::loadChain),
         item("save-chain", "Save chain\u2026", "Shortcut+S", actions::saveChain),
+        record,
         item("save-picture", "Save picture\u2026", "Shortcut+P", actions::savePicture),
         item("save-plot-table", "Save plots as table\u2026", "", actions::savePlotTable),
         item("save-plot-picture", "Save plots as picture\u2026", "", actions::savePlotPicture),

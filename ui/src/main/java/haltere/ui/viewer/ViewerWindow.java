@@ -39,6 +39,8 @@ public final class ViewerWindow implements ViewerMenu.Actions {
   private final Saving saving = new Saving(background, editor, statusLine::showError);
   private final ViewerMenu menu = new ViewerMenu(this, playback);
   private final ViewerPanels panels = new ViewerPanels(menu, playback, editor, statusLine);
+  private final RecordingControl recording =
+      new RecordingControl(background, statusLine::showError, statusLine::setActivity);
   private final SessionOpener opener =
       new SessionOpener(background, editor, playback, statusLine, this::install);
   private final AnimationTimer pulse =
@@ -71,6 +73,7 @@ public final class ViewerWindow implements ViewerMenu.Actions {
     stage.setTitle("Haltere");
     stage.setOnHidden(event -> close());
     Thread.currentThread().setUncaughtExceptionHandler((thread, fault) -> showFault(fault));
+    recording.recordingProperty().addListener((property, was, is) -> menu.showRecording(is));
     pulse.start();
   }
 
@@ -100,6 +103,7 @@ public final class ViewerWindow implements ViewerMenu.Actions {
 
   /** Shows a session in place of the one that is open. */
   private void install(ViewerSession made, ReadOptions options) {
+    recording.stop();
     session.ifPresent(background::close);
     session = Optional.of(made);
     playback.setPlayer(made.player());
@@ -195,6 +199,24 @@ public final class ViewerWindow implements ViewerMenu.Actions {
   /** Saves what is shown as a picture; a file that is there is replaced. */
   void savePicture(Path file) {
     session.ifPresent(open -> saving.picture(file, open));
+  }
+
+  @Override
+  public void toggleRecording() {
+    if (recording.recordingProperty().get()) {
+      recording.stop();
+    } else if (session.isPresent()) {
+      dialogs.recordingToWrite().ifPresent(this::record);
+    }
+  }
+
+  /** Records what comes out of the chain; a file that is there is replaced. */
+  void record(Path file) {
+    session.ifPresent(open -> recording.start(file, open.player()));
+  }
+
+  RecordingControl recording() {
+    return recording;
   }
 
   @Override
@@ -302,6 +324,7 @@ public final class ViewerWindow implements ViewerMenu.Actions {
   private void close() {
     pulse.stop();
     opener.cancel();
+    recording.stop();
     session.ifPresent(background::close);
     session = Optional.empty();
     panels.plots().close();
