@@ -257,7 +257,9 @@ public abstract class RecordingFormatContract {
       }
     }
     assertTrue(cutsRead > 60, "only " + cutsRead + " of the cuts could be read");
-    assertTrue(cutsNoticed > 60, "only " + cutsNoticed + " of the cuts were noticed");
+    // of a large file not every byte is tried, and of Event Stream most bytes are silence
+    int least = step == 1 ? 60 : 20;
+    assertTrue(cutsNoticed > least, "only " + cutsNoticed + " of the cuts were noticed");
   }
 
   @Test
