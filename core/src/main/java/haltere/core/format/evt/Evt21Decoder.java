@@ -27,7 +27,7 @@ public final class Evt21Decoder extends EvtDecoder {
   /** Words on their way; an array is read faster than a buffer. */
   private final long[] stage = new long[STAGE_WORDS];
 
-  private final int turned;
+  private final boolean legacy;
 
   /**
    * A decoder before the first word.
@@ -40,7 +40,7 @@ public final class Evt21Decoder extends EvtDecoder {
   public Evt21Decoder(
       SensorGeometry geometry, long firstTurnUs, boolean legacy, ViolationCounts violations) {
     super(geometry, EvtClock.wide(firstTurnUs), violations);
-    turned = legacy ? 32 : 0;
+    this.legacy = legacy;
   }
 
   /** How many of the words make sense, to find out in which of the layouts they are. */
@@ -68,10 +68,20 @@ public final class Evt21Decoder extends EvtDecoder {
     while (first < end && out.size() < maxEvents && !restarted) {
       int count = Math.min(STAGE_WORDS, end - first);
       words.get(first, stage, 0, count);
+      if (legacy) {
+        turn(count);
+      }
       first += decodeStage(count, offset + (long) first * WORD_BYTES, out, maxEvents);
     }
     in.position(in.position() + first * WORD_BYTES);
     return restarted;
+  }
+
+  /** Puts the halves of staged words in their places. */
+  private void turn(int count) {
+    for (int i = 0; i < count; i++) {
+      stage[i] = Long.rotateLeft(stage[i], 32);
+    }
   }
 
   /** Decodes words of the stage until the packet is full; returns how many. */
@@ -82,8 +92,7 @@ public final class Evt21Decoder extends EvtDecoder {
         at = decodeRun(at, count, out, maxEvents);
       }
       if (at < count && out.size() < maxEvents) {
-        long word = Long.rotateLeft(stage[at], turned);
-        at += decodeWord(word, offset + (long) at * WORD_BYTES, out, maxEvents) ? 1 : 0;
+        at += decodeWord(stage[at], offset + (long) at * WORD_BYTES, out, maxEvents) ? 1 : 0;
       }
     }
     return at;
@@ -93,7 +102,7 @@ public final class Evt21Decoder extends EvtDecoder {
   private int decodeRun(int from, int end, EventPacket out, int maxEvents) {
     int at = from;
     while (at < end && clock.high() >= 0) {
-      long word = Long.rotateLeft(stage[at], turned);
+      long word = stage[at];
       int next = at;
       if (word >>> 60 == TIME_HIGH) {
         clock.take((int) (word >>> 32) & 0xfffffff);
@@ -120,30 +129,36 @@ public final class Evt21Decoder extends EvtDecoder {
     int[] addresses = out.addresses();
     int size = out.size();
     long startUs = clock.startUs();
-    int right = width - 1;
+    int right = width << EventAddress.X_SHIFT;
     int topRow = top << EventAddress.Y_SHIFT;
-    int turn = turned;
     int low = lowNow(startUs);
     int at = from;
     while (at < end && size <= limit) {
-      long word = Long.rotateLeft(words[at], turn);
+      long word = words[at];
       int mask = (int) word;
       int head = (int) (word >>> 32);
       int newLow = head >>> 22 & 0x3f;
-      int x = head >>> 11 & 0x7ff;
       int address = topRow - (head << EventAddress.Y_SHIFT & 0x7ff0000);
-      int last = x + 31 - Integer.numberOfLeadingZeros(mask);
-      // Negative if it is no event, the time goes back or a pixel is outside.
-      if ((-(head >>> 29) | newLow - low | address | right - last | last - x) < 0) {
+      // Negative if it is no event, the time goes back or the row is outside.
+      if ((-(head >>> 29) | newLow - low | address) < 0 || mask == 0) {
+        break;
+      }
+      long timeUs = startUs + newLow;
+      int column = head >>> 10 & 0xffe;
+      int rowAndOn = address + (head >>> 28);
+      int next = size;
+      int place;
+      do {
+        place = column + (Integer.numberOfTrailingZeros(mask) << EventAddress.X_SHIFT);
+        times[next] = timeUs;
+        addresses[next++] = rowAndOn + place;
+        mask &= mask - 1;
+      } while (mask != 0);
+      if (place >= right) {
         break;
       }
       low = newLow;
-      address += x << EventAddress.X_SHIFT | head >>> 28;
-      do {
-        times[size] = startUs + newLow;
-        addresses[size++] = address + (Integer.numberOfTrailingZeros(mask) << EventAddress.X_SHIFT);
-        mask &= mask - 1;
-      } while (mask != 0);
+      size = next;
       at++;
     }
     out.setSize(size);
