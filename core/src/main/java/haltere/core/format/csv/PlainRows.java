@@ -23,6 +23,9 @@ final class PlainRows {
   private final int onColumn;
   private final boolean seconds;
 
+  /** Of a row's columns. */
+  private final long[] values;
+
   /** Whether the unit of the times is one of the two. */
   private final boolean usable;
 
@@ -36,7 +39,10 @@ final class PlainRows {
     timeColumn = roles.indexOf(EventColumn.TIME);
     xColumn = roles.indexOf(EventColumn.X);
     yColumn = roles.indexOf(EventColumn.Y);
-    onColumn = roles.indexOf(EventColumn.POLARITY);
+    // Without that column, all are of the place behind the others, which says on.
+    onColumn = roles.contains(EventColumn.POLARITY) ? roles.indexOf(EventColumn.POLARITY) : columns;
+    values = new long[columns + 1];
+    values[columns] = 1;
     seconds = layout.timeScale() == SECONDS;
     usable = seconds || layout.timeScale() == 0;
     marked = layout.marked();
@@ -61,14 +67,11 @@ final class PlainRows {
     int yColumn = this.yColumn;
     int onColumn = this.onColumn;
     boolean seconds = this.seconds;
+    long[] values = this.values;
     int row = from;
     rows:
     while (usable && row <= last && size < maxEvents) {
       int at = row;
-      long time = 0;
-      long x = 0;
-      long y = 0;
-      long on = 1;
       for (int i = 0; i < columns; i++) {
         long digits = Digits.digits(bytes, at);
         int count = Digits.count(digits);
@@ -76,19 +79,19 @@ final class PlainRows {
           break rows;
         }
         long value = Digits.value(digits, count);
-        at += count;
         if (count == 8) {
-          digits = Digits.digits(bytes, at);
+          digits = Digits.digits(bytes, at + 8);
           count = Digits.count(digits);
           if (count == 8) {
             break rows;
           }
           if (count > 0) {
             value = value * Digits.power(count) + Digits.value(digits, count);
-            at += count;
           }
+          at += 8;
         }
-        if (i == timeColumn && seconds) {
+        at = behind(at, count);
+        if (seconds && i == timeColumn) {
           if (bytes[at] != '.') {
             break rows;
           }
@@ -100,15 +103,7 @@ final class PlainRows {
           value = value * 1_000_000 + Digits.value(digits, count) * Digits.power(6 - count);
           at += 1 + count;
         }
-        if (i == timeColumn) {
-          time = value;
-        } else if (i == xColumn) {
-          x = value;
-        } else if (i == yColumn) {
-          y = value;
-        } else if (i == onColumn) {
-          on = value;
-        }
+        values[i] = value;
         byte mark = bytes[at++];
         if (i < columns - 1) {
           if (marked ? mark != ',' && mark != ';' : mark != ' ' && mark != '\t') {
@@ -118,6 +113,9 @@ final class PlainRows {
           break rows;
         }
       }
+      long time = values[timeColumn];
+      long x = values[xColumn];
+      long y = values[yColumn];
       if ((time - previousUs | right - x | topRow - y) < 0) {
         break;
       }
@@ -126,10 +124,23 @@ final class PlainRows {
       addresses[size++] =
           (int) (topRow - y) << EventAddress.Y_SHIFT
               | (int) x << EventAddress.X_SHIFT
-              | (on > 0 ? EventAddress.ON_BIT : 0);
+              | (values[onColumn] > 0 ? EventAddress.ON_BIT : 0);
       row = at;
     }
     out.setSize(size);
     return row;
+  }
+
+  /**
+   * Where a number ends. The processor guesses which case it is and reads on, while a sum would
+   * have to wait for the count.
+   */
+  private static int behind(int at, int count) {
+    return switch (count) {
+      case 1 -> at + 1;
+      case 2 -> at + 2;
+      case 3 -> at + 3;
+      default -> at + count;
+    };
   }
 }

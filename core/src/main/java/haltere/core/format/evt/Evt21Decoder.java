@@ -146,14 +146,17 @@ public final class Evt21Decoder extends EvtDecoder {
       long timeUs = startUs + newLow;
       int column = head >>> 10 & 0xffe;
       int rowAndOn = address + (head >>> 28);
-      int next = size;
-      int place;
-      do {
+      int place = column + (Integer.numberOfTrailingZeros(mask) << EventAddress.X_SHIFT);
+      times[size] = timeUs;
+      addresses[size] = rowAndOn + place;
+      int next = size + 1;
+      mask &= mask - 1;
+      while (mask != 0) {
         place = column + (Integer.numberOfTrailingZeros(mask) << EventAddress.X_SHIFT);
         times[next] = timeUs;
         addresses[next++] = rowAndOn + place;
         mask &= mask - 1;
-      } while (mask != 0);
+      }
       if (place >= right) {
         break;
       }
