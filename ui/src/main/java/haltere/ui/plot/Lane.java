@@ -49,6 +49,16 @@ public final class Lane {
   }
 
   /**
+   * Whether a field is plotted here.
+   *
+   * @param field any field
+   * @return true if it is one of {@link #fields()}
+   */
+  public boolean has(PlotField field) {
+    return curves.containsKey(field);
+  }
+
+  /**
    * Takes a sample of one of the fields.
    *
    * @param field one of {@link #fields()}

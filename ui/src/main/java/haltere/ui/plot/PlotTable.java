@@ -1,9 +1,5 @@
 package haltere.ui.plot;
 
-import haltere.core.format.AtomicFile;
-import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.util.List;
 
 /**
@@ -44,18 +40,5 @@ public record PlotTable(String text) {
       }
     }
     return new PlotTable(text.toString());
-  }
-
-  /**
-   * Saves the table; a file that is there is replaced.
-   *
-   * @param file where
-   * @throws IOException if it cannot be written; the target is then as it was
-   */
-  public void write(Path file) throws IOException {
-    try (AtomicFile output = AtomicFile.create(file, true)) {
-      output.stream().write(text.getBytes(StandardCharsets.UTF_8));
-      output.commit();
-    }
   }
 }

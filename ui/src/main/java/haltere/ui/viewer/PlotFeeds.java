@@ -68,7 +68,7 @@ final class PlotFeeds {
           (timeUs, key, value) -> {
             any[0] = true;
             for (Lane lane : lanes) {
-              if (lane.fields().contains(feed.field())) {
+              if (lane.has(feed.field())) {
                 lane.take(feed.field(), timeUs, key, value);
               }
             }

@@ -239,7 +239,7 @@ final class PlotPanel extends BorderPane {
       startUs = status.timeUs() - status.elapsedUs();
       came = true;
       for (Lane lane : plotted) {
-        if (lane.fields().contains(PlotField.EVENT_RATE)) {
+        if (lane.has(PlotField.EVENT_RATE)) {
           lane.take(PlotField.EVENT_RATE, nowUs, "", status.eventRateEps());
         }
       }

@@ -46,7 +46,7 @@ final class Saving {
 
   /** Saves what the plots show as numbers. */
   void plots(Path file, PlotTable table) {
-    later(() -> table.write(file));
+    later(() -> text(file, table.text()));
   }
 
   /** Saves what the plots look like. */
