@@ -16,7 +16,6 @@ import haltere.core.stream.StreamGrammar;
 import haltere.core.stream.StreamHandler;
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -28,7 +27,7 @@ import java.util.Optional;
  * may be thrown.
  *
  * <p>{@code ./gradlew fuzz -Pformat=NAME} has a fuzzer that is guided by coverage look for bytes
- * for which that does not hold. What it found is kept in the tests' resources and tried anew by the
+ * for which that does not hold (FormatFuzzTest). What it found is kept in the tests' resources and tried anew by the
  * tests.
  *
  * <p>Thread rule: one thread.
@@ -41,24 +40,6 @@ public final class FormatFuzzer {
   private static final long MAX_STEPS = 2_000_000;
 
   private static final StreamHandler NOBODY = new StreamRecorderOfNothing();
-
-  /** Of the fuzzer, which calls static methods. */
-  private static final class Setting {
-    static final RecordingFormat FORMAT =
-        Recordings.formats().get(System.getProperty("haltere.fuzz.format"));
-
-    static final Path FILE = temporaryFile();
-
-    private static Path temporaryFile() {
-      try {
-        Path file = Files.createTempFile("haltere-fuzz", ".recording");
-        file.toFile().deleteOnExit();
-        return file;
-      } catch (IOException e) {
-        throw new UncheckedIOException(e);
-      }
-    }
-  }
 
   private static final class StreamRecorderOfNothing implements StreamHandler {
     @Override
@@ -73,16 +54,6 @@ public final class FormatFuzzer {
   }
 
   private FormatFuzzer() {}
-
-  /**
-   * What the fuzzer calls.
-   *
-   * @param bytes any
-   * @throws IOException if the temporary file cannot be written
-   */
-  public static void fuzzerTestOneInput(byte[] bytes) throws IOException {
-    check(Setting.FORMAT, bytes, Setting.FILE);
-  }
 
   /**
    * Reads bytes as a recording.
@@ -127,14 +98,23 @@ public final class FormatFuzzer {
   }
 
   /**
-   * Writes small recordings for the fuzzer to start from.
+   * Writes small recordings of each format for the fuzzer to start from.
    *
-   * @param arguments name of the format, the folder, and folders with more of them
+   * @param arguments the folder that gets a folder for each format; one that has folders of inputs
+   *     for each format; a folder of recordings
    * @throws IOException if that fails
    */
   public static void main(String[] arguments) throws IOException {
-    RecordingFormat format = Recordings.formats().get(arguments[0]);
-    Path folder = Files.createDirectories(Path.of(arguments[1]));
+    for (RecordingFormat format : Recordings.formats().values()) {
+      Path folder = Files.createDirectories(Path.of(arguments[0], format.name()));
+      writeSeeds(format, folder);
+      copySeeds(format, Recorded.folder(), folder);
+      copySeeds(format, Path.of(arguments[1], format.name()), folder);
+      copySeeds(format, Path.of(arguments[2]), folder);
+    }
+  }
+
+  private static void writeSeeds(RecordingFormat format, Path folder) throws IOException {
     SensorGeometry sensor = new SensorGeometry(34, 30, Origin.TOP);
     for (int events : new int[] {0, 1, 40, 400}) {
       Optional<RecordingWriter> writer =
@@ -146,10 +126,6 @@ public final class FormatFuzzer {
           open.finish();
         }
       }
-    }
-    copySeeds(format, Recorded.folder(), folder);
-    for (int i = 2; i < arguments.length; i++) {
-      copySeeds(format, Path.of(arguments[i]), folder);
     }
   }
 
