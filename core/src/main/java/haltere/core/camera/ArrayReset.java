@@ -1,0 +1,24 @@
+package haltere.core.camera;
+
+/**
+ * A camera all of whose pixels can be reset at once.
+ *
+ * <p>Thread rule: all methods may be called from any thread.
+ */
+public interface ArrayReset {
+  /**
+   * Resets all pixels for a few microseconds: they take the light of now for the light to compare
+   * with.
+   *
+   * @throws CameraProblem if the camera refuses or is gone
+   */
+  void resetPixels() throws CameraProblem;
+
+  /**
+   * Holds all pixels in reset, so that there are no events, or lets them go.
+   *
+   * @param hold whether to hold them
+   * @throws CameraProblem if the camera refuses or is gone
+   */
+  void holdPixels(boolean hold) throws CameraProblem;
+}

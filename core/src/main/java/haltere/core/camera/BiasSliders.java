@@ -1,0 +1,40 @@
+package haltere.core.camera;
+
+/**
+ * Biases for people who do not want to know biases: four sliders, each of which moves several. In
+ * the middle the biases are those of the set that was applied last.
+ *
+ * <p>Thread rule: all methods may be called from any thread; a change is in effect when the method
+ * returns.
+ */
+public interface BiasSliders {
+  /** What can be slid. */
+  enum Slider {
+    /** How fast a pixel follows the light: right is faster and noisier. */
+    BANDWIDTH,
+    /** How much the light must change for an event: right is more. */
+    THRESHOLD,
+    /** How long a pixel rests after an event: right is longer. */
+    REFRACTORY_PERIOD,
+    /** Which of the two polarities comes more easily: right is ON. */
+    BALANCE
+  }
+
+  /**
+   * Where a slider stands.
+   *
+   * @param slider which
+   * @return -1 to 1, 0 in the middle
+   */
+  double get(Slider slider);
+
+  /**
+   * Moves a slider.
+   *
+   * @param slider which
+   * @param value -1 to 1
+   * @throws IllegalArgumentException if the value is not in this range
+   * @throws CameraProblem if the camera does not take the biases; the slider stays
+   */
+  void set(Slider slider, double value) throws CameraProblem;
+}

@@ -1,0 +1,90 @@
+package haltere.core.camera;
+
+import haltere.core.event.SensorGeometry;
+import haltere.core.stream.DataLost;
+import haltere.core.stream.DeviceLost;
+import haltere.core.stream.EndOfStream;
+import haltere.core.stream.EventSource;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamStarted;
+import java.io.IOException;
+import java.util.Optional;
+
+/**
+ * An open camera: a live source of events. Its stream begins with {@link StreamStarted}; {@link
+ * DataLost} stands wherever events are missing, with their number and the span of time; {@link
+ * DeviceLost} says that the camera is gone, and {@link EndOfStream} follows it. A camera that was
+ * opened with {@link CameraOptions#reconnect()} then waits until it is there again and begins a new
+ * stream, a new part of the same session, in which no event comes twice.
+ *
+ * <p>Thread rule: one consumer thread calls {@link #next} and {@link #await}; everything else,
+ * facets too, may be called from any thread.
+ */
+public interface Camera extends EventSource {
+  /**
+   * Which camera it is.
+   *
+   * @return as it was listed, with what is known since it is open
+   */
+  CameraInfo info();
+
+  @Override
+  default SensorGeometry geometry() {
+    return info().geometry();
+  }
+
+  /**
+   * Hands over the next thing of the stream; waits for it, however long that takes. {@link #close}
+   * ends the waiting; the stream then still gets its end.
+   *
+   * @param handler takes it
+   * @return false, and nothing was handed over, after the {@link EndOfStream} that nothing follows
+   * @throws java.io.InterruptedIOException if the thread is interrupted while it waits
+   * @throws IOException if the camera cannot be started
+   */
+  @Override
+  boolean next(StreamHandler handler) throws IOException;
+
+  /**
+   * Waits for the next thing of the stream without taking it.
+   *
+   * @param nanos at most so long, 0 to only look
+   * @return true if {@link #next} would not wait now
+   * @throws java.io.InterruptedIOException if the thread is interrupted while it waits
+   * @throws IOException if the camera cannot be started
+   */
+  boolean await(long nanos) throws IOException;
+
+  /**
+   * An ability that not all cameras have: {@link Biases}, {@link BiasSliders}, {@link
+   * TimestampReset}, {@link RegionOfInterest}, {@link Configuration}, {@link ArrayReset}, {@link
+   * Led}, {@link ClockSync}, {@link EarlyTransfer}.
+   *
+   * @param facet its interface
+   * @param <F> its type
+   * @return the ability, the same object at every call, or empty
+   */
+  <F> Optional<F> facet(Class<F> facet);
+
+  /**
+   * What has come and what was lost so far.
+   *
+   * @return all of one moment
+   */
+  CameraStatistics statistics();
+
+  /**
+   * How the camera's clock relates to this computer's, by which cameras relate to each other.
+   *
+   * @return empty before the first event and where it is not known
+   */
+  Optional<ClockRelation> clockRelation();
+
+  /**
+   * Stops the camera and frees everything. Does not wait for the consumer, who gets {@link
+   * EndOfStream} and no event after it. Returns within seconds whatever the camera does; a second
+   * call does nothing.
+   */
+  @Override
+  void close();
+}

@@ -1,0 +1,101 @@
+package haltere.core.camera;
+
+import java.util.Objects;
+
+/**
+ * How the events of a camera come. Zero lets the camera choose.
+ *
+ * @param transfers buffers that the camera may fill at a time, 0 to {@value #MAX_BUFFERS}
+ * @param bufferBytes size of a buffer, 0 to {@value #MAX_BUFFER_BYTES} bytes; smaller ones come
+ *     sooner, larger ones cost less
+ * @param waitingBuffers filled buffers that may wait for the consumer, 0 to {@value #MAX_BUFFERS};
+ *     beyond them events are lost, counted, and told in the stream
+ * @param whenFull which events are lost then
+ * @param readings whether frames, inertial samples and triggers are wanted too
+ * @param reconnect whether the camera goes on with a new stream when it is plugged in again
+ */
+public record CameraOptions(
+    int transfers,
+    int bufferBytes,
+    int waitingBuffers,
+    WhenFull whenFull,
+    boolean readings,
+    boolean reconnect) {
+  /** The largest number of buffers of a kind. */
+  public static final int MAX_BUFFERS = 4096;
+
+  /** The largest buffer. */
+  public static final int MAX_BUFFER_BYTES = 1 << 20;
+
+  /** What everybody starts with. */
+  public static final CameraOptions DEFAULT =
+      new CameraOptions(0, 0, 0, WhenFull.DROP_NEWEST, false, false);
+
+  /** Which events are lost when nobody takes them in time. A camera cannot be made to wait. */
+  public enum WhenFull {
+    /** Those that come; what is processed stays whole as long as possible. For recordings. */
+    DROP_NEWEST,
+    /** Those that have waited longest. For what must be up to date. */
+    DROP_OLDEST
+  }
+
+  /** Checks the ranges. */
+  public CameraOptions {
+    require("transfers", transfers, MAX_BUFFERS);
+    require("bytes in a buffer", bufferBytes, MAX_BUFFER_BYTES);
+    require("waiting buffers", waitingBuffers, MAX_BUFFERS);
+    Objects.requireNonNull(whenFull, "whenFull");
+  }
+
+  private static void require(String what, int value, int most) {
+    if (value < 0 || value > most) {
+      throw new IllegalArgumentException(what + " must be 0 to " + most + ", not " + value);
+    }
+  }
+
+  /**
+   * The same options with other buffers.
+   *
+   * @param newTransfers buffers that the camera may fill at a time
+   * @param newBufferBytes size of a buffer
+   * @param newWaitingBuffers filled buffers that may wait for the consumer
+   * @return new options
+   */
+  public CameraOptions withBuffers(int newTransfers, int newBufferBytes, int newWaitingBuffers) {
+    return new CameraOptions(
+        newTransfers, newBufferBytes, newWaitingBuffers, whenFull, readings, reconnect);
+  }
+
+  /**
+   * The same options with another choice of what is lost.
+   *
+   * @param newWhenFull which events are lost when nobody takes them in time
+   * @return new options
+   */
+  public CameraOptions withWhenFull(WhenFull newWhenFull) {
+    return new CameraOptions(
+        transfers, bufferBytes, waitingBuffers, newWhenFull, readings, reconnect);
+  }
+
+  /**
+   * The same options but for readings.
+   *
+   * @param newReadings whether frames, inertial samples and triggers are wanted too
+   * @return new options
+   */
+  public CameraOptions withReadings(boolean newReadings) {
+    return new CameraOptions(
+        transfers, bufferBytes, waitingBuffers, whenFull, newReadings, reconnect);
+  }
+
+  /**
+   * The same options but for what happens after the camera was unplugged.
+   *
+   * @param newReconnect whether it goes on when it is plugged in again
+   * @return new options
+   */
+  public CameraOptions withReconnect(boolean newReconnect) {
+    return new CameraOptions(
+        transfers, bufferBytes, waitingBuffers, whenFull, readings, newReconnect);
+  }
+}

@@ -1,0 +1,51 @@
+package haltere.core.camera;
+
+import java.io.IOException;
+import java.util.Objects;
+
+/** Something that cannot be done with a camera; the message says why and what to do. */
+public final class CameraProblem extends IOException {
+  private static final long serialVersionUID = 1L;
+
+  /** What is wrong, for a program. */
+  public enum Kind {
+    /** There is no such camera. */
+    NOT_FOUND,
+    /** This user may not open it. */
+    NOT_PERMITTED,
+    /** Another program has it. */
+    BUSY,
+    /** It was unplugged. */
+    GONE,
+    /** It did not answer in time. */
+    TIMED_OUT,
+    /** It refused what was asked for. */
+    REFUSED,
+    /** Its firmware, its logic or this computer is one that this program does not know. */
+    UNSUPPORTED,
+    /** Anything else between this computer and the camera. */
+    BROKEN
+  }
+
+  private final Kind kind;
+
+  /**
+   * A problem.
+   *
+   * @param kind what is wrong, for a program
+   * @param message what is wrong and what to do, for a person
+   */
+  public CameraProblem(Kind kind, String message) {
+    super(message);
+    this.kind = Objects.requireNonNull(kind, "kind");
+  }
+
+  /**
+   * What is wrong.
+   *
+   * @return a kind
+   */
+  public Kind kind() {
+    return kind;
+  }
+}

@@ -1,0 +1,47 @@
+package haltere.core.camera;
+
+import java.util.List;
+
+/**
+ * A way to cameras: over USB, simulated, over a network. Found as a service, so that another jar
+ * can add one: name the class in {@code META-INF/services/haltere.core.camera.CameraProvider} and
+ * give it a constructor without parameters.
+ *
+ * <p>Thread rule: all methods may be called from any thread.
+ */
+public interface CameraProvider {
+  /**
+   * What a person calls this way.
+   *
+   * @return such as {@code usb}
+   */
+  String name();
+
+  /**
+   * Whether its cameras look at the world. Only these are opened for somebody who does not say
+   * which.
+   *
+   * @return false for simulated cameras
+   */
+  default boolean isPhysical() {
+    return true;
+  }
+
+  /**
+   * All cameras that it sees now. One that cannot be opened is listed with the reason; if nothing
+   * at all can be seen, there is none.
+   *
+   * @return ordered by id
+   */
+  List<CameraInfo> list();
+
+  /**
+   * Opens a camera and readies it; events flow from the first call of {@link Camera#next} on.
+   *
+   * @param info one of {@link #list()}
+   * @param options how its events come
+   * @return an open camera that the caller closes
+   * @throws CameraProblem if that is impossible, with the reason and what to do
+   */
+  Camera open(CameraInfo info, CameraOptions options) throws CameraProblem;
+}

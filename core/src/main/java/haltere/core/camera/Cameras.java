@@ -1,0 +1,98 @@
+package haltere.core.camera;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.ServiceLoader;
+import java.util.stream.Collectors;
+
+/**
+ * The cameras of several providers under one roof.
+ *
+ * <p>Thread rule: all methods may be called from any thread.
+ */
+public final class Cameras {
+  private static final class Found {
+    static final Cameras INSTALLED =
+        new Cameras(
+            ServiceLoader.load(CameraProvider.class).stream()
+                .map(ServiceLoader.Provider::get)
+                .toList());
+  }
+
+  private final List<CameraProvider> providers;
+
+  /**
+   * The cameras of some providers.
+   *
+   * @param providers asked in this order
+   */
+  public Cameras(List<? extends CameraProvider> providers) {
+    this.providers = List.copyOf(providers);
+  }
+
+  /**
+   * The cameras of all providers that are found as services.
+   *
+   * @return the same at every call
+   */
+  public static Cameras installed() {
+    return Found.INSTALLED;
+  }
+
+  /**
+   * All cameras that are seen now, also those that cannot be opened.
+   *
+   * @return physical cameras first
+   */
+  public List<CameraInfo> list() {
+    return seen().stream().map(Seen::info).toList();
+  }
+
+  /**
+   * Opens a camera.
+   *
+   * @param id which, as listed; empty for the first physical one that can be opened
+   * @param options how its events come
+   * @return an open camera that the caller closes
+   * @throws CameraProblem if there is none of that id, listing those that there are, or if it
+   *     cannot be opened
+   */
+  public Camera open(String id, CameraOptions options) throws CameraProblem {
+    List<Seen> seen = seen();
+    for (Seen camera : seen) {
+      boolean wanted =
+          id.isEmpty()
+              ? camera.provider.isPhysical() && camera.info.canOpen()
+              : camera.info.id().equals(id);
+      if (wanted) {
+        return camera.provider.open(camera.info, options);
+      }
+    }
+    throw new CameraProblem(
+        CameraProblem.Kind.NOT_FOUND,
+        (id.isEmpty() ? "no camera can be opened" : "there is no camera " + id)
+            + "; "
+            + (seen.isEmpty() ? "none is seen" : "seen are " + words(seen)));
+  }
+
+  private static String words(List<Seen> seen) {
+    return seen.stream()
+        .map(Seen::info)
+        .map(info -> info.id() + (info.note().isEmpty() ? "" : " (" + info.note() + ")"))
+        .collect(Collectors.joining(", "));
+  }
+
+  private List<Seen> seen() {
+    List<Seen> seen = new ArrayList<>();
+    for (boolean physical : new boolean[] {true, false}) {
+      for (CameraProvider provider : providers) {
+        if (provider.isPhysical() == physical) {
+          provider.list().forEach(info -> seen.add(new Seen(provider, info)));
+        }
+      }
+    }
+    return seen;
+  }
+
+  private record Seen(CameraProvider provider, CameraInfo info) {}
+}

@@ -1,0 +1,24 @@
+package haltere.core.camera;
+
+/**
+ * A camera whose clock can follow that of another one over a wire.
+ *
+ * <p>Thread rule: all methods may be called from any thread.
+ */
+public interface ClockSync {
+  /**
+   * Whether its clock is its own.
+   *
+   * @return true for a master, false for one that follows another
+   * @throws CameraProblem if the camera cannot say or is gone
+   */
+  boolean isMaster() throws CameraProblem;
+
+  /**
+   * Chooses whose clock it goes by.
+   *
+   * @param master true for its own, whose input then gives triggers; false for that of the input
+   * @throws CameraProblem if the camera refuses or is gone
+   */
+  void setMaster(boolean master) throws CameraProblem;
+}

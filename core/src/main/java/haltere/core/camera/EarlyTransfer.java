@@ -1,0 +1,25 @@
+package haltere.core.camera;
+
+/**
+ * A camera that sends what it has before a buffer is full, so that events come soon however few
+ * they are.
+ *
+ * <p>Thread rule: all methods may be called from any thread.
+ */
+public interface EarlyTransfer {
+  /**
+   * How long it keeps an event at the most.
+   *
+   * @return microseconds
+   */
+  int longestDelayUs();
+
+  /**
+   * Chooses how long it keeps an event.
+   *
+   * @param delayUs microseconds; rounded to what the camera can do
+   * @throws IllegalArgumentException if it is out of the camera's range, which the message states
+   * @throws CameraProblem if the camera refuses or is gone
+   */
+  void setLongestDelayUs(int delayUs) throws CameraProblem;
+}

@@ -1,0 +1,44 @@
+package haltere.core.camera;
+
+import java.util.Optional;
+
+/**
+ * A camera that can be told to send the events of a part of its sensor only.
+ *
+ * <p>Thread rule: all methods may be called from any thread.
+ */
+public interface RegionOfInterest {
+  /**
+   * A part of the sensor.
+   *
+   * @param left its first column
+   * @param bottom its first row, counted upwards
+   * @param width columns, at least 1
+   * @param height rows, at least 1
+   */
+  record Region(int left, int bottom, int width, int height) {
+    /** Checks that there is a pixel in it. */
+    public Region {
+      if (left < 0 || bottom < 0 || width < 1 || height < 1) {
+        throw new IllegalArgumentException(
+            "no region: " + width + "x" + height + " at (" + left + ", " + bottom + ")");
+      }
+    }
+  }
+
+  /**
+   * The part whose events come.
+   *
+   * @return empty for the whole sensor
+   */
+  Optional<Region> region();
+
+  /**
+   * Chooses the part whose events come.
+   *
+   * @param region on the sensor, or empty for all of it
+   * @throws IllegalArgumentException if it is not on the sensor
+   * @throws CameraProblem if the camera refuses or is gone
+   */
+  void setRegion(Optional<Region> region) throws CameraProblem;
+}

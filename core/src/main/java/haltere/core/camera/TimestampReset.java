@@ -1,0 +1,12 @@
+package haltere.core.camera;
+
+/** A camera whose clock can be set to 0. */
+public interface TimestampReset {
+  /**
+   * Sets the clock to 0; in the stream a {@link haltere.core.stream.Reset} stands where it was.
+   * Callable from any thread.
+   *
+   * @throws CameraProblem if the camera refuses or is gone
+   */
+  void resetTimestamps() throws CameraProblem;
+}

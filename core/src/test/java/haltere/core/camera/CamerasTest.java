@@ -1,0 +1,105 @@
+package haltere.core.camera;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import haltere.core.event.SensorGeometry;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+class CamerasTest {
+  private final List<String> opened = new ArrayList<>();
+
+  private final Cameras cameras =
+      new Cameras(
+          List.of(
+              new Shelf(false, info("simulated:fly", true, "")),
+              new Shelf(
+                  true, info("dvs128:1", false, "another program has it"), info("b:2", true, ""))));
+
+  @Test
+  void physicalCamerasComeFirst() {
+    assertEquals(
+        List.of("dvs128:1", "b:2", "simulated:fly"),
+        cameras.list().stream().map(CameraInfo::id).toList());
+  }
+
+  @Test
+  void withoutANameTheFirstPhysicalOneThatCanBeOpenedIsOpened() throws CameraProblem {
+    cameras.open("", CameraOptions.DEFAULT);
+
+    assertEquals(List.of("b:2"), opened);
+  }
+
+  @Test
+  void aCameraIsOpenedByItsName() throws CameraProblem {
+    cameras.open("simulated:fly", CameraOptions.DEFAULT);
+
+    assertEquals(List.of("simulated:fly"), opened);
+  }
+
+  @Test
+  void whoAsksForAnUnknownOneIsToldWhatThereIs() {
+    CameraProblem problem =
+        assertThrows(CameraProblem.class, () -> cameras.open("b:3", CameraOptions.DEFAULT));
+
+    assertEquals(CameraProblem.Kind.NOT_FOUND, problem.kind());
+    assertEquals(
+        "there is no camera b:3; seen are dvs128:1 (another program has it), b:2, simulated:fly",
+        problem.getMessage());
+  }
+
+  @Test
+  void withoutAnyCameraThatIsSaid() {
+    CameraProblem problem =
+        assertThrows(
+            CameraProblem.class, () -> new Cameras(List.of()).open("", CameraOptions.DEFAULT));
+
+    assertEquals("no camera can be opened; none is seen", problem.getMessage());
+  }
+
+  @Test
+  void timesOfOneCameraAreFoundOnTheClockOfAnother() {
+    ClockRelation one = new ClockRelation(1_000_000, 50_000_000_000L);
+    ClockRelation other = new ClockRelation(0, 50_000_300_000L);
+
+    assertEquals(200, one.onClockOf(other, 1_000_500));
+    assertEquals(1_000_500, other.onClockOf(one, 200));
+  }
+
+  private static CameraInfo info(String id, boolean canOpen, String note) {
+    return new CameraInfo(id, "Model", "", new SensorGeometry(4, 4), canOpen, note);
+  }
+
+  private final class Shelf implements CameraProvider {
+    private final boolean physical;
+    private final List<CameraInfo> infos;
+
+    Shelf(boolean physical, CameraInfo... infos) {
+      this.physical = physical;
+      this.infos = List.of(infos);
+    }
+
+    @Override
+    public String name() {
+      return "shelf";
+    }
+
+    @Override
+    public boolean isPhysical() {
+      return physical;
+    }
+
+    @Override
+    public List<CameraInfo> list() {
+      return infos;
+    }
+
+    @Override
+    public Camera open(CameraInfo info, CameraOptions options) {
+      opened.add(info.id());
+      return null;
+    }
+  }
+}
