@@ -1,14 +1,18 @@
 package haltere.filters;
 
+import haltere.core.chain.ChainStage;
 import haltere.core.chain.FilterChain;
 import haltere.core.chain.Filters;
 import haltere.core.event.SensorGeometry;
+import haltere.filters.wing.WingTrackerSettings;
 import java.util.List;
 
-/** The chain that a new user starts with. */
+/** The chains that a new user starts with. */
 public final class DefaultChain {
-  private static final List<String> FILTERS =
-      List.of("background-activity", "hot-pixels", "cluster-tracker");
+  private static final List<String> NOISE_FILTERS = List.of("background-activity", "hot-pixels");
+
+  /** Some ten estimates a wing beat, so that a plot of them shows the stroke. */
+  private static final String ESTIMATES_RATE = "output.rateHz=2000";
 
   private DefaultChain() {}
 
@@ -19,8 +23,27 @@ public final class DefaultChain {
    * @return a new chain
    */
   public static FilterChain create(SensorGeometry geometry) {
+    FilterChain chain = withoutNoise(geometry);
+    chain.add(Filters.named("cluster-tracker"));
+    return chain;
+  }
+
+  /**
+   * For a tethered fly: noise filters first, then the wing tracker with {@value #ESTIMATES_RATE}.
+   *
+   * @param geometry the sensor whose events it will see
+   * @return a new chain
+   */
+  public static FilterChain forFly(SensorGeometry geometry) {
+    FilterChain chain = withoutNoise(geometry);
+    ChainStage wings = chain.add(Filters.named("wing-tracker"));
+    chain.apply(wings, WingTrackerSettings.defaults().with(ESTIMATES_RATE));
+    return chain;
+  }
+
+  private static FilterChain withoutNoise(SensorGeometry geometry) {
     FilterChain chain = new FilterChain(geometry);
-    FILTERS.forEach(name -> chain.add(Filters.named(name)));
+    NOISE_FILTERS.forEach(name -> chain.add(Filters.named(name)));
     return chain;
   }
 }

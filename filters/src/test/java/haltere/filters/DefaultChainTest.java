@@ -9,13 +9,19 @@ import haltere.core.chain.EventFilter;
 import haltere.core.chain.FilterChain;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.simulation.FlyScene;
+import haltere.core.simulation.FlySceneSettings;
 import haltere.filters.cluster.ClusterSnapshot;
 import haltere.filters.cluster.ClusterTrack;
+import haltere.filters.wing.WingEstimate;
+import haltere.filters.wing.WingPart;
 import haltere.testing.EventFilterContract;
 import haltere.testing.EventPackets;
 import haltere.testing.EventPackets.BlobPath;
 import java.io.IOException;
+import java.util.EnumSet;
 import java.util.List;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 
 class DefaultChainTest extends EventFilterContract {
@@ -46,6 +52,19 @@ class DefaultChainTest extends EventFilterContract {
     chain.process(packet);
     assertTrue(packet.size() < before - 50_000, "noise left: " + packet.size());
     assertTrue(packet.size() > 45_000, "events of the blob lost: " + packet.size());
+  }
+
+  @Test
+  void theOneForAFlyTracksItsWings() throws IOException {
+    FilterChain chain = DefaultChain.forFly(SENSOR);
+    assertEquals(
+        List.of("background-activity", "hot-pixels", "wing-tracker"),
+        chain.stages().stream().map(ChainStage::name).toList());
+    Set<WingPart> parts = EnumSet.noneOf(WingPart.class);
+    chain.outlet("wings", WingEstimate.class).subscribe(row -> parts.add(row.edge()));
+    FlyScene scene = new FlyScene(FlySceneSettings.defaults().with("run.durationS=0.1"));
+    scene.drainTo(chain);
+    assertEquals(EnumSet.of(WingPart.LEFT, WingPart.RIGHT), parts);
   }
 
   @Test

@@ -13,12 +13,14 @@ import java.util.List;
 /**
  * {@link WingTracker} as a stage of a chain. Lets all events through; publishes what it tracks.
  *
- * <p>Outlets: {@code estimates} of edges and wings, {@code averages} of the running average beside
- * the Kalman filter, {@code beats}, {@code pairs} of wings, {@code geometry} of the fly, {@code
- * initialisation} step by step, and {@code snapshot} to be drawn.
+ * <p>Outlets: {@code estimates} of edges and wings, {@code wings} without the edges, {@code
+ * averages} of the running average beside the Kalman filter, {@code beats}, {@code pairs} of wings,
+ * {@code geometry} of the fly, {@code initialisation} step by step, and {@code snapshot} to be
+ * drawn.
  */
 public final class WingTrackerFilter implements ConfigurableFilter<WingTrackerSettings> {
   private final Outlet<WingEstimate> estimates = new Outlet<>("estimates", WingEstimate.class);
+  private final Outlet<WingEstimate> wings = new Outlet<>("wings", WingEstimate.class);
   private final Outlet<WingEstimate> averages = new Outlet<>("averages", WingEstimate.class);
   private final Outlet<WingBeat> beats = new Outlet<>("beats", WingBeat.class);
   private final Outlet<WingPair> pairs = new Outlet<>("pairs", WingPair.class);
@@ -27,7 +29,7 @@ public final class WingTrackerFilter implements ConfigurableFilter<WingTrackerSe
       new Outlet<>("initialisation", WingTrackerState.class);
   private final Outlet<WingSnapshot> snapshots = new Outlet<>("snapshot", WingSnapshot.class);
   private final List<Outlet<?>> outlets =
-      List.of(estimates, averages, beats, pairs, geometries, states, snapshots);
+      List.of(estimates, wings, averages, beats, pairs, geometries, states, snapshots);
   private final List<OverlayLayer<?>> overlays =
       List.of(new OverlayLayer<WingSnapshot>("wings", snapshots::subscribe, new WingOverlay()));
   private final WingTracker tracker;
@@ -93,7 +95,10 @@ public final class WingTrackerFilter implements ConfigurableFilter<WingTrackerSe
   private final class OutletsOfFilter implements WingListener {
     @Override
     public boolean wantsEstimates() {
-      return estimates.hasSubscribers() || averages.hasSubscribers() || pairs.hasSubscribers();
+      return estimates.hasSubscribers()
+          || wings.hasSubscribers()
+          || averages.hasSubscribers()
+          || pairs.hasSubscribers();
     }
 
     @Override
@@ -104,6 +109,9 @@ public final class WingTrackerFilter implements ConfigurableFilter<WingTrackerSe
     @Override
     public void estimate(WingEstimate estimate) {
       estimates.publish(estimate);
+      if (estimate.edge() == WingPart.LEFT || estimate.edge() == WingPart.RIGHT) {
+        wings.publish(estimate);
+      }
     }
 
     @Override

@@ -6,10 +6,12 @@ import haltere.core.pipeline.Pipeline;
 import haltere.core.pipeline.PipelineCounters;
 import haltere.core.simulation.Scene;
 import haltere.core.simulation.Scenes;
+import haltere.core.sink.CsvSink;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import haltere.filters.DefaultChain;
-import haltere.filters.cluster.ClusterTrack;
+import haltere.filters.wing.WingEstimate;
+import haltere.filters.wing.WingTrackerFilter;
 import haltere.ui.rendering.ColourMap;
 import haltere.ui.rendering.EventFrame;
 import haltere.ui.rendering.FramePainter;
@@ -17,14 +19,12 @@ import haltere.ui.rendering.Pictures;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.BitSet;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 
 /**
- * What the viewer shows at first, without a window: the built-in fly scene through the default
- * chain, with a picture and a table at the end. The same every time.
+ * What the viewer shows at first, without a window: the built-in fly scene through the chain for a
+ * fly, with a picture and a table of the wings at the end. The same every time.
  */
 final class HeadlessDemo {
   private static final int DURATION_S = 3;
@@ -41,20 +41,22 @@ final class HeadlessDemo {
     Path folder = command.surroundings().folder().resolve("build").resolve("demo");
     Files.createDirectories(folder);
     Path picture = folder.resolve("fly.png");
+    Path table = folder.resolve("wings.csv");
     long startNanos = System.nanoTime();
     try (Scene<?> scene = Scenes.named("fly").create(List.of("run.durationS=" + DURATION_S))) {
-      FilterChain chain = DefaultChain.create(scene.geometry());
+      FilterChain chain = DefaultChain.forFly(scene.geometry());
+      WingTrackerFilter wings = (WingTrackerFilter) chain.stage("wing-tracker").filter();
       LatestSnapshots marks = new LatestSnapshots(chain);
       EventFrame frame = new EventFrame(scene.geometry());
       PipelineCounters counters = new PipelineCounters();
-      BitSet clusters = new BitSet();
-      chain.outlet("clusters", ClusterTrack.class).subscribe(row -> clusters.set(row.id()));
-      Map<Path, Long> rows;
-      try (OutletTables tables =
-              OutletTables.open(
-                  chain, (stage, outlet) -> folder.resolve(outlet.name() + ".csv"), true);
+      WingsSummary summary = new WingsSummary(wings, wings.settings().output().rateHz());
+      summary.listenTo(chain);
+      long rows;
+      try (CsvSink<WingEstimate> estimates = CsvSink.create(table, WingEstimate.class, true);
           ProgressBar bar = command.progressBar("fly scene")) {
-        Pipeline.run(scene, chain, List.of(frame, new Progress(bar, scene, counters)), counters);
+        chain.outlet("wings", WingEstimate.class).subscribe(estimates);
+        Pipeline.run(
+            scene, chain, List.of(frame, new Progress(bar, scene, counters), summary), counters);
         double seconds = (System.nanoTime() - startNanos) / 1e9;
         Pictures.write(
             picture,
@@ -63,31 +65,29 @@ final class HeadlessDemo {
                 new FramePainter(ColourMap.DARK, FADING_US),
                 Pictures.usualScale(scene.geometry()),
                 marks));
-        tables.finish();
-        rows = tables.rows();
+        estimates.finish();
+        rows = estimates.rows();
         bar.erase();
-        summary(counters, clusters.cardinality(), seconds);
+        say(counters, summary, seconds);
       }
       chain.close();
       command.result("  picture    " + picture);
-      rows.forEach(
-          (table, count) ->
-              command.result("  table      " + table + " (" + Quantities.count(count) + " rows)"));
+      command.result("  table      " + table + " (" + Quantities.count(rows) + " rows)");
     }
     return Subcommand.OK;
   }
 
-  private void summary(PipelineCounters counters, int clusters, double seconds) {
+  private void say(PipelineCounters counters, WingsSummary wings, double seconds) {
     long in = counters.get(PipelineCounters.Counter.EVENTS_IN);
     long out = counters.get(PipelineCounters.Counter.EVENTS_OUT);
     command.result(
-        "the built-in fly scene through the default chain, without a display; "
+        "the built-in fly scene through the wing tracker's chain, without a display; "
             + "haltere --help says what else there is");
     command.result(
         String.format(
             Locale.ROOT, "  events     %,d in %d s, %,d left by the filters", in, DURATION_S, out));
     command.result("  rate       " + Quantities.rate(in / (double) DURATION_S));
-    command.result("  clusters   " + clusters);
+    wings.lines().forEach(line -> command.result("  " + line));
     command.result(
         String.format(
             Locale.ROOT,

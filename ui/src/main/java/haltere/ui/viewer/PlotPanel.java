@@ -33,6 +33,7 @@ import javafx.scene.layout.VBox;
 final class PlotPanel extends BorderPane {
   private static final long FRAME_NANOS = 30_000_000;
   private static final long VALUES_NANOS = 100_000_000;
+  private static final long FIRST_SPAN_US = 500_000;
 
   private final PlaybackController playback;
   private final TimeWindow window = new TimeWindow();
@@ -153,6 +154,20 @@ final class PlotPanel extends BorderPane {
     lanes.add(lane);
     laneBox.getChildren().add(lane);
     changed();
+  }
+
+  /**
+   * Opens plots for a user who has none: of half a second, in which single wing beats are seen.
+   *
+   * @return whether there is something to show
+   */
+  boolean beginWith(List<PlotField> fields) {
+    if (fields.isEmpty() || !lanes.isEmpty()) {
+      return false;
+    }
+    fields.forEach(this::addLane);
+    zoom((double) FIRST_SPAN_US / window.spanUs(), 1);
+    return true;
   }
 
   private void addTo(PlotLane lane, PlotField field) {

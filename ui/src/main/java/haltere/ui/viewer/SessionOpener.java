@@ -39,26 +39,32 @@ final class SessionOpener {
   /**
    * Opens something.
    *
-   * @param keepChain whether it gets the filters that are open now, else the default ones
+   * @param open what is open now, whose filters it gets if a person has changed them
    * @param shownAs how its events are shown
    */
-  void open(SessionRequest request, boolean keepChain, DisplayOptions shownAs) {
+  void open(SessionRequest request, Optional<ViewerSession> open, DisplayOptions shownAs) {
     int number = announce(request.name());
     PlayerOptions playerOptions = playback.options();
-    if (keepChain) {
+    if (open.isPresent()) {
+      FirstView start = open.get().start();
       editor.read(
-          ChainFile::write,
-          json ->
-              load(
-                  number,
-                  () -> request.session(Optional.of(json), playerOptions, shownAs),
-                  request.options()));
+          chain ->
+              start.isUnchanged(chain)
+                  ? Optional.<String>empty()
+                  : Optional.of(ChainFile.write(chain)),
+          json -> load(number, request, json, playerOptions, shownAs));
     } else {
-      load(
-          number,
-          () -> request.session(Optional.empty(), playerOptions, shownAs),
-          request.options());
+      load(number, request, Optional.empty(), playerOptions, shownAs);
     }
+  }
+
+  private void load(
+      int number,
+      SessionRequest request,
+      Optional<String> chainJson,
+      PlayerOptions playerOptions,
+      DisplayOptions shownAs) {
+    load(number, () -> request.session(chainJson, playerOptions, shownAs), request.options());
   }
 
   /** Opens a session that is being made and whose player was started in pause. */

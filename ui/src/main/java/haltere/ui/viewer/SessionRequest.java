@@ -19,23 +19,34 @@ import java.util.concurrent.Callable;
  * @param file where it is, if it is a file
  * @param options what the user says about the file
  * @param name what a person would call it
+ * @param start the filters and plots that it begins with where none are open
  */
 record SessionRequest(
-    Callable<Playable> playable, Optional<Path> file, ReadOptions options, String name) {
+    Callable<Playable> playable,
+    Optional<Path> file,
+    ReadOptions options,
+    String name,
+    FirstView start) {
   /** A recording. */
   static SessionRequest recording(Path file, ReadOptions options) {
     return new SessionRequest(
-        () -> Sources.recording(file, options), Optional.of(file), options, file.toString());
+        () -> Sources.recording(file, options),
+        Optional.of(file),
+        options,
+        file.toString(),
+        FirstView.USUAL);
   }
 
   /** The built-in scene. */
   static SessionRequest scene() {
-    return made(Sources::flyScene, "the fly scene");
+    return new SessionRequest(
+        Sources::flyScene, Optional.empty(), ReadOptions.DEFAULT, "the fly scene", FirstView.FLY);
   }
 
   /** What is not a file. */
   static SessionRequest made(Callable<Playable> playable, String name) {
-    return new SessionRequest(playable, Optional.empty(), ReadOptions.DEFAULT, name);
+    return new SessionRequest(
+        playable, Optional.empty(), ReadOptions.DEFAULT, name, FirstView.USUAL);
   }
 
   /** A recording, or the built-in scene where there is no file. */
@@ -46,15 +57,18 @@ record SessionRequest(
   /**
    * Makes a session; background thread.
    *
-   * @param chainJson the chain as saved, or empty for the default one
+   * @param chainJson the chain as saved, or empty for the one to begin with
    */
   ViewerSession session(
       Optional<String> chainJson, PlayerOptions playerOptions, DisplayOptions displayOptions)
       throws Exception {
     Playable opened = playable.call();
     try {
-      FilterChain chain = Sources.chain(opened.geometry(), chainJson);
-      return new ViewerSession(opened, file, chain, playerOptions, displayOptions);
+      FilterChain chain =
+          chainJson.isPresent()
+              ? Sources.chain(opened.geometry(), chainJson.get())
+              : start.chain(opened.geometry());
+      return new ViewerSession(opened, file, chain, start, playerOptions, displayOptions);
     } catch (IOException | RuntimeException problem) {
       opened.close();
       throw problem;

@@ -10,10 +10,8 @@ import haltere.core.playback.RecordingPlayable;
 import haltere.core.playback.ScenePlayable;
 import haltere.core.simulation.FlyScene;
 import haltere.core.simulation.FlySceneSettings;
-import haltere.filters.DefaultChain;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.Optional;
 
 /**
  * What can be opened, and the chain that it goes through.
@@ -44,14 +42,11 @@ final class Sources {
   }
 
   /**
-   * The default chain, or another one made anew for a sensor.
+   * A saved chain made anew for a sensor.
    *
-   * @param json a chain as saved, or empty
    * @throws IOException if it does not fit
    */
-  static FilterChain chain(SensorGeometry geometry, Optional<String> json) throws IOException {
-    return json.isPresent()
-        ? ChainFile.parse(json.get(), "the chain", geometry)
-        : DefaultChain.create(geometry);
+  static FilterChain chain(SensorGeometry geometry, String json) throws IOException {
+    return ChainFile.parse(json, "the chain", geometry);
   }
 }

@@ -74,6 +74,11 @@ final class ViewerMenu extends MenuBar {
     record.setText(under ? "Stop recording" : "Record\u2026");
   }
 
+  /** Shows that the plots are open. */
+  void showPlots() {
+    plots.setSelected(true);
+  }
+
   /** Shows which colours are in use. */
   void showColours(ColourMap colours) {
     colourItems.get(colours).setSelected(true);

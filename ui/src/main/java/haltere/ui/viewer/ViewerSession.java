@@ -16,6 +16,7 @@ import java.util.Optional;
 final class ViewerSession implements AutoCloseable {
   private final Optional<Path> file;
   private final FilterChain chain;
+  private final FirstView start;
   private final List<StageState> firstStages;
   private final DisplaySink display;
   private final Player player;
@@ -25,10 +26,12 @@ final class ViewerSession implements AutoCloseable {
       Playable playable,
       Optional<Path> file,
       FilterChain chain,
+      FirstView start,
       PlayerOptions options,
       DisplayOptions displayOptions) {
     this.file = file;
     this.chain = chain;
+    this.start = start;
     this.firstStages = StageState.of(chain);
     this.display = new DisplaySink(playable.geometry(), chain, displayOptions);
     this.player = new Player(playable, chain, options);
@@ -41,6 +44,11 @@ final class ViewerSession implements AutoCloseable {
 
   FilterChain chain() {
     return chain;
+  }
+
+  /** The filters and plots that suit it, for a user who has not chosen any. */
+  FirstView start() {
+    return start;
   }
 
   /** The stages before the player starts. */

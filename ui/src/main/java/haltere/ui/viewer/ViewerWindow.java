@@ -78,7 +78,8 @@ public final class ViewerWindow implements ViewerMenu.Actions {
   }
 
   /**
-   * Opens a recording in place of what is open, with the same filters. Returns at once.
+   * Opens a recording in place of what is open. Filters that a person has chosen stay. Returns at
+   * once.
    *
    * @param file a recording
    * @param options what the user says about it
@@ -98,7 +99,7 @@ public final class ViewerWindow implements ViewerMenu.Actions {
   }
 
   private void open(SessionRequest request) {
-    opener.open(request, session.isPresent(), displayOptions);
+    opener.open(request, session, displayOptions);
   }
 
   /** Shows a session in place of the one that is open. */
@@ -111,6 +112,10 @@ public final class ViewerWindow implements ViewerMenu.Actions {
     stage.setTitle(made.player().playable().name() + " \u2013 Haltere");
     made.display().setOptions(displayOptions);
     panels.startAnew(made, displayOptions.colours());
+    if (panels.plots().beginWith(made.start().plots())) {
+      menu.showPlots();
+      panels.setPlotsVisible(true);
+    }
     made.play();
     made.file().ifPresent(file -> scanRates(file, options, made));
   }

@@ -23,9 +23,10 @@ class HaltereCommandTest {
     assertEquals(0, run.status(), run.err());
     assertEquals("", run.err());
     Path picture = folder.resolve("build/demo/fly.png");
-    Path table = folder.resolve("build/demo/clusters.csv");
+    Path table = folder.resolve("build/demo/wings.csv");
     assertTrue(run.out().contains(picture.toString()), run.out());
     assertTrue(run.out().contains(table.toString()), run.out());
+    assertTrue(run.out().contains("both wings tracked"), run.out());
     assertTrue(Files.readAllLines(table).size() > 10);
     BufferedImage image = ImageIO.read(picture.toFile());
     assertTrue(colours(image) > 10, "a picture with " + colours(image) + " colours");
@@ -34,7 +35,7 @@ class HaltereCommandTest {
   @Test
   void theDemonstrationIsTheSameEveryTimeAndReplacesItsOwnFiles() throws IOException {
     assertEquals(0, CommandRun.on(CommandRun.Machine.BARE.in(folder)).status());
-    Path table = folder.resolve("build/demo/clusters.csv");
+    Path table = folder.resolve("build/demo/wings.csv");
     Path picture = folder.resolve("build/demo/fly.png");
     String rows = Files.readString(table);
     byte[] pixels = Files.readAllBytes(picture);

@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.format.ReadOptions;
 import haltere.core.playback.PlayerStatus.State;
+import haltere.ui.plot.Curve;
+import haltere.ui.plot.Lane;
 import haltere.ui.rendering.ColourMap;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -13,6 +15,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.FutureTask;
+import java.util.stream.Collectors;
 import javafx.scene.image.PixelReader;
 import javafx.scene.image.WritableImage;
 import javafx.scene.input.KeyCode;
@@ -49,6 +52,34 @@ class ViewerWindowTest {
       bestSeconds = Math.min(bestSeconds, (System.nanoTime() - start) / 1e9);
     }
     assertTrue(bestSeconds <= 2.5, "first events after " + bestSeconds + " s");
+  }
+
+  @Test
+  void theFlySceneBeginsWithItsWingsTrackedAndPlotted() throws IOException {
+    viewer = new ViewerHarness();
+    viewer.run(() -> viewer.window.openScene());
+    viewer.waitUntilOpen("Fly scene");
+    viewer.waitFor("the card of the wing tracker", () -> viewer.isThere("stage-wing-tracker"));
+    viewer.waitFor(
+        "curves of both wings in both plots",
+        () -> {
+          List<Lane> lanes = viewer.window.plots().lanes();
+          return lanes.size() == 2
+              && lanes.stream()
+                  .allMatch(
+                      lane ->
+                          lane.curves().stream()
+                              .map(Curve::key)
+                              .collect(Collectors.toSet())
+                              .equals(Set.of("left", "right")));
+        });
+    Path file = folder.resolve("other.aedat");
+    ViewerHarness.writeRecording(file, 500_000);
+    viewer.run(() -> viewer.window.open(file, ReadOptions.DEFAULT));
+    viewer.waitUntilOpen("other.aedat");
+    viewer.waitFor(
+        "the usual filters, because nobody has chosen others",
+        () -> viewer.isThere("stage-cluster-tracker") && !viewer.isThere("stage-wing-tracker"));
   }
 
   @Test
