@@ -1,9 +1,13 @@
 package haltere.ui.viewer;
 
 import haltere.core.event.SensorGeometry;
+import haltere.core.overlay.OverlayCanvas;
 import haltere.ui.overlay.JavaFxOverlayCanvas;
 import haltere.ui.rendering.ColourMap;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
 import javafx.application.ConditionalFeature;
 import javafx.application.Platform;
 import javafx.scene.AccessibleRole;
@@ -50,6 +54,8 @@ final class EventView extends Region {
   private double centreY;
   private double dragX;
   private double dragY;
+  private Optional<ViewTool> tool = Optional.empty();
+  private final List<Consumer<OverlayCanvas>> layers = new ArrayList<>();
 
   EventView() {
     getStyleClass().add("event-view");
@@ -73,16 +79,12 @@ final class EventView extends Region {
     clip.heightProperty().bind(heightProperty());
     setClip(clip);
     setOnScroll(this::scrolled);
-    setOnMousePressed(
-        event -> {
-          dragX = event.getX();
-          dragY = event.getY();
-        });
+    setOnMousePressed(this::pressed);
     setOnMouseDragged(this::dragged);
-    setOnMouseReleased(event -> setCursor(Cursor.DEFAULT));
+    setOnMouseReleased(this::released);
     setOnMouseClicked(
         event -> {
-          if (event.getButton() == MouseButton.PRIMARY && event.getClickCount() == 2) {
+          if (!worksWithTool(event) && event.getClickCount() == 2) {
             showAll();
           }
         });
@@ -123,6 +125,29 @@ final class EventView extends Region {
   /** Shows or hides the marks. */
   void setMarksVisible(boolean visible) {
     marksVisible = visible;
+    drawMarks();
+  }
+
+  /** Takes a tool into the hand, in place of the one that is there, or none. */
+  void setTool(Optional<ViewTool> newTool) {
+    tool.ifPresent(ViewTool::putAside);
+    tool = newTool;
+    setCursor(tool.isPresent() ? Cursor.CROSSHAIR : Cursor.DEFAULT);
+    drawMarks();
+  }
+
+  /** The tool in the hand. */
+  Optional<ViewTool> tool() {
+    return tool;
+  }
+
+  /** Draws something over every picture, whether marks of filters are shown or not. */
+  void addLayer(Consumer<OverlayCanvas> layer) {
+    layers.add(layer);
+  }
+
+  /** Draws what lies over the picture once more, because it has changed. */
+  void redrawMarks() {
     drawMarks();
   }
 
@@ -187,13 +212,15 @@ final class EventView extends Region {
       marksDrawn = false;
     }
     marksCanvas.setDark(dark);
+    long before = marksCanvas.marks();
     if (marksVisible) {
-      long before = marksCanvas.marks();
       for (DisplayFrame.Marks<?> snapshot : shownMarks) {
         snapshot.draw(marksCanvas);
       }
-      marksDrawn = marksCanvas.marks() != before;
     }
+    layers.forEach(layer -> layer.accept(marksCanvas));
+    tool.ifPresent(held -> held.draw(marksCanvas));
+    marksDrawn = marksCanvas.marks() != before;
   }
 
   private void scrolled(ScrollEvent event) {
@@ -219,8 +246,43 @@ final class EventView extends Region {
     event.consume();
   }
 
+  private boolean worksWithTool(MouseEvent event) {
+    return tool.isPresent() && event.getButton() == MouseButton.PRIMARY;
+  }
+
+  private void pressed(MouseEvent event) {
+    dragX = event.getX();
+    dragY = event.getY();
+    if (worksWithTool(event)) {
+      tool.get().pressed(sensorX(event), sensorY(event));
+      drawMarks();
+    }
+  }
+
+  private void released(MouseEvent event) {
+    if (worksWithTool(event)) {
+      tool.get().released(sensorX(event), sensorY(event));
+      drawMarks();
+    } else {
+      setCursor(tool.isPresent() ? Cursor.CROSSHAIR : Cursor.DEFAULT);
+    }
+  }
+
+  /** Column under the mouse, 0 at the middle of the first one. */
+  private double sensorX(MouseEvent event) {
+    return centreX + (event.getX() - getWidth() / 2) / scale() - 0.5;
+  }
+
+  /** Row under the mouse, upwards, 0 at the middle of the lowest one. */
+  private double sensorY(MouseEvent event) {
+    return centreY - (event.getY() - getHeight() / 2) / scale() - 0.5;
+  }
+
   private void dragged(MouseEvent event) {
-    if (zoom > 1) {
+    if (worksWithTool(event)) {
+      tool.get().dragged(sensorX(event), sensorY(event));
+      drawMarks();
+    } else if (zoom > 1) {
       setCursor(Cursor.CLOSED_HAND);
       centreX -= (event.getX() - dragX) / scale();
       centreY += (event.getY() - dragY) / scale();

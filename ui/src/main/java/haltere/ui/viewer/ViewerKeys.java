@@ -1,34 +1,51 @@
 package haltere.ui.viewer;
 
+import java.util.Map;
+import java.util.Optional;
 import javafx.scene.Node;
 import javafx.scene.Scene;
 import javafx.scene.control.ButtonBase;
 import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.ComboBoxBase;
+import javafx.scene.control.ListView;
 import javafx.scene.control.Slider;
 import javafx.scene.control.TextInputControl;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 
 /**
- * The keys of playback. They work wherever the focus is, but for entries of text; arrow keys also
- * belong to sliders and lists. Since Space is pause, Enter presses the button that has the focus.
+ * The actions' keys without Ctrl or Alt. They work wherever the focus is, but for entries of text;
+ * arrow keys also belong to sliders and lists. Since Space is pause, Enter presses the button that
+ * has the focus.
  *
  * <p>Thread rule: JavaFX thread only.
  */
 final class ViewerKeys {
-  private static final long JUMP_US = 1_000_000;
-  private static final int JOG_SLICES = 20;
+  /** What keyboards of some countries send in place of a key's usual code. */
+  private static final Map<KeyCode, KeyCode> SAME =
+      Map.of(KeyCode.GREATER, KeyCode.PERIOD, KeyCode.LESS, KeyCode.COMMA);
 
-  private final PlaybackController playback;
+  private static final Map<String, String> WORDS =
+      Map.of(
+          "Period", ".",
+          "Comma", ",",
+          "Left", "\u2190",
+          "Right", "\u2192",
+          "Up", "\u2191",
+          "Down", "\u2193",
+          "Plus", "+",
+          "Minus", "\u2212",
+          "Shortcut", "Ctrl");
 
-  private ViewerKeys(PlaybackController playback) {
-    this.playback = playback;
+  private final ViewerActions actions;
+
+  private ViewerKeys(ViewerActions actions) {
+    this.actions = actions;
   }
 
   /** Listens to the keys of a window. */
-  static void install(Scene scene, PlaybackController playback) {
-    ViewerKeys keys = new ViewerKeys(playback);
+  static void install(Scene scene, ViewerActions actions) {
+    ViewerKeys keys = new ViewerKeys(actions);
     scene.addEventFilter(
         KeyEvent.KEY_PRESSED,
         event -> {
@@ -47,6 +64,15 @@ final class ViewerKeys {
         });
   }
 
+  /** A key as a person reads it. */
+  static String words(String key) {
+    StringBuilder words = new StringBuilder();
+    for (String part : key.split("\\+")) {
+      words.append(words.isEmpty() ? "" : "+").append(WORDS.getOrDefault(part, part));
+    }
+    return words.toString();
+  }
+
   private boolean handle(KeyEvent event, Node focus) {
     if (event.isControlDown() || event.isAltDown() || event.isMetaDown()) {
       return false;
@@ -58,50 +84,30 @@ final class ViewerKeys {
       button.fire();
       return true;
     }
-    boolean ownsArrows =
-        focus instanceof Slider
-            || focus instanceof ChoiceBox<?>
-            || focus instanceof ComboBoxBase<?>;
-    return switch (event.getCode()) {
-      case LEFT, RIGHT, UP, DOWN, HOME, END -> !ownsArrows && arrow(event);
-      default -> letter(event);
-    };
+    if (isMove(event.getCode()) && ownsMoves(focus)) {
+      return false;
+    }
+    Optional<ViewerAction> wanted = action(event);
+    wanted.ifPresent(action -> action.work().run());
+    return wanted.isPresent();
   }
 
-  private boolean arrow(KeyEvent event) {
-    long way = event.isShiftDown() ? 10 * JUMP_US : JUMP_US;
-    switch (event.getCode()) {
-      case LEFT -> playback.jump(-way);
-      case RIGHT -> playback.jump(way);
-      case HOME -> playback.seek(0);
-      case END -> playback.seek(Long.MAX_VALUE);
-      default -> {
-        return false;
-      }
-    }
-    return true;
+  private Optional<ViewerAction> action(KeyEvent event) {
+    KeyCode code = SAME.getOrDefault(event.getCode(), event.getCode());
+    String key = (event.isShiftDown() ? "Shift+" : "") + code.getName();
+    return actions.all().stream()
+        .filter(action -> action.hasPlainKey() && action.key().equals(key))
+        .findFirst();
   }
 
-  private boolean letter(KeyEvent event) {
-    int slices = event.isShiftDown() ? JOG_SLICES : 1;
-    switch (event.getCode()) {
-      case SPACE -> playback.togglePause();
-      case PERIOD, GREATER -> playback.step(slices);
-      case COMMA, LESS -> playback.step(-slices);
-      case F -> playback.faster();
-      case S -> playback.slower();
-      case R -> playback.rewind();
-      case I -> playback.markIn();
-      case O -> playback.markOut();
-      case M -> playback.mark();
-      case J -> playback.toMark(false);
-      case K -> playback.toMark(true);
-      case L -> playback.setLooping(!playback.loopProperty().get().on());
-      case Z -> playback.reset();
-      default -> {
-        return false;
-      }
-    }
-    return true;
+  private static boolean isMove(KeyCode code) {
+    return code.isNavigationKey();
+  }
+
+  private static boolean ownsMoves(Node focus) {
+    return focus instanceof Slider
+        || focus instanceof ChoiceBox<?>
+        || focus instanceof ComboBoxBase<?>
+        || focus instanceof ListView<?>;
   }
 }

@@ -5,10 +5,12 @@ import haltere.core.format.RateProfile;
 import haltere.core.playback.PlayerStatus;
 import haltere.core.playback.PlayerStatus.State;
 import haltere.ui.rendering.ColourMap;
+import java.util.ArrayList;
 import java.util.List;
-import javafx.geometry.Orientation;
+import java.util.function.Supplier;
+import javafx.beans.property.BooleanProperty;
+import javafx.scene.Node;
 import javafx.scene.control.MenuBar;
-import javafx.scene.control.SplitPane;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.VBox;
 
@@ -30,8 +32,9 @@ final class ViewerPanels extends BorderPane {
   private final TransportBar transport;
   private final SeekBar seekBar;
   private final PlotPanel plots;
-  private final SplitPane left = new SplitPane(view);
+  private final PanelLayout layout;
   private final FrameMeter meter = new FrameMeter();
+  private final List<Runnable> pulseListeners = new ArrayList<>();
   private PlayerStatus shownStatus;
   private boolean repaintAsked;
   private long numbersNanos;
@@ -45,11 +48,8 @@ final class ViewerPanels extends BorderPane {
     transport = new TransportBar(playback);
     seekBar = new SeekBar(playback);
     plots = new PlotPanel(editor, playback);
-    left.setOrientation(Orientation.VERTICAL);
-    SplitPane middle = new SplitPane(left, chainPanel);
-    middle.setDividerPositions(0.72);
-    SplitPane.setResizableWithParent(chainPanel, false);
-    setCenter(middle);
+    layout = new PanelLayout(view, chainPanel);
+    setCenter(layout.node());
     setTop(menu);
     setBottom(new VBox(seekBar, transport, statusLine));
     getStyleClass().add("viewer");
@@ -97,14 +97,15 @@ final class ViewerPanels extends BorderPane {
     plots.followChain();
   }
 
-  /** Shows or hides the plots below the events. */
-  void setPlotsVisible(boolean visible) {
-    if (visible && !left.getItems().contains(plots)) {
-      left.getItems().add(plots);
-      left.setDividerPositions(0.6);
-    } else if (!visible) {
-      left.getItems().remove(plots);
-    }
+  /** Offers a panel; the property that comes back shows and hides it. */
+  BooleanProperty offer(
+      String id, String title, PanelPlace place, Supplier<? extends Node> content) {
+    return layout.offer(id, title, place, content);
+  }
+
+  /** Calls something at each pulse of JavaFX while something is open. */
+  void onPulse(Runnable listener) {
+    pulseListeners.add(listener);
   }
 
   /** Draws what is painted here, and not by the style sheet, dark or light. */
@@ -128,6 +129,7 @@ final class ViewerPanels extends BorderPane {
           },
           painted -> repaintAsked = false);
     }
+    pulseListeners.forEach(Runnable::run);
     PlayerStatus now = open.player().status();
     plots.update(now, nowNanos);
     if (now == shownStatus && nowNanos - numbersNanos < NUMBERS_NANOS) {

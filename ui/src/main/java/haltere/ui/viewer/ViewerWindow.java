@@ -1,20 +1,19 @@
 package haltere.ui.viewer;
 
-import haltere.core.chain.ChainFile;
 import haltere.core.format.RateProfile;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.Recordings;
-import haltere.core.playback.Playable;
 import haltere.ui.overlay.JavaFxOverlayCanvas;
 import haltere.ui.rendering.ColourMap;
 import java.io.File;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.Callable;
 import java.util.concurrent.Future;
 import java.util.concurrent.RejectedExecutionException;
 import javafx.animation.AnimationTimer;
+import javafx.beans.property.ReadOnlyObjectProperty;
+import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.scene.Group;
 import javafx.scene.Scene;
 import javafx.scene.input.DragEvent;
@@ -22,12 +21,12 @@ import javafx.scene.input.TransferMode;
 import javafx.stage.Stage;
 
 /**
- * The viewer's window: holds the session that is open, puts what the menus ask for into effect and
- * joins the parts that open, show and save.
+ * The viewer's window: holds the session that is open and joins the parts that open and show. What
+ * a person can do beyond that its {@link ViewerFeatures features} bring.
  *
  * <p>Thread rule: JavaFX thread only.
  */
-public final class ViewerWindow implements ViewerMenu.Actions {
+public final class ViewerWindow implements SessionHost {
   private static final int PROFILE_BINS = 2000;
 
   private final Stage stage;
@@ -36,22 +35,22 @@ public final class ViewerWindow implements ViewerMenu.Actions {
   private final StatusLine statusLine = new StatusLine();
   private final PlaybackController playback = new PlaybackController(statusLine::showError);
   private final ChainEditor editor = new ChainEditor(statusLine::showError, this::showStages);
-  private final Saving saving = new Saving(background, editor, statusLine::showError);
-  private final ViewerMenu menu = new ViewerMenu(this, playback);
+  private final ViewerActions actions = new ViewerActions();
+  private final ViewerMenu menu = new ViewerMenu(actions);
   private final ViewerPanels panels = new ViewerPanels(menu, playback, editor, statusLine);
-  private final RecordingControl recording =
-      new RecordingControl(background, statusLine::showError, statusLine::setActivity);
+  private final DisplayControl display = new DisplayControl();
+  private final List<ViewerFeature> features = ViewerFeatures.all();
   private final SessionOpener opener =
       new SessionOpener(background, editor, playback, statusLine, this::install);
   private final AnimationTimer pulse =
       new AnimationTimer() {
         @Override
         public void handle(long nowNanos) {
-          session.ifPresent(open -> panels.pulse(open, nowNanos));
+          session().ifPresent(open -> panels.pulse(open, nowNanos));
         }
       };
-  private Optional<ViewerSession> session = Optional.empty();
-  private DisplayOptions displayOptions = DisplayOptions.DEFAULT;
+  private final ReadOnlyObjectWrapper<Optional<ViewerSession>> session =
+      new ReadOnlyObjectWrapper<>(Optional.empty());
 
   /**
    * Fills a stage, which the caller shows.
@@ -65,32 +64,48 @@ public final class ViewerWindow implements ViewerMenu.Actions {
     scene.getStylesheets().add(ViewerWindow.class.getResource("viewer.css").toExternalForm());
     // after the style sheet, because each new sheet styles everything anew
     scene.setRoot(panels);
-    ViewerKeys.install(scene, playback);
+    ViewerKeys.install(scene, actions);
     panels.setOnDragOver(ViewerWindow::dragged);
     panels.setOnDragDropped(this::dropped);
-    scene.setFill(JavaFxOverlayCanvas.colour(displayOptions.colours().background()));
+    scene.setFill(JavaFxOverlayCanvas.colour(display.options().colours().background()));
     stage.setScene(scene);
     stage.setTitle("Haltere");
     stage.setOnHidden(event -> close());
     Thread.currentThread().setUncaughtExceptionHandler((thread, fault) -> showFault(fault));
-    recording.recordingProperty().addListener((property, was, is) -> menu.showRecording(is));
+    followDisplay();
+    ViewerContext context =
+        new ViewerContext(
+            stage,
+            this,
+            actions,
+            playback,
+            editor,
+            background,
+            dialogs,
+            statusLine,
+            panels,
+            display);
+    features.forEach(feature -> feature.install(context));
+    menu.follow();
     pulse.start();
   }
 
-  /**
-   * Opens a recording in place of what is open. Filters that a person has chosen stay. Returns at
-   * once.
-   *
-   * @param file a recording
-   * @param options what the user says about it
-   */
-  public void open(Path file, ReadOptions options) {
-    open(SessionRequest.recording(file, options));
-  }
-
-  /** Opens a playable that is made in the background, with the chain that is open. */
-  void open(Callable<Playable> playable, String name) {
-    open(SessionRequest.made(playable, name));
+  private void followDisplay() {
+    display.onChange(
+        () -> {
+          session().ifPresent(open -> open.display().setOptions(display.options()));
+          ColourMap colours = display.options().colours();
+          panels.view().setBackgroundColour(colours);
+          stage.getScene().setFill(JavaFxOverlayCanvas.colour(colours.background()));
+        });
+    display
+        .themeProperty()
+        .addListener(
+            (property, was, is) -> {
+              is.apply();
+              panels.setDark(is == Theme.DARK);
+            });
+    display.marksProperty().addListener((property, was, is) -> panels.view().setMarksVisible(is));
   }
 
   /** Shows a session that is being made and whose player was started in pause. */
@@ -98,24 +113,21 @@ public final class ViewerWindow implements ViewerMenu.Actions {
     opener.open(making, name, options);
   }
 
-  private void open(SessionRequest request) {
-    opener.open(request, session, displayOptions);
+  @Override
+  public void open(SessionRequest request) {
+    opener.open(request, session(), display.options());
   }
 
   /** Shows a session in place of the one that is open. */
   private void install(ViewerSession made, ReadOptions options) {
-    recording.stop();
-    session.ifPresent(background::close);
-    session = Optional.of(made);
+    Optional<ViewerSession> before = session();
     playback.setPlayer(made.player());
     editor.setPlayer(made.player());
     stage.setTitle(made.player().playable().name() + " \u2013 Haltere");
-    made.display().setOptions(displayOptions);
-    panels.startAnew(made, displayOptions.colours());
-    if (panels.plots().beginWith(made.start().plots())) {
-      menu.showPlots();
-      panels.setPlotsVisible(true);
-    }
+    made.display().setOptions(display.options());
+    panels.startAnew(made, display.options().colours());
+    session.set(Optional.of(made));
+    before.ifPresent(background::close);
     made.play();
     made.file().ifPresent(file -> scanRates(file, options, made));
   }
@@ -128,7 +140,7 @@ public final class ViewerWindow implements ViewerMenu.Actions {
           }
         },
         profile -> {
-          if (session.equals(Optional.of(scanned))) {
+          if (session().equals(Optional.of(scanned))) {
             panels.setProfile(profile);
           }
         },
@@ -161,134 +173,6 @@ public final class ViewerWindow implements ViewerMenu.Actions {
     return true;
   }
 
-  @Override
-  public void openFile() {
-    dialogs.recording().ifPresent(file -> open(file, ReadOptions.DEFAULT));
-  }
-
-  @Override
-  public void openScene() {
-    open(SessionRequest.scene());
-  }
-
-  @Override
-  public void loadChain() {
-    dialogs.chainToLoad().ifPresent(this::loadChain);
-  }
-
-  /** Puts a saved chain in place of the one that is open. */
-  void loadChain(Path file) {
-    session.ifPresent(
-        open ->
-            background.file(
-                () -> ChainFile.read(file, open.chain().geometry()),
-                editor::replaceAll,
-                problem -> statusLine.showError(Texts.oneLine(problem))));
-  }
-
-  @Override
-  public void saveChain() {
-    dialogs.chainToSave().ifPresent(this::saveChain);
-  }
-
-  /** Saves the chain that is open; a file that is there is replaced. */
-  void saveChain(Path file) {
-    saving.chain(file);
-  }
-
-  @Override
-  public void savePicture() {
-    dialogs.picture().ifPresent(this::savePicture);
-  }
-
-  /** Saves what is shown as a picture; a file that is there is replaced. */
-  void savePicture(Path file) {
-    session.ifPresent(open -> saving.picture(file, open));
-  }
-
-  @Override
-  public void toggleRecording() {
-    if (recording.recordingProperty().get()) {
-      recording.stop();
-    } else if (session.isPresent()) {
-      dialogs.recordingToWrite().ifPresent(this::record);
-    }
-  }
-
-  /** Records what comes out of the chain; a file that is there is replaced. */
-  void record(Path file) {
-    session.ifPresent(open -> recording.start(file, open.player()));
-  }
-
-  RecordingControl recording() {
-    return recording;
-  }
-
-  @Override
-  public void quit() {
-    stage.close();
-  }
-
-  @Override
-  public void toggleFullScreen() {
-    stage.setFullScreen(!stage.isFullScreen());
-  }
-
-  @Override
-  public void showAll() {
-    panels.view().showAll();
-  }
-
-  @Override
-  public void setTheme(Theme theme) {
-    theme.apply();
-    panels.setDark(theme == Theme.DARK);
-    menu.showColours(theme.colours());
-    setColours(theme.colours());
-  }
-
-  @Override
-  public void setColours(ColourMap colours) {
-    setDisplayOptions(new DisplayOptions(colours, displayOptions.decayUs()));
-    panels.view().setBackgroundColour(colours);
-    stage.getScene().setFill(JavaFxOverlayCanvas.colour(colours.background()));
-  }
-
-  @Override
-  public void setDecay(long decayUs) {
-    setDisplayOptions(new DisplayOptions(displayOptions.colours(), decayUs));
-  }
-
-  private void setDisplayOptions(DisplayOptions options) {
-    displayOptions = options;
-    session.ifPresent(open -> open.display().setOptions(options));
-  }
-
-  @Override
-  public void setMarksVisible(boolean visible) {
-    panels.view().setMarksVisible(visible);
-  }
-
-  @Override
-  public void setPlotsVisible(boolean visible) {
-    panels.setPlotsVisible(visible);
-  }
-
-  @Override
-  public void savePlotTable() {
-    dialogs.table().ifPresent(file -> saving.plots(file, panels.plots().table()));
-  }
-
-  @Override
-  public void savePlotPicture() {
-    dialogs.picture().ifPresent(file -> saving.plots(file, panels.plots().snapshot(null, null)));
-  }
-
-  @Override
-  public void showKeys() {
-    KeysDialog.show(stage);
-  }
-
   /** A fault of the viewer itself: the user sees that something is wrong, the log what. */
   private void showFault(Throwable fault) {
     if (fault instanceof RejectedExecutionException) {
@@ -301,8 +185,26 @@ public final class ViewerWindow implements ViewerMenu.Actions {
 
   // What tests and benchmarks look at.
 
-  Optional<ViewerSession> session() {
-    return session;
+  @Override
+  public ReadOnlyObjectProperty<Optional<ViewerSession>> sessionProperty() {
+    return session.getReadOnlyProperty();
+  }
+
+  ViewerActions actions() {
+    return actions;
+  }
+
+  DisplayControl display() {
+    return display;
+  }
+
+  /** The feature of a class. */
+  <T extends ViewerFeature> T feature(Class<T> type) {
+    return features.stream()
+        .filter(type::isInstance)
+        .map(type::cast)
+        .findFirst()
+        .orElseThrow(() -> new IllegalArgumentException("no " + type.getSimpleName()));
   }
 
   PlaybackController playback() {
@@ -329,9 +231,9 @@ public final class ViewerWindow implements ViewerMenu.Actions {
   private void close() {
     pulse.stop();
     opener.cancel();
-    recording.stop();
-    session.ifPresent(background::close);
-    session = Optional.empty();
+    Optional<ViewerSession> last = session();
+    session.set(Optional.empty());
+    last.ifPresent(background::close);
     panels.plots().close();
     background.close();
   }

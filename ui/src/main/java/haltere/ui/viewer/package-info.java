@@ -1,6 +1,9 @@
 /**
  * The window. One class per panel; {@code ViewerPanels} lays them out and keeps them up to date,
- * {@code SessionOpener} opens what they show, {@code ViewerWindow} does what the menus ask for.
+ * {@code SessionOpener} opens what they show, {@code ViewerWindow} holds it together. What a person
+ * can do is brought by {@code ViewerFeature}s, listed in {@code ViewerFeatures}: each adds its
+ * {@code ViewerAction}s, from which menus, keys, command palette and the list of keys are made, and
+ * its panels and mouse tools, by way of a {@code ViewerContext}.
  *
  * <p>Thread rule, for the whole package: nodes are touched on the JavaFX thread only, and that
  * thread never reads a file, never runs a filter and never waits for another thread. The player's

@@ -121,17 +121,17 @@ class ChainPanelTest {
     viewer.click("expand-" + NOISE);
     enter("entry-" + NOISE + "-neighbours", "5");
     viewer.waitFor("five neighbours", () -> longValue(NOISE, "neighbours") == 5);
-    viewer.run(() -> viewer.window.saveChain(file));
+    viewer.run(() -> viewer.window.feature(SavingFeature.class).saveChain(file));
     viewer.waitFor("the file", () -> Files.exists(file));
     viewer.click("more-" + NOISE);
     fire("remove-" + NOISE);
     viewer.waitFor("it is gone", () -> !names().contains(NOISE));
-    viewer.run(() -> viewer.window.loadChain(file));
+    viewer.run(() -> viewer.window.feature(SavingFeature.class).loadChain(file));
     viewer.waitFor("it is back", () -> names().contains(NOISE) && viewer.isThere("stage-" + NOISE));
     assertEquals(5, longValue(NOISE, "neighbours"));
 
     Files.writeString(file, "{\"filters\": [{\"filter\": \"nonsense\"}]}");
-    viewer.run(() -> viewer.window.loadChain(file));
+    viewer.run(() -> viewer.window.feature(SavingFeature.class).loadChain(file));
     viewer.waitFor(
         "the error", () -> viewer.text("status-message").contains("no filter named nonsense"));
     assertTrue(names().contains(NOISE));
@@ -143,7 +143,7 @@ class ChainPanelTest {
     enter("entry-" + NOISE + "-neighbours", "2");
     viewer.waitFor("two neighbours", () -> longValue(NOISE, "neighbours") == 2);
     ViewerSession before = viewer.session();
-    viewer.run(viewer.window::openScene);
+    viewer.run(() -> viewer.window.actions().run("open-scene"));
     viewer.waitFor("the scene", () -> viewer.session() != before);
     assertEquals(2, longValue(NOISE, "neighbours"));
     assertFalse(viewer.text("status-message").contains("problem"));

@@ -89,7 +89,7 @@ public final class FrameBenchmark {
         cpu.toMillis() / 1e3);
     onFx(
         () -> {
-          window.quit();
+          window.actions().run("quit");
           return null;
         });
   }
@@ -160,7 +160,7 @@ public final class FrameBenchmark {
         });
     onFx(
         () -> {
-          window.quit();
+          window.actions().run("quit");
           return null;
         });
   }

@@ -38,7 +38,7 @@ class PlotPanelTest {
   private void plot(PlotField field) {
     viewer.run(
         () -> {
-          viewer.window.setPlotsVisible(true);
+          viewer.window.actions().run("show-plots");
           plots().addLane(field);
         });
   }
@@ -49,7 +49,7 @@ class PlotPanelTest {
     plot(X);
     viewer.waitFor("samples", () -> lastUs() > 100_000);
     viewer.waitFor("a curve on the screen", () -> hasCurve(PlotInk.DARK));
-    viewer.run(() -> viewer.window.setTheme(Theme.LIGHT));
+    viewer.run(() -> viewer.window.display().themeProperty().set(Theme.LIGHT));
     viewer.waitFor("the curve in the colours of the light theme", () -> hasCurve(PlotInk.LIGHT));
   }
 
@@ -114,7 +114,7 @@ class PlotPanelTest {
   void plotsThatAreHiddenTakeNoRoom() {
     viewer = ViewerHarness.withBlob();
     plot(X);
-    viewer.run(() -> viewer.window.setPlotsVisible(false));
+    viewer.run(() -> viewer.window.actions().run("show-plots"));
     assertTrue(viewer.onFx(() -> plots().getScene() == null));
   }
 }

@@ -28,7 +28,7 @@ class RecordingControlTest {
   }
 
   private boolean recording() {
-    return viewer.onFx(() -> viewer.window.recording().recordingProperty().get());
+    return viewer.onFx(() -> viewer.window.feature(SavingFeature.class).isRecording());
   }
 
   private String said() {
@@ -45,12 +45,12 @@ class RecordingControlTest {
   void whatPlaysIsRecordedUntilItIsStopped() throws IOException {
     viewer = ViewerHarness.withBlob();
     Path file = folder.resolve("out.aedat4");
-    viewer.run(() -> viewer.window.record(file));
+    viewer.run(() -> viewer.window.feature(SavingFeature.class).record(file));
     assertTrue(recording());
     viewer.waitFor("it says so", () -> said().equals("Recording to out.aedat4"));
     long fromUs = viewer.status().timeUs();
     viewer.waitFor("half a second", () -> viewer.status().timeUs() > fromUs + 500_000);
-    viewer.run(() -> viewer.window.toggleRecording());
+    viewer.run(() -> viewer.window.feature(SavingFeature.class).toggleRecording());
     assertFalse(recording());
     viewer.waitFor("it says what was recorded", () -> said().startsWith("Recorded "));
     RecordingSummary summary = summary(file);
@@ -63,7 +63,7 @@ class RecordingControlTest {
   void theNextRecordingThatIsOpenedEndsTheOneUnderWay() throws IOException {
     viewer = ViewerHarness.withBlob();
     Path file = folder.resolve("out.aedat4");
-    viewer.run(() -> viewer.window.record(file));
+    viewer.run(() -> viewer.window.feature(SavingFeature.class).record(file));
     viewer.waitFor("it records", () -> said().startsWith("Recording to"));
     long fromUs = viewer.status().timeUs();
     viewer.waitFor("some time", () -> viewer.status().timeUs() > fromUs + 200_000);
@@ -78,7 +78,12 @@ class RecordingControlTest {
   @Test
   void aFileThatCannotBeWrittenIsSaidInALine() {
     viewer = ViewerHarness.withBlob();
-    viewer.run(() -> viewer.window.record(folder.resolve("no").resolve("out.aedat4")));
+    viewer.run(
+        () ->
+            viewer
+                .window
+                .feature(SavingFeature.class)
+                .record(folder.resolve("no").resolve("out.aedat4")));
     viewer.waitFor("the problem", () -> said().contains("out.aedat4"));
     viewer.waitFor("nothing is recorded", () -> !recording());
   }

@@ -57,7 +57,7 @@ class ViewerWindowTest {
   @Test
   void theFlySceneBeginsWithItsWingsTrackedAndPlotted() throws IOException {
     viewer = new ViewerHarness();
-    viewer.run(() -> viewer.window.openScene());
+    viewer.run(() -> viewer.window.actions().run("open-scene"));
     viewer.waitUntilOpen("Fly scene");
     viewer.waitFor("the card of the wing tracker", () -> viewer.isThere("stage-wing-tracker"));
     viewer.waitFor(
@@ -155,9 +155,9 @@ class ViewerWindowTest {
     viewer.waitFor("time for the tracker", () -> viewer.status().elapsedUs() > 500_000);
     viewer.pause();
     viewer.waitFor("the last frame", () -> !viewer.session().display().isStale());
-    viewer.run(() -> viewer.window.setMarksVisible(false));
+    viewer.run(() -> viewer.window.display().marksProperty().set(false));
     WritableImage without = viewer.onFx(viewer::picture);
-    viewer.run(() -> viewer.window.setMarksVisible(true));
+    viewer.run(() -> viewer.window.display().marksProperty().set(true));
     WritableImage with = viewer.onFx(viewer::picture);
     EventView view = viewer.window.view();
     double scale = viewer.onFx(view::scale);
@@ -198,13 +198,13 @@ class ViewerWindowTest {
         ColourMap.DARK.background(),
         viewer.onFx(() -> viewer.picture().getPixelReader().getArgb(2, 2)),
         "beside the picture");
-    viewer.run(() -> viewer.window.setTheme(Theme.LIGHT));
+    viewer.run(() -> viewer.window.display().themeProperty().set(Theme.LIGHT));
     viewer.waitFor(
         "a light picture",
         () -> viewer.picture().getPixelReader().getArgb(2, 2) == ColourMap.LIGHT.background());
     int events = viewer.onFx(() -> lit(viewer));
     assertTrue(events > 0);
-    viewer.run(() -> viewer.window.setTheme(Theme.DARK));
+    viewer.run(() -> viewer.window.display().themeProperty().set(Theme.DARK));
   }
 
   @Test
@@ -226,7 +226,7 @@ class ViewerWindowTest {
   void aPictureIsSaved() throws IOException {
     viewer = ViewerHarness.withBlob();
     Path file = folder.resolve("picture.png");
-    viewer.run(() -> viewer.window.savePicture(file));
+    viewer.run(() -> viewer.window.feature(SavingFeature.class).savePicture(file));
     viewer.waitFor("the file", () -> Files.exists(file));
     assertEquals(768, ImageIO.read(file.toFile()).getWidth());
   }

@@ -1,0 +1,55 @@
+package haltere.ui.viewer;
+
+import haltere.ui.rendering.ColourMap;
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.ObjectProperty;
+import javafx.beans.property.SimpleBooleanProperty;
+import javafx.beans.property.SimpleObjectProperty;
+
+/**
+ * How window and events look, as a person has chosen; whoever shows them listens.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+final class DisplayControl {
+  private final ObjectProperty<Theme> theme = new SimpleObjectProperty<>(Theme.DARK);
+  private final ObjectProperty<ColourMap> colours =
+      new SimpleObjectProperty<>(DisplayOptions.DEFAULT.colours());
+  private final ObjectProperty<Long> decayUs =
+      new SimpleObjectProperty<>(DisplayOptions.DEFAULT.decayUs());
+  private final BooleanProperty marks = new SimpleBooleanProperty(true);
+
+  DisplayControl() {
+    // a theme brings the colours that go with it
+    theme.addListener((property, was, is) -> colours.set(is.colours()));
+  }
+
+  ObjectProperty<Theme> themeProperty() {
+    return theme;
+  }
+
+  ObjectProperty<ColourMap> coloursProperty() {
+    return colours;
+  }
+
+  /** Time constant of the fading, or {@link DisplayOptions#FOLLOW_SLICES}. */
+  ObjectProperty<Long> decayUsProperty() {
+    return decayUs;
+  }
+
+  /** Whether marks of the filters are drawn over the events. */
+  BooleanProperty marksProperty() {
+    return marks;
+  }
+
+  /** What the painter of events needs to know. */
+  DisplayOptions options() {
+    return new DisplayOptions(colours.get(), decayUs.get());
+  }
+
+  /** Calls something after each change of {@link #options()}. */
+  void onChange(Runnable listener) {
+    colours.addListener((property, was, is) -> listener.run());
+    decayUs.addListener((property, was, is) -> listener.run());
+  }
+}

@@ -1,0 +1,141 @@
+package haltere.ui.viewer;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Supplier;
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.SimpleBooleanProperty;
+import javafx.geometry.Orientation;
+import javafx.scene.Node;
+import javafx.scene.control.SplitPane;
+import javafx.scene.control.Tab;
+import javafx.scene.control.TabPane;
+
+/**
+ * Panels that come and go around the events: tabs at the side, others below or beside. A panel is
+ * made when it is shown for the first time.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+final class PanelLayout {
+  private static final double BELOW_SHARE = 0.6;
+  private static final double BESIDE_SHARE = 0.55;
+
+  private final Node events;
+  private final Node chain;
+
+  /** The events, and at their right what stands beside them. */
+  private final SplitPane row = new SplitPane();
+
+  /** The row, and below it what stands there. */
+  private final SplitPane left = new SplitPane();
+
+  /** All of that, and the column at the right. */
+  private final SplitPane middle = new SplitPane();
+
+  private final TabPane tabs = new TabPane();
+  private final List<Tab> shownTabs = new ArrayList<>();
+
+  PanelLayout(Node events, Node chain) {
+    this.events = events;
+    this.chain = chain;
+    left.setOrientation(Orientation.VERTICAL);
+    left.getItems().add(events);
+    middle.getItems().addAll(left, chain);
+    middle.setDividerPositions(0.72);
+    SplitPane.setResizableWithParent(chain, false);
+    SplitPane.setResizableWithParent(tabs, false);
+    tabs.setId("side-tabs");
+  }
+
+  SplitPane node() {
+    return middle;
+  }
+
+  /** Offers a panel; the property that comes back shows and hides it. */
+  BooleanProperty offer(
+      String id, String title, PanelPlace place, Supplier<? extends Node> content) {
+    BooleanProperty shown = new SimpleBooleanProperty();
+    if (place == PanelPlace.SIDE) {
+      Tab tab = new Tab(title);
+      tab.setId("tab-" + id);
+      tab.setOnClosed(event -> shown.set(false));
+      shown.addListener((property, was, is) -> showTab(tab, is, content));
+    } else {
+      Node[] made = new Node[1];
+      shown.addListener(
+          (property, was, is) -> {
+            if (made[0] == null) {
+              made[0] = content.get();
+            }
+            if (place == PanelPlace.BELOW) {
+              showBelow(made[0], is);
+            } else {
+              showBeside(made[0], is);
+            }
+          });
+    }
+    return shown;
+  }
+
+  private void showTab(Tab tab, boolean show, Supplier<? extends Node> content) {
+    if (tab.getContent() == null) {
+      tab.setContent(content.get());
+    }
+    if (!show) {
+      tabs.getTabs().remove(tab);
+      shownTabs.remove(tab);
+    } else if (!shownTabs.contains(tab)) {
+      shownTabs.add(tab);
+    }
+    double place = middle.getDividerPositions()[0];
+    if (shownTabs.isEmpty()) {
+      // the chain alone needs no tabs
+      tabs.getTabs().clear();
+      middle.getItems().set(1, chain);
+    } else if (show) {
+      if (tabs.getTabs().isEmpty()) {
+        middle.getItems().remove(chain);
+        Tab first = new Tab("Chain", chain);
+        first.setId("tab-chain");
+        first.setClosable(false);
+        tabs.getTabs().setAll(first);
+        middle.getItems().add(tabs);
+      }
+      if (!tabs.getTabs().contains(tab)) {
+        tabs.getTabs().add(tab);
+      }
+      tabs.getSelectionModel().select(tab);
+    }
+    middle.setDividerPositions(place);
+  }
+
+  private void showBelow(Node panel, boolean show) {
+    if (!show) {
+      left.getItems().remove(panel);
+    } else if (!left.getItems().contains(panel)) {
+      left.getItems().add(panel);
+      if (left.getItems().size() == 2) {
+        left.setDividerPositions(BELOW_SHARE);
+      }
+    }
+  }
+
+  private void showBeside(Node panel, boolean show) {
+    if (show && row.getItems().isEmpty()) {
+      left.getItems().remove(events);
+      row.getItems().add(events);
+      left.getItems().add(0, row);
+    }
+    if (!show) {
+      row.getItems().remove(panel);
+    } else if (!row.getItems().contains(panel)) {
+      row.getItems().add(panel);
+      row.setDividerPositions(BESIDE_SHARE);
+    }
+    if (row.getItems().size() == 1) {
+      row.getItems().clear();
+      left.getItems().set(0, events);
+    }
+  }
+}

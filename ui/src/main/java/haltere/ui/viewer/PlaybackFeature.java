@@ -1,0 +1,56 @@
+package haltere.ui.viewer;
+
+import javafx.beans.binding.Bindings;
+
+/** The transport's actions and their keys. */
+final class PlaybackFeature implements ViewerFeature {
+  private static final String MENU = "Playback";
+  private static final long JUMP_US = 1_000_000;
+  private static final int JOG_SLICES = 20;
+
+  private ViewerActions actions;
+
+  @Override
+  public void install(ViewerContext window) {
+    actions = window.actions();
+    PlaybackController playback = window.playback();
+    add("play-pause", "Play or pause", "Space", playback::togglePause);
+    add("step-on", "One slice on", "Period", () -> playback.step(1));
+    add("step-off", "One slice back", "Comma", () -> playback.step(-1));
+    add("jog-on", "20 slices on", "Shift+Period", () -> playback.step(JOG_SLICES));
+    add("jog-off", "20 slices back", "Shift+Comma", () -> playback.step(-JOG_SLICES));
+    add("go-faster", "Faster by a fourth of an octave", "F", playback::faster);
+    add("go-slower", "Slower by a fourth of an octave", "S", playback::slower);
+    add("real-time", "Real time", "1", () -> playback.setSpeed(1));
+    add("slow-motion", "Slow motion, a thousandth", "2", () -> playback.setSpeed(1e-3));
+    add("to-start", "Back to the start", "R", playback::rewind);
+    add("to-first", "To the first event", "Home", () -> playback.seek(0));
+    add("to-last", "To the end", "End", () -> playback.seek(Long.MAX_VALUE));
+    add("jump-on", "One second on", "Right", () -> playback.jump(JUMP_US));
+    add("jump-back", "One second back", "Left", () -> playback.jump(-JUMP_US));
+    add("leap-on", "Ten seconds on", "Shift+Right", () -> playback.jump(10 * JUMP_US));
+    add("leap-back", "Ten seconds back", "Shift+Left", () -> playback.jump(-10 * JUMP_US));
+    add("loop-start", "Start the loop here", "I", playback::markIn);
+    add("loop-end", "End the loop here", "O", playback::markOut);
+    add("clear-in-out", "Clear the loop's start and end", "", playback::clearInOut);
+    actions.add(
+        ViewerAction.toggle(
+                "repeat",
+                "Repeat at the end",
+                MENU,
+                Bindings.createBooleanBinding(
+                    () -> playback.loopProperty().get().on(), playback.loopProperty()),
+                playback::setLooping)
+            .withKey("L"));
+    add("set-mark", "Set a mark", "M", playback::mark);
+    add("mark-before", "To the mark before", "J", () -> playback.toMark(false));
+    add("mark-after", "To the mark after", "K", () -> playback.toMark(true));
+    add("clear-marks", "Clear all marks", "", playback::clearMarks);
+    add("forget", "Let all filters forget", "Z", playback::reset);
+    add("menu-reset", "Reset all filters", "Shortcut+R", playback::reset);
+  }
+
+  private void add(String id, String words, String key, Runnable work) {
+    actions.add(ViewerAction.of(id, words, MENU, work).withKey(key));
+  }
+}

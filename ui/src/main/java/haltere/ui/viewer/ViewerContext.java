@@ -1,0 +1,63 @@
+package haltere.ui.viewer;
+
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import javafx.beans.property.BooleanProperty;
+import javafx.scene.Node;
+import javafx.stage.Stage;
+
+/**
+ * What a {@link ViewerFeature} may use of the window.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ *
+ * @param stage the window itself
+ * @param sessions what is open
+ * @param actions where to add what a person can do
+ * @param playback the transport
+ * @param editor changes and reads the chain between two packets
+ * @param background threads for files
+ * @param dialogs asks for files
+ * @param status the bottom line
+ * @param panels where panels and tools are put
+ * @param display how events are shown
+ */
+record ViewerContext(
+    Stage stage,
+    SessionHost sessions,
+    ViewerActions actions,
+    PlaybackController playback,
+    ChainEditor editor,
+    BackgroundWork background,
+    FileDialogs dialogs,
+    StatusLine status,
+    ViewerPanels panels,
+    DisplayControl display) {
+  /**
+   * Offers a panel that can be shown and hidden, with an action for it in the View menu.
+   *
+   * @param id of the panel and, with {@code show-} before it, of the action
+   * @param words its title
+   * @param key of the action, or empty
+   * @param place where it is shown
+   * @param content makes it when it is shown for the first time
+   * @return whether it is shown
+   */
+  BooleanProperty addPanel(
+      String id, String words, String key, PanelPlace place, Supplier<? extends Node> content) {
+    BooleanProperty shown = panels.offer(id, words, place, content);
+    actions.add(ViewerAction.toggle("show-" + id, words, "View", shown).withKey(key));
+    return shown;
+  }
+
+  /** Calls something whenever another session is shown. */
+  void onSession(Consumer<ViewerSession> listener) {
+    sessions.sessionProperty().addListener((property, was, is) -> is.ifPresent(listener));
+  }
+
+  /** The event view's tool, such as one that takes a click. */
+  void useTool(Optional<ViewTool> tool) {
+    panels.view().setTool(tool);
+  }
+}

@@ -1,0 +1,25 @@
+package haltere.ui.viewer;
+
+import java.util.List;
+
+/** All features of the window; their order is that of the menus. */
+final class ViewerFeatures {
+  private ViewerFeatures() {}
+
+  static List<ViewerFeature> all() {
+    return List.of(
+        new FileFeature(),
+        new SavingFeature(),
+        new DisplayFeature(),
+        new PlotFeature(),
+        new PlaybackFeature(),
+        new HelpFeature(),
+        ViewerFeatures::quit);
+  }
+
+  private static void quit(ViewerContext window) {
+    window
+        .actions()
+        .add(ViewerAction.of("quit", "Quit", "File", window.stage()::close).withKey("Shortcut+Q"));
+  }
+}
