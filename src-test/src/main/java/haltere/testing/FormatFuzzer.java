@@ -27,8 +27,8 @@ import java.util.Optional;
  * may be thrown.
  *
  * <p>{@code ./gradlew fuzz -Pformat=NAME} has a fuzzer that is guided by coverage look for bytes
- * for which that does not hold (FormatFuzzTest). What it found is kept in the tests' resources and tried anew by the
- * tests.
+ * for which that does not hold (FormatFuzzTest). What it found is kept in the tests' resources and
+ * tried anew by the tests.
  *
  * <p>Thread rule: one thread.
  */
