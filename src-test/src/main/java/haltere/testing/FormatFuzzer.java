@@ -67,6 +67,7 @@ public final class FormatFuzzer {
     Files.write(file, bytes);
     ReadOptions options = ReadOptions.DEFAULT.withPacketEvents(PACKET_EVENTS);
     try (RecordingReader reader = format.open(file, options)) {
+      reader.outline();
       drain(reader);
       seek(reader);
     } catch (RecordingProblem problem) {

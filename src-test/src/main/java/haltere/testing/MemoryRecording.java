@@ -2,6 +2,7 @@ package haltere.testing;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.format.RecordingClock;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.TimeSegment;
 import haltere.core.format.ViolationCounts;
@@ -132,6 +133,11 @@ public final class MemoryRecording implements RecordingReader {
       found.add(new TimeSegment(packet.firstTimeUs(), packet.lastTimeUs()));
     }
     return found;
+  }
+
+  @Override
+  public RecordingClock clock() {
+    return RecordingClock.wide(RecordingClock.Zero.WRITERS_CHOICE);
   }
 
   @Override

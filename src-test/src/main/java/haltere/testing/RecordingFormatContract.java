@@ -3,6 +3,7 @@ package haltere.testing;
 import static org.junit.jupiter.api.Assertions.assertDoesNotThrow;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -14,6 +15,7 @@ import haltere.core.format.FileHead;
 import haltere.core.format.ProgressListener;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingFormat;
+import haltere.core.format.RecordingOutline;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.RecordingSummary;
@@ -188,6 +190,10 @@ public abstract class RecordingFormatContract {
         try (RecordingReader reader = format().open(file, options(sensor))) {
           assertEquals(sensor.width(), reader.geometry().width());
           assertEquals(sensor.height(), reader.geometry().height());
+          assertNotEquals("", reader.clock().describe());
+          RecordingOutline whole =
+              new RecordingOutline(count, events.firstTimeUs(), events.lastTimeUs());
+          assertEquals(whole, reader.outline().orElse(whole));
           assertEquals(events, read(reader).events(), sensor + ", " + count + " events");
           assertEquals(List.of(), reader.violations().describe());
         }

@@ -256,6 +256,18 @@ public final class DecodingReader implements RecordingReader {
   }
 
   @Override
+  public RecordingClock clock() {
+    return cursor.clock();
+  }
+
+  @Override
+  public Optional<RecordingOutline> outline() throws IOException {
+    try (EventCursor other = cursors.open(new ViolationCounts())) {
+      return other.outline();
+    }
+  }
+
+  @Override
   public ReadingCounts countReadings() throws IOException {
     if (readings.isEmpty()) {
       return ReadingCounts.NONE;

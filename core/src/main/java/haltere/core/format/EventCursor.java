@@ -3,6 +3,7 @@ package haltere.core.format;
 import haltere.core.event.EventPacket;
 import java.io.Closeable;
 import java.io.IOException;
+import java.util.Optional;
 
 /**
  * A place in a recording from which events are decoded, one after the other, and that can be noted
@@ -66,6 +67,24 @@ public interface EventCursor extends Closeable {
   default boolean visitPieces(PieceVisitor visitor) throws IOException {
     return false;
   }
+
+  /**
+   * What the recording says of itself, if it can be believed without decoding. For a cursor at the
+   * start that does nothing else afterwards.
+   *
+   * @return empty if all must be decoded to know
+   * @throws IOException if the file cannot be read
+   */
+  default Optional<RecordingOutline> outline() throws IOException {
+    return Optional.empty();
+  }
+
+  /**
+   * What the times count from.
+   *
+   * @return facts of the format
+   */
+  RecordingClock clock();
 
   /**
    * Appends events to a packet. Times within the packet do not descend.

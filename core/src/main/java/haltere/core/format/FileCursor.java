@@ -85,6 +85,11 @@ public final class FileCursor implements EventCursor {
   }
 
   @Override
+  public RecordingClock clock() {
+    return decoder.clock();
+  }
+
+  @Override
   public long lastUs() {
     return decoder.lastUs();
   }

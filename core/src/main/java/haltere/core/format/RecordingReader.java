@@ -4,6 +4,7 @@ import haltere.core.stream.EventSource;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * A recording as a source of events. It streams: memory is bounded whatever the file's size or what
@@ -56,6 +57,24 @@ public interface RecordingReader extends EventSource {
    * @return one line each
    */
   List<String> remarks();
+
+  /**
+   * What its times count from, and whether the clock in the file is a narrow one.
+   *
+   * @return facts of the format, or of the kind of events that are read
+   */
+  RecordingClock clock();
+
+  /**
+   * What the recording says of itself, where it can be believed without decoding the events. Does
+   * not move this reader.
+   *
+   * @return empty where only reading all of it tells; see {@link RecordingSummary}
+   * @throws IOException if the file can no longer be read
+   */
+  default Optional<RecordingOutline> outline() throws IOException {
+    return Optional.empty();
+  }
 
   /**
    * How many frames, inertial samples and triggers the recording holds, whether or not they are

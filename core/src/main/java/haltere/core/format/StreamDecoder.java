@@ -12,6 +12,13 @@ import java.nio.ByteBuffer;
  */
 public interface StreamDecoder {
   /**
+   * What the times count from.
+   *
+   * @return facts of the format
+   */
+  RecordingClock clock();
+
+  /**
    * Decodes until the input holds no whole unit any more, the packet is full, or the clock goes
    * back. What is wrong in the bytes is counted, not thrown.
    *

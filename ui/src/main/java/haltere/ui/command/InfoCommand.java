@@ -1,6 +1,9 @@
 package haltere.ui.command;
 
+import haltere.core.event.SensorGeometry;
 import haltere.core.format.Gap;
+import haltere.core.format.RecordingClock;
+import haltere.core.format.RecordingOutline;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.RecordingSummary;
@@ -33,6 +36,13 @@ final class InfoCommand extends Subcommand {
           "Write a JSON object, or for several files an array with an object for each; one that"
               + " cannot be read has only the keys file and error.")
   boolean json;
+
+  @Option(
+      names = "--quick",
+      description =
+          "Say only what a recording tells of itself (its sensor, events and times), without"
+              + " reading its events; one that does not tell is read all the same.")
+  boolean quick;
 
   @Mixin ReadingOptions reading;
 
@@ -87,9 +97,16 @@ final class InfoCommand extends Subcommand {
   /** Describes a file; false if it is less whole than the user demands. */
   private boolean describe(Path file, List<Object> objects) throws IOException {
     RecordingSummary summary;
+    RecordingClock clock;
     Optional<RecordingProblem> objection;
     try (RecordingReader reader = reading.open(file);
         ProgressBar bar = progressBar("reading", file)) {
+      Optional<RecordingOutline> outline = quick ? reader.outline() : Optional.empty();
+      if (outline.isPresent()) {
+        describe(reader, outline.get(), objects);
+        return true;
+      }
+      clock = reader.clock();
       summary = RecordingSummary.scan(reader, bar);
       objection = reading.objection(file, reader.violations());
     }
@@ -98,13 +115,39 @@ final class InfoCommand extends Subcommand {
       objection.ifPresent(problem -> object.put("error", problem.getMessage()));
       objects.add(object);
     } else {
-      print(file, summary);
+      print(file, summary, clock);
     }
     for (String warning : summary.warnings()) {
       warning(file + ": " + warning);
     }
     objection.ifPresent(problem -> error(problem.getMessage()));
     return objection.isEmpty();
+  }
+
+  private void describe(RecordingReader reader, RecordingOutline outline, List<Object> objects) {
+    double durationS = (outline.lastUs() - outline.firstUs()) / 1e6;
+    double meanRateEps = durationS > 0 ? outline.events() / durationS : 0;
+    if (json) {
+      Map<String, Object> object = identity(reader.formatName(), reader.geometry());
+      object.put("events", outline.events());
+      object.put("firstUs", outline.firstUs());
+      object.put("lastUs", outline.lastUs());
+      object.put("durationS", durationS);
+      object.put("meanRateEps", meanRateEps);
+      object.put("warnings", reader.remarks());
+      objects.add(object);
+    } else {
+      result(reader.path().toString());
+      printIdentity(reader.formatName(), reader.geometry());
+      line("events", Quantities.count(outline.events()));
+      if (outline.events() > 0) {
+        printTimes(outline.firstUs(), outline.lastUs(), durationS, meanRateEps);
+        line("zero", reader.clock().describe());
+      }
+    }
+    for (String remark : reader.remarks()) {
+      warning(reader.path() + ": " + remark);
+    }
   }
 
   /** Stands for a file that cannot be read, so that the array has a place for each file. */
@@ -115,12 +158,17 @@ final class InfoCommand extends Subcommand {
     return object;
   }
 
-  private static Map<String, Object> object(RecordingSummary summary) {
+  private static Map<String, Object> identity(String format, SensorGeometry geometry) {
     Map<String, Object> object = new LinkedHashMap<>();
-    object.put("format", summary.format());
-    object.put("width", summary.geometry().width());
-    object.put("height", summary.geometry().height());
-    object.put("origin", summary.geometry().origin().name().toLowerCase(Locale.ROOT));
+    object.put("format", format);
+    object.put("width", geometry.width());
+    object.put("height", geometry.height());
+    object.put("origin", geometry.origin().name().toLowerCase(Locale.ROOT));
+    return object;
+  }
+
+  private static Map<String, Object> object(RecordingSummary summary) {
+    Map<String, Object> object = identity(summary.format(), summary.geometry());
     object.put("events", summary.events());
     object.put("on", summary.on());
     object.put("off", summary.off());
@@ -152,14 +200,24 @@ final class InfoCommand extends Subcommand {
     return timeUs == StreamNotification.NO_TIME_US ? null : (Object) timeUs;
   }
 
-  private void print(Path file, RecordingSummary summary) {
-    result(file.toString());
-    line("format", summary.format());
+  private void printIdentity(String format, SensorGeometry geometry) {
+    line("format", format);
     line(
         "sensor",
-        summary.geometry()
+        geometry
             + " pixels, rows count from the "
-            + summary.geometry().origin().name().toLowerCase(Locale.ROOT));
+            + geometry.origin().name().toLowerCase(Locale.ROOT));
+  }
+
+  private void printTimes(long firstUs, long lastUs, double durationS, double meanRateEps) {
+    line("time", Quantities.seconds(firstUs) + " to " + Quantities.seconds(lastUs));
+    line("duration", String.format(Locale.ROOT, "%.6f s", durationS));
+    line("mean rate", Quantities.rate(meanRateEps));
+  }
+
+  private void print(Path file, RecordingSummary summary, RecordingClock clock) {
+    result(file.toString());
+    printIdentity(summary.format(), summary.geometry());
     line(
         "events",
         Quantities.count(summary.events())
@@ -174,17 +232,14 @@ final class InfoCommand extends Subcommand {
     if (summary.events() == 0) {
       return;
     }
-    line(
-        "time",
-        Quantities.seconds(summary.firstUs()) + " to " + Quantities.seconds(summary.lastUs()));
-    line("duration", String.format(Locale.ROOT, "%.6f s", summary.durationS()));
-    line("mean rate", Quantities.rate(summary.meanRateEps()));
+    printTimes(summary.firstUs(), summary.lastUs(), summary.durationS(), summary.meanRateEps());
     line("peak rate", Quantities.rate(summary.peakRateEps()) + "  (over 10 ms)");
     line(
         "clock",
         summary.timestampsMonotonic()
             ? "never goes back"
             : "goes back: " + summary.segments().size() + " segments");
+    line("zero", clock.describe());
     line("gaps", gaps(summary.gaps()));
   }
 

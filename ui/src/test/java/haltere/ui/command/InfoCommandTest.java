@@ -20,6 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class InfoCommandTest {
   @TempDir Path folder;
@@ -163,6 +164,7 @@ class InfoCommandTest {
           mean rate   1.01 kev/s
           peak rate   1.00 kev/s  (over 10 ms)
           clock       never goes back
+          zero        the camera's start or its clock's last reset; turns of 4294.967296 s are undone
           gaps        none
         """
             .formatted(recording);
@@ -170,6 +172,39 @@ class InfoCommandTest {
       Locale.setDefault(Locale.forLanguageTag(tag));
       assertEquals(expected, CommandRun.of("info", recording).out());
     }
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"aedat4", "h5", "npz"})
+  void aQuickLookSaysWhatTheFileTellsOfItselfAndNoMore(String ending) throws IOException {
+    Path file = folder.resolve("hundred." + ending);
+    assertEquals(0, CommandRun.of("convert", recording, file).status());
+
+    Map<?, ?> told = object(CommandRun.of("info", "--json", "--quick", file));
+
+    Map<?, ?> read = object(CommandRun.of("info", "--json", file));
+    assertEquals(
+        List.of(
+            "format",
+            "width",
+            "height",
+            "origin",
+            "events",
+            "firstUs",
+            "lastUs",
+            "durationS",
+            "meanRateEps",
+            "warnings"),
+        List.copyOf(told.keySet()));
+    told.forEach((key, value) -> assertEquals(read.get(key), value, key.toString()));
+    assertTrue(CommandRun.of("info", "--quick", file).out().contains("events      100\n"));
+  }
+
+  @Test
+  void aQuickLookReadsWhatTellsNothingOfItself() throws IOException {
+    assertEquals(
+        object(CommandRun.of("info", "--json", recording)),
+        object(CommandRun.of("info", "--json", "--quick", recording)));
   }
 
   @Test

@@ -1,6 +1,7 @@
 package haltere.core.format.aedat2;
 
 import haltere.core.event.EventPacket;
+import haltere.core.format.RecordingClock;
 import haltere.core.format.StreamDecoder;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
@@ -145,6 +146,11 @@ public final class RecordDecoder implements StreamDecoder {
    */
   public int recordBytes() {
     return recordBytes;
+  }
+
+  @Override
+  public RecordingClock clock() {
+    return RecordingClock.turning(RecordingClock.Zero.CAMERA_START, 1L << 32);
   }
 
   @Override

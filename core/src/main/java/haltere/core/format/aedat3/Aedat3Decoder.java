@@ -4,6 +4,7 @@ import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
+import haltere.core.format.RecordingClock;
 import haltere.core.format.StreamDecoder;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
@@ -145,6 +146,11 @@ public final class Aedat3Decoder implements StreamDecoder {
       out.append(timeUs, EventAddress.pack(x, fromTop ? height - 1 - y : y, word >>> 1 & 1));
     }
     return count;
+  }
+
+  @Override
+  public RecordingClock clock() {
+    return RecordingClock.wide(RecordingClock.Zero.CAMERA_START);
   }
 
   @Override

@@ -4,7 +4,9 @@ import haltere.core.event.EventPacket;
 import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.EventCursor;
+import haltere.core.format.RecordingClock;
 import haltere.core.format.RecordingFile;
+import haltere.core.format.RecordingOutline;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
 import haltere.core.format.packed.DamagedPacketException;
@@ -13,6 +15,7 @@ import haltere.core.format.packed.LittleEndian;
 import haltere.core.stream.StreamNotification;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.Set;
 
 /**
@@ -289,6 +292,11 @@ final class Aedat4Cursor implements EventCursor {
   }
 
   @Override
+  public RecordingClock clock() {
+    return RecordingClock.wide(RecordingClock.Zero.WRITERS_CHOICE);
+  }
+
+  @Override
   public long lastUs() {
     return started ? lastUs : StreamNotification.NO_TIME_US;
   }
@@ -318,7 +326,16 @@ final class Aedat4Cursor implements EventCursor {
 
   @Override
   public boolean visitPieces(PieceVisitor visitor) throws IOException {
-    return PacketTable.visit(file, layout, eventStream, visitor);
+    Optional<PacketTable> table = PacketTable.believed(file, layout, eventStream);
+    if (table.isPresent()) {
+      table.get().visit(visitor);
+    }
+    return table.isPresent();
+  }
+
+  @Override
+  public Optional<RecordingOutline> outline() throws IOException {
+    return PacketTable.believed(file, layout, eventStream).map(PacketTable::outline);
   }
 
   @Override

@@ -2,11 +2,13 @@ package haltere.core.format.aedat4;
 
 import haltere.core.format.EventCursor.PieceVisitor;
 import haltere.core.format.RecordingFile;
+import haltere.core.format.RecordingOutline;
 import haltere.core.format.packed.DamagedPacketException;
 import haltere.core.format.packed.FileWindow;
 import haltere.core.format.packed.LittleEndian;
 import java.io.IOException;
 import java.util.Arrays;
+import java.util.Optional;
 
 /**
  * The table of packets of a file that was closed, as an index of its times. It is believed if it
@@ -39,29 +41,38 @@ final class PacketTable {
   }
 
   /**
-   * Goes through the packets of a stream, as {@link haltere.core.format.EventCursor#visitPieces}.
+   * Reads the table of a file.
    *
-   * @return false if there is no table that can be believed
+   * @return empty if there is none that can be believed
    */
-  static boolean visit(
-      RecordingFile file, Aedat4Cursor.Layout layout, int stream, PieceVisitor visitor)
+  static Optional<PacketTable> believed(RecordingFile file, Aedat4Cursor.Layout layout, int stream)
       throws IOException {
     if (layout.end() >= file.size()) {
-      return false;
+      return Optional.empty();
     }
     Unpacker unpacker = new Unpacker(file);
     try {
       PacketTable table = new PacketTable(file, layout, stream, unpacker);
-      if (!table.read(file.size()) || !table.samplesAreTrue()) {
-        return false;
-      }
-      table.visit(visitor);
-      return true;
+      return table.read(file.size()) && table.samplesAreTrue()
+          ? Optional.of(table)
+          : Optional.empty();
     } catch (DamagedPacketException e) {
-      return false;
+      return Optional.empty();
     } finally {
       unpacker.close();
     }
+  }
+
+  /** What it says of the whole stream. */
+  RecordingOutline outline() {
+    if (count == 0) {
+      return RecordingOutline.NOTHING;
+    }
+    long events = 0;
+    for (int at = 0; at < count * COLUMNS; at += COLUMNS) {
+      events += packets[at + 2];
+    }
+    return new RecordingOutline(events, packets[3], packets[count * COLUMNS - 1]);
   }
 
   private boolean read(long fileBytes) throws IOException, DamagedPacketException {
@@ -151,7 +162,8 @@ final class PacketTable {
         && LittleEndian.getLong(unpacker.data(), unpacker.from()) == packets[at + 4];
   }
 
-  private void visit(PieceVisitor visitor) throws IOException {
+  /** Goes through the packets, as {@link haltere.core.format.EventCursor#visitPieces}. */
+  void visit(PieceVisitor visitor) throws IOException {
     long[] state = new long[Aedat4Cursor.STATE_LONGS];
     long beforeUs = 0;
     for (int at = 0; at < count * COLUMNS; at += COLUMNS) {

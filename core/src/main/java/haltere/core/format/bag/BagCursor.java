@@ -3,6 +3,7 @@ package haltere.core.format.bag;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.EventCursor;
+import haltere.core.format.RecordingClock;
 import haltere.core.format.StreamDecoder;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
@@ -165,6 +166,11 @@ final class BagCursor implements EventCursor {
     }
     buffer.order(bigEndian ? ByteOrder.BIG_ENDIAN : ByteOrder.LITTLE_ENDIAN);
     return buffer.limit(to).position(from);
+  }
+
+  @Override
+  public RecordingClock clock() {
+    return decoder.clock();
   }
 
   @Override

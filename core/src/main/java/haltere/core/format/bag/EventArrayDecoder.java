@@ -3,6 +3,7 @@ package haltere.core.format.bag;
 import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.format.RecordingClock;
 import haltere.core.format.ViolationCounts;
 import haltere.core.format.packed.LittleEndian;
 import haltere.core.stream.StreamNotification;
@@ -145,5 +146,10 @@ final class EventArrayDecoder extends MessageDecoder {
   public void restore(long[] state, int at) {
     super.restore(state, at);
     first = state[at + 1] != 0;
+  }
+
+  @Override
+  public RecordingClock clock() {
+    return RecordingClock.wide(RecordingClock.Zero.YEAR_1970);
   }
 }

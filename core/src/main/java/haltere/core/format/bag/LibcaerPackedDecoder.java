@@ -2,6 +2,7 @@ package haltere.core.format.bag;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.format.RecordingClock;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
 import java.nio.ByteBuffer;
@@ -110,5 +111,10 @@ final class LibcaerPackedDecoder extends MessageDecoder {
     firstRow = (int) (state[at + 3] >> 32);
     handedOver = (int) state[at + 3] >> 1;
     on = (int) state[at + 3] & 1;
+  }
+
+  @Override
+  public RecordingClock clock() {
+    return RecordingClock.wide(RecordingClock.Zero.YEAR_1970);
   }
 }

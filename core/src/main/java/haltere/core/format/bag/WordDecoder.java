@@ -2,6 +2,7 @@ package haltere.core.format.bag;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.format.RecordingClock;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
 import java.nio.ByteBuffer;
@@ -94,5 +95,12 @@ final class WordDecoder extends MessageDecoder {
     baseNs = state[at + 1];
     lastLow = state[at + 2];
     turnUs = state[at + 3];
+  }
+
+  @Override
+  public RecordingClock clock() {
+    return libcaer
+        ? RecordingClock.wide(RecordingClock.Zero.YEAR_1970)
+        : RecordingClock.wide(RecordingClock.Zero.CAMERA_START);
   }
 }

@@ -2,6 +2,7 @@ package haltere.core.format.csv;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.format.RecordingClock;
 import haltere.core.format.StreamDecoder;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
@@ -139,6 +140,11 @@ final class CsvDecoder implements StreamDecoder {
       in.position(in.limit());
     }
     return whole;
+  }
+
+  @Override
+  public RecordingClock clock() {
+    return RecordingClock.wide(RecordingClock.Zero.WRITERS_CHOICE);
   }
 
   @Override

@@ -3,6 +3,7 @@ package haltere.core.format.dat;
 import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.format.RecordingClock;
 import haltere.core.format.StreamDecoder;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
@@ -156,6 +157,11 @@ public final class DatDecoder implements StreamDecoder {
       out.append(timeUs, EventAddress.pack(x, y, word >>> xBits + yBits & 1));
     }
     return records;
+  }
+
+  @Override
+  public RecordingClock clock() {
+    return RecordingClock.turning(RecordingClock.Zero.WRITERS_CHOICE, 1L << 32);
   }
 
   @Override

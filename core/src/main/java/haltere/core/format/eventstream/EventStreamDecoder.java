@@ -3,6 +3,7 @@ package haltere.core.format.eventstream;
 import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.format.RecordingClock;
 import haltere.core.format.StreamDecoder;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
@@ -211,6 +212,11 @@ public final class EventStreamDecoder implements StreamDecoder {
   @Override
   public boolean unfinished() {
     return skip > 0;
+  }
+
+  @Override
+  public RecordingClock clock() {
+    return RecordingClock.wide(RecordingClock.Zero.RECORDING_START);
   }
 
   @Override

@@ -1,6 +1,7 @@
 package haltere.core.format.evt;
 
 import haltere.core.event.SensorGeometry;
+import haltere.core.format.RecordingClock;
 import haltere.core.format.StreamDecoder;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
@@ -55,6 +56,11 @@ public abstract sealed class EvtDecoder implements StreamDecoder
     restartUs = timeUs;
     violations.add(Violation.CLOCK_WENT_BACK, offset);
     return true;
+  }
+
+  @Override
+  public RecordingClock clock() {
+    return RecordingClock.turning(RecordingClock.Zero.CAMERA_START, clock.turnLengthUs());
   }
 
   @Override

@@ -6,6 +6,8 @@ import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.EventColumn;
 import haltere.core.format.EventCursor;
+import haltere.core.format.RecordingClock;
+import haltere.core.format.RecordingOutline;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
 import haltere.core.format.packed.DamagedPacketException;
@@ -14,6 +16,7 @@ import haltere.core.stream.StreamNotification;
 import java.io.IOException;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Optional;
 
 /** Reads the columns of events side by side. */
 final class Hdf5Cursor implements EventCursor {
@@ -68,6 +71,27 @@ final class Hdf5Cursor implements EventCursor {
             rowsOf.computeIfAbsent(
                 column.dataset(), dataset -> new DatasetRows(table.container(), dataset, unpacker)),
             column);
+  }
+
+  @Override
+  public Optional<RecordingOutline> outline() throws IOException {
+    long rows = table.rows();
+    if (rows == 0) {
+      return Optional.of(RecordingOutline.NOTHING);
+    }
+    try {
+      if (time.load(0) <= 0) {
+        return Optional.empty();
+      }
+      long firstUs = time.value(0, table.timeScale()) + table.timeOffsetUs();
+      if (time.load(rows - 1) <= 0 || x.load(rows - 1) <= 0 || y.load(rows - 1) <= 0) {
+        return Optional.empty();
+      }
+      long endUs = time.value(0, table.timeScale()) + table.timeOffsetUs();
+      return Optional.of(new RecordingOutline(rows, firstUs, endUs));
+    } catch (DamagedPacketException damaged) {
+      return Optional.empty();
+    }
   }
 
   @Override
@@ -197,6 +221,11 @@ final class Hdf5Cursor implements EventCursor {
       violations.addOnce(Violation.CUT_OFF, table.container().bytes().size());
     }
     return Stop.END;
+  }
+
+  @Override
+  public RecordingClock clock() {
+    return RecordingClock.wide(RecordingClock.Zero.WRITERS_CHOICE);
   }
 
   @Override

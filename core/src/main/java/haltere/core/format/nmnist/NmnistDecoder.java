@@ -3,6 +3,7 @@ package haltere.core.format.nmnist;
 import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.format.RecordingClock;
 import haltere.core.format.StreamDecoder;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
@@ -123,6 +124,11 @@ public final class NmnistDecoder implements StreamDecoder {
     clock.take(timeUs);
     out.append(timeUs, EventAddress.pack(x, top - row, word >>> 15 & 1));
     return true;
+  }
+
+  @Override
+  public RecordingClock clock() {
+    return RecordingClock.turning(RecordingClock.Zero.RECORDING_START, TURN_US);
   }
 
   @Override

@@ -6,7 +6,9 @@ import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.EventColumn;
 import haltere.core.format.EventCursor;
+import haltere.core.format.RecordingClock;
 import haltere.core.format.RecordingFile;
+import haltere.core.format.RecordingOutline;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
 import haltere.core.stream.StreamNotification;
@@ -14,6 +16,7 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /** Reads the columns of events side by side, a piece at a time. */
 final class NpzCursor implements EventCursor {
@@ -132,6 +135,26 @@ final class NpzCursor implements EventCursor {
   }
 
   @Override
+  public Optional<RecordingOutline> outline() throws IOException {
+    long rows = layout.rows();
+    if (rows == 0) {
+      return Optional.of(RecordingOutline.NOTHING);
+    }
+    // The end of a packed column is reached only through all of it.
+    if (layout.columns().values().stream().anyMatch(column -> column.array().method() != 0)
+        || time.read(0, 1, layout.timeScale()) < 1) {
+      return Optional.empty();
+    }
+    long firstUs = time.numbers[0];
+    for (Part part : parts) {
+      if (part.read(rows - 1, 1, part == time ? layout.timeScale() : 0) < 1) {
+        return Optional.empty();
+      }
+    }
+    return Optional.of(new RecordingOutline(rows, firstUs, time.numbers[0]));
+  }
+
+  @Override
   public Stop read(EventPacket out, int maxEvents) throws IOException {
     out.ensureCapacity(maxEvents);
     if (row < pieceStart || row >= pieceStart + pieceCount) {
@@ -189,6 +212,11 @@ final class NpzCursor implements EventCursor {
     NpzLayout.Array array = layout.columns().get(EventColumn.TIME).array();
     long bytes = array.header().dataOffset() + ofRow * array.header().itemBytes();
     return array.method() == 0 ? array.offset() + bytes : bytes;
+  }
+
+  @Override
+  public RecordingClock clock() {
+    return RecordingClock.wide(RecordingClock.Zero.WRITERS_CHOICE);
   }
 
   @Override

@@ -1,0 +1,25 @@
+package haltere.core.format;
+
+/**
+ * What a recording says of itself, known without decoding its events: from a table of its packets,
+ * or the lengths and ends of its columns. What is skipped on reading, because it lies outside of
+ * the sensor or in damaged bytes, counts here.
+ *
+ * <p>Thread rule: immutable.
+ *
+ * @param events number of events
+ * @param firstUs time of the first event in microseconds, 0 without events
+ * @param lastUs time of the last event in microseconds, 0 without events; before {@code firstUs} if
+ *     the clock was set back
+ */
+public record RecordingOutline(long events, long firstUs, long lastUs) {
+  /** Of a recording without events. */
+  public static final RecordingOutline NOTHING = new RecordingOutline(0, 0, 0);
+
+  /** Checks. */
+  public RecordingOutline {
+    if (events < 0) {
+      throw new IllegalArgumentException(events + " events");
+    }
+  }
+}
