@@ -5,22 +5,10 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
-import java.lang.invoke.MethodHandle;
-import java.lang.invoke.MethodHandles;
-import java.lang.invoke.MethodType;
-import java.lang.reflect.Method;
-import java.lang.reflect.RecordComponent;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Objects;
-import java.util.OptionalDouble;
-import java.util.OptionalInt;
-import java.util.OptionalLong;
-import java.util.Set;
 import java.util.function.Consumer;
-import java.util.regex.Pattern;
 
 /**
  * Writes records as rows of a table: comma separated, UTF-8, a header line, lines that end in a
@@ -33,50 +21,16 @@ import java.util.regex.Pattern;
  * @param <R> type of the rows, a {@link #isFlat flat} record
  */
 public final class CsvSink<R extends Record> implements Consumer<R>, Closeable {
-  /** Writes one field of a row. */
-  private interface Field {
-    void write(Object row, CsvText text) throws Throwable;
-  }
-
-  private static final Set<Class<?>> FLAT =
-      Set.of(
-          byte.class,
-          Byte.class,
-          short.class,
-          Short.class,
-          int.class,
-          Integer.class,
-          long.class,
-          Long.class,
-          float.class,
-          Float.class,
-          double.class,
-          Double.class,
-          boolean.class,
-          Boolean.class,
-          char.class,
-          Character.class,
-          String.class,
-          OptionalInt.class,
-          OptionalLong.class,
-          OptionalDouble.class);
-  private static final Pattern WORD_START =
-      Pattern.compile("(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])");
-
   private final AtomicFile file;
   private final CsvText text;
-  private final Field[] fields;
+  private final RowFields fields;
   private long rows;
 
   private CsvSink(AtomicFile file, OutputStream out, Class<R> type) {
-    if (!isFlat(type)) {
-      throw new IllegalArgumentException(
-          type.getSimpleName() + " is not a record of plain values and makes no row");
-    }
     this.file = file;
+    fields = new RowFields(type);
     text = new CsvText(out);
-    fields = fields(type);
-    List<String> names = columns(type);
+    List<String> names = fields.names();
     for (int i = 0; i < names.size(); i++) {
       if (i > 0) {
         text.raw(',');
@@ -129,15 +83,7 @@ public final class CsvSink<R extends Record> implements Consumer<R>, Closeable {
    * @return true if a table can be made of them
    */
   public static boolean isFlat(Class<?> type) {
-    if (!type.isRecord()) {
-      return false;
-    }
-    for (RecordComponent component : type.getRecordComponents()) {
-      if (!FLAT.contains(component.getType()) && !component.getType().isEnum()) {
-        return false;
-      }
-    }
-    return type.getRecordComponents().length > 0;
+    return RowFields.isFlat(type);
   }
 
   /**
@@ -147,78 +93,7 @@ public final class CsvSink<R extends Record> implements Consumer<R>, Closeable {
    * @return in order
    */
   public static List<String> columns(Class<? extends Record> type) {
-    List<String> names = new ArrayList<>();
-    for (RecordComponent component : type.getRecordComponents()) {
-      Column column = component.getAnnotation(Column.class);
-      names.add(
-          column != null && !column.value().isEmpty()
-              ? column.value()
-              : WORD_START.matcher(component.getName()).replaceAll("_").toLowerCase(Locale.ROOT));
-    }
-    return names;
-  }
-
-  private static Field[] fields(Class<?> type) {
-    RecordComponent[] components = type.getRecordComponents();
-    Field[] fields = new Field[components.length];
-    for (int i = 0; i < fields.length; i++) {
-      Column column = components[i].getAnnotation(Column.class);
-      int decimals = column == null ? -1 : column.decimals();
-      if (decimals < -1 || decimals > 9) {
-        throw new IllegalArgumentException(
-            components[i] + " cannot have " + decimals + " digits behind the decimal point");
-      }
-      fields[i] = field(components[i], decimals);
-    }
-    return fields;
-  }
-
-  private static Field field(RecordComponent component, int decimals) {
-    MethodHandle get = getter(component.getAccessor());
-    Class<?> type = component.getType();
-    if (type == double.class) {
-      MethodHandle exact = get.asType(MethodType.methodType(double.class, Object.class));
-      return (row, text) -> text.number((double) exact.invokeExact(row), decimals);
-    }
-    if (type == float.class) {
-      MethodHandle exact = get.asType(MethodType.methodType(float.class, Object.class));
-      return (row, text) -> text.number((float) exact.invokeExact(row), decimals);
-    }
-    if (type == long.class || type == int.class || type == short.class || type == byte.class) {
-      MethodHandle exact = get.asType(MethodType.methodType(long.class, Object.class));
-      return (row, text) -> text.number((long) exact.invokeExact(row));
-    }
-    MethodHandle exact = get.asType(MethodType.methodType(Object.class, Object.class));
-    return (row, text) -> value((Object) exact.invokeExact(row), text, decimals);
-  }
-
-  private static MethodHandle getter(Method accessor) {
-    accessor.setAccessible(true);
-    try {
-      return MethodHandles.lookup().unreflect(accessor);
-    } catch (IllegalAccessException thrown) {
-      throw new IllegalArgumentException("cannot read " + accessor, thrown);
-    }
-  }
-
-  private static void value(Object value, CsvText text, int decimals) {
-    if (value instanceof Double number) {
-      text.number(number, decimals);
-    } else if (value instanceof Float number) {
-      text.number(number.floatValue(), decimals);
-    } else if (value instanceof Number number) {
-      text.number(number.longValue());
-    } else if (value instanceof Enum<?> constant) {
-      text.text(constant.toString());
-    } else if (value instanceof OptionalDouble number) {
-      text.number(number.orElse(Double.NaN), decimals);
-    } else if (value instanceof OptionalLong number) {
-      number.ifPresent(text::number);
-    } else if (value instanceof OptionalInt number) {
-      number.ifPresent(text::number);
-    } else if (value != null) {
-      text.text(value.toString());
-    }
+    return RowFields.names(type);
   }
 
   /**
@@ -231,20 +106,17 @@ public final class CsvSink<R extends Record> implements Consumer<R>, Closeable {
   public void accept(R row) {
     Objects.requireNonNull(row, "row");
     try {
-      for (int i = 0; i < fields.length; i++) {
+      int columns = fields.names().size();
+      for (int i = 0; i < columns; i++) {
         if (i > 0) {
           text.raw(',');
         }
-        fields[i].write(row, text);
+        fields.write(i, row, text);
       }
       text.endLine();
       rows++;
     } catch (IOException thrown) {
       throw new UncheckedIOException(thrown);
-    } catch (RuntimeException | Error thrown) {
-      throw thrown;
-    } catch (Throwable thrown) {
-      throw new IllegalStateException("cannot read a row of " + row.getClass(), thrown);
     }
   }
 

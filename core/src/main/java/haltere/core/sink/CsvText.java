@@ -10,7 +10,7 @@ import java.util.Arrays;
 /**
  * Bytes of a table that is being written: numbers without a locale, text quoted where it must be.
  */
-final class CsvText {
+final class CsvText implements RowFields.Values {
   private static final int FLUSH_AT = 1 << 16;
   private static final long[] POWERS = new long[10];
   private static final int SHORT_DECIMALS = 6;
@@ -43,7 +43,8 @@ final class CsvText {
     }
   }
 
-  void number(long value) {
+  @Override
+  public void number(long value) {
     if (value == Long.MIN_VALUE) {
       raw("-9223372036854775808");
       return;
@@ -70,8 +71,9 @@ final class CsvText {
     size += count;
   }
 
-  /** Not-a-number writes nothing; negative decimals mean as many as needed. */
-  void number(double value, int decimals) {
+  /** Not-a-number writes nothing. */
+  @Override
+  public void number(double value, int decimals) {
     if (special(value)) {
       return;
     }
@@ -89,8 +91,8 @@ final class CsvText {
     }
   }
 
-  /** As for double, with the digits that the shorter type needs. */
-  void number(float value, int decimals) {
+  @Override
+  public void number(float value, int decimals) {
     if (special(value)) {
       return;
     }
@@ -146,7 +148,18 @@ final class CsvText {
     }
   }
 
-  void text(CharSequence value) {
+  @Override
+  public void flag(boolean value) {
+    raw(value ? "true" : "false");
+  }
+
+  @Override
+  public void nothing() {
+    // an empty field
+  }
+
+  @Override
+  public void text(CharSequence value) {
     String text = value.toString();
     boolean quoted = mustBeQuoted(text);
     byte[] encoded =

@@ -37,7 +37,7 @@ class ArchitectureTest {
 
   @Test
   void allModulesAreLookedAt() {
-    for (String module : new String[] {"core", "filters", "ui"}) {
+    for (String module : new String[] {"core", "filters", "zeromq", "ui"}) {
       assertTrue(
           product.stream().anyMatch(type -> type.getPackageName().startsWith("haltere." + module)),
           "no class of " + module + " was found, so the rules would hold for nothing");
@@ -175,6 +175,21 @@ class ArchitectureTest {
             .should()
             .dependOnClassesThat()
             .resideInAPackage("org.usb4java.."));
+    check(
+        noClasses()
+            .that()
+            .resideOutsideOfPackage("haltere.zeromq..")
+            .should()
+            .dependOnClassesThat()
+            .resideInAPackage("org.zeromq..")
+            .because("nobody gets a library for messages who did not ask for it"));
+    check(
+        classes()
+            .that()
+            .resideInAPackage("haltere.zeromq..")
+            .should()
+            .onlyDependOnClassesThat(
+                resideInAnyPackage("java..", "haltere.core..", "haltere.zeromq..", "org.zeromq..")));
     check(
         noClasses()
             .that()

@@ -16,6 +16,10 @@ import haltere.core.pipeline.Pipeline;
 import haltere.core.pipeline.PipelineCounters;
 import haltere.core.pipeline.Recorder;
 import haltere.core.pipeline.RecorderReport;
+import haltere.core.playback.PacedSource;
+import haltere.core.playback.PlaybackClock;
+import haltere.core.playback.Sleeper;
+import haltere.core.stream.EventSource;
 import java.io.IOException;
 import java.nio.charset.CharacterCodingException;
 import java.nio.file.Path;
@@ -56,6 +60,15 @@ final class RunCommand extends Subcommand {
       description = "Where the events that are left go; the format follows from the name's ending.")
   Path out;
 
+  @Option(
+      names = "--speed",
+      paramLabel = "FACTOR",
+      description =
+          "As a camera would give it: 1 in real time, 0.1 ten times slower; as fast as possible if"
+              + " not given.")
+  double speed = Double.POSITIVE_INFINITY;
+
+  @Mixin PublishingOptions publishing;
   @Mixin ReadingOptions reading;
   @Mixin RecordingWritingOptions writing;
 
@@ -65,6 +78,10 @@ final class RunCommand extends Subcommand {
 
   @Override
   public Integer call() throws IOException {
+    publishing.check();
+    if (!(speed >= PlaybackClock.MIN_SPEED)) {
+      throw wrongArguments("--speed must be " + PlaybackClock.MIN_SPEED + " or more");
+    }
     if (out != null) {
       writing.checkRecording(out);
       WritingOptions.checkDifferent(file, out);
@@ -156,12 +173,22 @@ final class RunCommand extends Subcommand {
   /** Runs the whole recording through the chain. */
   private Passed run(RecordingReader reader, FilterChain chain, Recorder recorder)
       throws IOException {
-    try (ProgressBar bar = progressBar("filtering", file)) {
+    try (ProgressBar bar = progressBar("filtering", file);
+        Publishing published = publishing.open(chain, this)) {
       PipelineCounters counters = new PipelineCounters();
       WritingSink sink = new WritingSink(reader, recorder, bar, counters);
-      Pipeline.run(reader, chain, List.of(sink), counters);
+      Pipeline.run(paced(reader), chain, published.sinksAnd(sink), counters);
       return new Passed(counters.get(PipelineCounters.Counter.EVENTS_OUT), sink.readings());
     }
+  }
+
+  private EventSource paced(EventSource source) {
+    if (Double.isInfinite(speed)) {
+      return source;
+    }
+    PlaybackClock clock = new PlaybackClock(System::nanoTime, Sleeper.real());
+    clock.setSpeed(speed);
+    return new PacedSource(source, clock);
   }
 
   private void summary(FilterChain chain) {

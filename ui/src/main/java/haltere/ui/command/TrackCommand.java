@@ -72,6 +72,7 @@ final class TrackCommand extends Subcommand {
       })
   Path roadFile;
 
+  @Mixin PublishingOptions publishing;
   @Mixin ReadingOptions reading;
   @Mixin WritingOptions writing;
 
@@ -84,6 +85,7 @@ final class TrackCommand extends Subcommand {
     if (!(rateHz >= 0.001 && rateHz <= 100_000)) {
       throw wrongArguments("--rate is " + rateHz + ", it must be from 0.001 to 100000 Hz");
     }
+    publishing.check();
     writing.check(out);
     for (Path input : inputs()) {
       WritingOptions.checkDifferent(input, out);
@@ -180,9 +182,11 @@ final class TrackCommand extends Subcommand {
   }
 
   private long run(RecordingReader reader, FilterChain chain, CsvSink<?> table) throws IOException {
-    try (ProgressBar bar = progressBar("tracking", file)) {
+    try (ProgressBar bar = progressBar("tracking", file);
+        Publishing published = publishing.open(chain, this)) {
       PipelineCounters counters = new PipelineCounters();
-      Pipeline.run(reader, chain, List.of(new WritingSink(reader, null, bar, counters)), counters);
+      WritingSink progress = new WritingSink(reader, null, bar, counters);
+      Pipeline.run(reader, chain, published.sinksAnd(progress), counters);
     }
     reading.requireWhole(reader);
     table.finish();

@@ -7,6 +7,7 @@ import haltere.core.pipeline.Pipeline;
 import haltere.core.pipeline.PipelineCounters;
 import haltere.core.settings.SettingsProblem;
 import haltere.core.sink.CsvSink;
+import haltere.core.stream.StreamHandler;
 import haltere.filters.wing.WingBeat;
 import haltere.filters.wing.WingEstimate;
 import haltere.filters.wing.WingMethod;
@@ -97,6 +98,7 @@ final class WingsCommand extends Subcommand {
       description = "A setting of the tracker, see: haltere filters; may be repeated.")
   List<String> assignments = List.of();
 
+  @Mixin PublishingOptions publishing;
   @Mixin ReadingOptions reading;
 
   @Option(names = "--overwrite", description = "Replace output files that exist.")
@@ -109,6 +111,7 @@ final class WingsCommand extends Subcommand {
   @Override
   public Integer call() throws IOException {
     WingTrackerSettings settings = settings();
+    publishing.check();
     checkOutputs();
     try (RecordingReader reader = reading.open(file)) {
       WingTrackerFilter filter = new WingTrackerFilter(reader.geometry(), settings);
@@ -184,7 +187,8 @@ final class WingsCommand extends Subcommand {
       RecordingReader reader, FilterChain chain, WingTrackerFilter filter, WingsSummary summary)
       throws IOException {
     List<Closeable> open = new ArrayList<>();
-    try (ProgressBar bar = progressBar("tracking", file)) {
+    try (ProgressBar bar = progressBar("tracking", file);
+        Publishing published = publishing.open(chain, this)) {
       CsvSink<WingEstimate> rows = CsvSink.create(out, WingEstimate.class, overwrite);
       open.add(rows);
       chain.outlet("estimates", WingEstimate.class).subscribe(rows);
@@ -208,8 +212,10 @@ final class WingsCommand extends Subcommand {
       }
       PipelineCounters counters = new PipelineCounters();
       summary.listenTo(chain);
-      Pipeline.run(
-          reader, chain, List.of(new WritingSink(reader, null, bar, counters), summary), counters);
+      List<StreamHandler> sinks = new ArrayList<>(published.sinks());
+      sinks.add(new WritingSink(reader, null, bar, counters));
+      sinks.add(summary);
+      Pipeline.run(reader, chain, sinks, counters);
       reading.requireWhole(reader);
       rows.finish();
       if (beatRows != null) {

@@ -1,0 +1,241 @@
+package haltere.core.pipeline;
+
+import haltere.core.chain.ChainStage;
+import haltere.core.chain.FilterChain;
+import haltere.core.chain.Outlet;
+import haltere.core.event.EventPacket;
+import haltere.core.sink.CsvSink;
+import haltere.core.sink.LineOutput;
+import haltere.core.sink.LiveMessages;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import java.io.Closeable;
+import java.time.Clock;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
+
+/**
+ * Sends what the filters of a chain publish while it runs, and what is said in the stream, as
+ * {@link LiveMessages}. Results are handed to a thread of its own that writes and sends them; where
+ * they come faster than it can the newest are dropped, counted, and the receivers are told at their
+ * place. The chain is never held up. Outlets whose results are not {@link CsvSink#isFlat flat} are
+ * left out; stages that come and go while it runs are followed.
+ *
+ * <p>Add it to a pipeline or a player as a sink behind the chain.
+ *
+ * <p>Thread rule: opened before the chain runs or on its thread, used as a handler on the
+ * processing thread; the counts and {@link #close()} from any thread.
+ */
+public final class LiveResults implements StreamHandler, Closeable {
+  private static final int ROOM = 16_384;
+  private static final long PATIENCE_MS = 2000;
+
+  /** A result or a notification on its way, or how many are missing. */
+  private record Message(long number, String from, Object content) {}
+
+  private static final Message END = new Message(0, "", 0L);
+
+  private final FilterChain chain;
+  private final LineOutput output;
+  private final Predicate<String> wanted;
+  private final LiveMessages messages;
+  private final BlockingQueue<Message> waiting;
+  private final Thread thread;
+  private final List<Outlet.Subscription> subscriptions = new ArrayList<>();
+  private List<ChainStage> followed = List.of();
+  private long number;
+  private volatile long untold;
+  private volatile long lost;
+  private volatile boolean closed;
+
+  private LiveResults(
+      FilterChain chain, LineOutput output, Predicate<String> wanted, Clock clock, int room) {
+    this.chain = Objects.requireNonNull(chain, "chain");
+    this.output = Objects.requireNonNull(output, "output");
+    this.wanted = Objects.requireNonNull(wanted, "wanted");
+    messages = new LiveMessages(clock);
+    waiting = new ArrayBlockingQueue<>(room);
+    thread = new Thread(this::work, "haltere-publish");
+    thread.setDaemon(true);
+    follow();
+    thread.start();
+  }
+
+  /**
+   * Begins to publish.
+   *
+   * @param chain whose filters publish
+   * @param output takes the messages; closed with this
+   * @param wanted chooses among the outlets by names such as {@code kalman-tracks/tracks}
+   * @param clock tells the time of sending
+   * @return listens from now on
+   */
+  public static LiveResults open(
+      FilterChain chain, LineOutput output, Predicate<String> wanted, Clock clock) {
+    return new LiveResults(chain, output, wanted, clock, ROOM);
+  }
+
+  /** As {@link #open}, with room for so many messages. */
+  static LiveResults open(FilterChain chain, LineOutput output, Clock clock, int room) {
+    return new LiveResults(chain, output, name -> true, clock, room);
+  }
+
+  /**
+   * The outlets of a chain that can be published.
+   *
+   * @param chain the chain, of which nested chains are part
+   * @return names such as {@code kalman-tracks/tracks}, in the order of the chain
+   */
+  public static List<String> outlets(FilterChain chain) {
+    List<String> names = new ArrayList<>();
+    for (ChainStage stage : stages(chain, new ArrayList<>())) {
+      for (Outlet<?> outlet : stage.filter().outlets()) {
+        if (CsvSink.isFlat(outlet.type())) {
+          names.add(stage.name() + "/" + outlet.name());
+        }
+      }
+    }
+    return names;
+  }
+
+  private static List<ChainStage> stages(FilterChain chain, List<ChainStage> found) {
+    for (ChainStage stage : chain.stages()) {
+      if (stage.filter() instanceof FilterChain nested) {
+        stages(nested, found);
+      } else {
+        found.add(stage);
+      }
+    }
+    return found;
+  }
+
+  private void follow() {
+    List<ChainStage> now = stages(chain, new ArrayList<>());
+    if (!now.equals(followed)) {
+      subscribe(now);
+    }
+  }
+
+  private synchronized void subscribe(List<ChainStage> now) {
+    unsubscribe();
+    if (closed) {
+      return;
+    }
+    followed = now;
+    for (ChainStage stage : now) {
+      for (Outlet<?> outlet : stage.filter().outlets()) {
+        String from = stage.name() + "/" + outlet.name();
+        if (CsvSink.isFlat(outlet.type()) && wanted.test(from)) {
+          subscriptions.add(outlet.subscribe(result -> put(from, result)));
+        }
+      }
+    }
+  }
+
+  private synchronized void unsubscribe() {
+    subscriptions.forEach(Outlet.Subscription::close);
+    subscriptions.clear();
+  }
+
+  // ---- The processing thread
+
+  private void put(String from, Object content) {
+    if (closed) {
+      return;
+    }
+    number++;
+    if (untold > 0 && waiting.remainingCapacity() > 1) {
+      waiting.add(new Message(0, "", untold));
+      untold = 0;
+    }
+    if (untold > 0 || !waiting.offer(new Message(number, from, content))) {
+      untold++;
+      lost = lost + 1;
+    }
+  }
+
+  @Override
+  public void packet(EventPacket packet) {
+    follow();
+  }
+
+  @Override
+  public void notified(StreamNotification notification) {
+    put("", notification);
+  }
+
+  // ---- The sending thread
+
+  private void work() {
+    try {
+      Message next = waiting.take();
+      while (next != END) {
+        send(next);
+        next = closed && waiting.isEmpty() ? END : waiting.take();
+      }
+    } catch (InterruptedException hurried) {
+      // what waits is not sent
+    } finally {
+      output.close();
+    }
+  }
+
+  private void send(Message message) {
+    if (message.content() instanceof Record row && !message.from().isEmpty()) {
+      output.send(message.from(), messages.result(message.number(), message.from(), row));
+    } else if (message.content() instanceof StreamNotification notification) {
+      output.send("notice", messages.notice(message.number(), notification));
+    } else {
+      output.send("notice", messages.lost((Long) message.content(), "results came too fast"));
+    }
+  }
+
+  /**
+   * Where the messages can be received.
+   *
+   * @return as {@link LineOutput#address()}
+   */
+  public String address() {
+    return output.address();
+  }
+
+  /**
+   * Those who receive at present.
+   *
+   * @return as {@link LineOutput#receivers()}
+   */
+  public int receivers() {
+    return output.receivers();
+  }
+
+  /**
+   * Messages that were dropped, here or for a receiver that was too slow.
+   *
+   * @return a count
+   */
+  public long lost() {
+    return lost + output.lost();
+  }
+
+  /** Ends the subscriptions, sends what waits, for some seconds at the most, and ends. */
+  @Override
+  public void close() {
+    closed = true;
+    unsubscribe();
+    try {
+      if (untold > 0) {
+        waiting.offer(new Message(0, "", untold), PATIENCE_MS, TimeUnit.MILLISECONDS);
+      }
+      waiting.offer(END);
+      thread.join(PATIENCE_MS);
+    } catch (InterruptedException hurried) {
+      Thread.currentThread().interrupt();
+    }
+    thread.interrupt();
+  }
+}

@@ -1,0 +1,46 @@
+package haltere.core.sink;
+
+import java.io.Closeable;
+
+/**
+ * Takes lines away to whoever wants them, over a network say. It never holds up whoever hands them
+ * over: where there is no room for a line it is dropped and counted, and the receiver is told as
+ * soon as there is room again, if the way of transport allows that.
+ *
+ * <p>Thread rule: lines are handed over by one thread; everything else may be called by any.
+ */
+public interface LineOutput extends Closeable {
+  /**
+   * Where the lines can be received.
+   *
+   * @return the address as given, with the port that was chosen where none was
+   */
+  String address();
+
+  /**
+   * Takes a line. Failures of receivers are theirs: nothing is thrown.
+   *
+   * @param topic what the line is about, for transports where receivers choose, such as {@code
+   *     kalman-tracks/tracks}
+   * @param line its bytes with the line feed; not changed by anyone afterwards
+   */
+  void send(String topic, byte[] line);
+
+  /**
+   * Those who receive at present.
+   *
+   * @return how many, or -1 where the transport does not know
+   */
+  int receivers();
+
+  /**
+   * Lines that were dropped because a receiver had no room for them.
+   *
+   * @return a count over all receivers, as far as the transport knows
+   */
+  long lost();
+
+  /** Sends what waits, for a second at the most, and ends. */
+  @Override
+  void close();
+}

@@ -1,0 +1,35 @@
+package haltere.core.sink;
+
+import java.io.IOException;
+
+/**
+ * A way of transport for lines, found as a service ({@code
+ * META-INF/services/haltere.core.sink.LineOutputProvider}), so that one that needs a library can
+ * come in a jar of its own.
+ *
+ * <p>Thread rule: all methods may be called from any thread.
+ */
+public interface LineOutputProvider {
+  /**
+   * What its addresses start with.
+   *
+   * @return a word such as {@code tcp}
+   */
+  String scheme();
+
+  /**
+   * What it does, in one sentence for a person.
+   *
+   * @return ends with a full stop
+   */
+  String description();
+
+  /**
+   * Opens an output.
+   *
+   * @param address host and port
+   * @return an open output
+   * @throws IOException with a line for a person if that cannot be
+   */
+  LineOutput open(LineAddress address) throws IOException;
+}

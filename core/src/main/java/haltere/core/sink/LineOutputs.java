@@ -1,0 +1,59 @@
+package haltere.core.sink;
+
+import java.io.IOException;
+import java.util.Map;
+import java.util.ServiceLoader;
+import java.util.TreeMap;
+
+/**
+ * The ways of transport that there are, found as services.
+ *
+ * <p>Thread rule: all methods may be called from any thread.
+ */
+public final class LineOutputs {
+  private LineOutputs() {}
+
+  /**
+   * All ways of transport.
+   *
+   * @return by the word that their addresses start with, in alphabetical order
+   */
+  public static Map<String, LineOutputProvider> all() {
+    Map<String, LineOutputProvider> found = new TreeMap<>();
+    for (LineOutputProvider provider : ServiceLoader.load(LineOutputProvider.class)) {
+      found.putIfAbsent(provider.scheme(), provider);
+    }
+    return found;
+  }
+
+  /**
+   * Checks an address without opening it.
+   *
+   * @param address such as {@code tcp://127.0.0.1:5555}
+   * @return its parts
+   * @throws IllegalArgumentException with a line for a person if it is none, or nothing here
+   *     transports that way
+   */
+  public static LineAddress check(String address) {
+    LineAddress parts = LineAddress.parse(address);
+    Map<String, LineOutputProvider> all = all();
+    if (!all.containsKey(parts.scheme())) {
+      throw new IllegalArgumentException(
+          address + ": there is no " + parts.scheme() + "://; there are " + all.keySet());
+    }
+    return parts;
+  }
+
+  /**
+   * Opens an output.
+   *
+   * @param address such as {@code tcp://127.0.0.1:5555}
+   * @return an open output
+   * @throws IOException with a line for a person if that cannot be
+   * @throws IllegalArgumentException as {@link #check}
+   */
+  public static LineOutput open(String address) throws IOException {
+    LineAddress parts = check(address);
+    return all().get(parts.scheme()).open(parts);
+  }
+}

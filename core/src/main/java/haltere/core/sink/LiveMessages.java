@@ -1,0 +1,145 @@
+package haltere.core.sink;
+
+import haltere.core.stream.DataLost;
+import haltere.core.stream.DeviceLost;
+import haltere.core.stream.EndOfStream;
+import haltere.core.stream.Reset;
+import haltere.core.stream.StreamNotification;
+import haltere.core.stream.StreamStarted;
+import java.time.Clock;
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
+import java.util.HashMap;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Objects;
+
+/**
+ * The layout of live results: each message is one line of JSON that ends in a line feed.
+ *
+ * <pre>{@code
+ * {"number":1,"sent_us":1795278123456789,"notice":"started","source":"fly","width":128,"height":128}
+ * {"number":2,"sent_us":1795278123457012,"from":"kalman-tracks/tracks","row":{"t_us":1000,"id":1}}
+ * {"sent_us":1795278123459000,"notice":"lost","messages":12,"place":"this receiver is too slow"}
+ * }</pre>
+ *
+ * <p>{@code number} counts the messages of a run from 1: a gap tells how many are missing. {@code
+ * sent_us} is the time of sending, microseconds since 1970 (UTC). {@code row} is a result; its
+ * names are the columns of its table ({@link CsvSink#columns}), and what a table leaves empty is
+ * null, as is infinity, which JSON does not have. A {@code notice} is one of {@code started},
+ * {@code reset}, {@code data-lost}, {@code device-lost}, {@code end} (the stream's own, see {@link
+ * StreamNotification}), or {@code lost}: messages that were not sent because there was no room for
+ * them; that one has no number.
+ *
+ * <p>Thread rule: one thread at a time.
+ */
+public final class LiveMessages {
+  private final Clock clock;
+  private final JsonText text = new JsonText();
+  private final Map<Class<? extends Record>, RowFields> types = new HashMap<>();
+
+  /**
+   * Messages that bear the time of a clock.
+   *
+   * @param clock tells the time of sending
+   */
+  public LiveMessages(Clock clock) {
+    this.clock = Objects.requireNonNull(clock, "clock");
+  }
+
+  /**
+   * The message of a result.
+   *
+   * @param number of the message
+   * @param from stage and outlet, such as {@code cluster-tracker/clusters}
+   * @param row a flat record
+   * @return a line in ASCII with its line feed
+   */
+  public byte[] result(long number, String from, Record row) {
+    RowFields fields = types.computeIfAbsent(row.getClass(), RowFields::new);
+    begin(number);
+    text.key("from").text(from);
+    text.key("row").open();
+    for (int i = 0; i < fields.names().size(); i++) {
+      text.key(fields.names().get(i));
+      fields.write(i, row, text);
+    }
+    return text.close().close().take();
+  }
+
+  /**
+   * The message of a notification.
+   *
+   * @param number of the message
+   * @param notification what happened in the stream
+   * @return a line in ASCII with its line feed
+   */
+  public byte[] notice(long number, StreamNotification notification) {
+    begin(number);
+    if (notification instanceof StreamStarted started) {
+      text.key("notice").text("started");
+      text.key("source").text(started.source());
+      text.key("width").number(started.geometry().width());
+      text.key("height").number(started.geometry().height());
+    } else if (notification instanceof Reset reset) {
+      text.key("notice").text("reset");
+      text.key("cause").text(reset.cause().name().toLowerCase(Locale.ROOT).replace('_', '-'));
+      time("last_us", reset.lastUs());
+      time("next_us", reset.nextUs());
+    } else if (notification instanceof DataLost lost) {
+      text.key("notice").text("data-lost");
+      text.key("events");
+      known(lost.estimatedEvents(), -1);
+      time("from_us", lost.fromUs());
+      time("to_us", lost.toUs());
+      text.key("place").text(lost.place());
+    } else if (notification instanceof DeviceLost lost) {
+      text.key("notice").text("device-lost");
+      text.key("device").text(lost.device());
+      time("last_us", lost.lastUs());
+    } else if (notification instanceof EndOfStream end) {
+      text.key("notice").text("end");
+      time("last_us", end.lastUs());
+    }
+    return text.close().take();
+  }
+
+  /**
+   * The message that others are missing.
+   *
+   * @param messages how many
+   * @param place who had no room for them, in words for a person
+   * @return a line in ASCII with its line feed
+   */
+  public byte[] lost(long messages, String place) {
+    text.open();
+    sent();
+    text.key("notice").text("lost");
+    text.key("messages").number(messages);
+    text.key("place").text(place);
+    return text.close().take();
+  }
+
+  private void begin(long number) {
+    text.open();
+    text.key("number").number(number);
+    sent();
+  }
+
+  private void sent() {
+    text.key("sent_us").number(ChronoUnit.MICROS.between(Instant.EPOCH, clock.instant()));
+  }
+
+  private void time(String key, long timeUs) {
+    text.key(key);
+    known(timeUs, StreamNotification.NO_TIME_US);
+  }
+
+  private void known(long value, long unknown) {
+    if (value == unknown) {
+      text.nothing();
+    } else {
+      text.number(value);
+    }
+  }
+}

@@ -1,0 +1,189 @@
+package haltere.core.sink;
+
+import java.lang.invoke.MethodHandle;
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.MethodType;
+import java.lang.reflect.Method;
+import java.lang.reflect.RecordComponent;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import java.util.OptionalLong;
+import java.util.Set;
+import java.util.regex.Pattern;
+
+/**
+ * The components of a flat record: their names as columns, and their values without boxes.
+ *
+ * <p>Thread rule: immutable.
+ */
+final class RowFields {
+  /** Takes the value of a component. */
+  interface Values {
+    void number(long value);
+
+    /** Negative decimals mean as many as needed to read the same number back. */
+    void number(double value, int decimals);
+
+    /** As for double, with the digits that the shorter type needs. */
+    void number(float value, int decimals);
+
+    void flag(boolean value);
+
+    void text(CharSequence value);
+
+    /** There is no value. */
+    void nothing();
+  }
+
+  /** Hands on one component of a row. */
+  private interface Field {
+    void write(Object row, Values values) throws Throwable;
+  }
+
+  private static final Set<Class<?>> FLAT =
+      Set.of(
+          byte.class,
+          Byte.class,
+          short.class,
+          Short.class,
+          int.class,
+          Integer.class,
+          long.class,
+          Long.class,
+          float.class,
+          Float.class,
+          double.class,
+          Double.class,
+          boolean.class,
+          Boolean.class,
+          char.class,
+          Character.class,
+          String.class,
+          OptionalInt.class,
+          OptionalLong.class,
+          OptionalDouble.class);
+  private static final Pattern WORD_START =
+      Pattern.compile("(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])");
+
+  private final List<String> names;
+  private final Field[] fields;
+
+  /**
+   * The components of a type.
+   *
+   * @throws IllegalArgumentException if it is not flat
+   */
+  RowFields(Class<? extends Record> type) {
+    if (!isFlat(type)) {
+      throw new IllegalArgumentException(
+          type.getSimpleName() + " is not a record of plain values and makes no row");
+    }
+    names = names(type);
+    RecordComponent[] components = type.getRecordComponents();
+    fields = new Field[components.length];
+    for (int i = 0; i < fields.length; i++) {
+      Column column = components[i].getAnnotation(Column.class);
+      int decimals = column == null ? -1 : column.decimals();
+      if (decimals < -1 || decimals > 9) {
+        throw new IllegalArgumentException(
+            components[i] + " cannot have " + decimals + " digits behind the decimal point");
+      }
+      fields[i] = field(components[i], decimals);
+    }
+  }
+
+  /** As {@link CsvSink#isFlat}. */
+  static boolean isFlat(Class<?> type) {
+    if (!type.isRecord()) {
+      return false;
+    }
+    for (RecordComponent component : type.getRecordComponents()) {
+      if (!FLAT.contains(component.getType()) && !component.getType().isEnum()) {
+        return false;
+      }
+    }
+    return type.getRecordComponents().length > 0;
+  }
+
+  /** As {@link CsvSink#columns}. */
+  static List<String> names(Class<? extends Record> type) {
+    List<String> names = new ArrayList<>();
+    for (RecordComponent component : type.getRecordComponents()) {
+      Column column = component.getAnnotation(Column.class);
+      names.add(
+          column != null && !column.value().isEmpty()
+              ? column.value()
+              : WORD_START.matcher(component.getName()).replaceAll("_").toLowerCase(Locale.ROOT));
+    }
+    return names;
+  }
+
+  /** Names of the columns, in order. */
+  List<String> names() {
+    return names;
+  }
+
+  /** Hands on one component of a row. */
+  void write(int index, Record row, Values values) {
+    try {
+      fields[index].write(row, values);
+    } catch (RuntimeException | Error thrown) {
+      throw thrown;
+    } catch (Throwable thrown) {
+      throw new IllegalStateException("cannot read a row of " + row.getClass(), thrown);
+    }
+  }
+
+  private static Field field(RecordComponent component, int decimals) {
+    MethodHandle get = getter(component.getAccessor());
+    Class<?> type = component.getType();
+    if (type == double.class) {
+      MethodHandle exact = get.asType(MethodType.methodType(double.class, Object.class));
+      return (row, values) -> values.number((double) exact.invokeExact(row), decimals);
+    }
+    if (type == float.class) {
+      MethodHandle exact = get.asType(MethodType.methodType(float.class, Object.class));
+      return (row, values) -> values.number((float) exact.invokeExact(row), decimals);
+    }
+    if (type == long.class || type == int.class || type == short.class || type == byte.class) {
+      MethodHandle exact = get.asType(MethodType.methodType(long.class, Object.class));
+      return (row, values) -> values.number((long) exact.invokeExact(row));
+    }
+    MethodHandle exact = get.asType(MethodType.methodType(Object.class, Object.class));
+    return (row, values) -> value((Object) exact.invokeExact(row), values, decimals);
+  }
+
+  private static MethodHandle getter(Method accessor) {
+    accessor.setAccessible(true);
+    try {
+      return MethodHandles.lookup().unreflect(accessor);
+    } catch (IllegalAccessException thrown) {
+      throw new IllegalArgumentException("cannot read " + accessor, thrown);
+    }
+  }
+
+  private static void value(Object value, Values values, int decimals) {
+    if (value instanceof Double number) {
+      values.number(number, decimals);
+    } else if (value instanceof Float number) {
+      values.number(number.floatValue(), decimals);
+    } else if (value instanceof Number number) {
+      values.number(number.longValue());
+    } else if (value instanceof Boolean flag) {
+      values.flag(flag);
+    } else if (value instanceof OptionalDouble number) {
+      values.number(number.orElse(Double.NaN), decimals);
+    } else if (value instanceof OptionalLong number) {
+      number.ifPresentOrElse(values::number, values::nothing);
+    } else if (value instanceof OptionalInt number) {
+      number.ifPresentOrElse(values::number, values::nothing);
+    } else if (value == null) {
+      values.nothing();
+    } else {
+      values.text(value.toString());
+    }
+  }
+}

@@ -1,0 +1,70 @@
+package haltere.ui.command;
+
+import haltere.core.pipeline.LiveResults;
+import haltere.core.stream.StreamHandler;
+import java.io.Closeable;
+import java.io.InterruptedIOException;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * What is being sent to other programs while a command runs.
+ *
+ * <p>Thread rule: the command's thread.
+ */
+final class Publishing implements Closeable {
+  private static final long LOOK_MS = 5;
+
+  private final Subcommand command;
+  private final List<LiveResults> open = new ArrayList<>();
+
+  Publishing(Subcommand command) {
+    this.command = command;
+  }
+
+  void add(LiveResults results) {
+    open.add(results);
+    command.message("publishing at " + results.address());
+  }
+
+  /** Waits until so many receive at each address that knows its receivers. */
+  void await(int receivers) throws InterruptedIOException {
+    for (LiveResults results : open) {
+      while (results.receivers() >= 0 && results.receivers() < receivers) {
+        try {
+          Thread.sleep(LOOK_MS);
+        } catch (InterruptedException stopped) {
+          Thread.currentThread().interrupt();
+          throw new InterruptedIOException("interrupted while waiting for receivers");
+        }
+      }
+    }
+  }
+
+  /** These go behind the chain. */
+  List<StreamHandler> sinks() {
+    return List.copyOf(open);
+  }
+
+  /** These and another one. */
+  List<StreamHandler> sinksAnd(StreamHandler other) {
+    List<StreamHandler> all = new ArrayList<>(open);
+    all.add(other);
+    return all;
+  }
+
+  @Override
+  public void close() {
+    for (LiveResults results : open) {
+      results.close();
+      if (results.lost() > 0) {
+        command.warning(
+            results.address()
+                + ": "
+                + Quantities.count(results.lost())
+                + " messages were not sent, because a receiver or this computer was too slow");
+      }
+    }
+    open.clear();
+  }
+}

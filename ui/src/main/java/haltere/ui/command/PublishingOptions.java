@@ -1,0 +1,98 @@
+package haltere.ui.command;
+
+import haltere.core.chain.FilterChain;
+import haltere.core.pipeline.LiveResults;
+import haltere.core.sink.LineOutputs;
+import java.io.IOException;
+import java.time.Clock;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.function.Predicate;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** Options of every command that can send what filters publish to other programs. */
+final class PublishingOptions {
+  @Spec(Spec.Target.MIXEE)
+  CommandSpec command;
+
+  @Option(
+      names = "--publish",
+      paramLabel = "ADDRESS",
+      description =
+          "Send what the filters publish, a line of JSON each, while they run: tcp://HOST:PORT"
+              + " (listens), udp://HOST:PORT or zmq://HOST:PORT (a PUB socket). May be repeated.")
+  List<String> addresses = List.of();
+
+  @Option(
+      names = "--outlet",
+      paramLabel = "STAGE/OUTLET",
+      description = "Send only this, such as kalman-tracks/tracks. May be repeated.")
+  List<String> outlets = List.of();
+
+  @Option(
+      names = "--receivers",
+      paramLabel = "N",
+      defaultValue = "0",
+      description = "Wait until so many programs have connected to each tcp:// address.")
+  int receivers;
+
+  /**
+   * Refuses what can be told to be wrong before any work.
+   *
+   * @throws ParameterException if an address is none, or options stand alone
+   */
+  void check() {
+    try {
+      addresses.forEach(LineOutputs::check);
+    } catch (IllegalArgumentException wrong) {
+      throw new ParameterException(command.commandLine(), wrong.getMessage());
+    }
+    if (addresses.isEmpty() && !(outlets.isEmpty() && receivers == 0)) {
+      throw new ParameterException(
+          command.commandLine(), "--outlet and --receivers mean nothing without --publish");
+    }
+  }
+
+  /**
+   * Begins to publish what a chain's filters publish.
+   *
+   * @param chain before it runs
+   * @param subcommand says where the results can be received
+   * @return open, perhaps with nothing in it
+   * @throws IOException if an address cannot be used
+   */
+  Publishing open(FilterChain chain, Subcommand subcommand) throws IOException {
+    Publishing publishing = new Publishing(subcommand);
+    try {
+      Predicate<String> wanted = addresses.isEmpty() ? name -> false : wanted(chain);
+      for (String address : addresses) {
+        publishing.add(
+            LiveResults.open(chain, LineOutputs.open(address), wanted, Clock.systemUTC()));
+      }
+      publishing.await(receivers);
+      return publishing;
+    } catch (IOException | RuntimeException problem) {
+      publishing.close();
+      throw problem;
+    }
+  }
+
+  private Predicate<String> wanted(FilterChain chain) {
+    if (outlets.isEmpty()) {
+      return name -> true;
+    }
+    List<String> there = LiveResults.outlets(chain);
+    for (String outlet : outlets) {
+      if (!there.contains(outlet)) {
+        throw new CommandProblem(
+            "nothing publishes " + outlet + "; there are " + String.join(", ", there));
+      }
+    }
+    Set<String> chosen = new HashSet<>(outlets);
+    return chosen::contains;
+  }
+}

@@ -1,0 +1,2 @@
+/** Live results over ZeroMQ; a module of its own, so that nobody gets the library unasked. */
+package haltere.zeromq;
