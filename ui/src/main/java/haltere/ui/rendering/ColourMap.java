@@ -2,7 +2,7 @@ package haltere.ui.rendering;
 
 /**
  * Colours of a picture of events: the background, and what a fresh ON and a fresh OFF event look
- * like. Both default maps can be told apart with any of the common kinds of colour blindness.
+ * like. All but green and red can be told apart with any of the common kinds of colour blindness.
  *
  * @param name what a person calls the map
  * @param background opaque ARGB of a pixel without a recent event
@@ -23,6 +23,14 @@ public record ColourMap(String name, int background, int on, int off, boolean da
   public static final ColourMap GREY =
       new ColourMap("Grey", 0xFF6B7078, 0xFFFFFFFF, 0xFF000000, true);
 
+  /** Vermilion and blue on white, of the palette of Okabe and Ito. */
+  public static final ColourMap PAPER =
+      new ColourMap("Red and blue on white", 0xFFFFFFFF, 0xFFD55E00, 0xFF0072B2, false);
+
+  /** Yellow and sky blue on black, of the palette of Okabe and Ito: the strongest contrast. */
+  public static final ColourMap CONTRAST =
+      new ColourMap("Yellow and blue on black", 0xFF000000, 0xFFF0E442, 0xFF56B4E9, true);
+
   /** Green and red on black, as older viewers have it; not for everyone's eyes. */
   public static final ColourMap GREEN_RED =
       new ColourMap("Green and red", 0xFF000000, 0xFF2BE04A, 0xFFFF3B3B, true);
@@ -33,7 +41,7 @@ public record ColourMap(String name, int background, int on, int off, boolean da
    * @return in the order of a menu
    */
   public static java.util.List<ColourMap> all() {
-    return java.util.List.of(DARK, LIGHT, GREY, GREEN_RED);
+    return java.util.List.of(DARK, LIGHT, CONTRAST, PAPER, GREY, GREEN_RED);
   }
 
   /**

@@ -5,16 +5,16 @@ import java.util.Arrays;
 import java.util.Objects;
 
 /**
- * Paints an {@link EventFrame} into an array of ARGB pixels: each pixel in the colour of its last
- * event, fading exponentially with the event's age.
+ * Paints an {@link EventFrame} into an array of ARGB pixels: each pixel in a colour that its last
+ * event and the event's age give it.
  *
- * <p>The fading is read from a table by age, so a picture costs about a nanosecond a pixel.
+ * <p>That is read from a table by age, so a picture costs about a nanosecond a pixel.
  *
  * <p>Thread rule: one thread at a time.
  */
 public final class FramePainter {
   /** Ages beyond this many time constants are painted as background (a share of 0.2 %). */
-  private static final double TIME_CONSTANTS = 6;
+  static final double TIME_CONSTANTS = 6;
 
   /** Longest time constant, 20 s. An {@link EventFrame} does not remember for longer. */
   public static final long LONGEST_TIME_CONSTANT_US = 20_000_000;
@@ -22,8 +22,7 @@ public final class FramePainter {
   /** Shortest table; the age is cut to fit between this and twice as many entries. */
   private static final int ENTRIES = 1024;
 
-  private ColourMap colours;
-  private long timeConstantUs;
+  private PictureStyle style;
 
   /** At twice the cut age, plus 1 for ON. The last pair is the background. */
   private int[] table;
@@ -51,16 +50,20 @@ public final class FramePainter {
    *     #LONGEST_TIME_CONSTANT_US}
    */
   public void configure(ColourMap newColours, long newTimeConstantUs) {
-    if (newTimeConstantUs < 1 || newTimeConstantUs > LONGEST_TIME_CONSTANT_US) {
-      throw new IllegalArgumentException(
-          "the time constant is " + newTimeConstantUs + " us, it must be 1 us to 20 s");
-    }
-    if (newTimeConstantUs == timeConstantUs && newColours.equals(colours)) {
+    configure(PictureStyle.fading(newColours, newTimeConstantUs));
+  }
+
+  /**
+   * Changes what the next picture looks like.
+   *
+   * @param newStyle one in which only the last event of a pixel counts
+   */
+  public void configure(PictureStyle newStyle) {
+    if (newStyle.equals(style)) {
       return;
     }
-    colours = Objects.requireNonNull(newColours, "colours");
-    timeConstantUs = newTimeConstantUs;
-    double oldestUs = timeConstantUs * TIME_CONSTANTS;
+    style = newStyle;
+    double oldestUs = style.longestUs();
     ageShift = 0;
     while (oldestUs / (1L << ageShift) >= 2 * ENTRIES) {
       ageShift++;
@@ -68,12 +71,22 @@ public final class FramePainter {
     int entries = (int) (oldestUs / (1L << ageShift)) + 2;
     table = new int[2 * entries];
     for (int i = 0; i < entries - 1; i++) {
-      double freshness = Math.exp(-((double) i * (1L << ageShift)) / timeConstantUs);
-      table[2 * i] = colours.colour(false, freshness);
-      table[2 * i + 1] = colours.colour(true, freshness);
+      double ageUs = (double) i * (1L << ageShift);
+      table[2 * i] = style.colour(false, ageUs);
+      table[2 * i + 1] = style.colour(true, ageUs);
     }
-    table[2 * entries - 2] = colours.background();
-    table[2 * entries - 1] = colours.background();
+    table[2 * entries - 2] = style.background();
+    table[2 * entries - 1] = style.background();
+  }
+
+  /**
+   * Age at which nothing is left of an event.
+   *
+   * @param style a style
+   * @return microseconds
+   */
+  public static double oldestUs(PictureStyle style) {
+    return style.longestUs();
   }
 
   /**
@@ -82,7 +95,7 @@ public final class FramePainter {
    * @return a map
    */
   public ColourMap colours() {
-    return colours;
+    return style.colours();
   }
 
   /**
@@ -91,7 +104,7 @@ public final class FramePainter {
    * @return microseconds
    */
   public long timeConstantUs() {
-    return timeConstantUs;
+    return style.timeConstantUs();
   }
 
   /**
@@ -106,7 +119,7 @@ public final class FramePainter {
     int[] lastEvents = frame.lastEvents();
     Objects.checkFromIndexSize(0, lastEvents.length, argb.length);
     if (frame.nowUs() == StreamNotification.NO_TIME_US) {
-      Arrays.fill(argb, 0, lastEvents.length, colours.background());
+      Arrays.fill(argb, 0, lastEvents.length, style.background());
       return;
     }
     if (row.length < width) {

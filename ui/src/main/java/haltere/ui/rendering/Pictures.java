@@ -46,9 +46,23 @@ public final class Pictures {
    */
   public static BufferedImage draw(
       EventFrame frame, FramePainter painter, int scale, Consumer<OverlayCanvas> marks) {
-    SensorGeometry geometry = frame.geometry();
-    int[] argb = new int[geometry.pixels()];
+    int[] argb = new int[frame.geometry().pixels()];
     painter.paint(frame, argb);
+    return draw(frame.geometry(), argb, painter.colours().dark(), scale, marks);
+  }
+
+  /**
+   * Draws a picture that has been painted.
+   *
+   * @param geometry the sensor
+   * @param argb one pixel for each of the sensor's, row by row from the top
+   * @param dark whether marks should be light
+   * @param scale pixels of the picture per pixel of the sensor, at least 1
+   * @param marks draws over the picture
+   * @return a picture without transparency
+   */
+  public static BufferedImage draw(
+      SensorGeometry geometry, int[] argb, boolean dark, int scale, Consumer<OverlayCanvas> marks) {
     int width = geometry.width() * scale;
     BufferedImage image =
         new BufferedImage(width, geometry.height() * scale, BufferedImage.TYPE_INT_RGB);
@@ -59,8 +73,7 @@ public final class Pictures {
         pixels[y * width + x] = argb[row + x / scale];
       }
     }
-    try (PictureOverlayCanvas canvas =
-        new PictureOverlayCanvas(image, geometry, scale, painter.colours().dark())) {
+    try (PictureOverlayCanvas canvas = new PictureOverlayCanvas(image, geometry, scale, dark)) {
       marks.accept(canvas);
     }
     return image;

@@ -1,6 +1,8 @@
 package haltere.ui.viewer;
 
 import haltere.ui.rendering.ColourMap;
+import haltere.ui.rendering.DisplayMode;
+import haltere.ui.rendering.Gradient;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleBooleanProperty;
@@ -17,6 +19,10 @@ final class DisplayControl {
       new SimpleObjectProperty<>(DisplayOptions.DEFAULT.colours());
   private final ObjectProperty<Long> decayUs =
       new SimpleObjectProperty<>(DisplayOptions.DEFAULT.decayUs());
+  private final ObjectProperty<DisplayMode> mode =
+      new SimpleObjectProperty<>(DisplayOptions.DEFAULT.mode());
+  private final ObjectProperty<Gradient> gradient =
+      new SimpleObjectProperty<>(DisplayOptions.DEFAULT.gradient());
   private final BooleanProperty marks = new SimpleBooleanProperty(true);
 
   DisplayControl() {
@@ -32,7 +38,15 @@ final class DisplayControl {
     return colours;
   }
 
-  /** Time constant of the fading, or {@link DisplayOptions#FOLLOW_SLICES}. */
+  ObjectProperty<DisplayMode> modeProperty() {
+    return mode;
+  }
+
+  ObjectProperty<Gradient> gradientProperty() {
+    return gradient;
+  }
+
+  /** As {@link DisplayOptions#decayUs()}. */
   ObjectProperty<Long> decayUsProperty() {
     return decayUs;
   }
@@ -44,12 +58,14 @@ final class DisplayControl {
 
   /** What the painter of events needs to know. */
   DisplayOptions options() {
-    return new DisplayOptions(colours.get(), decayUs.get());
+    return new DisplayOptions(mode.get(), colours.get(), gradient.get(), decayUs.get());
   }
 
   /** Calls something after each change of {@link #options()}. */
   void onChange(Runnable listener) {
     colours.addListener((property, was, is) -> listener.run());
+    mode.addListener((property, was, is) -> listener.run());
+    gradient.addListener((property, was, is) -> listener.run());
     decayUs.addListener((property, was, is) -> listener.run());
   }
 }

@@ -1,11 +1,25 @@
 package haltere.ui.viewer;
 
 import haltere.ui.rendering.ColourMap;
+import haltere.ui.rendering.DisplayMode;
+import haltere.ui.rendering.Gradient;
+import java.util.LinkedHashMap;
+import java.util.Locale;
+import java.util.Map;
 import javafx.stage.Stage;
 
 /** How window and events look. */
 final class DisplayFeature implements ViewerFeature {
-  private static final long[] DECAYS_US = {100, 300, 1000, 3000, 10_000, 30_000, 100_000, 300_000};
+  /** Time constants of the fading and what a menu calls them. */
+  static final Map<Long, String> DECAYS = new LinkedHashMap<>();
+
+  static {
+    DECAYS.put(DisplayOptions.FOLLOW_SLICES, "Follows the speed");
+    DECAYS.put(DisplayOptions.SLICE_ONLY, "The last slice only");
+    for (long us : new long[] {100, 300, 1000, 3000, 10_000, 30_000, 100_000, 300_000}) {
+      DECAYS.put(us, Texts.duration(us));
+    }
+  }
 
   @Override
   public void install(ViewerContext window) {
@@ -14,33 +28,47 @@ final class DisplayFeature implements ViewerFeature {
     for (Theme theme : Theme.values()) {
       actions.add(
           ViewerAction.choice(
-              "theme-" + theme.words().toLowerCase(java.util.Locale.ROOT),
+              id("theme", theme.words()),
               theme.words(),
               "View/Theme",
               display.themeProperty(),
               theme));
     }
+    int number = 1;
+    for (DisplayMode mode : DisplayMode.values()) {
+      actions.add(
+          ViewerAction.choice(
+                  id("show-as", mode.words()),
+                  mode.words(),
+                  "View/Show as",
+                  display.modeProperty(),
+                  mode)
+              .withKey("Shortcut+" + number++)
+              .withHelp(mode.help()));
+    }
     for (ColourMap map : ColourMap.all()) {
       actions.add(
           ViewerAction.choice(
-              "colours-" + map.name().toLowerCase(java.util.Locale.ROOT).replace(' ', '-'),
+              id("colours", map.name()),
               map.name(),
-              "View/Colours of events",
+              "View/Colours of polarity",
               display.coloursProperty(),
               map));
     }
-    actions.add(
-        ViewerAction.choice(
-            "fading-follows",
-            "Follows the speed",
-            "View/Fading",
-            display.decayUsProperty(),
-            DisplayOptions.FOLLOW_SLICES));
-    for (long us : DECAYS_US) {
+    for (Gradient gradient : Gradient.all()) {
       actions.add(
           ViewerAction.choice(
-              "fading-" + us, Texts.duration(us), "View/Fading", display.decayUsProperty(), us));
+              id("gradient", gradient.name()),
+              gradient.name(),
+              "View/Colours of age and count",
+              display.gradientProperty(),
+              gradient));
     }
+    DECAYS.forEach(
+        (us, words) ->
+            actions.add(
+                ViewerAction.choice(
+                    "fading" + us, words, "View/Fading", display.decayUsProperty(), us)));
     Stage stage = window.stage();
     actions.add(
         ViewerAction.toggle("overlays", "Overlays", "View", display.marksProperty())
@@ -55,5 +83,9 @@ final class DisplayFeature implements ViewerFeature {
                 stage.fullScreenProperty(),
                 stage::setFullScreen)
             .withKey("F11"));
+  }
+
+  private static String id(String group, String words) {
+    return group + "-" + words.toLowerCase(Locale.ROOT).replace(' ', '-');
   }
 }

@@ -4,7 +4,9 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.overlay.Overlay;
 import haltere.core.overlay.OverlayCanvas;
 import haltere.core.stream.StreamNotification;
+import haltere.ui.measure.RegionReading;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * A finished picture: the pixels and the marks of the same moment. Filled by the processing thread,
@@ -24,6 +26,16 @@ final class DisplayFrame {
   final int[] argb;
 
   List<Marks<?>> marks = List.of();
+
+  /** What there is to say of the pixel under the mouse. */
+  Optional<PixelReading> pixel = Optional.empty();
+
+  /** What the region of interest is doing. */
+  Optional<RegionReading> region = Optional.empty();
+
+  /** What the ends of the colours mean, empty where colours stand for polarities. */
+  String scale = "";
+
   long timeUs = StreamNotification.NO_TIME_US;
   boolean dark = true;
 

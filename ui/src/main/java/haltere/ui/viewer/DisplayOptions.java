@@ -1,16 +1,25 @@
 package haltere.ui.viewer;
 
 import haltere.ui.rendering.ColourMap;
+import haltere.ui.rendering.DisplayMode;
+import haltere.ui.rendering.Gradient;
 
 /**
  * How events are shown.
  *
- * @param colours the map
- * @param decayUs time constant of the fading, or 0 to follow the length of the slices, so that slow
- *     motion shows short moments
+ * @param mode what the colour of a pixel says
+ * @param colours for polarities
+ * @param gradient for ages and counts
+ * @param decayUs time constant of the fading; or {@link #FOLLOW_SLICES}, so that slow motion shows
+ *     short moments; or {@link #SLICE_ONLY}
  */
-record DisplayOptions(ColourMap colours, long decayUs) {
+record DisplayOptions(DisplayMode mode, ColourMap colours, Gradient gradient, long decayUs) {
+  /** The fading follows the length of the slices. */
   static final long FOLLOW_SLICES = 0;
 
-  static final DisplayOptions DEFAULT = new DisplayOptions(ColourMap.DARK, FOLLOW_SLICES);
+  /** No fading: the events of the last slice and no others, as in a photograph of that exposure. */
+  static final long SLICE_ONLY = -1;
+
+  static final DisplayOptions DEFAULT =
+      new DisplayOptions(DisplayMode.POLARITY, ColourMap.DARK, Gradient.CIVIDIS, FOLLOW_SLICES);
 }

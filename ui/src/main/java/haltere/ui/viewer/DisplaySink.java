@@ -7,13 +7,16 @@ import haltere.core.overlay.OverlayLayer;
 import haltere.core.playback.SliceSink;
 import haltere.core.stream.DataLost;
 import haltere.core.stream.StreamNotification;
-import haltere.ui.rendering.EventFrame;
+import haltere.ui.measure.PixelRegion;
+import haltere.ui.rendering.EventPicture;
 import haltere.ui.rendering.FrameExchange;
 import haltere.ui.rendering.FramePainter;
+import haltere.ui.rendering.PictureStyle;
 import haltere.ui.rendering.Pictures;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * The end of the chain that makes pictures: gathers events and the newest snapshot of each overlay,
@@ -36,20 +39,20 @@ final class DisplaySink implements SliceSink {
   private static final double MAX_DECAY_US = 1_000_000;
 
   private final FilterChain chain;
-  private final EventFrame events;
-  private final FramePainter painter;
+  private final EventPicture events;
+  private final ViewProbes probes = new ViewProbes();
   private final FrameExchange<DisplayFrame> exchange;
   private final List<LayerTap<?>> taps = new ArrayList<>();
   private volatile DisplayOptions options;
   private volatile boolean stale;
   private double sliceUs = 8_333;
+  private long lastSliceUs = 8_333;
   private long paintedNanos;
 
   DisplaySink(SensorGeometry geometry, FilterChain chain, DisplayOptions options) {
     this.chain = chain;
     this.options = options;
-    events = new EventFrame(geometry);
-    painter = new FramePainter(options.colours(), decayUs());
+    events = new EventPicture(geometry, style());
     exchange = new FrameExchange<>(() -> new DisplayFrame(geometry));
   }
 
@@ -62,6 +65,18 @@ final class DisplaySink implements SliceSink {
     stale = true;
   }
 
+  /** The mouse is over a pixel, or over none. */
+  void point(int x, int y, boolean over) {
+    probes.point(x, y, over);
+    stale = true;
+  }
+
+  /** The region of interest, or none. */
+  void setRegion(Optional<PixelRegion> region) {
+    probes.setRegion(region);
+    stale = true;
+  }
+
   /** Whether there is something newer than the frame that was published last. */
   boolean isStale() {
     return stale;
@@ -70,11 +85,13 @@ final class DisplaySink implements SliceSink {
   @Override
   public void packet(EventPacket packet) {
     events.packet(packet);
+    probes.packet(packet);
   }
 
   @Override
   public void notified(StreamNotification notification) {
     events.notified(notification);
+    probes.notified(notification);
     if (notification.endsContinuity() && !(notification instanceof DataLost)) {
       for (LayerTap<?> tap : taps) {
         tap.clear();
@@ -86,24 +103,28 @@ final class DisplaySink implements SliceSink {
   @Override
   public void sliceEnd(long fromUs, long toUs) {
     events.advanceTo(toUs);
-    sliceUs += 0.25 * (toUs - fromUs - sliceUs);
+    lastSliceUs = toUs - fromUs;
+    sliceUs += 0.25 * (lastSliceUs - sliceUs);
     if (exchange.isPending() && System.nanoTime() - paintedNanos < MIN_FRAME_NANOS) {
       stale = true;
     } else {
       paint();
     }
+    events.beginExposure();
   }
 
   /** Paints what there is and hands it over. */
   void paint() {
     stale = false;
     followChain();
-    DisplayOptions now = options;
-    painter.configure(now.colours(), decayUs());
+    events.configure(style());
     DisplayFrame frame = exchange.back();
-    painter.paint(events, frame.argb);
-    frame.timeUs = events.nowUs();
-    frame.dark = now.colours().dark();
+    events.paint(frame.argb);
+    frame.pixel = probes.pixel(events.frame());
+    frame.region = probes.region(events.frame().nowUs());
+    frame.scale = scale();
+    frame.timeUs = events.frame().nowUs();
+    frame.dark = events.style().dark();
     frame.marks = marks();
     exchange.publish();
     paintedNanos = System.nanoTime();
@@ -112,12 +133,17 @@ final class DisplaySink implements SliceSink {
   /** A picture of the present moment of usual size, with its marks. */
   BufferedImage picture() {
     followChain();
-    painter.configure(options.colours(), decayUs());
+    events.configure(style());
+    SensorGeometry geometry = events.frame().geometry();
+    int[] argb = new int[geometry.pixels()];
+    events.paint(argb);
+    List<DisplayFrame.Marks<?>> marks = marks();
     return Pictures.draw(
-        events,
-        painter,
-        Pictures.usualScale(events.geometry()),
-        canvas -> marks().forEach(snapshot -> snapshot.draw(canvas)));
+        geometry,
+        argb,
+        events.style().dark(),
+        Pictures.usualScale(geometry),
+        canvas -> marks.forEach(snapshot -> snapshot.draw(canvas)));
   }
 
   /** Ends all subscriptions; the processing thread has ended or calls this. */
@@ -128,8 +154,29 @@ final class DisplaySink implements SliceSink {
     taps.clear();
   }
 
-  private long decayUs() {
-    long chosen = options.decayUs();
+  private PictureStyle style() {
+    DisplayOptions now = options;
+    boolean sharp = now.decayUs() == DisplayOptions.SLICE_ONLY;
+    long us = sharp ? lastSliceUs : decayUs(now.decayUs());
+    return new PictureStyle(
+        now.mode(),
+        now.colours(),
+        now.gradient(),
+        Math.max(1, Math.min(FramePainter.LONGEST_TIME_CONSTANT_US, us)),
+        sharp);
+  }
+
+  /** What the ends of a gradient stand for. */
+  private String scale() {
+    PictureStyle style = events.style();
+    return switch (style.mode()) {
+      case COUNTS -> Texts.digits(events.fullCount()) + " events";
+      case TIME_SURFACE -> Texts.duration(FramePainter.oldestUs(style)) + " ago";
+      default -> "";
+    };
+  }
+
+  private long decayUs(long chosen) {
     return chosen != DisplayOptions.FOLLOW_SLICES
         ? chosen
         : Math.round(Math.max(MIN_DECAY_US, Math.min(MAX_DECAY_US, sliceUs * DECAY_PER_SLICE)));

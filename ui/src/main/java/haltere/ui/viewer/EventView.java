@@ -2,6 +2,7 @@ package haltere.ui.viewer;
 
 import haltere.core.event.SensorGeometry;
 import haltere.core.overlay.OverlayCanvas;
+import haltere.ui.measure.PixelRegion;
 import haltere.ui.overlay.JavaFxOverlayCanvas;
 import haltere.ui.rendering.ColourMap;
 import java.util.ArrayList;
@@ -27,9 +28,16 @@ import javafx.scene.shape.Rectangle;
  * <p>Thread rule: JavaFX thread only.
  */
 final class EventView extends Region {
+  /** Told which pixel is under the mouse. */
+  interface PointerListener {
+    /** The mouse is over a pixel, or over none. */
+    void pointed(int x, int y, boolean over);
+  }
+
   private static final double MAX_PIXEL = 64;
   private static final double MAX_LOSS = 1.06;
   private static final double ZOOM_PER_NOTCH = 1.2;
+  private static final double ZOOM_MARGIN = 0.9;
 
   private final SensorPicture picture =
       new SensorPicture(!Platform.isSupported(ConditionalFeature.SCENE3D));
@@ -38,6 +46,10 @@ final class EventView extends Region {
       new JavaFxOverlayCanvas(marks.getGraphicsContext2D());
   private final Rectangle frame = new Rectangle();
   private final Label readout = new Label();
+  private final ScaleLegend legend = new ScaleLegend();
+  private PointerListener pointer = (x, y, over) -> {};
+  private int pointedX;
+  private int pointedY;
 
   private SensorGeometry geometry = new SensorGeometry(1, 1);
   private List<DisplayFrame.Marks<?>> shownMarks = List.of();
@@ -56,6 +68,8 @@ final class EventView extends Region {
   private double dragY;
   private Optional<ViewTool> tool = Optional.empty();
   private final List<Consumer<OverlayCanvas>> layers = new ArrayList<>();
+  private final List<Consumer<Optional<ViewTool>>> toolListeners = new ArrayList<>();
+  private final List<Consumer<DisplayFrame>> frameListeners = new ArrayList<>();
 
   EventView() {
     getStyleClass().add("event-view");
@@ -73,7 +87,7 @@ final class EventView extends Region {
     readout.setMouseTransparent(true);
     readout.setManaged(false);
     readout.setVisible(false);
-    getChildren().addAll(picture.node(), frame, marks, readout);
+    getChildren().addAll(picture.node(), frame, marks, readout, legend);
     Rectangle clip = new Rectangle();
     clip.widthProperty().bind(widthProperty());
     clip.heightProperty().bind(heightProperty());
@@ -89,7 +103,11 @@ final class EventView extends Region {
           }
         });
     setOnMouseMoved(this::pointed);
-    setOnMouseExited(event -> readout.setVisible(false));
+    setOnMouseExited(
+        event -> {
+          readout.setVisible(false);
+          pointer.pointed(0, 0, false);
+        });
   }
 
   /** Prepares for frames of another sensor. */
@@ -119,6 +137,14 @@ final class EventView extends Region {
     picture.show(frame.argb);
     shownMarks = frame.marks;
     dark = frame.dark;
+    if (readout.isVisible()) {
+      frame
+          .pixel
+          .filter(pixel -> pixel.x() == pointedX && pixel.y() == pointedY)
+          .ifPresent(pixel -> showReadout(pixel.words()));
+    }
+    legend.show(frame.scale);
+    frameListeners.forEach(listener -> listener.accept(frame));
     drawMarks();
   }
 
@@ -128,12 +154,65 @@ final class EventView extends Region {
     drawMarks();
   }
 
+  /** Tells somebody which pixel is under the mouse. */
+  void setPointerListener(PointerListener listener) {
+    pointer = listener;
+  }
+
+  /** What the ends of the colours mean. */
+  ScaleLegend legend() {
+    return legend;
+  }
+
+  /** Enlarges a region as far as the view has room. */
+  void zoomTo(PixelRegion region) {
+    double wanted =
+        Math.min(getWidth() / region.width(), getHeight() / region.height()) * ZOOM_MARGIN;
+    zoom = Math.max(1, Math.min(MAX_PIXEL, wanted) / fit());
+    centreX = region.left() + region.width() / 2.0;
+    centreY = region.bottom() + region.height() / 2.0;
+    requestLayout();
+  }
+
+  /** Makes the picture larger or smaller around its middle. */
+  void zoomBy(double factor) {
+    zoom = Math.max(1, Math.min(Math.max(1, MAX_PIXEL / fit()), zoom * factor));
+    if (zoom < 1.01) {
+      showAll();
+    }
+    requestLayout();
+  }
+
+  /** Makes each pixel of the sensor as large as it gets, where the mouse was last. */
+  void zoomToPixels() {
+    zoomTo(PixelRegion.around(pointedX, pointedY, 4));
+  }
+
+  /** Moves the picture by shares of the view. */
+  void pan(double right, double up) {
+    centreX += right * getWidth() / scale();
+    centreY += up * getHeight() / scale();
+    keepInside();
+    requestLayout();
+  }
+
   /** Takes a tool into the hand, in place of the one that is there, or none. */
   void setTool(Optional<ViewTool> newTool) {
     tool.ifPresent(ViewTool::putAside);
     tool = newTool;
     setCursor(tool.isPresent() ? Cursor.CROSSHAIR : Cursor.DEFAULT);
+    toolListeners.forEach(listener -> listener.accept(tool));
     drawMarks();
+  }
+
+  /** Tells somebody which tool is in the hand, whenever that changes. */
+  void onToolChange(Consumer<Optional<ViewTool>> listener) {
+    toolListeners.add(listener);
+  }
+
+  /** Tells somebody of every frame that is shown, before its marks are drawn. */
+  void onFrame(Consumer<DisplayFrame> listener) {
+    frameListeners.add(listener);
   }
 
   /** The tool in the hand. */
@@ -204,6 +283,8 @@ final class EventView extends Region {
     drawMarks();
     readout.autosize();
     readout.relocate(12, getHeight() - readout.getHeight() - 10);
+    legend.autosize();
+    legend.relocate(getWidth() - legend.getWidth() - 12, getHeight() - legend.getHeight() - 10);
   }
 
   private void drawMarks() {
@@ -304,10 +385,17 @@ final class EventView extends Region {
     int y = (int) Math.floor(centreY - (event.getY() - getHeight() / 2) / scale());
     boolean inside = geometry.contains(x, y);
     readout.setVisible(inside);
-    if (inside) {
-      readout.setText("x " + x + "   y " + y);
-      readout.autosize();
-      readout.relocate(12, getHeight() - readout.getHeight() - 10);
+    pointer.pointed(x, y, inside);
+    if (inside && (x != pointedX || y != pointedY || readout.getText().isEmpty())) {
+      pointedX = x;
+      pointedY = y;
+      showReadout("x " + x + "   y " + y);
     }
+  }
+
+  private void showReadout(String words) {
+    readout.setText(words);
+    readout.autosize();
+    readout.relocate(12, getHeight() - readout.getHeight() - 10);
   }
 }

@@ -56,8 +56,22 @@ record ViewerContext(
     sessions.sessionProperty().addListener((property, was, is) -> is.ifPresent(listener));
   }
 
-  /** The event view's tool, such as one that takes a click. */
-  void useTool(Optional<ViewTool> tool) {
-    panels.view().setTool(tool);
+  /**
+   * Puts a tool into the hand of the event view while a switch is on. One tool is in the hand at a
+   * time, so the switches of the others go off.
+   */
+  void bindTool(BooleanProperty on, ViewTool tool) {
+    EventView view = panels.view();
+    on.addListener(
+        (property, was, is) -> {
+          if (is) {
+            view.setTool(Optional.of(tool));
+            status.setActivity(tool.hint());
+          } else if (view.tool().filter(held -> held == tool).isPresent()) {
+            view.setTool(Optional.empty());
+            status.setActivity("");
+          }
+        });
+    view.onToolChange(held -> on.set(held.filter(other -> other == tool).isPresent()));
   }
 }

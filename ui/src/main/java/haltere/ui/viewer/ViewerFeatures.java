@@ -11,6 +11,7 @@ final class ViewerFeatures {
         new FileFeature(),
         new SavingFeature(),
         new DisplayFeature(),
+        new SeeingFeature(),
         new PlotFeature(),
         new PlaybackFeature(),
         new HelpFeature(),

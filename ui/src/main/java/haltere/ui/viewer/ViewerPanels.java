@@ -12,6 +12,7 @@ import javafx.beans.property.BooleanProperty;
 import javafx.scene.Node;
 import javafx.scene.control.MenuBar;
 import javafx.scene.layout.BorderPane;
+import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 
 /**
@@ -28,6 +29,7 @@ final class ViewerPanels extends BorderPane {
   private final ChainEditor editor;
   private final StatusLine statusLine;
   private final EventView view = new EventView();
+  private final ViewBar viewBar;
   private final ChainPanel chainPanel;
   private final TransportBar transport;
   private final SeekBar seekBar;
@@ -40,7 +42,11 @@ final class ViewerPanels extends BorderPane {
   private long numbersNanos;
 
   ViewerPanels(
-      MenuBar menu, PlaybackController playback, ChainEditor editor, StatusLine statusLine) {
+      MenuBar menu,
+      PlaybackController playback,
+      ChainEditor editor,
+      StatusLine statusLine,
+      DisplayControl display) {
     this.playback = playback;
     this.editor = editor;
     this.statusLine = statusLine;
@@ -48,7 +54,9 @@ final class ViewerPanels extends BorderPane {
     transport = new TransportBar(playback);
     seekBar = new SeekBar(playback);
     plots = new PlotPanel(editor, playback);
-    layout = new PanelLayout(view, chainPanel);
+    viewBar = new ViewBar(display);
+    VBox.setVgrow(view, Priority.ALWAYS);
+    layout = new PanelLayout(new VBox(viewBar, view), chainPanel);
     setCenter(layout.node());
     setTop(menu);
     setBottom(new VBox(seekBar, transport, statusLine));
@@ -58,6 +66,11 @@ final class ViewerPanels extends BorderPane {
 
   EventView view() {
     return view;
+  }
+
+  /** Above the events. */
+  ViewBar viewBar() {
+    return viewBar;
   }
 
   PlotPanel plots() {

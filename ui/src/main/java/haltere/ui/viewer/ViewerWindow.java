@@ -37,8 +37,8 @@ public final class ViewerWindow implements SessionHost {
   private final ChainEditor editor = new ChainEditor(statusLine::showError, this::showStages);
   private final ViewerActions actions = new ViewerActions();
   private final ViewerMenu menu = new ViewerMenu(actions);
-  private final ViewerPanels panels = new ViewerPanels(menu, playback, editor, statusLine);
   private final DisplayControl display = new DisplayControl();
+  private final ViewerPanels panels = new ViewerPanels(menu, playback, editor, statusLine, display);
   private final List<ViewerFeature> features = ViewerFeatures.all();
   private final SessionOpener opener =
       new SessionOpener(background, editor, playback, statusLine, this::install);

@@ -1,0 +1,55 @@
+package haltere.ui.rendering;
+
+/** What the colour of a pixel says about its events. */
+public enum DisplayMode {
+  /** The polarity of its last event, fading with age. */
+  POLARITY("Polarity", "Each pixel in the colour of its last event, fading with age.", false),
+  /** The age of its last event, whatever its polarity. */
+  TIME_SURFACE("Time surface", "How long ago each pixel had its last event.", false),
+  /** The sum of its events, each fading exponentially: ON brightens, OFF darkens. */
+  INTENSITY("Intensity", "ON events brighten, OFF events darken, and all fade with age.", true),
+  /** How many events it had, fading with age. */
+  COUNTS("Heat map", "How many events each pixel had, whatever their polarity.", true),
+  /** As by polarity, ON events only. */
+  ON_ONLY("ON only", "ON events only, fading with age.", false),
+  /** As by polarity, OFF events only. */
+  OFF_ONLY("OFF only", "OFF events only, fading with age.", false);
+
+  private final String words;
+  private final String help;
+  private final boolean sums;
+
+  DisplayMode(String words, String help, boolean sums) {
+    this.words = words;
+    this.help = help;
+    this.sums = sums;
+  }
+
+  /**
+   * What a menu calls it.
+   *
+   * @return one or two words
+   */
+  public String words() {
+    return words;
+  }
+
+  /**
+   * What it shows.
+   *
+   * @return one sentence
+   */
+  public String help() {
+    return help;
+  }
+
+  /** Whether all events of a pixel count, not just its last one. */
+  boolean sums() {
+    return sums;
+  }
+
+  /** Whether events of a polarity are shown at all. */
+  boolean shows(boolean on) {
+    return this == ON_ONLY ? on : this != OFF_ONLY || !on;
+  }
+}

@@ -1,0 +1,124 @@
+package haltere.ui.rendering;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.stream.DataLost;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+
+/**
+ * Gathers events and paints them in any style. What a style needs beyond the last event of each
+ * pixel is gathered only while it is in use.
+ *
+ * <p>Thread rule: one thread at a time, in the viewer the processing thread.
+ */
+public final class EventPicture implements StreamHandler {
+  private final EventFrame frame;
+  private final FramePainter painter;
+  private PictureStyle style;
+  private EventSums sums;
+  private boolean anew;
+
+  /**
+   * A picture without events.
+   *
+   * @param geometry the sensor; events outside of it are ignored
+   * @param style how it is painted
+   */
+  public EventPicture(SensorGeometry geometry, PictureStyle style) {
+    frame = new EventFrame(geometry);
+    painter = new FramePainter(style.colours(), style.timeConstantUs());
+    configure(style);
+  }
+
+  /**
+   * The last event of each pixel.
+   *
+   * @return this picture's own; not to be changed
+   */
+  public EventFrame frame() {
+    return frame;
+  }
+
+  /**
+   * The style in use.
+   *
+   * @return as configured last
+   */
+  public PictureStyle style() {
+    return style;
+  }
+
+  /**
+   * Changes what the next picture looks like.
+   *
+   * @param newStyle one that sums begins with the events after this
+   */
+  public void configure(PictureStyle newStyle) {
+    style = newStyle;
+    painter.configure(newStyle);
+    if (!newStyle.mode().sums()) {
+      sums = null;
+    } else if (sums == null) {
+      sums = new EventSums(frame.geometry(), newStyle);
+    } else {
+      sums.configure(newStyle);
+    }
+  }
+
+  /** The next event is the first of a new exposure; only styles that are sharp forget. */
+  public void beginExposure() {
+    anew = style.sharp();
+  }
+
+  @Override
+  public void packet(EventPacket packet) {
+    frame.packet(packet);
+    if (sums != null) {
+      if (anew && packet.size() > 0) {
+        sums.clear();
+        anew = false;
+      }
+      sums.packet(packet);
+    }
+  }
+
+  @Override
+  public void notified(StreamNotification notification) {
+    frame.notified(notification);
+    if (sums != null && notification.endsContinuity() && !(notification instanceof DataLost)) {
+      sums.clear();
+    }
+  }
+
+  /**
+   * Lets the picture grow older although no event has come.
+   *
+   * @param timeUs time on the source's clock
+   */
+  public void advanceTo(long timeUs) {
+    frame.advanceTo(timeUs);
+  }
+
+  /**
+   * Events of a pixel that are painted in the colour of the most.
+   *
+   * @return a count that changes with the scene; 0 for styles that do not count
+   */
+  public double fullCount() {
+    return sums != null && style.mode() == DisplayMode.COUNTS ? sums.fullCount() : 0;
+  }
+
+  /**
+   * Paints.
+   *
+   * @param argb receives one opaque pixel for each of the sensor's, row by row from the TOP
+   */
+  public void paint(int[] argb) {
+    if (sums != null) {
+      sums.paint(frame.nowUs(), argb);
+    } else {
+      painter.paint(frame, argb);
+    }
+  }
+}

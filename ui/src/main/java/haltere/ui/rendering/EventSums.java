@@ -1,0 +1,228 @@
+package haltere.ui.rendering;
+
+import haltere.core.event.EventAddress;
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import java.util.Arrays;
+
+/**
+ * For each pixel the sum of all its events, each of which fades exponentially with age: s = Σ p
+ * exp((t - now) / τ), with p = 1 or the polarity. The sums are kept relative to a time of reference
+ * and brought to the present when they are painted, so an event costs one addition.
+ *
+ * <p>Thread rule: one thread at a time.
+ */
+final class EventSums {
+  /** Steps of the colours. */
+  private static final int ENTRIES = 1024;
+
+  /** Events of one polarity that saturate a pixel's intensity. */
+  private static final double FULL_INTENSITY = 6;
+
+  /** The reference is moved before weights grow beyond e to this. */
+  private static final double LONGEST_EXPONENT = 20;
+
+  /** A weight serves for events within this share of the time constant. */
+  private static final double SAME_WEIGHT = 1.0 / 256;
+
+  /** Every so many pixels one is looked at to find what counts as much. */
+  private static final int SAMPLING = 7;
+
+  private static final double SHARE_BELOW_FULL = 0.995;
+  private static final double SMOOTHING = 0.2;
+
+  private final int width;
+  private final int height;
+  private final float[] sums;
+  private final float[] samples;
+  private final int[] table = new int[ENTRIES];
+  private final int[] row;
+  private PictureStyle style;
+  private long referenceUs;
+  private boolean empty = true;
+  private double fullCount;
+
+  EventSums(SensorGeometry geometry, PictureStyle style) {
+    width = geometry.width();
+    height = geometry.height();
+    sums = new float[geometry.pixels()];
+    samples = new float[geometry.pixels() / SAMPLING + 1];
+    row = new int[width];
+    configure(style);
+  }
+
+  /** Changes what the next picture looks like; another mode or time constant begins anew. */
+  void configure(PictureStyle newStyle) {
+    if (newStyle.equals(style)) {
+      return;
+    }
+    boolean anew =
+        style == null || newStyle.mode() != style.mode() || newStyle.sharp() != style.sharp();
+    if (!anew && newStyle.timeConstantUs() != style.timeConstantUs()) {
+      // sums fade by the old time constant up to the newest event and by the new one from there
+      moveReference(newestUs);
+    }
+    style = newStyle;
+    if (anew) {
+      clear();
+    }
+    for (int i = 0; i < ENTRIES; i++) {
+      double share = (double) i / (ENTRIES - 1);
+      table[i] =
+          style.mode() == DisplayMode.INTENSITY
+              ? Gradient.GREY.colour(share)
+              : style.gradient().colour(share);
+    }
+  }
+
+  private long newestUs;
+
+  void clear() {
+    Arrays.fill(sums, 0);
+    empty = true;
+    fullCount = 0;
+  }
+
+  void packet(EventPacket packet) {
+    int size = packet.size();
+    if (size == 0) {
+      return;
+    }
+    long[] times = packet.timesUs();
+    int[] addresses = packet.addresses();
+    if (empty) {
+      empty = false;
+      referenceUs = times[0];
+      newestUs = times[0];
+    }
+    boolean signed = style.mode() == DisplayMode.INTENSITY;
+    double sameUs = style.sharp() ? Double.MAX_VALUE : style.timeConstantUs() * SAME_WEIGHT;
+    long weightUs = times[0];
+    float weight = weight(weightUs);
+    for (int i = 0; i < size; i++) {
+      if (Math.abs(times[i] - weightUs) > sameUs) {
+        weightUs = times[i];
+        weight = weight(weightUs);
+      }
+      int address = addresses[i];
+      int x = EventAddress.x(address);
+      int y = EventAddress.y(address);
+      if (x < width && y < height) {
+        sums[y * width + x] += signed && !EventAddress.isOn(address) ? -weight : weight;
+      }
+    }
+    newestUs = times[size - 1];
+  }
+
+  private float weight(long timeUs) {
+    if (style.sharp()) {
+      return 1;
+    }
+    double exponent = (double) (timeUs - referenceUs) / style.timeConstantUs();
+    if (exponent > LONGEST_EXPONENT) {
+      moveReference(timeUs);
+      return 1;
+    }
+    return (float) Math.exp(exponent);
+  }
+
+  private void moveReference(long timeUs) {
+    if (!style.sharp() && !empty) {
+      scale(sums, (float) Math.exp(-(double) (timeUs - referenceUs) / style.timeConstantUs()));
+    }
+    referenceUs = timeUs;
+  }
+
+  private static void scale(float[] values, float factor) {
+    for (int i = 0; i < values.length; i++) {
+      values[i] *= factor;
+    }
+  }
+
+  /** Events of a pixel that are painted in the colour of the most; 0 without any. */
+  double fullCount() {
+    return fullCount;
+  }
+
+  /** Paints row by row from the top. */
+  void paint(long nowUs, int[] argb) {
+    double present =
+        style.sharp() || empty
+            ? 1
+            : Math.exp(-(double) (nowUs - referenceUs) / style.timeConstantUs());
+    boolean signed = style.mode() == DisplayMode.INTENSITY;
+    if (!signed) {
+      findFullCount(present);
+    }
+    float gain =
+        (float)
+            (signed
+                ? present * (ENTRIES - 1) / (2 * FULL_INTENSITY)
+                : present * (ENTRIES - 1) / Math.max(1e-9, fullCount));
+    float middle = signed ? (ENTRIES - 1) / 2f : 0;
+    for (int y = 0; y < height; y++) {
+      indices(sums, y * width, width, gain, middle, row);
+      int to = (height - 1 - y) * width;
+      for (int x = 0; x < width; x++) {
+        argb[to + x] = table[row[x]];
+      }
+    }
+  }
+
+  /** By itself, the compiler makes vectors of this loop. */
+  private static void indices(
+      float[] sums, int from, int width, float gain, float middle, int[] indices) {
+    for (int x = 0; x < width; x++) {
+      float place = sums[from + x] * gain + middle;
+      indices[x] = (int) Math.max(0, Math.min(ENTRIES - 1, place));
+    }
+  }
+
+  /** What all but the liveliest pixels stay below, so that a hot one does not darken all others. */
+  private void findFullCount(double present) {
+    int found = 0;
+    for (int i = 0; i < sums.length; i += SAMPLING) {
+      if (sums[i] * present > 0.05) {
+        samples[found++] = sums[i];
+      }
+    }
+    double now = 1;
+    if (found > 0) {
+      int place = Math.min(found - 1, (int) (SHARE_BELOW_FULL * found));
+      now = Math.max(1, quantile(samples, found, place) * present);
+    }
+    fullCount = fullCount == 0 || style.sharp() ? now : fullCount + SMOOTHING * (now - fullCount);
+  }
+
+  /** The value that stands at a place when the first values are sorted; changes their order. */
+  private static float quantile(float[] values, int count, int place) {
+    int low = 0;
+    int high = count - 1;
+    while (low < high) {
+      float pivot = values[(low + high) >>> 1];
+      int left = low;
+      int right = high;
+      while (left <= right) {
+        while (values[left] < pivot) {
+          left++;
+        }
+        while (values[right] > pivot) {
+          right--;
+        }
+        if (left <= right) {
+          float swapped = values[left];
+          values[left++] = values[right];
+          values[right--] = swapped;
+        }
+      }
+      if (place <= right) {
+        high = right;
+      } else if (place >= left) {
+        low = left;
+      } else {
+        break;
+      }
+    }
+    return values[place];
+  }
+}

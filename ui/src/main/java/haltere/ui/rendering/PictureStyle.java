@@ -1,0 +1,84 @@
+package haltere.ui.rendering;
+
+import java.util.Objects;
+
+/**
+ * How events become a picture.
+ *
+ * @param mode what the colour of a pixel says
+ * @param colours for polarities, and for the background
+ * @param gradient for ages and counts
+ * @param timeConstantUs age at which an event has faded to 1/e, 1 us to {@link
+ *     FramePainter#LONGEST_TIME_CONSTANT_US}; or the length of what is shown
+ * @param sharp whether events count fully for that time and not at all after it
+ */
+public record PictureStyle(
+    DisplayMode mode, ColourMap colours, Gradient gradient, long timeConstantUs, boolean sharp) {
+  /** Checks the time. */
+  public PictureStyle {
+    Objects.requireNonNull(mode, "mode");
+    Objects.requireNonNull(colours, "colours");
+    Objects.requireNonNull(gradient, "gradient");
+    if (timeConstantUs < 1 || timeConstantUs > FramePainter.LONGEST_TIME_CONSTANT_US) {
+      throw new IllegalArgumentException(
+          "the time constant is " + timeConstantUs + " us, it must be 1 us to 20 s");
+    }
+  }
+
+  /**
+   * Polarities that fade.
+   *
+   * @param colours the map
+   * @param timeConstantUs age at which an event has faded to 1/e
+   * @return a style
+   */
+  public static PictureStyle fading(ColourMap colours, long timeConstantUs) {
+    return new PictureStyle(DisplayMode.POLARITY, colours, Gradient.CIVIDIS, timeConstantUs, false);
+  }
+
+  /**
+   * Whether marks over the picture should be light.
+   *
+   * @return true where the background is dark
+   */
+  public boolean dark() {
+    int colour = background();
+    int red = colour >> 16 & 0xFF;
+    int green = colour >> 8 & 0xFF;
+    int blue = colour & 0xFF;
+    return 0.299 * red + 0.587 * green + 0.114 * blue < 150;
+  }
+
+  /** Time after which nothing is left of an event. */
+  double longestUs() {
+    return sharp ? timeConstantUs : timeConstantUs * FramePainter.TIME_CONSTANTS;
+  }
+
+  /** What is left of an event of some age: 1 at first, 0 at the end. */
+  double freshness(double ageUs) {
+    if (sharp) {
+      return ageUs <= timeConstantUs ? 1 : 0;
+    }
+    return Math.exp(-ageUs / timeConstantUs);
+  }
+
+  /** Colour of a pixel without events. */
+  int background() {
+    return switch (mode) {
+      case POLARITY, ON_ONLY, OFF_ONLY -> colours.background();
+      case TIME_SURFACE, COUNTS -> gradient.colour(0);
+      case INTENSITY -> Gradient.GREY.colour(0.5);
+    };
+  }
+
+  /** Colour of a pixel whose last event has some age, where only that one counts. */
+  int colour(boolean on, double ageUs) {
+    if (!mode.shows(on)) {
+      return background();
+    }
+    // a surface in time is read as a time, so it fades evenly
+    return mode == DisplayMode.TIME_SURFACE
+        ? gradient.colour(1 - ageUs / longestUs())
+        : colours.colour(on, freshness(ageUs));
+  }
+}

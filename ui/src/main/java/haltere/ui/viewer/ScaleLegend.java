@@ -1,0 +1,59 @@
+package haltere.ui.viewer;
+
+import haltere.ui.rendering.DisplayMode;
+import haltere.ui.rendering.Gradient;
+import java.util.StringJoiner;
+import javafx.geometry.Pos;
+import javafx.scene.control.Label;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Region;
+
+/**
+ * A strip of the colours and what their ends mean, where colours stand for ages or counts.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+final class ScaleLegend extends HBox {
+  private final Label first = new Label();
+  private final Region strip = new Region();
+  private final Label last = new Label();
+  private DisplayMode mode = DisplayMode.POLARITY;
+
+  ScaleLegend() {
+    super(6);
+    setId("scale-legend");
+    getStyleClass().addAll("readout", "scale-legend");
+    setAlignment(Pos.CENTER);
+    setManaged(false);
+    setMouseTransparent(true);
+    setVisible(false);
+    strip.setMinSize(90, 8);
+    getChildren().addAll(first, strip, last);
+  }
+
+  /** Takes the colours of a mode. */
+  void configure(DisplayMode newMode, Gradient gradient) {
+    mode = newMode;
+    StringJoiner stops = new StringJoiner(", ");
+    for (int anchor : gradient.anchors()) {
+      stops.add(String.format("#%06x", anchor & 0xFFFFFF));
+    }
+    strip.setStyle("-fx-background-color: linear-gradient(to right, " + stops + ");");
+  }
+
+  /** Shows what the far end stands for; nothing hides the legend. */
+  void show(String farEnd) {
+    boolean ages = mode == DisplayMode.TIME_SURFACE;
+    String left = ages ? farEnd : "0";
+    String right = ages ? "now" : farEnd;
+    boolean shown = !farEnd.isEmpty() && (ages || mode == DisplayMode.COUNTS);
+    if (isVisible() != shown) {
+      setVisible(shown);
+    }
+    if (shown && !(left.equals(first.getText()) && right.equals(last.getText()))) {
+      first.setText(left);
+      last.setText(right);
+      getParent().requestLayout();
+    }
+  }
+}

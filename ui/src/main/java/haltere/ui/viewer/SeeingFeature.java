@@ -1,0 +1,115 @@
+package haltere.ui.viewer;
+
+import haltere.core.event.SensorGeometry;
+import haltere.ui.measure.PixelRegion;
+import java.util.Optional;
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.SimpleBooleanProperty;
+
+/**
+ * Looking closely: the pixel under the mouse, a region of interest, the measuring tape, zoom.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+final class SeeingFeature implements ViewerFeature {
+  private static final String MENU = "Tools";
+  private static final double ZOOM_STEP = 1.5;
+  private static final double PAN_STEP = 0.1;
+
+  private final RegionLayer layer = new RegionLayer();
+  private final MeasuringTape tape = new MeasuringTape();
+  private final BooleanProperty measuring = new SimpleBooleanProperty();
+  private final BooleanProperty drawingRegion = new SimpleBooleanProperty();
+  private ViewerContext window;
+
+  @Override
+  public void install(ViewerContext installed) {
+    window = installed;
+    EventView view = window.panels().view();
+    view.setPointerListener(
+        (x, y, over) ->
+            window.sessions().session().ifPresent(open -> open.display().point(x, y, over)));
+    view.addLayer(layer::draw);
+    view.onFrame(frame -> frame.region.ifPresent(layer::setReading));
+    followLegend(view);
+    window.onSession(made -> setRegion(Optional.empty()));
+    RegionTool regionTool = new RegionTool(this::sensor, this::setRegion);
+    window.bindTool(measuring, tape);
+    window.bindTool(drawingRegion, regionTool);
+    window
+        .actions()
+        .add(
+            ViewerAction.toggle("measure", "Measuring tape", MENU, measuring)
+                .withKey("T")
+                .withHelp(tape.hint()),
+            ViewerAction.toggle("region", "Region of interest", MENU, drawingRegion)
+                .withKey("G")
+                .withHelp("Its event rate and dominant frequency are shown beside it."),
+            ViewerAction.of(
+                "clear-region",
+                "Clear the region of interest",
+                MENU,
+                () -> setRegion(Optional.empty())),
+            ViewerAction.of(
+                "zoom-region",
+                "Zoom to the region of interest",
+                MENU,
+                () -> layer.region().ifPresent(view::zoomTo)));
+    addZoom(view);
+    window.panels().viewBar().addTools(measuring, drawingRegion);
+  }
+
+  private void addZoom(EventView view) {
+    window
+        .actions()
+        .add(
+            ViewerAction.of("zoom-in", "Closer", "View", () -> view.zoomBy(ZOOM_STEP))
+                .withKey("Shortcut+Plus"),
+            ViewerAction.of("zoom-out", "Farther", "View", () -> view.zoomBy(1 / ZOOM_STEP))
+                .withKey("Shortcut+Minus"),
+            ViewerAction.of("zoom-pixels", "Single pixels", "View", view::zoomToPixels)
+                .withKey("P"),
+            ViewerAction.of("pan-left", "Look left", "View", () -> view.pan(-PAN_STEP, 0))
+                .withKey("Alt+Left"),
+            ViewerAction.of("pan-right", "Look right", "View", () -> view.pan(PAN_STEP, 0))
+                .withKey("Alt+Right"),
+            ViewerAction.of("pan-up", "Look up", "View", () -> view.pan(0, PAN_STEP))
+                .withKey("Alt+Up"),
+            ViewerAction.of("pan-down", "Look down", "View", () -> view.pan(0, -PAN_STEP))
+                .withKey("Alt+Down"));
+  }
+
+  private void followLegend(EventView view) {
+    DisplayControl display = window.display();
+    Runnable follow =
+        () ->
+            view.legend().configure(display.modeProperty().get(), display.gradientProperty().get());
+    display.onChange(follow);
+    follow.run();
+  }
+
+  private SensorGeometry sensor() {
+    return window
+        .sessions()
+        .session()
+        .map(open -> open.player().playable().geometry())
+        .orElse(new SensorGeometry(1, 1));
+  }
+
+  /** Watches a region, or none. */
+  void setRegion(Optional<PixelRegion> region) {
+    layer.setRegion(region);
+    window.sessions().session().ifPresent(open -> open.display().setRegion(region));
+    window.panels().view().redrawMarks();
+  }
+
+  /** What is shown of the region of interest. */
+  RegionLayer region() {
+    return layer;
+  }
+
+  /** The measuring tape. */
+  MeasuringTape tape() {
+    return tape;
+  }
+}

@@ -1,0 +1,119 @@
+package haltere.ui.viewer;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.ui.measure.PixelRegion;
+import haltere.ui.rendering.DisplayMode;
+import java.util.Optional;
+import javafx.scene.control.ChoiceBox;
+import javafx.scene.image.WritableImage;
+import javafx.scene.input.KeyCode;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+/** Looking closely, in the real window. */
+class SeeingTest {
+  private ViewerHarness viewer;
+
+  @BeforeEach
+  void open() {
+    viewer = ViewerHarness.withBlob();
+  }
+
+  @AfterEach
+  void close() {
+    viewer.close();
+  }
+
+  private SeeingFeature seeing() {
+    return viewer.window.feature(SeeingFeature.class);
+  }
+
+  @Test
+  void allWaysToShowEventsDifferFromEachOther() {
+    viewer.waitFor("some events", () -> viewer.status().elapsedUs() > 200_000);
+    viewer.pause();
+    java.util.Set<Integer> pictures = new java.util.HashSet<>();
+    for (DisplayMode mode : DisplayMode.values()) {
+      viewer.run(() -> viewer.window.display().modeProperty().set(mode));
+      viewer.run(() -> viewer.window.playback().step(1));
+      viewer.waitFor("the picture", () -> !viewer.session().display().isStale());
+      long frames = viewer.onFx(viewer.window::framesShown);
+      viewer.run(() -> viewer.window.playback().step(1));
+      viewer.waitFor("its frame", () -> viewer.window.framesShown() > frames);
+      pictures.add(viewer.onFx(() -> hash(viewer.picture())));
+    }
+    assertEquals(DisplayMode.values().length, pictures.size());
+    ChoiceBox<?> choice = viewer.node("show-as", ChoiceBox.class);
+    assertEquals(DisplayMode.OFF_ONLY, viewer.onFx(choice::getValue));
+  }
+
+  private static int hash(WritableImage image) {
+    int hash = 1;
+    for (int y = 0; y < image.getHeight(); y++) {
+      for (int x = 0; x < image.getWidth(); x++) {
+        hash = 31 * hash + image.getPixelReader().getArgb(x, y);
+      }
+    }
+    return hash;
+  }
+
+  @Test
+  void thePixelUnderTheMouseTellsItsLastEventAndTheRateAroundIt() {
+    EventView view = viewer.window.view();
+    double shareX = viewer.onFx(() -> view.viewX(64) / view.getWidth());
+    double shareY = viewer.onFx(() -> view.viewY(BlobSource.Y) / view.getHeight());
+    viewer.click("event-view", shareX, shareY);
+    viewer.waitFor(
+        "polarity, age and rate",
+        () -> viewer.text("cursor-readout").matches("x 6\\d   y .* (ON|OFF) .* ago .*ev/s near"));
+  }
+
+  @Test
+  void aRegionShowsItsRateAndFrequency() {
+    viewer.run(() -> seeing().setRegion(Optional.of(PixelRegion.between(0, 0, 127, 127))));
+    viewer.waitFor(
+        "a rate in words",
+        () ->
+            seeing().region().words().contains("ev/s")
+                && !seeing().region().words().equals("0ev/s"));
+    viewer.press(KeyCode.G);
+    viewer.click("event-view", 0.5, 0.5);
+    viewer.waitFor("a click takes it away", () -> seeing().region().region().isEmpty());
+  }
+
+  @Test
+  void theTapeMeasuresAndToolsTakeTurns() {
+    viewer.press(KeyCode.T);
+    EventView view = viewer.window.view();
+    viewer.waitFor("the tape is in the hand", () -> view.tool().isPresent());
+    assertTrue(viewer.text("status-message").contains("measure"));
+    viewer.run(
+        () -> {
+          seeing().tape().pressed(10, 10);
+          seeing().tape().dragged(40, 50);
+        });
+    assertEquals(
+        "50.0 px   53.1\u00b0   \u0394x 30.0   \u0394y 40.0", viewer.onFx(seeing().tape()::words));
+    viewer.press(KeyCode.G);
+    viewer.waitFor("the other tool", () -> view.tool().orElseThrow() instanceof RegionTool);
+    assertEquals("", viewer.onFx(seeing().tape()::words));
+    viewer.press(KeyCode.G);
+    viewer.waitFor("none", () -> view.tool().isEmpty());
+  }
+
+  @Test
+  void keysZoomAndMove() {
+    EventView view = viewer.window.view();
+    double before = viewer.onFx(view::scale);
+    viewer.run(() -> viewer.window.actions().run("zoom-in"));
+    viewer.waitFor("closer", () -> view.scale() > before * 1.3);
+    double place = viewer.onFx(() -> view.viewX(64));
+    viewer.run(() -> viewer.window.actions().run("pan-right"));
+    viewer.waitFor("it moved", () -> view.viewX(64) < place - 10);
+    viewer.press(KeyCode.P);
+    viewer.waitFor("single pixels", () -> view.scale() > 30);
+  }
+}
