@@ -189,7 +189,8 @@ class ArchitectureTest {
             .resideInAPackage("haltere.zeromq..")
             .should()
             .onlyDependOnClassesThat(
-                resideInAnyPackage("java..", "haltere.core..", "haltere.zeromq..", "org.zeromq..")));
+                resideInAnyPackage(
+                    "java..", "haltere.core..", "haltere.zeromq..", "org.zeromq..")));
     check(
         noClasses()
             .that()
