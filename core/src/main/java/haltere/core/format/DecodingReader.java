@@ -274,7 +274,7 @@ public final class DecodingReader implements RecordingReader {
     }
     ReadingCounts counts = ReadingCounts.NONE;
     try (ReadingCursor counter = readings.get().open(new ViolationCounts())) {
-      while (counter.next()) {
+      while (counter.next(Long.MAX_VALUE) == ReadingCursor.Step.READING) {
         if (Thread.currentThread().isInterrupted()) {
           throw new InterruptedIOException("interrupted while reading " + file.path());
         }

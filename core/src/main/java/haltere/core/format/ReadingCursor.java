@@ -25,13 +25,25 @@ public interface ReadingCursor extends Closeable {
     ReadingCursor open(ViolationCounts violations) throws IOException;
   }
 
+  /** What {@link #next} came to. */
+  enum Step {
+    /** A reading. */
+    READING,
+    /** The place up to which it should look, or some way behind. */
+    NOTHING_YET,
+    /** The end of the file. */
+    END
+  }
+
   /**
-   * Goes to the next reading, in the order of the file.
+   * Goes to the next reading, in the order of the file. It may be far away: so that nobody waits
+   * for it unawares, it is looked for up to a place only, and from there on with the next call.
    *
-   * @return false if there is none any more
+   * @param untilOffset byte offset in the file
+   * @return what it came to
    * @throws IOException if the file can no longer be read
    */
-  boolean next() throws IOException;
+  Step next(long untilOffset) throws IOException;
 
   /**
    * The reading to which {@link #next} went.

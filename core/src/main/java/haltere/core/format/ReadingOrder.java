@@ -11,8 +11,8 @@ import java.util.PriorityQueue;
 /**
  * Puts the readings of a recording into the order of time among its events. In a file they may
  * stand some way off: a frame behind the events of its readout, samples of a packet behind or
- * before those of another. So it looks ahead, by time and within bounded memory; a reading whose
- * time falls far back belongs behind the next restart of the clock.
+ * before those of another. So it looks ahead, by time, and within bounded memory and a bounded part
+ * of the file; a reading whose time falls far back belongs behind the next restart of the clock.
  *
  * <p>Thread rule: one thread.
  */
@@ -20,6 +20,10 @@ final class ReadingOrder implements Closeable {
   private static final long LOOK_AHEAD_US = 250_000;
   private static final long FALL_US = 2_000_000;
   private static final long ANY_TIME_US = Long.MAX_VALUE - LOOK_AHEAD_US;
+
+  /** Of a file without readings so much is looked through before the first events are given. */
+  private static final long LOOK_AHEAD_BYTES = 16 << 20;
+
   private static final int MAX_WAITING = 4096;
   private static final long MAX_WAITING_BYTES = 16 << 20;
 
@@ -47,7 +51,7 @@ final class ReadingOrder implements Closeable {
 
   /** Whether a reading comes before an event that stands at or behind a place of the file. */
   boolean isDueBefore(long eventUs, long offset) throws IOException {
-    lookAhead(eventUs, Long.MAX_VALUE);
+    lookAhead(eventUs, Long.MAX_VALUE, offset + LOOK_AHEAD_BYTES);
     Waiting first = waiting.peek();
     if (first == null) {
       return false;
@@ -61,7 +65,7 @@ final class ReadingOrder implements Closeable {
 
   /** Whether a reading comes before the clock goes back at a place of the file. */
   boolean isDueBeforeRestart(long offset) throws IOException {
-    lookAhead(ANY_TIME_US, offset);
+    lookAhead(ANY_TIME_US, offset, offset);
     Waiting first = waiting.peek();
     return first != null && first.era <= era && first.offset <= offset;
   }
@@ -69,7 +73,7 @@ final class ReadingOrder implements Closeable {
   /** Whether there is any left. */
   boolean isDueBeforeEnd() throws IOException {
     era = newestEra;
-    lookAhead(ANY_TIME_US, Long.MAX_VALUE);
+    lookAhead(ANY_TIME_US, Long.MAX_VALUE, Long.MAX_VALUE);
     return !waiting.isEmpty();
   }
 
@@ -136,15 +140,16 @@ final class ReadingOrder implements Closeable {
     return waiting.size() >= MAX_WAITING || waitingBytes >= MAX_WAITING_BYTES;
   }
 
-  private void lookAhead(long eventUs, long offset) throws IOException {
+  private void lookAhead(long eventUs, long offset, long untilOffset) throws IOException {
     long untilUs = Math.min(eventUs, ANY_TIME_US) + LOOK_AHEAD_US;
     while (!atEnd
         && newestEra <= era
         && newestUs <= untilUs
         && newestOffset <= offset
         && !isFull()) {
-      if (!cursor.next()) {
-        atEnd = true;
+      ReadingCursor.Step step = cursor.next(untilOffset);
+      if (step != ReadingCursor.Step.READING) {
+        atEnd = step == ReadingCursor.Step.END;
         return;
       }
       SensorReading reading = cursor.reading();

@@ -65,7 +65,7 @@ final class AedatReadingCursor implements ReadingCursor {
   }
 
   @Override
-  public boolean next() throws IOException {
+  public Step next(long untilOffset) throws IOException {
     while (true) {
       while (buffer.remaining() >= recordBytes) {
         int at = buffer.position();
@@ -79,13 +79,16 @@ final class AedatReadingCursor implements ReadingCursor {
         } else if (address == AddressDecoder.OTHER) {
           reading = assembly.take(word, clock.read(time), offset - recordBytes);
           if (reading != null) {
-            return true;
+            return Step.READING;
           }
         }
       }
+      if (offset >= untilOffset) {
+        return Step.NOTHING_YET;
+      }
       file.read(buffer, offset);
       if (buffer.remaining() < recordBytes) {
-        return false;
+        return Step.END;
       }
     }
   }

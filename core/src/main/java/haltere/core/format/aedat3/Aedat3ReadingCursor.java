@@ -44,7 +44,7 @@ final class Aedat3ReadingCursor implements ReadingCursor {
   }
 
   @Override
-  public boolean next() throws IOException {
+  public Step next(long untilOffset) throws IOException {
     reading = null;
     while (reading == null) {
       if (packet != null && event < packet.number()) {
@@ -54,19 +54,19 @@ final class Aedat3ReadingCursor implements ReadingCursor {
         if (packet != null) {
           position += PacketHeader.BYTES + packet.payloadBytes();
         }
-        packet = nextPacket();
+        packet = nextPacket(untilOffset);
         event = 0;
         if (packet == null) {
-          return false;
+          return position >= untilOffset ? Step.NOTHING_YET : Step.END;
         }
       }
     }
-    return true;
+    return Step.READING;
   }
 
-  /** The next packet of readings; null at the end. */
-  private PacketHeader nextPacket() throws IOException {
-    while (position <= file.size() - PacketHeader.BYTES) {
+  /** The next packet of readings; null at the end or behind a place. */
+  private PacketHeader nextPacket(long untilOffset) throws IOException {
+    while (position <= file.size() - PacketHeader.BYTES && position < untilOffset) {
       ByteBuffer bytes = bytes(position, PacketHeader.BYTES);
       if (bytes.limit() < PacketHeader.BYTES) {
         return null;

@@ -52,10 +52,13 @@ final class Aedat4ReadingCursor implements ReadingCursor {
   }
 
   @Override
-  public boolean next() throws IOException {
+  public Step next(long untilOffset) throws IOException {
     while ((reading = found.poll()) == null) {
+      if (walk.position() >= untilOffset) {
+        return Step.NOTHING_YET;
+      }
       if (!walk.find()) {
-        return false;
+        return Step.END;
       }
       try {
         if (!passed.contains(walk.stream())) {
@@ -67,7 +70,7 @@ final class Aedat4ReadingCursor implements ReadingCursor {
         walk.passDamaged();
       }
     }
-    return true;
+    return Step.READING;
   }
 
   private void readPacket() throws IOException, DamagedPacketException {

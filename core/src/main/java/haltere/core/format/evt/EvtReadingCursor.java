@@ -51,7 +51,7 @@ final class EvtReadingCursor implements ReadingCursor {
   }
 
   @Override
-  public boolean next() throws IOException {
+  public Step next(long untilOffset) throws IOException {
     trigger = null;
     do {
       int from = buffer.position();
@@ -62,11 +62,14 @@ final class EvtReadingCursor implements ReadingCursor {
       }
       offset += buffer.position() - from;
       if (trigger != null) {
-        return true;
+        return Step.READING;
+      }
+      if (offset >= untilOffset) {
+        return Step.NOTHING_YET;
       }
       file.read(buffer, offset);
     } while (buffer.remaining() >= words.bytes);
-    return false;
+    return Step.END;
   }
 
   private void narrowWords() {
