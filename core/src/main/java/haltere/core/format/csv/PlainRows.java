@@ -66,6 +66,7 @@ final class PlainRows {
     int xColumn = this.xColumn;
     int yColumn = this.yColumn;
     int onColumn = this.onColumn;
+    int lastOnColumn = onColumn == columns - 1 ? onColumn : columns;
     boolean seconds = this.seconds;
     long[] values = this.values;
     int row = from;
@@ -73,6 +74,11 @@ final class PlainRows {
     while (usable && row <= last && size < maxEvents) {
       int at = row;
       for (int i = 0; i < columns; i++) {
+        if (i == lastOnColumn && bytes[at + 1] == '\n' && (bytes[at] & ~1) == '0') {
+          values[i] = bytes[at] & 1;
+          at += 2;
+          break;
+        }
         long digits = Digits.digits(bytes, at);
         int count = Digits.count(digits);
         if (count == 0) {

@@ -25,6 +25,10 @@ public final class DatDecoder implements StreamDecoder {
   private static final int RUN = 1024;
   private static final long UNSIGNED = 0xffffffffL;
 
+  // Of all that must not be negative, or as long as half a turn of the clock.
+  private static final long BELOW_ZERO = 1L << 63;
+  private static final long HALF_A_TURN = 1L << 31;
+
   // Constants, since the loop over records of version 2 has no register for them.
   private static final int X_BITS = 14;
   private static final int Y_BITS = 14;
@@ -56,6 +60,8 @@ public final class DatDecoder implements StreamDecoder {
 
   /** Records on their way; an array is read faster than a buffer. */
   private final long[] stage = new long[RUN];
+
+  private final long[] wideAddresses = new long[RUN];
 
   private boolean restarted;
   private long restartUs;
@@ -106,32 +112,51 @@ public final class DatDecoder implements StreamDecoder {
     if (!clock.started() || !usual) {
       return false;
     }
-    long[] records = stage;
-    long[] times = out.timesUs();
-    int[] addresses = out.addresses();
     int size = out.size();
-    int right = width - 1 << EventAddress.X_SHIFT;
-    int topRow = top << EventAddress.Y_SHIFT;
-    long turnUs = clock.turnUs();
-    int last = (int) (clock.lastUs() - turnUs);
-    int odd = 0;
-    for (int i = 0; i < count; i++) {
-      int time = (int) records[i];
-      int word = (int) (records[i] >>> 32);
-      int column = word << EventAddress.X_SHIFT & COLUMN;
-      int address = topRow - (word << ROW_SHIFT & ROW) + column + (word >>> X_BITS + Y_BITS & 1);
-      // Negative if the clock goes back or leaps by half a turn, or the pixel is outside.
-      odd |= time - last | last & ~time | address | right - column;
-      last = time;
-      times[size + i] = turnUs + (time & UNSIGNED);
-      addresses[size + i] = address;
-    }
-    if (odd < 0) {
+    prepare(count, clock.turnUs(), out.timesUs(), size);
+    if (!finish(count, clock.lastUs(), out)) {
       return false;
     }
     out.setSize(size + count);
-    clock.advance(turnUs + (last & UNSIGNED));
+    clock.advance(out.timeUs(size + count - 1));
     return true;
+  }
+
+  /** Numbers of one width and no branch: the compiler does several records at once. */
+  private void prepare(int count, long turnUs, long[] times, int size) {
+    long[] records = stage;
+    long[] wide = wideAddresses;
+    long topRow = (long) top << EventAddress.Y_SHIFT;
+    for (int i = 0; i < count; i++) {
+      times[size + i] = turnUs + (records[i] & UNSIGNED);
+    }
+    for (int i = 0; i < count; i++) {
+      long word = records[i] >>> 32;
+      wide[i] =
+          topRow
+              - (word << ROW_SHIFT & ROW)
+              + (word << EventAddress.X_SHIFT & COLUMN)
+              + (word >>> X_BITS + Y_BITS & 1);
+    }
+  }
+
+  /** Puts the addresses into the packet; false if there is anything odd. */
+  private boolean finish(int count, long beforeUs, EventPacket out) {
+    long[] wide = wideAddresses;
+    long[] times = out.timesUs();
+    int[] addresses = out.addresses();
+    int size = out.size();
+    long right = width - 1L << EventAddress.X_SHIFT;
+    long last = beforeUs;
+    long odd = 0;
+    for (int i = 0; i < count; i++) {
+      long address = wide[i];
+      long timeUs = times[size + i];
+      addresses[size + i] = (int) address;
+      odd |= timeUs - last | address | right - (address & COLUMN);
+      last = timeUs;
+    }
+    return (odd & (BELOW_ZERO | HALF_A_TURN)) == 0;
   }
 
   /** Record by record; returns how many were dealt with before the clock went back. */

@@ -15,6 +15,7 @@ import java.nio.LongBuffer;
 public final class Evt21Decoder extends EvtDecoder {
   static final int WORD_BYTES = 8;
   private static final int VECTOR = 32;
+  private static final int COLUMN = 0x7fff << EventAddress.X_SHIFT;
   private static final int TIME_HIGH = 8;
   private static final int EXT_TRIGGER = 0xa;
   private static final int IMU = 0xd;
@@ -26,6 +27,9 @@ public final class Evt21Decoder extends EvtDecoder {
 
   /** Words on their way; an array is read faster than a buffer. */
   private final long[] stage = new long[STAGE_WORDS];
+
+  /** Addresses of the first pixels of the staged words; negative where a word needs care. */
+  private final long[] firstPixels = new long[STAGE_WORDS];
 
   private final boolean legacy;
 
@@ -71,6 +75,7 @@ public final class Evt21Decoder extends EvtDecoder {
       if (legacy) {
         turn(count);
       }
+      prepare(count);
       first += decodeStage(count, offset + (long) first * WORD_BYTES, out, maxEvents);
     }
     in.position(in.position() + first * WORD_BYTES);
@@ -81,6 +86,22 @@ public final class Evt21Decoder extends EvtDecoder {
   private void turn(int count) {
     for (int i = 0; i < count; i++) {
       stage[i] = Long.rotateLeft(stage[i], 32);
+    }
+  }
+
+  /** Numbers of one width and no branch: the compiler does several words at once. */
+  private void prepare(int count) {
+    long[] words = stage;
+    long[] first = firstPixels;
+    long topRow = (long) top << EventAddress.Y_SHIFT;
+    for (int i = 0; i < count; i++) {
+      long word = words[i];
+      long address =
+          topRow
+              - (word >>> 32 - EventAddress.Y_SHIFT & 0x7ff0000)
+              + (word >>> 43 - EventAddress.X_SHIFT & 0xffe)
+              + (word >>> 60 & 1);
+      first[i] = address | -(word >>> 61);
     }
   }
 
@@ -125,47 +146,45 @@ public final class Evt21Decoder extends EvtDecoder {
    */
   private int decodeEvents(int from, int end, EventPacket out, int limit) {
     long[] words = stage;
+    long[] first = firstPixels;
     long[] times = out.timesUs();
     int[] addresses = out.addresses();
     int size = out.size();
     long startUs = clock.startUs();
     int right = width << EventAddress.X_SHIFT;
-    int topRow = top << EventAddress.Y_SHIFT;
-    int low = lowNow(startUs);
+    long beforeUs = startUs + lowNow(startUs);
     int at = from;
     while (at < end && size <= limit) {
       long word = words[at];
       int mask = (int) word;
-      int head = (int) (word >>> 32);
-      int newLow = head >>> 22 & 0x3f;
-      int address = topRow - (head << EventAddress.Y_SHIFT & 0x7ff0000);
+      long address = first[at];
+      long timeUs = startUs + (word >>> 54 & 0x3f);
       // Negative if it is no event, the time goes back or the row is outside.
-      if ((-(head >>> 29) | newLow - low | address) < 0 || mask == 0) {
+      if ((address | timeUs - beforeUs) < 0 || mask == 0) {
         break;
       }
-      long timeUs = startUs + newLow;
-      int column = head >>> 10 & 0xffe;
-      int rowAndOn = address + (head >>> 28);
-      int place = column + (Integer.numberOfTrailingZeros(mask) << EventAddress.X_SHIFT);
+      int place = (int) address;
+      int column = place & COLUMN;
+      int last = Integer.numberOfTrailingZeros(mask) << EventAddress.X_SHIFT;
       times[size] = timeUs;
-      addresses[size] = rowAndOn + place;
+      addresses[size] = place + last;
       int next = size + 1;
       mask &= mask - 1;
       while (mask != 0) {
-        place = column + (Integer.numberOfTrailingZeros(mask) << EventAddress.X_SHIFT);
+        last = Integer.numberOfTrailingZeros(mask) << EventAddress.X_SHIFT;
         times[next] = timeUs;
-        addresses[next++] = rowAndOn + place;
+        addresses[next++] = place + last;
         mask &= mask - 1;
       }
-      if (place >= right) {
+      if (column + last >= right) {
         break;
       }
-      low = newLow;
+      beforeUs = timeUs;
       size = next;
       at++;
     }
     out.setSize(size);
-    lastUs = at > from ? startUs + low : lastUs;
+    lastUs = at > from ? beforeUs : lastUs;
     return at;
   }
 
