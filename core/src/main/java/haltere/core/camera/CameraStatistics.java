@@ -9,7 +9,7 @@ package haltere.core.camera;
  * @param lostTransfers buffers that were dropped because too many waited
  * @param lostEvents events in them
  * @param brokenTransfers transfers that ended with an error; what they would have held is not known
- * @param oddBytes bytes that belong to no whole word, and words without a meaning
+ * @param oddWords words without a meaning, pieces of words, and times that cannot be true
  * @param waiting filled buffers that wait for the consumer now
  * @param mostWaiting the most that ever waited
  * @param streams streams that were begun: more than one after the camera was plugged in again
@@ -25,7 +25,7 @@ public record CameraStatistics(
     long lostTransfers,
     long lostEvents,
     long brokenTransfers,
-    long oddBytes,
+    long oddWords,
     int waiting,
     int mostWaiting,
     long streams,

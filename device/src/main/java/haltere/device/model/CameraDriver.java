@@ -1,0 +1,50 @@
+package haltere.device.model;
+
+import haltere.core.camera.CameraInfo;
+import haltere.core.camera.CameraProblem;
+import haltere.device.protocol.WireDecoder;
+import haltere.device.usb.UsbTransport;
+import java.util.Map;
+
+/**
+ * Knows what one camera must be told. Keeps its settings, so that it gets them again after it was
+ * unplugged.
+ *
+ * <p>Thread rule: {@link #connect} to {@link #disconnect} are called by one thread at a time;
+ * facets by any thread.
+ */
+interface CameraDriver {
+  /** The camera. */
+  CameraInfo info();
+
+  /** Address of the endpoint that events come from. */
+  int endpoint();
+
+  /** Transfers under way, where nobody says otherwise. */
+  int usualTransfers();
+
+  /** Size of a transfer, where nobody says otherwise. */
+  int usualBufferBytes();
+
+  /** A decoder for a new stream. */
+  WireDecoder newDecoder(boolean readings);
+
+  /** Takes the way to the camera and sends it all settings. */
+  void connect(UsbTransport transport) throws CameraProblem;
+
+  /**
+   * Has the camera send events.
+   *
+   * @param startTransfers to be run when the endpoint is ready
+   */
+  void start(Runnable startTransfers) throws CameraProblem;
+
+  /** Has the camera send nothing any more. */
+  void stop() throws CameraProblem;
+
+  /** Gives up the way to the camera. */
+  void disconnect();
+
+  /** Its abilities, by their interfaces of {@code haltere.core.camera}. */
+  Map<Class<?>, Object> facets();
+}

@@ -1,0 +1,97 @@
+package haltere.device.model;
+
+import haltere.core.camera.CameraOptions;
+import haltere.core.camera.CameraProblem;
+import haltere.device.protocol.WireDecoder;
+import haltere.device.usb.ReceivedBuffers;
+import haltere.device.usb.TransferRing;
+import haltere.device.usb.UsbTransport;
+
+/**
+ * A camera while it is plugged in: opened, claimed and set up, then streaming, then closed.
+ *
+ * <p>Thread rule: one thread at a time; {@link #buffers} may be asked by any.
+ */
+final class CameraLink {
+  private static final long USUAL_WAITING_BYTES = 8 << 20;
+  private static final int USUAL_WAITING_MOST = 2048;
+
+  private final CameraDriver driver;
+  private final UsbTransport transport;
+  private final ReceivedBuffers buffers;
+  private final WireDecoder decoder;
+  private final TransferRing ring;
+  private boolean running;
+  private boolean closed;
+
+  /**
+   * Sets a camera up.
+   *
+   * @param driver of the camera
+   * @param transport open and claimed; closed with this, and if this fails
+   * @param options how its events come
+   */
+  CameraLink(CameraDriver driver, UsbTransport transport, CameraOptions options)
+      throws CameraProblem {
+    this.driver = driver;
+    this.transport = transport;
+    int transfers = options.transfers() == 0 ? driver.usualTransfers() : options.transfers();
+    int bytes = options.bufferBytes() == 0 ? driver.usualBufferBytes() : options.bufferBytes();
+    int waiting =
+        options.waitingBuffers() == 0
+            ? (int) Math.min(USUAL_WAITING_MOST, Math.max(8, USUAL_WAITING_BYTES / bytes))
+            : options.waitingBuffers();
+    try {
+      driver.connect(transport);
+      decoder = driver.newDecoder(options.readings());
+      buffers =
+          new ReceivedBuffers(transfers, waiting, bytes, options.whenFull(), decoder::droppedWords);
+      ring = new TransferRing(transport, driver.endpoint(), transfers, buffers);
+    } catch (CameraProblem | RuntimeException problem) {
+      driver.disconnect();
+      transport.close();
+      throw problem;
+    }
+  }
+
+  ReceivedBuffers buffers() {
+    return buffers;
+  }
+
+  WireDecoder decoder() {
+    return decoder;
+  }
+
+  void recover() {
+    ring.recover();
+  }
+
+  /** Has the camera send events. */
+  void start() throws CameraProblem {
+    running = true;
+    driver.start(ring::start);
+  }
+
+  /**
+   * Ends all that is under way and closes the device. A transfer that does not end within seconds
+   * keeps the device and its own memory: libusb may still write to it.
+   */
+  void close() {
+    if (closed) {
+      return;
+    }
+    closed = true;
+    buffers.close();
+    if (running && !buffers.isAtEndOfDevice()) {
+      try {
+        driver.stop();
+      } catch (CameraProblem notAnyMore) {
+        // It is closed all the same, and told everything anew when it is opened again.
+      }
+    }
+    driver.disconnect();
+    if (ring.stop()) {
+      transport.close();
+    }
+  }
+}

@@ -1,0 +1,54 @@
+package haltere.device.model;
+
+import haltere.core.camera.ClockRelation;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * Relates a camera's clock to the computer's: events come with a delay that varies, so the shortest
+ * of the last seconds is taken.
+ *
+ * <p>Thread rule: one thread notes, any thread asks.
+ */
+final class ClockWatch {
+  private static final long WINDOW_NANOS = TimeUnit.SECONDS.toNanos(2);
+  private static final long NANOS_PER_US = 1000;
+
+  private volatile ClockRelation relation;
+  private ClockRelation shortestLately;
+  private long windowEndNanos;
+
+  /** Notes when the last event of a buffer came. */
+  void note(long cameraUs, long arrivedNanos) {
+    ClockRelation best = relation;
+    boolean turn = best == null || arrivedNanos - windowEndNanos > 0;
+    if (turn || shortestLately == null || shorter(cameraUs, arrivedNanos, shortestLately)) {
+      ClockRelation now = new ClockRelation(cameraUs, arrivedNanos);
+      if (turn) {
+        windowEndNanos = arrivedNanos + WINDOW_NANOS;
+        relation = shortestLately == null ? now : shortestLately;
+        shortestLately = now;
+      } else {
+        shortestLately = now;
+      }
+      if (shorter(cameraUs, arrivedNanos, relation)) {
+        relation = now;
+      }
+    }
+  }
+
+  private static boolean shorter(long cameraUs, long arrivedNanos, ClockRelation other) {
+    return arrivedNanos - cameraUs * NANOS_PER_US
+        < other.hostNanos() - other.cameraUs() * NANOS_PER_US;
+  }
+
+  /** The camera's clock begins anew. */
+  void restart() {
+    relation = null;
+    shortestLately = null;
+  }
+
+  Optional<ClockRelation> relation() {
+    return Optional.ofNullable(relation);
+  }
+}

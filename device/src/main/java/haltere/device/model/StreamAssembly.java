@@ -1,0 +1,232 @@
+package haltere.device.model;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorReading;
+import haltere.core.stream.DataLost;
+import haltere.core.stream.Reset;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import haltere.device.protocol.DroppedWords;
+import haltere.device.protocol.WireDecoder;
+import haltere.device.usb.Received;
+import haltere.device.usb.ReceivedBuffers;
+import java.io.InterruptedIOException;
+import java.nio.ByteBuffer;
+import java.util.ArrayDeque;
+import java.util.Collection;
+
+/**
+ * Makes the stream of one connection: packets, readings and notices, in order, of the buffers that
+ * come. Where something is missing, {@link DataLost} stands before what comes next.
+ *
+ * <p>Thread rule: the consumer's thread.
+ */
+final class StreamAssembly {
+  private static final int PACKET_EVENTS = 8192;
+  private static final long UNKNOWN = -1;
+
+  private final ReceivedBuffers buffers;
+  private final WireDecoder decoder;
+  private final Runnable recover;
+  private final String camera;
+  private final boolean readings;
+  private final LatencyHistogram latency;
+  private final ClockWatch clock;
+  private final EventPacket packet = new EventPacket(PACKET_EVENTS);
+  private final EventPacket nothing = new EventPacket(1);
+
+  /** What can be handed over: the packet, readings, notifications. */
+  private final ArrayDeque<Object> ready = new ArrayDeque<>();
+
+  private Received current;
+  private ByteBuffer input;
+  private boolean finished;
+  private long lastUs = StreamNotification.NO_TIME_US;
+  private boolean losing;
+  private long lostBytes;
+  private long lostEvents;
+  private String lostWhere = "";
+  private boolean clockReset;
+
+  /**
+   * The stream of a connection.
+   *
+   * @param buffers give what comes
+   * @param decoder of a new stream
+   * @param recover called when a transfer did not end well
+   * @param camera its name, for a person
+   * @param readings whether readings are handed over
+   * @param latency is told how long each buffer took
+   * @param clock is told of times
+   */
+  StreamAssembly(
+      ReceivedBuffers buffers,
+      WireDecoder decoder,
+      Runnable recover,
+      String camera,
+      boolean readings,
+      LatencyHistogram latency,
+      ClockWatch clock) {
+    this.buffers = buffers;
+    this.decoder = decoder;
+    this.recover = recover;
+    this.camera = camera;
+    this.readings = readings;
+    this.latency = latency;
+    this.clock = clock;
+  }
+
+  long lastUs() {
+    return lastUs;
+  }
+
+  boolean isReady() {
+    return !ready.isEmpty();
+  }
+
+  /** Hands over the next thing; returns how many events it has. */
+  int handOver(StreamHandler handler) {
+    Object next = ready.remove();
+    if (next == packet) {
+      int events = packet.size();
+      handler.packet(packet);
+      return events;
+    }
+    if (next instanceof SensorReading reading) {
+      handler.reading(reading);
+    } else {
+      handler.notified((StreamNotification) next);
+    }
+    return 0;
+  }
+
+  /** Gives away what can be handed over, which are notifications only. */
+  void drainTo(Collection<StreamNotification> notices) {
+    ready.forEach(next -> notices.add((StreamNotification) next));
+    ready.clear();
+  }
+
+  /**
+   * Works on what has come until something can be handed over.
+   *
+   * @param nanos waits at most so long for a buffer
+   * @return false if no buffer came in time, or none will come
+   */
+  boolean advance(long nanos) throws InterruptedIOException {
+    if (current == null) {
+      Received next = buffers.take(nanos);
+      if (next == null) {
+        return false;
+      }
+      begin(next);
+    }
+    packet.clear();
+    WireDecoder.Stop stop = decoder.decode(input, packet, PACKET_EVENTS);
+    if (!packet.isEmpty()) {
+      tellLoss(packet.firstTimeUs());
+      lastUs = packet.lastTimeUs();
+      ready.add(packet);
+    }
+    switch (stop) {
+      case READING -> {
+        tellLoss(decoder.reading().timeUs());
+        if (readings) {
+          ready.add(decoder.reading());
+        }
+      }
+      case CLOCK_RESET -> resetClock();
+      case INPUT_USED -> finish();
+      case PACKET_FULL -> {}
+    }
+    return true;
+  }
+
+  private void begin(Received next) {
+    current = next;
+    input = next.bytes();
+    if (!next.before().isEmpty()) {
+      skip(next.before());
+    }
+  }
+
+  /** Brings the decoder over what was dropped. */
+  void skip(DroppedWords dropped) {
+    lose(
+        dropped.bytes(),
+        dropped.isUnknown() ? UNKNOWN : dropped.events(),
+        "too many buffers of " + camera + " waited");
+    decoder.breakOff();
+    dropped.replay(
+        words -> {
+          while (words.hasRemaining()) {
+            nothing.clear();
+            clockReset |= decoder.decode(words, nothing, 1) == WireDecoder.Stop.CLOCK_RESET;
+          }
+        });
+    if (dropped.isUnknown()) {
+      recover.run();
+    }
+  }
+
+  private void lose(long bytes, long events, String where) {
+    lostBytes = losing ? sum(lostBytes, bytes) : bytes;
+    lostEvents = losing ? sum(lostEvents, events) : events;
+    lostWhere = losing && !lostWhere.equals(where) ? lostWhere + "; " + where : where;
+    losing = true;
+  }
+
+  private static long sum(long one, long other) {
+    return one < 0 || other < 0 ? UNKNOWN : one + other;
+  }
+
+  /** Puts the notice of what is missing before what comes next. */
+  void tellLoss(long nextUs) {
+    if (losing) {
+      ready.add(new DataLost(lostBytes, lostEvents, lastUs, nextUs, lostWhere));
+      losing = false;
+      lostWhere = "";
+    }
+    if (clockReset) {
+      ready.add(new Reset(Reset.Cause.CLOCK_RESTARTED, lastUs, nextUs));
+      clockReset = false;
+      clock.restart();
+    }
+  }
+
+  private void resetClock() {
+    tellLoss(StreamNotification.NO_TIME_US);
+    ready.add(new Reset(Reset.Cause.CLOCK_RESTARTED, lastUs, StreamNotification.NO_TIME_US));
+    lastUs = StreamNotification.NO_TIME_US;
+    clock.restart();
+  }
+
+  /** All of a buffer is decoded; it is given back once what it held has been handed over. */
+  private void finish() {
+    if (lastUs != StreamNotification.NO_TIME_US) {
+      clock.note(lastUs, current.arrivedNanos());
+    }
+    switch (current.end()) {
+      case COMPLETED, GONE -> {}
+      default -> {
+        lose(UNKNOWN, UNKNOWN, "a transfer from " + camera + " failed");
+        decoder.breakOff();
+        recover.run();
+      }
+    }
+    finished = true;
+    if (ready.isEmpty()) {
+      release();
+    }
+  }
+
+  /** Gives back the buffer that is done with, if there is one. */
+  void release() {
+    if (finished) {
+      finished = false;
+      latency.add(System.nanoTime() - current.arrivedNanos());
+      Received done = current;
+      current = null;
+      buffers.release(done);
+    }
+  }
+}

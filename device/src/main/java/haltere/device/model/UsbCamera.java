@@ -1,0 +1,292 @@
+package haltere.device.model;
+
+import haltere.core.camera.Camera;
+import haltere.core.camera.CameraInfo;
+import haltere.core.camera.CameraOptions;
+import haltere.core.camera.CameraProblem;
+import haltere.core.camera.CameraStatistics;
+import haltere.core.camera.ClockRelation;
+import haltere.core.stream.DeviceLost;
+import haltere.core.stream.EndOfStream;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import haltere.core.stream.StreamStarted;
+import haltere.device.usb.ReceivedBuffers;
+import haltere.device.usb.UsbTransport;
+import java.io.InterruptedIOException;
+import java.util.ArrayDeque;
+import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * A camera on USB. The consumer's thread starts it, decodes, and finds it again after it was
+ * unplugged.
+ */
+final class UsbCamera implements Camera {
+  /** Finds the camera where it is plugged in now, and opens it. */
+  interface Finder {
+    /** A transport that is open and claimed, or empty if the camera is not there. */
+    Optional<UsbTransport> find() throws CameraProblem;
+  }
+
+  private enum State {
+    READY,
+    STREAMING,
+    AWAY,
+    OVER
+  }
+
+  /**
+   * The link of now and what came over those before.
+   *
+   * @param link null while the camera is away
+   * @param earlier sums
+   */
+  private record Connection(CameraLink link, CameraStatistics earlier) {}
+
+  private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(200);
+
+  private final CameraDriver driver;
+  private final CameraOptions options;
+  private final Finder finder;
+  private final LatencyHistogram latency = new LatencyHistogram();
+  private final ClockWatch clock = new ClockWatch();
+  private final CountDownLatch closing = new CountDownLatch(1);
+
+  /** Guards the link: starting, reconnecting and closing exclude each other. */
+  private final Object lifecycle = new Object();
+
+  private volatile Connection connection;
+  private volatile long streams;
+  private volatile long events;
+
+  // The consumer's own.
+  private final ArrayDeque<StreamNotification> notices = new ArrayDeque<>();
+  private State state = State.READY;
+  private StreamAssembly assembly;
+  private ReceivedBuffers streaming;
+  private long nextLookNanos;
+
+  /**
+   * A camera that is set up.
+   *
+   * @param driver of the camera
+   * @param link that was made with it
+   * @param options how its events come
+   * @param finder finds it again
+   */
+  UsbCamera(CameraDriver driver, CameraLink link, CameraOptions options, Finder finder) {
+    this.driver = driver;
+    connection = new Connection(link, CameraStatistics.NONE);
+    this.options = options;
+    this.finder = finder;
+  }
+
+  @Override
+  public CameraInfo info() {
+    return driver.info();
+  }
+
+  @Override
+  public <F> Optional<F> facet(Class<F> facet) {
+    return Optional.ofNullable(driver.facets().get(facet)).map(facet::cast);
+  }
+
+  @Override
+  public Optional<ClockRelation> clockRelation() {
+    return clock.relation();
+  }
+
+  // ---- The consumer's side
+
+  @Override
+  public boolean next(StreamHandler handler) throws CameraProblem, InterruptedIOException {
+    boolean prepared = false;
+    while (!prepared) {
+      prepared = prepare(Long.MAX_VALUE);
+    }
+    if (!notices.isEmpty()) {
+      handler.notified(notices.remove());
+      return true;
+    }
+    if (state == State.OVER) {
+      return false;
+    }
+    int handed = assembly.handOver(handler);
+    events += handed;
+    return true;
+  }
+
+  @Override
+  public boolean await(long nanos) throws CameraProblem, InterruptedIOException {
+    return prepare(nanos);
+  }
+
+  /** Works until the next thing can be handed over; false if the time is over before. */
+  private boolean prepare(long nanos) throws CameraProblem, InterruptedIOException {
+    long end = System.nanoTime() + Math.min(nanos, Long.MAX_VALUE / 4);
+    while (notices.isEmpty() && state != State.OVER) {
+      if (closing.getCount() == 0) {
+        endStream();
+      } else if (state == State.READY) {
+        begin();
+      } else if (state == State.AWAY) {
+        if (!lookAgain(end - System.nanoTime())) {
+          return false;
+        }
+      } else if (assembly.isReady()) {
+        return true;
+      } else {
+        assembly.release();
+        if (!assembly.advance(end - System.nanoTime()) && !noticeEnd()) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  /** Whether the stream came to an end rather than that nothing came in time. */
+  private boolean noticeEnd() {
+    if (closing.getCount() == 0) {
+      return true;
+    }
+    if (!streaming.isAtEndOfDevice()) {
+      return false;
+    }
+    if (!streaming.droppedLast().isEmpty()) {
+      assembly.skip(streaming.droppedLast());
+    }
+    assembly.tellLoss(StreamNotification.NO_TIME_US);
+    assembly.drainTo(notices);
+    CameraInfo info = info();
+    notices.add(
+        new DeviceLost(
+            info.model() + " " + info.serial() + " was unplugged (" + info.id() + ")",
+            assembly.lastUs()));
+    notices.add(new EndOfStream(assembly.lastUs()));
+    closeLink();
+    state = options.reconnect() ? State.AWAY : State.OVER;
+    return true;
+  }
+
+  /** The camera was closed: the stream gets its end, if it had a beginning. */
+  private void endStream() {
+    if (state == State.STREAMING) {
+      notices.add(new EndOfStream(assembly.lastUs()));
+    }
+    state = State.OVER;
+  }
+
+  private void begin() throws CameraProblem {
+    synchronized (lifecycle) {
+      if (closing.getCount() == 0) {
+        return;
+      }
+      CameraLink started = connection.link;
+      streaming = started.buffers();
+      assembly =
+          new StreamAssembly(
+              streaming,
+              started.decoder(),
+              started::recover,
+              info().id(),
+              options.readings(),
+              latency,
+              clock);
+      clock.restart();
+      started.start();
+      streams++;
+    }
+    state = State.STREAMING;
+    notices.add(new StreamStarted(geometry(), info().model() + " " + info().serial()));
+  }
+
+  /** Looks for the camera every now and then; false if the time is over before the next look. */
+  private boolean lookAgain(long nanos) throws InterruptedIOException {
+    long wait = nextLookNanos - System.nanoTime();
+    try {
+      if (closing.await(Math.min(nanos, wait), TimeUnit.NANOSECONDS)) {
+        return true;
+      }
+    } catch (InterruptedException interrupted) {
+      Thread.currentThread().interrupt();
+      throw new InterruptedIOException("interrupted while waiting for " + info().id());
+    }
+    if (nanos < wait) {
+      return false;
+    }
+    nextLookNanos = System.nanoTime() + LOOK_NANOS;
+    look();
+    return true;
+  }
+
+  private void look() {
+    synchronized (lifecycle) {
+      if (closing.getCount() == 0) {
+        return;
+      }
+      try {
+        Optional<UsbTransport> found = finder.find();
+        if (found.isPresent()) {
+          CameraLink fresh = new CameraLink(driver, found.get(), options);
+          connection = new Connection(fresh, connection.earlier);
+          begin();
+        }
+      } catch (CameraProblem notYet) {
+        // Just plugged in, it may not answer yet, or the system has not given it to us yet.
+        closeLink();
+      }
+    }
+  }
+
+  // ---- Any thread
+
+  @Override
+  public void close() {
+    closing.countDown();
+    CameraLink now = connection.link;
+    if (now != null) {
+      now.buffers().close(); // wakes the consumer, whatever happens on the bus
+    }
+    closeLink();
+  }
+
+  private void closeLink() {
+    synchronized (lifecycle) {
+      CameraLink old = connection.link;
+      if (old != null) {
+        old.close();
+        connection = new Connection(null, statistics());
+      }
+    }
+  }
+
+  @Override
+  public CameraStatistics statistics() {
+    Connection now = connection;
+    CameraStatistics earlier = now.earlier;
+    ReceivedBuffers.Counts counts =
+        now.link == null ? ReceivedBuffers.Counts.NONE : now.link.buffers().counts();
+    return new CameraStatistics(
+        earlier.transfers() + counts.transfers(),
+        earlier.bytes() + counts.bytes(),
+        events,
+        earlier.lostTransfers() + counts.lostTransfers(),
+        earlier.lostEvents() + counts.lostEvents(),
+        earlier.brokenTransfers() + counts.brokenTransfers(),
+        earlier.oddWords() + (now.link == null ? 0 : now.link.decoder().oddWords()),
+        counts.waiting(),
+        Math.max(earlier.mostWaiting(), counts.mostWaiting()),
+        streams,
+        latency.quantileUs(0.5),
+        latency.quantileUs(0.999),
+        latency.longestUs());
+  }
+
+  @Override
+  public String toString() {
+    return info().id();
+  }
+}

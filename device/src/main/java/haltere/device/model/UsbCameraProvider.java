@@ -1,0 +1,137 @@
+package haltere.device.model;
+
+import haltere.core.camera.Camera;
+import haltere.core.camera.CameraInfo;
+import haltere.core.camera.CameraOptions;
+import haltere.core.camera.CameraProblem;
+import haltere.core.camera.CameraProblem.Kind;
+import haltere.core.camera.CameraProvider;
+import haltere.device.usb.LibusbBus;
+import haltere.device.usb.UsbBus;
+import haltere.device.usb.UsbDevice;
+import haltere.device.usb.UsbTransport;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+
+/**
+ * Cameras on USB: DVS128, DAVIS240, DAVIS346, and, as an experiment, the EVK4. Found as a service.
+ */
+public final class UsbCameraProvider implements CameraProvider {
+  private static final List<CameraModel> MODELS = List.of(new Dvs128Model());
+
+  private final Supplier<UsbBus> bus;
+
+  /** The cameras on this computer's USB, through libusb. */
+  public UsbCameraProvider() {
+    bus = LibusbBus::shared;
+  }
+
+  /**
+   * The cameras on a bus.
+   *
+   * @param bus where to look
+   */
+  public UsbCameraProvider(UsbBus bus) {
+    this.bus = () -> bus;
+  }
+
+  @Override
+  public String name() {
+    return "usb";
+  }
+
+  @Override
+  public List<CameraInfo> list() {
+    try {
+      return seen().stream().map(Seen::info).sorted(Comparator.comparing(CameraInfo::id)).toList();
+    } catch (CameraProblem noUsb) {
+      return List.of();
+    }
+  }
+
+  @Override
+  public Camera open(CameraInfo info, CameraOptions options) throws CameraProblem {
+    for (Seen seen : seen()) {
+      if (seen.info.id().equals(info.id())) {
+        UsbTransport transport = claimed(seen.device);
+        CameraDriver driver;
+        try {
+          driver = seen.model.driver(transport, info.id(), seen.info.serial());
+        } catch (CameraProblem | RuntimeException problem) {
+          transport.close();
+          throw problem;
+        }
+        CameraLink link = new CameraLink(driver, transport, options);
+        return new UsbCamera(driver, link, options, () -> findAgain(seen.model, info.id()));
+      }
+    }
+    throw new CameraProblem(Kind.GONE, "the camera " + info.id() + " is not plugged in");
+  }
+
+  private Optional<UsbTransport> findAgain(CameraModel model, String id) throws CameraProblem {
+    for (Seen seen : seen(List.of(model))) {
+      if (seen.info.id().equals(id)) {
+        return Optional.of(claimed(seen.device));
+      }
+    }
+    return Optional.empty();
+  }
+
+  private UsbTransport claimed(UsbDevice device) throws CameraProblem {
+    UsbTransport transport = bus.get().open(device);
+    try {
+      transport.claim();
+      return transport;
+    } catch (CameraProblem | RuntimeException problem) {
+      transport.close();
+      throw problem;
+    }
+  }
+
+  private record Seen(UsbDevice device, CameraModel model, CameraInfo info) {}
+
+  private List<Seen> seen() throws CameraProblem {
+    return seen(MODELS);
+  }
+
+  private List<Seen> seen(List<CameraModel> models) throws CameraProblem {
+    List<Seen> all = new ArrayList<>();
+    for (UsbDevice device : bus.get().devices()) {
+      for (CameraModel model : models) {
+        if (model.matches(device)) {
+          all.add(look(device, model, all));
+          break;
+        }
+      }
+    }
+    return all;
+  }
+
+  /** Opens a device for a moment, to see who it is and whether it can be used. */
+  private Seen look(UsbDevice device, CameraModel model, List<Seen> before) {
+    String serial = "";
+    String note = model.remark();
+    boolean canOpen = true;
+    try (UsbTransport transport = bus.get().open(device)) {
+      serial = transport.serialNumber();
+      transport.claim();
+    } catch (CameraProblem problem) {
+      note = problem.getMessage();
+      canOpen = false;
+    }
+    String id = model.key() + ":" + (serial.isEmpty() ? device.place() : serial);
+    for (Seen other : before) {
+      if (other.info.id().equals(id)) {
+        id += "@" + device.place(); // two that nobody ever gave a number
+        break;
+      }
+    }
+    return new Seen(
+        device,
+        model,
+        new CameraInfo(id, model.name(), serial, model.usualGeometry(), canOpen, note));
+  }
+}

@@ -1,0 +1,59 @@
+package haltere.device.protocol;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorReading;
+import java.nio.ByteBuffer;
+
+/**
+ * Turns the bytes of a camera into packets, readings and resets of its clock, in the order of the
+ * stream. Pure: all state is in the object. What is wrong in the bytes is counted, never thrown.
+ *
+ * <p>Thread rule: one thread; {@link #oddWords} may be called from any.
+ */
+public interface WireDecoder {
+  /** Why {@link #decode} came back. */
+  enum Stop {
+    /** No whole word is left in the input; a rest of it has been counted and skipped. */
+    INPUT_USED,
+    /** The packet holds as many events as were asked for. */
+    PACKET_FULL,
+    /** A frame, an inertial sample or a trigger stands here: {@link #reading}. */
+    READING,
+    /** The camera's clock was set back here; what follows may be earlier than what was before. */
+    CLOCK_RESET
+  }
+
+  /**
+   * Decodes until something else than an event comes, or the input or the packet is at its end.
+   *
+   * @param in bytes of one transfer; its position moves behind what was decoded
+   * @param out events are appended; their times never descend
+   * @param maxEvents events that the packet may hold, more than it holds
+   * @return why it came back
+   */
+  Stop decode(ByteBuffer in, EventPacket out, int maxEvents);
+
+  /**
+   * What {@link #decode} came to.
+   *
+   * @return the reading; only after {@link Stop#READING}
+   */
+  SensorReading reading();
+
+  /** Bytes are missing here: what is half done is given up, and the next time may be any. */
+  void breakOff();
+
+  /**
+   * Words without a meaning, bytes that are no whole word, and times that cannot be true.
+   *
+   * @return a count since the decoder was made
+   */
+  long oddWords();
+
+  /**
+   * An empty note of bytes that this decoder will not get.
+   *
+   * @return a note
+   */
+  DroppedWords droppedWords();
+}

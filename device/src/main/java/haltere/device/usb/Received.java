@@ -1,0 +1,83 @@
+package haltere.device.usb;
+
+import haltere.device.protocol.DroppedWords;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+
+/**
+ * What one transfer brought, and what was dropped before it. The objects of a {@link
+ * ReceivedBuffers} go round; none is made while a camera runs.
+ *
+ * <p>Thread rule: belongs to the ring while it is filled, to the consumer between {@link
+ * ReceivedBuffers#take} and {@link ReceivedBuffers#release}, else to the lock of its buffers.
+ */
+public final class Received {
+  private final ByteBuffer buffer;
+  private int length;
+  private TransferEnd end = TransferEnd.COMPLETED;
+  private long arrivedNanos;
+  private DroppedWords before;
+
+  Received(ByteBuffer buffer, DroppedWords before) {
+    this.buffer = buffer;
+    this.before = before;
+  }
+
+  /** The whole buffer, for the device to fill. */
+  ByteBuffer buffer() {
+    return buffer;
+  }
+
+  void filled(TransferEnd how, int bytes, long nanos) {
+    end = how;
+    length = bytes;
+    arrivedNanos = nanos;
+  }
+
+  /** Gives the note of what was dropped before away for another one. */
+  DroppedWords swapBefore(DroppedWords other) {
+    DroppedWords old = before;
+    before = other;
+    return old;
+  }
+
+  /**
+   * The bytes that came.
+   *
+   * @return a view of its own, little-endian
+   */
+  public ByteBuffer bytes() {
+    return buffer.slice(0, length).order(ByteOrder.LITTLE_ENDIAN);
+  }
+
+  /**
+   * How the transfer ended.
+   *
+   * @return if not completed, something is missing after the bytes
+   */
+  public TransferEnd end() {
+    return end;
+  }
+
+  /**
+   * When it came.
+   *
+   * @return by {@link System#nanoTime}
+   */
+  public long arrivedNanos() {
+    return arrivedNanos;
+  }
+
+  /**
+   * What was dropped before it.
+   *
+   * @return empty if nothing was
+   */
+  public DroppedWords before() {
+    return before;
+  }
+
+  int length() {
+    return length;
+  }
+}

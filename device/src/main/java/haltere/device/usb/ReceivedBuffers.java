@@ -1,0 +1,327 @@
+package haltere.device.usb;
+
+import haltere.core.camera.CameraOptions.WhenFull;
+import haltere.device.protocol.DroppedWords;
+import java.io.InterruptedIOException;
+import java.nio.ByteBuffer;
+import java.util.ArrayDeque;
+import java.util.Objects;
+import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.Supplier;
+
+/**
+ * The hand-over from the thread of the bus to the consumer's. All buffers are made at the start; if
+ * too many wait for the consumer, whole transfers are dropped, and what must be known of them stays
+ * in the queue at their place.
+ *
+ * <p>Thread rule: one thread of the bus ({@link #arrived}, {@link #endOfDeviceWithin}), one
+ * consumer ({@link #take}, {@link #release}); the rest from any thread.
+ */
+public final class ReceivedBuffers {
+  private static final int ALIGNMENT = 64;
+
+  private final WhenFull whenFull;
+  private final ReentrantLock lock = new ReentrantLock();
+  private final Condition changed = lock.newCondition();
+  private final ArrayDeque<Received> free = new ArrayDeque<>();
+  private final ArrayDeque<Received> waiting = new ArrayDeque<>();
+
+  /** What was dropped after all that waits. */
+  private DroppedWords droppedLast;
+
+  /** What nobody will ask for any more. */
+  private final DroppedWords abandoned;
+
+  private boolean leaving;
+  private long goneNanos;
+  private boolean gone;
+  private boolean closed;
+  private long transfers;
+  private long bytes;
+  private long lostTransfers;
+  private long lostEvents;
+  private long brokenTransfers;
+  private int mostWaiting;
+
+  /**
+   * Empty buffers.
+   *
+   * @param transfers how many the device may fill at a time, at least 1
+   * @param waiting how many may wait for the consumer, at least 1
+   * @param bufferBytes size of each
+   * @param whenFull which are dropped if more would have to wait
+   * @param notes makes empty notes of what is dropped
+   */
+  public ReceivedBuffers(
+      int transfers,
+      int waiting,
+      int bufferBytes,
+      WhenFull whenFull,
+      Supplier<DroppedWords> notes) {
+    if (transfers < 1 || waiting < 1 || bufferBytes < 1) {
+      throw new IllegalArgumentException(
+          transfers + " and " + waiting + " buffers of " + bufferBytes + " bytes");
+    }
+    this.whenFull = Objects.requireNonNull(whenFull, "whenFull");
+    droppedLast = notes.get();
+    abandoned = notes.get();
+    int count = transfers + waiting + 1;
+    int stride = (bufferBytes + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
+    ByteBuffer all = ByteBuffer.allocateDirect(Math.multiplyExact(count, stride));
+    for (int i = 0; i < count; i++) {
+      free.add(new Received(all.slice(i * stride, bufferBytes), notes.get()));
+    }
+  }
+
+  // ---- The side of the bus
+
+  /** A buffer for a transfer, at the start. */
+  Received spare() {
+    lock.lock();
+    try {
+      return free.remove();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /**
+   * Takes a buffer that a transfer has ended with; never waits for the consumer.
+   *
+   * @param received filled
+   * @return the buffer to go on with, which may be the same
+   */
+  Received arrived(Received received) {
+    lock.lock();
+    try {
+      transfers++;
+      bytes += received.length();
+      boolean whole = received.end() == TransferEnd.COMPLETED;
+      brokenTransfers += whole ? 0 : 1;
+      if (closed || gone) {
+        abandon(received);
+        return received;
+      }
+      if (whole && received.length() == 0) {
+        return received;
+      }
+      Received next = free.poll();
+      if (next == null && whenFull == WhenFull.DROP_OLDEST) {
+        next = dropOldest();
+      }
+      if (next == null) {
+        dropAfterAll(received);
+        return received;
+      }
+      if (!droppedLast.isEmpty()) {
+        droppedLast = received.swapBefore(droppedLast);
+      }
+      waiting.add(received);
+      mostWaiting = Math.max(mostWaiting, waiting.size());
+      changed.signalAll();
+      return next;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private void dropAfterAll(Received received) {
+    long before = droppedLast.events();
+    note(droppedLast, received);
+    lostTransfers++;
+    lostEvents += droppedLast.events() - before;
+  }
+
+  private Received dropOldest() {
+    Received oldest = waiting.poll();
+    if (oldest == null) {
+      return null;
+    }
+    DroppedWords dropped = oldest.before();
+    long before = dropped.events();
+    note(dropped, oldest);
+    lostTransfers++;
+    lostEvents += dropped.events() - before;
+    Received head = waiting.peek();
+    if (head == null) {
+      dropped.add(droppedLast);
+      droppedLast = oldest.swapBefore(droppedLast);
+    } else {
+      dropped.add(head.before());
+      oldest.swapBefore(head.swapBefore(dropped));
+    }
+    oldest.before().clear();
+    return oldest;
+  }
+
+  private static void note(DroppedWords note, Received received) {
+    note.add(received.bytes());
+    if (received.end() != TransferEnd.COMPLETED) {
+      note.addUnknown();
+    }
+  }
+
+  /** Counts what the consumer will never get. */
+  private void abandon(Received received) {
+    if (received.length() > 0) {
+      abandoned.clear();
+      abandoned.add(received.bytes());
+      lostTransfers++;
+      lostEvents += abandoned.events();
+    }
+  }
+
+  /**
+   * Says that nothing more will come after a time, 0 for at once; the shortest time said counts.
+   */
+  void endOfDeviceWithin(long nanos) {
+    lock.lock();
+    try {
+      long at = System.nanoTime() + nanos;
+      if (!leaving || at - goneNanos < 0) {
+        goneNanos = at;
+      }
+      leaving = true;
+      gone |= nanos == 0;
+      changed.signalAll();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  // ---- The consumer's side
+
+  /**
+   * Waits for the next buffer.
+   *
+   * @param nanos at most so long
+   * @return a buffer to {@link #release}, or null if none came in time or none will come
+   * @throws InterruptedIOException if the thread is interrupted
+   */
+  public Received take(long nanos) throws InterruptedIOException {
+    lock.lock();
+    try {
+      long left = nanos;
+      while (waiting.isEmpty() && !closed && !gone && left > 0) {
+        left -= awaitChange(left);
+      }
+      return closed ? null : waiting.poll();
+    } catch (InterruptedException interrupted) {
+      Thread.currentThread().interrupt();
+      throw new InterruptedIOException("interrupted while waiting for a camera");
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /**
+   * Waits for a change, at most so long, and not beyond the end of the device; returns how long.
+   */
+  private long awaitChange(long nanos) throws InterruptedException {
+    long start = System.nanoTime();
+    changed.awaitNanos(leaving ? Math.min(nanos, goneNanos - start) : nanos);
+    long now = System.nanoTime();
+    gone |= leaving && now - goneNanos >= 0;
+    return now - start;
+  }
+
+  /**
+   * Gives a buffer back.
+   *
+   * @param received one that was taken
+   */
+  public void release(Received received) {
+    lock.lock();
+    try {
+      received.before().clear();
+      free.add(received);
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /**
+   * Whether the device is gone and all that came before that has been taken.
+   *
+   * @return true if {@link #take} will give nothing any more because of that
+   */
+  public boolean isAtEndOfDevice() {
+    lock.lock();
+    try {
+      return gone && waiting.isEmpty();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /**
+   * What was dropped after the last buffer that was taken.
+   *
+   * @return a note; only once {@link #isAtEndOfDevice}
+   */
+  public DroppedWords droppedLast() {
+    return droppedLast;
+  }
+
+  /** What waits, and whatever still comes, is counted as lost; a consumer that waits wakes up. */
+  public void close() {
+    lock.lock();
+    try {
+      if (!closed) {
+        closed = true;
+        for (Received received : waiting) {
+          abandon(received);
+        }
+        waiting.clear();
+        changed.signalAll();
+      }
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /**
+   * What has come so far.
+   *
+   * @param transfers that ended
+   * @param bytes in them
+   * @param lostTransfers that nobody will get
+   * @param lostEvents in those
+   * @param brokenTransfers that did not end well
+   * @param waiting buffers that wait now
+   * @param mostWaiting the most that ever waited
+   */
+  public record Counts(
+      long transfers,
+      long bytes,
+      long lostTransfers,
+      long lostEvents,
+      long brokenTransfers,
+      int waiting,
+      int mostWaiting) {
+    /** Before anything came. */
+    public static final Counts NONE = new Counts(0, 0, 0, 0, 0, 0, 0);
+  }
+
+  /**
+   * Reads the counts.
+   *
+   * @return all of one moment
+   */
+  public Counts counts() {
+    lock.lock();
+    try {
+      return new Counts(
+          transfers,
+          bytes,
+          lostTransfers,
+          lostEvents,
+          brokenTransfers,
+          waiting.size(),
+          mostWaiting);
+    } finally {
+      lock.unlock();
+    }
+  }
+}

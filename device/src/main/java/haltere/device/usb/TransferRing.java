@@ -1,0 +1,254 @@
+package haltere.device.usb;
+
+import haltere.core.camera.CameraProblem;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.ReentrantLock;
+
+/**
+ * Keeps a number of transfers under way: takes each that ends, stamps it with {@link
+ * System#nanoTime}, hands its buffer over, and starts it again with another one. Does nothing else
+ * on the thread of the bus.
+ *
+ * <p>A transfer is started in one place only, under the lock and while the ring is {@link
+ * State#RUNNING}; the ring leaves this state, and cancels what is under way, under the same lock.
+ * So no transfer can start after all were cancelled, and transfers are freed only once each has
+ * ended.
+ *
+ * <p>Thread rule: all methods may be called from any thread but that of the bus.
+ */
+public final class TransferRing {
+  private enum State {
+    RUNNING,
+    RECOVERING,
+    GONE,
+    STOPPED
+  }
+
+  private static final long STOP_NANOS = TimeUnit.SECONDS.toNanos(2);
+  private static final long LAST_ARRIVALS_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
+  private static final long RECOVERY_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
+
+  /** So many transfers may fail, or recoveries bring nothing, one after the other. */
+  private static final int MAX_FAILURES = 16;
+
+  private final UsbTransport transport;
+  private final int endpoint;
+  private final ReceivedBuffers buffers;
+  private final ReentrantLock lock = new ReentrantLock();
+  private final Condition ended = lock.newCondition();
+  private final List<Slot> slots = new ArrayList<>();
+  private State state = State.STOPPED;
+  private int underWay;
+  private int failures;
+
+  /** A transfer and the buffer that it has now. */
+  private final class Slot implements TransferListener {
+    private final BulkTransfer transfer;
+    private Received received = buffers.spare();
+    private boolean busy;
+
+    Slot() {
+      transfer = transport.prepare(endpoint, this);
+    }
+
+    @Override
+    public void ended(TransferEnd end, int bytes) {
+      long nanos = System.nanoTime();
+      lock.lock();
+      try {
+        busy = false;
+        underWay--;
+        boolean whole = end == TransferEnd.COMPLETED;
+        if (whole || bytes > 0 || state == State.RUNNING) {
+          received.filled(end, bytes, nanos);
+          received = buffers.arrived(received);
+        }
+        if (state == State.RUNNING) {
+          goOn(this, end);
+        }
+        if (underWay == 0) {
+          ended.signalAll();
+          if (state == State.GONE) {
+            buffers.endOfDeviceWithin(0);
+          }
+        }
+      } finally {
+        lock.unlock();
+      }
+    }
+  }
+
+  /**
+   * A ring that stands still.
+   *
+   * @param transport the device
+   * @param endpoint address of a bulk endpoint, 0x80 or more
+   * @param transfers how many are under way at a time
+   * @param buffers take what comes; made for so many transfers
+   */
+  public TransferRing(
+      UsbTransport transport, int endpoint, int transfers, ReceivedBuffers buffers) {
+    this.transport = transport;
+    this.endpoint = endpoint;
+    this.buffers = buffers;
+    for (int i = 0; i < transfers; i++) {
+      slots.add(new Slot());
+    }
+  }
+
+  /** Starts all transfers; if the device is gone already, the buffers are told. */
+  public void start() {
+    lock.lock();
+    try {
+      state = State.RUNNING;
+      startAll();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private void startAll() {
+    for (Slot slot : slots) {
+      start(slot);
+    }
+  }
+
+  /** The only place where a transfer starts. The caller holds the lock. */
+  private void start(Slot slot) {
+    if (state != State.RUNNING || slot.busy) {
+      return;
+    }
+    if (slot.transfer.submit(slot.received.buffer())) {
+      slot.busy = true;
+      underWay++;
+    } else {
+      giveUp();
+    }
+  }
+
+  private void goOn(Slot slot, TransferEnd end) {
+    switch (end) {
+      case COMPLETED -> {
+        failures = 0;
+        start(slot);
+      }
+      case STALLED -> {
+        // The consumer finds it among the buffers and has it recovered; nobody may wait here.
+      }
+      case OVERFLOW, FAILED -> {
+        if (++failures > MAX_FAILURES) {
+          giveUp();
+        } else {
+          start(slot);
+        }
+      }
+      case CANCELLED, GONE -> giveUp();
+    }
+  }
+
+  /**
+   * The device is gone, or as good as gone. What has arrived is still on its way through the bus.
+   */
+  private void giveUp() {
+    state = State.GONE;
+    buffers.endOfDeviceWithin(LAST_ARRIVALS_NANOS);
+  }
+
+  private void cancelAll() {
+    for (Slot slot : slots) {
+      if (slot.busy) {
+        slot.transfer.cancel();
+      }
+    }
+  }
+
+  /**
+   * Lifts the halt of the endpoint and starts again; does nothing if it is not halted. What cannot
+   * be recovered is taken for gone.
+   */
+  public void recover() {
+    lock.lock();
+    try {
+      if (state != State.RUNNING || underWay == slots.size()) {
+        return;
+      }
+      state = State.RECOVERING;
+      cancelAll();
+      if (!awaitAllEnded(RECOVERY_NANOS) || ++failures > MAX_FAILURES) {
+        giveUp();
+        return;
+      }
+    } finally {
+      lock.unlock();
+    }
+    boolean lifted = clearHalt();
+    lock.lock();
+    try {
+      if (state == State.RECOVERING) {
+        if (lifted) {
+          state = State.RUNNING;
+          startAll();
+        } else {
+          giveUp();
+        }
+      }
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private boolean clearHalt() {
+    try {
+      transport.clearHalt(endpoint);
+      return true;
+    } catch (CameraProblem gone) {
+      return false;
+    }
+  }
+
+  /**
+   * Stops for good: cancels all transfers, waits until each has ended, and frees them.
+   *
+   * @return false if one does not end within seconds; then nothing is freed, for libusb may still
+   *     write to it, and the transport must stay open
+   */
+  public boolean stop() {
+    lock.lock();
+    try {
+      state = State.STOPPED;
+      cancelAll();
+      if (!awaitAllEnded(STOP_NANOS)) {
+        return false;
+      }
+    } finally {
+      lock.unlock();
+    }
+    transport.free(slots.stream().map(slot -> slot.transfer).toList());
+    slots.clear();
+    return true;
+  }
+
+  /** Waits, without the lock meanwhile, whatever the state becomes; not interruptible. */
+  private boolean awaitAllEnded(long nanos) {
+    long end = System.nanoTime() + nanos;
+    boolean interrupted = false;
+    while (underWay > 0) {
+      long left = end - System.nanoTime();
+      if (left <= 0) {
+        break;
+      }
+      try {
+        ended.awaitNanos(left);
+      } catch (InterruptedException later) {
+        interrupted = true;
+      }
+    }
+    if (interrupted) {
+      Thread.currentThread().interrupt();
+    }
+    return underWay == 0;
+  }
+}
