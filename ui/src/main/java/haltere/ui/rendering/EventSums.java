@@ -25,8 +25,8 @@ final class EventSums {
   /** A weight serves for events within this share of the time constant. */
   private static final double SAME_WEIGHT = 1.0 / 256;
 
-  /** Every so many pixels one is looked at to find what counts as much. */
-  private static final int SAMPLING = 7;
+  /** About so many pixels are looked at to find what counts as much. */
+  private static final int SAMPLES = 20_000;
 
   private static final double SHARE_BELOW_FULL = 0.995;
   private static final double SMOOTHING = 0.2;
@@ -35,10 +35,12 @@ final class EventSums {
   private final int height;
   private final float[] sums;
   private final float[] samples;
+  private final int sampling;
   private final int[] table = new int[ENTRIES];
   private final int[] row;
   private PictureStyle style;
   private long referenceUs;
+  private long newestUs;
   private boolean empty = true;
   private double fullCount;
 
@@ -46,7 +48,9 @@ final class EventSums {
     width = geometry.width();
     height = geometry.height();
     sums = new float[geometry.pixels()];
-    samples = new float[geometry.pixels() / SAMPLING + 1];
+    // an odd distance, so that not the same columns are looked at in each row
+    sampling = Math.max(1, geometry.pixels() / SAMPLES) | 1;
+    samples = new float[geometry.pixels() / sampling + 1];
     row = new int[width];
     configure(style);
   }
@@ -74,8 +78,6 @@ final class EventSums {
               : style.gradient().colour(share);
     }
   }
-
-  private long newestUs;
 
   void clear() {
     Arrays.fill(sums, 0);
@@ -181,7 +183,7 @@ final class EventSums {
   /** What all but the liveliest pixels stay below, so that a hot one does not darken all others. */
   private void findFullCount(double present) {
     int found = 0;
-    for (int i = 0; i < sums.length; i += SAMPLING) {
+    for (int i = 0; i < sums.length; i += sampling) {
       if (sums[i] * present > 0.05) {
         samples[found++] = sums[i];
       }

@@ -4,6 +4,7 @@ import haltere.core.chain.ChainStage;
 import haltere.core.chain.FilterChain;
 import haltere.core.chain.FilterProvider;
 import haltere.core.playback.Player;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
@@ -21,6 +22,7 @@ import javafx.application.Platform;
 final class ChainEditor {
   private final Consumer<String> problems;
   private final Consumer<List<StageState>> changed;
+  private final List<Runnable> listeners = new ArrayList<>();
   private Optional<Player> player = Optional.empty();
 
   /**
@@ -36,6 +38,12 @@ final class ChainEditor {
 
   void setPlayer(Player newPlayer) {
     player = Optional.of(newPlayer);
+    listeners.forEach(Runnable::run);
+  }
+
+  /** Calls something whenever there is another chain, or other filters in it. */
+  void onChange(Runnable listener) {
+    listeners.add(listener);
   }
 
   /** Adds a filter with default settings at the end. */
@@ -113,6 +121,7 @@ final class ChainEditor {
                     () -> {
                       if (player.equals(edited)) {
                         changed.accept(after.get());
+                        listeners.forEach(Runnable::run);
                       }
                     }));
   }

@@ -68,7 +68,7 @@ final class DisplayFeature implements ViewerFeature {
         (us, words) ->
             actions.add(
                 ViewerAction.choice(
-                    "fading" + us, words, "View/Fading", display.decayUsProperty(), us)));
+                    "fading-" + us, words, "View/Fading", display.decayUsProperty(), us)));
     Stage stage = window.stage();
     actions.add(
         ViewerAction.toggle("overlays", "Overlays", "View", display.marksProperty())

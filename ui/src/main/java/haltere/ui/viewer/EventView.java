@@ -76,6 +76,7 @@ final class EventView extends Region {
     setId("event-view");
     setAccessibleRole(AccessibleRole.IMAGE_VIEW);
     setAccessibleText("Events");
+    setFocusTraversable(true);
     setMinSize(160, 120);
     marks.setManaged(false);
     marks.setMouseTransparent(true);
@@ -332,6 +333,7 @@ final class EventView extends Region {
   }
 
   private void pressed(MouseEvent event) {
+    requestFocus();
     dragX = event.getX();
     dragY = event.getY();
     if (worksWithTool(event)) {

@@ -13,8 +13,10 @@ import java.util.OptionalLong;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 import javafx.application.Platform;
+import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
+import javafx.beans.property.SimpleBooleanProperty;
 
 /**
  * The transport as buttons, keys and the seek bar use it: speed, slices and loop stay the same from
@@ -32,12 +34,16 @@ final class PlaybackController {
    */
   static final Slicing SMOOTH = new Slicing.PerFrame(120);
 
+  /** A fruit fly's. */
+  private static final long USUAL_BEAT_US = 5_000;
+
   private static final double SPEED_STEP = Math.pow(2, 0.25);
 
   private final Consumer<String> problems;
   private final ReadOnlyObjectWrapper<Double> speed = new ReadOnlyObjectWrapper<>(1.0);
   private final ReadOnlyObjectWrapper<Slicing> slicing = new ReadOnlyObjectWrapper<>(SMOOTH);
   private final ReadOnlyObjectWrapper<Loop> loop = new ReadOnlyObjectWrapper<>(Loop.ALL);
+  private final BooleanProperty beats = new SimpleBooleanProperty();
   private Optional<Player> player = Optional.empty();
   private boolean seeking;
 
@@ -53,6 +59,12 @@ final class PlaybackController {
    */
   PlaybackController(Consumer<String> problems) {
     this.problems = problems;
+    beats.addListener(
+        (property, was, is) -> {
+          if (is) {
+            setBeat(USUAL_BEAT_US);
+          }
+        });
   }
 
   /** Options for the player of a new window. */
@@ -133,8 +145,23 @@ final class PlaybackController {
   }
 
   void setSlicing(Slicing wanted) {
+    beats.set(false);
+    cut(wanted);
+  }
+
+  private void cut(Slicing wanted) {
     slicing.set(wanted);
     player.ifPresent(open -> report(open.setSlicing(wanted)));
+  }
+
+  /** Whether each slice is one wing beat, whose length somebody else finds out. */
+  BooleanProperty beatsProperty() {
+    return beats;
+  }
+
+  /** Says how long a wing beat is; of use while slices are beats. */
+  void setBeat(long periodUs) {
+    cut(new Slicing.ByTime(Math.max(1, periodUs)));
   }
 
   void setLooping(boolean on) {

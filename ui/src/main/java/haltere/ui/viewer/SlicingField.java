@@ -20,7 +20,8 @@ final class SlicingField extends HBox {
   private enum Mode {
     SMOOTH("Smooth", "", 0),
     TIME("By time", "\u00b5s", 20_000),
-    COUNT("By count", "events", 5_000);
+    COUNT("By count", "events", 5_000),
+    BEAT("One wing beat", "", 0);
 
     final String words;
     final String unit;
@@ -47,8 +48,8 @@ final class SlicingField extends HBox {
     mode.setAccessibleText("Slices");
     Controls.help(
         mode,
-        "What one step holds: what passes in 1/120 s at the present speed, a fixed time, or a"
-            + " fixed number of events.");
+        "What one step holds: what passes in 1/120 s at the present speed, a fixed time, a fixed"
+            + " number of events, or one beat of the wings that are tracked.");
     mode.setConverter(
         new StringConverter<>() {
           @Override
@@ -76,7 +77,21 @@ final class SlicingField extends HBox {
             (property, old, now) -> {
               size.setText(Integer.toString(now.usual));
               showSize();
-              commit();
+              if (now == Mode.BEAT) {
+                playback.beatsProperty().set(true);
+              } else {
+                commit();
+              }
+            });
+    playback
+        .beatsProperty()
+        .addListener(
+            (property, was, is) -> {
+              if (is) {
+                mode.setValue(Mode.BEAT);
+              } else if (mode.getValue() == Mode.BEAT) {
+                mode.setValue(Mode.SMOOTH);
+              }
             });
     size.setOnAction(event -> commit());
     size.focusedProperty()
@@ -90,7 +105,7 @@ final class SlicingField extends HBox {
   }
 
   private void showSize() {
-    boolean sized = mode.getValue() != Mode.SMOOTH;
+    boolean sized = mode.getValue().usual > 0;
     size.setVisible(sized);
     size.setManaged(sized);
     unit.setVisible(sized);
@@ -105,6 +120,7 @@ final class SlicingField extends HBox {
           switch (mode.getValue()) {
             case SMOOTH -> PlaybackController.SMOOTH;
             case TIME -> new Slicing.ByTime(Long.parseLong(size.getText().strip()));
+            case BEAT -> playback.slicingProperty().get();
             case COUNT -> new Slicing.ByCount(Integer.parseInt(size.getText().strip()));
           };
     } catch (IllegalArgumentException notASize) {

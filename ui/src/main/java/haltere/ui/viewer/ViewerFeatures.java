@@ -12,8 +12,10 @@ final class ViewerFeatures {
         new SavingFeature(),
         new DisplayFeature(),
         new SeeingFeature(),
+        new SpaceTimeFeature(),
         new PlotFeature(),
         new PlaybackFeature(),
+        new BeatExposure(),
         new HelpFeature(),
         ViewerFeatures::quit);
   }

@@ -87,6 +87,8 @@ public final class ViewerWindow implements SessionHost {
             display);
     features.forEach(feature -> feature.install(context));
     menu.follow();
+    // the keys of playback work at once; a list in the focus would keep some of them
+    panels.view().requestFocus();
     pulse.start();
   }
 

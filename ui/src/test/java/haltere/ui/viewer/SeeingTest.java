@@ -3,10 +3,14 @@ package haltere.ui.viewer;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import haltere.core.playback.Slicing;
 import haltere.ui.measure.PixelRegion;
 import haltere.ui.rendering.DisplayMode;
+import java.util.HashSet;
 import java.util.Optional;
+import java.util.Set;
 import javafx.scene.control.ChoiceBox;
+import javafx.scene.control.Slider;
 import javafx.scene.image.WritableImage;
 import javafx.scene.input.KeyCode;
 import org.junit.jupiter.api.AfterEach;
@@ -35,7 +39,7 @@ class SeeingTest {
   void allWaysToShowEventsDifferFromEachOther() {
     viewer.waitFor("some events", () -> viewer.status().elapsedUs() > 200_000);
     viewer.pause();
-    java.util.Set<Integer> pictures = new java.util.HashSet<>();
+    Set<Integer> pictures = new HashSet<>();
     for (DisplayMode mode : DisplayMode.values()) {
       viewer.run(() -> viewer.window.display().modeProperty().set(mode));
       viewer.run(() -> viewer.window.playback().step(1));
@@ -115,5 +119,46 @@ class SeeingTest {
     viewer.waitFor("it moved", () -> view.viewX(64) < place - 10);
     viewer.press(KeyCode.P);
     viewer.waitFor("single pixels", () -> view.scale() > 30);
+  }
+
+  @Test
+  void spaceAndTimeAreTurnedBySliders() {
+    viewer.run(() -> viewer.window.actions().run("show-space-time"));
+    SpaceTimePanel panel = viewer.window.feature(SpaceTimeFeature.class).panel();
+    viewer.waitFor("events in it", () -> colours(panel.snapshot(null, null)) > 20);
+    Slider turn = viewer.node("space-time-turn", Slider.class);
+    viewer.pause();
+    int before = viewer.onFx(() -> hash(panel.snapshot(null, null)));
+    viewer.run(() -> turn.setValue(-120));
+    viewer.waitFor("another view", () -> hash(panel.snapshot(null, null)) != before);
+    viewer.run(() -> viewer.window.actions().run("show-space-time"));
+    viewer.waitFor("it is gone", () -> !viewer.isThere("space-time"));
+  }
+
+  private static int colours(WritableImage image) {
+    Set<Integer> found = new HashSet<>();
+    for (int y = 0; y < image.getHeight(); y++) {
+      for (int x = 0; x < image.getWidth(); x++) {
+        found.add(image.getPixelReader().getArgb(x, y));
+      }
+    }
+    return found.size();
+  }
+
+  @Test
+  void slicesOfOneBeatFollowTheWingTracker() {
+    viewer.run(() -> viewer.window.actions().run("open-scene"));
+    viewer.waitUntilOpen("Fly scene");
+    viewer.run(() -> viewer.window.actions().run("slices-beat"));
+    viewer.waitFor(
+        "the length of a beat",
+        () ->
+            viewer.window.playback().slicingProperty().get() instanceof Slicing.ByTime slice
+                && slice.sliceUs() != 5_000
+                && Math.abs(slice.sliceUs() - 5_000) < 700);
+    viewer.run(() -> viewer.window.actions().run("slices-beat"));
+    assertEquals(
+        PlaybackController.SMOOTH,
+        viewer.onFx(() -> viewer.window.playback().slicingProperty().get()));
   }
 }

@@ -1,0 +1,88 @@
+package haltere.ui.viewer;
+
+import haltere.core.chain.FilterChain;
+import haltere.core.chain.Outlet;
+import haltere.core.playback.Slicing;
+import haltere.filters.wing.WingBeat;
+
+/**
+ * Slices of one wing beat: while they are wanted, their length follows the beats that a wing
+ * tracker in the chain publishes. Until it has found some they last 5 ms.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+final class BeatExposure implements ViewerFeature {
+  private static final double SAME = 0.003;
+  private static final long BETWEEN_NANOS = 200_000_000;
+
+  private ViewerContext window;
+  private AutoCloseable subscription = () -> {};
+
+  /** Written on the processing thread. */
+  private volatile double periodUs = Double.NaN;
+
+  private long lookedNanos;
+
+  @Override
+  public void install(ViewerContext installed) {
+    window = installed;
+    window.editor().onChange(this::follow);
+    window.playback().beatsProperty().addListener((property, was, is) -> follow());
+    window.panels().onPulse(this::pulse);
+    window
+        .actions()
+        .add(
+            ViewerAction.toggle(
+                    "slices-beat",
+                    "Slices of one wing beat",
+                    "Playback",
+                    window.playback().beatsProperty())
+                .withHelp("One step or exposure holds one beat, as the wing tracker finds it."));
+  }
+
+  private void follow() {
+    if (!window.playback().beatsProperty().get()) {
+      return;
+    }
+    window.editor().read(this::subscribe, found -> say(found));
+  }
+
+  private void say(boolean found) {
+    if (!found) {
+      window
+          .status()
+          .setActivity("One wing beat: add a wing tracker to the chain; until then it lasts 5 ms.");
+    }
+  }
+
+  /** On the processing thread. */
+  private boolean subscribe(FilterChain chain) {
+    try {
+      subscription.close();
+    } catch (Exception broken) {
+      throw new IllegalStateException("beats cannot be left", broken);
+    }
+    subscription = () -> {};
+    for (Outlet<?> outlet : chain.outlets()) {
+      if (outlet.type() == WingBeat.class) {
+        subscription = outlet.subscribe(beat -> periodUs = ((WingBeat) beat).periodUs());
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private void pulse() {
+    long nanos = System.nanoTime();
+    if (nanos - lookedNanos < BETWEEN_NANOS || !window.playback().beatsProperty().get()) {
+      return;
+    }
+    lookedNanos = nanos;
+    double wanted = periodUs;
+    if (wanted >= 1
+        && window.playback().slicingProperty().get() instanceof Slicing.ByTime now
+        && Math.abs(now.sliceUs() - wanted) > SAME * wanted) {
+      window.playback().setBeat(Math.round(wanted));
+    }
+  }
+}
