@@ -8,6 +8,10 @@ import java.util.List;
 class SimulationSettingsTest extends SettingsContract {
   @Override
   protected Collection<? extends Class<? extends Record>> settingsTypes() {
-    return List.of(FlySceneSettings.class, MovingDotsSettings.class, RoadSceneSettings.class);
+    return List.of(
+        FlightSettings.class,
+        FlySceneSettings.class,
+        MovingDotsSettings.class,
+        RoadSceneSettings.class);
   }
 }

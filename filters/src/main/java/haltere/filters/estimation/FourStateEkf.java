@@ -96,6 +96,26 @@ public final class FourStateEkf {
   }
 
   /**
+   * Sets the whole covariance, as a mixture of several filters does, and ends a run of gated
+   * innovations.
+   *
+   * @param p sixteen entries, row by row, symmetric and positive definite; not kept
+   */
+  public void setCovariance(double[] p) {
+    p00 = Require.positive("variance", p[0]);
+    p11 = Require.positive("variance", p[5]);
+    p22 = Require.positive("variance", p[10]);
+    p33 = Require.positive("variance", p[15]);
+    p01 = p[1];
+    p02 = p[2];
+    p03 = p[3];
+    p12 = p[6];
+    p13 = p[7];
+    p23 = p[11];
+    monitor.endRun();
+  }
+
+  /**
    * Predicts by a transition that is 1 on its diagonal and 0 below: x ← F x, P ← F P Fᵀ. That is
    * any chain of integrators in order of their derivatives. Constant velocity in a plane is (Δt, 0,
    * 0, 0, 0, Δt).

@@ -1,0 +1,13 @@
+package haltere.filters.orientation;
+
+/**
+ * What {@link SphereFilter} holds at one time.
+ *
+ * @param u the axis
+ * @param e1 first direction beside it
+ * @param e2 second direction beside it, u × e1
+ * @param va velocity along e1, per second
+ * @param vb velocity along e2
+ * @param p covariance of the error, order a, ȧ, b, ḃ, sixteen entries
+ */
+record AxisState(double[] u, double[] e1, double[] e2, double va, double vb, double[] p) {}

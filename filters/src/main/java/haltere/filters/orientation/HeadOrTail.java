@@ -1,0 +1,82 @@
+package haltere.filters.orientation;
+
+import haltere.filters.estimation.ChiSquare;
+
+/**
+ * Which end of the axis is the head, while the body flies: two hypotheses, the axis as it is
+ * followed and its opposite, told apart by the way that the body has flown along it.
+ *
+ * <p>That way is the sum of steps along the axis, older ones counting less. Its noise is that of
+ * the two ends only, since what is wrong with a place counts once forwards and once backwards; so a
+ * tenth of a body length decides where a velocity would not. The decision is changed only when the
+ * opposite is clear, so that a body which slips sideways in a turn keeps its head.
+ */
+final class HeadOrTail {
+  private final DirectionSettings settings;
+  private double wayM;
+  private double sigmas;
+  private boolean decided;
+  private boolean flipped;
+  private long changes;
+
+  HeadOrTail(DirectionSettings settings) {
+    this.settings = settings;
+  }
+
+  /** Knows nothing. */
+  void reset() {
+    wayM = 0;
+    sigmas = 0;
+    decided = false;
+    flipped = false;
+  }
+
+  /** The axis was lost and found: what was flown before tells no more, the decision stays. */
+  void doubt() {
+    wayM = 0;
+    sigmas = 0;
+  }
+
+  /**
+   * A step.
+   *
+   * @param alongM how far the body has come along the axis, metres
+   * @param varianceM2 variance of its place along the axis, square metres
+   * @param dtS in which time
+   */
+  void step(double alongM, double varianceM2, double dtS) {
+    if (!Double.isFinite(alongM) || !(varianceM2 > 0)) {
+      return;
+    }
+    double sd = Math.sqrt(2 * varianceM2);
+    double most = settings.certaintySigmas() * sd;
+    wayM = wayM * Math.exp(-dtS / settings.memoryS()) + alongM;
+    wayM = Math.max(-most, Math.min(most, wayM));
+    sigmas = wayM / sd;
+    double forwards = flipped ? -sigmas : sigmas;
+    if (!decided) {
+      flipped = wayM < 0;
+      decided = Math.abs(sigmas) > settings.doubtSigmas();
+    } else if (forwards < -settings.doubtSigmas()) {
+      flipped = !flipped;
+      changes++;
+    }
+  }
+
+  /** Whether the head is opposite to the axis that is followed. */
+  boolean isFlipped() {
+    return flipped;
+  }
+
+  /** Probability that the head is where it is taken to be: that the way flown was forwards. */
+  double probability() {
+    double forwards = flipped ? -sigmas : sigmas;
+    double within = ChiSquare.cumulative(forwards * forwards, 1);
+    return 0.5 * (1 + Math.signum(forwards) * within);
+  }
+
+  /** How often head and tail were exchanged after they had been decided. */
+  long changes() {
+    return changes;
+  }
+}

@@ -1,0 +1,58 @@
+package haltere.filters.orientation;
+
+/**
+ * Where a body is and which way it points, at one time.
+ *
+ * @param timeUs time, microseconds
+ * @param xM place, metres
+ * @param yM place, metres
+ * @param zM place, metres
+ * @param ux axis, a unit vector from tail to head
+ * @param uy axis
+ * @param uz axis
+ * @param sdAxisRad root of the mean squared angle between this axis and the true one, at most that
+ *     of a random direction (1.71)
+ * @param sdRollRad standard deviation of the rotation about the axis, which no camera sees: that of
+ *     any angle at all (1.81), or more
+ * @param pRadS rate of roll; not seen either, so 0 unless a filter has a state for it
+ * @param qRadS rate about the axis to the body's left if its back is up: positive when it pitches
+ *     down
+ * @param rRadS rate about the axis orthogonal to both: positive when it yaws to its left
+ * @param headProbability how sure it is that the head is not the tail, 0 to 1
+ * @param used observations of this time that were used for the axis
+ * @param rejected observations of this time that were not
+ */
+public record OrientationEstimate(
+    long timeUs,
+    double xM,
+    double yM,
+    double zM,
+    double ux,
+    double uy,
+    double uz,
+    double sdAxisRad,
+    double sdRollRad,
+    double pRadS,
+    double qRadS,
+    double rRadS,
+    double headProbability,
+    int used,
+    int rejected) {
+  /** Root of the mean squared angle between a direction and a random one. */
+  static final double RANDOM_SD = Math.sqrt((Math.PI * Math.PI - 4) / 2);
+
+  /** What a tip velocity means in the frame of a body whose back is up: q and r. */
+  static double[] rates(double[] axis, double[] tipVelocity) {
+    double[] turning = new double[3];
+    Vectors.cross(axis, tipVelocity, turning);
+    double[] left = {-axis[1], axis[0], 0};
+    if (!(Math.hypot(left[0], left[1]) > 1e-9)) {
+      left[0] = 0;
+      left[1] = 1;
+    }
+    Vectors.normalise(left);
+    double[] back = new double[3];
+    Vectors.cross(axis, left, back);
+    return new double[] {Vectors.dot(turning, left), Vectors.dot(turning, back)};
+  }
+}

@@ -1,0 +1,17 @@
+/**
+ * Three-dimensional orientation of a body that several calibrated cameras see as a line.
+ *
+ * <ul>
+ *   <li>{@link haltere.filters.orientation.BodyOrientationEstimator} is the whole of it for one
+ *       body: position, axis, rates, head or tail, at each instant from what was seen up to then.
+ *       {@link haltere.filters.orientation.OrientationSmoother} goes back over a track.
+ *   <li>{@link haltere.filters.orientation.CameraModel} is a camera: a matrix and a {@link
+ *       haltere.filters.orientation.Lens}; {@link haltere.filters.orientation.LineObservation} is
+ *       what it saw.
+ * </ul>
+ *
+ * <p>World units are metres, image units pixels in the camera's own coordinates (whatever its
+ * matrix maps to), angles radians unless a name says otherwise. Nothing here knows of the chain
+ * except what is called a filter.
+ */
+package haltere.filters.orientation;

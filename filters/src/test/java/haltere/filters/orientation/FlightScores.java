@@ -1,0 +1,126 @@
+package haltere.filters.orientation;
+
+import haltere.core.simulation.FlightDetection;
+import haltere.core.simulation.FlightScene;
+import haltere.core.simulation.FlightTruth;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+
+/** How well a flight was followed. Errors are counted from 0.2 s on, as the targets say. */
+final class FlightScores {
+  private static final double START_S = 0.2;
+
+  final List<Double> axisDeg = new ArrayList<>();
+  final List<Double> lineDeg = new ArrayList<>();
+  final List<Double> placeMm = new ArrayList<>();
+  final List<Double> nees = new ArrayList<>();
+  double neesAtOneTime = Double.NaN;
+  double meanNis;
+  long instants;
+  long estimates;
+  long fast;
+  long wrongSigns;
+  long outliers;
+  long outliersRejected;
+  long inliers;
+  long inliersUsed;
+  double worstLength;
+
+  /** Follows a flight online. */
+  static FlightScores of(FlightScene scene, OrientationSettings settings, double seconds) {
+    FlightScores scores = new FlightScores();
+    double bodyLengthsAtFast = 5;
+    BodyOrientationEstimator body = new BodyOrientationEstimator(Flights.cameras(scene), settings);
+    double lengthM = 0.012;
+    boolean[] outlier = new boolean[scene.cameras().size()];
+    long oneTime = 0;
+    for (long k = 0; (scene.pictureTimeUs(k) - scene.startUs()) * 1e-6 < seconds; k++) {
+      long timeUs = scene.pictureTimeUs(k);
+      List<FlightDetection> seen = scene.detections(k, outlier);
+      List<LineObservation> lines = Flights.observations(scene, seen);
+      Optional<OrientationEstimate> now = body.update(timeUs, lines);
+      FlightTruth truth = scene.truthAt(timeUs);
+      double elapsed = (timeUs - scene.startUs()) * 1e-6;
+      if (elapsed < START_S) {
+        continue;
+      }
+      scores.instants++;
+      if (now.isEmpty()) {
+        continue;
+      }
+      boolean isFast =
+          Math.sqrt(
+                  truth.vxMS() * truth.vxMS()
+                      + truth.vyMS() * truth.vyMS()
+                      + truth.vzMS() * truth.vzMS())
+              > bodyLengthsAtFast * lengthM;
+      scores.note(now.get(), truth, isFast);
+      for (LineObservation line : lines) {
+        boolean used = body.used(line.camera());
+        if (outlier[line.camera()]) {
+          scores.outliers++;
+          scores.outliersRejected += used ? 0 : 1;
+        } else {
+          scores.inliers++;
+          scores.inliersUsed += used ? 1 : 0;
+        }
+      }
+      AxisState state = body.axisState();
+      if (state.p() != null) {
+        double value = nees(state, truth);
+        scores.nees.add(value);
+        oneTime++;
+        if (oneTime == (long) (seconds * 40)) {
+          scores.neesAtOneTime = value;
+        }
+      }
+    }
+    scores.meanNis = body.meanNis();
+    return scores;
+  }
+
+  void note(OrientationEstimate now, FlightTruth truth, boolean isFast) {
+    double[] u = {now.ux(), now.uy(), now.uz()};
+    double[] t = {truth.ux(), truth.uy(), truth.uz()};
+    double off = Math.toDegrees(Vectors.angle(u, t));
+    estimates++;
+    axisDeg.add(off);
+    lineDeg.add(Math.min(off, 180 - off));
+    placeMm.add(
+        1000
+            * Math.sqrt(
+                Math.pow(now.xM() - truth.xM(), 2)
+                    + Math.pow(now.yM() - truth.yM(), 2)
+                    + Math.pow(now.zM() - truth.zM(), 2)));
+    worstLength = Math.max(worstLength, Math.abs(Vectors.length(u) - 1));
+    if (isFast) {
+      fast++;
+      wrongSigns += off > 90 ? 1 : 0;
+    }
+  }
+
+  /** Of the two numbers that an axis has. */
+  static double nees(AxisState state, FlightTruth truth) {
+    double[] t = {truth.ux(), truth.uy(), truth.uz()};
+    double along = Vectors.dot(t, state.u());
+    double a = Vectors.dot(t, state.e1()) / along;
+    double b = Vectors.dot(t, state.e2()) / along;
+    double[] p = state.p();
+    double determinant = p[0] * p[10] - p[2] * p[2];
+    return (p[10] * a * a - 2 * p[2] * a * b + p[0] * b * b) / determinant;
+  }
+
+  static double quantile(List<Double> values, double share) {
+    double[] sorted = values.stream().mapToDouble(Double::doubleValue).toArray();
+    Arrays.sort(sorted);
+    return sorted.length == 0
+        ? Double.NaN
+        : sorted[(int) Math.min(sorted.length - 1, Math.floor(share * sorted.length))];
+  }
+
+  static double mean(List<Double> values) {
+    return values.stream().mapToDouble(Double::doubleValue).average().orElse(Double.NaN);
+  }
+}
