@@ -45,7 +45,7 @@ final class StreamAssembly {
   private boolean losing;
   private long lostBytes;
   private long lostEvents;
-  private String lostWhere = "";
+  private boolean losingUnknown;
   private boolean clockReset;
 
   /**
@@ -151,10 +151,9 @@ final class StreamAssembly {
 
   /** Brings the decoder over what was dropped. */
   void skip(DroppedWords dropped) {
-    lose(
-        dropped.bytes(),
-        dropped.isUnknown() ? UNKNOWN : dropped.events(),
-        "too many buffers of " + camera + " waited");
+    lostBytes += dropped.bytes();
+    lostEvents += dropped.events();
+    losing |= dropped.transfers() > 0;
     decoder.breakOff();
     dropped.replay(
         words -> {
@@ -164,27 +163,24 @@ final class StreamAssembly {
           }
         });
     if (dropped.isUnknown()) {
+      losingUnknown = true;
       recover.run();
     }
   }
 
-  private void lose(long bytes, long events, String where) {
-    lostBytes = losing ? sum(lostBytes, bytes) : bytes;
-    lostEvents = losing ? sum(lostEvents, events) : events;
-    lostWhere = losing && !lostWhere.equals(where) ? lostWhere + "; " + where : where;
-    losing = true;
-  }
-
-  private static long sum(long one, long other) {
-    return one < 0 || other < 0 ? UNKNOWN : one + other;
-  }
-
-  /** Puts the notice of what is missing before what comes next. */
+  /** Puts notices of what is missing before what comes next: what was counted, what was not. */
   void tellLoss(long nextUs) {
     if (losing) {
-      ready.add(new DataLost(lostBytes, lostEvents, lastUs, nextUs, lostWhere));
+      String place = "too many buffers of " + camera + " waited";
+      ready.add(new DataLost(lostBytes, lostEvents, lastUs, nextUs, place));
       losing = false;
-      lostWhere = "";
+      lostBytes = 0;
+      lostEvents = 0;
+    }
+    if (losingUnknown) {
+      String place = "a transfer from " + camera + " failed";
+      ready.add(new DataLost(UNKNOWN, UNKNOWN, lastUs, nextUs, place));
+      losingUnknown = false;
     }
     if (clockReset) {
       ready.add(new Reset(Reset.Cause.CLOCK_RESTARTED, lastUs, nextUs));
@@ -208,7 +204,7 @@ final class StreamAssembly {
     switch (current.end()) {
       case COMPLETED, GONE -> {}
       default -> {
-        lose(UNKNOWN, UNKNOWN, "a transfer from " + camera + " failed");
+        losingUnknown = true;
         decoder.breakOff();
         recover.run();
       }

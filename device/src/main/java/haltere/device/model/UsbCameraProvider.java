@@ -14,19 +14,20 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.LongConsumer;
 import java.util.function.Supplier;
 
 /**
  * Cameras on USB: DVS128, DAVIS240, DAVIS346, and, as an experiment, the EVK4. Found as a service.
  */
 public final class UsbCameraProvider implements CameraProvider {
-  private static final List<CameraModel> MODELS = List.of(new Dvs128Model());
-
   private final Supplier<UsbBus> bus;
+  private final List<CameraModel> models;
 
   /** The cameras on this computer's USB, through libusb. */
   public UsbCameraProvider() {
-    bus = LibusbBus::shared;
+    this(LibusbBus::shared, LockSupport::parkNanos);
   }
 
   /**
@@ -35,7 +36,18 @@ public final class UsbCameraProvider implements CameraProvider {
    * @param bus where to look
    */
   public UsbCameraProvider(UsbBus bus) {
-    this.bus = () -> bus;
+    this(() -> bus, LockSupport::parkNanos);
+  }
+
+  /**
+   * The cameras on a bus.
+   *
+   * @param bus where to look
+   * @param pause waits so many nanoseconds while a camera gets ready
+   */
+  UsbCameraProvider(Supplier<UsbBus> bus, LongConsumer pause) {
+    this.bus = bus;
+    models = List.of(new Dvs128Model(), new DavisModel(pause), new EvkModel());
   }
 
   @Override
@@ -94,13 +106,13 @@ public final class UsbCameraProvider implements CameraProvider {
   private record Seen(UsbDevice device, CameraModel model, CameraInfo info) {}
 
   private List<Seen> seen() throws CameraProblem {
-    return seen(MODELS);
+    return seen(models);
   }
 
-  private List<Seen> seen(List<CameraModel> models) throws CameraProblem {
+  private List<Seen> seen(List<CameraModel> wanted) throws CameraProblem {
     List<Seen> all = new ArrayList<>();
     for (UsbDevice device : bus.get().devices()) {
-      for (CameraModel model : models) {
+      for (CameraModel model : wanted) {
         if (model.matches(device)) {
           all.add(look(device, model, all));
           break;

@@ -157,7 +157,7 @@ public final class ReceivedBuffers {
 
   private static void note(DroppedWords note, Received received) {
     note.add(received.bytes());
-    if (received.end() != TransferEnd.COMPLETED) {
+    if (received.end() != TransferEnd.COMPLETED && received.end() != TransferEnd.GONE) {
       note.addUnknown();
     }
   }

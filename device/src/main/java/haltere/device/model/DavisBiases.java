@@ -1,0 +1,133 @@
+package haltere.device.model;
+
+import haltere.core.camera.Biases;
+import haltere.core.camera.CameraProblem;
+import haltere.core.settings.Parameter;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** The biases of a DAVIS240 or DAVIS346 in physical units; values of the maker's defaults. */
+final class DavisBiases implements Biases {
+  private static final String USUAL = "default";
+  private static final String P = "P";
+
+  private static final List<DavisBias> DAVIS240 =
+      List.of(
+          DavisBias.current(0, "DiffBn", 4, 39),
+          DavisBias.current(1, "OnBn", 5, 255),
+          DavisBias.current(2, "OffBn", 4, 0),
+          DavisBias.current(3, "ApsCasEpc", 5, 185, "cascode"),
+          DavisBias.current(4, "DiffCasBnc", 5, 115, "cascode"),
+          DavisBias.current(5, "ApsROSFBn", 6, 219),
+          DavisBias.current(6, "LocalBufBn", 5, 164),
+          DavisBias.current(7, "PixInvBn", 6, 144),
+          DavisBias.current(8, "PrBp", 2, 58, P),
+          DavisBias.current(9, "PrSFBp", 1, 16, P),
+          DavisBias.current(10, "RefrBp", 4, 25, P),
+          DavisBias.current(11, "AEPdBn", 6, 91),
+          DavisBias.current(12, "LcolTimeoutBn", 5, 49),
+          DavisBias.current(13, "AEPuXBp", 4, 80, P),
+          DavisBias.current(14, "AEPuYBp", 7, 152, P),
+          DavisBias.current(15, "IFThrBn", 5, 255),
+          DavisBias.current(16, "IFRefrBn", 5, 255),
+          DavisBias.current(17, "PadFollBn", 7, 215),
+          DavisBias.current(18, "ApsOverflowLevelBn", 6, 253),
+          DavisBias.current(19, "BiasBuffer", 5, 254),
+          DavisBias.shiftedSource(20, "SSP"),
+          DavisBias.shiftedSource(21, "SSN"));
+
+  private static final List<DavisBias> DAVIS346 =
+      List.of(
+          DavisBias.voltage(0, "ApsOverflowLevel", 27, 6),
+          DavisBias.voltage(1, "ApsCas", 21, 6),
+          DavisBias.voltage(2, "AdcRefHigh", 32, 7),
+          DavisBias.voltage(3, "AdcRefLow", 1, 7),
+          DavisBias.voltage(4, "AdcTestVoltage", 21, 7),
+          DavisBias.current(8, "LocalBufBn", 5, 164),
+          DavisBias.current(9, "PadFollBn", 7, 215, "off"),
+          DavisBias.current(10, "DiffBn", 4, 39),
+          DavisBias.current(11, "OnBn", 5, 255),
+          DavisBias.current(12, "OffBn", 4, 1),
+          DavisBias.current(13, "PixInvBn", 6, 144),
+          DavisBias.current(14, "PrBp", 2, 58, P),
+          DavisBias.current(15, "PrSFBp", 1, 16, P),
+          DavisBias.current(16, "RefrBp", 4, 25, P),
+          DavisBias.current(17, "ReadoutBufBp", 6, 20, P),
+          DavisBias.current(18, "ApsROSFBn", 6, 219),
+          DavisBias.current(19, "AdcCompBp", 5, 20, P),
+          DavisBias.current(20, "ColSelLowBn", 0, 1),
+          DavisBias.current(21, "DACBufBp", 6, 60, P),
+          DavisBias.current(22, "LcolTimeoutBn", 5, 49),
+          DavisBias.current(23, "AEPdBn", 6, 91),
+          DavisBias.current(24, "AEPuXBp", 4, 80, P),
+          DavisBias.current(25, "AEPuYBp", 7, 152, P),
+          DavisBias.current(26, "IFRefrBn", 5, 255),
+          DavisBias.current(27, "IFThrBn", 5, 255),
+          DavisBias.current(34, "BiasBuffer", 5, 254),
+          DavisBias.shiftedSource(35, "SSP"),
+          DavisBias.shiftedSource(36, "SSN"));
+
+  private final DavisRegisters registers;
+  private final Map<String, DavisBias> byName = new LinkedHashMap<>();
+  private final Map<String, Double> values = new LinkedHashMap<>();
+
+  DavisBiases(DavisRegisters registers, boolean isSmall) {
+    this.registers = registers;
+    for (DavisBias bias : isSmall ? DAVIS240 : DAVIS346) {
+      byName.put(bias.name(), bias);
+      values.put(bias.name(), bias.usual());
+    }
+  }
+
+  @Override
+  public List<Parameter> parameters() {
+    return byName.values().stream().map(DavisBias::asParameter).toList();
+  }
+
+  @Override
+  public synchronized double get(String name) {
+    return values.get(bias(name).name());
+  }
+
+  @Override
+  public synchronized void set(String name, double value) throws CameraProblem {
+    DavisBias bias = bias(name);
+    double wanted = (Double) bias.asParameter().convert(value);
+    double near = bias.nearest(wanted);
+    registers.set(DavisRegisters.BIASES, bias.parameter(), bias.bits(near));
+    values.put(name, near);
+  }
+
+  @Override
+  public List<String> sets() {
+    return List.of(USUAL);
+  }
+
+  @Override
+  public synchronized void apply(String name) throws CameraProblem {
+    if (!name.equals(USUAL)) {
+      throw new IllegalArgumentException(
+          "there is no set of biases " + name + "; there is " + USUAL);
+    }
+    for (DavisBias bias : byName.values()) {
+      set(bias.name(), bias.usual());
+    }
+  }
+
+  /** Sends all values. */
+  synchronized void send() throws CameraProblem {
+    for (DavisBias bias : byName.values()) {
+      registers.set(DavisRegisters.BIASES, bias.parameter(), bias.bits(values.get(bias.name())));
+    }
+  }
+
+  private DavisBias bias(String name) {
+    DavisBias bias = byName.get(name);
+    if (bias == null) {
+      throw new IllegalArgumentException(
+          "there is no bias " + name + "; there are " + String.join(", ", byName.keySet()));
+    }
+    return bias;
+  }
+}

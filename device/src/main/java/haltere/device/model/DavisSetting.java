@@ -1,0 +1,56 @@
+package haltere.device.model;
+
+import haltere.core.settings.Parameter;
+import java.util.List;
+
+/**
+ * One setting of a DAVIS camera: how it is called, and where the logic has it.
+ *
+ * @param parameter name, range, unit and what it does
+ * @param module of the logic
+ * @param number of the parameter in the module
+ * @param scale steps of the logic for one unit
+ */
+record DavisSetting(Parameter parameter, int module, int number, double scale) {
+  static DavisSetting flag(int module, int number, String name, String help, boolean usual) {
+    return new DavisSetting(Settings.flag(name, help, usual), module, number, 1);
+  }
+
+  static DavisSetting number(
+      int module, int number, String name, String help, String unit, int most, int usual) {
+    return scaled(module, number, name, help, unit, most, usual, 1);
+  }
+
+  static DavisSetting scaled(
+      int module,
+      int number,
+      String name,
+      String help,
+      String unit,
+      int most,
+      int usual,
+      double scale) {
+    return new DavisSetting(
+        new Parameter(name, int.class, unit, 0, most, most > 1000, help, usual, List.of()),
+        module,
+        number,
+        scale);
+  }
+
+  /** Whether it switches something on or off that sends data. */
+  boolean isSwitch() {
+    boolean inertial = module == DavisRegisters.INERTIAL && number >= 2 && number <= 4;
+    boolean frames = module == DavisRegisters.FRAMES && number == 4;
+    boolean input = module == DavisRegisters.INPUT && number == 0;
+    boolean events = module == DavisRegisters.EVENTS && number == 3;
+    return inertial || frames || input || events;
+  }
+
+  /** What the logic is told for a value. */
+  int register(Object value) {
+    if (value instanceof Boolean on) {
+      return on ? 1 : 0;
+    }
+    return (int) Math.round(((Number) value).doubleValue() * scale);
+  }
+}

@@ -1,0 +1,248 @@
+package haltere.device.protocol;
+
+import haltere.core.event.EventAddress;
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorReading;
+import haltere.core.event.Trigger;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+
+/**
+ * What a DAVIS camera of logic version 18 sends: little-endian words of 16 bits. Bit 15 marks a
+ * time (15 bits of microseconds); else bits 14 to 12 are a code: row, column with polarity, wraps
+ * of the time, samples of frames, bytes of inertial samples, and special words. Rows count from the
+ * top in the words and from the bottom in the packets.
+ *
+ * <p>A time that falls without a wrap is an error: the time before stays, and it is counted.
+ */
+public final class DavisDecoder implements WireDecoder {
+  /** Microseconds that a wrap stands for. */
+  public static final int WRAP_US = 1 << 15;
+
+  static final int WORD_BYTES = 2;
+  static final int TIME_BIT = 0x8000;
+  static final int SPECIAL = 0;
+  static final int ROW = 1;
+  static final int COLUMN_OFF = 2;
+  static final int COLUMN_ON = 3;
+  static final int SAMPLE = 4;
+  static final int BYTES = 5;
+  static final int TEN_BITS = 6;
+  static final int WRAP = 7;
+  static final int CLOCK_RESET = 1;
+  private static final int DATA = 0xfff;
+  private static final int STAGE_WORDS = 1024;
+  private static final int LONGEST_AWAIT_WRAPS = 500_000 / WRAP_US;
+  private static final int NO_ROW = -1;
+
+  private final DavisLayout layout;
+  private final boolean readings;
+  private final int top;
+  private final short[] stage = new short[STAGE_WORDS];
+  private final DavisFrameAssembly frames;
+  private final DavisInertialAssembly inertial;
+  private long offsetUs;
+  private long timeUs;
+  private int row = NO_ROW;
+  private boolean timeMayFall = true;
+  private int wrapsToAwaitReset;
+  private SensorReading reading;
+  private volatile long oddWords;
+
+  /**
+   * A decoder whose clock is at 0.
+   *
+   * @param layout of the camera's words
+   * @param readings whether frames, inertial samples and triggers are wanted
+   */
+  public DavisDecoder(DavisLayout layout, boolean readings) {
+    this.layout = layout;
+    this.readings = readings;
+    top = layout.geometry().height() - 1;
+    frames = new DavisFrameAssembly(layout);
+    inertial = new DavisInertialAssembly(layout);
+  }
+
+  /**
+   * Takes everything for left over from before until the clock is reset. If that does not come
+   * within half a second of the camera's clock, what follows is taken after all.
+   */
+  public void awaitReset() {
+    wrapsToAwaitReset = LONGEST_AWAIT_WRAPS;
+  }
+
+  @Override
+  public Stop decode(ByteBuffer in, EventPacket out, int maxEvents) {
+    out.ensureCapacity(maxEvents);
+    while (in.remaining() >= WORD_BYTES) {
+      if (out.size() >= maxEvents) {
+        return Stop.PACKET_FULL;
+      }
+      int words = Math.min(STAGE_WORDS, in.remaining() / WORD_BYTES);
+      int start = in.position();
+      in.slice().order(ByteOrder.LITTLE_ENDIAN).asShortBuffer().get(stage, 0, words);
+      int done = 0;
+      Stop stop = null;
+      while (done < words && stop == null && out.size() < maxEvents) {
+        stop = decodeWord(stage[done++] & 0xffff, out);
+      }
+      in.position(start + done * WORD_BYTES);
+      if (stop != null) {
+        return stop;
+      }
+    }
+    if (in.hasRemaining()) {
+      oddWords++;
+      in.position(in.limit());
+    }
+    return Stop.INPUT_USED;
+  }
+
+  private Stop decodeWord(int word, EventPacket out) {
+    if ((word & TIME_BIT) != 0) {
+      setTime(offsetUs + (word & WRAP_US - 1));
+      return null;
+    }
+    int data = word & DATA;
+    switch (word >> 12) {
+      case ROW -> {
+        if (data < layout.rows()) {
+          row = data;
+        } else {
+          oddWords++;
+        }
+      }
+      case COLUMN_OFF -> event(data, 0, out);
+      case COLUMN_ON -> event(data, 1, out);
+      case WRAP -> {
+        offsetUs += (long) WRAP_US * data;
+        wrapsToAwaitReset = Math.max(0, wrapsToAwaitReset - Math.max(1, data));
+        setTime(offsetUs);
+      }
+      case SPECIAL -> {
+        return special(data);
+      }
+      default -> aside(word >> 12, data);
+    }
+    return null;
+  }
+
+  private void setTime(long newUs) {
+    if (newUs < timeUs && !timeMayFall) {
+      oddWords++;
+      return;
+    }
+    timeUs = newUs;
+    timeMayFall = false;
+  }
+
+  private void event(int column, int on, EventPacket out) {
+    if (column >= layout.columns() || row == NO_ROW) {
+      oddWords++;
+    } else if (wrapsToAwaitReset == 0) {
+      int x = layout.swapped() ? row : column;
+      int y = top - (layout.swapped() ? column : row);
+      out.append(timeUs, EventAddress.pack(x, y, on));
+    }
+  }
+
+  private Stop special(int data) {
+    switch (data) {
+      case CLOCK_RESET -> {
+        return reset();
+      }
+      case 2 -> {
+        return trigger(Trigger.Source.EXTERNAL_INPUT, Trigger.Edge.FALLING);
+      }
+      case 3 -> {
+        return trigger(Trigger.Source.EXTERNAL_INPUT, Trigger.Edge.RISING);
+      }
+      case 4 -> {
+        return trigger(Trigger.Source.EXTERNAL_INPUT, Trigger.Edge.PULSE);
+      }
+      case 16 -> {
+        return trigger(Trigger.Source.SIGNAL_GENERATOR, Trigger.Edge.FALLING);
+      }
+      case 17 -> {
+        return trigger(Trigger.Source.SIGNAL_GENERATOR, Trigger.Edge.RISING);
+      }
+      case 5 -> inertial.begin();
+      case 7 -> {
+        return give(inertial.end(timeUs));
+      }
+      case 8, 9, 10, 11, 12, 13, 14, 15 -> {
+        return give(frames.mark(data, timeUs));
+      }
+      default -> oddWords++;
+    }
+    return null;
+  }
+
+  private Stop trigger(Trigger.Source source, Trigger.Edge edge) {
+    return readings ? give(new Trigger(timeUs, source, edge, 0)) : null;
+  }
+
+  private Stop give(SensorReading whole) {
+    if (whole == null || !readings || wrapsToAwaitReset > 0) {
+      return null;
+    }
+    reading = whole;
+    return Stop.READING;
+  }
+
+  private Stop reset() {
+    offsetUs = 0;
+    timeUs = 0;
+    frames.breakOff();
+    inertial.breakOff();
+    boolean awaited = wrapsToAwaitReset > 0;
+    wrapsToAwaitReset = 0;
+    return awaited ? null : Stop.CLOCK_RESET;
+  }
+
+  /** Words of frames and inertial samples. */
+  private void aside(int code, int data) {
+    if (!readings) {
+      return;
+    }
+    switch (code) {
+      case SAMPLE -> frames.sample(data & 0x3ff);
+      case BYTES -> {
+        int value = data & 0xff;
+        switch (data >> 8) {
+          case 0 -> inertial.add(value);
+          case 1 -> frames.regionHigh(value);
+          case 2 -> frames.regionLow(value);
+          case 3 -> inertial.configure(value);
+          default -> oddWords++;
+        }
+      }
+      default -> {
+        // The exposure in cycles of a clock; the times of its begin and end say the same.
+        oddWords += data >> 10 == 0 ? 0 : 1;
+      }
+    }
+  }
+
+  @Override
+  public SensorReading reading() {
+    return reading;
+  }
+
+  @Override
+  public void breakOff() {
+    frames.breakOff();
+    inertial.breakOff();
+    timeMayFall = true;
+  }
+
+  @Override
+  public long oddWords() {
+    return oddWords;
+  }
+
+  @Override
+  public DroppedWords droppedWords() {
+    return new DavisDroppedWords(layout);
+  }
+}

@@ -1,0 +1,42 @@
+package haltere.device.protocol;
+
+import haltere.core.event.Origin;
+import haltere.core.event.SensorGeometry;
+
+/**
+ * How a DAVIS camera's words are laid out, as the camera tells it itself.
+ *
+ * @param columns values that a column word can have, 1 to 2048
+ * @param rows values that a row word can have, 1 to 2048
+ * @param swapped whether what is called columns are the sensor's rows
+ * @param frameFlips for frames: bit 0 upside down, bit 1 left to right, bit 2 rows for columns
+ * @param inertialFlips for inertial samples: bits 2, 1 and 0 turn x, y and z round
+ * @param doubleSamples whether samples of pixels use half of their range (DAVIS240)
+ * @param wideThermometer whether the thermometer is that of an MPU-9250, else of an MPU-6050
+ */
+public record DavisLayout(
+    int columns,
+    int rows,
+    boolean swapped,
+    int frameFlips,
+    int inertialFlips,
+    boolean doubleSamples,
+    boolean wideThermometer) {
+  private static final int MOST = 2048;
+
+  /** Checks the sizes. */
+  public DavisLayout {
+    if (columns < 1 || rows < 1 || columns > MOST || rows > MOST) {
+      throw new IllegalArgumentException("no sensor has " + columns + "x" + rows + " pixels");
+    }
+  }
+
+  /**
+   * The sensor as it looks at the world.
+   *
+   * @return its size
+   */
+  public SensorGeometry geometry() {
+    return new SensorGeometry(swapped ? rows : columns, swapped ? columns : rows, Origin.TOP);
+  }
+}

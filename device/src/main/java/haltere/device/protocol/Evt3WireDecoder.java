@@ -1,0 +1,121 @@
+package haltere.device.protocol;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.event.SensorReading;
+import haltere.core.event.Trigger;
+import haltere.core.format.Violation;
+import haltere.core.format.ViolationCounts;
+import haltere.core.format.evt.Evt3Decoder;
+import haltere.core.stream.StreamNotification;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+
+/**
+ * EVT3 words as a Prophesee camera sends them: those of a file, decoded by {@link Evt3Decoder},
+ * with edges on the camera's input as triggers.
+ */
+public final class Evt3WireDecoder implements WireDecoder {
+  static final int WORD_BYTES = 2;
+  static final int TRIGGER = 0xa;
+
+  private static final int LAST_TIME = 0;
+  private static final int WORD_TIME = 3;
+
+  private final boolean readings;
+  private final ViolationCounts violations = new ViolationCounts();
+  private final Evt3Decoder decoder;
+  private final long[] state;
+  private long offset;
+  private Trigger trigger;
+  private volatile long oddWords;
+
+  /**
+   * A decoder before the first word.
+   *
+   * @param geometry the sensor
+   * @param readings whether edges on the camera's input are wanted, as triggers
+   */
+  public Evt3WireDecoder(SensorGeometry geometry, boolean readings) {
+    this.readings = readings;
+    decoder = new Evt3Decoder(geometry, 0, violations);
+    state = new long[decoder.stateLongs()];
+  }
+
+  @Override
+  public Stop decode(ByteBuffer in, EventPacket out, int maxEvents) {
+    int limit = in.limit();
+    int stop = readings ? nextTrigger(in) : limit;
+    in.limit(stop);
+    int before = in.position();
+    boolean restarted = decoder.decode(in.order(ByteOrder.LITTLE_ENDIAN), offset, out, maxEvents);
+    offset += in.position() - before;
+    in.limit(limit);
+    count();
+    if (restarted) {
+      decoder.acceptRestart();
+      return Stop.CLOCK_RESET;
+    }
+    if (in.position() < stop && out.size() >= maxEvents) {
+      return Stop.PACKET_FULL;
+    }
+    if (stop < limit && in.position() == stop) {
+      trigger = trigger(in.getShort() & 0xffff);
+      offset += WORD_BYTES;
+      return Stop.READING;
+    }
+    if (in.hasRemaining()) {
+      violations.add(Violation.CUT_OFF, offset);
+      count();
+      in.position(limit);
+    }
+    return Stop.INPUT_USED;
+  }
+
+  private static int nextTrigger(ByteBuffer in) {
+    int at = in.position();
+    while (at + WORD_BYTES <= in.limit() && (in.get(at + 1) & 0xf0) >> 4 != TRIGGER) {
+      at += WORD_BYTES;
+    }
+    return at + WORD_BYTES <= in.limit() ? at : in.limit();
+  }
+
+  private Trigger trigger(int word) {
+    decoder.save(state, 0);
+    return new Trigger(
+        state[WORD_TIME],
+        Trigger.Source.EXTERNAL_INPUT,
+        (word & 1) != 0 ? Trigger.Edge.RISING : Trigger.Edge.FALLING,
+        word >> 8 & 0xf);
+  }
+
+  private void count() {
+    long odd = 0;
+    for (Violation kind : Violation.values()) {
+      odd += kind.isDamage() ? violations.count(kind) : 0;
+    }
+    oddWords = odd;
+  }
+
+  @Override
+  public SensorReading reading() {
+    return trigger;
+  }
+
+  @Override
+  public void breakOff() {
+    decoder.save(state, 0);
+    state[LAST_TIME] = StreamNotification.NO_TIME_US;
+    decoder.restore(state, 0);
+  }
+
+  @Override
+  public long oddWords() {
+    return oddWords;
+  }
+
+  @Override
+  public DroppedWords droppedWords() {
+    return new Evt3DroppedWords();
+  }
+}

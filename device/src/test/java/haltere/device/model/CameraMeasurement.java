@@ -1,0 +1,271 @@
+package haltere.device.model;
+
+import haltere.core.camera.Camera;
+import haltere.core.camera.CameraOptions;
+import haltere.core.chain.FilterChain;
+import haltere.core.event.EventPacket;
+import haltere.core.stream.DataLost;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import haltere.core.stream.StreamStarted;
+import haltere.filters.DefaultChain;
+import haltere.testing.usb.Dvs128Firmware;
+import haltere.testing.usb.EmulatedDevice;
+import haltere.testing.usb.UsbEmulator;
+import java.io.File;
+import java.io.IOException;
+import java.lang.management.BufferPoolMXBean;
+import java.lang.management.ManagementFactory;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+
+/**
+ * Measures the driver of the DVS128 on emulated USB, all of it in this program: {@code endure},
+ * {@code latency}, {@code speed} or {@code idle}, then seconds and events per second.
+ */
+final class CameraMeasurement {
+  private static final int BATCH_US = 1000;
+  private static final int KEPT_BATCHES = 1 << 16;
+  private static final long LATEST_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
+  private static final int PACKET_BYTES = 512;
+
+  private final UsbEmulator emulator;
+  private final Dvs128Firmware firmware = new Dvs128Firmware("0001");
+  private final EmulatedDevice device;
+  private final long[] sentNanos = new long[KEPT_BATCHES];
+  private volatile boolean ended;
+
+  private CameraMeasurement() throws IOException {
+    emulator = new UsbEmulator(Path.of(System.getenv("USBEMU_DIR")));
+    device = emulator.plug(2, firmware);
+  }
+
+  /**
+   * Measures.
+   *
+   * @param args what, seconds, events per second
+   * @throws Exception if something breaks
+   */
+  public static void main(String[] args) throws Exception {
+    CameraMeasurement measurement = new CameraMeasurement();
+    int seconds = Integer.parseInt(args[1]);
+    int rate = Integer.parseInt(args[2]);
+    switch (args[0]) {
+      case "endure" -> measurement.endure(seconds, rate);
+      case "latency" -> measurement.latency(seconds, rate);
+      case "speed" -> measurement.speed(seconds);
+      case "idle" -> measurement.idle(seconds);
+      default -> throw new IllegalArgumentException(args[0]);
+    }
+    System.exit(0);
+  }
+
+  private Camera open(CameraOptions options) throws IOException {
+    UsbCameraProvider provider = new UsbCameraProvider();
+    CameraScenarios.await(() -> !provider.list().isEmpty());
+    return provider.open(provider.list().get(0), options);
+  }
+
+  private static void start(Camera camera, StreamLog log) throws IOException {
+    log.untilA(StreamStarted.class);
+  }
+
+  /** Sends a batch for each millisecond that goes by; returns the events sent. */
+  private long send(int seconds, int rate) {
+    int perBatch = rate / (1_000_000 / BATCH_US);
+    long start = System.nanoTime();
+    long batches = seconds * (1_000_000L / BATCH_US);
+    for (long batch = 0; batch < batches; batch++) {
+      long due = start + batch * TimeUnit.MICROSECONDS.toNanos(BATCH_US);
+      long late = System.nanoTime() - due;
+      if (late > LATEST_NANOS) {
+        start += late; // the whole program stood still: a camera would have stood with it
+      }
+      while (System.nanoTime() < due) {
+        LockSupport.parkNanos(due - System.nanoTime());
+      }
+      for (int i = 0; i < perBatch; i++) {
+        int cell = (int) (batch * 31 + i * 17L);
+        firmware.event(
+            batch * BATCH_US + (long) i * BATCH_US / perBatch,
+            cell & 127,
+            cell >> 7 & 127,
+            (i & 1) == 0);
+      }
+      sentNanos[(int) batch & KEPT_BATCHES - 1] = System.nanoTime();
+      firmware.endPacket();
+    }
+    return batches * perBatch;
+  }
+
+  private Thread sender(int seconds, int rate) {
+    Thread thread =
+        new Thread(
+            () -> {
+              send(seconds, rate);
+              CameraScenarios.await(() -> device.queued(Dvs128Firmware.ENDPOINT) == 0);
+              LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(300));
+              ended = true;
+            });
+    thread.setDaemon(true);
+    thread.start();
+    return thread;
+  }
+
+  // ---- One hour of streaming
+
+  private void endure(int seconds, int rate) throws Exception {
+    try (Camera camera = open(CameraOptions.DEFAULT)) {
+      StreamLog log = new StreamLog(camera, false);
+      start(camera, log);
+      sender(seconds, rate);
+      long begin = System.nanoTime();
+      long nextReport = 0;
+      while (!ended) {
+        log.drain();
+        camera.await(TimeUnit.MILLISECONDS.toNanos(20));
+        long elapsedS = (System.nanoTime() - begin) / 1_000_000_000L;
+        if (elapsedS >= nextReport) {
+          report(elapsedS, camera, log);
+          nextReport = elapsedS + 60;
+        }
+      }
+      log.drain();
+      report((System.nanoTime() - begin) / 1_000_000_000L, camera, log);
+      System.out.println(
+          firmware.eventsSent() == log.events + log.lost
+              ? "all accounted for"
+              : "not accounted for: " + (firmware.eventsSent() - log.events - log.lost));
+    }
+  }
+
+  private void report(long elapsedS, Camera camera, StreamLog log) {
+    System.gc();
+    Runtime runtime = Runtime.getRuntime();
+    long direct =
+        ManagementFactory.getPlatformMXBeans(BufferPoolMXBean.class).stream()
+            .mapToLong(BufferPoolMXBean::getMemoryUsed)
+            .sum();
+    String[] files = new File("/proc/self/fd").list();
+    System.out.printf(
+        Locale.ROOT,
+        "%5d s: %,d events, %,d lost, heap %.1f MB, direct %.1f MB, %d files, %d threads, %s%n",
+        elapsedS,
+        log.events,
+        camera.statistics().lostEvents(),
+        (runtime.totalMemory() - runtime.freeMemory()) / 1e6,
+        direct / 1e6,
+        files == null ? -1 : files.length,
+        Thread.activeCount(),
+        camera.statistics());
+  }
+
+  // ---- Latency
+
+  private void latency(int seconds, int rate) throws Exception {
+    LatencyHistogram histogram = new LatencyHistogram();
+    FilterChain chain = DefaultChain.create(new haltere.core.event.SensorGeometry(128, 128));
+    long[] lost = new long[1];
+    StreamHandler consumer =
+        new StreamHandler() {
+          @Override
+          public void packet(EventPacket packet) {
+            long lastUs = packet.lastTimeUs();
+            chain.process(packet);
+            long now = System.nanoTime();
+            long batch = lastUs / BATCH_US;
+            // The first second warms the JVM up, and only what ends a batch was sent at its time.
+            if (batch > 1000 && (lastUs + 1) % BATCH_US <= 1) {
+              histogram.add(now - sentNanos[(int) batch & KEPT_BATCHES - 1]);
+            }
+          }
+
+          @Override
+          public void notified(StreamNotification notification) {
+            chain.notified(notification);
+            lost[0] += notification instanceof DataLost ? 1 : 0;
+          }
+        };
+    try (Camera camera = open(CameraOptions.DEFAULT)) {
+      camera.next(consumer);
+      sender(seconds, rate);
+      while (!ended) {
+        if (camera.await(TimeUnit.MILLISECONDS.toNanos(20))) {
+          camera.next(consumer);
+        }
+      }
+      for (double share : new double[] {0.5, 0.9, 0.99, 0.999}) {
+        System.out.printf(
+            Locale.ROOT, "%5.1f %% within %d us%n", share * 100, histogram.quantileUs(share));
+      }
+      System.out.println("longest " + histogram.longestUs() + " us, losses " + lost[0]);
+      System.out.println(camera.statistics());
+    }
+  }
+
+  // ---- Speed
+
+  private void speed(int seconds) throws Exception {
+    try (Camera camera = open(CameraOptions.DEFAULT.withBuffers(8, 65_536, 64))) {
+      StreamLog log = new StreamLog(camera, false);
+      start(camera, log);
+      byte[] packet = new byte[PACKET_BYTES];
+      device.limitQueue(4096);
+      Thread sender =
+          new Thread(
+              () -> {
+                long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(seconds);
+                while (System.nanoTime() < end) {
+                  if (!device.send(Dvs128Firmware.ENDPOINT, packet)) {
+                    Thread.onSpinWait();
+                  }
+                }
+                ended = true;
+              });
+      long begin = System.nanoTime();
+      sender.start();
+      while (!ended) {
+        log.drain();
+        camera.await(TimeUnit.MILLISECONDS.toNanos(20));
+      }
+      double elapsedS = (System.nanoTime() - begin) / 1e9;
+      System.out.printf(
+          Locale.ROOT,
+          "%.1f million events per second through libusb, %d lost, all accounted for: %s%n",
+          log.events / elapsedS / 1e6,
+          log.lost,
+          log.events + camera.statistics().lostEvents() <= firmware.eventsSent());
+    }
+  }
+
+  // ---- Idle
+
+  private void idle(int seconds) throws Exception {
+    try (Camera camera = open(CameraOptions.DEFAULT)) {
+      start(camera, new StreamLog(camera));
+      camera.await(TimeUnit.SECONDS.toNanos(1));
+      long before = cpuMs();
+      long begin = System.nanoTime();
+      long end = begin + TimeUnit.SECONDS.toNanos(seconds);
+      for (long us = 0; System.nanoTime() < end; us += Dvs128Wraps.US) {
+        firmware.advance(us); // a camera that sees nothing still tells the time
+        firmware.endPacket();
+        camera.await(TimeUnit.MICROSECONDS.toNanos(Dvs128Wraps.US));
+      }
+      System.out.printf(
+          Locale.ROOT,
+          "%.2f %% of a core, with the emulator's own part%n",
+          (cpuMs() - before) * 1e8 / (System.nanoTime() - begin));
+    }
+  }
+
+  private static final class Dvs128Wraps {
+    static final long US = 1 << 14;
+  }
+
+  private static long cpuMs() {
+    return ProcessHandle.current().info().totalCpuDuration().orElseThrow().toMillis();
+  }
+}

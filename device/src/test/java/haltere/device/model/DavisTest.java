@@ -1,0 +1,250 @@
+package haltere.device.model;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.core.camera.Biases;
+import haltere.core.camera.Camera;
+import haltere.core.camera.CameraOptions;
+import haltere.core.camera.CameraOptions.WhenFull;
+import haltere.core.camera.CameraProblem;
+import haltere.core.camera.Configuration;
+import haltere.core.camera.EarlyTransfer;
+import haltere.core.camera.RegionOfInterest;
+import haltere.core.event.Frame;
+import haltere.core.event.InertialSample;
+import haltere.core.event.Trigger;
+import haltere.core.stream.StreamStarted;
+import haltere.testing.usb.DavisFirmware;
+import haltere.testing.usb.MemoryBus;
+import java.io.IOException;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+class DavisTest {
+  private static final CameraOptions OPTIONS =
+      new CameraOptions(4, 512, 64, WhenFull.DROP_NEWEST, true, false);
+
+  private final MemoryBus bus = new MemoryBus();
+  private final DavisFirmware firmware = new DavisFirmware("00000123");
+  private final UsbCameraProvider provider = new UsbCameraProvider(() -> bus, nanos -> {});
+
+  @BeforeEach
+  void plugIn() {
+    bus.plug(5, firmware);
+  }
+
+  @AfterEach
+  void unplug() {
+    bus.close();
+  }
+
+  private Camera open() throws CameraProblem {
+    return provider.open(provider.list().get(0), OPTIONS);
+  }
+
+  private StreamLog started(Camera camera) throws IOException {
+    StreamLog log = new StreamLog(camera);
+    log.untilA(StreamStarted.class);
+    return log;
+  }
+
+  @Test
+  void itIsListedAndTellsItsChipWhenItIsOpen() throws IOException {
+    assertEquals("davis:00000123", provider.list().get(0).id());
+    try (Camera camera = open()) {
+      assertEquals("DAVIS346B", camera.info().model());
+      assertEquals("346x260", camera.geometry().toString());
+    }
+  }
+
+  @Test
+  void itIsSwitchedOnFromTheChipToThePixelsAndOffTheOtherWayRound() throws IOException {
+    Camera camera = open();
+    started(camera);
+
+    List<String> log = firmware.log();
+    List<String> order = List.of("0.3=1", "9.0=1", "0.1=1", "0.0=1", "0.2=1", "1.3=1");
+    for (int i = 1; i < order.size(); i++) {
+      assertTrue(log.lastIndexOf(order.get(i - 1)) < log.lastIndexOf(order.get(i)), log.toString());
+    }
+    assertTrue(firmware.isStreaming());
+    int before = log.size();
+    camera.close();
+    List<String> off = log.subList(before, log.size());
+    assertTrue(off.indexOf("1.3=0") < off.indexOf("0.0=0"), off.toString());
+    assertTrue(off.indexOf("0.0=0") < off.indexOf("0.3=0"), off.toString());
+    assertFalse(firmware.isStreaming());
+  }
+
+  @Test
+  void anotherLogicVersionIsRefusedWithAClearLine() {
+    firmware.preset(6, 0, 15);
+
+    CameraProblem problem = assertThrows(CameraProblem.class, this::open);
+
+    assertEquals(CameraProblem.Kind.UNSUPPORTED, problem.kind());
+    assertTrue(
+        problem.getMessage().startsWith("this DAVIS has logic version 15, and 18 is needed"));
+  }
+
+  @Test
+  void eventsAreTurnedUprightAndTheirTimesGoOnOverWraps() throws IOException {
+    try (Camera camera = open()) {
+      StreamLog log = started(camera);
+      firmware.event(7, 3, 0, true);
+      firmware.event(40_000, 345, 259, false);
+      firmware.event(1_000_000, 10, 100, true);
+      firmware.endPacket();
+      log.untilEvents(3);
+
+      assertEquals(259, log.all.y(0));
+      assertTrue(log.all.isOn(0));
+      assertEquals(345, log.all.x(1));
+      assertEquals(0, log.all.y(1));
+      assertEquals(40_000, log.all.timeUs(1));
+      assertEquals(1_000_000, log.all.timeUs(2));
+      assertEquals(1, log.items.size(), "the reset at the start is no news");
+    }
+  }
+
+  @Test
+  void framesInertialSamplesAndInputsAreReadingsOfTheirOwn() throws IOException {
+    try (Camera camera = open()) {
+      StreamLog log = started(camera);
+      firmware.special(5, 3);
+      firmware.inertial(1000, 1, 2, 8192, -8192, 0, 340, 3277, 0, -3277);
+      firmware.frame(2000, 10, 20, new int[][] {{800, 700, 600}, {500, 0, 950}});
+      firmware.event(3000, 1, 1, true);
+      firmware.endPacket();
+      log.untilEvents(1);
+
+      assertEquals(
+          new Trigger(5, Trigger.Source.EXTERNAL_INPUT, Trigger.Edge.RISING, 0), log.items.get(1));
+      InertialSample sample = (InertialSample) log.items.get(2);
+      assertEquals(1000, sample.timeUs());
+      assertEquals(1, sample.accelerationXG(), 1e-6);
+      assertEquals(-1, sample.accelerationYG(), 1e-6);
+      assertEquals(36, sample.temperatureC(), 1e-6);
+      assertEquals(100, sample.rotationXDegS(), 0.02);
+      Frame frame = (Frame) log.items.get(3);
+      assertEquals(new Frame.Times(2010, 2110, 2010, 2200), frame.times());
+      assertEquals("2x3", frame.width() + "x" + frame.height());
+      assertEquals(10, frame.left());
+      assertEquals(260 - 23, frame.bottom());
+      assertEquals(100 << 6, frame.value(0, 2, 0));
+      assertEquals(300 << 6, frame.value(0, 0, 0));
+      assertEquals(1023 << 6, frame.value(1, 1, 0), "a signal of 0 is white");
+      assertEquals(0, frame.value(1, 0, 0));
+    }
+  }
+
+  @Test
+  void whatIsNotWholeIsNotGiven() throws IOException {
+    try (Camera camera = open()) {
+      StreamLog log = started(camera);
+      firmware.special(5, 8);
+      firmware.special(6, 11);
+      firmware.word(0x4000);
+      firmware.special(7, 13);
+      firmware.special(8, 10);
+      firmware.special(9, 5);
+      firmware.word(0x5001);
+      firmware.special(10, 7);
+      firmware.event(11, 400, 1, true);
+      firmware.event(12, 1, 1, true);
+      firmware.endPacket();
+      log.untilEvents(1);
+
+      assertEquals(12, log.all.timeUs(0));
+      assertEquals(1, log.items.size(), log.items.toString());
+      assertEquals(1, camera.statistics().oddWords());
+    }
+  }
+
+  @Test
+  void whatIsLostLeavesTimeAndRowBehind() throws IOException {
+    try (Camera camera = provider.open(provider.list().get(0), OPTIONS.withBuffers(2, 512, 2))) {
+      StreamLog log = started(camera);
+      int count = 20_000;
+      for (int i = 0; i < count; i++) {
+        firmware.event(i * 10L, i % 346, i % 260, true);
+      }
+      firmware.endPacket();
+      CameraScenarios.await(() -> firmware.eventsSent() == count);
+      long bytes = camera.statistics().bytes();
+      CameraScenarios.await(() -> camera.statistics().bytes() >= bytes);
+      log.drain();
+      firmware.word(0x3000 | 7); // the row and the time of before
+      firmware.endPacket();
+      log.until(() -> log.events + log.lost == count + 1);
+
+      int last = (int) log.events - 1;
+      assertTrue(log.lost > 1000, log.toString());
+      assertEquals((count - 1) * 10L, log.all.timeUs(last));
+      assertEquals(259 - (count - 1) % 260, log.all.y(last));
+      assertEquals(7, log.all.x(last));
+    }
+  }
+
+  @Test
+  void biasesAreCurrentsAndVoltages() throws IOException {
+    try (Camera camera = open()) {
+      Biases biases = camera.facet(Biases.class).orElseThrow();
+      assertEquals(4 << 12 | 39 << 4 | 0xf, firmware.register(5, 10), "DiffBn as usual");
+      assertEquals(2 << 12 | 58 << 4 | 0xd, firmware.register(5, 14), "PrBp is of P type");
+      assertEquals(6 << 6 | 27, firmware.register(5, 0), "a voltage");
+      assertEquals(33 << 10 | 1 << 4, firmware.register(5, 35), "a shifted source");
+      assertEquals(48_437.0 * 39 / 255, biases.get("DiffBn"), 1e-9);
+
+      biases.set("DiffBn", 1000);
+
+      assertEquals(3 << 12 | 42 << 4 | 0xf, firmware.register(5, 10));
+      assertEquals(6054.0 * 42 / 255, biases.get("DiffBn"), 1e-9);
+      assertThrows(IllegalArgumentException.class, () -> biases.set("DiffBn", 1e9));
+    }
+  }
+
+  @Test
+  void settingsAreInUnitsAndReachTheLogic() throws IOException {
+    try (Camera camera = open()) {
+      Configuration configuration = camera.facet(Configuration.class).orElseThrow();
+      assertEquals(4000 * 30, firmware.register(2, 12));
+      configuration.set("frames.exposureUs", 1500);
+      assertEquals(1500 * 30, firmware.register(2, 12));
+      configuration.set("frames.run", false);
+      started(camera);
+      assertEquals(0, firmware.register(2, 4));
+      configuration.set("frames.run", "true");
+      assertEquals(1, firmware.register(2, 4));
+      assertTrue(configuration.text().contains("frames.exposureUs = 1500 us\n"));
+      assertThrows(IllegalArgumentException.class, () -> configuration.set("frames.speed", 1));
+
+      camera.facet(EarlyTransfer.class).orElseThrow().setLongestDelayUs(260);
+      assertEquals(2 * 125 * 80, firmware.register(9, 1));
+    }
+  }
+
+  @Test
+  void aRegionIsChosenUprightAndSentUpsideDown() throws IOException {
+    try (Camera camera = open()) {
+      RegionOfInterest region = camera.facet(RegionOfInterest.class).orElseThrow();
+      region.setRegion(Optional.of(new RegionOfInterest.Region(10, 0, 20, 60)));
+
+      assertEquals(10, firmware.register(1, 41));
+      assertEquals(200, firmware.register(1, 42));
+      assertEquals(29, firmware.register(1, 43));
+      assertEquals(259, firmware.register(1, 44));
+      region.setRegion(Optional.empty());
+      assertEquals(0, firmware.register(1, 42));
+      assertThrows(
+          IllegalArgumentException.class,
+          () -> region.setRegion(Optional.of(new RegionOfInterest.Region(340, 0, 20, 60))));
+    }
+  }
+}
