@@ -110,6 +110,10 @@ final class SphereFilter implements AxisFilter {
   @Override
   public void predict(double dtS) {
     if (dtS == 0) {
+      java.util.Arrays.fill(transition, 0);
+      for (int i = 0; i < 4; i++) {
+        transition[5 * i] = 1;
+      }
       return;
     }
     double h = dtS / tau;

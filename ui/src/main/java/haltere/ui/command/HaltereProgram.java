@@ -24,7 +24,17 @@ import picocli.CommandLine.ParseResult;
  */
 public final class HaltereProgram {
   private static final List<String> COMMANDS =
-      List.of("view", "info", "convert", "run", "track", "wings", "simulate", "filters", "bench");
+      List.of(
+          "view",
+          "info",
+          "convert",
+          "run",
+          "track",
+          "wings",
+          "orient",
+          "simulate",
+          "filters",
+          "bench");
 
   private final Surroundings surroundings;
 
@@ -135,6 +145,7 @@ public final class HaltereProgram {
       case "run" -> new RunCommand(surroundings);
       case "track" -> new TrackCommand(surroundings);
       case "wings" -> new WingsCommand(surroundings);
+      case "orient" -> new OrientCommand(surroundings);
       case "simulate" -> new SimulateCommand(surroundings);
       case "filters" -> new FiltersCommand(surroundings);
       case "bench" -> new BenchCommand(surroundings);

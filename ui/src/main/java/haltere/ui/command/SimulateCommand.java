@@ -2,6 +2,7 @@ package haltere.ui.command;
 
 import haltere.core.event.EventPacket;
 import haltere.core.format.RecordingWriter;
+import haltere.core.simulation.FlightScene;
 import haltere.core.simulation.Scene;
 import haltere.core.simulation.SceneProvider;
 import haltere.core.simulation.Scenes;
@@ -41,6 +42,18 @@ final class SimulateCommand extends Subcommand {
   Path truth;
 
   @Option(
+      names = "--observations",
+      paramLabel = "OBSERVATIONS.csv",
+      description = "Where goes what all cameras saw, for haltere orient; of the scene flight.")
+  Path observations;
+
+  @Option(
+      names = "--cameras",
+      paramLabel = "CAMERAS.json",
+      description = "Where the calibrated cameras go; of the scene flight.")
+  Path cameras;
+
+  @Option(
       names = "--set",
       paramLabel = "name=value",
       description = "A setting of the scene; may be repeated.")
@@ -78,9 +91,31 @@ final class SimulateCommand extends Subcommand {
         writing.check(truth);
         WritingOptions.checkDifferent(out, truth);
       }
+      FlightFiles flight = flight(scene);
       write(scene);
+      if (flight != null) {
+        flight.write(scene.startUs() + lengthUs(scene), writing.overwrite).forEach(this::message);
+      }
     }
     return OK;
+  }
+
+  /** What is written of several cameras, or null if nothing. */
+  private FlightFiles flight(Scene<?> scene) throws IOException {
+    if (observations == null && cameras == null) {
+      return null;
+    }
+    if (!(scene instanceof FlightScene several)) {
+      throw wrongArguments(
+          "--observations and --cameras are of the scene flight; " + sceneName + " has one camera");
+    }
+    for (Path output : new Path[] {observations, cameras}) {
+      if (output != null) {
+        writing.check(output);
+        WritingOptions.checkDifferent(out, output);
+      }
+    }
+    return new FlightFiles(several, observations, cameras);
   }
 
   private Scene<?> scene() {

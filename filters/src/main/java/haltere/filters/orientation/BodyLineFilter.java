@@ -1,0 +1,93 @@
+package haltere.filters.orientation;
+
+import haltere.core.chain.ConfigurableFilter;
+import haltere.core.chain.FilterProvider;
+import haltere.core.chain.Outlet;
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.overlay.OverlayLayer;
+import java.util.List;
+
+/**
+ * {@link BodyLineTracker} as a stage of a chain. Lets all events through; publishes a {@link
+ * BodyLine} at each report, which {@link BodyOrientationEstimator} takes from two cameras and more.
+ */
+public final class BodyLineFilter implements ConfigurableFilter<BodyLineSettings> {
+  private final Outlet<BodyLine> lines = new Outlet<>("lines", BodyLine.class);
+  private final List<Outlet<?>> outlets = List.of(lines);
+  private final List<OverlayLayer<?>> overlays =
+      List.of(new OverlayLayer<BodyLine>("body line", lines::subscribe, new BodyLineOverlay()));
+  private final BodyLineTracker tracker;
+
+  /**
+   * A filter in its initial state.
+   *
+   * @param geometry the sensor whose events it will see
+   * @param settings what to do
+   */
+  public BodyLineFilter(SensorGeometry geometry, BodyLineSettings settings) {
+    tracker = new BodyLineTracker(geometry, settings, lines::publish);
+  }
+
+  /**
+   * Where the lines come out.
+   *
+   * @return a line at each report
+   */
+  public Outlet<BodyLine> lines() {
+    return lines;
+  }
+
+  @Override
+  public void process(EventPacket packet) {
+    tracker.track(packet);
+  }
+
+  @Override
+  public void reset() {
+    tracker.reset();
+  }
+
+  @Override
+  public List<Outlet<?>> outlets() {
+    return outlets;
+  }
+
+  @Override
+  public List<OverlayLayer<?>> overlays() {
+    return overlays;
+  }
+
+  @Override
+  public BodyLineSettings settings() {
+    return tracker.settings();
+  }
+
+  @Override
+  public void apply(BodyLineSettings settings) {
+    tracker.apply(settings);
+  }
+
+  /** Makes the filter where its name is found in a chain. */
+  public static final class Provider implements FilterProvider<BodyLineSettings> {
+    @Override
+    public String name() {
+      return "body-line";
+    }
+
+    @Override
+    public String description() {
+      return "Follows one elongated body and says where its line is, for orientation in space.";
+    }
+
+    @Override
+    public Class<BodyLineSettings> settingsType() {
+      return BodyLineSettings.class;
+    }
+
+    @Override
+    public BodyLineFilter create(SensorGeometry geometry, BodyLineSettings settings) {
+      return new BodyLineFilter(geometry, settings);
+    }
+  }
+}

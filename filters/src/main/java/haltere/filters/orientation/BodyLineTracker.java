@@ -1,0 +1,342 @@
+package haltere.filters.orientation;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.filters.estimation.Angles;
+import java.util.Arrays;
+import java.util.Objects;
+import java.util.function.Consumer;
+
+/**
+ * Follows one elongated body in the events of a camera by their second moments: place, angle,
+ * length and width of the ellipse that its outline is.
+ *
+ * <p>A body that moves makes events of one polarity in front and of the other behind. Along the
+ * outline their density goes with how much of it is across the motion; for an ellipse with the
+ * matrix S (points p with pᵀ S⁻¹ p = 1) that moves in any direction, the covariance W of one
+ * polarity about its own mean, and the difference δ of the two means, then satisfy
+ *
+ * <pre>
+ * S = 3 W + (3/4 − 4/π²) δ δᵀ
+ * </pre>
+ *
+ * <p>(a circle has E cos² = 2/3, E sin² = 1/3 and E |cos| = π/4 under the density |cos|; any
+ * ellipse is an affine picture of it, and the density goes along). Plain second moments, W + δ δᵀ /
+ * 4, would turn the line towards the motion. Which polarity is in front does not matter.
+ *
+ * <p>Moments are taken in a frame that moves with the body, and forget with its own events. Where
+ * no body is followed, one begins where many events come in a place of 48 x 48 pixels.
+ *
+ * <p>Thread rule: one thread at a time. Nothing is allocated per event, and results do not depend
+ * on how the stream is cut into packets.
+ */
+public final class BodyLineTracker {
+  /** Share of the difference of the means that is no part of the covariance of the outline. */
+  private static final double BETWEEN = 0.75 - 4 / (Math.PI * Math.PI);
+
+  private static final int CELL_SHIFT = 4;
+
+  /** Events in a place of 3 x 3 cells, at which a body begins. */
+  private static final double BEGIN_EVENTS = 40;
+
+  private static final double CELL_DECAY = 0.6;
+  private static final double BEGIN_RADIUS_PX = 20;
+  private static final double LONGEST_STEP_S = 0.02;
+  private static final double VELOCITY_GAIN = 0.25;
+
+  /** Events after the beginning before there is a report, in outlines. */
+  private static final double WARM_UP = 1.5;
+
+  private final SensorGeometry geometry;
+  private final Consumer<? super BodyLine> listener;
+  private final int columns;
+  private final float[] cells;
+  private BodyLineSettings settings;
+  private long periodUs;
+
+  private boolean hasTime;
+  private long nextUs;
+  private boolean following;
+  private long lastUs;
+  private long movedUs;
+  private double x;
+  private double y;
+  private double vx;
+  private double vy;
+
+  /** By polarity: mean and covariance in the moving frame, events seen. */
+  private final double[] meanX = new double[2];
+
+  private final double[] meanY = new double[2];
+  private final double[] covXx = new double[2];
+  private final double[] covXy = new double[2];
+  private final double[] covYy = new double[2];
+  private final double[] seen = new double[2];
+
+  private double sxx;
+  private double sxy;
+  private double syy;
+  private double gateXx;
+  private double gateXy;
+  private double gateYy;
+  private double gain;
+  private double total;
+  private int sinceReport;
+
+  /**
+   * A tracker without a body.
+   *
+   * @param geometry the sensor
+   * @param settings what to do
+   * @param listener takes each report
+   */
+  public BodyLineTracker(
+      SensorGeometry geometry, BodyLineSettings settings, Consumer<? super BodyLine> listener) {
+    this.geometry = Objects.requireNonNull(geometry, "geometry");
+    this.listener = Objects.requireNonNull(listener, "listener");
+    columns = (geometry.width() >> CELL_SHIFT) + 1;
+    cells = new float[columns * ((geometry.height() >> CELL_SHIFT) + 1)];
+    apply(settings);
+  }
+
+  /**
+   * The settings in force.
+   *
+   * @return an immutable record
+   */
+  public BodyLineSettings settings() {
+    return settings;
+  }
+
+  /**
+   * Takes new settings; a body that is followed stays.
+   *
+   * @param newSettings valid settings
+   */
+  public void apply(BodyLineSettings newSettings) {
+    settings = newSettings;
+    periodUs = Math.max(1, Math.round(1e6 / newSettings.rateHz()));
+    hasTime = false;
+  }
+
+  /** Forgets everything. */
+  public void reset() {
+    hasTime = false;
+    lose();
+  }
+
+  private void lose() {
+    following = false;
+    Arrays.fill(cells, 0);
+  }
+
+  /**
+   * Takes events in; they stay as they are.
+   *
+   * @param packet events in order of time
+   */
+  public void track(EventPacket packet) {
+    int size = packet.size();
+    for (int i = 0; i < size; i++) {
+      long timeUs = packet.timeUs(i);
+      if (!hasTime || timeUs >= nextUs) {
+        tick(timeUs);
+      }
+      if (following) {
+        take(timeUs, packet.x(i), packet.y(i), packet.isOn(i) ? 1 : 0);
+      } else {
+        cells[(packet.y(i) >> CELL_SHIFT) * columns + (packet.x(i) >> CELL_SHIFT)]++;
+      }
+    }
+  }
+
+  private void tick(long timeUs) {
+    if (hasTime) {
+      if (following && timeUs - lastUs > settings.forgetUs()) {
+        lose();
+      } else if (following) {
+        follow(nextUs);
+      } else {
+        search();
+      }
+    }
+    hasTime = true;
+    nextUs = Math.floorDiv(timeUs, periodUs) * periodUs + periodUs;
+  }
+
+  private void take(long timeUs, int eventX, int eventY, int polarity) {
+    double stepS = Math.min(LONGEST_STEP_S, (timeUs - movedUs) * 1e-6);
+    movedUs = timeUs;
+    x += vx * stepS;
+    y += vy * stepS;
+    double dx = eventX - x;
+    double dy = eventY - y;
+    if (gateXx * dx * dx + 2 * gateXy * dx * dy + gateYy * dy * dy > 1) {
+      return;
+    }
+    lastUs = timeUs;
+    total++;
+    sinceReport++;
+    double count = ++seen[polarity];
+    double g = count * gain < 1 ? 1 / count : gain;
+    double offX = dx - meanX[polarity];
+    double offY = dy - meanY[polarity];
+    meanX[polarity] += g * offX;
+    meanY[polarity] += g * offY;
+    covXx[polarity] += g * ((1 - g) * offX * offX - covXx[polarity]);
+    covXy[polarity] += g * ((1 - g) * offX * offY - covXy[polarity]);
+    covYy[polarity] += g * ((1 - g) * offY * offY - covYy[polarity]);
+  }
+
+  /** Moves the frame to the middle of both polarities, works out the ellipse, and reports. */
+  private void follow(long atUs) {
+    if (sinceReport < settings.leastEvents() || seen[0] < 4 || seen[1] < 4) {
+      return;
+    }
+    double middleX = 0.5 * (meanX[0] + meanX[1]);
+    double middleY = 0.5 * (meanY[0] + meanY[1]);
+    x += middleX;
+    y += middleY;
+    // The means are those of some time ago, so what they say of the velocity is spread over it.
+    double perS = VELOCITY_GAIN * 1e6 / periodUs * Math.min(1, sinceReport * gain);
+    vx += perS * middleX;
+    vy += perS * middleY;
+    for (int polarity = 0; polarity < 2; polarity++) {
+      meanX[polarity] -= middleX;
+      meanY[polarity] -= middleY;
+    }
+    shape();
+    if (!following) {
+      return;
+    }
+    int events = sinceReport;
+    sinceReport = 0;
+    double half = 0.5 * (sxx - syy);
+    double root = Math.sqrt(half * half + sxy * sxy);
+    double mean = 0.5 * (sxx + syy);
+    double longAxis = Math.sqrt(mean + root);
+    double shortAxis = Math.sqrt(Math.max(0.25, mean - root));
+    if (total > WARM_UP / gain && geometry.contains((int) Math.round(x), (int) Math.round(y))) {
+      double lateS = Math.min(LONGEST_STEP_S, (atUs - movedUs) * 1e-6);
+      listener.accept(
+          new BodyLine(
+              atUs,
+              x + vx * lateS,
+              y + vy * lateS,
+              Angles.wrapHalfPi(0.5 * Math.atan2(2 * sxy, sxx - syy)),
+              Math.PI * longAxis * shortAxis,
+              Math.max(1, longAxis / shortAxis),
+              vx,
+              vy,
+              events));
+    }
+  }
+
+  private void shape() {
+    double deltaX = meanX[0] - meanX[1];
+    double deltaY = meanY[0] - meanY[1];
+    double least = settings.leastRadiusPx() * settings.leastRadiusPx();
+    sxx = 1.5 * (covXx[0] + covXx[1]) + BETWEEN * deltaX * deltaX;
+    sxy = 1.5 * (covXy[0] + covXy[1]) + BETWEEN * deltaX * deltaY;
+    syy = 1.5 * (covYy[0] + covYy[1]) + BETWEEN * deltaY * deltaY;
+    sxx = Math.max(least, sxx);
+    syy = Math.max(least, syy);
+    double bound = Math.sqrt(sxx * syy) * 0.999;
+    sxy = Math.max(-bound, Math.min(bound, sxy));
+    double largest = 0.5 * (sxx + syy) + Math.sqrt(0.25 * (sxx - syy) * (sxx - syy) + sxy * sxy);
+    if (!(largest < settings.greatestRadiusPx() * settings.greatestRadiusPx())) {
+      lose();
+      return;
+    }
+    setGate();
+  }
+
+  private void setGate() {
+    // A margin of a pixel, and room for a body that turns.
+    double wide = settings.gateRadii() * settings.gateRadii();
+    double gxx = wide * sxx + 2;
+    double gyy = wide * syy + 2;
+    double gxy = wide * sxy;
+    double determinant = gxx * gyy - gxy * gxy;
+    gateXx = gyy / determinant;
+    gateXy = -gxy / determinant;
+    gateYy = gxx / determinant;
+    // Ramanujan's first term is enough for the number of pixels along the outline.
+    double mean = 0.5 * (sxx + syy);
+    double outline = 2 * Math.PI * Math.sqrt(mean);
+    gain = 1 / Math.max(8, 0.5 * settings.turns() * outline);
+  }
+
+  /** Begins where the most events are, if they are many; older ones count less. */
+  private void search() {
+    int rows = cells.length / columns;
+    double most = 0;
+    int bestRow = 0;
+    int bestColumn = 0;
+    for (int row = 0; row < rows; row++) {
+      for (int column = 0; column < columns; column++) {
+        if (cells[row * columns + column] * 9 > most) {
+          double sum = around(row, column);
+          if (sum > most) {
+            most = sum;
+            bestRow = row;
+            bestColumn = column;
+          }
+        }
+      }
+    }
+    if (most >= BEGIN_EVENTS) {
+      begin(bestRow, bestColumn);
+    }
+    for (int i = 0; i < cells.length; i++) {
+      cells[i] = cells[i] < 0.01f ? 0 : (float) (cells[i] * CELL_DECAY);
+    }
+  }
+
+  private double around(int row, int column) {
+    int rows = cells.length / columns;
+    double sum = 0;
+    for (int r = Math.max(0, row - 1); r <= Math.min(rows - 1, row + 1); r++) {
+      for (int c = Math.max(0, column - 1); c <= Math.min(columns - 1, column + 1); c++) {
+        sum += cells[r * columns + c];
+      }
+    }
+    return sum;
+  }
+
+  private void begin(int row, int column) {
+    int rows = cells.length / columns;
+    double sum = 0;
+    double sumX = 0;
+    double sumY = 0;
+    double size = 1 << CELL_SHIFT;
+    for (int r = Math.max(0, row - 1); r <= Math.min(rows - 1, row + 1); r++) {
+      for (int c = Math.max(0, column - 1); c <= Math.min(columns - 1, column + 1); c++) {
+        double count = cells[r * columns + c];
+        sum += count;
+        sumX += count * (size * (c + 0.5) - 0.5);
+        sumY += count * (size * (r + 0.5) - 0.5);
+      }
+    }
+    x = sumX / sum;
+    y = sumY / sum;
+    vx = 0;
+    vy = 0;
+    Arrays.fill(meanX, 0);
+    Arrays.fill(meanY, 0);
+    Arrays.fill(covXx, 0);
+    Arrays.fill(covXy, 0);
+    Arrays.fill(covYy, 0);
+    Arrays.fill(seen, 0);
+    total = 0;
+    sinceReport = 0;
+    double radius = Math.min(BEGIN_RADIUS_PX, settings.greatestRadiusPx() / 2);
+    sxx = radius * radius;
+    sxy = 0;
+    syy = sxx;
+    setGate();
+    following = true;
+    lastUs = nextUs;
+    movedUs = nextUs;
+  }
+}

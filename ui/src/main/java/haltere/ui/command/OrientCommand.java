@@ -1,0 +1,222 @@
+package haltere.ui.command;
+
+import haltere.core.settings.SettingsProblem;
+import haltere.core.sink.CsvSink;
+import haltere.filters.orientation.BraidzFile;
+import haltere.filters.orientation.CameraFile;
+import haltere.filters.orientation.CameraModel;
+import haltere.filters.orientation.LineObservation;
+import haltere.filters.orientation.ObservationTable;
+import haltere.filters.orientation.OrientationSettings;
+import java.io.IOException;
+import java.nio.charset.CharacterCodingException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** Finds the three-dimensional orientation of bodies from what calibrated cameras saw of them. */
+@Command(
+    name = "orient",
+    description = {
+      "Find where bodies are and which way they point, from what calibrated cameras saw of them.",
+      "OUT has a row for each body at each time at which it was seen and its axis is known; the"
+          + " axis points from tail to head, from observations up to that time only (with --smooth,"
+          + " from all). Roll cannot be seen from a line, so p_rad_s tells nothing."
+    })
+final class OrientCommand extends Subcommand {
+  private static final int ROWS_TOLD = 10;
+
+  @Parameters(
+      index = "0",
+      paramLabel = "OBSERVATIONS.csv",
+      description = {
+        "A table t_us,camera,object,x_px,y_px,angle_rad,area_px,eccentricity; or a .braidz file."
+      })
+  Path file;
+
+  @Option(
+      names = "--cameras",
+      paramLabel = "CAMERAS.json",
+      description = "The calibrated cameras: JSON or XML; a .braidz file has its own.")
+  Path camerasFile;
+
+  @Option(
+      names = "--out",
+      required = true,
+      paramLabel = "ORIENTATION.csv",
+      description = "Where the orientations go.")
+  Path out;
+
+  @Option(
+      names = "--gate-angle",
+      paramLabel = "DEG",
+      description =
+          "Lines this far and further from the expected one are rejected; 40 if not given, 0"
+              + " rejects all, 180 accepts all.")
+  Double gateAngleDeg;
+
+  @Option(
+      names = "--min-area",
+      paramLabel = "PX",
+      description = "Detections must be larger than this; 0 if not given.")
+  Double minAreaPx;
+
+  @Option(
+      names = "--min-eccentricity",
+      paramLabel = "RATIO",
+      description = "Detections must be longer against their width than this; any if not given.")
+  Double minEccentricity;
+
+  @Option(
+      names = "--preset",
+      paramLabel = "NAME",
+      description = "original: the source's filter with its defaults, for comparison.")
+  String preset;
+
+  @Option(
+      names = "--smooth",
+      description = "Go back over each whole track, and choose head and tail over all of it.")
+  boolean smooth;
+
+  @Option(
+      names = "--set",
+      paramLabel = "name=value",
+      description = "A setting, such as turning.saccadeRateRadS=30; may be repeated.")
+  List<String> assignments = List.of();
+
+  @Mixin WritingOptions writing;
+
+  private long badRows;
+
+  OrientCommand(Surroundings surroundings) {
+    super(surroundings);
+  }
+
+  @Override
+  public Integer call() throws IOException {
+    OrientationSettings settings = settings();
+    writing.check(out);
+    WritingOptions.checkDifferent(file, out);
+    if (camerasFile != null) {
+      WritingOptions.checkDifferent(camerasFile, out);
+    }
+    BraidzFile braidz = BraidzFile.isZip(file) ? BraidzFile.read(file) : null;
+    CameraFile cameras = cameras(braidz);
+    if (cameras.minEccentricity() > 0 && minEccentricity == null && preset == null) {
+      settings = settings.with("gate.minEccentricity=" + cameras.minEccentricity());
+    }
+    tellProblems(cameras.cameras());
+    try (CsvSink<OrientationRow> table =
+        CsvSink.create(out, OrientationRow.class, writing.overwrite)) {
+      OrientedBodies bodies = new OrientedBodies(cameras.cameras(), settings, smooth, table);
+      if (braidz != null) {
+        braidz.seen().forEach(each -> bodies.seen(each.timeUs(), each.object(), each.line()));
+      } else {
+        readTable(cameras.cameras(), bodies);
+      }
+      bodies.finish();
+      if (bodies.observations() == 0 && badRows > 0) {
+        throw new CommandProblem(
+            file + ": none of its " + badRows + " rows can be used; see the warnings above");
+      }
+      table.finish();
+      message("wrote " + out + " (" + Quantities.count(table.rows()) + " rows)");
+      bodies.summary().forEach(this::result);
+      if (table.rows() == 0) {
+        warning(
+            file
+                + ": no orientation could be found; at least two cameras that look from different"
+                + " sides must see a body at nearly the same time");
+      }
+    }
+    return OK;
+  }
+
+  private void readTable(List<CameraModel> cameras, OrientedBodies bodies) throws IOException {
+    try {
+      ObservationTable.read(
+          file,
+          cameras,
+          new ObservationTable.Listener() {
+            @Override
+            public void seen(long timeUs, String object, LineObservation line) {
+              bodies.seen(timeUs, object, line);
+            }
+
+            @Override
+            public void bad(long lineNumber, String why) {
+              badRows++;
+              if (badRows <= ROWS_TOLD) {
+                warning(file + ": line " + lineNumber + ": " + why + "; the row is left out");
+              }
+            }
+          });
+    } catch (CharacterCodingException notText) {
+      throw Failures.notText(file, notText);
+    }
+    if (badRows > ROWS_TOLD) {
+      warning(
+          file + ": " + (badRows - ROWS_TOLD) + " more rows like that, " + badRows + " left out");
+    }
+  }
+
+  private CameraFile cameras(BraidzFile braidz) throws IOException {
+    if (camerasFile != null) {
+      try {
+        return CameraFile.read(camerasFile);
+      } catch (CharacterCodingException notText) {
+        throw Failures.notText(camerasFile, notText);
+      }
+    }
+    if (braidz == null) {
+      throw wrongArguments("--cameras is missing: a table has no cameras of its own");
+    }
+    return braidz.cameras();
+  }
+
+  private void tellProblems(List<CameraModel> cameras) {
+    int usable = 0;
+    for (CameraModel camera : cameras) {
+      if (camera.problem().isPresent()) {
+        warning("camera " + camera.id() + " is left out: " + camera.problem().get());
+      } else {
+        usable++;
+      }
+    }
+    if (usable < 2) {
+      warning(
+          "there "
+              + (usable == 1 ? "is one camera" : "is no camera")
+              + " to use; an orientation needs two");
+    }
+  }
+
+  private OrientationSettings settings() {
+    OrientationSettings start =
+        switch (preset == null ? "" : preset) {
+          case "" -> OrientationSettings.defaults();
+          case "original" -> OrientationSettings.original();
+          default -> throw wrongArguments("there is no preset " + preset + "; there is: original");
+        };
+    List<String> all = new ArrayList<>();
+    if (gateAngleDeg != null) {
+      all.add("gate.angleDeg=" + gateAngleDeg);
+    }
+    if (minAreaPx != null) {
+      all.add("gate.minAreaPx=" + minAreaPx);
+    }
+    if (minEccentricity != null) {
+      all.add("gate.minEccentricity=" + minEccentricity);
+    }
+    all.addAll(assignments);
+    try {
+      return start.with(all.toArray(new String[0]));
+    } catch (SettingsProblem problem) {
+      throw wrongArguments(problem.getMessage());
+    }
+  }
+}
