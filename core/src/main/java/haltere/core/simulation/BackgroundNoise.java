@@ -21,9 +21,14 @@ final class BackgroundNoise {
   private double nextUs;
 
   BackgroundNoise(NoiseSettings settings, SensorSettings sensor, long seed) {
+    this(settings, sensor, seed, 0);
+  }
+
+  /** Noise from a time on, microseconds since the beginning; the same pixels are noisy. */
+  BackgroundNoise(NoiseSettings settings, SensorSettings sensor, long seed, long fromUs) {
     width = sensor.widthPx();
     pixels = width * sensor.heightPx();
-    random = new SeededRandom(seed, "noise");
+    random = new SeededRandom(seed, fromUs == 0 ? "noise" : "noise from " + fromUs);
     SeededRandom places = new SeededRandom(seed, "noisy pixels");
     leakUpTo = new double[pixels];
     double sum = 0;
@@ -44,7 +49,7 @@ final class BackgroundNoise {
     leakHz = settings.leakHz() * pixels;
     shotHz = settings.shotHz() * pixels;
     totalHz = leakHz + shotHz + settings.hotRateHz() * hot.length;
-    nextUs = pause();
+    nextUs = fromUs + pause();
   }
 
   private double pause() {

@@ -22,10 +22,10 @@ final class EventMerger {
   private static final long NEVER = Long.MIN_VALUE / 2;
 
   private final SeededRandom random;
-  private final double latencyUs;
-  private final double jitterUs;
-  private final long refractoryUs;
-  private final double busSlotUs;
+  private double latencyUs;
+  private double jitterUs;
+  private long refractoryUs;
+  private double busSlotUs;
   private final int width;
   private final long startUs;
   private final long endUs;
@@ -49,15 +49,20 @@ final class EventMerger {
    */
   EventMerger(PixelSettings pixel, SensorSettings sensor, RunSettings run) {
     random = new SeededRandom(run.seed(), "jitter");
-    latencyUs = pixel.latencyUs();
-    jitterUs = pixel.jitterUs();
-    refractoryUs = (long) Math.floor(pixel.refractoryUs());
-    busSlotUs = pixel.busLimitEps() == 0 ? 0 : 1e6 / pixel.busLimitEps();
+    tune(pixel);
     width = sensor.widthPx();
     startUs = run.startUs();
     endUs = run.durationUs().orElse(Long.MAX_VALUE);
     lastOfPixel = new long[width * sensor.heightPx()];
     Arrays.fill(lastOfPixel, NEVER);
+  }
+
+  /** Changes latency, jitter, refractory period and bus for what is added or sent from now on. */
+  void tune(PixelSettings pixel) {
+    latencyUs = pixel.latencyUs();
+    jitterUs = pixel.jitterUs();
+    refractoryUs = (long) Math.floor(pixel.refractoryUs());
+    busSlotUs = pixel.busLimitEps() == 0 ? 0 : 1e6 / pixel.busLimitEps();
   }
 
   /** A change at a time (microseconds since the beginning) that the latency has still to delay. */

@@ -25,7 +25,7 @@ import java.util.OptionalLong;
  *
  * <p>Thread rule: pulled by one thread at a time; {@link #truthAt} may be called by any thread.
  */
-public final class FlyScene implements Scene<FlyTruth> {
+public final class FlyScene implements TunableScene<FlyTruth> {
   private static final int MOST_EVENTS = 4096;
 
   private static final double US = 1e-6;
@@ -41,10 +41,11 @@ public final class FlyScene implements Scene<FlyTruth> {
   private final PixelArray pixels;
   private final WingSweep[] wings = new WingSweep[2];
   private final BodyOutline outline;
-  private final BackgroundNoise noise;
   private final PacketCutter cutter;
   private FlyPose before = new FlyPose();
   private FlyPose after = new FlyPose();
+  private BackgroundNoise noise;
+  private SensorTuning tuning;
   private long doneUs;
 
   /**
@@ -59,6 +60,7 @@ public final class FlyScene implements Scene<FlyTruth> {
   /** A scene whose packets have at most so many events. */
   FlyScene(FlySceneSettings settings, int mostEvents) {
     this.settings = settings;
+    tuning = new SensorTuning(settings.pixel(), settings.noise(), 0);
     SensorSettings sensor = settings.sensor();
     long seed = settings.run().seed();
     geometry = new SensorGeometry(sensor.widthPx(), sensor.heightPx());
@@ -116,6 +118,23 @@ public final class FlyScene implements Scene<FlyTruth> {
     FlyPose pose = new FlyPose();
     kinematics.sample((timeUs - startUs()) * US, pose);
     return FlyTruth.of(timeUs, pose, kinematics.waveform(), settings.fly().wing().widthRad());
+  }
+
+  @Override
+  public SensorTuning tuning() {
+    return tuning;
+  }
+
+  @Override
+  public void tune(SensorTuning newTuning) {
+    pixels.tune(newTuning.pixel(), newTuning.balance(), doneUs);
+    merger.tune(newTuning.pixel());
+    if (!newTuning.noise().equals(tuning.noise())) {
+      noise =
+          new BackgroundNoise(
+              newTuning.noise(), settings.sensor(), settings.run().seed(), doneUs);
+    }
+    tuning = newTuning;
   }
 
   @Override

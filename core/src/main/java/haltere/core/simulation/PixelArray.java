@@ -31,8 +31,9 @@ final class PixelArray {
 
   private final EventMerger merger;
   private final int width;
-  private final double tauUs;
-  private final double refractoryUs;
+  private final long seed;
+  private double tauUs;
+  private double refractoryUs;
   private final double[] state;
   private final int[] busy;
   private int busyCount;
@@ -49,18 +50,59 @@ final class PixelArray {
     this.merger = merger;
     width = sensor.widthPx();
     int pixels = width * sensor.heightPx();
-    tauUs = settings.bandwidthHz() == 0 ? 0 : 1e6 / (2 * Math.PI * settings.bandwidthHz());
-    refractoryUs = settings.refractoryUs();
+    this.seed = seed;
     state = new double[pixels * FIELDS];
     busy = new int[pixels];
+    for (int p = 0; p < state.length; p += FIELDS) {
+      state[p + BLIND_UNTIL_US] = -1;
+    }
+    set(settings, 0);
+  }
+
+  private void set(PixelSettings settings, double balance) {
+    tauUs = settings.bandwidthHz() == 0 ? 0 : 1e6 / (2 * Math.PI * settings.bandwidthHz());
+    refractoryUs = settings.refractoryUs();
+    double ratio = StrictMath.pow(2, balance);
     SeededRandom random = new SeededRandom(seed, "thresholds");
     double least = LEAST_THRESHOLD_SHARE * settings.threshold();
     for (int p = 0; p < state.length; p += FIELDS) {
       state[p + OFF_THRESHOLD] =
-          Math.max(least, settings.threshold() + settings.thresholdSd() * random.gaussian());
+          ratio
+              * Math.max(least, settings.threshold() + settings.thresholdSd() * random.gaussian());
       state[p + ON_THRESHOLD] =
-          Math.max(least, settings.threshold() + settings.thresholdSd() * random.gaussian());
-      state[p + BLIND_UNTIL_US] = -1;
+          Math.max(least, settings.threshold() + settings.thresholdSd() * random.gaussian())
+              / ratio;
+    }
+  }
+
+  /**
+   * Changes the pixels from a time on. A pixel whose level is a new threshold away from that of its
+   * last event takes its level for the last event's, so that the change makes no event of its own.
+   *
+   * @param settings new thresholds, bandwidth and refractory period
+   * @param balance as {@link SensorTuning#balance()}
+   * @param timeUs not before any change of the light so far
+   */
+  void tune(PixelSettings settings, double balance, double timeUs) {
+    advanceAll(timeUs);
+    for (int pixel = 0; pixel < busy.length; pixel++) {
+      advance(pixel, pixel * FIELDS, timeUs);
+    }
+    set(settings, balance);
+    busyCount = 0;
+    for (int pixel = 0; pixel < busy.length; pixel++) {
+      int p = pixel * FIELDS;
+      double level = state[p + LEVEL];
+      double reference = state[p + REFERENCE];
+      if (level <= reference - state[p + OFF_THRESHOLD]
+          || level >= reference + state[p + ON_THRESHOLD]) {
+        state[p + REFERENCE] = level;
+      }
+      boolean active = canFire(p, timeUs);
+      state[p + IS_BUSY] = active ? 1 : 0;
+      if (active) {
+        busy[busyCount++] = pixel;
+      }
     }
   }
 

@@ -23,7 +23,7 @@ import java.util.OptionalLong;
  *
  * <p>Thread rule: pulled by one thread at a time; the truth may be asked for by any thread.
  */
-public final class RoadScene implements Scene<RoadTruth> {
+public final class RoadScene implements TunableScene<RoadTruth> {
   private static final int MOST_EVENTS = 4096;
   private static final int INTERVAL_US = 4000;
 
@@ -34,9 +34,10 @@ public final class RoadScene implements Scene<RoadTruth> {
   private final EventMerger merger;
   private final PixelArray pixels;
   private final RoadPainter painter;
-  private final BackgroundNoise noise;
   private final RainStreaks rain;
   private final PacketCutter cutter;
+  private BackgroundNoise noise;
+  private SensorTuning tuning;
   private long doneUs;
 
   /**
@@ -51,6 +52,7 @@ public final class RoadScene implements Scene<RoadTruth> {
   /** A scene whose packets have at most so many events. */
   RoadScene(RoadSceneSettings settings, int mostEvents) {
     this.settings = settings;
+    tuning = new SensorTuning(settings.pixel(), settings.noise(), 0);
     SensorSettings sensor = settings.sensor();
     long seed = settings.run().seed();
     geometry = new SensorGeometry(sensor.widthPx(), sensor.heightPx());
@@ -101,6 +103,23 @@ public final class RoadScene implements Scene<RoadTruth> {
   @Override
   public boolean next(StreamHandler handler) {
     return cutter.next(handler);
+  }
+
+  @Override
+  public SensorTuning tuning() {
+    return tuning;
+  }
+
+  @Override
+  public void tune(SensorTuning newTuning) {
+    pixels.tune(newTuning.pixel(), newTuning.balance(), doneUs);
+    merger.tune(newTuning.pixel());
+    if (!newTuning.noise().equals(tuning.noise())) {
+      noise =
+          new BackgroundNoise(
+              newTuning.noise(), settings.sensor(), settings.run().seed(), doneUs);
+    }
+    tuning = newTuning;
   }
 
   @Override

@@ -1,0 +1,22 @@
+package haltere.device.simulated;
+
+/**
+ * The plug of a simulated camera: a facet, so that tests and a person can see what happens when it
+ * is pulled.
+ *
+ * <p>Thread rule: all methods may be called from any thread.
+ */
+public interface Plug {
+  /** Pulls the plug: the stream ends with a {@code DeviceLost}. */
+  void unplug();
+
+  /** Puts the plug back: a camera that was opened to reconnect begins a new stream. */
+  void plugIn();
+
+  /**
+   * Whether the camera is there.
+   *
+   * @return true until it is unplugged
+   */
+  boolean isPluggedIn();
+}

@@ -1,0 +1,190 @@
+package haltere.device.simulated;
+
+import haltere.core.camera.BiasSliders;
+import haltere.core.camera.Biases;
+import haltere.core.settings.Parameter;
+import haltere.core.settings.SettingsProblem;
+import haltere.core.settings.SettingsSchema;
+import haltere.core.simulation.NoiseSettings;
+import haltere.core.simulation.PixelSettings;
+import haltere.core.simulation.SensorTuning;
+import haltere.core.simulation.TunableScene;
+import java.util.EnumMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.stream.Stream;
+
+/** The biases of a simulated camera: what its pixels do, in the units of what they do. */
+final class SimulatedBiases implements Biases, BiasSliders {
+  private static final List<String> NAMES =
+      List.of(
+          "threshold",
+          "bandwidthHz",
+          "refractoryUs",
+          "latencyUs",
+          "jitterUs",
+          "busLimitEps",
+          "leakHz",
+          "shotHz");
+
+  private final TunableScene<?> scene;
+  private final Object lock;
+  private final Runnable makeDue;
+  private final Map<String, Parameter> parameters = new LinkedHashMap<>();
+  private final Map<String, SensorTuning> sets = new LinkedHashMap<>();
+  private final Map<Slider, Double> sliders = new EnumMap<>(Slider.class);
+
+  /** What is in effect in the middle of the sliders; guarded by the lock. */
+  private SensorTuning middle;
+
+  /**
+   * Biases.
+   *
+   * @param scene is tuned
+   * @param lock guards the scene
+   * @param makeDue makes what came before a change, under the lock
+   */
+  SimulatedBiases(TunableScene<?> scene, Object lock, Runnable makeDue) {
+    this.scene = scene;
+    this.lock = lock;
+    this.makeDue = makeDue;
+    middle = scene.tuning();
+    List<Parameter> all =
+        Stream.concat(
+                SettingsSchema.of(PixelSettings.class).parameters().stream(),
+                SettingsSchema.of(NoiseSettings.class).parameters().stream())
+            .toList();
+    for (String name : NAMES) {
+      all.stream()
+          .filter(parameter -> parameter.name().equals(name))
+          .forEach(parameter -> parameters.put(name, parameter));
+    }
+    SensorTuning usual = middle;
+    sets.put("default", usual);
+    sets.put(
+        "fast", usual.with("bandwidthHz", 10_000).with("latencyUs", 20).with("refractoryUs", 10));
+    sets.put(
+        "slow",
+        usual.with("bandwidthHz", 300).with("latencyUs", 400).with("refractoryUs", 300)
+            .with("shotHz", usual.noise().shotHz() / 4));
+    for (Slider slider : Slider.values()) {
+      sliders.put(slider, 0.0);
+    }
+  }
+
+  @Override
+  public List<Parameter> parameters() {
+    return List.copyOf(parameters.values());
+  }
+
+  private Parameter parameter(String name) {
+    Parameter parameter = parameters.get(name);
+    if (parameter == null) {
+      throw new IllegalArgumentException(
+          "there is no bias named " + name + "; there are " + String.join(", ", NAMES));
+    }
+    return parameter;
+  }
+
+  @Override
+  public double get(String name) {
+    parameter(name);
+    synchronized (lock) {
+      return value(scene.tuning(), name);
+    }
+  }
+
+  private static double value(SensorTuning tuning, String name) {
+    Object value =
+        name.equals("leakHz") || name.equals("shotHz")
+            ? SettingsSchema.of(NoiseSettings.class).get(tuning.noise(), name)
+            : SettingsSchema.of(PixelSettings.class).get(tuning.pixel(), name);
+    return ((Number) value).doubleValue();
+  }
+
+  @Override
+  public void set(String name, double value) {
+    parameter(name);
+    synchronized (lock) {
+      SensorTuning now = scene.tuning();
+      try {
+        middle = now.with(name, value);
+      } catch (SettingsProblem outOfRange) {
+        throw new IllegalArgumentException(outOfRange.getMessage(), outOfRange);
+      }
+      middle = new SensorTuning(middle.pixel(), middle.noise(), 0);
+      double balance = sliders.get(Slider.BALANCE);
+      sliders.replaceAll((slider, at) -> slider == Slider.BALANCE ? at : 0.0);
+      tune(new SensorTuning(middle.pixel(), middle.noise(), balance));
+    }
+  }
+
+  private void tune(SensorTuning tuning) {
+    makeDue.run();
+    scene.tune(tuning);
+  }
+
+  @Override
+  public List<String> sets() {
+    return List.copyOf(sets.keySet());
+  }
+
+  @Override
+  public void apply(String name) {
+    SensorTuning set = sets.get(name);
+    if (set == null) {
+      throw new IllegalArgumentException(
+          "there is no set of biases named " + name + "; there are " + sets.keySet());
+    }
+    synchronized (lock) {
+      middle = set;
+      sliders.replaceAll((slider, at) -> 0.0);
+      tune(set);
+    }
+  }
+
+  @Override
+  public double get(Slider slider) {
+    synchronized (lock) {
+      return sliders.get(Objects.requireNonNull(slider, "slider"));
+    }
+  }
+
+  @Override
+  public void set(Slider slider, double value) {
+    if (!(value >= -1 && value <= 1)) {
+      throw new IllegalArgumentException("a slider goes from -1 to 1, not to " + value);
+    }
+    synchronized (lock) {
+      sliders.put(slider, value);
+      SensorTuning tuning = middle;
+      tuning = scaled(tuning, "bandwidthHz", Math.pow(10, sliders.get(Slider.BANDWIDTH)));
+      tuning = scaled(tuning, "shotHz", Math.pow(4, sliders.get(Slider.BANDWIDTH)));
+      tuning = scaled(tuning, "threshold", Math.pow(3, sliders.get(Slider.THRESHOLD)));
+      tuning = scaled(tuning, "refractoryUs", Math.pow(10, sliders.get(Slider.REFRACTORY_PERIOD)));
+      tune(new SensorTuning(tuning.pixel(), tuning.noise(), sliders.get(Slider.BALANCE)));
+    }
+  }
+
+  private SensorTuning scaled(SensorTuning tuning, String name, double factor) {
+    Parameter parameter = parameter(name);
+    double wanted = value(tuning, name) * factor;
+    return tuning.with(name, Math.max(parameter.min(), Math.min(parameter.max(), wanted)));
+  }
+
+  /** All biases and sliders, a line each. */
+  String text() {
+    StringBuilder text = new StringBuilder();
+    synchronized (lock) {
+      for (Parameter parameter : parameters.values()) {
+        text.append("bias." + parameter.name())
+            .append(" = " + value(scene.tuning(), parameter.name()))
+            .append(" " + parameter.unit() + "\n");
+      }
+      text.append("bias.balance = " + scene.tuning().balance() + " 1\n");
+    }
+    return text.toString();
+  }
+}
