@@ -14,6 +14,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 
@@ -258,6 +259,11 @@ public final class DecodingReader implements RecordingReader {
   @Override
   public RecordingClock clock() {
     return cursor.clock();
+  }
+
+  @Override
+  public Map<String, String> metadata() {
+    return cursor.metadata();
   }
 
   @Override

@@ -3,6 +3,7 @@ package haltere.core.format;
 import haltere.core.event.EventPacket;
 import java.io.Closeable;
 import java.io.IOException;
+import java.util.Map;
 import java.util.Optional;
 
 /**
@@ -85,6 +86,15 @@ public interface EventCursor extends Closeable {
    * @return facts of the format
    */
   RecordingClock clock();
+
+  /**
+   * What the recording says of the camera, its settings and the chain of filters.
+   *
+   * @return as {@link RecordingReader#metadata()}
+   */
+  default Map<String, String> metadata() {
+    return Map.of();
+  }
 
   /**
    * Appends events to a packet. Times within the packet do not descend.

@@ -4,6 +4,7 @@ import haltere.core.stream.EventSource;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /**
@@ -74,6 +75,16 @@ public interface RecordingReader extends EventSource {
    */
   default Optional<RecordingOutline> outline() throws IOException {
     return Optional.empty();
+  }
+
+  /**
+   * What the recording says of the camera, its settings and the chain of filters.
+   *
+   * @return as {@link WriteOptions#metadata()} when it was written; empty for formats that hold no
+   *     such thing
+   */
+  default Map<String, String> metadata() {
+    return Map.of();
   }
 
   /**

@@ -131,8 +131,7 @@ public final class FlyScene implements TunableScene<FlyTruth> {
     merger.tune(newTuning.pixel());
     if (!newTuning.noise().equals(tuning.noise())) {
       noise =
-          new BackgroundNoise(
-              newTuning.noise(), settings.sensor(), settings.run().seed(), doneUs);
+          new BackgroundNoise(newTuning.noise(), settings.sensor(), settings.run().seed(), doneUs);
     }
     tuning = newTuning;
   }

@@ -116,8 +116,7 @@ public final class RoadScene implements TunableScene<RoadTruth> {
     merger.tune(newTuning.pixel());
     if (!newTuning.noise().equals(tuning.noise())) {
       noise =
-          new BackgroundNoise(
-              newTuning.noise(), settings.sensor(), settings.run().seed(), doneUs);
+          new BackgroundNoise(newTuning.noise(), settings.sensor(), settings.run().seed(), doneUs);
     }
     tuning = newTuning;
   }

@@ -116,8 +116,7 @@ class TunableSceneTest {
 
   @Test
   void valuesOutOfRangeAreRefused() {
-    SensorTuning usual =
-        new SensorTuning(PixelSettings.defaults(), NoiseSettings.defaults(), 0);
+    SensorTuning usual = new SensorTuning(PixelSettings.defaults(), NoiseSettings.defaults(), 0);
     assertThrows(SettingsProblem.class, () -> usual.with("threshold", 5));
     assertThrows(SettingsProblem.class, () -> usual.with("no-such", 1));
     assertThrows(

@@ -67,7 +67,10 @@ final class SimulatedBiases implements Biases, BiasSliders {
         "fast", usual.with("bandwidthHz", 10_000).with("latencyUs", 20).with("refractoryUs", 10));
     sets.put(
         "slow",
-        usual.with("bandwidthHz", 300).with("latencyUs", 400).with("refractoryUs", 300)
+        usual
+            .with("bandwidthHz", 300)
+            .with("latencyUs", 400)
+            .with("refractoryUs", 300)
             .with("shotHz", usual.noise().shotHz() / 4));
     for (Slider slider : Slider.values()) {
       sliders.put(slider, 0.0);

@@ -40,9 +40,9 @@ import java.util.function.LongSupplier;
  */
 final class SimulatedCamera implements Camera, TimestampReset, RegionOfInterest, Plug {
   private static final long TRANSFER_US = 1000;
-  private static final int TRANSFER_EVENTS = 4096;
+  private static final int TRANSFER_EVENTS = 1024;
   private static final int BYTES_OF_EVENT = 4;
-  private static final int WAITING = 256;
+  private static final int WAITING = 1024;
 
   private final CameraInfo info;
   private final CameraOptions options;

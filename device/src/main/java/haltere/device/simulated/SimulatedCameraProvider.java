@@ -19,8 +19,8 @@ import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 
 /**
- * A simulated camera for each scene that there is: {@code simulated:fly}, {@code simulated:road} and
- * those that other jars add.
+ * A simulated camera for each scene that there is: {@code simulated:fly}, {@code simulated:road}
+ * and those that other jars add.
  */
 public final class SimulatedCameraProvider implements CameraProvider {
   private static final String PREFIX = "simulated:";
@@ -68,12 +68,7 @@ public final class SimulatedCameraProvider implements CameraProvider {
 
   private static CameraInfo info(SceneProvider<?> scene, SensorGeometry geometry) {
     return new CameraInfo(
-        PREFIX + scene.name(),
-        "simulated camera",
-        "",
-        geometry,
-        true,
-        scene.description());
+        PREFIX + scene.name(), "simulated camera", "", geometry, true, scene.description());
   }
 
   @Override

@@ -32,6 +32,8 @@ public final class HaltereProgram {
           "track",
           "wings",
           "orient",
+          "devices",
+          "record",
           "simulate",
           "filters",
           "bench");
@@ -148,6 +150,8 @@ public final class HaltereProgram {
       case "orient" -> new OrientCommand(surroundings);
       case "simulate" -> new SimulateCommand(surroundings);
       case "filters" -> new FiltersCommand(surroundings);
+      case "devices" -> new DevicesCommand(surroundings);
+      case "record" -> new RecordCommand(surroundings);
       case "bench" -> new BenchCommand(surroundings);
       default -> throw new IllegalArgumentException(name);
     };

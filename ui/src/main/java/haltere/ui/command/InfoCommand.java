@@ -98,6 +98,7 @@ final class InfoCommand extends Subcommand {
   private boolean describe(Path file, List<Object> objects) throws IOException {
     RecordingSummary summary;
     RecordingClock clock;
+    Map<String, String> metadata;
     Optional<RecordingProblem> objection;
     try (RecordingReader reader = reading.open(file);
         ProgressBar bar = progressBar("reading", file)) {
@@ -107,15 +108,18 @@ final class InfoCommand extends Subcommand {
         return true;
       }
       clock = reader.clock();
+      metadata = reader.metadata();
       summary = RecordingSummary.scan(reader, bar);
       objection = reading.objection(file, reader.violations());
     }
     if (json) {
       Map<String, Object> object = object(summary);
+      add(metadata, object);
       objection.ifPresent(problem -> object.put("error", problem.getMessage()));
       objects.add(object);
     } else {
       print(file, summary, clock);
+      metadata.forEach(this::line);
     }
     for (String warning : summary.warnings()) {
       warning(file + ": " + warning);
@@ -135,6 +139,7 @@ final class InfoCommand extends Subcommand {
       object.put("durationS", durationS);
       object.put("meanRateEps", meanRateEps);
       object.put("warnings", reader.remarks());
+      add(reader.metadata(), object);
       objects.add(object);
     } else {
       result(reader.path().toString());
@@ -144,6 +149,7 @@ final class InfoCommand extends Subcommand {
         printTimes(outline.firstUs(), outline.lastUs(), durationS, meanRateEps);
         line("zero", reader.clock().describe());
       }
+      reader.metadata().forEach(this::line);
     }
     for (String remark : reader.remarks()) {
       warning(reader.path() + ": " + remark);
@@ -194,6 +200,13 @@ final class InfoCommand extends Subcommand {
       object.put("triggers", summary.readings().triggers());
     }
     return object;
+  }
+
+  /** What the recording says of its camera and chain, if anything. */
+  private static void add(Map<String, String> metadata, Map<String, Object> object) {
+    if (!metadata.isEmpty()) {
+      object.put("metadata", metadata);
+    }
   }
 
   private static Object time(long timeUs) {

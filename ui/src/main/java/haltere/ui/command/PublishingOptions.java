@@ -68,17 +68,28 @@ final class PublishingOptions {
   Publishing open(FilterChain chain, Subcommand subcommand) throws IOException {
     Publishing publishing = new Publishing(subcommand);
     try {
-      Predicate<String> wanted = addresses.isEmpty() ? name -> false : wanted(chain);
-      for (String address : addresses) {
-        publishing.add(
-            LiveResults.open(chain, LineOutputs.open(address), wanted, Clock.systemUTC()));
-      }
-      publishing.await(receivers);
-      return publishing;
+      return open(chain, publishing);
     } catch (IOException | RuntimeException problem) {
       publishing.close();
       throw problem;
     }
+  }
+
+  /**
+   * Begins to publish, beside what is being published already.
+   *
+   * @param chain before it runs
+   * @param publishing closed by the caller
+   * @return the same
+   * @throws IOException if an address cannot be used
+   */
+  Publishing open(FilterChain chain, Publishing publishing) throws IOException {
+    Predicate<String> wanted = addresses.isEmpty() ? name -> false : wanted(chain);
+    for (String address : addresses) {
+      publishing.add(LiveResults.open(chain, LineOutputs.open(address), wanted, Clock.systemUTC()));
+    }
+    publishing.await(receivers);
+    return publishing;
   }
 
   private Predicate<String> wanted(FilterChain chain) {

@@ -1,5 +1,6 @@
 package haltere.ui.command;
 
+import haltere.core.camera.Camera;
 import haltere.core.event.Origin;
 import haltere.core.event.ReadingKind;
 import haltere.core.event.SensorGeometry;
@@ -10,12 +11,19 @@ import haltere.core.format.RecordingReader;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.Recordings;
 import haltere.core.format.WriteOptions;
+import haltere.core.format.aedat4.Aedat4Compression;
+import haltere.core.format.aedat4.Aedat4Format;
+import haltere.core.format.aedat4.Aedat4Writer;
+import haltere.core.pipeline.CameraHeader;
+import haltere.core.pipeline.SessionRecorder;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.time.Clock;
 import java.util.EnumSet;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Supplier;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -88,6 +96,54 @@ final class RecordingWritingOptions extends WritingOptions {
       readings.removeIf(kind -> there.of(kind) == 0);
     }
     return create(output, format, reader.geometry(), readings);
+  }
+
+  /**
+   * Starts a recording of a camera. AEDAT-4 can be read from its first moment on, also if the
+   * program is killed; a file of another format appears when it is finished.
+   *
+   * @param output where it will be
+   * @param geometry the sensor of its events
+   * @param metadata lines for its header, if it holds such
+   * @return an open writer
+   * @throws IOException if it cannot be written
+   */
+  RecordingWriter createLive(Path output, SensorGeometry geometry, Map<String, String> metadata)
+      throws IOException {
+    RecordingFormat format = Recordings.forWriting(output);
+    WriteOptions options =
+        new WriteOptions(
+            geometry,
+            overwrite,
+            Optional.ofNullable(origin),
+            metadata,
+            Set.copyOf(format.writableReadings()));
+    if (format instanceof Aedat4Format) {
+      return Aedat4Writer.createInPlace(output, options, Aedat4Compression.LZ4);
+    }
+    return format
+        .create(output, options)
+        .orElseThrow(() -> new CommandProblem(output + ": " + format.name() + " is only read"));
+  }
+
+  /**
+   * A recording of a camera, in parts.
+   *
+   * @param output the first part
+   * @param camera an open camera
+   * @param chain the chain for the header, as JSON, if there is one
+   * @param limits sizes
+   * @return without any file yet
+   */
+  SessionRecorder session(
+      Path output, Camera camera, Supplier<Optional<String>> chain, SessionRecorder.Limits limits) {
+    return new SessionRecorder(
+        output,
+        camera.geometry(),
+        (part, metadata) -> createLive(part, camera.geometry(), metadata),
+        limits,
+        new CameraHeader(camera, chain, System::nanoTime, Clock.systemUTC()),
+        SessionRecorder.freeBytes(output));
   }
 
   private RecordingWriter create(

@@ -1,5 +1,6 @@
 package haltere.ui.command;
 
+import haltere.core.camera.Camera;
 import haltere.core.chain.ChainFile;
 import haltere.core.chain.ChainStage;
 import haltere.core.chain.FilterChain;
@@ -16,17 +17,22 @@ import haltere.core.pipeline.Pipeline;
 import haltere.core.pipeline.PipelineCounters;
 import haltere.core.pipeline.Recorder;
 import haltere.core.pipeline.RecorderReport;
+import haltere.core.pipeline.SessionRecorder;
+import haltere.core.pipeline.SessionRecorder.Limits;
 import haltere.core.playback.PacedSource;
 import haltere.core.playback.PlaybackClock;
 import haltere.core.playback.Sleeper;
 import haltere.core.stream.EventSource;
+import haltere.core.stream.StreamHandler;
 import java.io.IOException;
 import java.nio.charset.CharacterCodingException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -44,7 +50,11 @@ import picocli.CommandLine.Parameters;
           + " named OUT.STAGE.OUTLET.csv."
     })
 final class RunCommand extends Subcommand {
-  @Parameters(index = "0", paramLabel = "FILE", description = "A recording.")
+  @Parameters(
+      index = "0",
+      arity = "0..1",
+      paramLabel = "FILE",
+      description = "A recording, if not a camera (--device).")
   Path file;
 
   @Option(
@@ -68,6 +78,7 @@ final class RunCommand extends Subcommand {
               + " not given.")
   double speed = Double.POSITIVE_INFINITY;
 
+  @Mixin CameraOptionsGroup cameras;
   @Mixin PublishingOptions publishing;
   @Mixin ReadingOptions reading;
   @Mixin RecordingWritingOptions writing;
@@ -78,13 +89,26 @@ final class RunCommand extends Subcommand {
 
   @Override
   public Integer call() throws IOException {
+    cameras.check();
     publishing.check();
+    if ((file == null) != cameras.given() || cameras.devices.size() > 1) {
+      throw wrongArguments("give either a FILE or one --device");
+    }
+    if (!cameras.given()) {
+      cameras.checkNone();
+    }
     if (!(speed >= PlaybackClock.MIN_SPEED)) {
       throw wrongArguments("--speed must be " + PlaybackClock.MIN_SPEED + " or more");
     }
     if (out != null) {
       writing.checkRecording(out);
-      WritingOptions.checkDifferent(file, out);
+      if (file != null) {
+        WritingOptions.checkDifferent(file, out);
+      }
+    }
+    if (cameras.given()) {
+      runCamera();
+      return OK;
     }
     try (RecordingReader reader = reading.openWithReadings(file)) {
       FilterChain chain = chain(reader.geometry());
@@ -102,6 +126,54 @@ final class RunCommand extends Subcommand {
       summary(chain);
     }
     return OK;
+  }
+
+  private void runCamera() throws IOException {
+    Camera camera = cameras.open(cameras.devices.get(0), out != null);
+    FilterChain chain = null;
+    try (Publishing published = new Publishing(this)) {
+      chain = chain(camera.geometry());
+      List<StreamHandler> sinks = new ArrayList<>(publishing.open(chain, published).sinks());
+      if (out == null) {
+        runCamera(camera, chain, sinks);
+      } else {
+        recordCamera(camera, chain, sinks);
+      }
+      summary(chain);
+    } finally {
+      camera.close();
+      if (chain != null) {
+        chain.close();
+      }
+    }
+  }
+
+  private void runCamera(Camera camera, FilterChain chain, List<StreamHandler> sinks)
+      throws IOException {
+    LiveRun run = new LiveRun(this, camera, chain, sinks);
+    LiveRun.run(List.of(run), cameras.durationS());
+    run.summary();
+  }
+
+  private void recordCamera(Camera camera, FilterChain chain, List<StreamHandler> sinks)
+      throws IOException {
+    checkTables(chain);
+    try (SessionRecorder recorder =
+            writing.session(out, camera, () -> Optional.of(ChainFile.write(chain)), Limits.USUAL);
+        OutletTables tables = OutletTables.open(chain, this::table, writing.overwrite)) {
+      sinks.add(recorder);
+      runCamera(camera, chain, sinks);
+      tables.finish();
+      for (SessionRecorder.Part part : recorder.finish()) {
+        message("wrote " + part.file() + " (" + Quantities.events(part.report().written()) + ")");
+      }
+      recorder.endedEarly().ifPresent(this::warning);
+      tables
+          .rows()
+          .forEach(
+              (table, count) ->
+                  message("wrote " + table + " (" + Quantities.count(count) + " rows)"));
+    }
   }
 
   private FilterChain chain(SensorGeometry geometry) throws IOException {
@@ -151,7 +223,9 @@ final class RunCommand extends Subcommand {
     Set<Path> seen = new HashSet<>(List.of(out));
     for (Path table : OutletTables.files(chain, this::table)) {
       writing.check(table);
-      WritingOptions.checkDifferent(file, table);
+      if (file != null) {
+        WritingOptions.checkDifferent(file, table);
+      }
       if (!seen.add(table)) {
         throw new CommandProblem(
             chainFile + ": two stages of the same name would both write " + table);

@@ -15,6 +15,7 @@ import haltere.core.format.packed.LittleEndian;
 import haltere.core.stream.StreamNotification;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 
@@ -51,6 +52,7 @@ final class Aedat4Cursor implements EventCursor {
   private final ViolationCounts violations;
   private final Unpacker unpacker;
   private final PacketWalk walk;
+  private final Map<String, String> metadata;
 
   private DecodeAhead ahead;
   private DecodeAhead.Slot slot;
@@ -81,6 +83,7 @@ final class Aedat4Cursor implements EventCursor {
     this.violations = violations;
     unpacker = new Unpacker(file);
     walk = layout.walk(unpacker.window(), violations);
+    metadata = layout.metadata();
   }
 
   /**
@@ -90,8 +93,10 @@ final class Aedat4Cursor implements EventCursor {
    * @param start where packets start
    * @param end where they end
    * @param cutOff whether the file should go on there
+   * @param metadata what the file says beside
    */
-  record Layout(Set<Integer> known, long start, long end, boolean cutOff) {
+  record Layout(
+      Set<Integer> known, long start, long end, boolean cutOff, Map<String, String> metadata) {
     PacketWalk walk(FileWindow window, ViolationCounts violations) {
       return new PacketWalk(window, known, start, end, cutOff, violations);
     }
@@ -289,6 +294,11 @@ final class Aedat4Cursor implements EventCursor {
       out.append(time, x, top ? geometry.height() - 1 - y : y, on);
     }
     return events;
+  }
+
+  @Override
+  public Map<String, String> metadata() {
+    return metadata;
   }
 
   @Override

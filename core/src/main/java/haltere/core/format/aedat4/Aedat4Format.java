@@ -30,6 +30,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.stream.Collectors;
 
 /** AEDAT-4.0, the format of DV, dv-processing and jAER 3: read and written. */
@@ -139,7 +140,9 @@ public final class Aedat4Format implements RecordingFormat {
           violations.add(Violation.LYING_LENGTH, Aedat4Header.TABLE_POSITION_OFFSET);
         }
       }
-      return new Aedat4Cursor.Layout(known, header.dataOffset(), end, cutOff);
+      Map<String, String> metadata = new TreeMap<>();
+      header.streams().forEach(stream -> metadata.putAll(stream.metadata()));
+      return new Aedat4Cursor.Layout(known, header.dataOffset(), end, cutOff, metadata);
     }
 
     RecordingReader open(OptionalInt wanted) throws IOException {

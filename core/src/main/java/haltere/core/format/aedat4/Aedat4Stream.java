@@ -1,5 +1,6 @@
 package haltere.core.format.aedat4;
 
+import java.util.Map;
 import java.util.Optional;
 
 /**
@@ -11,10 +12,22 @@ import java.util.Optional;
  * @param height of the sensor, 0 if it is not stated
  * @param module the program's part that made it, such as {@code capture} or {@code jAER}
  * @param source the camera
+ * @param metadata what this program's recordings say of the camera and the chain, by key
  */
 public record Aedat4Stream(
-    int id, String type, int width, int height, Optional<String> module, Optional<String> source) {
+    int id,
+    String type,
+    int width,
+    int height,
+    Optional<String> module,
+    Optional<String> source,
+    Map<String, String> metadata) {
   static final String EVENTS = "EVTS";
+
+  /** Copies. */
+  public Aedat4Stream {
+    metadata = Map.copyOf(metadata);
+  }
 
   /**
    * Whether it holds polarity events.

@@ -23,6 +23,7 @@ final class InfoNode {
   private static final int MAX_DEPTH = 64;
   private static final int MAX_STREAMS = 1024;
   private static final int MAX_SIDE = 32 * 1024;
+  private static final String METADATA = "metadata";
 
   /** How DV calls and describes what it writes. */
   private static final Map<String, String> OUTPUTS =
@@ -104,11 +105,12 @@ final class InfoNode {
     }
   }
 
-  /** The path is: the document, outInfo, number of the stream, and perhaps info. */
+  /** The path is: the document, outInfo, number of the stream, and perhaps info or metadata. */
   private static void note(
       List<String> path, String key, String value, Map<Integer, Map<String, String>> found) {
-    boolean info = path.size() == 4 && path.get(3).equals("info");
-    if (path.size() != 3 && !info || !path.get(1).equals("outInfo")) {
+    String inside = path.size() == 4 ? path.get(3) : "";
+    boolean known = inside.equals("info") || inside.equals(METADATA);
+    if (path.size() != 3 && !known || !path.get(1).equals("outInfo")) {
       return;
     }
     String number = path.get(2);
@@ -117,7 +119,7 @@ final class InfoNode {
     }
     found
         .computeIfAbsent(Integer.parseInt(number), id -> new TreeMap<>())
-        .put(info ? "info/" + key : key, value);
+        .put(known ? inside + "/" + key : key, value);
   }
 
   private static Aedat4Stream stream(int id, Map<String, String> attributes) {
@@ -127,7 +129,20 @@ final class InfoNode {
         side(attributes.get("info/sizeX")),
         side(attributes.get("info/sizeY")),
         Optional.ofNullable(attributes.get("originalModuleName")),
-        Optional.ofNullable(attributes.get("info/source")));
+        Optional.ofNullable(attributes.get("info/source")),
+        metadata(attributes));
+  }
+
+  private static Map<String, String> metadata(Map<String, String> attributes) {
+    String prefix = METADATA + "/";
+    Map<String, String> metadata = new TreeMap<>();
+    attributes.forEach(
+        (key, value) -> {
+          if (key.startsWith(prefix)) {
+            metadata.put(key.substring(prefix.length()), value);
+          }
+        });
+    return metadata;
   }
 
   private static int side(String text) {

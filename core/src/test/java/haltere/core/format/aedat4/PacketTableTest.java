@@ -23,6 +23,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
@@ -70,7 +71,8 @@ class PacketTableTest {
               header.streams().stream().map(Aedat4Stream::id).collect(Collectors.toSet()),
               header.dataOffset(),
               header.tablePosition() < 0 ? file.size() : header.tablePosition(),
-              false);
+              false,
+              Map.of());
       int stream =
           header.streams().stream().filter(Aedat4Stream::isEvents).findFirst().orElseThrow().id();
       return PacketTable.believed(file, layout, stream).isPresent();

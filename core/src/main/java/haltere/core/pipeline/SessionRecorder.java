@@ -1,0 +1,342 @@
+package haltere.core.pipeline;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.event.SensorReading;
+import haltere.core.format.RecordingWriter;
+import haltere.core.stream.EndOfStream;
+import haltere.core.stream.Reset;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import java.io.Closeable;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.function.LongSupplier;
+import java.util.function.Supplier;
+
+/**
+ * Records what comes from a camera, in parts: a new file where one is as large as allowed, where
+ * the camera was unplugged and is back, and where its clock was reset, so that a part has one
+ * clock. Each event is in one part. Where the disk gets full the recording ends before, whole.
+ * Parts are named {@code out.aedat4}, {@code out-2.aedat4}, {@code out-3.aedat4}.
+ *
+ * <p>A disk that is too slow loses events, which are counted, and never holds up the stream: see
+ * {@link Recorder}.
+ *
+ * <p>Thread rule: one thread hands over the stream and ends it; the rest may be called from any.
+ */
+public final class SessionRecorder implements StreamHandler, Closeable {
+  /** Makes the writer of a part. */
+  @FunctionalInterface
+  public interface Writers {
+    /**
+     * Starts a file.
+     *
+     * @param file where it is
+     * @param metadata lines for its header
+     * @return a writer
+     * @throws IOException if it cannot be written
+     */
+    RecordingWriter create(Path file, Map<String, String> metadata) throws IOException;
+  }
+
+  /**
+   * How much is recorded.
+   *
+   * @param partBytes size that no part goes beyond, {@link Long#MAX_VALUE} for none
+   * @param keepFreeBytes free space of the disk at which the recording ends
+   */
+  public record Limits(long partBytes, long keepFreeBytes) {
+    /** The smallest size of a part: one packet of events and the file's own lines. */
+    public static final long LEAST_PART_BYTES = 1 << 20;
+
+    /** One part, and 256 MB of the disk left. */
+    public static final Limits USUAL = new Limits(Long.MAX_VALUE, 256_000_000);
+
+    /** Checks the sizes. */
+    public Limits {
+      if (partBytes < LEAST_PART_BYTES || keepFreeBytes < 0) {
+        throw new IllegalArgumentException(
+            "a part has at least " + LEAST_PART_BYTES + " bytes, not " + partBytes);
+      }
+    }
+  }
+
+  /**
+   * A file of the session.
+   *
+   * @param file where it is
+   * @param report what is in it
+   */
+  public record Part(Path file, RecorderReport report) {}
+
+  /** An event takes at most so many bytes in any format, with its share of what is around it. */
+  private static final long EVENT_BYTES = 20;
+
+  private static final long FILE_BYTES = 128 * 1024;
+  private static final int PACKETS_BETWEEN_LOOKS = 128;
+  private static final long EVENTS_BETWEEN_LOOKS = 200_000;
+
+  private record Open(Path file, Recorder recorder) {}
+
+  private final Path out;
+  private final SensorGeometry geometry;
+  private final Writers writers;
+  private final Limits limits;
+  private final Supplier<Map<String, String>> header;
+  private final LongSupplier freeBytes;
+  private final List<Open> parts = new ArrayList<>();
+  private final List<Future<RecorderReport>> finished = new ArrayList<>();
+  private final ExecutorService finisher =
+      Executors.newSingleThreadExecutor(
+          work -> {
+            Thread thread = new Thread(work, "haltere-session");
+            thread.setDaemon(true);
+            return thread;
+          });
+  private Open current;
+  private int packetsSinceLook = PACKETS_BETWEEN_LOOKS;
+  private long eventsSinceLook;
+  private volatile long afterEnd;
+  private volatile String endedEarly = "";
+
+  /**
+   * A session without any file yet: the first is started with the first event.
+   *
+   * @param out the first part
+   * @param geometry sensor of the events
+   * @param writers make the writers of the parts
+   * @param limits sizes
+   * @param header lines for the header of each part, asked when it starts, on the thread of the
+   *     stream
+   * @param freeBytes free space where the parts go, see {@link #freeBytes(Path)}
+   */
+  public SessionRecorder(
+      Path out,
+      SensorGeometry geometry,
+      Writers writers,
+      Limits limits,
+      Supplier<Map<String, String>> header,
+      LongSupplier freeBytes) {
+    this.out = Objects.requireNonNull(out, "out");
+    this.geometry = Objects.requireNonNull(geometry, "geometry");
+    this.writers = Objects.requireNonNull(writers, "writers");
+    this.limits = Objects.requireNonNull(limits, "limits");
+    this.header = Objects.requireNonNull(header, "header");
+    this.freeBytes = Objects.requireNonNull(freeBytes, "freeBytes");
+  }
+
+  /**
+   * Free space of the disk that a file is to be on.
+   *
+   * @param file a file in a folder that exists
+   * @return looks anew at each call; all the space there can be where the system cannot tell
+   */
+  public static LongSupplier freeBytes(Path file) {
+    Path folder = file.toAbsolutePath().getParent();
+    return () -> {
+      try {
+        return Files.getFileStore(folder).getUsableSpace();
+      } catch (IOException notKnown) {
+        return Long.MAX_VALUE;
+      }
+    };
+  }
+
+  /**
+   * The name of a part.
+   *
+   * @param out the first part
+   * @param number from 1
+   * @return {@code out.aedat4}, {@code out-2.aedat4}, ...
+   */
+  public static Path part(Path out, int number) {
+    if (number == 1) {
+      return out;
+    }
+    String name = out.getFileName().toString();
+    int dot = name.lastIndexOf('.');
+    int end = dot > 0 ? dot : name.length();
+    return out.resolveSibling(name.substring(0, end) + "-" + number + name.substring(end));
+  }
+
+  // ---- The stream's side
+
+  /**
+   * Takes a copy of a packet.
+   *
+   * @param packet borrowed and not changed
+   * @throws UncheckedIOException if a part could not be started or written
+   */
+  @Override
+  public void packet(EventPacket packet) {
+    if (packet.isEmpty()) {
+      return;
+    }
+    if (!endedEarly.isEmpty()) {
+      afterEnd = afterEnd + packet.size();
+      return;
+    }
+    try {
+      if (current != null && isFull(packet.size())) {
+        endPart();
+      }
+      if (current == null && !lookAtDisk()) {
+        afterEnd = afterEnd + packet.size();
+        return;
+      }
+      if (current == null) {
+        startPart();
+      }
+    } catch (IOException problem) {
+      throw new UncheckedIOException(problem);
+    }
+    current.recorder().packet(packet);
+    eventsSinceLook += packet.size();
+    if (++packetsSinceLook >= PACKETS_BETWEEN_LOOKS || eventsSinceLook >= EVENTS_BETWEEN_LOOKS) {
+      lookAtDisk();
+    }
+  }
+
+  private boolean isFull(int more) throws IOException {
+    if (limits.partBytes() == Long.MAX_VALUE) {
+      return false;
+    }
+    RecorderReport report = current.recorder().report();
+    long coming = report.received() - report.written() - report.lost() + more;
+    long there = Files.exists(current.file()) ? Files.size(current.file()) : 0;
+    return there + coming * EVENT_BYTES + FILE_BYTES > limits.partBytes() && report.received() > 0;
+  }
+
+  /** Ends the session if the disk gets full; true if it goes on. */
+  private boolean lookAtDisk() {
+    packetsSinceLook = 0;
+    eventsSinceLook = 0;
+    long free = freeBytes.getAsLong();
+    if (free >= limits.keepFreeBytes()) {
+      return true;
+    }
+    endedEarly =
+        "the disk of "
+            + out
+            + " has only "
+            + free / 1_000_000
+            + " MB left, so the recording ended; it is whole up to there";
+    endPart();
+    return false;
+  }
+
+  private void startPart() throws IOException {
+    int number;
+    synchronized (parts) {
+      number = parts.size() + 1;
+    }
+    Path file = part(out, number);
+    RecordingWriter writer = writers.create(file, header.get());
+    current = new Open(file, new Recorder(writer, geometry, OverflowPolicy.DROP_NEWEST));
+    synchronized (parts) {
+      parts.add(current);
+    }
+  }
+
+  private void endPart() {
+    if (current != null) {
+      finished.add(finisher.submit(current.recorder()::finish));
+      current = null;
+    }
+  }
+
+  @Override
+  public void reading(SensorReading reading) {
+    if (current != null) {
+      current.recorder().reading(reading);
+    }
+  }
+
+  @Override
+  public void notified(StreamNotification notification) {
+    boolean clockRestarted =
+        notification instanceof Reset reset && reset.cause() == Reset.Cause.CLOCK_RESTARTED;
+    if (clockRestarted || notification instanceof EndOfStream) {
+      endPart();
+    } else if (current != null) {
+      current.recorder().notified(notification);
+    }
+  }
+
+  // ---- The end
+
+  /**
+   * Completes all parts.
+   *
+   * @return the parts in order
+   * @throws IOException if one could not be completed
+   */
+  public List<Part> finish() throws IOException {
+    endPart();
+    finisher.shutdown();
+    IOException problem = null;
+    for (Future<RecorderReport> part : finished) {
+      try {
+        part.get();
+      } catch (ExecutionException failed) {
+        problem = failed.getCause() instanceof IOException cause ? cause : new IOException(failed);
+      } catch (InterruptedException hurried) {
+        Thread.currentThread().interrupt();
+        problem = new java.io.InterruptedIOException("interrupted while the recording was ended");
+      }
+    }
+    if (problem != null) {
+      throw problem;
+    }
+    return parts();
+  }
+
+  /** Ends the session; what has come is written. */
+  @Override
+  public void close() throws IOException {
+    if (!finisher.isShutdown()) {
+      finish();
+    }
+  }
+
+  /**
+   * The parts so far.
+   *
+   * @return in order, with what is in them now
+   */
+  public List<Part> parts() {
+    synchronized (parts) {
+      return parts.stream().map(part -> new Part(part.file(), part.recorder().report())).toList();
+    }
+  }
+
+  /**
+   * Why the session ended before it was told to.
+   *
+   * @return a line for a person, or empty
+   */
+  public Optional<String> endedEarly() {
+    return Optional.of(endedEarly).filter(line -> !line.isEmpty());
+  }
+
+  /**
+   * Events that came after an early end.
+   *
+   * @return a count
+   */
+  public long afterEnd() {
+    return afterEnd;
+  }
+}

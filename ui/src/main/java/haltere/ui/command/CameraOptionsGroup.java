@@ -1,0 +1,158 @@
+package haltere.ui.command;
+
+import haltere.core.camera.Biases;
+import haltere.core.camera.Camera;
+import haltere.core.camera.CameraOptions;
+import haltere.core.camera.CameraOptions.WhenFull;
+import haltere.core.camera.CameraProblem;
+import haltere.core.camera.Cameras;
+import java.util.List;
+import java.util.OptionalDouble;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** Options of every command that can take its events from a camera. */
+final class CameraOptionsGroup {
+  @Spec(Spec.Target.MIXEE)
+  CommandSpec command;
+
+  @Option(
+      names = "--device",
+      paramLabel = "ID",
+      description = "A camera, as haltere devices lists it; \"\" for the first one that is there.")
+  List<String> devices = List.of();
+
+  @Option(
+      names = "--duration",
+      paramLabel = "S",
+      description = "End after so many seconds; if not given, with Ctrl+C.")
+  Double durationS;
+
+  @Option(
+      names = "--biases",
+      paramLabel = "SET",
+      description = "Set the camera's biases to a set of values, such as fast or slow.")
+  String set;
+
+  @Option(
+      names = "--bias",
+      paramLabel = "NAME=VALUE",
+      description = "Set a bias of the camera. May be repeated.")
+  List<String> biases = List.of();
+
+  @Option(
+      names = "--when-full",
+      paramLabel = "newest|oldest",
+      defaultValue = "newest",
+      description =
+          "Which events are lost where this computer cannot keep up: those that come (newest, the"
+              + " default), or those that have waited longest (oldest).")
+  String whenFull = "newest";
+
+  /**
+   * Refuses what can be told to be wrong before any work.
+   *
+   * @throws ParameterException if an option is wrong
+   */
+  void check() {
+    if (durationS != null && !(durationS > 0 && durationS <= 1e9)) {
+      throw wrong("--duration is " + durationS + ", it must be above 0 s");
+    }
+    for (String bias : biases) {
+      value(bias);
+    }
+    whenFull();
+  }
+
+  /** Whether a camera was asked for, or options that only a camera has. */
+  boolean given() {
+    return !devices.isEmpty();
+  }
+
+  /**
+   * Refuses options of cameras where there is none.
+   *
+   * @throws ParameterException if there are some
+   */
+  void checkNone() {
+    if (durationS != null || set != null || !biases.isEmpty()) {
+      throw wrong("--duration, --biases and --bias are for cameras: give --device ID");
+    }
+  }
+
+  private ParameterException wrong(String message) {
+    return new ParameterException(command.commandLine(), message);
+  }
+
+  OptionalDouble durationS() {
+    return durationS == null ? OptionalDouble.empty() : OptionalDouble.of(durationS);
+  }
+
+  private WhenFull whenFull() {
+    return switch (whenFull) {
+      case "newest" -> WhenFull.DROP_NEWEST;
+      case "oldest" -> WhenFull.DROP_OLDEST;
+      default -> throw wrong("--when-full is " + whenFull + "; there are newest and oldest");
+    };
+  }
+
+  private double value(String bias) {
+    int equals = bias.indexOf('=');
+    try {
+      if (equals > 0) {
+        return Double.parseDouble(bias.substring(equals + 1).strip());
+      }
+    } catch (NumberFormatException notANumber) {
+      // told below
+    }
+    throw wrong("--bias " + bias + " is not NAME=VALUE with a number");
+  }
+
+  /**
+   * Opens a camera and sets its biases.
+   *
+   * @param device its id, or empty for the first one that is there
+   * @param readings whether frames, inertial samples and triggers are wanted
+   * @return an open camera
+   * @throws CameraProblem if it cannot be opened
+   * @throws CommandProblem if it does not have such biases
+   */
+  Camera open(String device, boolean readings) throws CameraProblem {
+    Camera camera =
+        Cameras.installed()
+            .open(
+                device,
+                CameraOptions.DEFAULT
+                    .withReconnect(true)
+                    .withReadings(readings)
+                    .withWhenFull(whenFull()));
+    try {
+      setBiases(camera);
+      return camera;
+    } catch (IllegalArgumentException wrong) {
+      camera.close();
+      throw new CommandProblem(camera.info().id() + ": " + wrong.getMessage());
+    } catch (CameraProblem | RuntimeException problem) {
+      camera.close();
+      throw problem;
+    }
+  }
+
+  private void setBiases(Camera camera) throws CameraProblem {
+    if (set == null && biases.isEmpty()) {
+      return;
+    }
+    Biases all =
+        camera
+            .facet(Biases.class)
+            .orElseThrow(() -> new CommandProblem(camera.info().id() + " has no biases"));
+    if (set != null) {
+      all.apply(set);
+    }
+    for (String bias : biases) {
+      all.set(bias.substring(0, bias.indexOf('=')).strip(), value(bias));
+    }
+  }
+}

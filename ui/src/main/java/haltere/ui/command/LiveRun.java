@@ -1,0 +1,168 @@
+package haltere.ui.command;
+
+import haltere.core.camera.Camera;
+import haltere.core.camera.CameraStatistics;
+import haltere.core.chain.FilterChain;
+import haltere.core.event.EventPacket;
+import haltere.core.pipeline.ChainRunner;
+import haltere.core.pipeline.OnFailure;
+import haltere.core.pipeline.PipelineCounters;
+import haltere.core.stream.DeviceLost;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import haltere.core.stream.StreamStarted;
+import java.io.IOException;
+import java.util.List;
+import java.util.OptionalDouble;
+
+/**
+ * A camera's events through a chain to sinks, on a thread of its own, until the camera is closed.
+ * The same chain and sinks belong to that thread from {@link #start} until {@link #await} is over.
+ *
+ * <p>Thread rule: the command's thread.
+ */
+final class LiveRun {
+  private static final long LOOK_MS = 100;
+
+  private final Subcommand command;
+  private final Camera camera;
+  private final Thread thread;
+  private volatile Throwable problem;
+
+  /**
+   * A run that has not started.
+   *
+   * @param command is told what a person should know meanwhile
+   * @param camera an open camera
+   * @param chain its events go through it
+   * @param sinks take what is left
+   */
+  LiveRun(Subcommand command, Camera camera, FilterChain chain, List<StreamHandler> sinks) {
+    this.command = command;
+    this.camera = camera;
+    ChainRunner runner =
+        new ChainRunner(chain, new PipelineCounters(), OnFailure.STOP, failure -> {});
+    runner.addSink(new Plugs(), true);
+    sinks.forEach(sink -> runner.addSink(sink, false));
+    thread = new Thread(() -> work(runner), "haltere-" + camera.info().id());
+    thread.setDaemon(true);
+  }
+
+  private void work(ChainRunner runner) {
+    try {
+      while (camera.next(runner)) {
+        // until it is closed
+      }
+    } catch (IOException | RuntimeException | Error thrown) {
+      problem = thrown;
+      camera.close();
+    }
+  }
+
+  /**
+   * Runs cameras until a time is over, one has ended or failed, or the process is told to stop;
+   * what has come until then is worked on.
+   *
+   * @param runs not started
+   * @param durationS seconds, or empty for no end
+   * @throws IOException if a camera or a sink failed
+   */
+  static void run(List<LiveRun> runs, OptionalDouble durationS) throws IOException {
+    long beginNanos = System.nanoTime();
+    runs.forEach(run -> run.thread.start());
+    try {
+      while (runs.stream().allMatch(run -> run.thread.isAlive())) {
+        long leftMs =
+            durationS.isEmpty()
+                ? LOOK_MS
+                : (long) (durationS.getAsDouble() * 1000)
+                    - (System.nanoTime() - beginNanos) / 1_000_000;
+        if (leftMs <= 0) {
+          break;
+        }
+        runs.get(0).thread.join(Math.min(leftMs, LOOK_MS));
+      }
+    } catch (InterruptedException toldToStop) {
+      // that is how a person ends it
+    }
+    runs.forEach(run -> run.camera.close());
+    boolean interrupted = false;
+    for (LiveRun run : runs) {
+      while (run.thread.isAlive()) {
+        try {
+          run.thread.join();
+        } catch (InterruptedException again) {
+          interrupted = true;
+          run.thread.interrupt();
+        }
+      }
+    }
+    if (interrupted) {
+      Thread.currentThread().interrupt();
+    }
+    for (LiveRun run : runs) {
+      run.rethrow();
+    }
+  }
+
+  private void rethrow() throws IOException {
+    if (problem instanceof IOException thrown) {
+      throw thrown;
+    }
+    if (problem instanceof RuntimeException thrown) {
+      throw thrown;
+    }
+    if (problem instanceof Error thrown) {
+      throw thrown;
+    }
+  }
+
+  /** Says what came and what was lost. */
+  void summary() {
+    CameraStatistics statistics = camera.statistics();
+    String id = camera.info().id();
+    command.message(
+        id
+            + ": "
+            + Quantities.events(statistics.events())
+            + ", with this program within "
+            + statistics.medianLatencyUs()
+            + " us (half of the transfers), "
+            + statistics.latency999Us()
+            + " us (999 of 1,000)");
+    if (statistics.lostEvents() > 0 || statistics.brokenTransfers() > 0) {
+      command.warning(
+          id
+              + ": lost "
+              + Quantities.events(statistics.lostEvents())
+              + " in "
+              + Quantities.count(statistics.lostTransfers())
+              + " transfers because this computer did not keep up"
+              + (statistics.brokenTransfers() > 0
+                  ? ", and " + statistics.brokenTransfers() + " transfers were broken"
+                  : ""));
+    }
+  }
+
+  /** Tells of a camera that goes and comes. */
+  private final class Plugs implements StreamHandler {
+    private boolean gone;
+
+    @Override
+    public void packet(EventPacket packet) {
+      // nothing to tell
+    }
+
+    @Override
+    public void notified(StreamNotification notification) {
+      if (notification instanceof DeviceLost lost) {
+        gone = true;
+        command.warning(
+            lost.device() + " was unplugged; it goes on when it is back, Ctrl+C ends it");
+      } else if (gone && notification instanceof StreamStarted) {
+        gone = false;
+        command.message(camera.info().id() + " is back");
+      }
+    }
+  }
+}

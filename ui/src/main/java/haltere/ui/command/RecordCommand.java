@@ -1,0 +1,225 @@
+package haltere.ui.command;
+
+import haltere.core.camera.Camera;
+import haltere.core.chain.ChainFile;
+import haltere.core.chain.FilterChain;
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.Recordings;
+import haltere.core.pipeline.RecorderReport;
+import haltere.core.pipeline.SessionRecorder;
+import haltere.core.pipeline.SessionRecorder.Limits;
+import haltere.core.stream.StreamHandler;
+import java.io.IOException;
+import java.nio.charset.CharacterCodingException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** Records cameras. */
+@Command(
+    name = "record",
+    description = {
+      "Record a camera until its time is over, or until Ctrl+C; the recording is whole then.",
+      "The first camera that is there is taken, or that of --device. With several --device each"
+          + " has a file of its own, OUT.ID, whose header says how the camera's clock relates to"
+          + " this computer's.",
+      "A camera that was unplugged goes on in another part (OUT-2, OUT-3) when it is back. The"
+          + " header holds the camera's biases and the chain, see haltere info."
+    })
+final class RecordCommand extends Subcommand {
+  @Parameters(
+      index = "0",
+      paramLabel = "OUT",
+      description = "Where the events go; the format follows from the ending, best .aedat4.")
+  Path out;
+
+  @Option(
+      names = "--chain",
+      paramLabel = "CHAIN.json",
+      description = "Filters that the events go through before they are recorded.")
+  Path chainFile;
+
+  @Option(
+      names = "--max-size",
+      paramLabel = "MB",
+      description = "Go on in another part (OUT-2, OUT-3) before a file is larger.")
+  Double maxMb;
+
+  @Option(
+      names = "--keep-free",
+      paramLabel = "MB",
+      defaultValue = "256",
+      description = "End the recording when the disk has no more left; 256 if not given.")
+  double keepFreeMb;
+
+  @Mixin CameraOptionsGroup cameras;
+  @Mixin PublishingOptions publishing;
+  @Mixin RecordingWritingOptions writing;
+
+  RecordCommand(Surroundings surroundings) {
+    super(surroundings);
+  }
+
+  /** A camera with all that belongs to it. */
+  private record Recorded(
+      Camera camera, FilterChain chain, SessionRecorder recorder, LiveRun run) {}
+
+  @Override
+  public Integer call() throws IOException {
+    cameras.check();
+    publishing.check();
+    writing.checkRecording(out);
+    Limits limits = limits();
+    if (maxMb != null && !Recordings.forWriting(out).name().equals("aedat4")) {
+      throw wrongArguments("--max-size is for .aedat4, of which the size is known while it grows");
+    }
+    List<String> devices = cameras.devices.isEmpty() ? List.of("") : cameras.devices;
+    if (new HashSet<>(devices).size() < devices.size()) {
+      throw wrongArguments("a camera is named twice");
+    }
+    if (devices.size() > 1 && !publishing.addresses.isEmpty()) {
+      throw wrongArguments("--publish is for one camera");
+    }
+    for (String device : devices) {
+      checkParts(devices.size() == 1 ? out : beside(device));
+    }
+    List<Recorded> all = new ArrayList<>();
+    try (Publishing published = new Publishing(this)) {
+      for (String device : devices) {
+        all.add(open(device, devices.size() == 1 ? out : beside(device), limits, published));
+      }
+      LiveRun.run(all.stream().map(Recorded::run).toList(), cameras.durationS());
+    } finally {
+      for (Recorded recorded : all) {
+        recorded.camera().close();
+        recorded.recorder().close();
+        recorded.chain().close();
+      }
+    }
+    return summary(all);
+  }
+
+  private Limits limits() {
+    if (maxMb != null && !(maxMb >= 2 && maxMb <= 1e9)) {
+      throw wrongArguments("--max-size is " + maxMb + ", it must be at least 2 MB");
+    }
+    if (!(keepFreeMb >= 0 && keepFreeMb <= 1e9)) {
+      throw wrongArguments("--keep-free is " + keepFreeMb + ", it must be 0 MB or more");
+    }
+    return new Limits(
+        maxMb == null ? Long.MAX_VALUE : (long) (maxMb * 1e6), (long) (keepFreeMb * 1e6));
+  }
+
+  /** {@code out.aedat4} has {@code out.dvs128-0042.aedat4}. */
+  private Path beside(String device) {
+    String name = out.getFileName().toString();
+    int dot = name.lastIndexOf('.');
+    int end = dot > 0 ? dot : name.length();
+    String word = device.replaceAll("[^A-Za-z0-9._]+", "-");
+    return out.resolveSibling(name.substring(0, end) + "." + word + name.substring(end));
+  }
+
+  /** Parts that are there would stand in the way in the middle of a recording. */
+  private void checkParts(Path file) {
+    writing.check(file);
+    for (int number = 2; Files.exists(SessionRecorder.part(file, number)); number++) {
+      writing.check(SessionRecorder.part(file, number));
+    }
+  }
+
+  private Recorded open(String device, Path file, Limits limits, Publishing published)
+      throws IOException {
+    Camera camera = cameras.open(device, true);
+    try {
+      FilterChain chain = chain(camera.geometry());
+      SessionRecorder recorder =
+          writing.session(
+              file,
+              camera,
+              () -> chainFile == null ? Optional.empty() : Optional.of(ChainFile.write(chain)),
+              limits);
+      List<StreamHandler> sinks = new ArrayList<>(publishing.open(chain, published).sinks());
+      sinks.add(recorder);
+      message("recording " + camera.info().id() + " to " + file);
+      LiveRun run = new LiveRun(this, camera, chain, sinks);
+      return new Recorded(camera, chain, recorder, run);
+    } catch (IOException | RuntimeException problem) {
+      camera.close();
+      throw problem;
+    }
+  }
+
+  private FilterChain chain(SensorGeometry geometry) throws IOException {
+    try {
+      return chainFile == null ? new FilterChain(geometry) : ChainFile.read(chainFile, geometry);
+    } catch (CharacterCodingException notText) {
+      throw Failures.notText(chainFile, notText);
+    }
+  }
+
+  private int summary(List<Recorded> all) throws IOException {
+    int status = OK;
+    for (Recorded recorded : all) {
+      recorded.run().summary();
+      if (recorded.recorder().parts().isEmpty() && recorded.recorder().endedEarly().isEmpty()) {
+        error(recorded.camera().info().id() + " gave no events; nothing was recorded");
+        status = FAILED;
+      }
+      for (SessionRecorder.Part part : recorded.recorder().parts()) {
+        tell(part);
+      }
+      Optional<String> early = recorded.recorder().endedEarly();
+      if (early.isPresent()) {
+        error(early.get());
+        status = FAILED;
+      }
+    }
+    relate(all);
+    return status;
+  }
+
+  private void tell(SessionRecorder.Part part) throws IOException {
+    RecorderReport report = part.report();
+    message(
+        String.format(
+            Locale.ROOT,
+            "wrote %s (%s, %.1f MB)",
+            part.file(),
+            Quantities.events(report.written()),
+            Files.size(part.file()) / 1e6));
+    if (report.lost() > 0) {
+      warning(
+          part.file() + ": lost " + Quantities.events(report.lost()) + ", the disk is too slow");
+    }
+    if (!report.readingsLeftOut().isEmpty()) {
+      warning(part.file() + ": the format cannot hold " + report.readingsLeftOut() + ", left out");
+    }
+  }
+
+  /** The clocks of several cameras, by all that is known at the end. */
+  private void relate(List<Recorded> all) {
+    for (Recorded other : all.subList(Math.min(1, all.size()), all.size())) {
+      Recorded first = all.get(0);
+      var firstClock = first.camera().clockRelation();
+      var otherClock = other.camera().clockRelation();
+      if (firstClock.isPresent() && otherClock.isPresent()) {
+        long us = firstClock.get().onClockOf(otherClock.get(), 0);
+        message(
+            "the clock of "
+                + other.camera().info().id()
+                + " is "
+                + us
+                + " us ahead of that of "
+                + first.camera().info().id());
+      }
+    }
+  }
+}
