@@ -39,6 +39,16 @@ public interface Playable extends EventSource {
   boolean seekable();
 
   /**
+   * Whether events come at their own time, as from a camera. They are played as they come, at
+   * whatever speed.
+   *
+   * @return false where a player paces them
+   */
+  default boolean isLive() {
+    return false;
+  }
+
+  /**
    * Goes on at the first event at or after a place. The next thing handed over is a {@code
    * Reset(SEEK)}, or the start of the stream if nothing has been handed over yet or the end has.
    *

@@ -48,7 +48,7 @@ final class PlaybackEngine {
     runUpUs = options.runUpUs();
     SourceCursor cursor = new SourceCursor(playable, options.nanoTime());
     PlaybackClock clock = new PlaybackClock(options.nanoTime(), options.sleeper());
-    clock.setSpeed(options.speed());
+    clock.setSpeed(playable.isLive() ? Double.POSITIVE_INFINITY : options.speed());
     pace = new PlaybackPace(clock, new PlaybackMeter(chain, cursor, options.nanoTime()));
     slices = new SliceCutter(clock, options.slicing(), options.loop());
     State state = options.paused() ? State.PAUSED : State.PLAYING;
@@ -127,6 +127,9 @@ final class PlaybackEngine {
     } else if (command instanceof PlaybackCommand.Rewind) {
       return jumpAndShow(stream.startOfLoop(), Reset.Cause.REWIND, done);
     } else if (command instanceof PlaybackCommand.SetSpeed set) {
+      if (playable.isLive()) {
+        throw new IOException(playable.name() + " is live: its events come at their own speed");
+      }
       pace.setSpeed(set.speed());
       slices.reopen();
     } else if (command instanceof PlaybackCommand.SetSlicing set) {

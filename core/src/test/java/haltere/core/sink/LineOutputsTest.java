@@ -17,6 +17,7 @@ import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -30,7 +31,7 @@ class LineOutputsTest {
     Socket socket = new Socket("127.0.0.1", LineAddress.parse(output.address()).port());
     int before = output.receivers();
     while (output.receivers() == before && before < 1) {
-      Thread.onSpinWait();
+      LockSupport.parkNanos(200_000);
     }
     return socket;
   }
@@ -71,7 +72,7 @@ class LineOutputsTest {
     try (Socket first = connect(output);
         Socket second = new Socket("127.0.0.1", first.getPort())) {
       while (output.receivers() < 2) {
-        Thread.onSpinWait();
+        LockSupport.parkNanos(200_000);
       }
       for (int i = 0; i < 100; i++) {
         output.send("a/b", line(i));

@@ -35,14 +35,18 @@ import java.util.function.LongSupplier;
  * A scene that behaves as a camera. Events come in transfers of a millisecond, at the time at which
  * a camera would send them; a bounded number of transfers waits for the consumer, and what finds no
  * room is lost, counted and told. The scene is simulated when the consumer comes, on its thread, so
- * with an injected clock everything is as reproducible as the scene. While the camera is unplugged
- * the scene stands still, and its clock starts from 0 when it is plugged in again.
+ * with an injected clock everything is as reproducible as the scene. A computer that is too slow to
+ * simulate it has a camera whose clock goes slower. While the camera is unplugged the scene stands
+ * still, and its clock starts from 0 when it is plugged in again.
  */
 final class SimulatedCamera implements Camera, TimestampReset, RegionOfInterest, Plug {
   private static final long TRANSFER_US = 1000;
   private static final int TRANSFER_EVENTS = 1024;
   private static final int BYTES_OF_EVENT = 4;
   private static final int WAITING = 1024;
+
+  /** Time that making a scene may take at once, while others wait for the lock. */
+  private static final long MOST_WORK_NANOS = 20_000_000;
 
   private final CameraInfo info;
   private final CameraOptions options;
@@ -135,9 +139,16 @@ final class SimulatedCamera implements Camera, TimestampReset, RegionOfInterest,
     if (filling == null) {
       return;
     }
+    long beginNanos = nanoTime.getAsLong();
     long nowUs = sceneUs();
     while (madeUs + TRANSFER_US <= nowUs && filling != null) {
       make(madeUs + TRANSFER_US);
+      if (nanoTime.getAsLong() - beginNanos > MOST_WORK_NANOS) {
+        // making the scene takes longer than the scene: let its clock be late by no more than this
+        long lateUs = sceneUs() - madeUs - MOST_WORK_NANOS / 1000;
+        anchorNanos += Math.max(0, lateUs) * 1000;
+        return;
+      }
     }
   }
 

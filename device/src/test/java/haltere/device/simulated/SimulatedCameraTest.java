@@ -40,6 +40,7 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -263,7 +264,7 @@ class SimulatedCameraTest {
             });
     consumer.start();
     while (!stream.ended()) {
-      Thread.onSpinWait();
+      LockSupport.parkNanos(200_000);
     }
     camera.close();
     over.await();

@@ -1,13 +1,24 @@
 package haltere.ui.viewer;
 
+import haltere.core.camera.Camera;
+import haltere.core.chain.ChainFile;
+import haltere.core.chain.FilterChain;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.WriteOptions;
+import haltere.core.format.aedat4.Aedat4Compression;
+import haltere.core.format.aedat4.Aedat4Writer;
+import haltere.core.pipeline.CameraHeader;
 import haltere.core.pipeline.OverflowPolicy;
 import haltere.core.pipeline.Recorder;
 import haltere.core.pipeline.RecorderReport;
+import haltere.core.pipeline.SessionRecorder;
+import haltere.core.playback.CameraPlayable;
 import haltere.core.playback.Player;
+import haltere.core.stream.StreamHandler;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.time.Clock;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javafx.beans.property.ReadOnlyBooleanProperty;
@@ -20,8 +31,19 @@ import javafx.beans.property.ReadOnlyBooleanWrapper;
  * <p>Thread rule: JavaFX thread only; nothing here waits.
  */
 final class RecordingControl {
+  /** Writes what is handed to it. */
+  private interface Writing extends AutoCloseable {
+    StreamHandler sink();
+
+    /** Ends it; what was written, in words for a person. */
+    String finish() throws IOException;
+
+    @Override
+    void close() throws IOException;
+  }
+
   /** A recording under way. */
-  private record Under(Player player, Recorder recorder, Path file) {}
+  private record Under(Player player, Writing writing, Path file) {}
 
   private final BackgroundWork background;
   private final Consumer<String> problems;
@@ -47,30 +69,99 @@ final class RecordingControl {
     return recording.getReadOnlyProperty();
   }
 
-  /** Starts to record; a file that is there is replaced. */
-  void start(Path file, Player player) {
+  /**
+   * Starts to record; a file that is there is replaced. A recording of a camera says in its header
+   * what the camera and the chain were set to, and goes on in another part where the camera's clock
+   * starts anew.
+   */
+  void start(Path file, ViewerSession session) {
     stop();
     int start = ++starts;
-    SensorGeometry geometry = player.playable().geometry();
+    Player player = session.player();
     recording.set(true);
     background.file(
         () ->
-            Recorder.inPlace(
-                file, WriteOptions.of(geometry).withOverwrite(true), OverflowPolicy.BLOCK),
-        recorder -> begin(start, new Under(player, recorder, file)),
+            player.playable() instanceof CameraPlayable live
+                ? ofCamera(file, live.camera(), session.chain())
+                : ofRecording(file, player.playable().geometry()),
+        writing -> begin(start, new Under(player, writing, file)),
         problem -> {
           recording.set(false);
           problems.accept(Texts.oneLine(problem));
         });
   }
 
+  private static Writing ofRecording(Path file, SensorGeometry geometry) throws IOException {
+    Recorder recorder =
+        Recorder.inPlace(file, WriteOptions.of(geometry).withOverwrite(true), OverflowPolicy.BLOCK);
+    return new Writing() {
+      @Override
+      public StreamHandler sink() {
+        return recorder;
+      }
+
+      @Override
+      public String finish() throws IOException {
+        RecorderReport report = recorder.finish();
+        return words(file, report.written())
+            + (report.afterStop() > 0 ? ", until playback jumped" : "");
+      }
+
+      @Override
+      public void close() throws IOException {
+        recorder.close();
+      }
+    };
+  }
+
+  private static Writing ofCamera(Path file, Camera camera, FilterChain chain) {
+    SessionRecorder session =
+        new SessionRecorder(
+            file,
+            camera.geometry(),
+            (part, metadata) ->
+                Aedat4Writer.createInPlace(
+                    part,
+                    new WriteOptions(camera.geometry(), true, Optional.empty(), metadata),
+                    Aedat4Compression.LZ4),
+            SessionRecorder.Limits.USUAL,
+            new CameraHeader(
+                camera,
+                () -> Optional.of(ChainFile.write(chain)),
+                System::nanoTime,
+                Clock.systemUTC()),
+            SessionRecorder.freeBytes(file));
+    return new Writing() {
+      @Override
+      public StreamHandler sink() {
+        return session;
+      }
+
+      @Override
+      public String finish() throws IOException {
+        List<SessionRecorder.Part> parts = session.finish();
+        long events = parts.stream().mapToLong(part -> part.report().written()).sum();
+        long lost = parts.stream().mapToLong(part -> part.report().lost()).sum();
+        return words(file, events)
+            + (parts.size() > 1 ? " in " + parts.size() + " parts" : "")
+            + (lost > 0 ? "; the disk was too slow for " + Texts.count(lost) : "")
+            + session.endedEarly().map(line -> "; " + line).orElse("");
+      }
+
+      @Override
+      public void close() throws IOException {
+        session.close();
+      }
+    };
+  }
+
   private void begin(int start, Under begun) {
     if (start != starts || !recording.get()) {
-      background.close(begun.recorder());
+      background.close(begun.writing());
       return;
     }
     under = Optional.of(begun);
-    begun.player().addSink(begun.recorder());
+    begun.player().addSink(begun.writing().sink());
     said.accept("Recording to " + begun.file().getFileName());
   }
 
@@ -80,23 +171,17 @@ final class RecordingControl {
     under.ifPresent(
         ended ->
             background.file(
-                () -> finish(ended),
-                report -> said.accept(words(ended.file(), report)),
-                problem -> problems.accept(Texts.oneLine(problem))));
+                () -> finish(ended), said, problem -> problems.accept(Texts.oneLine(problem))));
     under = Optional.empty();
   }
 
   /** In the background; a player that has been closed hands over nothing more anyway. */
-  private static RecorderReport finish(Under ended) throws IOException {
-    ended.player().removeSink(ended.recorder()).exceptionally(closed -> null).join();
-    return ended.recorder().finish();
+  private static String finish(Under ended) throws IOException {
+    ended.player().removeSink(ended.writing().sink()).exceptionally(closed -> null).join();
+    return ended.writing().finish();
   }
 
-  private static String words(Path file, RecorderReport report) {
-    return "Recorded "
-        + Texts.count(report.written())
-        + " events to "
-        + file.getFileName()
-        + (report.afterStop() > 0 ? ", until playback jumped" : "");
+  private static String words(Path file, long events) {
+    return "Recorded " + Texts.count(events) + " events to " + file.getFileName();
   }
 }

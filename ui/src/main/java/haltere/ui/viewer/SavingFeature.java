@@ -92,7 +92,7 @@ final class SavingFeature implements ViewerFeature {
 
   /** Records what comes out of the chain. */
   void record(Path file) {
-    window.sessions().session().ifPresent(open -> recording.start(file, open.player()));
+    window.sessions().session().ifPresent(open -> recording.start(file, open));
   }
 
   /** Whether a recording is under way. */

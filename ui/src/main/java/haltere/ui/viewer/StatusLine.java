@@ -36,6 +36,12 @@ final class StatusLine extends HBox {
           190,
           "Events that were lost (off the sensor, by the source, or in a filter that failed), and"
               + " pictures that a newer one replaced before the screen could show them");
+  private final Label live =
+      number(
+          "status-live",
+          0,
+          "Of the camera: transfers that wait for this program, events lost because it did not keep"
+              + " up, and the time from a transfer's arrival to the end of its work");
   private String error = "";
   private String playerMessage = "";
   private String source = "";
@@ -53,7 +59,8 @@ final class StatusLine extends HBox {
     HBox.setHgrow(message, Priority.ALWAYS);
     dismiss = Controls.button("dismiss", Icons.REMOVE, "Dismiss the message", this::clearError);
     dismiss.getStyleClass().add(Styles.SMALL);
-    getChildren().addAll(message, dismiss, time, rate, speed, frames, dropped);
+    getChildren().addAll(message, dismiss, live, time, rate, speed, frames, dropped);
+    setLive("");
     clearError();
   }
 
@@ -62,6 +69,12 @@ final class StatusLine extends HBox {
     error = line;
     Controls.help(message, line);
     showMessage();
+  }
+
+  /** Says how a camera's events come, or nothing where none is open. */
+  void setLive(String words) {
+    live.setText(words);
+    live.setManaged(!words.isEmpty());
   }
 
   void clearError() {

@@ -15,6 +15,8 @@ final class ViewerFeatures {
         new SpaceTimeFeature(),
         new PlotFeature(),
         new PlaybackFeature(),
+        new CameraFeature(),
+        new PublishFeature(),
         new BeatExposure(),
         new HelpFeature(),
         ViewerFeatures::quit);

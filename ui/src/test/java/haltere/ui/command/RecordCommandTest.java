@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -203,7 +204,7 @@ class RecordCommandTest {
             .start();
     assertTrue(haltere.errorReader().readLine().startsWith("recording simulated:fly"));
     while (!Files.exists(out) || Files.size(out) < 50_000) {
-      Thread.onSpinWait();
+      LockSupport.parkNanos(200_000);
       assertTrue(haltere.isAlive());
     }
     haltere.destroy();

@@ -1,0 +1,173 @@
+package haltere.core.playback;
+
+import haltere.core.camera.Camera;
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.event.SensorReading;
+import haltere.core.stream.DeviceLost;
+import haltere.core.stream.EndOfStream;
+import haltere.core.stream.Reset;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import haltere.core.stream.StreamStarted;
+import java.io.IOException;
+import java.util.Objects;
+import java.util.OptionalLong;
+
+/**
+ * A camera as something to play: without end, and never twice. Where its clock restarts, the
+ * elapsed timeline goes on 1 us behind the last event. A camera that was opened to reconnect and is
+ * unplugged gives nothing until it is back; then a {@code Reset(CLOCK_RESTARTED)} stands between
+ * what came before and after, because for those who watch it is one session.
+ *
+ * <p>It never makes the player wait for more than some milliseconds, so that the player obeys while
+ * the camera sees nothing.
+ *
+ * <p>Thread rule: as {@link Playable}; {@link #isUnplugged} from any thread.
+ */
+public final class CameraPlayable implements Playable {
+  private static final long PATIENCE_NANOS = 5_000_000;
+
+  private final Camera camera;
+  private final boolean reconnects;
+  private final EventPacket nothing = new EventPacket(1);
+  private volatile boolean unplugged;
+  private boolean started;
+  private boolean offsetKnown;
+  private long offsetUs;
+  private long endUs;
+  private long lastUs = StreamNotification.NO_TIME_US;
+
+  /**
+   * A camera to play.
+   *
+   * @param camera an open camera, closed with this
+   * @param reconnects whether it was opened to go on when it is plugged in again
+   */
+  public CameraPlayable(Camera camera, boolean reconnects) {
+    this.camera = Objects.requireNonNull(camera, "camera");
+    this.reconnects = reconnects;
+  }
+
+  /**
+   * The camera.
+   *
+   * @return to be asked and told; its stream is the player's
+   */
+  public Camera camera() {
+    return camera;
+  }
+
+  /**
+   * Whether the camera is gone and may come back.
+   *
+   * @return true from when its stream says so until it says that it begins anew
+   */
+  public boolean isUnplugged() {
+    return unplugged;
+  }
+
+  @Override
+  public String name() {
+    return camera.info().id();
+  }
+
+  @Override
+  public SensorGeometry geometry() {
+    return camera.geometry();
+  }
+
+  @Override
+  public boolean isLive() {
+    return true;
+  }
+
+  @Override
+  public OptionalLong durationUs() {
+    return OptionalLong.empty();
+  }
+
+  @Override
+  public boolean seekable() {
+    return false;
+  }
+
+  /** {@inheritDoc} Going to 0 begins the elapsed timeline anew with what comes next. */
+  @Override
+  public void seek(long elapsedUs) throws IOException {
+    if (elapsedUs != 0) {
+      throw new IOException(name() + " is a camera: what has been cannot be seen again");
+    }
+    offsetKnown = false;
+    endUs = 0;
+  }
+
+  @Override
+  public boolean next(StreamHandler handler) throws IOException {
+    if (!camera.await(PATIENCE_NANOS)) {
+      handler.packet(nothing);
+      return true;
+    }
+    return camera.next(new OneSession(handler));
+  }
+
+  /** Makes one stream of those before and after an unplugging. */
+  private final class OneSession implements StreamHandler {
+    private final StreamHandler handler;
+
+    OneSession(StreamHandler handler) {
+      this.handler = handler;
+    }
+
+    @Override
+    public void packet(EventPacket packet) {
+      if (!packet.isEmpty()) {
+        lastUs = packet.lastTimeUs();
+        if (!offsetKnown) {
+          offsetUs = endUs - packet.firstTimeUs();
+          offsetKnown = true;
+        }
+        endUs = lastUs + offsetUs + 1;
+      }
+      handler.packet(packet);
+    }
+
+    @Override
+    public void reading(SensorReading reading) {
+      handler.reading(reading);
+    }
+
+    @Override
+    public void notified(StreamNotification notification) {
+      if (notification instanceof DeviceLost && reconnects) {
+        unplugged = true;
+        handler.packet(nothing);
+      } else if (notification instanceof EndOfStream && unplugged) {
+        handler.packet(nothing);
+      } else if (notification instanceof StreamStarted && started) {
+        unplugged = false;
+        restart(new Reset(Reset.Cause.CLOCK_RESTARTED, lastUs, StreamNotification.NO_TIME_US));
+      } else if (notification instanceof Reset reset) {
+        restart(reset);
+      } else {
+        started |= notification instanceof StreamStarted;
+        handler.notified(notification);
+      }
+    }
+
+    private void restart(Reset reset) {
+      offsetKnown = false;
+      handler.notified(reset);
+    }
+  }
+
+  @Override
+  public long elapsedUs(long timeUs) {
+    return timeUs + offsetUs;
+  }
+
+  @Override
+  public void close() {
+    camera.close();
+  }
+}
