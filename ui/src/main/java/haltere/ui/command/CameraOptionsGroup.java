@@ -6,6 +6,7 @@ import haltere.core.camera.CameraOptions;
 import haltere.core.camera.CameraOptions.WhenFull;
 import haltere.core.camera.CameraProblem;
 import haltere.core.camera.Cameras;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.OptionalDouble;
 import picocli.CommandLine.Model.CommandSpec;
@@ -66,20 +67,25 @@ final class CameraOptionsGroup {
     whenFull();
   }
 
+  /**
+   * Refuses what can be told to be wrong where either a recording or a camera is the source.
+   *
+   * @param file the recording, or null
+   * @throws ParameterException if there are both or none, or options of a camera without one
+   */
+  void checkOneSource(Path file) {
+    check();
+    if ((file == null) != given() || devices.size() > 1) {
+      throw wrong("give either a FILE or one --device");
+    }
+    if (!given() && (durationS != null || set != null || !biases.isEmpty())) {
+      throw wrong("--duration, --biases and --bias are for cameras: give --device ID");
+    }
+  }
+
   /** Whether a camera was asked for, or options that only a camera has. */
   boolean given() {
     return !devices.isEmpty();
-  }
-
-  /**
-   * Refuses options of cameras where there is none.
-   *
-   * @throws ParameterException if there are some
-   */
-  void checkNone() {
-    if (durationS != null || set != null || !biases.isEmpty()) {
-      throw wrong("--duration, --biases and --bias are for cameras: give --device ID");
-    }
   }
 
   private ParameterException wrong(String message) {

@@ -89,14 +89,8 @@ final class RunCommand extends Subcommand {
 
   @Override
   public Integer call() throws IOException {
-    cameras.check();
+    cameras.checkOneSource(file);
     publishing.check();
-    if ((file == null) != cameras.given() || cameras.devices.size() > 1) {
-      throw wrongArguments("give either a FILE or one --device");
-    }
-    if (!cameras.given()) {
-      cameras.checkNone();
-    }
     if (!(speed >= PlaybackClock.MIN_SPEED)) {
       throw wrongArguments("--speed must be " + PlaybackClock.MIN_SPEED + " or more");
     }

@@ -1,5 +1,6 @@
 package haltere.ui.command;
 
+import haltere.core.camera.Camera;
 import haltere.core.chain.ChainFile;
 import haltere.core.chain.ChainStage;
 import haltere.core.chain.ConfigurableFilter;
@@ -30,13 +31,23 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "track",
     description = {
-      "Follow what moves in a recording and write where it is, how fast, and how sure that is.",
+      "Follow what moves in a recording or before a camera and write where it is, how fast, and how"
+          + " sure that is.",
       "A row for each visible track at each tick of the rate, from events before that time only."
     })
 final class TrackCommand extends Subcommand {
   private static final String TRACKS = "kalman-tracks";
 
-  @Parameters(index = "0", paramLabel = "FILE", description = "A recording.")
+  /** Runs what is to be tracked through a chain, to its end. */
+  private interface Feed {
+    void run(FilterChain chain) throws IOException;
+  }
+
+  @Parameters(
+      index = "0",
+      arity = "0..1",
+      paramLabel = "FILE",
+      description = "A recording, if not a camera (--device).")
   Path file;
 
   @Option(
@@ -72,6 +83,7 @@ final class TrackCommand extends Subcommand {
       })
   Path roadFile;
 
+  @Mixin CameraOptionsGroup cameras;
   @Mixin PublishingOptions publishing;
   @Mixin ReadingOptions reading;
   @Mixin WritingOptions writing;
@@ -85,21 +97,41 @@ final class TrackCommand extends Subcommand {
     if (!(rateHz >= 0.001 && rateHz <= 100_000)) {
       throw wrongArguments("--rate is " + rateHz + ", it must be from 0.001 to 100000 Hz");
     }
+    cameras.checkOneSource(file);
     publishing.check();
     writing.check(out);
     for (Path input : inputs()) {
       WritingOptions.checkDifferent(input, out);
     }
+    if (cameras.given()) {
+      trackCamera();
+    } else {
+      trackRecording();
+    }
+    return OK;
+  }
+
+  private void trackRecording() throws IOException {
     try (RecordingReader reader = reading.open(file)) {
       FilterChain chain = chain(reader.geometry());
       try {
-        track(reader, chain);
+        track(chain, whole -> run(reader, whole));
       } finally {
         chain.close();
       }
       warnings(reader);
     }
-    return OK;
+  }
+
+  private void trackCamera() throws IOException {
+    try (Camera camera = cameras.open(cameras.devices.get(0), false)) {
+      FilterChain chain = chain(camera.geometry());
+      try {
+        track(chain, whole -> run(camera, whole));
+      } finally {
+        chain.close();
+      }
+    }
   }
 
   private List<Path> inputs() {
@@ -157,14 +189,14 @@ final class TrackCommand extends Subcommand {
     return found;
   }
 
-  private void track(RecordingReader reader, FilterChain chain) throws IOException {
+  private void track(FilterChain chain, Feed feed) throws IOException {
     KalmanTracksFilter tracks = tracks(chain);
     tracks.apply(tracks.settings().onRoad(road(tracks.settings().road())).withReportRate(rateHz));
     long rows;
     if (roadFile == null) {
       try (CsvSink<TrackPoint> table = CsvSink.create(out, TrackPoint.class, writing.overwrite)) {
         tracks.points().subscribe(table);
-        rows = run(reader, chain, table);
+        rows = run(feed, chain, table);
       }
     } else {
       try (CsvSink<RoadTrackRow> table =
@@ -175,13 +207,19 @@ final class TrackCommand extends Subcommand {
         tracks
             .roadPoints()
             .subscribe(onRoad -> table.accept(RoadTrackRow.of(inPicture[0], onRoad)));
-        rows = run(reader, chain, table);
+        rows = run(feed, chain, table);
       }
     }
     message("wrote " + out + " (" + Quantities.count(rows) + " rows)");
   }
 
-  private long run(RecordingReader reader, FilterChain chain, CsvSink<?> table) throws IOException {
+  private static long run(Feed feed, FilterChain chain, CsvSink<?> table) throws IOException {
+    feed.run(chain);
+    table.finish();
+    return table.rows();
+  }
+
+  private void run(RecordingReader reader, FilterChain chain) throws IOException {
     try (ProgressBar bar = progressBar("tracking", file);
         Publishing published = publishing.open(chain, this)) {
       PipelineCounters counters = new PipelineCounters();
@@ -189,7 +227,13 @@ final class TrackCommand extends Subcommand {
       Pipeline.run(reader, chain, published.sinksAnd(progress), counters);
     }
     reading.requireWhole(reader);
-    table.finish();
-    return table.rows();
+  }
+
+  private void run(Camera camera, FilterChain chain) throws IOException {
+    try (Publishing published = publishing.open(chain, this)) {
+      LiveRun run = new LiveRun(this, camera, chain, published.sinks());
+      LiveRun.run(List.of(run), cameras.durationS());
+      run.summary();
+    }
   }
 }

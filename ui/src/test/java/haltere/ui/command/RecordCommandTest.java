@@ -193,6 +193,16 @@ class RecordCommandTest {
   }
 
   @Test
+  void whatMovesBeforeACameraIsTracked() throws IOException {
+    Path out = folder.resolve("tracks.csv");
+    CommandRun run =
+        CommandRun.of("track", "--device", "simulated:road", "--out", out, "--duration", "0.3");
+    assertEquals(0, run.status(), run.err());
+    assertTrue(Files.readAllLines(out).get(0).startsWith("t_us,id,x_px"), run.err());
+    assertEquals(2, CommandRun.of("track", "--out", out, "--overwrite").status());
+  }
+
+  @Test
   @DisabledOnOs(OS.WINDOWS)
   void aProgramThatIsToldToStopLeavesAWholeFile() throws Exception {
     Path out = folder.resolve("fly.aedat4");
