@@ -96,6 +96,9 @@ final class Hdf5Cursor implements EventCursor {
 
   @Override
   public Stop read(EventPacket out, int maxEvents) throws IOException {
+    if (row >= table.rows()) {
+      return end();
+    }
     out.ensureCapacity(maxEvents);
     int there;
     NumberColumn loading = time;
