@@ -34,6 +34,7 @@ public final class HaltereProgram {
           "orient",
           "devices",
           "record",
+          "orient",
           "simulate",
           "filters",
           "bench");
