@@ -90,15 +90,15 @@ final class Cluster {
 
   double formGain;
 
-  /**
-   * Mean square and fourth power of what is left along (cos, sin): small if it is at two places.
-   */
+  /** Means of the square, the cube and the fourth power of what is left along (cos, sin). */
   double square;
+
+  double cube;
 
   double fourth;
 
-  /** Radius that the cluster has had for a while, pixels. */
-  double usualRadius;
+  /** The mean square that there has been for a while. */
+  double usualSquare;
 
   /** Share of ON events less that of OFF events, -1 to 1. */
   double balance;
@@ -160,7 +160,6 @@ final class Cluster {
   /** Before this it is not seen: it may turn out to be a part of another one. */
   long unseenUntilUs;
 
-  boolean mayMerge;
   boolean overlapped;
 
   // The measurement since the last reading.
@@ -243,9 +242,10 @@ final class Cluster {
     cyy += formGain * (ey * ey - cyy);
     balance += formGain * (sign - balance);
     double along = ex * cos + ey * sin;
-    along *= along;
-    square += formGain * (along - square);
-    fourth += formGain * (along * along - fourth);
+    double alongSquared = along * along;
+    square += formGain * (alongSquared - square);
+    cube += formGain * (alongSquared * along - cube);
+    fourth += formGain * (alongSquared * alongSquared - fourth);
     mass++;
     fresh++;
     events++;

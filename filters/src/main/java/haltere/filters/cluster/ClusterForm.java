@@ -32,14 +32,20 @@ final class ClusterForm {
   /** A radius is usual after about this time. */
   private static final double USUAL_TIME_US = 1_000_000;
 
-  /** How much larger than usual a cluster is whose things part. */
-  private static final double PARTING = 1.1;
+  /** By what factor either way the mean square has changed where two things part or near. */
+  private static final double PARTING = 1.2;
+
+  /** The same where other clusters overlap, whose events make it larger as well. */
+  private static final double OVERLAPPED_PARTING = 6;
 
   /**
-   * Fourth moment over the square of the second, below which events are at two places: 1 for two
-   * points, 1.8 for an even spread, 3 for a Gaussian one.
+   * Kurtosis less the square of the skewness below which events are at two places: 1 for two
+   * points, whatever their weights, 1.8 for an even spread, 3 for a Gaussian one.
    */
   private static final double TWO_PLACES = 1.5;
+
+  /** Square of the mean of what is left, over the mean square, up to which a centre fits. */
+  private static final double GREATEST_DRIFT = 0.1;
 
   /** Balance from which on a cluster has one polarity only. */
   private static final double ONE_SIDED = 0.95;
@@ -48,9 +54,9 @@ final class ClusterForm {
   private static final double LEAD_FADING = 0.01;
 
   /** Share of the spread along the two places that is the distance between them. */
-  private static final double WITHIN = 0.85;
+  static final double WITHIN = 0.85;
 
-  private static final long SETTLED_US = 150_000;
+  private static final long SETTLED_US = 80_000;
 
   private final ClusterFormSettings form;
   private final ClusterGrowthSettings growth;
@@ -108,9 +114,8 @@ final class ClusterForm {
     cluster.cos = fixedCos;
     cluster.sin = fixedSin;
     invert(cluster);
-    cluster.square = variance;
-    cluster.fourth = 3 * variance * variance;
-    cluster.usualRadius = radius;
+    setSpread(cluster, variance);
+    cluster.usualSquare = variance;
     upkeep(cluster, cluster.bornUs, 0);
   }
 
@@ -148,6 +153,9 @@ final class ClusterForm {
     across = RADII * Math.sqrt(Math.max(0, across));
     setRadii(cluster, along, across, timeUs);
     setRegion(cluster);
+    cluster.usualSquare +=
+        (timeUs - cluster.bornUs <= SETTLED_US ? 1 : usualGain)
+            * (cluster.square - cluster.usualSquare);
   }
 
   /**
@@ -169,15 +177,35 @@ final class ClusterForm {
   }
 
   /**
-   * Whether a cluster grows because its events are at two places that part: two things that were
-   * taken for one.
+   * Whether a cluster is not what it was because its events are at two places that part or near:
+   * two things that were taken for one. Two places that stay as they are may be one thing's.
    */
   boolean isParting(Cluster cluster, long timeUs) {
     return growth.size()
         && timeUs - cluster.bornUs > SETTLED_US
-        && !cluster.overlapped
-        && cluster.radius() > PARTING * cluster.usualRadius
-        && cluster.fourth < TWO_PLACES * cluster.square * cluster.square;
+        && isOtherThanUsual(cluster)
+        && twoPlaces(cluster) < TWO_PLACES
+        && fits(cluster);
+  }
+
+  private static boolean isOtherThanUsual(Cluster cluster) {
+    if (cluster.overlapped) {
+      return cluster.square > OVERLAPPED_PARTING * cluster.usualSquare;
+    }
+    return cluster.square > PARTING * cluster.usualSquare
+        || cluster.square * PARTING < cluster.usualSquare;
+  }
+
+  /** Whether events are about the centre now: one that lags has been at two places as well. */
+  private static boolean fits(Cluster cluster) {
+    double along = cluster.driftX * cluster.cos + cluster.driftY * cluster.sin;
+    return along * along < GREATEST_DRIFT * cluster.square;
+  }
+
+  private static double twoPlaces(Cluster cluster) {
+    double square = cluster.square;
+    double skewness = cluster.cube * cluster.cube / (square * square * square);
+    return cluster.fourth / (square * square) - skewness;
   }
 
   /** Gives both parts of a cluster what is left of its spread once that between them is gone. */
@@ -188,13 +216,11 @@ final class ClusterForm {
     cluster.cxx -= between * c * c;
     cluster.cxy -= between * c * s;
     cluster.cyy -= between * s * s;
-    cluster.square -= between;
-    cluster.fourth = 3 * cluster.square * cluster.square;
+    setSpread(cluster, cluster.square - between);
     born.cxx = cluster.cxx;
     born.cxy = cluster.cxy;
     born.cyy = cluster.cyy;
-    born.square = cluster.square;
-    born.fourth = cluster.fourth;
+    setSpread(born, cluster.square);
     born.leadX = cluster.leadX;
     born.leadY = cluster.leadY;
     born.balance = cluster.balance;
@@ -204,21 +230,28 @@ final class ClusterForm {
     born.radiusB = cluster.radiusB;
     upkeep(cluster, timeUs, 0);
     upkeep(born, timeUs, 0);
-    cluster.usualRadius = cluster.radius();
-    born.usualRadius = born.radius();
+    cluster.usualSquare = cluster.square;
+    born.usualSquare = born.square;
+  }
+
+  /** Takes what is left along the first half axis as Gaussian, as long as nothing else is known. */
+  private static void setSpread(Cluster cluster, double variance) {
+    cluster.square = variance;
+    cluster.cube = 0;
+    cluster.fourth = 3 * variance * variance;
   }
 
   /** Takes a form that has changed at once as the usual one. */
   void settle(Cluster cluster, long timeUs) {
-    cluster.square =
+    setSpread(
+        cluster,
         cluster.cxx * cluster.cos * cluster.cos
             + 2 * cluster.cxy * cluster.cos * cluster.sin
-            + cluster.cyy * cluster.sin * cluster.sin;
-    cluster.fourth = 3 * cluster.square * cluster.square;
+            + cluster.cyy * cluster.sin * cluster.sin);
     cluster.radiusA = Double.POSITIVE_INFINITY;
     cluster.radiusB = Double.POSITIVE_INFINITY;
     upkeep(cluster, timeUs, 0);
-    cluster.usualRadius = cluster.radius();
+    cluster.usualSquare = cluster.square;
   }
 
   private void setRadii(Cluster cluster, double along, double across, long timeUs) {
@@ -249,11 +282,6 @@ final class ClusterForm {
     }
     cluster.radiusA = a;
     cluster.radiusB = b;
-    double radius = cluster.radius();
-    cluster.usualRadius =
-        radius < cluster.usualRadius || timeUs - cluster.bornUs <= SETTLED_US
-            ? radius
-            : cluster.usualRadius + usualGain * (radius - cluster.usualRadius);
   }
 
   /** Chooses the direction of the first half axis. */

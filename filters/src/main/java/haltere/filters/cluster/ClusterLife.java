@@ -71,7 +71,6 @@ final class ClusterLife {
     born.supportedUs = timeUs;
     born.keptUntilUs = Long.MIN_VALUE;
     born.unseenUntilUs = isBeside(born, clusters, count) ? timeUs + PARTING_US : Long.MIN_VALUE;
-    born.mayMerge = true;
     born.overlapped = false;
     born.path.clear();
     born.clearBatch(timeUs);
@@ -80,31 +79,32 @@ final class ClusterLife {
 
   /** Parts a cluster that has grown over two things; the newborn one is the second. */
   void part(Cluster cluster, Cluster born, long timeUs) {
-    double distance = Math.sqrt(cluster.square);
-    double dx = distance * cluster.cos;
-    double dy = distance * cluster.sin;
-    born.x = cluster.x + dx;
-    born.y = cluster.y + dy;
+    double between = ClusterForm.WITHIN * cluster.square;
+    double root = Math.sqrt(between);
+    double skewness = cluster.cube / (between * root);
+    double ahead = 0.5 * (skewness + Math.sqrt(skewness * skewness + 4));
+    double share = 1 / (1 + ahead * ahead);
+    born.x = cluster.x + ahead * root * cluster.cos;
+    born.y = cluster.y + ahead * root * cluster.sin;
     born.vx = cluster.vx;
     born.vy = cluster.vy;
     born.atUs = timeUs;
     born.bornUs = timeUs;
     born.lastUs = timeUs;
     born.id = 0;
-    born.events = cluster.events / 2;
-    born.mass = 0.5 * cluster.mass;
+    born.events = Math.round(share * cluster.events);
+    born.mass = share * cluster.mass;
     born.supportedUs = timeUs;
     born.keptUntilUs = Long.MIN_VALUE;
     born.unseenUntilUs = timeUs + PARTING_US;
-    born.mayMerge = true;
     born.overlapped = true;
     born.path.clear();
     born.clearBatch(timeUs);
-    cluster.x -= dx;
-    cluster.y -= dy;
-    cluster.mass *= 0.5;
-    cluster.usualMass *= 0.5;
-    born.usualMass = cluster.usualMass;
+    born.usualMass = share * cluster.usualMass;
+    cluster.x -= root / ahead * cluster.cos;
+    cluster.y -= root / ahead * cluster.sin;
+    cluster.mass *= 1 - share;
+    cluster.usualMass *= 1 - share;
   }
 
   private static boolean isBeside(Cluster born, Cluster[] clusters, int count) {

@@ -42,6 +42,9 @@ final class ClusterMerging {
   /** How long each pair has been apart, both visible, microseconds, by slots. */
   private int[] apartUs = new int[0];
 
+  /** Until when each pair is kept from merging, microseconds, by slots. */
+  private long[] keptApartUntilUs = new long[0];
+
   void apply(ClusterMergingSettings newSettings, int mostClusters) {
     settings = newSettings;
     differentCos = StrictMath.cos(StrictMath.toRadians(settings.differentAngleDeg()));
@@ -49,6 +52,8 @@ final class ClusterMerging {
       slots = mostClusters;
       togetherUs = new int[slots * slots];
       apartUs = new int[slots * slots];
+      keptApartUntilUs = new long[slots * slots];
+      Arrays.fill(keptApartUntilUs, Long.MIN_VALUE);
     }
   }
 
@@ -58,17 +63,24 @@ final class ClusterMerging {
       int pair = pair(cluster.slot, other);
       togetherUs[pair] = 0;
       apartUs[pair] = 0;
+      keptApartUntilUs[pair] = Long.MIN_VALUE;
     }
   }
 
+  /** Two are known to be two until a time. */
+  void keepApart(Cluster first, Cluster second, long untilUs) {
+    keptApartUntilUs[pair(first.slot, second.slot)] = untilUs;
+  }
+
   /** Two that have just parted are two. */
-  void keepApart(Cluster first, Cluster second) {
+  void parted(Cluster first, Cluster second) {
     apartUs[pair(first.slot, second.slot)] = SEEN_APART_US;
   }
 
   void reset() {
     Arrays.fill(togetherUs, 0);
     Arrays.fill(apartUs, 0);
+    Arrays.fill(keptApartUntilUs, Long.MIN_VALUE);
   }
 
   private int pair(int first, int second) {
@@ -80,7 +92,7 @@ final class ClusterMerging {
    *
    * @return whether they are to merge now
    */
-  boolean unite(Cluster first, Cluster second, int upkeepUs) {
+  boolean unite(Cluster first, Cluster second, long timeUs, int upkeepUs) {
     double dx = second.x - first.x;
     double dy = second.y - first.y;
     boolean edges = areTwoEdges(first, second);
@@ -99,10 +111,10 @@ final class ClusterMerging {
       note(first, second, upkeepUs);
       return false;
     }
-    if (!settings.allowed() || !first.mayMerge || !second.mayMerge) {
+    int pair = pair(first.slot, second.slot);
+    if (!settings.allowed() || !edges && timeUs <= keptApartUntilUs[pair]) {
       return false;
     }
-    int pair = pair(first.slot, second.slot);
     boolean two = apartUs[pair] >= SEEN_APART_US && !edges;
     double near = edges ? EDGES_APART : two ? TWO_NEAR * settings.overlap() : settings.overlap();
     if (distance > near * reach || moveDifferently(first, second, reach, two)) {

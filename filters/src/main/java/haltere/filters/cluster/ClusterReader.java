@@ -2,12 +2,17 @@ package haltere.filters.cluster;
 
 /** The visible ones of a tracker's clusters, as its observer sees them. */
 final class ClusterReader implements ClusterReadings {
+  private final ClusterMerging merging;
   private Cluster[] visible = new Cluster[0];
   private int count;
   private long timeUs;
   private double width;
   private double height;
   private boolean fedBack;
+
+  ClusterReader(ClusterMerging merging) {
+    this.merging = merging;
+  }
 
   /** Opens the view, with the clusters moved on to its time. */
   void open(Cluster[] clusters, int clusterCount, long readingUs, int widthPx, int heightPx) {
@@ -166,7 +171,7 @@ final class ClusterReader implements ClusterReadings {
   }
 
   @Override
-  public void allowMerging(int index, boolean allowed) {
-    at(index).mayMerge = allowed;
+  public void keepApart(int index, int other, long untilUs) {
+    merging.keepApart(at(index), at(other), untilUs);
   }
 }

@@ -191,10 +191,13 @@ public interface ClusterReadings {
   void keepAlive(int index, long untilUs);
 
   /**
-   * Says whether a cluster may merge with another one, from now on; without a word it may.
+   * Keeps two clusters from merging, since they are known to be two things. The edges in front and
+   * behind of a thing, of which one has ON events only and the other OFF events, merge all the
+   * same.
    *
-   * @param index of the cluster
-   * @param allowed false where it is known to be a thing of its own
+   * @param index of a cluster
+   * @param other index of the other
+   * @param untilUs how long they are kept apart, microseconds
    */
-  void allowMerging(int index, boolean allowed);
+  void keepApart(int index, int other, long untilUs);
 }

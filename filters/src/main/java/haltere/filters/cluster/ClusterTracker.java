@@ -43,7 +43,7 @@ public final class ClusterTracker {
   private final LongConsumer atReport;
   private final ClusterGrid grid;
   private final ClusterMerging merging = new ClusterMerging();
-  private final ClusterReader reader = new ClusterReader();
+  private final ClusterReader reader = new ClusterReader(merging);
   private ClusterTrackerSettings settings;
   private ClusterMotion motion;
   private ClusterForm form;
@@ -426,7 +426,7 @@ public final class ClusterTracker {
     life.part(cluster, born, timeUs);
     form.part(cluster, born, timeUs);
     motion.part(cluster, born);
-    merging.keepApart(cluster, born);
+    merging.parted(cluster, born);
   }
 
   private void merge(long timeUs) {
@@ -435,7 +435,7 @@ public final class ClusterTracker {
     }
     for (int i = 0; i < count; i++) {
       for (int j = i + 1; j < count; j++) {
-        if (merging.unite(clusters[i], clusters[j], (int) upkeepUs)) {
+        if (merging.unite(clusters[i], clusters[j], timeUs, (int) upkeepUs)) {
           boolean firstStays = ClusterMerging.isStronger(clusters[i], clusters[j]);
           Cluster kept = clusters[firstStays ? i : j];
           Cluster lost = clusters[firstStays ? j : i];

@@ -168,6 +168,11 @@ final class Track {
     nowVarianceVy = plane.varianceVyPx2S2;
   }
 
+  /** Whether it is shown and its cluster is among the present readings. */
+  boolean hasSeenCluster() {
+    return id > 0 && batch != null && batch.seen;
+  }
+
   double speedPxS() {
     return Math.hypot(nowVxPxS, nowVyPxS);
   }

@@ -32,6 +32,12 @@ public final class TrackEstimator implements ClusterObserver {
   /** A report goes on for so long after the last measurement of a track that is not hidden. */
   private static final long SHOWN_WITHOUT_CLUSTER_US = 100_000;
 
+  /**
+   * A track is shown when its place is known this well, in standard deviations of its events: a
+   * launch of two good measurements is, what gathers events of noise is not.
+   */
+  private static final double SURE_SPREADS = 0.5;
+
   /** Nearer to the border than this, what loses its cluster is taken to have left. */
   private static final double LEAVING_SPREADS = 1.3;
 
@@ -190,9 +196,20 @@ public final class TrackEstimator implements ClusterObserver {
     if (track.batch == null && !track.hidden && timeUs - track.heardUs > SHOWN_WITHOUT_CLUSTER_US) {
       return null;
     }
-    return plane.toPixels(track.at(timeUs)) && isInPicture(plane.xPx, plane.yPx, 0.5)
+    return plane.toPixels(track.at(timeUs))
+            && isInPicture(plane.xPx, plane.yPx, 0.5)
+            && isSure(track)
         ? track
         : null;
+  }
+
+  /** Whether it is known where a track is, by far better than by one of its events. */
+  private boolean isSure(Track track) {
+    double most = SURE_SPREADS * track.spreadPx;
+    return track.hidden
+        || track.contested
+        || settings.measurement().source() == MeasurementSource.CENTRE
+        || plane.varianceXPx2 + plane.varianceYPx2 < 2 * most * most;
   }
 
   /** Where the last track of {@link #shown} is in pixels. */
@@ -562,7 +579,7 @@ public final class TrackEstimator implements ClusterObserver {
     boolean always = settings.life().feedbackToCluster();
     for (int i = 0; i < count; i++) {
       Track track = tracks[i];
-      if (track.batch == null || track.id == 0 || !track.batch.seen) {
+      if (!track.hasSeenCluster()) {
         continue;
       }
       int index = track.batch.index;
@@ -570,7 +587,12 @@ public final class TrackEstimator implements ClusterObserver {
       if (always && heard) {
         readings.feedBack(index, track.nowXPx, track.nowYPx, track.nowVxPxS, track.nowVyPxS);
       }
-      readings.allowMerging(index, !track.nearUnlike);
+      for (int j = i + 1; track.nearUnlike && j < count; j++) {
+        Track other = tracks[j];
+        if (other.nearUnlike && other.hasSeenCluster() && track.movesUnlike(other)) {
+          readings.keepApart(index, other.batch.index, timeUs + settings.updateIntervalUs());
+        }
+      }
       if (track.contested) {
         readings.keepAlive(index, timeUs + SHOWN_WITHOUT_CLUSTER_US);
       }

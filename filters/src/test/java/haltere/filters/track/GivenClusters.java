@@ -20,7 +20,7 @@ final class GivenClusters implements ClusterReadings {
     double fedY = Double.NaN;
     double fedVx = Double.NaN;
     double fedVy = Double.NaN;
-    boolean mayMerge = true;
+    long keptApartUntilUs = Long.MIN_VALUE;
 
     Given(int id) {
       this.id = id;
@@ -151,7 +151,8 @@ final class GivenClusters implements ClusterReadings {
   }
 
   @Override
-  public void allowMerging(int index, boolean allowed) {
-    list.get(index).mayMerge = allowed;
+  public void keepApart(int index, int other, long untilUs) {
+    list.get(index).keptApartUntilUs = untilUs;
+    list.get(other).keptApartUntilUs = untilUs;
   }
 }

@@ -120,7 +120,7 @@ class TrackEstimatorTest {
     Given fed = clusters.list.get(0);
     assertEquals(moving.x(timeUs * 1e-6), fed.fedX, 0.1);
     assertEquals(120, fed.fedVx, 1);
-    assertTrue(fed.mayMerge);
+    assertEquals(Long.MIN_VALUE, fed.keptApartUntilUs);
     estimator = estimator(KalmanTracksSettings.original());
     fed.fedX = Double.NaN;
     step(50, moving);
@@ -181,8 +181,8 @@ class TrackEstimatorTest {
     Moving right = new Moving(clusters.add(1), 20, 100, 150, 0);
     Moving up = new Moving(clusters.add(2), 95, 25, 0, 150);
     step(48, right, up);
-    assertFalse(clusters.list.get(0).mayMerge);
-    assertFalse(clusters.list.get(1).mayMerge);
+    assertTrue(clusters.list.get(0).keptApartUntilUs > timeUs);
+    assertTrue(clusters.list.get(1).keptApartUntilUs > timeUs);
   }
 
   @Test
