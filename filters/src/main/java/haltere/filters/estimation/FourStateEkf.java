@@ -358,6 +358,34 @@ public final class FourStateEkf {
   }
 
   /**
+   * Changes one entry of the covariance so that it stays one; for a person, not for the hot path.
+   *
+   * @param row 0 to 3
+   * @param column 0 to 3
+   * @param value the new number
+   * @throws IllegalArgumentException if no covariance has such a number there
+   */
+  public void setCovariance(int row, int column, double value) {
+    double[] p = new double[16];
+    for (int i = 0; i < 4; i++) {
+      for (int j = 0; j < 4; j++) {
+        p[4 * i + j] = covariance(i, j);
+      }
+    }
+    double[] edited = CovarianceEdit.with(p, 4, row, column, value);
+    p00 = edited[0];
+    p01 = edited[1];
+    p02 = edited[2];
+    p03 = edited[3];
+    p11 = edited[5];
+    p12 = edited[6];
+    p13 = edited[7];
+    p22 = edited[10];
+    p23 = edited[11];
+    p33 = edited[15];
+  }
+
+  /**
    * Normalised innovation squared of the last usable measurement.
    *
    * @return NaN before the first

@@ -17,6 +17,8 @@ final class BeatSpectrum {
   private static final double BIN_S = 250e-6;
   private static final double STEP_HZ = 1;
   private static final int BINS = 1024;
+  private static final int NEAR_STEPS = 2;
+  private static final double NEAR_SHARE = 0.03;
 
   private final double[] weight = new double[BINS];
   private final double[] sumX = new double[BINS];
@@ -64,6 +66,43 @@ final class BeatSpectrum {
    * @return false if there is too little to search in
    */
   boolean search(double fromHz, double toHz) {
+    if (!settle()) {
+      return false;
+    }
+    double best = -1;
+    double bestHz = fromHz;
+    for (double hz = fromHz; hz <= toHz; hz += STEP_HZ) {
+      double gain = gain(hz);
+      if (gain > best) {
+        best = gain;
+        bestHz = hz;
+      }
+    }
+    double before = gain(bestHz - STEP_HZ);
+    double after = gain(bestHz + STEP_HZ);
+    double curve = before - 2 * best + after;
+    double shift = curve < 0 ? 0.5 * (before - after) / curve : 0;
+    frequencyHz = bestHz + STEP_HZ * Math.max(-1, Math.min(1, shift));
+    explained = gain(frequencyHz) / scatter;
+    axis();
+    return true;
+  }
+
+  /** How much of the scatter sinusoids near a frequency explain, 0 to 1, after {@link #settle}. */
+  double explainedNear(double hz) {
+    double best = 0;
+    for (int step = -NEAR_STEPS; step <= NEAR_STEPS; step++) {
+      best = Math.max(best, gain(hz * (1 + step * NEAR_SHARE)));
+    }
+    return best / scatter;
+  }
+
+  /**
+   * Ends adding: takes the mean place and the scatter about it.
+   *
+   * @return false if there is too little to search in
+   */
+  boolean settle() {
     double total = 0;
     meanX = 0;
     meanY = 0;
@@ -85,26 +124,7 @@ final class BeatSpectrum {
         scatter += (dx * dx + dy * dy) / weight[b];
       }
     }
-    if (scatter <= 0) {
-      return false;
-    }
-    double best = -1;
-    double bestHz = fromHz;
-    for (double hz = fromHz; hz <= toHz; hz += STEP_HZ) {
-      double gain = gain(hz);
-      if (gain > best) {
-        best = gain;
-        bestHz = hz;
-      }
-    }
-    double before = gain(bestHz - STEP_HZ);
-    double after = gain(bestHz + STEP_HZ);
-    double curve = before - 2 * best + after;
-    double shift = curve < 0 ? 0.5 * (before - after) / curve : 0;
-    frequencyHz = bestHz + STEP_HZ * Math.max(-1, Math.min(1, shift));
-    explained = gain(frequencyHz) / scatter;
-    axis();
-    return true;
+    return scatter > 0;
   }
 
   /** How much of the scatter a sinusoid of a frequency explains at best. */

@@ -3,6 +3,7 @@ package haltere.filters.wing;
 import haltere.filters.estimation.Angles;
 import haltere.filters.estimation.FourStateEkf;
 import haltere.filters.estimation.Gate;
+import java.util.List;
 
 /**
  * A filter for each edge of a wing, as the source has it: h = a + M sin xi, the same noise added
@@ -17,11 +18,21 @@ final class EdgesEstimator implements SideEstimator {
   private static final double START_VARIANCE = 1;
   private static final double PAIR_NOISE_SHARE = 1;
   private static final double WIDEST_GATE_SD = 30;
+  private static final double USUAL_MEASUREMENT = 0.006;
+  private static final List<String> NAMES =
+      List.of("centre", "amplitude", "phase", "angular frequency");
+  private static final List<String> UNITS = List.of("rad", "rad", "rad", "rad/s");
 
   private final WingSide side;
   private final StrokeFrame frame;
   private final BeatListener beats;
   private final FourStateEkf[] filters = new FourStateEkf[2];
+
+  /** What an update adds to the variances, and the variance of a measurement, of each edge. */
+  private final double[][] processNoise = new double[2][4];
+
+  private final double[] measurementNoise = new double[2];
+  private double expected;
   private WingNoiseSettings noise;
   private WingFilterSettings options;
   private final long[] lastUs = new long[2];
@@ -38,8 +49,7 @@ final class EdgesEstimator implements SideEstimator {
     this.side = side;
     this.frame = frame;
     this.beats = beats;
-    noise = settings.noise();
-    options = settings.filter();
+    apply(settings);
     for (int edge = 0; edge < 2; edge++) {
       filters[edge] = new FourStateEkf(gate(options.gateSd()), LOST_AFTER);
     }
@@ -50,9 +60,19 @@ final class EdgesEstimator implements SideEstimator {
   }
 
   @Override
-  public void apply(WingTrackerSettings settings) {
-    noise = settings.noise();
+  public final void apply(WingTrackerSettings settings) {
     options = settings.filter();
+    WingNoiseSettings changed = settings.noise();
+    if (!changed.equals(noise)) {
+      noise = changed;
+      for (int edge = 0; edge < 2; edge++) {
+        processNoise[edge][0] = noise.centre();
+        processNoise[edge][1] = noise.amplitude();
+        processNoise[edge][2] = noise.phase();
+        processNoise[edge][3] = noise.frequency();
+        measurementNoise[edge] = noise.measurement();
+      }
+    }
   }
 
   /** Begins with a centre and a frequency, as the source does: amplitude 1, phase the centre. */
@@ -75,7 +95,7 @@ final class EdgesEstimator implements SideEstimator {
   }
 
   @Override
-  public void event(long timeUs, boolean on) {
+  public boolean event(long timeUs, boolean on) {
     int edge = on ? 1 : 0;
     lastEventUs = timeUs;
     taken[edge]++;
@@ -86,7 +106,7 @@ final class EdgesEstimator implements SideEstimator {
             : sums[edge] / counts[edge] + Angles.wrapPi(frame.angle() - sums[edge] / counts[edge]);
     sums[edge] += measured;
     if (++counts[edge] < options.averagedEvents()) {
-      return;
+      return true;
     }
     double angle = sums[edge] / counts[edge];
     sums[edge] = 0;
@@ -95,12 +115,17 @@ final class EdgesEstimator implements SideEstimator {
     double sin = Math.sin(ekf.x2());
     double cos = Math.cos(ekf.x2());
     double y = Angles.wrapPi(angle - (ekf.x0() + ekf.x1() * sin));
-    double r = noise.measurement() > 0 ? noise.measurement() : 0.006;
-    ekf.update(y, 1, sin, ekf.x1() * cos, 0, r);
+    expected = angle - y;
+    ekf.update(y, 1, sin, ekf.x1() * cos, 0, measurementNoise(edge));
     mend(ekf);
     if (edge == 0) {
       watchBeat(timeUs);
     }
+    return true;
+  }
+
+  private double measurementNoise(int edge) {
+    return measurementNoise[edge] > 0 ? measurementNoise[edge] : USUAL_MEASUREMENT;
   }
 
   private void predict(int edge, long timeUs) {
@@ -108,8 +133,9 @@ final class EdgesEstimator implements SideEstimator {
     double dtS = (timeUs - lastUs[edge]) * US;
     if (dtS > 0) {
       ekf.predict(0, 0, 0, 0, 0, dtS);
-      ekf.addNoise(noise.centre(), noise.amplitude(), noise.phase(), noise.frequency());
-      ekf.addPairNoise(0, PAIR_NOISE_SHARE * Math.min(noise.phase(), noise.frequency()));
+      double[] q = processNoise[edge];
+      ekf.addNoise(q[0], q[1], q[2], q[3]);
+      ekf.addPairNoise(0, PAIR_NOISE_SHARE * Math.min(q[2], q[3]));
       lastUs[edge] = timeUs;
     }
   }
@@ -219,6 +245,51 @@ final class EdgesEstimator implements SideEstimator {
   @Override
   public long events(int edge) {
     return taken[edge];
+  }
+
+  @Override
+  public double expected() {
+    return expected;
+  }
+
+  @Override
+  public List<WingFilterState> filters() {
+    return List.of(filter(0), filter(1));
+  }
+
+  private WingFilterState filter(int edge) {
+    FourStateEkf ekf = filters[edge];
+    double[] p = new double[16];
+    for (int i = 0; i < 16; i++) {
+      p[i] = ekf.covariance(i / 4, i % 4);
+    }
+    return new WingFilterState(
+        WingPart.edge(side.ordinal(), edge),
+        NAMES,
+        UNITS,
+        new double[] {ekf.x0(), ekf.x1(), ekf.x2(), ekf.x3()},
+        p,
+        processNoise[edge],
+        measurementNoise(edge),
+        false,
+        ekf.nis(),
+        taken[edge]);
+  }
+
+  @Override
+  public void edit(WingFilterEdit edit) {
+    int edge = edit.part() == WingPart.edge(side.ordinal(), 0) ? 0 : 1;
+    FourStateEkf ekf = filters[edge];
+    switch (edit.table()) {
+      case STATE -> {
+        double[] x = {ekf.x0(), ekf.x1(), ekf.x2(), ekf.x3()};
+        x[edit.row()] = edit.value();
+        ekf.setState(x[0], x[1], Angles.wrapPi(x[2]), x[3]);
+      }
+      case COVARIANCE -> ekf.setCovariance(edit.row(), edit.column(), edit.value());
+      case PROCESS_NOISE -> processNoise[edge][edit.row()] = edit.notNegative();
+      case MEASUREMENT_NOISE -> measurementNoise[edge] = edit.notNegative();
+    }
   }
 
   @Override

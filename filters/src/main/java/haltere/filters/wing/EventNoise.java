@@ -90,16 +90,26 @@ final class EventNoise {
         1 / (1 + (strays + 1e-3) * Math.sqrt(2 * Math.PI * variance) * Math.exp(normalised / 2));
     double step = LEARN * belief;
     nis += step * (normalised - nis);
-    scale = Math.max(0.5, Math.min(2, scale + SCALE_SHARE * step * (normalised - 1)));
+    scale = Math.max(0.1, Math.min(2, scale + SCALE_SHARE * step * (normalised - 1)));
     double share = speed * speed / (fullSpeed * fullSpeed);
     if (share > 0.4) {
       timing += step * (square - variance) / (speed * speed);
       timing = Math.max(1e-11, Math.min(1e-7, timing));
     } else if (share < 0.12) {
       blade += step * (square - variance);
-      blade = Math.max(2.5e-5, Math.min(0.02, blade));
+      blade = Math.max(1e-6, Math.min(0.02, blade));
     }
     return belief;
+  }
+
+  /** Variance of a measurement that is set, 0 where it is learnt. */
+  double fixed() {
+    return fixed;
+  }
+
+  /** Variance of the event that was looked at last. */
+  double present() {
+    return varianceNow;
   }
 
   /** Mean normalised innovation squared of late. */

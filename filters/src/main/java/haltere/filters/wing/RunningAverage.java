@@ -22,6 +22,7 @@ final class RunningAverage implements SideEstimator {
   private final double[] edges = new double[2];
   private final long[] lastUs = new long[2];
   private final long[] taken = new long[2];
+  private double expected;
   private double position;
   private double centre;
   private double amplitude;
@@ -86,7 +87,7 @@ final class RunningAverage implements SideEstimator {
   }
 
   @Override
-  public void event(long timeUs, boolean on) {
+  public boolean event(long timeUs, boolean on) {
     nowUs = timeUs;
     int edge = on ? 1 : 0;
     double off = frame.angle() - edges[edge];
@@ -100,6 +101,7 @@ final class RunningAverage implements SideEstimator {
       lastUs[edge] = timeUs;
     }
     double measured = edges[edge] + off;
+    expected = edges[edge];
     edges[edge] += share * off;
     taken[edge]++;
     sum += measured;
@@ -112,6 +114,7 @@ final class RunningAverage implements SideEstimator {
     most = Math.max(most, position);
     follow(timeUs, before);
     positionUs = timeUs;
+    return true;
   }
 
   private void follow(long timeUs, double before) {
@@ -207,6 +210,11 @@ final class RunningAverage implements SideEstimator {
   @Override
   public long events(int edge) {
     return taken[edge];
+  }
+
+  @Override
+  public double expected() {
+    return expected;
   }
 
   @Override

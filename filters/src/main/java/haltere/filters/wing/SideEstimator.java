@@ -1,5 +1,7 @@
 package haltere.filters.wing;
 
+import java.util.List;
+
 /**
  * Estimates the stroke of one wing from its events. Times never go back.
  *
@@ -9,8 +11,10 @@ interface SideEstimator {
   /**
    * Takes an event of the wing's side that lies in the region of interest; the frame has just
    * looked at it.
+   *
+   * @return whether it was taken in
    */
-  void event(long timeUs, boolean on);
+  boolean event(long timeUs, boolean on);
 
   /** Brings the estimate to a time before which no event comes any more. */
   void advance(long timeUs);
@@ -44,6 +48,23 @@ interface SideEstimator {
 
   /** Events taken in of an edge, 0 leading, 1 trailing. */
   long events(int edge);
+
+  /** What was expected of the event that was taken in last, before latency is taken out. */
+  double expected();
+
+  /** The Kalman filters, of the wing or of its edges; none for a method without. */
+  default List<WingFilterState> filters() {
+    return List.of();
+  }
+
+  /**
+   * Changes a number of a filter.
+   *
+   * @throws IllegalArgumentException with a line for a person if it cannot be that number
+   */
+  default void edit(WingFilterEdit edit) {
+    throw new IllegalArgumentException("the running average has no filter to change");
+  }
 
   /** The stroke as it is now, for another estimator to begin with. */
   StrokeSeed seed();

@@ -1,5 +1,6 @@
 package haltere.filters.wing;
 
+import haltere.filters.estimation.CovarianceEdit;
 import java.util.Arrays;
 
 /**
@@ -248,6 +249,18 @@ final class StrokeEkf {
       lagSin = Math.sin(lag);
       lagCos = Math.cos(lag);
     }
+  }
+
+  /** Sets an entry of the state; the covariance stays. */
+  void set(int entry, double value) {
+    x[entry] = value;
+    refresh();
+  }
+
+  /** Sets an entry of the covariance, with all that has to follow for it to stay one. */
+  void setCovariance(int row, int column, double value) {
+    double[] edited = CovarianceEdit.with(p, size, row, column, value);
+    System.arraycopy(edited, 0, p, 0, p.length);
   }
 
   /** Standard deviation of an entry. */

@@ -85,4 +85,10 @@ record StrokeSeed(
     }
     return sum;
   }
+
+  /** What the source begins with: a centre and a frequency, amplitude 1 and phase 0. */
+  static StrokeSeed blind(long timeUs, double centre, double startHz) {
+    return new StrokeSeed(
+        timeUs, centre, 1, 0, 2 * Math.PI * startHz, 0, 0, new double[0], new double[0]);
+  }
 }

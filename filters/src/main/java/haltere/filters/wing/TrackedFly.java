@@ -2,13 +2,15 @@ package haltere.filters.wing;
 
 import haltere.filters.estimation.Angles;
 import haltere.filters.wing.WingTrackerState.Phase;
+import java.util.ArrayList;
+import java.util.List;
 
 /**
  * The fly that is tracked: its geometry, and for each wing a frame and the estimators.
  *
  * <p>Thread rule: one thread at a time.
  */
-final class TrackedFly implements BeatListener {
+final class TrackedFly {
   private static final WingSide[] SIDES = WingSide.values();
 
   /** Share of an asymmetry that the heading takes up in one check. */
@@ -25,9 +27,10 @@ final class TrackedFly implements BeatListener {
   private final RunningAverage[] beside = new RunningAverage[2];
   private final boolean[] tracked = new boolean[2];
   private final boolean[] takes = new boolean[4];
-  private final long[] beatCount = new long[2];
+  private final FlyReport report;
   private final double[] startX = new double[2];
   private final double[] startY = new double[2];
+  private final FrequencyAgreement agreement = new FrequencyAgreement();
   private double headingCos;
   private double headingSin;
   private double axisX;
@@ -42,27 +45,32 @@ final class TrackedFly implements BeatListener {
   TrackedFly(WingTrackerSettings settings, WingListener listener) {
     this.settings = settings;
     this.listener = listener;
+    report = new FlyReport(listener, main, beside, tracked, takes);
     build();
   }
 
   private void build() {
-    WingFilterSettings filter = settings.filter();
     for (int side = 0; side < 2; side++) {
-      BeatListener silent = (s, t, period, least, most) -> {};
-      beside[side] =
-          new RunningAverage(
-              SIDES[side],
-              frames[side],
-              settings.average(),
-              filter.method() == WingMethod.WRA ? this : silent);
-      main[side] =
-          filter.method() == WingMethod.WRA
-              ? beside[side]
-              : filter.model() == WingModel.EDGES
-                  ? new EdgesEstimator(SIDES[side], frames[side], settings, this)
-                  : new WingEstimator(SIDES[side], frames[side], settings, this);
+      build(side);
     }
     takeEdges();
+  }
+
+  private void build(int side) {
+    WingFilterSettings filter = settings.filter();
+    BeatListener silent = (s, t, period, least, most) -> {};
+    beside[side] =
+        new RunningAverage(
+            SIDES[side],
+            frames[side],
+            settings.average(),
+            filter.method() == WingMethod.WRA ? report::beat : silent);
+    main[side] =
+        filter.method() == WingMethod.WRA
+            ? beside[side]
+            : filter.model() == WingModel.EDGES
+                ? new EdgesEstimator(SIDES[side], frames[side], settings, report::beat)
+                : new WingEstimator(SIDES[side], frames[side], settings, report::beat);
   }
 
   private void takeEdges() {
@@ -106,6 +114,11 @@ final class TrackedFly implements BeatListener {
             : main[tracked[0] ? 0 : 1].frequencyHz();
   }
 
+  /** Frequency of a wing's estimator, hertz; NaN while the wing is not tracked. */
+  double frequencyHz(int side) {
+    return tracked[side] ? main[side].frequencyHz() : Double.NaN;
+  }
+
   void begin(FoundFly found, long timeUs) {
     FlyGeometry g = found.geometry();
     WingPlaceSettings place = settings.place();
@@ -114,6 +127,8 @@ final class TrackedFly implements BeatListener {
     sizePx = g.sizePx();
     confidence = g.headTailConfidence();
     initialisedAtUs = timeUs;
+    report.begin();
+    agreement.launch();
     regionPx = Math.max(3, sizePx * REGION_SLACK + place.regionOffsetPx());
     for (int side = 0; side < 2; side++) {
       int from = flip ? 1 - side : side;
@@ -124,7 +139,6 @@ final class TrackedFly implements BeatListener {
       frames[side].place(x, y, heading, place.innerRadiusPx(), regionPx);
       StrokeSeed seed = found.seeds()[from];
       tracked[side] = seed != null;
-      beatCount[side] = 0;
       if (seed != null) {
         StrokeSeed turned = flip ? seed.mirrored() : seed;
         launch(
@@ -143,21 +157,11 @@ final class TrackedFly implements BeatListener {
     if (main[side] instanceof WingEstimator wing) {
       int harmonics = settings.filter().harmonics();
       wing.launch(timeUs, seed.state(harmonics, timeUs), StrokeSeed.sd(harmonics));
+      wing.frequencyNoise().setRightShare(agreement.share());
     } else if (main[side] instanceof EdgesEstimator edges) {
       double startHz = settings.search().startFrequencyHz();
       if (startHz > 0) {
-        StrokeSeed blind =
-            new StrokeSeed(
-                timeUs,
-                seed.centre(),
-                1,
-                0,
-                2 * Math.PI * startHz,
-                0,
-                0,
-                new double[0],
-                new double[0]);
-        edges.launch(timeUs, blind, false);
+        edges.launch(timeUs, StrokeSeed.blind(timeUs, seed.centre(), startHz), false);
       } else {
         edges.launch(timeUs, seed, true);
       }
@@ -179,7 +183,9 @@ final class TrackedFly implements BeatListener {
     if (!tracked[side] || !takes[on ? 2 * side + 1 : 2 * side] || !frames[side].look(x, y)) {
       return;
     }
-    main[side].event(timeUs, on);
+    if (main[side].event(timeUs, on) && listener.wantsMeasurements()) {
+      report.event(timeUs, side, on, frames[side].angle());
+    }
     if (main[side] != beside[side] && settings.filter().method() == WingMethod.BOTH) {
       beside[side].event(timeUs, on);
     }
@@ -205,6 +211,7 @@ final class TrackedFly implements BeatListener {
       return;
     }
     if (main[0] instanceof WingEstimator left && main[1] instanceof WingEstimator right) {
+      compareFrequencies(left, right);
       if (tracked[0] && tracked[1] && settings.place().followsHeading()) {
         double by = HEADING_SHARE * ((left.centre() - right.centre()) / 2 - symmetry);
         left.turnHeading(by);
@@ -215,6 +222,16 @@ final class TrackedFly implements BeatListener {
       followEvents();
     }
     placeAxis();
+  }
+
+  private void compareFrequencies(WingEstimator left, WingEstimator right) {
+    if (tracked[0] && tracked[1] && left.frequencyNoise().isCalm() && right.frequencyNoise().isCalm()) {
+      agreement.compare(
+          2 * Math.PI * (left.frequencyHz() - right.frequencyHz()),
+          left.frequencyVariance() + right.frequencyVariance());
+    }
+    left.frequencyNoise().setRightShare(agreement.share());
+    right.frequencyNoise().setRightShare(agreement.share());
   }
 
   /** The running average's way: the body is between the mean places of both wings' events. */
@@ -259,114 +276,42 @@ final class TrackedFly implements BeatListener {
   }
 
   void publish(long timeUs, Phase phase) {
-    if (listener.wantsEstimates()) {
-      for (int side = 0; side < 2; side++) {
-        if (tracked[side]) {
-          publish(timeUs, side);
-        }
-      }
-      if (tracked[0] && tracked[1]) {
-        publishPair(timeUs);
-      }
-    }
+    report.tick(timeUs, settings.filter().method() == WingMethod.BOTH);
     if (listener.wantsSnapshots()) {
-      listener.snapshot(snapshot(timeUs, phase));
+      report.snapshot(timeUs, phase, geometry(), regionPx);
     }
   }
 
-  private void publish(long timeUs, int side) {
-    SideEstimator e = main[side];
-    double centre = e.centre();
-    double amplitude = e.amplitude();
-    double phase = e.phase();
-    double hz = e.frequencyHz();
-    double sdAngle = e.sdAngle();
-    double sdHz = e.sdFrequencyHz();
-    for (int edge = 0; edge < 2; edge++) {
-      if (takes[2 * side + edge]) {
-        listener.estimate(
-            new WingEstimate(
-                timeUs,
-                WingPart.edge(side, edge),
-                FlyFinder.wrapped(e.edgeAngle(edge)),
-                centre,
-                amplitude,
-                phase,
-                hz,
-                sdAngle,
-                sdHz,
-                e.events(edge)));
-      }
-    }
-    listener.estimate(row(timeUs, side, e, sdAngle, sdHz));
-    if (e != beside[side] && settings.filter().method() == WingMethod.BOTH) {
-      listener.average(row(timeUs, side, beside[side], Double.NaN, Double.NaN));
-    }
-  }
-
-  private static WingEstimate row(
-      long timeUs, int side, SideEstimator e, double sdAngle, double sdHz) {
-    return new WingEstimate(
-        timeUs,
-        WingPart.wing(side),
-        FlyFinder.wrapped(e.angle()),
-        e.centre(),
-        e.amplitude(),
-        e.phase(),
-        e.frequencyHz(),
-        sdAngle,
-        sdHz,
-        e.events(0) + e.events(1));
-  }
-
-  private void publishPair(long timeUs) {
-    double left = main[0].angle();
-    double right = main[1].angle();
-    listener.pair(
-        new WingPair(
-            timeUs,
-            left - right,
-            left + right,
-            main[0].amplitude() - main[1].amplitude(),
-            main[0].amplitude() + main[1].amplitude(),
-            Angles.wrapPi(main[1].phase() - main[0].phase()),
-            Math.hypot(main[0].sdAngle(), main[1].sdAngle())));
-  }
-
-  private WingSnapshot snapshot(long timeUs, Phase phase) {
-    double[] edges = new double[4];
-    double[] sd = new double[2];
+  /** The Kalman filters of the wings that are tracked. */
+  List<WingFilterState> filters() {
+    List<WingFilterState> filters = new ArrayList<>();
     for (int side = 0; side < 2; side++) {
-      for (int edge = 0; edge < 2; edge++) {
-        edges[2 * side + edge] = tracked[side] ? main[side].edgeAngle(edge) : Double.NaN;
+      if (tracked[side]) {
+        filters.addAll(main[side].filters());
       }
-      sd[side] = tracked[side] ? main[side].sdAngle() : Double.NaN;
     }
-    return new WingSnapshot(timeUs, phase, geometry(), regionPx, edges, sd);
+    return filters;
   }
 
-  @Override
-  public void beat(WingSide side, double timeUs, double periodUs, double leastRad, double mostRad) {
-    int own = side.ordinal();
-    if (Double.isNaN(periodUs) || !(periodUs > 0)) {
-      return;
+  /** Changes a number of a filter. */
+  void edit(WingFilterEdit edit) {
+    main[sideOf(edit.part())].edit(edit);
+  }
+
+  /** Begins a wing anew where it is now, as sure as when it was found, with the settings' noise. */
+  void restart(WingPart part) {
+    int side = sideOf(part);
+    StrokeSeed seed = main[side].seed();
+    build(side);
+    launch(side, seed.timeUs(), seed);
+  }
+
+  private int sideOf(WingPart part) {
+    int side = part.side().ordinal();
+    if (!tracked[side] || main[side].filters().stream().noneMatch(f -> f.part() == part)) {
+      throw new IllegalArgumentException("there is no filter for " + part + " now");
     }
-    int other = 1 - own;
-    double lag =
-        tracked[other]
-            ? Angles.wrapPi(main[other].phaseAt(timeUs) - main[own].phaseAt(timeUs))
-            : Double.NaN;
-    listener.beat(
-        new WingBeat(
-            side,
-            ++beatCount[own],
-            Math.round(timeUs),
-            periodUs,
-            1e6 / periodUs,
-            (mostRad - leastRad) / 2,
-            leastRad,
-            mostRad,
-            lag));
+    return side;
   }
 
   /** Takes new settings and tracks on. */

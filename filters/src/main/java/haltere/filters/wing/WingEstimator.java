@@ -1,6 +1,7 @@
 package haltere.filters.wing;
 
 import java.util.Arrays;
+import java.util.List;
 
 /**
  * Estimates the stroke of a wing with one {@link StrokeEkf} over both its edges: gathers events for
@@ -13,7 +14,7 @@ import java.util.Arrays;
 final class WingEstimator implements SideEstimator {
   private static final int SLOW_US = 1000;
   private static final int HINGE_US = 10_000;
-  private static final double FORGET_S = 0.3;
+  private static final double FORGET_S = 1;
   private static final double RATE_S = 0.2;
   private static final double[] SERIES_SD = {0.08, 0.03, 0.012};
   private static final double WIDTH_MEAN = 0.025;
@@ -24,32 +25,24 @@ final class WingEstimator implements SideEstimator {
   /** Events of one beat repeat each other's errors: so many of them count for one. */
   private static final double REPEATING = 3;
 
-  /** Density of the frequency's noise for each squared radian by which the phase runs away. */
-  private static final double RUN_AWAY = 4e7;
-
-  /** What a wing's estimate can be wrong by beyond its noise: heading, hinge, width. */
-  private static final double SYSTEMATIC_RAD = 0.008;
-
-  // A pixel whose ON events lag behind its OFF events has a photoreceptor, which delays OFF events
-  // as well, by at most half of the time that the wing is over the pixel; and it has a constant
-  // delay, which no event tells. A pixel without a lag is taken for ideal.
-  private static final double USUAL_LATENCY_S = 60e-6;
-  private static final double SURE_LAG_S = 20e-6;
-  private static final double RESPONSE_SHARE = 0.6;
-  private static final double LONGEST_RESPONSE_S = 25e-6;
+  /** What a wing's estimate is usually wrong by from the heading that its angles refer to. */
+  private static final double SYSTEMATIC_RAD = 0.0105;
 
   final StrokeEkf filter;
   final EventNoise noise;
   private final StrokeFrame frame;
   private final WingSide side;
   private WingNoiseSettings settings;
+  private WingNoiseSettings appliedNoise;
   private WingFilterSettings options;
   private final BeatListener beats;
   private final StrokeShape shape = new StrokeShape();
   private final HingeTracker hinge = new HingeTracker();
   private final LockJudge judge = new LockJudge();
+  private final FrequencyNoise frequencyNoise = new FrequencyNoise();
   private boolean followsHinge;
   private final double[] density;
+  private double steadyFrequency;
   private double averagingS;
 
   private long timeUs;
@@ -65,8 +58,7 @@ final class WingEstimator implements SideEstimator {
   private final double[] sumS = new double[2];
   private final long[] taken = new long[2];
   private double expected;
-  private double runAwayY;
-  private double runAwayW;
+  private double expectedAngle;
   private double lastPhase;
   private double lastCrossingUs = Double.NaN;
 
@@ -95,11 +87,17 @@ final class WingEstimator implements SideEstimator {
     options = changed.filter();
     followsHinge = changed.place().followsHinges();
     averagingS = options.averagingUs() * 1e-6;
+    if (settings.equals(appliedNoise)) {
+      noise.apply(options.gateSd(), noise.fixed());
+      return;
+    }
+    appliedNoise = settings;
     noise.apply(options.gateSd(), settings.measurement());
     density[StrokeEkf.CENTRE] = settings.centre();
     density[StrokeEkf.AMPLITUDE] = settings.amplitude();
     density[StrokeEkf.PHASE] = settings.phase();
-    density[StrokeEkf.OMEGA] = settings.frequency();
+    steadyFrequency = settings.frequency();
+    density[StrokeEkf.OMEGA] = steadyFrequency;
   }
 
   /** Begins at a time with a state. */
@@ -110,7 +108,7 @@ final class WingEstimator implements SideEstimator {
     slowUs = atUs;
     hingeUs = atUs;
     lastTakenUs = atUs;
-    density[StrokeEkf.OMEGA] = settings.frequency();
+    density[StrokeEkf.OMEGA] = steadyFrequency;
     noise.reset();
     Arrays.fill(sumW, 0);
     Arrays.fill(sumY, 0);
@@ -119,8 +117,7 @@ final class WingEstimator implements SideEstimator {
     Arrays.fill(taken, 0);
     pending = 0;
     expected = 0;
-    runAwayY = 0;
-    runAwayW = 0;
+    frequencyNoise.launch();
     lastCrossingUs = Double.NaN;
     judge.launch();
     hinge.launch(0.3);
@@ -129,7 +126,7 @@ final class WingEstimator implements SideEstimator {
   }
 
   @Override
-  public void event(long atUs, boolean on) {
+  public boolean event(long atUs, boolean on) {
     if (pending > 0 && (atUs - firstPendingUs) * 1e-6 >= averagingS) {
       flush();
     }
@@ -145,7 +142,8 @@ final class WingEstimator implements SideEstimator {
     double slope = filter.slope(c, s);
     double speed = slope * x[StrokeEkf.OMEGA];
     double ahead = slope >= 0 == on ? -x[StrokeEkf.WIDTH] : x[StrokeEkf.WIDTH];
-    double y = frame.angle() - filter.angle(c, s) - ahead;
+    expectedAngle = filter.angle(c, s) + ahead;
+    double y = frame.angle() - expectedAngle;
     if (y > Math.PI) {
       y -= 2 * Math.PI;
     } else if (y < -Math.PI) {
@@ -155,13 +153,12 @@ final class WingEstimator implements SideEstimator {
     double full = x[StrokeEkf.AMPLITUDE] * x[StrokeEkf.OMEGA];
     double belief = noise.judge(y, expected, speed, full);
     if (belief == 0) {
-      return;
+      return false;
     }
     lastTakenUs = atUs;
     double w = belief / variance;
     double ws = w * slope;
-    runAwayY += ws * y;
-    runAwayW += ws * slope;
+    frequencyNoise.add(y, ws, slope);
     if (followsHinge) {
       // the residual counts by its distance on the sensor, which changes with the hinge as well
       double gx = (y * frame.dx - frame.turn() * frame.dy) / frame.square;
@@ -178,6 +175,7 @@ final class WingEstimator implements SideEstimator {
     sumY[edge] += w * y;
     sumC[edge] += w * c;
     sumS[edge] += w * s;
+    return true;
   }
 
   private void turnTo(long atUs) {
@@ -238,15 +236,8 @@ final class WingEstimator implements SideEstimator {
   private void slowStep() {
     double dtS = (timeUs - slowUs) * 1e-6;
     slowUs = timeUs;
-    if (runAwayW > 0) {
-      double off = runAwayY / runAwayW;
-      double excess = off * off - 4 * REPEATING / runAwayW;
-      density[StrokeEkf.OMEGA] =
-          settings.frequency() + Math.min(settings.manoeuvre(), excess > 0 ? RUN_AWAY * excess : 0);
-    }
-    double fade = Math.exp(-dtS * filter.x[StrokeEkf.OMEGA] / (2 * Math.PI));
-    runAwayY *= fade;
-    runAwayW *= fade;
+    frequencyNoise.look(dtS, filter, settings.manoeuvre());
+    density[StrokeEkf.OMEGA] = steadyFrequency + frequencyNoise.added();
     filter.forget(StrokeEkf.RATE, 0, 1 - Math.exp(-dtS / RATE_S), settings.rateSd());
     double share = 1 - Math.exp(-dtS / FORGET_S);
     filter.forget(StrokeEkf.WIDTH, WIDTH_MEAN, share, WIDTH_SD);
@@ -315,18 +306,13 @@ final class WingEstimator implements SideEstimator {
     filter.x[StrokeEkf.CENTRE] -= frame.turn() * by;
   }
 
-  /** Time from the edge's passage to the time stamp of an OFF event, seconds. */
-  double latencyS() {
-    double lag = Math.max(0, filter.x[StrokeEkf.LAG]);
-    double constant =
-        options.latencyUs() >= 0
-            ? options.latencyUs() * 1e-6
-            : USUAL_LATENCY_S * Math.min(1, lag / SURE_LAG_S);
-    return constant + Math.min(LONGEST_RESPONSE_S, RESPONSE_SHARE * lag);
+  private double fullSpeed() {
+    return filter.x[StrokeEkf.AMPLITUDE] * filter.x[StrokeEkf.OMEGA];
   }
 
   private double ahead() {
-    return latencyS() * filter.x[StrokeEkf.OMEGA];
+    return CameraLatency.seconds(options.latencyUs(), filter.x[StrokeEkf.LAG], fullSpeed())
+        * filter.x[StrokeEkf.OMEGA];
   }
 
   @Override
@@ -378,17 +364,57 @@ final class WingEstimator implements SideEstimator {
   @Override
   public double sdAngle() {
     filter.look(filter.cos, filter.sin, 0);
-    return Math.sqrt(Math.max(0, filter.expectedVariance()) + SYSTEMATIC_RAD * SYSTEMATIC_RAD);
+    double speed = filter.slope(filter.cos, filter.sin) * filter.x[StrokeEkf.OMEGA];
+    double late = CameraLatency.sdSeconds(options.latencyUs(), fullSpeed()) * speed;
+    return Math.sqrt(
+        Math.max(0, filter.expectedVariance()) + SYSTEMATIC_RAD * SYSTEMATIC_RAD + late * late);
   }
 
   @Override
   public double sdFrequencyHz() {
-    return filter.sd(StrokeEkf.OMEGA) / (2 * Math.PI);
+    return Math.sqrt(frequencyNoise.variance(frequencyVariance())) / (2 * Math.PI);
+  }
+
+  /** Variance of the angular frequency as the filter thinks. */
+  double frequencyVariance() {
+    return filter.covariance(StrokeEkf.OMEGA, StrokeEkf.OMEGA);
+  }
+
+  FrequencyNoise frequencyNoise() {
+    return frequencyNoise;
   }
 
   @Override
   public double nis() {
     return noise.nis();
+  }
+
+  @Override
+  public double expected() {
+    return expectedAngle;
+  }
+
+  @Override
+  public List<WingFilterState> filters() {
+    double[] q = density.clone();
+    q[StrokeEkf.OMEGA] = steadyFrequency;
+    return List.of(FilterNumbers.of(side, filter, q, noise, taken[0] + taken[1]));
+  }
+
+  @Override
+  public void edit(WingFilterEdit edit) {
+    flush();
+    switch (edit.table()) {
+      case STATE -> filter.set(edit.row(), edit.value());
+      case COVARIANCE -> filter.setCovariance(edit.row(), edit.column(), edit.value());
+      case PROCESS_NOISE -> {
+        density[edit.row()] = edit.notNegative();
+        if (edit.row() == StrokeEkf.OMEGA) {
+          steadyFrequency = edit.value();
+        }
+      }
+      case MEASUREMENT_NOISE -> noise.apply(options.gateSd(), edit.notNegative());
+    }
   }
 
   @Override

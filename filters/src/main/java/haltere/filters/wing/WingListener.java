@@ -24,6 +24,45 @@ public interface WingListener {
   }
 
   /**
+   * Whether each event that is taken in is wanted.
+   *
+   * @return true to get them
+   */
+  default boolean wantsMeasurements() {
+    return false;
+  }
+
+  /**
+   * Whether the covariances of the filters are wanted.
+   *
+   * @return true to get them at each tick
+   */
+  default boolean wantsVariances() {
+    return false;
+  }
+
+  /**
+   * An event that the method has taken in.
+   *
+   * @param measurement with what was expected of it
+   */
+  default void measurement(WingMeasurement measurement) {}
+
+  /**
+   * How sure a filter is.
+   *
+   * @param variances of a wing, or of an edge
+   */
+  default void variances(WingVariances variances) {}
+
+  /**
+   * The Kalman filter less the running average, where both run.
+   *
+   * @param difference of a wing
+   */
+  default void difference(WingDifference difference) {}
+
+  /**
    * An estimate of an edge or of a wing.
    *
    * @param estimate by the method that is set

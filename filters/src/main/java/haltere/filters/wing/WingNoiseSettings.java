@@ -69,6 +69,6 @@ public record WingNoiseSettings(
    * @return see the manual
    */
   public static WingNoiseSettings defaults() {
-    return new WingNoiseSettings(0.005, 0.02, 0.01, 100, 4e4, 200, 4, 0);
+    return new WingNoiseSettings(0.005, 0.02, 1e-4, 10, 4e4, 200, 4, 0);
   }
 }

@@ -39,6 +39,17 @@ public enum WingPart {
   }
 
   /**
+   * The wing that it is, or is an edge of.
+   *
+   * @return left or right
+   */
+  public WingSide side() {
+    return this == LEFT || this == LEFT_LEADING || this == LEFT_TRAILING
+        ? WingSide.LEFT
+        : WingSide.RIGHT;
+  }
+
+  /**
    * The name in tables.
    *
    * @return such as {@code left-leading}

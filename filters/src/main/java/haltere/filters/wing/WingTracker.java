@@ -5,6 +5,8 @@ import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.filters.wing.WingTrackerState.Phase;
 import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
 
 /**
  * Tracks the wings of a tethered fly: gathers events, finds the fly in them ({@link FlyFinder}),
@@ -29,6 +31,7 @@ public final class WingTracker {
   private final FlyFinder finder;
   private final RecentEvents recent = new RecentEvents(RECENT);
   private final TrackedFly fly;
+  private final MultipleWatch watch = new MultipleWatch();
   private final long[] lastOfPixel;
   private WingTrackerSettings settings;
   private Phase phase = Phase.COLLECTING;
@@ -104,6 +107,57 @@ public final class WingTracker {
    */
   public double meanNis() {
     return fly.meanNis();
+  }
+
+  /**
+   * The Kalman filters as they are now, to be shown.
+   *
+   * @return one for each wing that is tracked, or for each edge of it; none with the running
+   *     average
+   */
+  public List<WingFilterState> filters() {
+    return fly.filters();
+  }
+
+  /**
+   * Changes a number of a filter while it runs. Noise that is changed stays until the filter is
+   * {@link #restart restarted} or the settings of the noise change.
+   *
+   * @param edit which number
+   * @throws IllegalArgumentException with a line for a person if it cannot be that number, or there
+   *     is no such filter now
+   */
+  public void edit(WingFilterEdit edit) {
+    fly.edit(edit);
+  }
+
+  /**
+   * Begins a filter anew: where it is now, as unsure as when the wing was found, with the noise of
+   * the settings. Where each edge has a filter that is done for both edges of the wing.
+   *
+   * @param part the wing, or one of its edges
+   * @throws IllegalArgumentException with a line for a person if there is no such filter now
+   */
+  public void restart(WingPart part) {
+    fly.restart(part);
+  }
+
+  /**
+   * Where the fly is.
+   *
+   * @return empty while none is tracked
+   */
+  public Optional<FlyGeometry> geometry() {
+    return fly.isTracked() ? Optional.of(fly.geometry()) : Optional.empty();
+  }
+
+  /**
+   * Radius of the region of interest about each hinge.
+   *
+   * @return pixels; of no meaning while no fly is tracked
+   */
+  public double regionPx() {
+    return fly.regionPx();
   }
 
   /**
@@ -244,6 +298,7 @@ public final class WingTracker {
     nextTickUs = tickAt(tickCount);
     nextCheckUs = timeUs + CHECK_US;
     waitUs = CHECK_US;
+    watch.launch();
     setPhase(timeUs);
     listener.geometry(fly.geometry());
   }
@@ -297,6 +352,15 @@ public final class WingTracker {
   private void check(long timeUs) {
     nextCheckUs = timeUs + CHECK_US;
     fly.check(timeUs);
+    if (fly.isTracked() && settings.search().startFrequencyHz() == 0) {
+      watch.look(recent, timeUs, fly.geometry());
+      if (watch.isWrong(fly.frequencyHz(0), fly.frequencyHz(1))) {
+        fly.forget();
+        setPhase(timeUs);
+        nextSearchUs = timeUs;
+        return;
+      }
+    }
     setPhase(timeUs);
     if (phase == Phase.ONE_WING && timeUs >= nextSearchUs) {
       FoundFly found = find(timeUs);

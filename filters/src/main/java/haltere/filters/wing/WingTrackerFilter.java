@@ -14,14 +14,20 @@ import java.util.List;
  * {@link WingTracker} as a stage of a chain. Lets all events through; publishes what it tracks.
  *
  * <p>Outlets: {@code estimates} of edges and wings, {@code wings} without the edges, {@code
- * averages} of the running average beside the Kalman filter, {@code beats}, {@code pairs} of wings,
- * {@code geometry} of the fly, {@code initialisation} step by step, and {@code snapshot} to be
- * drawn.
+ * averages} of the running average beside the Kalman filter, {@code differences} of both, {@code
+ * measurements} (each event that was taken in), {@code variances} of the filters, {@code beats},
+ * {@code pairs} of wings, {@code geometry} of the fly, {@code initialisation} step by step, and
+ * {@code snapshot} to be drawn.
  */
 public final class WingTrackerFilter implements ConfigurableFilter<WingTrackerSettings> {
   private final Outlet<WingEstimate> estimates = new Outlet<>("estimates", WingEstimate.class);
   private final Outlet<WingEstimate> wings = new Outlet<>("wings", WingEstimate.class);
   private final Outlet<WingEstimate> averages = new Outlet<>("averages", WingEstimate.class);
+  private final Outlet<WingDifference> differences =
+      new Outlet<>("differences", WingDifference.class);
+  private final Outlet<WingMeasurement> measurements =
+      new Outlet<>("measurements", WingMeasurement.class);
+  private final Outlet<WingVariances> variances = new Outlet<>("variances", WingVariances.class);
   private final Outlet<WingBeat> beats = new Outlet<>("beats", WingBeat.class);
   private final Outlet<WingPair> pairs = new Outlet<>("pairs", WingPair.class);
   private final Outlet<FlyGeometry> geometries = new Outlet<>("geometry", FlyGeometry.class);
@@ -29,7 +35,18 @@ public final class WingTrackerFilter implements ConfigurableFilter<WingTrackerSe
       new Outlet<>("initialisation", WingTrackerState.class);
   private final Outlet<WingSnapshot> snapshots = new Outlet<>("snapshot", WingSnapshot.class);
   private final List<Outlet<?>> outlets =
-      List.of(estimates, wings, averages, beats, pairs, geometries, states, snapshots);
+      List.of(
+          estimates,
+          wings,
+          averages,
+          differences,
+          measurements,
+          variances,
+          beats,
+          pairs,
+          geometries,
+          states,
+          snapshots);
   private final List<OverlayLayer<?>> overlays =
       List.of(new OverlayLayer<WingSnapshot>("wings", snapshots::subscribe, new WingOverlay()));
   private final WingTracker tracker;
@@ -98,6 +115,7 @@ public final class WingTrackerFilter implements ConfigurableFilter<WingTrackerSe
       return estimates.hasSubscribers()
           || wings.hasSubscribers()
           || averages.hasSubscribers()
+          || differences.hasSubscribers()
           || pairs.hasSubscribers();
     }
 
@@ -112,6 +130,31 @@ public final class WingTrackerFilter implements ConfigurableFilter<WingTrackerSe
       if (estimate.edge() == WingPart.LEFT || estimate.edge() == WingPart.RIGHT) {
         wings.publish(estimate);
       }
+    }
+
+    @Override
+    public boolean wantsMeasurements() {
+      return measurements.hasSubscribers();
+    }
+
+    @Override
+    public boolean wantsVariances() {
+      return variances.hasSubscribers();
+    }
+
+    @Override
+    public void measurement(WingMeasurement measurement) {
+      measurements.publish(measurement);
+    }
+
+    @Override
+    public void variances(WingVariances row) {
+      variances.publish(row);
+    }
+
+    @Override
+    public void difference(WingDifference difference) {
+      differences.publish(difference);
     }
 
     @Override

@@ -69,14 +69,13 @@ public final class WingEvaluation {
   }
 
   private static Result track(long seed, FlySceneSettings scene) {
-    WingScores usual = new WingScores(new FlyScene(scene), WingTrackerSettings.defaults());
-    usual.run(SECONDS);
+    FlyScene events = new FlyScene(scene);
+    WingScores usual = new WingScores(events, WingTrackerSettings.defaults());
     double latency = scene.pixel().latencyUs();
     WingScores known =
         new WingScores(
-            new FlyScene(scene),
-            WingTrackerSettings.defaults().with("filter.latencyUs=" + latency));
-    known.run(SECONDS);
+            events, WingTrackerSettings.defaults().with("filter.latencyUs=" + latency));
+    WingScores.run(events, SECONDS, usual, known);
     return new Result(
         seed,
         scene,
@@ -125,6 +124,16 @@ public final class WingEvaluation {
         text,
         "| mean NIS in 0.95 to 1.05 | %d of %d | | |",
         found.stream().filter(r -> Math.abs(r.usual.meanNis() - 1) <= 0.05).count(),
+        found.size());
+    line(
+        text,
+        "| NEES of the frequency in its band | %d of %d | | |",
+        found.stream().filter(r -> r.usual.frequencyIsHonest()).count(),
+        found.size());
+    line(
+        text,
+        "| NEES of the angle in its band | %d of %d | | |",
+        found.stream().filter(r -> r.known.angleIsHonest()).count(),
         found.size());
     line(text, "");
   }

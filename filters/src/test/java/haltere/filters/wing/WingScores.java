@@ -28,8 +28,10 @@ final class WingScores implements WingListener {
   private double amplitude;
   private double amplitudeSum;
   private double phase;
-  private double neesFrequency;
-  private double neesAngle;
+  private final NormalisedErrors[] frequencyErrors = {
+    new NormalisedErrors(), new NormalisedErrors()
+  };
+  private final NormalisedErrors[] angleErrors = {new NormalisedErrors(), new NormalisedErrors()};
   private double nis;
   private long beats;
   private double lag;
@@ -48,29 +50,36 @@ final class WingScores implements WingListener {
 
   /** Runs for a time of the scene. */
   WingScores run(double seconds) {
+    run(scene, seconds, this);
+    return this;
+  }
+
+  /** Runs several trackers on the same events for a time of their scene. */
+  static void run(FlyScene scene, double seconds, WingScores... all) {
     long endUs = scene.startUs() + Math.round(seconds * 1e6);
     boolean[] ended = {false};
-    while (!ended[0]
-        && scene.next(
-            new StreamHandler() {
-              @Override
-              public void packet(EventPacket packet) {
-                if (packet.isEmpty() || packet.firstTimeUs() >= endUs) {
-                  ended[0] = !packet.isEmpty();
-                  return;
-                }
-                events += packet.size();
-                tracker.track(packet);
-              }
+    StreamHandler handler =
+        new StreamHandler() {
+          @Override
+          public void packet(EventPacket packet) {
+            if (packet.isEmpty() || packet.firstTimeUs() >= endUs) {
+              ended[0] = !packet.isEmpty();
+              return;
+            }
+            for (WingScores scores : all) {
+              scores.events += packet.size();
+              scores.tracker.track(packet);
+            }
+          }
 
-              @Override
-              public void notified(StreamNotification notification) {
-                // nothing to do
-              }
-            })) {
+          @Override
+          public void notified(StreamNotification notification) {
+            // nothing to do
+          }
+        };
+    while (!ended[0] && scene.next(handler)) {
       // goes on until the end
     }
-    return this;
   }
 
   @Override
@@ -139,8 +148,8 @@ final class WingScores implements WingListener {
     amplitude += amplitudeOff * amplitudeOff;
     amplitudeSum += amplitudeOff;
     phase += phaseOff * phaseOff;
-    neesFrequency += square(frequencyOff / e.sdFrequencyHz());
-    neesAngle += square(angleOff / e.sdAngleRad());
+    frequencyErrors[side].add(frequencyOff / e.sdFrequencyHz());
+    angleErrors[side].add(angleOff / e.sdAngleRad());
     if (Math.abs(Math.cos(truth.phaseRad())) < 0.2) {
       reversals++;
       reversal += angleOff * angleOff;
@@ -221,11 +230,21 @@ final class WingScores implements WingListener {
   }
 
   double neesFrequency() {
-    return neesFrequency / rows;
+    return NormalisedErrors.meanSquare(frequencyErrors);
   }
 
   double neesAngle() {
-    return neesAngle / rows;
+    return NormalisedErrors.meanSquare(angleErrors);
+  }
+
+  /** Whether the NEES of the frequency is within the 95 % band of as many independent errors. */
+  boolean frequencyIsHonest() {
+    return NormalisedErrors.inBand(frequencyErrors);
+  }
+
+  /** Whether the NEES of the angle is within the 95 % band of as many independent errors. */
+  boolean angleIsHonest() {
+    return NormalisedErrors.inBand(angleErrors);
   }
 
   long longestWrongUs() {

@@ -1,6 +1,7 @@
 package haltere.filters.wing;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.EventPacket;
@@ -8,6 +9,7 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.simulation.FlyTruth;
 import haltere.filters.estimation.Angles;
 import haltere.filters.wing.WingTrackerFilterTest.Flies;
+import haltere.filters.wing.WingFilterEdit.Table;
 import haltere.filters.wing.WingTrackerState.Phase;
 import java.util.ArrayList;
 import java.util.EnumSet;
@@ -101,6 +103,87 @@ class WingTrackerTest {
       WingEstimate last = said.estimates.get(said.estimates.size() - 1);
       assertEquals(hz, last.frequencyHz(), 0.1 * hz);
     }
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {0.5, 2})
+  void aFilterOnHalfOrTwiceTheFrequencyIsFoundOutWithin50Ms(double multiple) {
+    EventPacket events = Flies.events(0.3, STEADY, "stroke.beat.frequencyHz=190");
+    int half = events.indexAtOrAfter(events.firstTimeUs() + 120_000);
+    long provokedUs = events.timeUs(half);
+    Said said = new Said();
+    WingTracker tracker = new WingTracker(SENSOR, WingTrackerSettings.defaults(), said);
+    tracker.track(part(events, 0, half));
+    for (WingFilterState filter : tracker.filters()) {
+      double omega = filter.value(Table.STATE, 3, 0);
+      tracker.edit(new WingFilterEdit(filter.part(), Table.STATE, 3, 0, multiple * omega));
+      // the filter is sure of it, so that it stays there
+      tracker.edit(new WingFilterEdit(filter.part(), Table.COVARIANCE, 3, 3, 1e-6));
+      tracker.edit(new WingFilterEdit(filter.part(), Table.PROCESS_NOISE, 3, 0, 0));
+    }
+    tracker.track(part(events, half, events.size()));
+    assertTrue(said.phases().contains(Phase.LOST), "it was found out");
+    long wrongUntilUs = provokedUs;
+    int wrong = 0;
+    int right = 0;
+    for (WingEstimate e : said.estimates) {
+      if (e.timeUs() > provokedUs) {
+        if (Math.abs(e.frequencyHz() / 190 - 1) > 0.2) {
+          wrong++;
+          wrongUntilUs = e.timeUs();
+        } else {
+          right++;
+        }
+      }
+    }
+    assertTrue(wrong > 20, "it was on the wrong multiple");
+    assertTrue(wrongUntilUs - provokedUs <= 50_000, "for " + (wrongUntilUs - provokedUs) + " us");
+    assertTrue(right > 500, "and then on the right one");
+  }
+
+  private static EventPacket part(EventPacket events, int from, int to) {
+    EventPacket part = new EventPacket(to - from);
+    part.append(events, from, to);
+    return part;
+  }
+
+  @Test
+  void whatAPersonChangesInAFilterHoldsUntilItIsRestarted() {
+    Said said = new Said();
+    for (String model : new String[] {"WINGS", "EDGES"}) {
+      WingTracker tracker =
+          new WingTracker(
+              SENSOR, WingTrackerSettings.defaults().with("filter.model=" + model), said);
+      EventPacket events = Flies.events(0.09, STEADY);
+      int half = events.size() / 2;
+      tracker.track(part(events, 0, half));
+      WingPart part = tracker.filters().get(0).part();
+      tracker.edit(new WingFilterEdit(part, Table.PROCESS_NOISE, 1, 0, 0.25));
+      tracker.edit(new WingFilterEdit(part, Table.MEASUREMENT_NOISE, 0, 0, 0.5));
+      tracker.edit(new WingFilterEdit(part, Table.STATE, 0, 0, 1.25));
+      tracker.edit(new WingFilterEdit(part, Table.COVARIANCE, 0, 0, 0.125));
+      WingFilterState now = tracker.filters().get(0);
+      assertEquals(1.25, now.x()[0]);
+      assertEquals(0.125, now.p()[0], 1e-12);
+      tracker.track(part(events, half, half + 200));
+      tracker.apply(tracker.settings().with("output.leftTrailing=false"));
+      assertEquals(0.25, tracker.filters().get(0).q()[1]);
+      assertEquals(0.5, tracker.filters().get(0).r());
+      assertThrows(
+          IllegalArgumentException.class,
+          () -> tracker.edit(new WingFilterEdit(part, Table.PROCESS_NOISE, 1, 0, -1)));
+      assertThrows(
+          IllegalArgumentException.class,
+          () -> tracker.edit(new WingFilterEdit(part, Table.COVARIANCE, 0, 1, 1e9)));
+      tracker.restart(part);
+      assertEquals(
+          tracker.settings().noise().amplitude(), tracker.filters().get(0).q()[1], model);
+    }
+    WingTracker average =
+        new WingTracker(SENSOR, WingTrackerSettings.defaults().with("filter.method=WRA"), said);
+    average.track(Flies.events(0.05, STEADY));
+    assertEquals(List.of(), average.filters());
+    assertThrows(IllegalArgumentException.class, () -> average.restart(WingPart.LEFT));
   }
 
   @Test

@@ -1,0 +1,60 @@
+package haltere.filters.wing;
+
+/**
+ * Time from an edge's passage to the time stamp of its OFF event: a constant delay, which no event
+ * tells, and what the photoreceptor adds. A pixel answers, if at all, while the wing is over it;
+ * how late, ON events tell by how far they lag behind OFF events, measured by the time that the
+ * wing is over a pixel. A pixel without a lag is taken for ideal.
+ */
+final class CameraLatency {
+  private static final double USUAL_S = 60e-6;
+  private static final double SURE_LAG_S = 20e-6;
+
+  /** Width of a wing as seen from its hinge, radians, where it is best seen: in mid stroke. */
+  private static final double WING_RAD = 0.05;
+
+  /** A slow pixel's delay as a share of the time that the wing is over it. */
+  private static final double SLOW_SHARE = 0.42;
+
+  /** Lag of ON events, in the same measure, at which a pixel begins to be slow. */
+  private static final double SLOW_LAG = 0.35;
+
+  /** How much the delays of different recordings differ, as a share of the time over a pixel. */
+  private static final double SPREAD_SHARE = 0.12;
+
+  /** What is not known of the constant delay, where nobody says it. */
+  private static final double UNKNOWN_S = 15e-6;
+
+  private CameraLatency() {}
+
+  /** Time for which the wing is over a pixel, by its root mean square speed. */
+  private static double overPixelS(double fullSpeed) {
+    return WING_RAD * Math.sqrt(2) / Math.max(1, fullSpeed);
+  }
+
+  /**
+   * Latency of OFF events.
+   *
+   * @param knownUs constant delay of the camera, microseconds; negative if it is not known
+   * @param lagS of ON events behind OFF events, seconds
+   * @param fullSpeed of the wing in the middle of its stroke, radians a second
+   * @return seconds
+   */
+  static double seconds(double knownUs, double lagS, double fullSpeed) {
+    double lag = Math.max(0, lagS);
+    double over = overPixelS(fullSpeed);
+    double constant = knownUs >= 0 ? knownUs * 1e-6 : USUAL_S * Math.min(1, lag / SURE_LAG_S);
+    return constant + SLOW_SHARE * over * (1 - Math.exp(-lag / (SLOW_LAG * over)));
+  }
+
+  /**
+   * Standard deviation of {@link #seconds}.
+   *
+   * @param knownUs constant delay of the camera, microseconds; negative if it is not known
+   * @param fullSpeed of the wing in the middle of its stroke, radians a second
+   * @return seconds
+   */
+  static double sdSeconds(double knownUs, double fullSpeed) {
+    return Math.hypot(SPREAD_SHARE * overPixelS(fullSpeed), knownUs >= 0 ? 0 : UNKNOWN_S);
+  }
+}

@@ -1,0 +1,72 @@
+package haltere.filters.wing;
+
+/**
+ * The noise of a wing's frequency: how much process noise the filter gets, more in a manoeuvre
+ * ({@link RunAway}), and how sure the frequency really is, which the filter, ready for manoeuvres,
+ * puts too low in steady flight ({@link FrequencyAgreement}) and too high just before a manoeuvre is
+ * noticed ({@link FrequencySurprise}).
+ *
+ * <p>Thread rule: one thread at a time.
+ */
+final class FrequencyNoise {
+  private static final double CALM_SHARE = 0.02;
+
+  private final RunAway runAway = new RunAway();
+  private final FrequencySurprise surprise = new FrequencySurprise();
+
+  /** Variance of the angular frequency in steady flight, as the filter thinks. */
+  private double calmVariance;
+
+  private double rightShare = 1;
+
+  void launch() {
+    runAway.launch();
+    surprise.launch();
+    calmVariance = Double.MAX_VALUE;
+  }
+
+  /** Takes a residual, its weight times the slope, and the slope. */
+  void add(double residual, double weight, double slope) {
+    runAway.add(residual, weight, slope);
+  }
+
+  /**
+   * Looks, about once in a millisecond.
+   *
+   * @param dtS since the last time
+   * @param filter of the wing
+   * @param most that is added to the density of the noise
+   */
+  void look(double dtS, StrokeEkf filter, double most) {
+    double omega = filter.x[StrokeEkf.OMEGA];
+    runAway.look(dtS, omega, most);
+    surprise.look(dtS, omega, filter.x[StrokeEkf.RATE], isCalm());
+    double p = filter.covariance(StrokeEkf.OMEGA, StrokeEkf.OMEGA);
+    if (p < calmVariance) {
+      calmVariance = p;
+    } else if (isCalm()) {
+      calmVariance += CALM_SHARE * (p - calmVariance);
+    }
+  }
+
+  /** What is to be added to the density of the angular frequency's noise. */
+  double added() {
+    return runAway.density();
+  }
+
+  /** Whether the fly flies steadily. */
+  boolean isCalm() {
+    return runAway.density() == 0;
+  }
+
+  /** Says which share of the filter's variance in steady flight is right. */
+  void setRightShare(double share) {
+    rightShare = share;
+  }
+
+  /** Variance of the angular frequency, from what the filter thinks it is. */
+  double variance(double p) {
+    double calm = Math.min(p, calmVariance);
+    return rightShare * calm + (p - calm) + surprise.variance();
+  }
+}

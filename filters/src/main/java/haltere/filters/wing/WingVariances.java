@@ -1,0 +1,44 @@
+package haltere.filters.wing;
+
+import haltere.core.sink.Column;
+
+/**
+ * How sure a Kalman filter is of its state at a time, and what it thinks of its measurements: the
+ * entries of the covariance that matter.
+ *
+ * @param timeUs time on the clock of the events, microseconds
+ * @param edge the wing, or the edge where there is a filter for each edge
+ * @param centreRad2 variance of the centre, squared radians
+ * @param amplitudeRad2 variance of the amplitude, squared radians
+ * @param phaseRad2 variance of the phase, squared radians
+ * @param frequencyRad2PerS2 variance of the angular frequency, squared radians a squared second
+ * @param phaseFrequencyRad2PerS covariance of phase and angular frequency, squared radians a second
+ * @param measurementRad2 variance of a measurement, squared radians
+ * @param nis mean normalised innovation squared of late, 1 if the filter knows how good it is
+ */
+public record WingVariances(
+    @Column("t_us") long timeUs,
+    WingPart edge,
+    double centreRad2,
+    double amplitudeRad2,
+    double phaseRad2,
+    double frequencyRad2PerS2,
+    double phaseFrequencyRad2PerS,
+    double measurementRad2,
+    @Column(decimals = 4) double nis) {
+  /** From all the numbers of a filter, whose state begins with centre, amplitude, phase, omega. */
+  static WingVariances of(long timeUs, WingFilterState f) {
+    double[] p = f.p();
+    int size = f.names().size();
+    return new WingVariances(
+        timeUs,
+        f.part(),
+        p[0],
+        p[size + 1],
+        p[2 * size + 2],
+        p[3 * size + 3],
+        p[2 * size + 3],
+        f.r(),
+        f.nis());
+  }
+}
