@@ -14,6 +14,8 @@ import haltere.filters.wing.WingMethod;
 import haltere.filters.wing.WingPair;
 import haltere.filters.wing.WingTrackerFilter;
 import haltere.filters.wing.WingTrackerSettings;
+import haltere.ui.wing.WingLog;
+import haltere.ui.wing.WingLogFormat;
 import java.io.Closeable;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -64,9 +66,20 @@ final class WingsCommand extends Subcommand {
   @Option(
       names = "--log",
       paramLabel = "LOG.txt",
-      description =
-          "Where a log in the layout of the original goes, with a header that explains it.")
+      description = "Where a log goes whose first lines explain it.")
   Path log;
+
+  @Option(
+      names = "--log-rows",
+      paramLabel = "event|tick|beat",
+      description = "A row of the log for each event taken in, each tick (the default) or beat.")
+  String logRows = "tick";
+
+  @Option(
+      names = "--log-layout",
+      paramLabel = "table|original",
+      description = "A table with commas (the default), or the original wing tracker's layout.")
+  String logLayout = "table";
 
   @Option(
       names = "--method",
@@ -112,6 +125,7 @@ final class WingsCommand extends Subcommand {
   public Integer call() throws IOException {
     WingTrackerSettings settings = settings();
     publishing.check();
+    logFormat();
     checkOutputs();
     try (RecordingReader reader = reading.open(file)) {
       WingTrackerFilter filter = new WingTrackerFilter(reader.geometry(), settings);
@@ -168,6 +182,29 @@ final class WingsCommand extends Subcommand {
     };
   }
 
+  private WingLogFormat logFormat() {
+    WingLogFormat.Rows rows =
+        switch (logRows.toLowerCase(Locale.ROOT)) {
+          case "event" -> WingLogFormat.Rows.EVENT;
+          case "tick" -> WingLogFormat.Rows.TICK;
+          case "beat" -> WingLogFormat.Rows.BEAT;
+          default ->
+              throw wrongArguments("--log-rows is " + logRows + "; there are event, tick and beat");
+        };
+    WingLogFormat.Layout layout =
+        switch (logLayout.toLowerCase(Locale.ROOT)) {
+          case "table" -> WingLogFormat.Layout.TABLE;
+          case "original" -> WingLogFormat.Layout.ORIGINAL;
+          default ->
+              throw wrongArguments("--log-layout is " + logLayout + "; there are table, original");
+        };
+    try {
+      return new WingLogFormat(rows, layout);
+    } catch (IllegalArgumentException problem) {
+      throw wrongArguments("--log-rows: " + problem.getMessage());
+    }
+  }
+
   private void checkOutputs() throws IOException {
     WritingOptions writing = new WritingOptions();
     writing.overwrite = overwrite;
@@ -206,9 +243,8 @@ final class WingsCommand extends Subcommand {
       }
       WingLog wingLog = null;
       if (log != null) {
-        wingLog = WingLog.create(log, file, filter.settings(), overwrite);
+        wingLog = WingLog.open(log, file.getFileName().toString(), filter, logFormat(), overwrite);
         open.add(wingLog);
-        chain.outlet("estimates", WingEstimate.class).subscribe(wingLog);
       }
       PipelineCounters counters = new PipelineCounters();
       summary.listenTo(chain);

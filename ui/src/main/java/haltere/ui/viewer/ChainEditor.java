@@ -5,7 +5,9 @@ import haltere.core.chain.FilterChain;
 import haltere.core.chain.FilterProvider;
 import haltere.core.playback.Player;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicReference;
@@ -23,6 +25,7 @@ final class ChainEditor {
   private final Consumer<String> problems;
   private final Consumer<List<StageState>> changed;
   private final List<Runnable> listeners = new ArrayList<>();
+  private final Map<ChainStage, Consumer<Record>> followers = new HashMap<>();
   private Optional<Player> player = Optional.empty();
 
   /**
@@ -38,6 +41,7 @@ final class ChainEditor {
 
   void setPlayer(Player newPlayer) {
     player = Optional.of(newPlayer);
+    followers.clear();
     listeners.forEach(Runnable::run);
   }
 
@@ -99,6 +103,34 @@ final class ChainEditor {
               Platform.runLater(() -> refused.accept(Texts.oneLine(problem)));
               return null;
             });
+  }
+
+  /**
+   * Changes something inside the filters between two packets.
+   *
+   * @param refused called with one line if that cannot be
+   */
+  void change(Consumer<FilterChain> work, Consumer<String> refused) {
+    player.ifPresent(
+        open ->
+            open.edit(work)
+                .exceptionally(
+                    problem -> {
+                      Platform.runLater(() -> refused.accept(Texts.oneLine(problem)));
+                      return null;
+                    }));
+  }
+
+  /** Gives a filter settings from within a {@link #change}; who shows them is told. */
+  void applyNow(FilterChain chain, ChainStage stage, Record settings) {
+    chain.apply(stage, settings);
+    Platform.runLater(
+        () -> Optional.ofNullable(followers.get(stage)).ifPresent(shown -> shown.accept(settings)));
+  }
+
+  /** Tells somebody, in place of whoever was told before, of settings that others have applied. */
+  void follow(ChainStage stage, Consumer<Record> follower) {
+    followers.put(stage, follower);
   }
 
   /** Reads something off the chain between two packets and brings it to the JavaFX thread. */

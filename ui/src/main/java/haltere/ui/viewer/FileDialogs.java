@@ -72,6 +72,13 @@ final class FileDialogs {
     return remembered(chooser.showSaveDialog(owner));
   }
 
+  Optional<Path> log() {
+    FileChooser chooser = chooser("Log wings to");
+    chooser.getExtensionFilters().add(new ExtensionFilter("Logs", "*.txt"));
+    chooser.setInitialFileName("wings.txt");
+    return remembered(chooser.showSaveDialog(owner));
+  }
+
   private FileChooser chooser(String title) {
     FileChooser chooser = new FileChooser();
     chooser.setTitle(title);

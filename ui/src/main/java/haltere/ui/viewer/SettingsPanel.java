@@ -26,7 +26,7 @@ final class SettingsPanel<S extends Record> extends VBox {
   private final List<SettingField> fields = new ArrayList<>();
   private final Button resetAll = new Button("Reset all to defaults");
 
-  /** The record in force, as far as this panel knows; nobody else changes it. */
+  /** The record in force, as far as this panel knows. */
   private S settings;
 
   private SettingsPanel(
@@ -68,7 +68,9 @@ final class SettingsPanel<S extends Record> extends VBox {
   @SuppressWarnings("unchecked")
   static <S extends Record> SettingsPanel<S> of(ChainStage stage, S settings, ChainEditor editor) {
     SettingsSchema<S> schema = SettingsSchema.of((Class<S>) settings.getClass());
-    return new SettingsPanel<>(stage, settings, schema, editor);
+    SettingsPanel<S> panel = new SettingsPanel<>(stage, settings, schema, editor);
+    editor.follow(stage, changed -> panel.follow((S) changed));
+    return panel;
   }
 
   private void set(String name, Object value, java.util.function.Consumer<String> refused) {
@@ -80,6 +82,12 @@ final class SettingsPanel<S extends Record> extends VBox {
     } catch (SettingsProblem problem) {
       refused.accept(problem.getMessage());
     }
+  }
+
+  /** Somebody else has given the filter settings. */
+  private void follow(S changed) {
+    settings = changed;
+    show();
   }
 
   private void send(S changed, java.util.function.Consumer<String> refused) {

@@ -14,6 +14,7 @@ final class ViewerFeatures {
         new SeeingFeature(),
         new SpaceTimeFeature(),
         new PlotFeature(),
+        new WingsFeature(),
         new PlaybackFeature(),
         new CameraFeature(),
         new PublishFeature(),

@@ -91,7 +91,58 @@ class WingsCommandTest {
     assertTrue(run.out().contains("mean NIS"), run.out());
     List<String> lines = Files.readAllLines(log);
     assertTrue(lines.get(0).startsWith("# haltere"), lines.get(0));
-    assertEquals(7, lines.get(lines.size() - 1).split("\t").length);
+    assertTrue(
+        lines.contains("# column angle_rad: stroke angle, radians: 0 at the head, pi at the tail"));
+    assertTrue(lines.contains("# setting: output.rateHz=500.0"), lines.toString());
+    List<String> table = lines.stream().filter(line -> !line.startsWith("#")).toList();
+    assertEquals(rows, table, "the log has the same rows as the table");
+  }
+
+  @Test
+  void aLogHasRowsOfEventsOrBeatsAndTheLayoutOfTheOriginal() throws IOException {
+    Path fly = fly();
+    List<String> beats = log(fly, "beat", "table");
+    assertTrue(beats.get(0).startsWith("side,beat,t_us,"), beats.get(0));
+    assertTrue(beats.size() > 20, beats.size() + " rows of beats");
+    List<String> events = log(fly, "event", "table");
+    assertTrue(events.get(0).startsWith("t_us,edge,measured_rad,expected_rad,"), events.get(0));
+    assertTrue(events.size() > 2000, events.size() + " rows of events");
+    List<String> original = log(fly, "event", "original");
+    assertEquals(events.size() - 1, original.size());
+    for (String row : original) {
+      String[] fields = row.split("\t");
+      assertEquals(8, fields.length, row);
+      assertTrue(fields[0].matches("[1-4]"), row);
+    }
+    CommandRun wrong =
+        CommandRun.of(
+            "wings",
+            fly,
+            "--out",
+            folder.resolve("no.csv"),
+            "--log-rows",
+            "beat",
+            "--log-layout",
+            "original");
+    assertEquals(2, wrong.status(), wrong.err());
+  }
+
+  private List<String> log(Path fly, String rows, String layout) throws IOException {
+    Path log = folder.resolve(rows + layout + ".txt");
+    CommandRun run =
+        CommandRun.of(
+            "wings",
+            fly,
+            "--out",
+            folder.resolve(rows + layout + ".csv"),
+            "--log",
+            log,
+            "--log-rows",
+            rows,
+            "--log-layout",
+            layout);
+    assertEquals(0, run.status(), run.err());
+    return Files.readAllLines(log).stream().filter(line -> !line.startsWith("#")).toList();
   }
 
   @Test

@@ -1,0 +1,187 @@
+package haltere.ui.wing;
+
+import haltere.core.chain.EventFilter;
+import haltere.core.chain.Outlet;
+import haltere.core.format.AtomicFile;
+import haltere.core.settings.SettingsSchema;
+import haltere.core.sink.CsvSink;
+import haltere.filters.wing.WingBeat;
+import haltere.filters.wing.WingEstimate;
+import haltere.filters.wing.WingMeasurement;
+import haltere.filters.wing.WingTrackerFilter;
+import haltere.filters.wing.WingTrackerSettings;
+import java.io.BufferedOutputStream;
+import java.io.BufferedWriter;
+import java.io.Closeable;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.OutputStreamWriter;
+import java.io.Writer;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
+import java.util.function.LongSupplier;
+
+/**
+ * A readable log of tracked wings. Its first lines, which begin with #, say what the recording and
+ * the program's version are, what the columns mean in which units, and which settings differ from
+ * the defaults. The file appears when it is finished.
+ *
+ * <p>Thread rule: opened, finished and closed on the processing thread, or while it does not run.
+ */
+public final class WingLog implements Closeable {
+  private static final Map<String, String> MEANINGS =
+      Map.ofEntries(
+          Map.entry("t_us", "time on the recording's clock, microseconds"),
+          Map.entry("edge", "edge of a wing, or the wing as a whole"),
+          Map.entry("angle_rad", "stroke angle, radians: 0 at the head, pi at the tail"),
+          Map.entry("centre_rad", "mean stroke angle of the beat, radians"),
+          Map.entry("amplitude_rad", "half of peak to peak, radians"),
+          Map.entry("phase_rad", "radians, 0 where the wing passes its centre towards the tail"),
+          Map.entry("frequency_hz", "beat frequency, hertz"),
+          Map.entry("sd_angle_rad", "standard deviation of the angle, radians"),
+          Map.entry("sd_frequency_hz", "standard deviation of the frequency, hertz"),
+          Map.entry("events", "events taken in since the wing was found"),
+          Map.entry("measured_rad", "stroke angle of the event's pixel, radians"),
+          Map.entry("expected_rad", "what was expected of the event, radians"),
+          Map.entry("side", "wing"),
+          Map.entry("beat", "number of the beat since the wing was found"),
+          Map.entry("period_us", "length of the beat, microseconds"),
+          Map.entry("min_rad", "least stroke angle of the beat, radians"),
+          Map.entry("max_rad", "largest stroke angle of the beat, radians"),
+          Map.entry("phase_lag_rad", "how far this wing is behind the other, radians"));
+
+  private final AtomicFile file;
+  private final OutputStream out;
+  private final Writer text;
+  private final List<Outlet.Subscription> subscriptions = new ArrayList<>();
+  private CsvSink<?> table;
+  private LongSupplier rows = () -> 0;
+
+  private WingLog(AtomicFile file) {
+    this.file = file;
+    out = new BufferedOutputStream(file.stream(), 1 << 16);
+    text = new BufferedWriter(new OutputStreamWriter(out, StandardCharsets.UTF_8));
+  }
+
+  /**
+   * Starts a log and listens from now on.
+   *
+   * @param path where it will be
+   * @param source what a person calls the recording
+   * @param filter whose results are written
+   * @param format rows and layout
+   * @param overwrite whether a file that is there may be replaced
+   * @return an open log
+   * @throws IOException if the file is there and may not be replaced, or cannot be written
+   */
+  public static WingLog open(
+      Path path, String source, WingTrackerFilter filter, WingLogFormat format, boolean overwrite)
+      throws IOException {
+    WingLog log = new WingLog(AtomicFile.create(path, overwrite));
+    try {
+      log.begin(source, filter, format);
+      return log;
+    } catch (IOException | RuntimeException problem) {
+      log.close();
+      throw problem;
+    }
+  }
+
+  private void begin(String source, WingTrackerFilter filter, WingLogFormat format)
+      throws IOException {
+    String version = WingLog.class.getPackage().getImplementationVersion();
+    comment("haltere " + (version == null ? "(not from a jar)" : version) + ", wings of " + source);
+    WingTrackerSettings settings = filter.settings();
+    SettingsSchema<WingTrackerSettings> schema = SettingsSchema.of(WingTrackerSettings.class);
+    for (String name : schema.changed(settings)) {
+      comment("setting: " + name + "=" + schema.get(settings, name));
+    }
+    if (format.layout() == WingLogFormat.Layout.ORIGINAL) {
+      original(filter, format.rows());
+      return;
+    }
+    switch (format.rows()) {
+      case EVENT -> table(filter, "measurements", WingMeasurement.class);
+      case TICK -> table(filter, "estimates", WingEstimate.class);
+      case BEAT -> table(filter, "beats", WingBeat.class);
+    }
+  }
+
+  private void original(WingTrackerFilter filter, WingLogFormat.Rows when) throws IOException {
+    for (String line : OriginalRows.columns(filter.settings().filter().method())) {
+      comment(line);
+    }
+    OriginalRows lines = new OriginalRows(text, filter.settings().filter().method());
+    rows = lines::rows;
+    if (when == WingLogFormat.Rows.EVENT) {
+      subscribe(filter, "measurements", WingMeasurement.class, lines::event);
+    } else {
+      subscribe(filter, "measurements", WingMeasurement.class, lines::keep);
+      subscribe(filter, "estimates", WingEstimate.class, lines::tick);
+    }
+  }
+
+  private <R extends Record> void table(WingTrackerFilter filter, String outlet, Class<R> type)
+      throws IOException {
+    for (String column : CsvSink.columns(type)) {
+      comment("column " + column + ": " + MEANINGS.get(column));
+    }
+    text.flush();
+    CsvSink<R> sink = CsvSink.on(out, type);
+    table = sink;
+    rows = sink::rows;
+    subscribe(filter, outlet, type, sink);
+  }
+
+  private <R> void subscribe(
+      EventFilter filter, String name, Class<R> type, Consumer<? super R> taker) {
+    for (Outlet<?> outlet : filter.outlets()) {
+      if (outlet.name().equals(name)) {
+        subscriptions.add(outlet.subscribe(row -> taker.accept(type.cast(row))));
+      }
+    }
+  }
+
+  private void comment(String words) throws IOException {
+    text.write("# " + words + "\n");
+  }
+
+  /**
+   * Rows written so far.
+   *
+   * @return a count, without the lines that begin with #
+   */
+  public long rows() {
+    return rows.getAsLong();
+  }
+
+  /**
+   * Ends the log and puts the file in its place.
+   *
+   * @throws IOException if that fails; there is no file then
+   */
+  public void finish() throws IOException {
+    leave();
+    if (table != null) {
+      table.finish();
+    }
+    text.flush();
+    file.commit();
+  }
+
+  private void leave() {
+    subscriptions.forEach(Outlet.Subscription::close);
+    subscriptions.clear();
+  }
+
+  /** Ends the log; one that was not finished leaves nothing. */
+  @Override
+  public void close() throws IOException {
+    leave();
+    file.close();
+  }
+}
