@@ -90,7 +90,7 @@ final class EventNoise {
         1 / (1 + (strays + 1e-3) * Math.sqrt(2 * Math.PI * variance) * Math.exp(normalised / 2));
     double step = LEARN * belief;
     nis += step * (normalised - nis);
-    scale = Math.max(0.1, Math.min(2, scale + SCALE_SHARE * step * (normalised - 1)));
+    scale = Math.max(0.02, Math.min(2, scale + SCALE_SHARE * step * (normalised - 1)));
     double share = speed * speed / (fullSpeed * fullSpeed);
     if (share > 0.4) {
       timing += step * (square - variance) / (speed * speed);

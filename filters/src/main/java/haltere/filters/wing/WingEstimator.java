@@ -26,7 +26,7 @@ final class WingEstimator implements SideEstimator {
   private static final double REPEATING = 3;
 
   /** What a wing's estimate is usually wrong by from the heading that its angles refer to. */
-  private static final double SYSTEMATIC_RAD = 0.0105;
+  private static final double SYSTEMATIC_RAD = 0.0115;
 
   final StrokeEkf filter;
   final EventNoise noise;

@@ -16,6 +16,7 @@ import java.util.function.ToDoubleFunction;
  */
 public final class WingEvaluation {
   private static final double SECONDS = 1;
+  private static final int WRITTEN_EVERY = 25;
 
   /** A fly and how well it was tracked. */
   private record Result(
@@ -36,14 +37,24 @@ public final class WingEvaluation {
   public static void main(String[] args) throws IOException {
     int scenes = Integer.parseInt(args[0]);
     long firstSeed = Long.parseLong(args[1]);
+    Path folder = Path.of(args[2]);
+    Files.createDirectories(folder);
     List<Result> results = new ArrayList<>();
+    List<Result> heavy = new ArrayList<>();
     for (long seed = firstSeed; seed < firstSeed + scenes; seed++) {
       results.add(track(seed, EvaluationScenes.random(seed)));
+      if (heavy.size() < Math.max(4, scenes / 10)) {
+        heavy.add(track(seed, EvaluationScenes.heavyNoise(seed)));
+      }
+      // a run that is ended early leaves its figures as well
+      if (results.size() % WRITTEN_EVERY == 0 || results.size() == scenes) {
+        Files.writeString(folder.resolve("wings-figures.md"), figures(results, heavy));
+      }
     }
-    List<Result> heavy = new ArrayList<>();
-    for (long seed = firstSeed; seed < firstSeed + Math.max(4, scenes / 10); seed++) {
-      heavy.add(track(seed, EvaluationScenes.heavyNoise(seed)));
-    }
+    System.out.print(figures(results, heavy));
+  }
+
+  private static String figures(List<Result> results, List<Result> heavy) {
     StringBuilder text = new StringBuilder();
     table(text, "all scenes of at least 100 events an edge and beat", enough(results));
     table(
@@ -58,10 +69,7 @@ public final class WingEvaluation {
         results.stream().filter(r -> r.eventsPerEdge < 100).toList());
     table(text, "heavy noise", heavy);
     worst(text, enough(results));
-    Path folder = Path.of(args[2]);
-    Files.createDirectories(folder);
-    Files.writeString(folder.resolve("wings-figures.md"), text);
-    System.out.print(text);
+    return text.toString();
   }
 
   private static List<Result> enough(List<Result> results) {
