@@ -176,7 +176,8 @@ final class CameraMeasurement {
             chain.process(packet);
             long now = System.nanoTime();
             long batch = lastUs / BATCH_US;
-            // The first five seconds warm the JVM up, and only what ends a batch was sent at its time.
+            // The first five seconds warm the JVM up, and only what ends a batch was sent at its
+            // time.
             if (batch > 5000 && (lastUs + 1) % BATCH_US <= 1) {
               histogram.add(now - sentNanos[(int) batch & KEPT_BATCHES - 1]);
             }

@@ -37,8 +37,8 @@ import org.openjdk.jmh.annotations.Warmup;
  * buffers hold events already, and the consumer, on the same thread. {@code decoder} is the decoder
  * alone.
  *
- * <p>{@code ./gradlew jmh -Pbench=Camera}; figures are million events a second. What you should see:
- * 40 or more, and the decoder alone well above the whole.
+ * <p>{@code ./gradlew jmh -Pbench=Camera}; figures are million events a second. What you should
+ * see: 40 or more, and the decoder alone well above the whole.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.Throughput)
