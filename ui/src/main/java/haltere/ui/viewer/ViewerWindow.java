@@ -12,6 +12,7 @@ import java.util.Optional;
 import java.util.concurrent.Future;
 import java.util.concurrent.RejectedExecutionException;
 import javafx.animation.AnimationTimer;
+import javafx.application.Platform;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.scene.Group;
@@ -19,6 +20,7 @@ import javafx.scene.Scene;
 import javafx.scene.input.DragEvent;
 import javafx.scene.input.TransferMode;
 import javafx.stage.Stage;
+import javafx.stage.WindowEvent;
 
 /**
  * The viewer's window: holds the session that is open and joins the parts that open and show. What
@@ -88,7 +90,8 @@ public final class ViewerWindow implements SessionHost {
     features.forEach(feature -> feature.install(context));
     menu.follow();
     // the keys of playback work at once; a list in the focus would keep some of them
-    panels.view().requestFocus();
+    stage.addEventHandler(
+        WindowEvent.WINDOW_SHOWN, event -> Platform.runLater(panels.view()::requestFocus));
     pulse.start();
   }
 
