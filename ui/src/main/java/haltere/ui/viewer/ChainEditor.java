@@ -1,9 +1,12 @@
 package haltere.ui.viewer;
 
+import haltere.core.chain.ChainFile;
 import haltere.core.chain.ChainStage;
 import haltere.core.chain.FilterChain;
 import haltere.core.chain.FilterProvider;
 import haltere.core.playback.Player;
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -11,6 +14,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import javafx.application.Platform;
@@ -24,9 +28,11 @@ import javafx.application.Platform;
 final class ChainEditor {
   private final Consumer<String> problems;
   private final Consumer<List<StageState>> changed;
+  private final List<BiConsumer<String, Record>> adopters = new ArrayList<>();
   private final List<Runnable> listeners = new ArrayList<>();
   private final Map<ChainStage, Consumer<Record>> followers = new HashMap<>();
-  private Optional<Player> player = Optional.empty();
+  private final EditHistory history = new EditHistory();
+  private Optional<ChainAccess> player = Optional.empty();
 
   /**
    * An editor without a chain.
@@ -40,8 +46,14 @@ final class ChainEditor {
   }
 
   void setPlayer(Player newPlayer) {
-    player = Optional.of(newPlayer);
+    setAccess(newPlayer::edit);
+  }
+
+  /** Goes over to another chain; what was changed in the one before can no longer be undone. */
+  void setAccess(ChainAccess access) {
+    player = Optional.of(access);
     followers.clear();
+    history.clear();
     listeners.forEach(Runnable::run);
   }
 
@@ -50,51 +62,92 @@ final class ChainEditor {
     listeners.add(listener);
   }
 
+  /** What can be taken back. */
+  EditHistory history() {
+    return history;
+  }
+
   /** Adds a filter with default settings at the end. */
   void add(FilterProvider<?> provider) {
-    restructure(chain -> chain.add(provider));
+    restructure("adding " + Texts.title(provider.name()), chain -> chain.add(provider));
   }
 
   void remove(ChainStage stage) {
-    restructure(chain -> chain.remove(stage));
+    restructure("removing " + Texts.title(stage.name()), chain -> chain.remove(stage));
   }
 
   /** Moves a stage by places; beyond an end it stays at the end. */
   void move(ChainStage stage, int places) {
     restructure(
-        chain -> {
-          int last = chain.stages().size() - 1;
-          int position = chain.stages().indexOf(stage) + places;
-          chain.move(stage, Math.max(0, Math.min(last, position)));
-        });
+        "moving " + Texts.title(stage.name()),
+        chain -> moveTo(chain, stage, chain.stages().indexOf(stage) + places));
+  }
+
+  /** Moves a stage to where another one is. */
+  void moveTo(String stage, ChainStage target) {
+    restructure(
+        "moving " + Texts.title(stage),
+        chain -> moveTo(chain, chain.stage(stage), chain.stages().indexOf(target)));
+  }
+
+  private static void moveTo(FilterChain chain, ChainStage stage, int position) {
+    int last = chain.stages().size() - 1;
+    chain.move(stage, Math.max(0, Math.min(last, position)));
   }
 
   /** Puts the stages of another chain in place of all there are. */
   void replaceAll(FilterChain other) {
-    restructure(
+    restructure("another chain", chain -> replaceAll(chain, other));
+  }
+
+  private static void replaceAll(FilterChain chain, FilterChain other) {
+    for (ChainStage stage : List.copyOf(chain.stages())) {
+      chain.remove(stage);
+    }
+    for (ChainStage stage : other.stages()) {
+      chain.add(stage.kind(), stage.filter(), stage.isEnabled(), chain.stages().size());
+    }
+  }
+
+  /** Makes the chain what it was when it was written down. */
+  private void restore(String json) {
+    change(
         chain -> {
-          for (ChainStage stage : List.copyOf(chain.stages())) {
-            chain.remove(stage);
-          }
-          for (ChainStage stage : other.stages()) {
-            chain.add(stage.kind(), stage.filter(), stage.isEnabled(), chain.stages().size());
+          try {
+            replaceAll(chain, ChainFile.parse(json, "the chain before", chain.geometry()));
+          } catch (IOException impossible) {
+            throw new UncheckedIOException(impossible);
           }
         });
   }
 
   void setEnabled(ChainStage stage, boolean enabled) {
+    String name = stage.name();
     edit(chain -> chain.setEnabled(stage, enabled));
+    made(
+        (enabled ? "switching on " : "switching off ") + Texts.title(name),
+        "switch " + name,
+        () -> edit(chain -> chain.setEnabled(chain.stage(name), !enabled)),
+        () -> edit(chain -> chain.setEnabled(chain.stage(name), enabled)));
+  }
+
+  private void made(String words, Object subject, Runnable undo, Runnable redo) {
+    history.made(words, subject, undo, redo, System.nanoTime());
   }
 
   /**
    * Gives a filter new settings.
    *
+   * @param before the settings that it has
+   * @param subject what is changed, so that changes of the same can be taken back as one
    * @param refused called with one line if the filter does not take them
    */
-  void apply(ChainStage stage, Record settings, Consumer<String> refused) {
+  void apply(
+      ChainStage stage, Record before, Record settings, String subject, Consumer<String> refused) {
     if (player.isEmpty()) {
       return;
     }
+    String name = stage.name();
     player
         .get()
         .edit(chain -> chain.apply(stage, settings))
@@ -103,6 +156,24 @@ final class ChainEditor {
               Platform.runLater(() -> refused.accept(Texts.oneLine(problem)));
               return null;
             });
+    made(
+        subject + " of " + Texts.title(name),
+        name + "/" + subject,
+        () -> reapply(name, before),
+        () -> reapply(name, settings));
+  }
+
+  private void reapply(String stage, Record settings) {
+    edit(chain -> chain.apply(chain.stage(stage), settings))
+        .thenRun(
+            () ->
+                Platform.runLater(
+                    () -> adopters.forEach(adopter -> adopter.accept(stage, settings))));
+  }
+
+  /** Tells somebody of settings that were taken back or made once more, with the stage's name. */
+  void onSettings(BiConsumer<String, Record> adopter) {
+    adopters.add(adopter);
   }
 
   /**
@@ -140,10 +211,32 @@ final class ChainEditor {
         .thenRun(() -> Platform.runLater(() -> taker.accept(result.get())));
   }
 
-  private void restructure(Consumer<FilterChain> change) {
-    Optional<Player> edited = player;
+  /** Changes the order or the number of the filters, so that it can be taken back. */
+  private void restructure(String words, Consumer<FilterChain> change) {
+    AtomicReference<String> before = new AtomicReference<>();
+    AtomicReference<String> after = new AtomicReference<>();
+    Optional<ChainAccess> edited = player;
+    change(
+            chain -> {
+              before.set(ChainFile.write(chain));
+              change.accept(chain);
+              after.set(ChainFile.write(chain));
+            })
+        .thenRun(
+            () ->
+                Platform.runLater(
+                    () -> {
+                      if (player.equals(edited)) {
+                        made(
+                            words, before, () -> restore(before.get()), () -> restore(after.get()));
+                      }
+                    }));
+  }
+
+  private CompletableFuture<Void> change(Consumer<FilterChain> change) {
+    Optional<ChainAccess> edited = player;
     AtomicReference<List<StageState>> after = new AtomicReference<>();
-    edit(chain -> {
+    return edit(chain -> {
           change.accept(chain);
           after.set(StageState.of(chain));
         })

@@ -7,12 +7,15 @@ import haltere.core.chain.Filters;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import javafx.geometry.Pos;
 import javafx.scene.control.CustomMenuItem;
 import javafx.scene.control.Label;
 import javafx.scene.control.MenuButton;
+import javafx.scene.control.MenuItem;
 import javafx.scene.control.ScrollPane;
+import javafx.scene.control.TextField;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
@@ -30,6 +33,7 @@ final class ChainPanel extends VBox {
       new Label("No filters: events are shown as they come. Add one with the button above.");
   private final Map<ChainStage, StageCard> cardOf = new HashMap<>();
   private List<StageState> stages = List.of();
+  private SettingsSearch search = SettingsSearch.ALL;
 
   ChainPanel(ChainEditor editor) {
     this.editor = editor;
@@ -45,11 +49,17 @@ final class ChainPanel extends VBox {
     cards.getStyleClass().add("cards");
     empty.setWrapText(true);
     empty.getStyleClass().addAll(Styles.TEXT_MUTED, "chain-empty");
+    SettingsSearchField searchField = new SettingsSearchField(this::narrow);
+    editor.onSettings(
+        (name, settings) ->
+            stages.stream()
+                .filter(state -> state.stage().name().equals(name))
+                .forEach(state -> cardOf.get(state.stage()).adopt(settings)));
     ScrollPane scroll = new ScrollPane(cards);
     scroll.setFitToWidth(true);
     scroll.setHbarPolicy(ScrollPane.ScrollBarPolicy.NEVER);
     VBox.setVgrow(scroll, Priority.ALWAYS);
-    getChildren().addAll(head, scroll);
+    getChildren().addAll(head, searchField, scroll);
   }
 
   /** Shows a chain, keeping the cards of stages that were there. */
@@ -61,6 +71,7 @@ final class ChainPanel extends VBox {
       StageCard card = cardOf.get(state.stage());
       if (card == null) {
         card = new StageCard(state, editor);
+        card.narrow(search);
       }
       kept.put(state.stage(), card);
       order.add(card);
@@ -77,6 +88,11 @@ final class ChainPanel extends VBox {
     }
   }
 
+  private void narrow(SettingsSearch newSearch) {
+    search = newSearch;
+    stages.forEach(state -> cardOf.get(state.stage()).narrow(search));
+  }
+
   /** Shows what the stages do now; called a few times a second. */
   void update(long elapsedNanos) {
     for (StageState state : stages) {
@@ -89,19 +105,52 @@ final class ChainPanel extends VBox {
     add.setId("add-filter");
     add.setAccessibleText("Add a filter");
     add.getStyleClass().addAll(Styles.SMALL, Styles.FLAT);
-    for (FilterProvider<?> provider : Filters.all().values()) {
+    TextField wanted = new TextField();
+    wanted.setId("add-search");
+    wanted.setPromptText("Search filters");
+    wanted.setAccessibleText("Search filters");
+    CustomMenuItem first = new CustomMenuItem(wanted, false);
+    List<FilterItem> items =
+        Filters.all().values().stream().map(found -> new FilterItem(found, editor)).toList();
+    wanted
+        .textProperty()
+        .addListener((property, was, is) -> items.forEach(item -> item.narrow(is)));
+    wanted.setOnAction(
+        event -> {
+          // Enter adds the first that is left
+          items.stream().filter(MenuItem::isVisible).findFirst().ifPresent(MenuItem::fire);
+          add.hide();
+        });
+    add.setOnShown(
+        event -> {
+          wanted.clear();
+          wanted.requestFocus();
+        });
+    add.getItems().add(first);
+    add.getItems().addAll(items);
+    return add;
+  }
+
+  /** A filter to add, with what it does in a sentence. */
+  private static final class FilterItem extends CustomMenuItem {
+    private final String words;
+
+    FilterItem(FilterProvider<?> provider, ChainEditor editor) {
+      words =
+          (Texts.title(provider.name()) + " " + provider.description()).toLowerCase(Locale.ROOT);
       Label name = new Label(Texts.title(provider.name()));
       name.getStyleClass().add(Styles.TEXT_BOLD);
       Label help = new Label(provider.description());
       help.setWrapText(true);
       help.setMaxWidth(300);
       help.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
-      VBox words = new VBox(2, name, help);
-      CustomMenuItem item = new CustomMenuItem(words);
-      item.setId("add-" + provider.name());
-      item.setOnAction(event -> editor.add(provider));
-      add.getItems().add(item);
+      setContent(new VBox(2, name, help));
+      setId("add-" + provider.name());
+      setOnAction(event -> editor.add(provider));
     }
-    return add;
+
+    void narrow(String wanted) {
+      setVisible(words.contains(wanted.strip().toLowerCase(Locale.ROOT)));
+    }
   }
 }

@@ -3,8 +3,10 @@ package haltere.ui.viewer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
+import javafx.beans.InvalidationListener;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
+import javafx.collections.ListChangeListener;
 import javafx.geometry.Orientation;
 import javafx.scene.Node;
 import javafx.scene.control.SplitPane;
@@ -50,6 +52,34 @@ final class PanelLayout {
 
   SplitPane node() {
     return middle;
+  }
+
+  /** Gives the panels the shares that were kept, and keeps those that they get. */
+  void keep(UserSettings settings) {
+    keep(settings, "share.side", middle);
+    keep(settings, "share.below", left);
+    keep(settings, "share.beside", row);
+  }
+
+  private static void keep(UserSettings settings, String name, SplitPane pane) {
+    InvalidationListener keeper =
+        observed -> {
+          if (!pane.getDividers().isEmpty() && pane.getWidth() > 0) {
+            settings.put(name, Math.rint(pane.getDividerPositions()[0] * 1000) / 1000);
+          }
+        };
+    Runnable follow =
+        () -> {
+          if (!pane.getDividers().isEmpty()) {
+            settings
+                .get(name)
+                .filter(Double.class::isInstance)
+                .ifPresent(share -> pane.setDividerPosition(0, (Double) share));
+            pane.getDividers().get(0).positionProperty().addListener(keeper);
+          }
+        };
+    pane.getDividers().addListener((ListChangeListener<SplitPane.Divider>) change -> follow.run());
+    follow.run();
   }
 
   /** Offers a panel; the property that comes back shows and hides it. */

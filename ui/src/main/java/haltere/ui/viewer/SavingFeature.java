@@ -68,7 +68,7 @@ final class SavingFeature implements ViewerFeature {
                     .file(
                         () -> ChainFile.read(file, open.chain().geometry()),
                         window.editor()::replaceAll,
-                        problem -> window.status().showError(Texts.oneLine(problem))));
+                        window.status()::showProblem));
   }
 
   /** Saves the chain that is open. */

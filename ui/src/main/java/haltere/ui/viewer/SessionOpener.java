@@ -111,7 +111,7 @@ final class SessionOpener {
   private void showProblem(int number, Exception problem) {
     if (number == openings) {
       statusLine.setActivity("");
-      statusLine.showError(Texts.oneLine(problem));
+      statusLine.showProblem(problem);
     }
   }
 }

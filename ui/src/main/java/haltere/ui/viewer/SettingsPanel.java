@@ -7,6 +7,8 @@ import haltere.core.settings.SettingsProblem;
 import haltere.core.settings.SettingsSchema;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
+import java.util.function.Consumer;
 import javafx.scene.control.Button;
 import javafx.scene.control.Label;
 import javafx.scene.layout.VBox;
@@ -24,6 +26,7 @@ final class SettingsPanel<S extends Record> extends VBox {
   private final ChainEditor editor;
   private final SettingsSchema<S> schema;
   private final List<SettingField> fields = new ArrayList<>();
+  private final List<Label> headings = new ArrayList<>();
   private final Button resetAll = new Button("Reset all to defaults");
 
   /** The record in force, as far as this panel knows. */
@@ -42,6 +45,7 @@ final class SettingsPanel<S extends Record> extends VBox {
         group = parameter.group();
         Label heading = new Label(Texts.words(group, ""));
         heading.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_BOLD, "settings-group");
+        headings.add(heading);
         getChildren().add(heading);
       }
       SettingField field =
@@ -52,7 +56,7 @@ final class SettingsPanel<S extends Record> extends VBox {
     }
     resetAll.setId("reset-all-" + stage.name());
     resetAll.getStyleClass().addAll(Styles.SMALL, Styles.FLAT);
-    resetAll.setOnAction(event -> send(schema.defaults(), problem -> {}));
+    resetAll.setOnAction(event -> send(schema.defaults(), "all settings", problem -> {}));
     getChildren().add(resetAll);
     show();
   }
@@ -73,11 +77,12 @@ final class SettingsPanel<S extends Record> extends VBox {
     return panel;
   }
 
-  private void set(String name, Object value, java.util.function.Consumer<String> refused) {
+  private void set(String name, Object value, Consumer<String> refused) {
     try {
       S changed = schema.with(settings, name, value);
       if (!changed.equals(settings)) {
-        send(changed, refused);
+        Parameter parameter = schema.parameter(name);
+        send(changed, Texts.words(name, parameter.unit()).toLowerCase(Locale.ROOT), refused);
       }
     } catch (SettingsProblem problem) {
       refused.accept(problem.getMessage());
@@ -90,10 +95,39 @@ final class SettingsPanel<S extends Record> extends VBox {
     show();
   }
 
-  private void send(S changed, java.util.function.Consumer<String> refused) {
+  private void send(S changed, String subject, Consumer<String> refused) {
+    S before = settings;
     settings = changed;
-    editor.apply(stage, changed, refused);
+    editor.apply(stage, before, changed, subject, refused);
     show();
+  }
+
+  /** Shows settings that were taken back or made once more. */
+  void adopt(Record adopted) {
+    if (adopted.getClass() == settings.getClass()) {
+      @SuppressWarnings("unchecked")
+      S same = (S) adopted;
+      settings = same;
+      show();
+    }
+  }
+
+  /** Shows those settings only that match; how many there are. */
+  int narrow(SettingsSearch search) {
+    List<String> changed = schema.changed(settings);
+    int shown = 0;
+    for (SettingField field : fields) {
+      boolean matches =
+          search.matches(field.parameter(), changed.contains(field.parameter().name()));
+      field.setVisible(matches);
+      field.setManaged(matches);
+      shown += matches ? 1 : 0;
+    }
+    for (Label heading : headings) {
+      heading.setVisible(!search.isActive());
+      heading.setManaged(!search.isActive());
+    }
+    return shown;
   }
 
   private void show() {

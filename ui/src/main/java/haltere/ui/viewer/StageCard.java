@@ -8,7 +8,6 @@ import haltere.core.chain.FilterChain;
 import haltere.core.chain.FilterTiming;
 import haltere.core.chain.Filters;
 import java.util.Optional;
-import java.util.function.Supplier;
 import javafx.css.PseudoClass;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
@@ -16,6 +15,9 @@ import javafx.scene.control.Button;
 import javafx.scene.control.Label;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
+import javafx.scene.input.ClipboardContent;
+import javafx.scene.input.DataFormat;
+import javafx.scene.input.TransferMode;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
@@ -26,6 +28,8 @@ import javafx.scene.layout.VBox;
  * <p>Thread rule: JavaFX thread only.
  */
 final class StageCard extends VBox {
+  private static final DataFormat STAGE = new DataFormat("application/x-haltere-stage");
+  private static final PseudoClass TARGET = PseudoClass.getPseudoClass("target");
   private static final PseudoClass OFF = PseudoClass.getPseudoClass("off");
 
   private final ChainStage stage;
@@ -34,8 +38,11 @@ final class StageCard extends VBox {
   private final MenuItem up;
   private final MenuItem down;
   private final Button expand;
-  private final Supplier<Node> settingsMaker;
-  private Node settings;
+  private final Optional<Record> firstSettings;
+  private final ChainEditor editor;
+  private Optional<SettingsPanel<?>> settings = Optional.empty();
+  private Optional<Record> adopted = Optional.empty();
+  private SettingsSearch search = SettingsSearch.ALL;
   private FilterTiming last;
   private boolean followingStage;
 
@@ -47,7 +54,8 @@ final class StageCard extends VBox {
     setId("stage-" + stage.name());
     Optional<Record> record =
         state.settings().filter(found -> found.getClass().getRecordComponents().length > 0);
-    settingsMaker = () -> SettingsPanel.of(stage, record.orElseThrow(), editor);
+    firstSettings = record;
+    this.editor = editor;
     Label name = new Label(title);
     name.getStyleClass().add(Styles.TEXT_BOLD);
     name.setMaxWidth(Double.MAX_VALUE);
@@ -82,6 +90,7 @@ final class StageCard extends VBox {
     expand.getStyleClass().add(Styles.SMALL);
     expand.setVisible(record.isPresent());
     HBox head = new HBox(2, expand, name, more, power);
+    takePart(head);
     head.setAlignment(Pos.CENTER_LEFT);
     head.getStyleClass().add("stage-head");
     counts.setId("counts-" + stage.name());
@@ -134,16 +143,83 @@ final class StageCard extends VBox {
   }
 
   private void toggleSettings() {
-    if (settings == null) {
+    showSettings(!settings.map(Node::isVisible).orElse(false));
+  }
+
+  private void showSettings(boolean show) {
+    if (settings.isEmpty() && show && firstSettings.isPresent()) {
       // not before they are asked for: styling some dozen controls takes time
-      settings = settingsMaker.get();
-      settings.setVisible(false);
-      getChildren().add(settings);
+      SettingsPanel<?> made =
+          SettingsPanel.of(stage, adopted.or(() -> firstSettings).get(), editor);
+      made.narrow(search);
+      getChildren().add(made);
+      settings = Optional.of(made);
     }
-    boolean show = !settings.isVisible();
-    settings.setVisible(show);
-    settings.setManaged(show);
+    settings.ifPresent(
+        panel -> {
+          panel.setVisible(show);
+          panel.setManaged(show);
+        });
     expand.setRotate(show ? 90 : 0);
+  }
+
+  /** Shows settings that were taken back or made once more. */
+  void adopt(Record newSettings) {
+    adopted = Optional.of(newSettings);
+    settings.ifPresent(panel -> panel.adopt(newSettings));
+  }
+
+  /** Shows those settings only that are searched for; without a search as it was. */
+  void narrow(SettingsSearch newSearch) {
+    boolean wasActive = search.isActive();
+    search = newSearch;
+    if (search.isActive()) {
+      showSettings(true);
+      boolean any = settings.map(panel -> panel.narrow(search) > 0).orElse(false);
+      setVisible(any);
+      setManaged(any);
+    } else if (wasActive) {
+      settings.ifPresent(panel -> panel.narrow(search));
+      showSettings(false);
+      setVisible(true);
+      setManaged(true);
+    }
+  }
+
+  /** Lets the card be dragged to the place of another one. */
+  private void takePart(Node handle) {
+    handle.setOnDragDetected(
+        event -> {
+          ClipboardContent content = new ClipboardContent();
+          content.put(STAGE, stage.name());
+          handle.startDragAndDrop(TransferMode.MOVE).setContent(content);
+          event.consume();
+        });
+    setOnDragOver(
+        event -> {
+          if (event.getDragboard().hasContent(STAGE)) {
+            event.acceptTransferModes(TransferMode.MOVE);
+            event.consume();
+          }
+        });
+    setOnDragEntered(
+        event -> pseudoClassStateChanged(TARGET, event.getDragboard().hasContent(STAGE)));
+    setOnDragExited(event -> pseudoClassStateChanged(TARGET, false));
+    setOnDragDropped(
+        event -> {
+          if (event.getDragboard().getContent(STAGE) instanceof String dragged) {
+            drop(dragged);
+            event.setDropCompleted(true);
+            event.consume();
+          }
+        });
+  }
+
+  /** Another card was dropped on this one. */
+  void drop(String dragged) {
+    if (!dragged.equals(stage.name())) {
+      editor.moveTo(dragged, stage);
+    }
   }
 
   private String description() {

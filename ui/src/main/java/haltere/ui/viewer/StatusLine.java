@@ -7,10 +7,14 @@ import haltere.core.stream.StreamNotification;
 import javafx.css.PseudoClass;
 import javafx.geometry.Pos;
 import javafx.scene.AccessibleRole;
+import javafx.scene.control.Alert;
 import javafx.scene.control.Button;
+import javafx.scene.control.ButtonType;
 import javafx.scene.control.Label;
+import javafx.scene.control.TextArea;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
+import javafx.stage.Modality;
 
 /**
  * The bottom line: what is wrong or late, or what is open, at the left; time, rate, speed, frames
@@ -24,6 +28,7 @@ final class StatusLine extends HBox {
 
   private final Label message = new Label();
   private final Button dismiss;
+  private final Button more;
   private final Label time = number("status-time", 150, "Time on the recording's own clock");
   private final Label rate = number("status-rate", 90, "Events per second of recording time");
   private final Label speed =
@@ -43,6 +48,7 @@ final class StatusLine extends HBox {
           "Of the camera: transfers that wait for this program, events lost because it did not keep"
               + " up, and the time from a transfer's arrival to the end of its work");
   private String error = "";
+  private String details = "";
   private String playerMessage = "";
   private String source = "";
   private String activity = "";
@@ -59,14 +65,24 @@ final class StatusLine extends HBox {
     HBox.setHgrow(message, Priority.ALWAYS);
     dismiss = Controls.button("dismiss", Icons.REMOVE, "Dismiss the message", this::clearError);
     dismiss.getStyleClass().add(Styles.SMALL);
-    getChildren().addAll(message, dismiss, live, time, rate, speed, frames, dropped);
+    more = Controls.button("details", Icons.MORE, "All that is known of this", this::showDetails);
+    more.getStyleClass().add(Styles.SMALL);
+    getChildren().addAll(message, more, dismiss, live, time, rate, speed, frames, dropped);
     setLive("");
     clearError();
+  }
+
+  /** Shows what went wrong in a line, and on request all that is known of it. */
+  void showProblem(Throwable problem) {
+    showError(Texts.oneLine(problem));
+    details = Texts.details(problem);
+    showMessage();
   }
 
   /** Shows what went wrong until it is dismissed or something else is opened. */
   void showError(String line) {
     error = line;
+    details = "";
     Controls.help(message, line);
     showMessage();
   }
@@ -143,6 +159,22 @@ final class StatusLine extends HBox {
     message.pseudoClassStateChanged(WARNING, late && !isError);
     dismiss.setVisible(isError);
     dismiss.setManaged(isError);
+    more.setVisible(isError && !details.isEmpty());
+    more.setManaged(isError && !details.isEmpty());
+  }
+
+  private void showDetails() {
+    TextArea text = new TextArea(details);
+    text.setId("problem-details");
+    text.setAccessibleText("Details of the problem");
+    text.setEditable(false);
+    text.setPrefSize(640, 300);
+    Alert alert = new Alert(Alert.AlertType.NONE, "", ButtonType.CLOSE);
+    alert.setTitle("Details");
+    alert.getDialogPane().setContent(text);
+    alert.initOwner(getScene().getWindow());
+    alert.initModality(Modality.NONE);
+    alert.show();
   }
 
   /** A measured speed jitters in its last digits. */

@@ -1,6 +1,8 @@
 package haltere.ui.viewer;
 
 import haltere.core.playback.PlayerStatus;
+import java.io.PrintWriter;
+import java.io.StringWriter;
 import java.util.Locale;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.ExecutionException;
@@ -140,5 +142,12 @@ final class Texts {
     String message = cause.getMessage();
     String text = message == null || message.isBlank() ? cause.getClass().getSimpleName() : message;
     return text.lines().findFirst().orElse(text).strip();
+  }
+
+  /** All that is known of what went wrong, for who reports it. */
+  static String details(Throwable problem) {
+    StringWriter text = new StringWriter();
+    problem.printStackTrace(new PrintWriter(text));
+    return text.toString();
   }
 }

@@ -1,6 +1,7 @@
 package haltere.ui.viewer;
 
 import haltere.core.format.ReadOptions;
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Optional;
@@ -36,11 +37,12 @@ public final class ViewerApplication {
     Thread ahead = new Thread(first, "haltere-first");
     ahead.setDaemon(true);
     ahead.start();
+    UserSettings settings = UserSettings.load(ConfigFolder.ofUser());
     try {
       Platform.startup(
           () -> {
             try {
-              show(first, file, options, closed);
+              show(first, file, options, settings, closed);
             } catch (RuntimeException | Error broken) {
               problem.set(broken);
               closed.countDown();
@@ -55,6 +57,11 @@ public final class ViewerApplication {
       return Optional.of("JavaFX cannot open a window here: " + Texts.oneLine(notHere));
     }
     Platform.exit();
+    try {
+      settings.save();
+    } catch (IOException unwritable) {
+      return Optional.of("settings are not kept: " + Texts.oneLine(unwritable));
+    }
     return Optional.ofNullable(problem.get())
         .map(
             broken ->
@@ -76,10 +83,11 @@ public final class ViewerApplication {
       Future<ViewerSession> first,
       Optional<Path> file,
       ReadOptions options,
+      UserSettings settings,
       CountDownLatch closed) {
     Theme.DARK.apply();
     Stage stage = new Stage();
-    ViewerWindow window = new ViewerWindow(stage);
+    ViewerWindow window = new ViewerWindow(stage, settings);
     stage
         .showingProperty()
         .addListener(

@@ -22,6 +22,7 @@ import javafx.stage.Stage;
  * @param status the bottom line
  * @param panels where panels and tools are put
  * @param display how events are shown
+ * @param settings what is kept from one start to the next
  */
 record ViewerContext(
     Stage stage,
@@ -33,7 +34,8 @@ record ViewerContext(
     FileDialogs dialogs,
     StatusLine status,
     ViewerPanels panels,
-    DisplayControl display) {
+    DisplayControl display,
+    UserSettings settings) {
   /**
    * Offers a panel that can be shown and hidden, with an action for it in the View menu.
    *
@@ -47,6 +49,7 @@ record ViewerContext(
   BooleanProperty addPanel(
       String id, String words, String key, PanelPlace place, Supplier<? extends Node> content) {
     BooleanProperty shown = panels.offer(id, words, place, content);
+    settings.keep("panel." + id, shown);
     actions.add(ViewerAction.toggle("show-" + id, words, "View", shown).withKey(key));
     return shown;
   }

@@ -8,8 +8,11 @@ final class ViewerFeatures {
 
   static List<ViewerFeature> all() {
     return List.of(
+        new SettingsFeature(),
         new FileFeature(),
+        new RecentFilesFeature(),
         new SavingFeature(),
+        new EditFeature(),
         new DisplayFeature(),
         new SeeingFeature(),
         new SpaceTimeFeature(),

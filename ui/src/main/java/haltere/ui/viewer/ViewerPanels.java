@@ -116,6 +116,11 @@ final class ViewerPanels extends BorderPane {
     return layout.offer(id, title, place, content);
   }
 
+  /** Gives the panels the sizes that were kept, and keeps those that they get. */
+  void keepLayout(UserSettings settings) {
+    layout.keep(settings);
+  }
+
   /** Calls something at each pulse of JavaFX while something is open. */
   void onPulse(Runnable listener) {
     pulseListeners.add(listener);

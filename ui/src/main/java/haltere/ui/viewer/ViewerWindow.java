@@ -60,6 +60,11 @@ public final class ViewerWindow implements SessionHost {
    * @param stage an empty stage
    */
   public ViewerWindow(Stage stage) {
+    this(stage, UserSettings.inMemory());
+  }
+
+  /** The same, set up as a user has left it. */
+  ViewerWindow(Stage stage, UserSettings settings) {
     this.stage = stage;
     dialogs = new FileDialogs(stage);
     Scene scene = new Scene(new Group(), 1200, 760);
@@ -86,7 +91,8 @@ public final class ViewerWindow implements SessionHost {
             dialogs,
             statusLine,
             panels,
-            display);
+            display,
+            settings);
     features.forEach(feature -> feature.install(context));
     menu.follow();
     // the keys of playback work at once; a list in the focus would keep some of them

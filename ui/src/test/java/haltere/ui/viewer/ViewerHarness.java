@@ -61,6 +61,11 @@ final class ViewerHarness implements AutoCloseable {
 
   /** An empty window. */
   ViewerHarness() {
+    this(UserSettings.inMemory());
+  }
+
+  /** An empty window, set up as a user has left it. */
+  ViewerHarness(UserSettings settings) {
     STARTED.join();
     Stage[] madeStage = new Stage[1];
     Robot[] madeRobot = new Robot[1];
@@ -70,7 +75,7 @@ final class ViewerHarness implements AutoCloseable {
               Theme.DARK.apply();
               madeStage[0] = new Stage();
               madeRobot[0] = new Robot();
-              ViewerWindow made = new ViewerWindow(madeStage[0]);
+              ViewerWindow made = new ViewerWindow(madeStage[0], settings);
               madeStage[0].setX(0);
               madeStage[0].setY(0);
               madeStage[0].show();

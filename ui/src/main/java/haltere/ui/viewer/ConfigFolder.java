@@ -1,0 +1,42 @@
+package haltere.ui.viewer;
+
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Map;
+
+/** Where a user's settings are kept: the platform's usual folder for them. */
+final class ConfigFolder {
+  /** System property that names another folder, for tests and for portable installations. */
+  static final String PROPERTY = "haltere.config";
+
+  private ConfigFolder() {}
+
+  /** The folder of this user, which may not exist yet. */
+  static Path ofUser() {
+    String chosen = System.getProperty(PROPERTY, "");
+    return chosen.isEmpty()
+        ? of(System.getProperty("os.name"), System.getProperty("user.home"), System.getenv())
+        : Path.of(chosen);
+  }
+
+  /**
+   * The folder on a platform.
+   *
+   * @param system its name as Java knows it
+   * @param home the user's home
+   * @param environment its variables
+   */
+  static Path of(String system, String home, Map<String, String> environment) {
+    String name = system.toLowerCase(Locale.ROOT);
+    if (name.contains("win")) {
+      String roaming = environment.getOrDefault("APPDATA", "");
+      return (roaming.isEmpty() ? Path.of(home, "AppData", "Roaming") : Path.of(roaming))
+          .resolve("Haltere");
+    }
+    if (name.contains("mac")) {
+      return Path.of(home, "Library", "Application Support", "Haltere");
+    }
+    String config = environment.getOrDefault("XDG_CONFIG_HOME", "");
+    return (config.isEmpty() ? Path.of(home, ".config") : Path.of(config)).resolve("haltere");
+  }
+}

@@ -1,0 +1,22 @@
+package haltere.ui.viewer;
+
+/** Takes changes of the chain and of settings back, and makes them once more. */
+final class EditFeature implements ViewerFeature {
+  @Override
+  public void install(ViewerContext window) {
+    EditHistory history = window.editor().history();
+    window
+        .actions()
+        .add(
+            ViewerAction.of("undo", "Undo", "Edit", () -> say(window, "Undone: ", history.undo()))
+                .withKey("Shortcut+Z")
+                .withHelp("Takes back the last change of the chain or of a setting."),
+            ViewerAction.of(
+                    "redo", "Redo", "Edit", () -> say(window, "Done again: ", history.redo()))
+                .withKey("Shortcut+Shift+Z"));
+  }
+
+  private static void say(ViewerContext window, String what, String words) {
+    window.status().setActivity(words.isEmpty() ? "Nothing to change." : what + words);
+  }
+}

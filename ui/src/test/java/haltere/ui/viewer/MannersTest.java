@@ -1,0 +1,231 @@
+package haltere.ui.viewer;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.core.chain.ChainStage;
+import haltere.core.format.ReadOptions;
+import haltere.core.json.Json;
+import haltere.ui.rendering.DisplayMode;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import javafx.event.ActionEvent;
+import javafx.scene.Node;
+import javafx.scene.Parent;
+import javafx.scene.control.Labeled;
+import javafx.scene.control.TextField;
+import javafx.scene.control.TextInputControl;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.input.KeyCode;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** How the window treats a person: what it keeps, takes back, and calls things. */
+class MannersTest {
+  private static final String NOISE = "background-activity";
+  @TempDir Path folder;
+  private ViewerHarness viewer;
+
+  @AfterEach
+  void close() {
+    if (viewer != null) {
+      viewer.close();
+    }
+  }
+
+  @Test
+  void theWindowIsAsItWasLeft() throws IOException {
+    Path recording = folder.resolve("blob.aedat");
+    ViewerHarness.writeRecording(recording, 500_000);
+    UserSettings settings = UserSettings.load(folder);
+    viewer = new ViewerHarness(settings);
+    viewer.run(() -> viewer.window.open(SessionRequest.recording(recording, ReadOptions.DEFAULT)));
+    viewer.waitUntilOpen("blob.aedat");
+    viewer.run(
+        () -> {
+          viewer.window.display().themeProperty().set(Theme.LIGHT);
+          viewer.window.display().modeProperty().set(DisplayMode.COUNTS);
+          viewer.window.actions().run("show-space-time");
+        });
+    viewer.waitFor("it is saved", () -> Files.exists(folder.resolve("viewer.json")));
+    viewer.waitFor("all of it", () -> !settings.hasChanged());
+    viewer.close();
+
+    Map<?, ?> kept = (Map<?, ?>) Json.read(folder.resolve("viewer.json"));
+    assertEquals("Light", kept.get("theme"));
+    assertEquals("Heat map", kept.get("showAs"));
+    assertEquals(List.of(recording.toString()), kept.get("recentFiles"));
+    viewer = new ViewerHarness(UserSettings.load(folder));
+    assertEquals(Theme.LIGHT, viewer.onFx(() -> viewer.window.display().themeProperty().get()));
+    assertEquals(
+        DisplayMode.COUNTS, viewer.onFx(() -> viewer.window.display().modeProperty().get()));
+    viewer.waitFor("the panel", () -> viewer.isThere("space-time"));
+    viewer.press(KeyCode.CONTROL, KeyCode.SHIFT, KeyCode.O);
+    viewer.waitUntilOpen("blob.aedat");
+    viewer.run(() -> viewer.window.display().themeProperty().set(Theme.DARK));
+  }
+
+  @Test
+  void settingsThatAreOfNoUseAreLeftOut() throws IOException {
+    Files.writeString(
+        folder.resolve("viewer.json"),
+        "{\"theme\": 7, \"showAs\": \"Nonsense\", \"window\": [], \"later\": \"kept\"}");
+    UserSettings settings = UserSettings.load(folder);
+    viewer = new ViewerHarness(settings);
+    assertEquals(
+        DisplayMode.POLARITY, viewer.onFx(() -> viewer.window.display().modeProperty().get()));
+    viewer.run(() -> viewer.window.display().modeProperty().set(DisplayMode.ON_ONLY));
+    settings.save();
+    Map<?, ?> kept = (Map<?, ?>) Json.read(folder.resolve("viewer.json"));
+    assertEquals("kept", kept.get("later"));
+    assertEquals("ON only", kept.get("showAs"));
+    Files.writeString(folder.resolve("viewer.json"), "{ this is no JSON");
+    assertEquals(true, UserSettings.load(folder).get("theme").isEmpty());
+  }
+
+  @Test
+  void changesOfSettingsAndOfTheChainAreTakenBack() {
+    viewer = ViewerHarness.withBlob();
+    viewer.click("expand-" + NOISE);
+    enter("entry-" + NOISE + "-neighbours", "3");
+    viewer.waitFor("three", () -> text("entry-" + NOISE + "-neighbours").equals("3"));
+    viewer.run(() -> viewer.window.actions().run("undo"));
+    viewer.waitFor("one again", () -> text("entry-" + NOISE + "-neighbours").equals("1"));
+    viewer.run(() -> viewer.window.actions().run("redo"));
+    viewer.waitFor("three again", () -> text("entry-" + NOISE + "-neighbours").equals("3"));
+    List<String> before = names();
+    viewer.click("more-hot-pixels");
+    viewer.click("remove-hot-pixels");
+    viewer.waitFor("it is gone", () -> !names().equals(before));
+    viewer.waitFor("its card is gone", () -> !viewer.isThere("stage-hot-pixels"));
+    viewer.run(() -> viewer.window.actions().run("undo"));
+    viewer.waitFor("it is back", () -> names().equals(before));
+    viewer.waitFor("its card is back", () -> viewer.isThere("stage-hot-pixels"));
+  }
+
+  @Test
+  void aCardThatIsDroppedOnAnotherTakesItsPlace() {
+    viewer = ViewerHarness.withBlob();
+    List<String> before = names();
+    StageCard card = viewer.node("stage-" + before.get(0), StageCard.class);
+    viewer.run(() -> card.drop(before.get(2)));
+    viewer.waitFor(
+        "the last is the first",
+        () -> names().equals(List.of(before.get(2), before.get(0), before.get(1))));
+  }
+
+  @Test
+  void settingsAreSearchedAndThoseChangedAreShownAlone() {
+    viewer = ViewerHarness.withBlob();
+    enter("settings-search", "same polarity");
+    viewer.waitFor("it is found", () -> isSeen("check-" + NOISE + "-samePolarity"));
+    assertFalse(isSeen("entry-" + NOISE + "-neighbours"));
+    enter("settings-search", "neighbours");
+    viewer.waitFor("another", () -> isSeen("entry-" + NOISE + "-neighbours"));
+    enter("entry-" + NOISE + "-neighbours", "2");
+    enter("settings-search", "");
+    viewer.waitFor("all cards", () -> isSeen("stage-hot-pixels"));
+    ToggleButton changed = viewer.node("changed-only", ToggleButton.class);
+    viewer.run(() -> changed.setSelected(true));
+    viewer.waitFor("what was changed", () -> isSeen("entry-" + NOISE + "-neighbours"));
+    assertFalse(isSeen("entry-" + NOISE + "-correlationUs"));
+    assertFalse(isSeen("stage-hot-pixels"));
+  }
+
+  @Test
+  void aFilterIsSearchedByItsSentenceAndAddedByEnter() {
+    viewer = ViewerHarness.withBlob();
+    viewer.click("add-filter");
+    viewer.waitFor("the search", () -> viewer.isThere("add-search"));
+    TextField search = viewer.node("add-search", TextField.class);
+    viewer.run(() -> search.setText("refractory"));
+    viewer.run(() -> search.fireEvent(new ActionEvent()));
+    viewer.waitFor("it is added", () -> names().contains("refractory"));
+  }
+
+  @Test
+  void aProblemIsALineWithItsDetailsAClickAway() {
+    viewer = ViewerHarness.withBlob();
+    viewer.run(() -> viewer.window.open(folder.resolve("missing.aedat"), ReadOptions.DEFAULT));
+    viewer.waitFor("the line", () -> viewer.text("status-message").contains("no such file"));
+    viewer.click("details");
+    viewer.waitFor("the details", () -> viewer.isThere("problem-details"));
+    TextInputControl details = viewer.node("problem-details", TextInputControl.class);
+    assertTrue(viewer.onFx(details::getText).contains("RecordingProblem"));
+    viewer.run(() -> details.getScene().getWindow().hide());
+  }
+
+  @Test
+  void everyControlHasAName() {
+    viewer = ViewerHarness.withBlob();
+    viewer.run(
+        () -> {
+          viewer.window.actions().run("show-plots");
+          viewer.window.actions().run("show-space-time");
+        });
+    viewer.click("expand-" + NOISE);
+    viewer.click("expand-cluster-tracker");
+    viewer.waitFor("the settings", () -> isSeen("entry-" + NOISE + "-neighbours"));
+    List<String> nameless = new ArrayList<>();
+    viewer.run(() -> findNameless(viewer.stage.getScene().getRoot(), nameless));
+    assertEquals(List.of(), nameless);
+  }
+
+  /** Nodes that the Tab key reaches and that a screen reader could say nothing of. */
+  private static void findNameless(Node node, List<String> nameless) {
+    boolean named =
+        node.getAccessibleText() != null && !node.getAccessibleText().isBlank()
+            || node instanceof Labeled labeled
+                && labeled.getText() != null
+                && !labeled.getText().isBlank()
+            || node instanceof TextInputControl input
+                && input.getPromptText() != null
+                && !input.getPromptText().isBlank();
+    if (node.isFocusTraversable() && node.isVisible() && !named) {
+      nameless.add(node.getClass().getSimpleName() + " #" + node.getId());
+    }
+    if (node instanceof Parent parent) {
+      parent.getChildrenUnmodifiable().forEach(child -> findNameless(child, nameless));
+    }
+  }
+
+  private boolean isSeen(String id) {
+    if (!viewer.isThere(id)) {
+      return false;
+    }
+    Node node = viewer.node(id, Node.class);
+    return viewer.onFx(
+        () -> {
+          for (Node above = node; above != null; above = above.getParent()) {
+            if (!above.isVisible()) {
+              return false;
+            }
+          }
+          return true;
+        });
+  }
+
+  private String text(String id) {
+    TextField field = viewer.node(id, TextField.class);
+    return viewer.onFx(field::getText);
+  }
+
+  private void enter(String id, String text) {
+    TextField field = viewer.node(id, TextField.class);
+    viewer.run(
+        () -> {
+          field.setText(text);
+          field.fireEvent(new ActionEvent());
+        });
+  }
+
+  private List<String> names() {
+    return viewer.session().chain().stages().stream().map(ChainStage::name).toList();
+  }
+}
