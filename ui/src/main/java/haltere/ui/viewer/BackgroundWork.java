@@ -10,13 +10,14 @@ import java.util.function.Consumer;
 import javafx.application.Platform;
 
 /**
- * Two threads for what would make the window wait: one opens, saves and closes, one scans. Results
- * come back on the JavaFX thread.
+ * Threads for what would make the window wait: one opens, saves and closes, one scans, one exports.
+ * Results come back on the JavaFX thread.
  *
  * <p>Thread rule: JavaFX thread only, but for the work itself.
  */
 final class BackgroundWork implements AutoCloseable {
   private final ExecutorService files = thread("haltere-files");
+  private final ExecutorService exports = thread("haltere-export");
   private final ExecutorService scans = thread("haltere-scan");
   private final AtomicBoolean closed = new AtomicBoolean();
   private Future<?> scan = CompletableFuture.completedFuture(null);
@@ -46,6 +47,11 @@ final class BackgroundWork implements AutoCloseable {
         failed -> {});
   }
 
+  /** Exports something, which may take long; what was asked for before is done first. */
+  <T> void export(Callable<T> work, Consumer<T> done, Consumer<Exception> failed) {
+    exports.submit(() -> run(work, done, failed));
+  }
+
   /** Scans something, in place of what is being scanned. */
   <T> void scan(Callable<T> work, Consumer<T> done, Consumer<Exception> failed) {
     scan.cancel(true);
@@ -72,6 +78,7 @@ final class BackgroundWork implements AutoCloseable {
   public void close() {
     closed.set(true);
     scans.shutdownNow();
+    exports.shutdownNow();
     files.shutdown();
   }
 }

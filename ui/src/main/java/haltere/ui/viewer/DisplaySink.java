@@ -48,6 +48,7 @@ final class DisplaySink implements SliceSink {
   private double sliceUs = 8_333;
   private long lastSliceUs = 8_333;
   private long paintedNanos;
+  private boolean exposed;
 
   DisplaySink(SensorGeometry geometry, FilterChain chain, DisplayOptions options) {
     this.chain = chain;
@@ -84,6 +85,10 @@ final class DisplaySink implements SliceSink {
 
   @Override
   public void packet(EventPacket packet) {
+    if (exposed) {
+      events.beginExposure();
+      exposed = false;
+    }
     events.packet(packet);
     probes.packet(packet);
   }
@@ -100,17 +105,27 @@ final class DisplaySink implements SliceSink {
     }
   }
 
-  @Override
-  public void sliceEnd(long fromUs, long toUs) {
+  /** A slice ends whose picture is asked for by {@link #picture}. */
+  void endSlice(long fromUs, long toUs) {
+    advance(fromUs, toUs);
+    exposed = true;
+  }
+
+  private void advance(long fromUs, long toUs) {
     events.advanceTo(toUs);
     lastSliceUs = toUs - fromUs;
     sliceUs += 0.25 * (lastSliceUs - sliceUs);
+  }
+
+  @Override
+  public void sliceEnd(long fromUs, long toUs) {
+    advance(fromUs, toUs);
     if (exchange.isPending() && System.nanoTime() - paintedNanos < MIN_FRAME_NANOS) {
       stale = true;
     } else {
       paint();
     }
-    events.beginExposure();
+    exposed = true;
   }
 
   /** Paints what there is and hands it over. */

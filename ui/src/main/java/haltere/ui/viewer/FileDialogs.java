@@ -65,6 +65,22 @@ final class FileDialogs {
     return remembered(chooser.showSaveDialog(owner));
   }
 
+  Optional<Path> film() {
+    FileChooser chooser = chooser("Export film");
+    chooser
+        .getExtensionFilters()
+        .addAll(new ExtensionFilter("Animated GIF", "*.gif"), new ExtensionFilter("MP4", "*.mp4"));
+    chooser.setInitialFileName("haltere.gif");
+    return remembered(chooser.showSaveDialog(owner));
+  }
+
+  Optional<Path> recordingToExport() {
+    FileChooser chooser = chooser("Export recording");
+    chooser.getExtensionFilters().add(new ExtensionFilter("All files", "*"));
+    chooser.setInitialFileName("part.aedat4");
+    return remembered(chooser.showSaveDialog(owner));
+  }
+
   Optional<Path> table() {
     FileChooser chooser = chooser("Save plots as table");
     chooser.getExtensionFilters().add(new ExtensionFilter("Tables", "*.csv"));

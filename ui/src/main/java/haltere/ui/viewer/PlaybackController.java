@@ -206,11 +206,17 @@ final class PlaybackController {
 
   /** Sets a mark where playback is. */
   void mark() {
+    mark("Mark " + (marks().size() + 1));
+  }
+
+  /** Sets a mark of a name where playback is; one that is there already gets the name. */
+  void mark(String name) {
     player.ifPresent(
-        open ->
-            open.addMark(
-                new Mark(
-                    "Mark " + (open.marks().size() + 1), Math.max(0, open.status().elapsedUs()))));
+        open -> {
+          long here = Math.max(0, open.status().elapsedUs());
+          open.marks().stream().filter(mark -> mark.elapsedUs() == here).forEach(open::removeMark);
+          open.addMark(new Mark(name, here));
+        });
   }
 
   void clearMarks() {

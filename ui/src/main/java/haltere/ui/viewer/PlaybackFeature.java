@@ -1,5 +1,6 @@
 package haltere.ui.viewer;
 
+import java.util.OptionalLong;
 import javafx.beans.binding.Bindings;
 
 /** The transport's actions and their keys. */
@@ -43,11 +44,34 @@ final class PlaybackFeature implements ViewerFeature {
                 playback::setLooping)
             .withKey("L"));
     add("set-mark", "Set a mark", "M", playback::mark);
+    add(
+        "name-mark",
+        "Set a mark with a name\u2026",
+        "Shift+M",
+        () -> Questions.ask(window.stage(), "Mark", "Name of the mark here", "", playback::mark));
+    add("jump-to-time", "Jump to a time\u2026", "Shortcut+J", () -> askForTime(window));
     add("mark-before", "To the mark before", "J", () -> playback.toMark(false));
     add("mark-after", "To the mark after", "K", () -> playback.toMark(true));
     add("clear-marks", "Clear all marks", "", playback::clearMarks);
     add("forget", "Let all filters forget", "Z", playback::reset);
     add("menu-reset", "Reset all filters", "Shortcut+R", playback::reset);
+  }
+
+  private static void askForTime(ViewerContext window) {
+    PlaybackController playback = window.playback();
+    String here = playback.status().map(now -> Texts.time(now.elapsedUs(), true)).orElse("");
+    Questions.ask(
+        window.stage(),
+        "Jump",
+        "To which time? Minutes and seconds as 1:02.345, or with a unit as 250 ms",
+        here,
+        words -> {
+          OptionalLong us = Texts.parseTime(words);
+          us.ifPresent(playback::seek);
+          if (us.isEmpty()) {
+            window.status().showError(words + " is no time; 1:02.345 or 250 ms are");
+          }
+        });
   }
 
   private void add(String id, String words, String key, Runnable work) {

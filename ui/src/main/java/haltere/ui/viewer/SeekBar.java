@@ -41,6 +41,7 @@ final class SeekBar extends Region {
   }
 
   private static final int HISTORY = 400;
+  private static final double MARK_NAME_WIDTH = 120;
   private static final long HISTORY_NANOS = 100_000_000;
 
   private final PlaybackController playback;
@@ -238,6 +239,7 @@ final class SeekBar extends Region {
       double x = Math.rint(xOf(mark.elapsedUs()));
       graphics.fillPolygon(new double[] {x - 4, x + 4, x}, new double[] {0, 0, 7}, 3);
       graphics.fillRect(x - 0.5, 0, 1, height);
+      graphics.fillText(mark.name(), x + 5, 11, MARK_NAME_WIDTH);
     }
   }
 

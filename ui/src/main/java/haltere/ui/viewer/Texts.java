@@ -4,11 +4,18 @@ import haltere.core.playback.PlayerStatus;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.util.Locale;
+import java.util.OptionalLong;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.ExecutionException;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /** Numbers and problems as a person reads them. */
 final class Texts {
+  private static final Pattern TIME_WITH_UNIT =
+      Pattern.compile("(\\d+(?:\\.\\d*)?)\\s*(us|\u00b5s|ms|s)");
+  private static final Pattern CLOCK_TIME = Pattern.compile("(?:\\d+:){0,2}\\d+(?:\\.\\d*)?");
+
   private Texts() {}
 
   /**
@@ -31,6 +38,32 @@ final class Texts {
             ? String.format(Locale.ROOT, ".%06d", abs % 1_000_000)
             : String.format(Locale.ROOT, ".%03d", abs % 1_000_000 / 1000);
     return (us < 0 ? "\u2212" : "") + whole + part;
+  }
+
+  /**
+   * A time as a person writes it: 1:02:03.5, 62.345, 250 ms, 1500 us, 3 s.
+   *
+   * @return microseconds, empty if it is no time
+   */
+  static OptionalLong parseTime(String words) {
+    Matcher unit = TIME_WITH_UNIT.matcher(words.strip());
+    if (unit.matches()) {
+      double factor =
+          switch (unit.group(2)) {
+            case "ms" -> 1e3;
+            case "us", "\u00b5s" -> 1;
+            default -> 1e6;
+          };
+      return OptionalLong.of(Math.round(Double.parseDouble(unit.group(1)) * factor));
+    }
+    if (!CLOCK_TIME.matcher(words.strip()).matches()) {
+      return OptionalLong.empty();
+    }
+    double seconds = 0;
+    for (String part : words.strip().split(":")) {
+      seconds = 60 * seconds + Double.parseDouble(part);
+    }
+    return OptionalLong.of(Math.round(seconds * 1e6));
   }
 
   /** By how much playback is late, and what takes the time. */

@@ -12,6 +12,7 @@ final class ViewerFeatures {
         new FileFeature(),
         new RecentFilesFeature(),
         new SavingFeature(),
+        new ExportFeature(),
         new EditFeature(),
         new DisplayFeature(),
         new SeeingFeature(),

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.playback.PlayerStatus;
 import haltere.core.playback.PlayerStatus.State;
+import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
 
 class TextsTest {
@@ -21,5 +22,16 @@ class TextsTest {
     String source = Texts.late(late("dawdler", 0.8));
     assertTrue(source.startsWith("The source is " + behind), source);
     assertTrue(!source.contains("dawdler"), source);
+  }
+
+  @Test
+  void timesAreReadAsAPersonWritesThem() {
+    assertEquals(OptionalLong.of(62_345_000), Texts.parseTime("1:02.345"));
+    assertEquals(OptionalLong.of(3_723_500_000L), Texts.parseTime("1:02:03.5"));
+    assertEquals(OptionalLong.of(250_000), Texts.parseTime(" 250 ms"));
+    assertEquals(OptionalLong.of(1500), Texts.parseTime("1500us"));
+    assertEquals(OptionalLong.of(3_000_000), Texts.parseTime("3"));
+    assertEquals(OptionalLong.empty(), Texts.parseTime("soon"));
+    assertEquals(OptionalLong.empty(), Texts.parseTime("-3 s"));
   }
 }

@@ -1,0 +1,162 @@
+package haltere.ui.viewer;
+
+import haltere.core.chain.FilterChain;
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorReading;
+import haltere.core.playback.Playable;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import haltere.ui.export.FilmWriter;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+
+/**
+ * Plays a stretch of a recording through a chain, without a clock, and makes a picture with
+ * overlays at even distances of recording time.
+ *
+ * <p>Thread rule: everything happens on the calling thread.
+ */
+final class ClipExport implements StreamHandler {
+  /** Sent through the chain before the stretch, so that trackers are warm. */
+  private static final long RUN_UP_US = 500_000;
+
+  /** Films longer than this are asked for by mistake. */
+  static final long MOST_PICTURES = 20_000;
+
+  private final Playable playable;
+  private final FilterChain chain;
+  private final DisplaySink display;
+  private final FilmWriter film;
+  private final long fromUs;
+  private final long toUs;
+  private final double pictureUs;
+  private final EventPacket slice = new EventPacket(4096);
+  private long pictures;
+  private long lastUs;
+
+  /**
+   * An export.
+   *
+   * @param playable closed by the caller
+   * @param chain for its sensor
+   * @param options how events are shown
+   * @param fromUs start on the elapsed timeline
+   * @param toUs end, not included
+   * @param pictureUs recording time from one picture to the next
+   */
+  ClipExport(
+      Playable playable,
+      FilterChain chain,
+      DisplayOptions options,
+      FilmWriter film,
+      long fromUs,
+      long toUs,
+      double pictureUs)
+      throws IOException {
+    long wanted = Math.round((toUs - fromUs) / pictureUs);
+    if (wanted > MOST_PICTURES) {
+      throw new IOException(
+          "that would be "
+              + wanted
+              + " pictures; mark a shorter part or choose a higher speed (the film has the speed of"
+              + " playback)");
+    }
+    this.playable = playable;
+    this.chain = chain;
+    this.display = new DisplaySink(playable.geometry(), chain, options);
+    this.film = film;
+    this.fromUs = fromUs;
+    this.toUs = toUs;
+    this.pictureUs = pictureUs;
+    this.lastUs = fromUs;
+  }
+
+  /**
+   * Runs.
+   *
+   * @return how many pictures the film has
+   */
+  long run() throws IOException {
+    try {
+      long start = Math.max(0, fromUs - RUN_UP_US);
+      if (start > 0) {
+        playable.seek(start);
+      }
+      while (lastUs < toUs && !Thread.currentThread().isInterrupted() && playable.next(this)) {
+        // the handler counts
+      }
+      if (Thread.currentThread().isInterrupted()) {
+        throw new IOException("the export was ended");
+      }
+      // the last picture, also where the recording ends before it
+      while (nextUs() <= toUs + 0.5) {
+        shoot();
+      }
+      film.finish();
+      return pictures;
+    } catch (UncheckedIOException problem) {
+      throw problem.getCause();
+    } finally {
+      display.close();
+    }
+  }
+
+  private double nextUs() {
+    return fromUs + (pictures + 1) * pictureUs;
+  }
+
+  @Override
+  public void packet(EventPacket packet) {
+    long[] times = packet.timesUs();
+    int[] addresses = packet.addresses();
+    for (int i = 0; i < packet.size(); i++) {
+      long elapsedUs = playable.elapsedUs(times[i]);
+      if (elapsedUs >= toUs) {
+        lastUs = elapsedUs;
+        break;
+      }
+      while (elapsedUs >= nextUs()) {
+        shoot();
+      }
+      slice.append(times[i], addresses[i]);
+      lastUs = Math.max(lastUs, elapsedUs);
+    }
+    pass();
+  }
+
+  private void pass() {
+    if (slice.size() > 0) {
+      chain.process(slice);
+      display.packet(slice);
+      slice.clear();
+    }
+  }
+
+  private void shoot() {
+    pass();
+    long offsetUs = offsetUs();
+    display.endSlice(Math.round(nextUs() - pictureUs) + offsetUs, Math.round(nextUs()) + offsetUs);
+    try {
+      film.add(display.picture());
+    } catch (IOException problem) {
+      throw new UncheckedIOException(problem);
+    }
+    pictures++;
+  }
+
+  /** From the elapsed timeline to the source's clock. */
+  private long offsetUs() {
+    return -playable.elapsedUs(0);
+  }
+
+  @Override
+  public void notified(StreamNotification notification) {
+    chain.notified(notification);
+    display.notified(notification);
+  }
+
+  @Override
+  public void reading(SensorReading reading) {
+    chain.reading(reading);
+  }
+}

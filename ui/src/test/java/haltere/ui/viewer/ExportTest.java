@@ -1,0 +1,173 @@
+package haltere.ui.viewer;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import haltere.core.format.ProgressListener;
+import haltere.core.format.RecordingReader;
+import haltere.core.format.RecordingSummary;
+import haltere.core.format.Recordings;
+import haltere.core.playback.Loop;
+import haltere.ui.export.Mp4Writer;
+import java.awt.image.BufferedImage;
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import javafx.scene.control.TextField;
+import javafx.scene.input.KeyCode;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import javax.imageio.stream.ImageInputStream;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Exports of a marked part, in the real window. */
+class ExportTest {
+  @TempDir Path folder;
+  private ViewerHarness viewer;
+
+  @BeforeEach
+  void open() throws IOException {
+    viewer = ViewerHarness.withRecording(folder, 2_000_000);
+    viewer.pause();
+    viewer.run(
+        () -> {
+          viewer.window.playback().seek(500_000);
+          viewer.window.playback().setSpeed(0.25);
+        });
+    viewer.waitFor("half a second", () -> viewer.status().elapsedUs() >= 500_000);
+    viewer.run(viewer.window.playback()::markIn);
+    viewer.run(() -> viewer.window.playback().seek(620_000));
+    viewer.waitFor("the end", () -> viewer.status().elapsedUs() >= 620_000);
+    viewer.run(viewer.window.playback()::markOut);
+  }
+
+  @AfterEach
+  void close() {
+    System.clearProperty(Mp4Writer.PROPERTY);
+    viewer.close();
+  }
+
+  private ExportFeature export() {
+    return viewer.window.feature(ExportFeature.class);
+  }
+
+  private Loop loop() {
+    return viewer.onFx(() -> viewer.window.playback().loopProperty().get());
+  }
+
+  private String said() {
+    return viewer.text("status-message");
+  }
+
+  @Test
+  void theMarkedPartBecomesAnAnimatedPicture() throws IOException {
+    Path file = folder.resolve("part.gif");
+    viewer.run(() -> export().exportFilm(file));
+    viewer.waitFor("it says so", () -> said().matches("Exported part.gif: 1[23] pictures"));
+    ImageReader reader = ImageIO.getImageReadersByFormatName("gif").next();
+    try (ImageInputStream input = ImageIO.createImageInputStream(file.toFile())) {
+      reader.setInput(input);
+      // 0.12 s and a slice at a quarter of real time and 25 pictures a second
+      int pictures = reader.getNumImages(true);
+      assertTrue(pictures == 12 || pictures == 13, pictures + " pictures");
+      BufferedImage first = reader.read(0);
+      BufferedImage last = reader.read(11);
+      assertEquals(768, first.getWidth());
+      assertTrue(middleX(last) > middleX(first) + 10, "the blob moves to the right");
+    } finally {
+      reader.dispose();
+    }
+  }
+
+  /** Middle of what is orange. */
+  private static double middleX(BufferedImage image) {
+    double sum = 0;
+    int count = 0;
+    for (int y = 0; y < image.getHeight(); y++) {
+      for (int x = 0; x < image.getWidth(); x++) {
+        int rgb = image.getRGB(x, y);
+        if ((rgb >> 16 & 0xFF) > 150 && (rgb & 0xFF) < 100) {
+          sum += x;
+          count++;
+        }
+      }
+    }
+    return sum / count;
+  }
+
+  @Test
+  void theMarkedPartBecomesARecordingOfWhatTheChainLeaves() throws IOException {
+    Path file = folder.resolve("part.aedat4");
+    viewer.run(() -> export().exportData(file));
+    viewer.waitFor("it says so", () -> said().startsWith("Exported part.aedat4"));
+    RecordingSummary whole = summary(folder.resolve("blob.aedat"));
+    RecordingSummary part = summary(file);
+    assertTrue(
+        part.events() > 100 && part.events() < whole.events() / 5, part.events() + " events");
+    assertTrue(part.firstUs() >= whole.firstUs() + loop().inUs().getAsLong());
+    assertTrue(part.lastUs() < whole.firstUs() + loop().outUs().getAsLong());
+  }
+
+  private static RecordingSummary summary(Path file) throws IOException {
+    try (RecordingReader reader = Recordings.open(file)) {
+      return RecordingSummary.scan(reader, ProgressListener.NONE);
+    }
+  }
+
+  @Test
+  void withoutTheProgramMp4SaysWhatToDo() {
+    System.setProperty(Mp4Writer.PROPERTY, folder.resolve("none").toString());
+    Path file = folder.resolve("part.mp4");
+    viewer.run(() -> export().exportFilm(file));
+    viewer.waitFor("what to do", () -> said().startsWith("MP4 needs the program ffmpeg"));
+    assertFalse(Files.exists(file));
+  }
+
+  @Test
+  void mp4IsMadeByTheProgramThatIsFound() throws IOException {
+    assumeTrue(File.separatorChar == '/', "the stand-in for ffmpeg is a shell script");
+    Path program = folder.resolve("ffmpeg");
+    Files.writeString(
+        program, "#!/bin/sh\nfor last; do :; done\nwc -c > \"$last\"\necho \"$@\" >> \"$last\"\n");
+    assertTrue(program.toFile().setExecutable(true));
+    System.setProperty(Mp4Writer.PROPERTY, program.toString());
+    Path file = folder.resolve("part.mp4");
+    viewer.run(() -> export().exportFilm(file));
+    viewer.waitFor("it says so", () -> said().startsWith("Exported part.mp4"));
+    List<String> lines = Files.readAllLines(file);
+    long bytes = Long.parseLong(lines.get(0).strip());
+    assertEquals(0, bytes % (768L * 768 * 3), "whole pictures");
+    assertTrue(bytes / (768L * 768 * 3) >= 12);
+    assertTrue(lines.get(1).contains("-video_size 768x768"), lines.get(1));
+    assertFalse(Files.exists(folder.resolve(".part.mp4.part")));
+  }
+
+  @Test
+  void aMarkHasANameAndATimeIsJumpedTo() {
+    viewer.run(() -> viewer.window.actions().run("name-mark"));
+    viewer.waitFor("the question", () -> viewer.isThere("answer"));
+    TextField answer = viewer.node("answer", TextField.class);
+    viewer.run(() -> answer.setText("take-off"));
+    viewer.waitFor("focus", answer::isFocused);
+    viewer.press(KeyCode.ENTER);
+    viewer.waitFor(
+        "the mark",
+        () ->
+            viewer.window.playback().marks().stream()
+                .anyMatch(mark -> mark.name().equals("take-off")));
+    viewer.run(() -> viewer.window.actions().run("jump-to-time"));
+    viewer.waitFor("the question", () -> viewer.isThere("answer"));
+    TextField time = viewer.node("answer", TextField.class);
+    viewer.run(() -> time.setText("1250 ms"));
+    viewer.waitFor("focus", time::isFocused);
+    viewer.press(KeyCode.ENTER);
+    viewer.waitFor("there", () -> viewer.status().elapsedUs() == 1_250_000);
+  }
+}
