@@ -23,6 +23,8 @@ final class ViewerFeatures {
         new CameraFeature(),
         new PublishFeature(),
         new BeatExposure(),
+        new CompareFeature(),
+        new PresetFeature(),
         new HelpFeature(),
         ViewerFeatures::quit);
   }

@@ -1,0 +1,117 @@
+package haltere.ui.viewer;
+
+import haltere.core.chain.ChainFile;
+import haltere.core.format.AtomicFile;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+
+/**
+ * Chains that a user keeps under a name: chain files in the folder {@code presets} beside the
+ * settings, which can be copied there and given to others.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+final class PresetFeature implements ViewerFeature {
+  private static final String MENU = "Chain/Presets";
+  private static final String ENDING = ".json";
+
+  private ViewerContext window;
+  private Path folder;
+  private List<String> offered = List.of();
+
+  @Override
+  public void install(ViewerContext installed) {
+    window = installed;
+    window
+        .actions()
+        .add(
+            ViewerAction.of(
+                    "save-preset",
+                    "Keep this chain as a preset\u2026",
+                    "Chain",
+                    () ->
+                        Questions.ask(
+                            window.stage(), "Preset", "Name of the preset", "", this::save))
+                .withHelp("Presets are chain files in the folder of the settings."));
+    window
+        .settings()
+        .file()
+        .ifPresent(
+            settings -> {
+              folder = settings.resolveSibling("presets");
+              list();
+            });
+  }
+
+  /** Keeps the chain under a name. */
+  void save(String name) {
+    if (folder == null || name.matches(".*[/\\\\:].*")) {
+      window.status().showError("A preset cannot be named " + name);
+      return;
+    }
+    window
+        .editor()
+        .read(
+            ChainFile::write,
+            json ->
+                window
+                    .background()
+                    .file(
+                        () -> write(folder.resolve(name + ENDING), json),
+                        written -> list(),
+                        window.status()::showProblem));
+  }
+
+  private static Path write(Path file, String json) throws IOException {
+    Files.createDirectories(file.getParent());
+    try (AtomicFile output = AtomicFile.create(file, true)) {
+      output.stream().write(json.getBytes(StandardCharsets.UTF_8));
+      output.commit();
+    }
+    return file;
+  }
+
+  private void list() {
+    window.background().file(() -> files(folder), this::offer, window.status()::showProblem);
+  }
+
+  private static List<Path> files(Path folder) throws IOException {
+    if (!Files.isDirectory(folder)) {
+      return List.of();
+    }
+    try (Stream<Path> files = Files.list(folder)) {
+      return files.filter(file -> file.toString().endsWith(ENDING)).sorted().toList();
+    }
+  }
+
+  private void offer(List<Path> files) {
+    window.actions().removeAll(offered);
+    List<String> ids = new ArrayList<>();
+    for (Path file : files) {
+      String name = file.getFileName().toString();
+      String words = name.substring(0, name.length() - ENDING.length());
+      ids.add("preset-" + words);
+      window.actions().add(ViewerAction.of("preset-" + words, words, MENU, () -> load(file)));
+    }
+    offered = ids;
+  }
+
+  private void load(Path file) {
+    window
+        .sessions()
+        .session()
+        .ifPresent(
+            open ->
+                window
+                    .background()
+                    .file(
+                        () -> ChainFile.read(file, open.chain().geometry()),
+                        window.editor()::replaceAll,
+                        window.status()::showProblem));
+  }
+}
