@@ -3,8 +3,8 @@ package haltere.filters.wing;
 /**
  * The noise of a wing's frequency: how much process noise the filter gets, more in a manoeuvre
  * ({@link RunAway}), and how sure the frequency really is, which the filter, ready for manoeuvres,
- * puts too low in steady flight ({@link FrequencyAgreement}) and too high just before a manoeuvre is
- * noticed ({@link FrequencySurprise}).
+ * puts too low in steady flight ({@link FrequencyAgreement}) and too high just before a manoeuvre
+ * is noticed ({@link FrequencySurprise}).
  *
  * <p>Thread rule: one thread at a time.
  */

@@ -225,7 +225,10 @@ final class TrackedFly {
   }
 
   private void compareFrequencies(WingEstimator left, WingEstimator right) {
-    if (tracked[0] && tracked[1] && left.frequencyNoise().isCalm() && right.frequencyNoise().isCalm()) {
+    if (tracked[0]
+        && tracked[1]
+        && left.frequencyNoise().isCalm()
+        && right.frequencyNoise().isCalm()) {
       agreement.compare(
           2 * Math.PI * (left.frequencyHz() - right.frequencyHz()),
           left.frequencyVariance() + right.frequencyVariance());

@@ -4,8 +4,9 @@ import java.util.Arrays;
 
 /**
  * Errors divided by their standard deviations, one after the other in time. Errors that follow each
- * other are alike, so that they count for fewer: N errors whose correlation over k steps is r_k tell
- * as much about their variance as N / (1 + 2 sum of r_k squared) independent ones (Bartlett 1946).
+ * other are alike, so that they count for fewer: N errors whose correlation over k steps is r_k
+ * tell as much about their variance as N / (1 + 2 sum of r_k squared) independent ones (Bartlett
+ * 1946).
  */
 final class NormalisedErrors {
   private static final double NINETY_FIVE_PERCENT = 1.96;

@@ -81,8 +81,7 @@ public final class WingEvaluation {
     WingScores usual = new WingScores(events, WingTrackerSettings.defaults());
     double latency = scene.pixel().latencyUs();
     WingScores known =
-        new WingScores(
-            events, WingTrackerSettings.defaults().with("filter.latencyUs=" + latency));
+        new WingScores(events, WingTrackerSettings.defaults().with("filter.latencyUs=" + latency));
     WingScores.run(events, SECONDS, usual, known);
     return new Result(
         seed,

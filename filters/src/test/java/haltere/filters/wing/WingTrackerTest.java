@@ -8,8 +8,8 @@ import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.simulation.FlyTruth;
 import haltere.filters.estimation.Angles;
-import haltere.filters.wing.WingTrackerFilterTest.Flies;
 import haltere.filters.wing.WingFilterEdit.Table;
+import haltere.filters.wing.WingTrackerFilterTest.Flies;
 import haltere.filters.wing.WingTrackerState.Phase;
 import java.util.ArrayList;
 import java.util.EnumSet;
@@ -176,8 +176,7 @@ class WingTrackerTest {
           IllegalArgumentException.class,
           () -> tracker.edit(new WingFilterEdit(part, Table.COVARIANCE, 0, 1, 1e9)));
       tracker.restart(part);
-      assertEquals(
-          tracker.settings().noise().amplitude(), tracker.filters().get(0).q()[1], model);
+      assertEquals(tracker.settings().noise().amplitude(), tracker.filters().get(0).q()[1], model);
     }
     WingTracker average =
         new WingTracker(SENSOR, WingTrackerSettings.defaults().with("filter.method=WRA"), said);
