@@ -34,7 +34,6 @@ public final class HaltereProgram {
           "orient",
           "devices",
           "record",
-          "orient",
           "simulate",
           "filters",
           "bench");
