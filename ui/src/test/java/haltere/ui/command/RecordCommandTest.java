@@ -217,7 +217,7 @@ class RecordCommandTest {
       LockSupport.parkNanos(200_000);
       assertTrue(haltere.isAlive());
     }
-    haltere.destroy();
+    haltere.toHandle().destroy(); // the other way would close its streams
     assertTrue(haltere.waitFor(60, TimeUnit.SECONDS));
     assertTrue(haltere.errorReader().lines().anyMatch(line -> line.startsWith("wrote " + out)));
     CommandRun strict = CommandRun.of("info", "--json", "--strict", out);
