@@ -23,6 +23,9 @@ final class ClusterLife {
   /** A thing that makes fewer than this share of the events that it usually makes is gone. */
   private static final double LEAST_OF_USUAL = 0.12;
 
+  /** Standard deviations of a velocity above the least one, to be seen. */
+  private static final double SURE_SPEED_SIGMAS = 3;
+
   private static final double USUAL_TIME_US = 500_000;
 
   /** A cluster with fewer than this many times the events of noise may be noise. */
@@ -221,13 +224,19 @@ final class ClusterLife {
     if (cluster.mass < moreThan(noise, SEEN_CONTRAST, SEEN_SIGMAS)) {
       return false;
     }
-    double least = settings.leastSpeedPxPerS();
-    if (cluster.vx * cluster.vx + cluster.vy * cluster.vy < least * least) {
+    if (isTooSlow(cluster)) {
       return false;
     }
     return settings.visibleBy() == Visibility.MASS
         ? cluster.mass >= settings.visibleMass()
         : cluster.rateHz >= settings.visibleRateHz() * pixels;
+  }
+
+  /** Whether it is slower than asked for, or may be for all that is known of its velocity yet. */
+  private boolean isTooSlow(Cluster cluster) {
+    double least = settings.leastSpeedPxPerS();
+    double surely = least + SURE_SPEED_SIGMAS * Math.sqrt(cluster.velocityVariance);
+    return least > 0 && cluster.vx * cluster.vx + cluster.vy * cluster.vy < surely * surely;
   }
 
   /** The invisible cluster with the fewest recent events, or null: it gives way to a newborn. */

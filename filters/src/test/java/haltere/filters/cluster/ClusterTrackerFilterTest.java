@@ -295,7 +295,7 @@ class ClusterTrackerFilterTest extends EventFilterContract {
     return tracks.stream().map(ClusterTrack::id).collect(Collectors.toSet());
   }
 
-  private static EventPacket merged(EventPacket first, EventPacket second) {
+  static EventPacket merged(EventPacket first, EventPacket second) {
     EventPacket merged = new EventPacket(first.size() + second.size());
     int i = 0;
     int j = 0;
