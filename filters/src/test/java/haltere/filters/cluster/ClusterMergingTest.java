@@ -34,7 +34,9 @@ class ClusterMergingTest {
     return cluster;
   }
 
-  /** Milliseconds until the two become one as they are, or -1 if they do not within three seconds. */
+  /**
+   * Milliseconds until the two become one as they are, or -1 if they do not within three seconds.
+   */
   private int untilOne() {
     for (int i = 1; i <= 3000; i++) {
       timeUs += UPKEEP_US;

@@ -105,7 +105,8 @@ class ClusterSettingsTest {
 
   private double wayWithoutEvents(EventPacket events, String change) {
     ClusterTrack end = lastOf(events, change);
-    ClusterTrack start = rows.stream().filter(row -> row.timeUs() == 300_000).findAny().orElseThrow();
+    ClusterTrack start =
+        rows.stream().filter(row -> row.timeUs() == 300_000).findAny().orElseThrow();
     assertTrue(end.timeUs() > 350_000);
     return Math.hypot(end.xPx() - start.xPx(), end.yPx() - start.yPx());
   }
@@ -116,8 +117,7 @@ class ClusterSettingsTest {
     BlobPath slow = new BlobPath(64, 64, 30, 1_000_000, 6);
     EventPacket events =
         ClusterTrackerFilterTest.merged(
-            blob(7, slow, 500_000),
-            laterOf(blob(8, like, 500_000), 400_000));
+            blob(7, slow, 500_000), laterOf(blob(8, like, 500_000), 400_000));
     assertTrue(errorOfTheSecond(events, "motion.start=mean") < 60);
     assertTrue(errorOfTheSecond(events, "motion.start=zero") > 100);
   }
@@ -174,8 +174,7 @@ class ClusterSettingsTest {
             / events.size();
     long mostAtATime =
         rows.stream()
-            .mapToLong(
-                row -> rows.stream().filter(other -> other.timeUs() == row.timeUs()).count())
+            .mapToLong(row -> rows.stream().filter(other -> other.timeUs() == row.timeUs()).count())
             .max()
             .orElse(0);
     assertTrue(mostAtATime <= 10, mostAtATime + " clusters");
