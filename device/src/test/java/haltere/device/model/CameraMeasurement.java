@@ -16,6 +16,8 @@ import java.io.File;
 import java.io.IOException;
 import java.lang.management.BufferPoolMXBean;
 import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadInfo;
+import java.lang.management.ThreadMXBean;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.concurrent.TimeUnit;
@@ -29,6 +31,7 @@ final class CameraMeasurement {
   private static final int BATCH_US = 1000;
   private static final int KEPT_BATCHES = 1 << 16;
   private static final long LATEST_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
+  private static final long WRAP_US = 1 << 14;
   private static final int PACKET_BYTES = 512;
 
   private final UsbEmulator emulator;
@@ -246,24 +249,42 @@ final class CameraMeasurement {
   private void idle(int seconds) throws Exception {
     try (Camera camera = open(CameraOptions.DEFAULT)) {
       start(camera, new StreamLog(camera));
-      camera.await(TimeUnit.SECONDS.toNanos(1));
-      long before = cpuMs();
+      // A camera that sees nothing still tells the time, every 16 ms.
+      Thread sender =
+          new Thread(
+              () -> {
+                for (long us = 0; !ended; us += WRAP_US) {
+                  firmware.advance(us);
+                  firmware.endPacket();
+                  LockSupport.parkNanos(TimeUnit.MICROSECONDS.toNanos(WRAP_US));
+                }
+              });
+      sender.start();
+      camera.await(TimeUnit.SECONDS.toNanos(2));
+      long before = driverCpuNanos();
+      long beforeAll = cpuMs();
       long begin = System.nanoTime();
-      long end = begin + TimeUnit.SECONDS.toNanos(seconds);
-      for (long us = 0; System.nanoTime() < end; us += Dvs128Wraps.US) {
-        firmware.advance(us); // a camera that sees nothing still tells the time
-        firmware.endPacket();
-        camera.await(TimeUnit.MICROSECONDS.toNanos(Dvs128Wraps.US));
-      }
+      camera.await(TimeUnit.SECONDS.toNanos(seconds));
+      double elapsedNanos = System.nanoTime() - begin;
       System.out.printf(
           Locale.ROOT,
-          "%.2f %% of a core, with the emulator's own part%n",
-          (cpuMs() - before) * 1e8 / (System.nanoTime() - begin));
+          "driver %.2f %% of a core; with the emulator %.2f %%%n",
+          (driverCpuNanos() - before) * 100 / elapsedNanos,
+          (cpuMs() - beforeAll) * 1e8 / elapsedNanos);
+      ended = true;
     }
   }
 
-  private static final class Dvs128Wraps {
-    static final long US = 1 << 14;
+  /** What the consumer's thread and that of the bus have used. */
+  private static long driverCpuNanos() {
+    ThreadMXBean threads = ManagementFactory.getThreadMXBean();
+    long used = 0;
+    for (ThreadInfo thread : threads.getThreadInfo(threads.getAllThreadIds())) {
+      if (thread.getThreadName().equals("haltere-usb") || thread.getThreadName().equals("main")) {
+        used += threads.getThreadCpuTime(thread.getThreadId());
+      }
+    }
+    return used;
   }
 
   private static long cpuMs() {

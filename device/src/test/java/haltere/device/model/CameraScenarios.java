@@ -41,7 +41,7 @@ import org.junit.jupiter.api.Timeout;
 /**
  * What a driver has to live through, whatever the bus. A DVS128 is plugged in anew for each test.
  */
-@Timeout(60)
+@Timeout(600)
 abstract class CameraScenarios {
   static final CameraOptions SMALL =
       new CameraOptions(4, 512, 64, WhenFull.DROP_NEWEST, true, false);
@@ -50,6 +50,8 @@ abstract class CameraScenarios {
   private final Dvs128Firmware firmware = new Dvs128Firmware("0042");
   private UsbCameraProvider provider;
   private EmulatedDevice device;
+  private int numberOfDevice;
+  private int lastNumber;
 
   /** The bus of all tests of this class. */
   abstract TestBus bus();
@@ -61,6 +63,7 @@ abstract class CameraScenarios {
   void plugIn() {
     provider = new UsbCameraProvider(bus().bus());
     device = plug(firmware);
+    numberOfDevice = lastNumber;
   }
 
   @AfterEach
@@ -71,9 +74,19 @@ abstract class CameraScenarios {
 
   private EmulatedDevice plug(Dvs128Firmware plugged) {
     int before = provider.list().size();
-    EmulatedDevice fresh = bus().plug(nextNumber(), plugged);
+    EmulatedDevice fresh = bus().plug(freeNumber(), plugged);
     await(() -> provider.list().size() > before);
     return fresh;
+  }
+
+  /** Many come and go while one stays plugged in. */
+  private int freeNumber() {
+    int number = nextNumber();
+    if (device != null && !device.isUnplugged() && number == numberOfDevice) {
+      number = nextNumber();
+    }
+    lastNumber = number;
+    return number;
   }
 
   private Camera open(CameraOptions options) throws CameraProblem {

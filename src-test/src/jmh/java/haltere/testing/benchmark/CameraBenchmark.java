@@ -90,11 +90,15 @@ public class CameraBenchmark implements StreamHandler {
   @Benchmark
   @OperationsPerInvocation(TRANSFERS * EVENTS)
   public long driverAndDecoder() throws IOException {
+    long before = events;
     for (int i = 0; i < TRANSFERS; i++) {
       bus.transfers.get(i).listener.ended(TransferEnd.COMPLETED, BYTES);
     }
     while (camera.await(0)) {
       camera.next(this);
+    }
+    if (events - before != TRANSFERS * EVENTS) {
+      throw new IllegalStateException(events - before + " events came: " + camera.statistics());
     }
     return events;
   }

@@ -99,6 +99,7 @@ public final class UsbEmulator implements TestBus {
     try {
       Files.deleteIfExists(folder.resolve(LINKS + name(device)));
       Files.deleteIfExists(node(device));
+      Files.deleteIfExists(forbiddenMark(device)); // its address may be another one's next
       connections.remove(device).close();
       uevent("remove", device);
       Path sysfs = folder.resolve(SYSFS + name(device));
@@ -123,6 +124,10 @@ public final class UsbEmulator implements TestBus {
     } catch (IOException problem) {
       throw new UncheckedIOException(problem);
     }
+  }
+
+  private Path forbiddenMark(EmulatedDevice device) {
+    return folder.resolve(String.format(Locale.ROOT, "001-%03d.forbidden", device.number()));
   }
 
   private static String name(EmulatedDevice device) {
