@@ -51,7 +51,6 @@ final class Dvs128Driver
   private volatile boolean master = true;
   private volatile boolean holding;
   private volatile Led.State led = Led.State.ON;
-  private volatile Dvs128Decoder decoder;
 
   Dvs128Driver(CameraInfo info, int firmware) {
     this.info = info;
@@ -100,7 +99,6 @@ final class Dvs128Driver
     if (master) {
       fresh.awaitReset(); // the clock of another camera is reset only by that one
     }
-    decoder = fresh;
     return fresh;
   }
 

@@ -23,7 +23,10 @@ final class Evt3DroppedWords extends DroppedWords {
   /** A fall of the high part by so much is a new turn of the clock. */
   private static final int TURN_FALL = 2048;
 
-  private static final int WORDS_AT_ONCE = 64;
+  private static final int WORDS_AT_ONCE = 8;
+
+  /** More than a sensor has columns; masks of 12 and of 8 pixels come to this. */
+  private static final int MOST_GONE_ON = 2400;
 
   private long events;
   private long turns;
@@ -32,6 +35,9 @@ final class Evt3DroppedWords extends DroppedWords {
   private int low = NONE;
   private int row = NONE;
   private int run = NONE;
+
+  /** Pixels that masks went on before the first start of a run. */
+  private int goneOn;
 
   @Override
   public long events() {
@@ -60,8 +66,14 @@ final class Evt3DroppedWords extends DroppedWords {
 
   private void mask(int pixels, int length) {
     events += Integer.bitCount(pixels);
+    goOn(length);
+  }
+
+  private void goOn(int length) {
     if (run != NONE) {
       run = run & ~0x7ff | Math.min(0x7ff, (run & 0x7ff) + length);
+    } else {
+      goneOn = Math.min(MOST_GONE_ON, goneOn + length);
     }
   }
 
@@ -91,6 +103,7 @@ final class Evt3DroppedWords extends DroppedWords {
       low = other.low;
     }
     row = other.row == NONE ? row : other.row;
+    goOn(other.goneOn);
     run = other.run == NONE ? run : other.run;
   }
 
@@ -103,6 +116,7 @@ final class Evt3DroppedWords extends DroppedWords {
     low = NONE;
     row = NONE;
     run = NONE;
+    goneOn = 0;
   }
 
   @Override
@@ -110,6 +124,11 @@ final class Evt3DroppedWords extends DroppedWords {
     give(decoder, firstHigh);
     for (long left = turns; left > 0; left--) {
       give(decoder, LAST_HIGH, FIRST_HIGH);
+    }
+    for (int left = goneOn; left > 0; ) {
+      int length = left % 12 == 0 ? 12 : 8;
+      give(decoder, (length == 12 ? MASK_12 : MASK_8) << 12);
+      left -= length;
     }
     give(decoder, high, low, row, run);
   }

@@ -20,6 +20,7 @@ import java.util.function.Supplier;
  */
 public final class ReceivedBuffers {
   private static final int ALIGNMENT = 64;
+  private static final long MOST_BYTES = 1L << 30;
 
   private final WhenFull whenFull;
   private final ReentrantLock lock = new ReentrantLock();
@@ -52,6 +53,7 @@ public final class ReceivedBuffers {
    * @param bufferBytes size of each
    * @param whenFull which are dropped if more would have to wait
    * @param notes makes empty notes of what is dropped
+   * @throws IllegalArgumentException if there are none, or if all would need more than 1 GiB
    */
   public ReceivedBuffers(
       int transfers,
@@ -67,6 +69,15 @@ public final class ReceivedBuffers {
     droppedLast = notes.get();
     abandoned = notes.get();
     int count = transfers + waiting + 1;
+    if ((long) count * (bufferBytes + ALIGNMENT) > MOST_BYTES) {
+      throw new IllegalArgumentException(
+          count
+              + " buffers of "
+              + bufferBytes
+              + " bytes would need more than "
+              + (MOST_BYTES >> 20)
+              + " MiB");
+    }
     int stride = (bufferBytes + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
     ByteBuffer all = ByteBuffer.allocateDirect(Math.multiplyExact(count, stride));
     for (int i = 0; i < count; i++) {
