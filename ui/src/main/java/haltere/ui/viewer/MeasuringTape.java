@@ -52,7 +52,7 @@ final class MeasuringTape implements ViewTool {
     double up = toY - fromY;
     return String.format(
         Locale.ROOT,
-        "%.1f px   %.1f\u00b0   \u0394x %.1f   \u0394y %.1f",
+        "%.1f px   %.1f\u00b0   x %.1f   y %.1f",
         Math.hypot(right, up),
         Math.toDegrees(Math.atan2(up, right)),
         right,

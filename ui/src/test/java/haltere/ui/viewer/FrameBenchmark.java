@@ -9,9 +9,12 @@ import haltere.core.playback.ScenePlayable;
 import haltere.core.stream.EventSource;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamStarted;
+import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadInfo;
 import java.lang.management.ThreadMXBean;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Arrays;
 import java.util.Locale;
@@ -145,6 +148,13 @@ public final class FrameBenchmark {
         conflated);
     print("frame time", times);
     print("wait for the JavaFX thread", blocks);
+    System.out.printf(
+        Locale.ROOT,
+        "frames later than 100 ms: %d; memory of the process %d MB at most, heap after a collection"
+            + " %d MB%n",
+        Arrays.stream(times).filter(millis -> millis > 100).count(),
+        mostMemoryMb(),
+        usedMb());
     System.out.println("CPU time, share of one core and per frame:");
     cpuAfter.forEach(
         (thread, nanos) -> {
@@ -163,6 +173,24 @@ public final class FrameBenchmark {
           window.actions().run("quit");
           return null;
         });
+  }
+
+  private static long usedMb() {
+    System.gc();
+    return Runtime.getRuntime().totalMemory() - Runtime.getRuntime().freeMemory() >> 20;
+  }
+
+  /** As Linux counts it; 0 elsewhere. */
+  private static long mostMemoryMb() throws IOException {
+    Path status = Path.of("/proc/self/status");
+    if (!Files.exists(status)) {
+      return 0;
+    }
+    return Files.readAllLines(status).stream()
+        .filter(line -> line.startsWith("VmHWM"))
+        .mapToLong(line -> Long.parseLong(line.replaceAll("\\D", "")) >> 10)
+        .findFirst()
+        .orElse(0);
   }
 
   /** Asks the JavaFX thread for a sign of life again and again, and notes how long that took. */

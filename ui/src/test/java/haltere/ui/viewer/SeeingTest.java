@@ -99,8 +99,7 @@ class SeeingTest {
           seeing().tape().pressed(10, 10);
           seeing().tape().dragged(40, 50);
         });
-    assertEquals(
-        "50.0 px   53.1\u00b0   \u0394x 30.0   \u0394y 40.0", viewer.onFx(seeing().tape()::words));
+    assertEquals("50.0 px   53.1\u00b0   x 30.0   y 40.0", viewer.onFx(seeing().tape()::words));
     viewer.press(KeyCode.G);
     viewer.waitFor("the other tool", () -> view.tool().orElseThrow() instanceof RegionTool);
     assertEquals("", viewer.onFx(seeing().tape()::words));
