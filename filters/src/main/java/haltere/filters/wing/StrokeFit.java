@@ -38,12 +38,6 @@ final class StrokeFit {
   private static final int QUICK_ROUNDS = 10;
   private static final int QUICK_EVENTS = 800;
   private static final int MOST_EVENTS = 3000;
-  private static final int COARSE_EVENTS = 500;
-  private static final int COARSE_PHASES = 24;
-  private static final double[] COARSE_CENTRES = {1.35, 1.57, 1.8};
-  private static final double[] COARSE_AMPLITUDES = {0.45, 0.65, 0.85, 1.05, 1.25, 1.45};
-  private static final double COARSE_RAD = 0.15;
-
   private static final double PIXEL = 0.7;
   private static final double BLADE = 0.01;
   private static final double TIMING_S = 40e-6;
@@ -65,9 +59,7 @@ final class StrokeFit {
   /** Root mean square of the residuals of what fits, in standard deviations. */
   double residual;
 
-  private final double[] angle = new double[2 * COARSE_EVENTS + 2];
-  private final double[] cos = new double[angle.length];
-  private final double[] sin = new double[angle.length];
+  private final CoarseStroke coarse = new CoarseStroke();
   private final double[][] scratch = new double[SIZE][SIZE];
   private int stride = 1;
   private double referenceRad;
@@ -203,7 +195,7 @@ final class StrokeFit {
       for (int i = 0; i < unknowns; i++) {
         System.arraycopy(a[i], 0, scratch[i], 0, unknowns);
       }
-      if (!solve(scratch, b, step, unknowns)) {
+      if (!Cholesky.solve(scratch, b, step, unknowns)) {
         return false;
       }
       double moved = Math.hypot(step[HINGE_X], step[HINGE_Y]);
@@ -227,54 +219,32 @@ final class StrokeFit {
     return all;
   }
 
-  /** Looks for the plain sinusoid that most events lie near to. */
   private boolean coarse(StrokeSample sample, byte[] classes, int side, double outerPx) {
-    int coarseStride = Math.max(1, eventsOf(sample, classes, side) / COARSE_EVENTS);
-    int n = 0;
+    coarse.clear();
+    int coarseStride = CoarseStroke.strideOf(eventsOf(sample, classes, side));
     int seen = 0;
     for (int i = 0; i < sample.size; i++) {
-      if (classes[i] != side || seen++ % coarseStride != 0) {
-        continue;
+      if (classes[i] == side && seen++ % coarseStride == 0) {
+        coarse.add(
+            sample.x[i] - p[HINGE_X],
+            sample.y[i] - p[HINGE_Y],
+            outerPx,
+            referenceRad,
+            turn,
+            p[OMEGA] * (sample.timeS[i] - middleS));
       }
-      double dx = sample.x[i] - p[HINGE_X];
-      double dy = sample.y[i] - p[HINGE_Y];
-      double rr = dx * dx + dy * dy;
-      if (rr < 9 || rr > outerPx * outerPx) {
-        continue;
-      }
-      angle[n] = near(turn * (Math.atan2(dy, dx) - referenceRad), Math.PI / 2);
-      double phase = p[OMEGA] * (sample.timeS[i] - middleS);
-      cos[n] = Math.cos(phase);
-      sin[n++] = Math.sin(phase);
     }
-    if (n < 40) {
+    if (!coarse.search()) {
       return false;
     }
-    double best = -1;
-    for (int k = 0; k < COARSE_PHASES; k++) {
-      double pc = Math.cos(2 * Math.PI * k / COARSE_PHASES);
-      double ps = Math.sin(2 * Math.PI * k / COARSE_PHASES);
-      for (double amplitude : COARSE_AMPLITUDES) {
-        for (double centre : COARSE_CENTRES) {
-          double score = 0;
-          for (int i = 0; i < n; i++) {
-            double y = (angle[i] - centre - amplitude * (pc * cos[i] + ps * sin[i])) / COARSE_RAD;
-            score += 1 / (1 + y * y);
-          }
-          if (score > best) {
-            best = score;
-            p[CENTRE] = centre;
-            p[SERIES] = amplitude * pc;
-            p[SERIES + 1] = amplitude * ps;
-          }
-        }
-      }
-    }
+    p[CENTRE] = coarse.centre;
+    p[SERIES] = coarse.cosine;
+    p[SERIES + 1] = coarse.sine;
     return true;
   }
 
   /** The stroke angle of a point about the hinge, nearest to a given one. */
-  private static double near(double angle, double to) {
+  static double near(double angle, double to) {
     return to + Angles.wrapPi(angle - to);
   }
 
@@ -380,40 +350,5 @@ final class StrokeFit {
     double w = 1 / (sd * sd);
     a[index][index] += w;
     b[index] += w * (value - p[index]);
-  }
-
-  /** Cholesky; overwrites the matrix. */
-  private static boolean solve(double[][] m, double[] rhs, double[] out, int n) {
-    for (int j = 0; j < n; j++) {
-      for (int i = j; i < n; i++) {
-        double sum = m[i][j];
-        for (int k = 0; k < j; k++) {
-          sum -= m[i][k] * m[j][k];
-        }
-        if (i == j) {
-          if (!(sum > 0)) {
-            return false;
-          }
-          m[j][j] = Math.sqrt(sum);
-        } else {
-          m[i][j] = sum / m[j][j];
-        }
-      }
-    }
-    for (int i = 0; i < n; i++) {
-      double sum = rhs[i];
-      for (int k = 0; k < i; k++) {
-        sum -= m[i][k] * out[k];
-      }
-      out[i] = sum / m[i][i];
-    }
-    for (int i = n - 1; i >= 0; i--) {
-      double sum = out[i];
-      for (int k = i + 1; k < n; k++) {
-        sum -= m[k][i] * out[k];
-      }
-      out[i] = sum / m[i][i];
-    }
-    return true;
   }
 }

@@ -35,7 +35,7 @@ final class WingEstimator implements SideEstimator {
   private WingNoiseSettings settings;
   private WingNoiseSettings appliedNoise;
   private WingFilterSettings options;
-  private final BeatListener beats;
+  private final BeatClock clock;
   private final StrokeShape shape = new StrokeShape();
   private final HingeTracker hinge = new HingeTracker();
   private final LockJudge judge = new LockJudge();
@@ -52,15 +52,10 @@ final class WingEstimator implements SideEstimator {
   private long lastTakenUs;
   private long firstPendingUs;
   private int pending;
-  private final double[] sumW = new double[2];
-  private final double[] sumY = new double[2];
-  private final double[] sumC = new double[2];
-  private final double[] sumS = new double[2];
+  private final EdgeSums[] sums = {new EdgeSums(0), new EdgeSums(1)};
   private final long[] taken = new long[2];
   private double expected;
   private double expectedAngle;
-  private double lastPhase;
-  private double lastCrossingUs = Double.NaN;
 
   /**
    * An estimator that has to be {@link #launch launched}.
@@ -74,7 +69,7 @@ final class WingEstimator implements SideEstimator {
       WingSide side, StrokeFrame frame, WingTrackerSettings settings, BeatListener beats) {
     this.side = side;
     this.frame = frame;
-    this.beats = beats;
+    clock = new BeatClock(side, beats);
     filter = new StrokeEkf(settings.filter().harmonics());
     noise = new EventNoise(settings.filter().gateSd(), settings.noise().measurement());
     density = new double[filter.size];
@@ -110,19 +105,16 @@ final class WingEstimator implements SideEstimator {
     lastTakenUs = atUs;
     density[StrokeEkf.OMEGA] = steadyFrequency;
     noise.reset();
-    Arrays.fill(sumW, 0);
-    Arrays.fill(sumY, 0);
-    Arrays.fill(sumC, 0);
-    Arrays.fill(sumS, 0);
+    sums[0].clear();
+    sums[1].clear();
     Arrays.fill(taken, 0);
     pending = 0;
     expected = 0;
     frequencyNoise.launch();
-    lastCrossingUs = Double.NaN;
     judge.launch();
     hinge.launch(0.3);
     shape.of(filter);
-    lastPhase = phase();
+    clock.launch(phase());
   }
 
   @Override
@@ -171,10 +163,7 @@ final class WingEstimator implements SideEstimator {
     pending++;
     int edge = on ? 1 : 0;
     taken[edge]++;
-    sumW[edge] += w;
-    sumY[edge] += w * y;
-    sumC[edge] += w * c;
-    sumS[edge] += w * s;
+    sums[edge].add(w, y, c, s);
     return true;
   }
 
@@ -190,20 +179,8 @@ final class WingEstimator implements SideEstimator {
       pending = 0;
       predict();
       filter.mark();
-      for (int edge = 0; edge < 2; edge++) {
-        double w = sumW[edge];
-        if (w > 0) {
-          double c = sumC[edge] / w;
-          double s = sumS[edge] / w;
-          double scale = 1.5 - 0.5 * (c * c + s * s);
-          filter.look(c * scale, s * scale, 1 - 2 * edge);
-          expected = filter.expectedVariance();
-          filter.update(sumY[edge] / w - filter.movedBy(), 1 / w);
-        }
-        sumW[edge] = 0;
-        sumY[edge] = 0;
-        sumC[edge] = 0;
-        sumS[edge] = 0;
+      for (EdgeSums edge : sums) {
+        expected = edge.update(filter, expected);
       }
       filter.settle();
     }
@@ -252,15 +229,7 @@ final class WingEstimator implements SideEstimator {
         filter.x[StrokeEkf.AMPLITUDE],
         noise.excess());
     shape.of(filter);
-    double phase = phase();
-    if (phase < lastPhase - Math.PI) {
-      double crossingUs = timeUs - phase / filter.x[StrokeEkf.OMEGA] * 1e6;
-      beats.beat(side, crossingUs, crossingUs - lastCrossingUs, shape.least, shape.most);
-      lastCrossingUs = crossingUs;
-      lastPhase = phase;
-    } else if (phase - lastPhase < Math.PI) {
-      lastPhase = Math.max(lastPhase, phase);
-    }
+    clock.look(timeUs, phase(), filter.x[StrokeEkf.OMEGA], shape);
   }
 
   @Override
