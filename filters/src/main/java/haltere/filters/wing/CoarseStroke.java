@@ -1,8 +1,8 @@
 package haltere.filters.wing;
 
 /**
- * Looks for the plain sinusoid that most events of a wing lie near to, where its hinge and frequency
- * are known about: for a {@link StrokeFit} to begin with.
+ * Looks for the plain sinusoid that most events of a wing lie near to, where its hinge and
+ * frequency are known about: for a {@link StrokeFit} to begin with.
  *
  * <p>Thread rule: one thread at a time.
  */
@@ -46,8 +46,7 @@ final class CoarseStroke {
    * @param turn 1 for counterclockwise, -1 for clockwise
    * @param phase of the beat
    */
-  void add(
-      double dx, double dy, double outerPx, double referenceRad, double turn, double phase) {
+  void add(double dx, double dy, double outerPx, double referenceRad, double turn, double phase) {
     double rr = dx * dx + dy * dy;
     if (rr < LEAST_SQUARE_PX || rr > outerPx * outerPx) {
       return;
