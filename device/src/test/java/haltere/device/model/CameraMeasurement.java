@@ -67,7 +67,7 @@ final class CameraMeasurement {
 
   private Camera open(CameraOptions options) throws IOException {
     UsbCameraProvider provider = new UsbCameraProvider();
-    CameraScenarios.await(() -> !provider.list().isEmpty());
+    CameraBench.await(() -> !provider.list().isEmpty());
     return provider.open(provider.list().get(0), options);
   }
 
@@ -108,7 +108,7 @@ final class CameraMeasurement {
         new Thread(
             () -> {
               send(seconds, rate);
-              CameraScenarios.await(() -> device.queued(Dvs128Firmware.ENDPOINT) == 0);
+              CameraBench.await(() -> device.queued(Dvs128Firmware.ENDPOINT) == 0);
               LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(300));
               ended = true;
             });

@@ -176,9 +176,9 @@ class DavisTest {
         firmware.event(i * 10L, i % 346, i % 260, true);
       }
       firmware.endPacket();
-      CameraScenarios.await(() -> firmware.eventsSent() == count);
+      CameraBench.await(() -> firmware.eventsSent() == count);
       long bytes = camera.statistics().bytes();
-      CameraScenarios.await(() -> camera.statistics().bytes() >= bytes);
+      CameraBench.await(() -> camera.statistics().bytes() >= bytes);
       log.drain();
       firmware.word(0x3000 | 7); // the row and the time of before
       firmware.endPacket();

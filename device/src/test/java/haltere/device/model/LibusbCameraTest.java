@@ -1,13 +1,6 @@
 package haltere.device.model;
 
-import static org.junit.jupiter.api.Assertions.assertTrue;
-
 import haltere.testing.usb.TestBus;
-import haltere.testing.usb.UsbEmulator;
-import java.io.File;
-import java.io.IOException;
-import java.nio.file.Path;
-import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
@@ -15,40 +8,26 @@ import org.junit.jupiter.api.Tag;
 /** The driver's scenarios through libusb, on emulated USB. */
 @Tag("emulator")
 class LibusbCameraTest extends CameraScenarios {
-  private static final AtomicInteger NUMBER = new AtomicInteger(1);
-  private static final UsbEmulator EMULATOR = emulator();
-  private static final int OPEN_FILES_BEFORE = openFiles();
-
-  private static UsbEmulator emulator() {
-    try {
-      return new UsbEmulator(Path.of(System.getenv("USBEMU_DIR")));
-    } catch (IOException problem) {
-      throw new IllegalStateException("run by ./gradlew :device:emulatorTest", problem);
-    }
-  }
-
-  private static int openFiles() {
-    String[] files = new File("/proc/self/fd").list();
-    return files == null ? 0 : files.length;
-  }
+  private static int openFilesBefore;
 
   @BeforeAll
-  static void theEmulatorIsThereBeforeLibusb() {
-    assertTrue(OPEN_FILES_BEFORE > 0);
+  static void countOpenFiles() {
+    openFilesBefore = EmulatedUsb.openFiles();
   }
 
+  /** Libusb itself, and classes, keep a few open; a leak of one for each test or cycle is more. */
   @AfterAll
   static void noFileIsLeftOpen() {
-    CameraScenarios.await(() -> openFiles() < OPEN_FILES_BEFORE + 30);
+    await(() -> EmulatedUsb.openFiles() < openFilesBefore + 20);
   }
 
   @Override
   TestBus bus() {
-    return EMULATOR;
+    return EmulatedUsb.EMULATOR;
   }
 
   @Override
   int nextNumber() {
-    return NUMBER.updateAndGet(number -> number >= 120 ? 2 : number + 1);
+    return EmulatedUsb.nextNumber();
   }
 }

@@ -1,0 +1,211 @@
+package haltere.device.model;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.core.camera.Biases;
+import haltere.core.camera.Camera;
+import haltere.core.camera.CameraInfo;
+import haltere.core.camera.CameraOptions.WhenFull;
+import haltere.core.camera.CameraProblem;
+import haltere.core.camera.CameraProblem.Kind;
+import haltere.core.camera.TimestampReset;
+import haltere.core.stream.DataLost;
+import haltere.core.stream.DeviceLost;
+import haltere.core.stream.EndOfStream;
+import haltere.core.stream.StreamStarted;
+import haltere.testing.usb.Dvs128Firmware;
+import haltere.testing.usb.EmulatedDevice;
+import java.io.IOException;
+import java.util.List;
+import java.util.Random;
+import java.util.concurrent.locks.LockSupport;
+import org.junit.jupiter.api.Test;
+
+/** Loss, unplugging, coming back, closing, whatever the bus: every event is accounted for. */
+abstract class LossScenarios extends CameraBench {
+  @Test
+  void aSlowConsumerLosesTheNewestAndIsToldHowMany() throws IOException {
+    try (Camera camera = open(SMALL)) {
+      StreamLog log = started(camera);
+      sendAndLetWait(camera);
+      log.drain();
+      sendMore(50_000);
+      log.until(() -> log.events + log.lost == firmware.eventsSent());
+
+      assertTrue(log.lost > 10_000, log.toString());
+      assertEquals(log.lost, camera.statistics().lostEvents());
+      DataLost loss = log.untilA(DataLost.class);
+      assertEquals(log.all.timeUs((int) (log.events - 2)), loss.fromUs(), "the oldest are whole");
+      assertEquals(500_000, loss.toUs());
+      assertTimesAreThoseThatWereSent(log);
+    }
+  }
+
+  @Test
+  void aSlowConsumerMayLoseTheOldestInstead() throws IOException {
+    try (Camera camera = open(SMALL.withWhenFull(WhenFull.DROP_OLDEST))) {
+      StreamLog log = started(camera);
+      sendAndLetWait(camera);
+      log.drain();
+      sendMore(50_000);
+      log.until(() -> log.events + log.lost == firmware.eventsSent());
+
+      assertTrue(log.lost > 10_000, log.toString());
+      assertEquals(log.lost, camera.statistics().lostEvents());
+      assertEquals(500_000, log.all.lastTimeUs());
+      assertEquals(log.lost * 10, log.all.firstTimeUs());
+      assertTimesAreThoseThatWereSent(log);
+    }
+  }
+
+  /** Sends much more than may wait, of which nothing is taken. */
+  private void sendAndLetWait(Camera camera) {
+    long before = camera.statistics().bytes();
+    sendEvents(50_000);
+    await(() -> camera.statistics().bytes() >= before + 50_000 * 4);
+  }
+
+  private void sendMore(int from) {
+    firmware.event(from * 10L, from & 127, from >> 7 & 127, (from & 1) == 0);
+    firmware.endPacket();
+  }
+
+  /** Each event says by its pixel which one it is: its time must be that one's. */
+  private static void assertTimesAreThoseThatWereSent(StreamLog log) {
+    for (int i = 0; i < log.events; i++) {
+      long index = log.all.timeUs(i) / 10;
+      assertEquals(index & 127, log.all.x(i));
+      assertEquals(index >> 7 & 127, log.all.y(i));
+    }
+  }
+
+  // ---- Leaving and coming back
+
+  @Test
+  void unpluggingEndsTheStreamWithAClearLine() throws IOException {
+    try (Camera camera = open(SMALL)) {
+      StreamLog log = started(camera);
+      sendEvents(1000);
+      log.untilEvents(1000);
+      device.unplug();
+      log.untilOver();
+
+      assertEquals(
+          List.of(
+              new StreamStarted(camera.geometry(), "DVS128 0042"),
+              new DeviceLost("DVS128 0042 was unplugged (dvs128:0042)", 9990),
+              new EndOfStream(9990)),
+          log.items);
+      assertEquals(
+          Kind.GONE,
+          assertThrows(
+                  CameraProblem.class,
+                  () -> camera.facet(TimestampReset.class).orElseThrow().resetTimestamps())
+              .kind());
+    }
+  }
+
+  @Test
+  void pluggedInAgainItGoesOnWithANewStreamAndItsSettings() throws IOException {
+    try (Camera camera = open(SMALL.withReconnect(true))) {
+      StreamLog log = started(camera);
+      camera.facet(Biases.class).orElseThrow().apply("slow");
+      byte[] biases = firmware.biases();
+      sendEvents(10);
+      log.untilEvents(10);
+      device.unplug();
+      log.untilA(EndOfStream.class);
+
+      Dvs128Firmware again = new Dvs128Firmware("0042");
+      device = bus().plug(nextNumber(), again);
+      log.until(() -> camera.statistics().streams() == 2);
+      assertArrayEquals(biases, again.biases());
+      again.event(3, 1, 2, true);
+      again.endPacket();
+      log.untilEvents(11);
+
+      assertEquals(3, log.all.timeUs(10));
+      assertEquals(0, log.lost);
+    }
+  }
+
+  @Test
+  void unpluggedAtAnyMomentNothingThatArrivedIsLost() throws Exception {
+    int times = Integer.getInteger("haltere.unplugs", 12);
+    Random random = new Random(7);
+    for (int i = 0; i < times; i++) {
+      unplugAt(random.nextInt(3_000_000), random.nextInt(4) == 0);
+    }
+  }
+
+  private void unplugAt(long afterNanos, boolean slowly) throws Exception {
+    Dvs128Firmware here = new Dvs128Firmware("0099");
+    EmulatedDevice there = plug(here);
+    CameraInfo info =
+        provider.list().stream().filter(seen -> seen.serial().equals("0099")).findFirst().get();
+    try (Camera camera = provider.open(info, SMALL)) {
+      StreamLog log = new StreamLog(camera, false);
+      Thread sender =
+          new Thread(
+              () -> {
+                for (int us = 0; !there.isUnplugged(); us++) {
+                  here.event(us, us & 127, 1, true);
+                }
+              });
+      log.untilA(StreamStarted.class);
+      sender.start();
+      long end = System.nanoTime() + afterNanos;
+      while (System.nanoTime() < end) {
+        if (!slowly) {
+          log.drain();
+        }
+      }
+      there.unplug();
+      sender.join();
+      log.untilOver();
+
+      assertEquals(here.eventsSent(), log.events + log.lost, log::toString);
+      assertEquals(0, log.unknownLosses);
+    }
+    await(() -> provider.list().size() == 1);
+  }
+
+  @Test
+  void closingEndsTheStreamAtOnceAndNeverHangs() throws Exception {
+    int times = Integer.getInteger("haltere.cycles", 40);
+    Random random = new Random(3);
+    for (int i = 0; i < times; i++) {
+      Camera camera = open(SMALL.withBuffers(8, 512, 8));
+      StreamLog log = started(camera);
+      Thread sender =
+          new Thread(
+              () -> {
+                for (int us = 0; firmware.isStreaming(); us++) {
+                  firmware.event(us, us & 127, 1, true);
+                }
+              });
+      sender.start();
+      Thread consumer =
+          new Thread(
+              () -> {
+                try {
+                  log.untilOver();
+                } catch (IOException problem) {
+                  throw new AssertionError(problem);
+                }
+              });
+      consumer.start();
+      LockSupport.parkNanos(random.nextInt(2_000_000));
+      camera.close();
+      consumer.join(5000);
+      sender.join();
+
+      assertFalse(consumer.isAlive(), "the consumer still waits");
+      assertTrue(log.items.get(log.items.size() - 1) instanceof EndOfStream, log.toString());
+    }
+  }
+}
