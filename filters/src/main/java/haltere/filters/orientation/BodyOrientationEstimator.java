@@ -44,7 +44,6 @@ public final class BodyOrientationEstimator {
   private static final double NOISE_MEMORY = 300;
 
   private static final double SAME_AXIS = Math.cos(Math.toRadians(30));
-  private static final double CLEAR = Math.cos(Math.toRadians(60));
   private static final double LEAST_SD = Math.toRadians(0.05);
   private static final double GREATEST_SD = Math.toRadians(30);
 
@@ -64,9 +63,9 @@ public final class BodyOrientationEstimator {
   private final double[] place = new double[3];
   private final double[] placeBefore = new double[3];
   private final double[] u = new double[3];
-  private final double[] uBefore = new double[3];
   private final double[] tip = new double[3];
   private final double[] candidate = new double[3];
+  private final double[] uAgreed = new double[3];
   private final double[] covariance = new double[9];
   private final double[] line = new double[3];
   private final List<LineObservation> usable = new ArrayList<>();
@@ -82,6 +81,7 @@ public final class BodyOrientationEstimator {
   private long candidateUs;
   private int rejectedInstants;
   private int agreements;
+  private boolean together;
   private double nisSum;
   private long nisCount;
 
@@ -141,6 +141,7 @@ public final class BodyOrientationEstimator {
     if (!usable.isEmpty()) {
       seenUs = timeUs;
     }
+    together |= usable.size() > 1;
     Arrays.fill(residuals, Double.NaN);
     Arrays.fill(used, false);
     if (!locate(timeUs, dtS)) {
@@ -190,15 +191,21 @@ public final class BodyOrientationEstimator {
     return true;
   }
 
-  /** The last views of all cameras that are recent enough to go together. */
+  /**
+   * What goes together: what was seen now if cameras look at the same times, else the last views
+   * that are recent enough.
+   */
   private List<LineObservation> recent(long timeUs) {
-    List<LineObservation> together = new ArrayList<>();
+    if (together) {
+      return usable;
+    }
+    List<LineObservation> views = new ArrayList<>();
     for (int i = 0; i < latest.length; i++) {
       if (latest[i] != null && timeUs - latestUs[i] <= settings.position().togetherS() * 1e6) {
-        together.add(latest[i]);
+        views.add(latest[i]);
       }
     }
-    return together;
+    return views;
   }
 
   private Optional<OrientationEstimate> orient(long timeUs, double dtS) {
@@ -363,7 +370,8 @@ public final class BodyOrientationEstimator {
     if (!AxisLaunch.find(lines, count, u, covariance)) {
       return false;
     }
-    if (hasAxis && count == 2 && agreements >= ESTABLISHED && !isConfirmed(timeUs)) {
+    boolean replaces = hasAxis && agreements >= ESTABLISHED;
+    if (replaces && count == 2 && !isConfirmed(timeUs)) {
       return false;
     }
     if (hadAxis) {
@@ -378,7 +386,8 @@ public final class BodyOrientationEstimator {
     axis.launch(u, covariance);
     hasAxis = true;
     forgetDoubts();
-    agreements = count > 2 ? ESTABLISHED : 0; // three lines with an axis in common are no chance
+    // Three lines with an axis in common are no chance, nor is one that was found twice.
+    agreements = count > 2 || replaces ? ESTABLISHED : 0;
     if (recorder != null) {
       recorder.accept(new AxisStep(timeUs, null, null, current()));
     }
@@ -400,15 +409,15 @@ public final class BodyOrientationEstimator {
     return confirmed;
   }
 
-  /** Whether an axis that was found anew points the other way: than before, or than it flies. */
+  /**
+   * Whether an axis that was found anew points to the tail, by where the head last was for sure and
+   * by where the body flies.
+   */
   private boolean isAgainst() {
-    double before = Vectors.dot(u, uBefore);
-    if (Math.abs(before) > CLEAR) {
-      return before < 0;
-    }
     position.velocity(tip);
-    double forwards = Vectors.dot(u, tip);
-    return head.isFlipped() ? forwards > 0 : forwards < 0;
+    double speed = Math.max(1e-9, Vectors.length(tip));
+    double sign = head.isFlipped() ? -1 : 1;
+    return sign * Vectors.dot(u, tip) / speed + Vectors.dot(u, uAgreed) < 0;
   }
 
   private void loseAxis() {
@@ -431,7 +440,9 @@ public final class BodyOrientationEstimator {
       }
       head.step(along, position.variance(u), dtS);
     }
-    System.arraycopy(u, 0, uBefore, 0, 3);
+    if (!hadAxis || rejectedInstants == 0) {
+      System.arraycopy(u, 0, uAgreed, 0, 3);
+    }
     hadAxis = true;
     axis.tipVelocity(tip);
     double sign = head.isFlipped() ? -1 : 1;

@@ -9,8 +9,6 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.simulation.FlightScene;
 import haltere.core.simulation.FlightSettings;
 import haltere.core.simulation.FlightTruth;
-import haltere.core.stream.StreamHandler;
-import haltere.core.stream.StreamNotification;
 import haltere.filters.estimation.Angles;
 import haltere.testing.EventFilterContract;
 import java.util.ArrayList;
@@ -25,7 +23,7 @@ class BodyLineFilterTest extends EventFilterContract {
 
   @Override
   protected EventPacket stream(SensorGeometry geometry, long seed) {
-    return events(
+    return EventFlights.events(
         new FlightScene(
             FlightSettings.defaults()
                 .with(
@@ -36,26 +34,6 @@ class BodyLineFilterTest extends EventFilterContract {
                     "body.speedMS=0.6",
                     "run.durationS=0.5",
                     "run.seed=" + seed)));
-  }
-
-  static EventPacket events(FlightScene scene) {
-    EventPacket all = new EventPacket(0);
-    StreamHandler collect =
-        new StreamHandler() {
-          @Override
-          public void packet(EventPacket packet) {
-            all.append(packet, 0, packet.size());
-          }
-
-          @Override
-          public void notified(StreamNotification notification) {
-            // the events are all that counts
-          }
-        };
-    while (scene.next(collect)) {
-      // until the end
-    }
-    return all;
   }
 
   @Test
@@ -83,7 +61,7 @@ class BodyLineFilterTest extends EventFilterContract {
                 places.add(Math.hypot(line.xPx() - pixel[0], line.yPx() - pixel[1]));
                 ratios.add(line.eccentricity());
               });
-      filter.process(events(scene));
+      filter.process(EventFlights.events(scene));
     }
     assertTrue(places.size() > 600, places.size() + " lines");
     assertTrue(
@@ -96,57 +74,13 @@ class BodyLineFilterTest extends EventFilterContract {
   @Test
   void twoEventCamerasGiveTheOrientationOfTheBodyThatBothSee() {
     List<Double> errors = new ArrayList<>();
-    int wrong = 0;
     for (long seed = 11; seed <= 13; seed++) {
-      List<CameraModel> cameras = List.of();
-      List<BodyLine> lines = new ArrayList<>();
-      List<Integer> from = new ArrayList<>();
-      FlightScene truth = null;
-      for (int index = 0; index < 2; index++) {
-        FlightScene scene = Flights.scene(2, seed, "run.durationS=2", "view.camera=" + index);
-        truth = scene;
-        cameras = Flights.cameras(scene);
-        BodyLineFilter filter = new BodyLineFilter(scene.geometry(), BodyLineSettings.defaults());
-        int camera = index;
-        filter
-            .lines()
-            .subscribe(
-                line -> {
-                  lines.add(line);
-                  from.add(camera);
-                });
-        filter.process(events(scene));
-      }
-      BodyOrientationEstimator body =
-          new BodyOrientationEstimator(cameras, OrientationSettings.defaults());
-      List<Integer> order = new ArrayList<>();
-      for (int i = 0; i < lines.size(); i++) {
-        order.add(i);
-      }
-      order.sort((a, b) -> Long.compare(lines.get(a).timeUs(), lines.get(b).timeUs()));
-      for (int i = 0; i < order.size(); ) {
-        long timeUs = lines.get(order.get(i)).timeUs();
-        List<LineObservation> seen = new ArrayList<>();
-        while (i < order.size() && lines.get(order.get(i)).timeUs() == timeUs) {
-          seen.add(lines.get(order.get(i)).observation(from.get(order.get(i))));
-          i++;
-        }
-        var now = body.update(timeUs, seen);
-        if (now.isPresent() && timeUs > 300_000) {
-          FlightTruth at = truth.truthAt(timeUs);
-          double error =
-              Math.toDegrees(
-                  Vectors.angle(
-                      new double[] {now.get().ux(), now.get().uy(), now.get().uz()},
-                      new double[] {at.ux(), at.uy(), at.uz()}));
-          errors.add(error);
-          wrong += error > 90 ? 1 : 0;
-        }
-      }
+      errors.addAll(EventFlights.errorsDeg(2, seed, 2));
     }
     assertTrue(errors.size() > 600, errors.size() + " estimates");
-    assertTrue(
-        FlightScores.quantile(errors, 0.5) < 6, "median " + FlightScores.quantile(errors, 0.5));
+    double median = FlightScores.quantile(errors, 0.5);
+    assertTrue(median < 6, "median " + median);
+    long wrong = errors.stream().filter(error -> error > 90).count();
     assertTrue(wrong < 0.02 * errors.size(), wrong + " the wrong way round");
   }
 

@@ -21,7 +21,13 @@ final class FlightScores {
   long instants;
   long estimates;
   long fast;
+
+  /** Instants at which the line was right to 45 degrees and the head was the tail. */
   long wrongSigns;
+
+  /** Instants at which the line itself was further off. */
+  long lost;
+
   long outliers;
   long outliersRejected;
   long inliers;
@@ -97,7 +103,8 @@ final class FlightScores {
     worstLength = Math.max(worstLength, Math.abs(Vectors.length(u) - 1));
     if (isFast) {
       fast++;
-      wrongSigns += off > 90 ? 1 : 0;
+      wrongSigns += off > 135 ? 1 : 0;
+      lost += off > 45 && off <= 135 ? 1 : 0;
     }
   }
 

@@ -1,5 +1,6 @@
 package haltere.filters.orientation;
 
+import haltere.core.simulation.FlightScene;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -10,6 +11,9 @@ import java.util.Locale;
  */
 public final class OrientationEvaluation {
   private static final double SECONDS = 3;
+
+  /** The last one is told, when everything is compiled. */
+  private static final int SPEED_ROUNDS = 60;
 
   private OrientationEvaluation() {}
 
@@ -26,19 +30,51 @@ public final class OrientationEvaluation {
     for (int cameras : new int[] {2, 3, 4, 6}) {
       List<FlightScores> all = new ArrayList<>();
       for (long seed = firstSeed; seed < firstSeed + flights; seed++) {
-        FlightScores scores = FlightScores.of(Flights.scene(cameras, seed), settings, SECONDS);
-        all.add(scores);
-        if (scores.wrongSigns > 0 || FlightScores.quantile(scores.lineDeg, 0.5) > 4) {
-          System.out.printf(
-              Locale.ROOT,
-              "seed %d: %d wrong signs, median %.2f, 90%% %.2f deg%n",
-              seed,
-              scores.wrongSigns,
-              FlightScores.quantile(scores.lineDeg, 0.5),
-              FlightScores.quantile(scores.lineDeg, 0.9));
-        }
+        all.add(FlightScores.of(Flights.scene(cameras, seed), settings, SECONDS));
       }
       print(cameras, all);
+    }
+    System.out.println(
+        "events of two cameras: " + fromEvents(Math.max(1, flights / 20), firstSeed));
+    speed();
+  }
+
+  /** How far off the axis is that two event cameras give. */
+  private static String fromEvents(int flights, long firstSeed) {
+    List<Double> errors = new ArrayList<>();
+    for (long seed = firstSeed; seed < firstSeed + flights; seed++) {
+      errors.addAll(EventFlights.errorsDeg(2, seed, 2));
+    }
+    return String.format(
+        Locale.ROOT,
+        "%d flights, %d estimates, axis median %.2f 90%% %.2f deg",
+        flights,
+        errors.size(),
+        FlightScores.quantile(errors, 0.5),
+        FlightScores.quantile(errors, 0.9));
+  }
+
+  /** Observations a second, of three cameras. */
+  private static void speed() {
+    FlightScene scene = Flights.scene(3, 1);
+    int instants = 3000;
+    List<List<LineObservation>> seen = new ArrayList<>();
+    long observations = 0;
+    for (long k = 0; k < instants; k++) {
+      seen.add(Flights.observations(scene, scene.detections(k)));
+      observations += seen.get((int) k).size();
+    }
+    for (int round = 0; round < SPEED_ROUNDS; round++) {
+      BodyOrientationEstimator body =
+          new BodyOrientationEstimator(Flights.cameras(scene), OrientationSettings.defaults());
+      long start = System.nanoTime();
+      for (int k = 0; k < instants; k++) {
+        body.update(scene.pictureTimeUs(k), seen.get(k));
+      }
+      double seconds = (System.nanoTime() - start) * 1e-9;
+      if (round == SPEED_ROUNDS - 1) {
+        System.out.printf(Locale.ROOT, "%.0f observations a second%n", observations / seconds);
+      }
     }
   }
 
@@ -49,7 +85,7 @@ public final class OrientationEvaluation {
     List<Double> nees = new ArrayList<>();
     List<Double> once = new ArrayList<>();
     List<Double> nis = new ArrayList<>();
-    long[] sums = new long[8];
+    long[] sums = new long[9];
     for (FlightScores each : all) {
       line.addAll(each.lineDeg);
       axis.addAll(each.axisDeg);
@@ -65,12 +101,13 @@ public final class OrientationEvaluation {
       sums[5] += each.outliersRejected;
       sums[6] += each.inliers;
       sums[7] += each.inliersUsed;
+      sums[8] += each.lost;
     }
     System.out.printf(
         Locale.ROOT,
         "%d cameras: axis median %.2f 90%% %.2f 99%% %.2f deg, line median %.2f; place %.2f mm;"
-            + " known %.4f; wrong signs %d of %d; outliers rejected %.2f %%, others used %.2f %%;"
-            + " NEES mean %.2f at one time %.2f median %.2f; NIS %.3f%n",
+            + " known %.4f; wrong signs %d of %d, lost %d; outliers rejected %.2f %%, others used"
+            + " %.2f %%; NEES mean %.2f at one time %.2f median %.2f; NIS %.3f%n",
         cameras,
         FlightScores.quantile(axis, 0.5),
         FlightScores.quantile(axis, 0.9),
@@ -80,6 +117,7 @@ public final class OrientationEvaluation {
         (double) sums[1] / sums[0],
         sums[3],
         sums[2],
+        sums[8],
         100.0 * sums[5] / sums[4],
         100.0 * sums[7] / sums[6],
         FlightScores.mean(nees),

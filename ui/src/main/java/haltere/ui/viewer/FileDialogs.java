@@ -95,6 +95,26 @@ final class FileDialogs {
     return remembered(chooser.showSaveDialog(owner));
   }
 
+  Optional<Path> observations() {
+    FileChooser chooser = chooser("Open observations of several cameras");
+    chooser
+        .getExtensionFilters()
+        .addAll(
+            new ExtensionFilter("Observations", "*.csv", "*.braidz"),
+            new ExtensionFilter("All files", "*"));
+    return remembered(chooser.showOpenDialog(owner));
+  }
+
+  Optional<Path> cameras() {
+    FileChooser chooser = chooser("Open their cameras");
+    chooser
+        .getExtensionFilters()
+        .addAll(
+            new ExtensionFilter("Cameras", "*.json", "*.xml"),
+            new ExtensionFilter("All files", "*"));
+    return remembered(chooser.showOpenDialog(owner));
+  }
+
   private FileChooser chooser(String title) {
     FileChooser chooser = new FileChooser();
     chooser.setTitle(title);

@@ -14,6 +14,7 @@ final class ViewerFeatures {
         new SavingFeature(),
         new ExportFeature(),
         new EditFeature(),
+        new BodyFlightFeature(),
         new DisplayFeature(),
         new SeeingFeature(),
         new SpaceTimeFeature(),

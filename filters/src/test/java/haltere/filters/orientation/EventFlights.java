@@ -1,0 +1,70 @@
+package haltere.filters.orientation;
+
+import haltere.core.event.EventPacket;
+import haltere.core.simulation.FlightScene;
+import haltere.core.simulation.FlightTruth;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+
+/** From the events of several cameras to the orientation of the body that they see. */
+final class EventFlights {
+  private EventFlights() {}
+
+  static EventPacket events(FlightScene scene) {
+    EventPacket all = new EventPacket(0);
+    StreamHandler collect =
+        new StreamHandler() {
+          @Override
+          public void packet(EventPacket packet) {
+            all.append(packet, 0, packet.size());
+          }
+
+          @Override
+          public void notified(StreamNotification notification) {
+            // the events are all that counts
+          }
+        };
+    while (scene.next(collect)) {
+      // until the end
+    }
+    return all;
+  }
+
+  /** Errors of the axis from 0.3 s on, degrees. */
+  static List<Double> errorsDeg(int cameras, long seed, double seconds) {
+    Map<Long, List<LineObservation>> seen = new TreeMap<>();
+    FlightScene scene = null;
+    for (int index = 0; index < cameras; index++) {
+      scene = Flights.scene(cameras, seed, "run.durationS=" + seconds, "view.camera=" + index);
+      BodyLineFilter filter = new BodyLineFilter(scene.geometry(), BodyLineSettings.defaults());
+      int camera = index;
+      filter
+          .lines()
+          .subscribe(
+              line ->
+                  seen.computeIfAbsent(line.timeUs(), t -> new ArrayList<>())
+                      .add(line.observation(camera)));
+      filter.process(events(scene));
+    }
+    BodyOrientationEstimator body =
+        new BodyOrientationEstimator(Flights.cameras(scene), OrientationSettings.defaults());
+    List<Double> errors = new ArrayList<>();
+    for (Map.Entry<Long, List<LineObservation>> each : seen.entrySet()) {
+      FlightTruth truth = scene.truthAt(each.getKey());
+      body.update(each.getKey(), each.getValue())
+          .filter(now -> now.timeUs() > 300_000)
+          .ifPresent(
+              now ->
+                  errors.add(
+                      Math.toDegrees(
+                          Vectors.angle(
+                              new double[] {now.ux(), now.uy(), now.uz()},
+                              new double[] {truth.ux(), truth.uy(), truth.uz()}))));
+    }
+    return errors;
+  }
+}

@@ -1,0 +1,90 @@
+package haltere.ui.space;
+
+/**
+ * From where a person looks at space: around a point, from an azimuth and an elevation, without
+ * perspective, z up. Points become pixels to the right and up.
+ *
+ * <p>Thread rule: one thread at a time.
+ */
+public final class SpaceView {
+  private static final double LIMIT_RAD = Math.toRadians(89);
+
+  private final double[] middle = new double[3];
+  private double azimuthRad = Math.toRadians(35);
+  private double elevationRad = Math.toRadians(25);
+  private double pixelsPerM = 100;
+  private double widthPx = 400;
+  private double heightPx = 400;
+
+  /**
+   * Fits points into a picture.
+   *
+   * @param points metres
+   * @param newWidthPx width of the picture
+   * @param newHeightPx height of the picture
+   */
+  public void fit(Iterable<double[]> points, double newWidthPx, double newHeightPx) {
+    widthPx = newWidthPx;
+    heightPx = newHeightPx;
+    double[] least = {1e300, 1e300, 1e300};
+    double[] most = {-1e300, -1e300, -1e300};
+    for (double[] point : points) {
+      for (int k = 0; k < 3; k++) {
+        least[k] = Math.min(least[k], point[k]);
+        most[k] = Math.max(most[k], point[k]);
+      }
+    }
+    double square = 0;
+    for (int k = 0; k < 3; k++) {
+      boolean any = most[k] >= least[k];
+      middle[k] = any ? 0.5 * (least[k] + most[k]) : 0;
+      square += any ? (most[k] - least[k]) * (most[k] - least[k]) : 0;
+    }
+    pixelsPerM = 0.95 * Math.min(widthPx, heightPx) / Math.max(1e-6, Math.sqrt(square));
+  }
+
+  /**
+   * Turns.
+   *
+   * @param byAzimuthRad to the left
+   * @param byElevationRad upwards, as far as straight above
+   */
+  public void turn(double byAzimuthRad, double byElevationRad) {
+    azimuthRad += byAzimuthRad;
+    elevationRad = Math.max(-LIMIT_RAD, Math.min(LIMIT_RAD, elevationRad + byElevationRad));
+  }
+
+  /**
+   * Comes nearer.
+   *
+   * @param factor above 1 to make things larger
+   */
+  public void zoom(double factor) {
+    pixelsPerM *= Math.max(0.1, Math.min(10, factor));
+  }
+
+  /**
+   * Size of a metre.
+   *
+   * @return pixels
+   */
+  public double pixelsPerM() {
+    return pixelsPerM;
+  }
+
+  /**
+   * Where a point is drawn.
+   *
+   * @param point metres
+   * @return pixels to the right and up
+   */
+  public double[] project(double... point) {
+    double x = point[0] - middle[0];
+    double y = point[1] - middle[1];
+    double z = point[2] - middle[2];
+    double right = -Math.sin(azimuthRad) * x + Math.cos(azimuthRad) * y;
+    double away = Math.cos(azimuthRad) * x + Math.sin(azimuthRad) * y;
+    double up = Math.cos(elevationRad) * z - Math.sin(elevationRad) * away;
+    return new double[] {widthPx / 2 + pixelsPerM * right, heightPx / 2 + pixelsPerM * up};
+  }
+}
