@@ -1,6 +1,8 @@
 package haltere.ui.command;
 
+import haltere.core.camera.Camera;
 import haltere.core.chain.FilterChain;
+import haltere.core.event.SensorGeometry;
 import haltere.core.format.RecordingReader;
 import haltere.core.json.Json;
 import haltere.core.pipeline.Pipeline;
@@ -38,7 +40,16 @@ import picocli.CommandLine.Parameters;
           + " estimate at that time from events up to that time only."
     })
 final class WingsCommand extends Subcommand {
-  @Parameters(index = "0", paramLabel = "FILE", description = "A recording.")
+  /** Runs what is to be tracked through a chain to sinks, to its end. */
+  private interface Feed {
+    void run(FilterChain chain, List<StreamHandler> sinks) throws IOException;
+  }
+
+  @Parameters(
+      index = "0",
+      arity = "0..1",
+      paramLabel = "FILE",
+      description = "A recording, if not a camera (--device).")
   Path file;
 
   @Option(
@@ -111,6 +122,7 @@ final class WingsCommand extends Subcommand {
       description = "A setting of the tracker, see: haltere filters; may be repeated.")
   List<String> assignments = List.of();
 
+  @Mixin CameraOptionsGroup cameras;
   @Mixin PublishingOptions publishing;
   @Mixin ReadingOptions reading;
 
@@ -124,23 +136,52 @@ final class WingsCommand extends Subcommand {
   @Override
   public Integer call() throws IOException {
     WingTrackerSettings settings = settings();
+    cameras.checkOneSource(file);
     publishing.check();
     logFormat();
     checkOutputs();
-    try (RecordingReader reader = reading.open(file)) {
-      WingTrackerFilter filter = new WingTrackerFilter(reader.geometry(), settings);
-      FilterChain chain = new FilterChain(reader.geometry());
-      chain.add("wing-tracker", filter);
-      WingsSummary summary = new WingsSummary(filter, settings.output().rateHz());
-      try {
-        run(reader, chain, filter, summary);
-      } finally {
-        chain.close();
+    if (cameras.given()) {
+      try (Camera camera = cameras.open(cameras.devices.get(0), false)) {
+        track(camera.geometry(), settings, (chain, sinks) -> run(camera, chain, sinks));
       }
+      return OK;
+    }
+    try (RecordingReader reader = reading.open(file)) {
+      track(reader.geometry(), settings, (chain, sinks) -> run(reader, chain, sinks));
       warnings(reader);
-      summary.lines().forEach(this::result);
     }
     return OK;
+  }
+
+  private void track(SensorGeometry sensor, WingTrackerSettings settings, Feed feed)
+      throws IOException {
+    WingTrackerFilter filter = new WingTrackerFilter(sensor, settings);
+    FilterChain chain = new FilterChain(sensor);
+    chain.add("wing-tracker", filter);
+    WingsSummary summary = new WingsSummary(filter, settings.output().rateHz());
+    try {
+      run(feed, chain, filter, summary);
+    } finally {
+      chain.close();
+    }
+    summary.lines().forEach(this::result);
+  }
+
+  private void run(RecordingReader reader, FilterChain chain, List<StreamHandler> sinks)
+      throws IOException {
+    try (ProgressBar bar = progressBar("tracking", file)) {
+      PipelineCounters counters = new PipelineCounters();
+      List<StreamHandler> all = new ArrayList<>(sinks);
+      all.add(new WritingSink(reader, null, bar, counters));
+      Pipeline.run(reader, chain, all, counters);
+    }
+    reading.requireWhole(reader);
+  }
+
+  private void run(Camera camera, FilterChain chain, List<StreamHandler> sinks) throws IOException {
+    LiveRun run = new LiveRun(this, camera, chain, sinks);
+    LiveRun.run(List.of(run), cameras.durationS());
+    run.summary();
   }
 
   private WingTrackerSettings settings() {
@@ -212,7 +253,9 @@ final class WingsCommand extends Subcommand {
     for (Path output : new Path[] {out, beats, pairs, geometry, log}) {
       if (output != null) {
         writing.check(output);
-        WritingOptions.checkDifferent(file, output);
+        if (file != null) {
+          WritingOptions.checkDifferent(file, output);
+        }
         if (!seen.add(output.toAbsolutePath().normalize())) {
           throw wrongArguments(output + " is named for two outputs");
         }
@@ -220,12 +263,10 @@ final class WingsCommand extends Subcommand {
     }
   }
 
-  private void run(
-      RecordingReader reader, FilterChain chain, WingTrackerFilter filter, WingsSummary summary)
+  private void run(Feed feed, FilterChain chain, WingTrackerFilter filter, WingsSummary summary)
       throws IOException {
     List<Closeable> open = new ArrayList<>();
-    try (ProgressBar bar = progressBar("tracking", file);
-        Publishing published = publishing.open(chain, this)) {
+    try (Publishing published = publishing.open(chain, this)) {
       CsvSink<WingEstimate> rows = CsvSink.create(out, WingEstimate.class, overwrite);
       open.add(rows);
       chain.outlet("estimates", WingEstimate.class).subscribe(rows);
@@ -243,16 +284,12 @@ final class WingsCommand extends Subcommand {
       }
       WingLog wingLog = null;
       if (log != null) {
-        wingLog = WingLog.open(log, file.getFileName().toString(), filter, logFormat(), overwrite);
+        String source = file == null ? cameras.devices.get(0) : file.getFileName().toString();
+        wingLog = WingLog.open(log, source, filter, logFormat(), overwrite);
         open.add(wingLog);
       }
-      PipelineCounters counters = new PipelineCounters();
       summary.listenTo(chain);
-      List<StreamHandler> sinks = new ArrayList<>(published.sinks());
-      sinks.add(new WritingSink(reader, null, bar, counters));
-      sinks.add(summary);
-      Pipeline.run(reader, chain, sinks, counters);
-      reading.requireWhole(reader);
+      feed.run(chain, published.sinksAnd(summary));
       rows.finish();
       if (beatRows != null) {
         beatRows.finish();

@@ -203,6 +203,16 @@ class RecordCommandTest {
   }
 
   @Test
+  void theWingsOfAFlyBeforeACameraAreTracked() throws IOException {
+    Path out = folder.resolve("wings.csv");
+    CommandRun run =
+        CommandRun.of("wings", "--device", "simulated:fly", "--out", out, "--duration", "0.3");
+    assertEquals(0, run.status(), run.err());
+    assertTrue(Files.readAllLines(out).get(0).startsWith("t_us,edge,angle_rad"), run.err());
+    assertEquals(2, CommandRun.of("wings", "--out", out, "--overwrite").status());
+  }
+
+  @Test
   @DisabledOnOs(OS.WINDOWS)
   void aProgramThatIsToldToStopLeavesAWholeFile() throws Exception {
     Path out = folder.resolve("fly.aedat4");
