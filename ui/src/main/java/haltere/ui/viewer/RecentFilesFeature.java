@@ -51,6 +51,9 @@ final class RecentFilesFeature implements ViewerFeature {
 
   private void opened(Path file) {
     Path whole = file.toAbsolutePath().normalize();
+    if (!files.isEmpty() && files.get(0).equals(whole)) {
+      return;
+    }
     files.remove(whole);
     files.add(0, whole);
     if (files.size() > MOST) {
@@ -65,7 +68,6 @@ final class RecentFilesFeature implements ViewerFeature {
     for (int i = 0; i < MOST; i++) {
       old.add(id(i));
     }
-    window.actions().removeAll(old);
     ViewerAction[] offered = new ViewerAction[files.size()];
     for (int i = 0; i < offered.length; i++) {
       Path file = files.get(i);
@@ -77,7 +79,7 @@ final class RecentFilesFeature implements ViewerFeature {
                   () -> window.sessions().open(file, ReadOptions.DEFAULT))
               .withHelp(file.toString());
     }
-    window.actions().add(offered);
+    window.actions().replace(old, offered);
   }
 
   private static String id(int place) {

@@ -22,6 +22,18 @@ final class ViewerActions {
    * @throws IllegalArgumentException if an id or a key is taken
    */
   void add(ViewerAction... added) {
+    put(added);
+    listeners.forEach(Runnable::run);
+  }
+
+  /** Puts actions in place of others; listeners are called once. */
+  void replace(List<String> old, ViewerAction... added) {
+    old.forEach(actions::remove);
+    put(added);
+    listeners.forEach(Runnable::run);
+  }
+
+  private void put(ViewerAction... added) {
     for (ViewerAction action : added) {
       if (actions.containsKey(action.id())) {
         throw new IllegalArgumentException("there is an action " + action.id() + " already");
@@ -34,7 +46,6 @@ final class ViewerActions {
       }
       actions.put(action.id(), action);
     }
-    listeners.forEach(Runnable::run);
   }
 
   /** Takes actions away again; those that are not there are none. */

@@ -1,5 +1,7 @@
 package haltere.ui.viewer;
 
+import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -23,6 +25,10 @@ final class ViewerMenu extends MenuBar {
   private static final String LAST = "Help";
 
   private final ViewerActions actions;
+  private final Map<String, Menu> menus = new HashMap<>();
+
+  /** For each path what its menu shows, in order: actions, and paths of menus below it. */
+  private Map<String, List<Object>> shown = Map.of();
 
   ViewerMenu(ViewerActions actions) {
     this.actions = actions;
@@ -35,40 +41,73 @@ final class ViewerMenu extends MenuBar {
     fill();
   }
 
+  /** Makes anew those menus only whose actions have changed: making a menu takes milliseconds. */
   private void fill() {
-    Map<String, Menu> menus = new LinkedHashMap<>();
-    ORDER.forEach(words -> menus.put(words, new Menu("_" + words)));
+    Map<String, List<Object>> contents = new LinkedHashMap<>();
+    ORDER.forEach(path -> contents.put(path, new ArrayList<>()));
     for (ViewerAction action : actions.all()) {
       if (!action.menu().isEmpty()) {
-        menu(menus, action.menu()).getItems().add(item(action));
+        contents(contents, action.menu()).add(action);
       }
     }
-    Menu last = menus.remove(LAST);
-    getMenus()
-        .setAll(
-            menus.entrySet().stream()
-                .filter(entry -> !entry.getKey().contains("/"))
-                .map(Map.Entry::getValue)
-                .filter(menu -> !menu.getItems().isEmpty())
-                .toList());
-    if (last != null) {
-      getMenus().add(last);
+    boolean sameBar = contents.keySet().equals(shown.keySet());
+    menus.keySet().retainAll(contents.keySet());
+    contents.forEach(
+        (path, content) -> {
+          if (!content.equals(shown.get(path))) {
+            menu(path)
+                .getItems()
+                .setAll(
+                    content.stream()
+                        .map(one -> one instanceof ViewerAction action ? item(action) : menu(one))
+                        .toList());
+          }
+        });
+    boolean sameEmpty =
+        sameBar
+            && contents.entrySet().stream()
+                .allMatch(
+                    entry -> entry.getValue().isEmpty() == shown.get(entry.getKey()).isEmpty());
+    shown = contents;
+    if (!sameEmpty) {
+      fillBar(contents);
     }
   }
 
-  /** The menu of a path, made with those above it if it is not there yet. */
-  private static Menu menu(Map<String, Menu> menus, String path) {
-    Menu there = menus.get(path);
+  private void fillBar(Map<String, List<Object>> contents) {
+    List<Menu> bar = new ArrayList<>();
+    contents.forEach(
+        (path, content) -> {
+          if (!path.contains("/") && !path.equals(LAST) && !content.isEmpty()) {
+            bar.add(menu(path));
+          }
+        });
+    if (contents.containsKey(LAST)) {
+      bar.add(menu(LAST));
+    }
+    getMenus().setAll(bar);
+  }
+
+  /** What a menu holds: actions, and the paths of menus below it, which are made on the way. */
+  private static List<Object> contents(Map<String, List<Object>> contents, String path) {
+    List<Object> there = contents.get(path);
     if (there != null) {
       return there;
     }
     int slash = path.lastIndexOf('/');
-    Menu made = new Menu(slash < 0 ? "_" + path : path.substring(slash + 1));
     if (slash >= 0) {
-      menu(menus, path.substring(0, slash)).getItems().add(made);
+      contents(contents, path.substring(0, slash)).add(path);
     }
-    menus.put(path, made);
+    List<Object> made = new ArrayList<>();
+    contents.put(path, made);
     return made;
+  }
+
+  private Menu menu(Object path) {
+    String whole = path.toString();
+    int slash = whole.lastIndexOf('/');
+    return menus.computeIfAbsent(
+        whole, made -> new Menu(slash < 0 ? "_" + whole : whole.substring(slash + 1)));
   }
 
   private static MenuItem item(ViewerAction action) {
