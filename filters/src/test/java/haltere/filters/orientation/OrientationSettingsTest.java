@@ -1,0 +1,13 @@
+package haltere.filters.orientation;
+
+import haltere.testing.SettingsContract;
+import java.util.Collection;
+import java.util.List;
+
+/** These settings belong to no filter of the chain, so they are named here. */
+class OrientationSettingsTest extends SettingsContract {
+  @Override
+  protected Collection<? extends Class<? extends Record>> settingsTypes() {
+    return List.of(OrientationSettings.class);
+  }
+}
