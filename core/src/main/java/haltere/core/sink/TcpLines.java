@@ -95,9 +95,8 @@ final class TcpLines implements LineOutput {
     } catch (IOException nothingToSave) {
       // nobody can connect any more
     }
-    long untilNanos = System.nanoTime() + PATIENCE_MS * 1_000_000;
     for (TcpReceiver receiver : receivers) {
-      receiver.finish(untilNanos);
+      receiver.finish(PATIENCE_MS);
     }
   }
 }

@@ -88,20 +88,30 @@ final class TcpReceiver {
     }
   }
 
-  /** Writes what waits until a time, and ends. */
-  void finish(long untilNanos) {
+  /**
+   * Ends when all that waits is written, or when the receiver has taken nothing for a while: what
+   * it did not take is counted as lost.
+   */
+  void finish(long patienceMs) {
     try {
       synchronized (counts) {
         if (untold > 0) {
           byte[] line = messages.lost(untold, "this receiver was too slow");
-          waiting.offer(line, untilNanos - System.nanoTime(), TimeUnit.NANOSECONDS);
+          waiting.offer(line, patienceMs, TimeUnit.MILLISECONDS);
         }
       }
       ending = true;
       waiting.offer(END);
-      thread.join(Math.max(1, (untilNanos - System.nanoTime()) / 1_000_000));
+      int left;
+      do {
+        left = waiting.size();
+        thread.join(patienceMs);
+      } while (thread.isAlive() && waiting.size() < left);
     } catch (InterruptedException hurried) {
       Thread.currentThread().interrupt();
+    }
+    synchronized (counts) {
+      lost += waiting.stream().filter(line -> line != END).count();
     }
     try {
       socket.close();
