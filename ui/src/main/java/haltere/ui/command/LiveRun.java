@@ -24,10 +24,14 @@ import java.util.OptionalDouble;
 final class LiveRun {
   private static final long LOOK_MS = 100;
 
+  /** A time that was asked for begins with the first events, if they do not take longer. */
+  private static final long WARM_UP_NANOS = 1_000_000_000;
+
   private final Subcommand command;
   private final Camera camera;
   private final Thread thread;
   private volatile Throwable problem;
+  private volatile boolean begun;
 
   /**
    * A run that has not started.
@@ -64,19 +68,28 @@ final class LiveRun {
    * what has come until then is worked on.
    *
    * @param runs not started
-   * @param durationS seconds, or empty for no end
+   * @param durationS seconds from the first events on, or empty for no end
    * @throws IOException if a camera or a sink failed
    */
   static void run(List<LiveRun> runs, OptionalDouble durationS) throws IOException {
     long beginNanos = System.nanoTime();
     runs.forEach(run -> run.thread.start());
     try {
+      boolean begun = false;
       while (runs.stream().allMatch(run -> run.thread.isAlive())) {
+        long now = System.nanoTime();
+        if (!begun && now - beginNanos < WARM_UP_NANOS) {
+          begun = runs.stream().allMatch(run -> run.begun);
+          if (!begun) {
+            runs.get(0).thread.join(1);
+            continue;
+          }
+          beginNanos = now;
+        }
         long leftMs =
             durationS.isEmpty()
                 ? LOOK_MS
-                : (long) (durationS.getAsDouble() * 1000)
-                    - (System.nanoTime() - beginNanos) / 1_000_000;
+                : (long) (durationS.getAsDouble() * 1000) - (now - beginNanos) / 1_000_000;
         if (leftMs <= 0) {
           break;
         }
@@ -150,7 +163,7 @@ final class LiveRun {
 
     @Override
     public void packet(EventPacket packet) {
-      // nothing to tell
+      begun = true;
     }
 
     @Override
