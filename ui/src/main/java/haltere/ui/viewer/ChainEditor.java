@@ -163,6 +163,16 @@ final class ChainEditor {
         () -> reapply(name, settings));
   }
 
+  /**
+   * Gives a filter new settings that do not come from its card, as {@link #apply} does; who shows
+   * them is told.
+   */
+  void applyAndShow(
+      ChainStage stage, Record before, Record settings, String subject, Consumer<String> refused) {
+    apply(stage, before, settings, subject, refused);
+    adopters.forEach(adopter -> adopter.accept(stage.name(), settings));
+  }
+
   private void reapply(String stage, Record settings) {
     edit(chain -> chain.apply(chain.stage(stage), settings))
         .thenRun(

@@ -17,6 +17,7 @@ final class ViewerFeatures {
         new BodyFlightFeature(),
         new DisplayFeature(),
         new SeeingFeature(),
+        new VanishingPointFeature(),
         new SpaceTimeFeature(),
         new PlotFeature(),
         new WingsFeature(),

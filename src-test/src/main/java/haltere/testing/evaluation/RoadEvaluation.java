@@ -1,0 +1,219 @@
+package haltere.testing.evaluation;
+
+import haltere.core.chain.FilterChain;
+import haltere.core.chain.Filters;
+import haltere.core.pipeline.Pipeline;
+import haltere.core.pipeline.PipelineCounters;
+import haltere.core.simulation.RoadScene;
+import haltere.core.simulation.RoadSceneSettings;
+import haltere.core.simulation.RoadTruth;
+import haltere.filters.track.KalmanTracksFilter;
+import haltere.filters.track.KalmanTracksSettings;
+import haltere.filters.track.RoadSettings;
+import haltere.filters.track.RoadTrackPoint;
+import haltere.filters.track.RoadTracksSettings;
+import haltere.filters.track.TrackPoint;
+import haltere.filters.track.VanishingPoint;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.TreeMap;
+
+/**
+ * Speeds of simulated vehicles as Kalman tracks on a road find them, and how many tracks a vehicle
+ * has: {@code ./gradlew :src-test:evaluateRoad}. The vehicles are flat, so that a place in the
+ * picture is a place on the road; everything else is as by default, behind background activity and
+ * hot pixels.
+ */
+public final class RoadEvaluation {
+  private static final long EACH_US = 50_000;
+  private static final long OLD_ENOUGH_US = 300_000;
+  private static final double SEEN_SHARE = 0.95;
+  private static final double LEAST_M_S = 3;
+  private static final double LEAST_BOX_PX = 8;
+  private static final double NEAR_BOXES = 0.4;
+  private static final double NEAR_PX = 3;
+  private static final int ENOUGH_MOMENTS = 10;
+
+  private final Spread singles = new Spread();
+  private final List<Spread> passages = new ArrayList<>();
+  private final Map<String, int[]> momentsOf = new TreeMap<>();
+
+  /** A track in the picture and on the road. */
+  private record At(TrackPoint picture, RoadTrackPoint road) {}
+
+  /** Mean and standard deviation of what was added. */
+  private static final class Spread {
+    private int count;
+    private double sum;
+    private double squares;
+
+    void add(double value) {
+      count++;
+      sum += value;
+      squares += value * value;
+    }
+
+    double mean() {
+      return sum / count;
+    }
+
+    double sd() {
+      return Math.sqrt(Math.max(0, squares / count - mean() * mean()));
+    }
+  }
+
+  /**
+   * Scores and prints.
+   *
+   * @param arguments the first seed, the number of scenes, seconds of each, and settings of the
+   *     scene such as {@code traffic.pauseS=5}
+   */
+  public static void main(String[] arguments) {
+    long firstSeed = Long.parseLong(arguments[0]);
+    int scenes = Integer.parseInt(arguments[1]);
+    RoadEvaluation evaluation = new RoadEvaluation();
+    for (long seed = firstSeed; seed < firstSeed + scenes; seed++) {
+      List<String> settings = new ArrayList<>();
+      settings.add("vehicles.heightShare=0");
+      settings.add("run.seed=" + seed);
+      settings.add("run.durationS=" + arguments[2]);
+      settings.addAll(List.of(arguments).subList(3, arguments.length));
+      evaluation.add(RoadSceneSettings.defaults().with(settings.toArray(new String[0])));
+    }
+    System.out.println(evaluation);
+  }
+
+  private void add(RoadSceneSettings settings) {
+    RoadScene scene = new RoadScene(settings);
+    Map<Integer, Spread> ratios = new HashMap<>();
+    Map<Integer, Long> begun = new HashMap<>();
+    for (Map.Entry<Long, List<At>> moment : tracks(scene).entrySet()) {
+      long timeUs = moment.getKey();
+      moment.getValue().forEach(at -> begun.putIfAbsent(at.picture().id(), timeUs));
+      if (timeUs % EACH_US != 0) {
+        continue;
+      }
+      List<RoadTruth> vehicles = scene.truthRows(timeUs);
+      Map<Integer, Integer> held = new HashMap<>();
+      for (At at : moment.getValue()) {
+        RoadTruth vehicle = nearest(at.picture(), vehicles);
+        if (vehicle == null) {
+          continue;
+        }
+        held.merge(vehicle.id(), 1, Integer::sum);
+        boolean old = timeUs - begun.get(at.picture().id()) >= OLD_ENOUGH_US;
+        double speed = Math.hypot(vehicle.spotVxMS(), vehicle.spotVyMS());
+        if (old && vehicle.visibleShare() >= SEEN_SHARE && speed > LEAST_M_S) {
+          double ratio = Math.hypot(at.road().vxMS(), at.road().vyMS()) / speed;
+          singles.add(ratio);
+          ratios.computeIfAbsent(vehicle.id(), id -> new Spread()).add(ratio);
+        }
+      }
+      vehicles.forEach(vehicle -> countTracks(vehicle, held.getOrDefault(vehicle.id(), 0)));
+    }
+    passages.addAll(
+        ratios.values().stream().filter(spread -> spread.count >= ENOUGH_MOMENTS).toList());
+  }
+
+  private static Map<Long, List<At>> tracks(RoadScene scene) {
+    var camera = scene.settings().camera();
+    RoadSettings view =
+        new RoadSettings(
+            camera.bridgeHeightM(),
+            camera.bottomRowM(),
+            camera.vanishingRowM(),
+            VanishingPoint.at(scene.vanishingXPx(), scene.vanishingYPx()));
+    KalmanTracksFilter filter =
+        new KalmanTracksFilter(
+            scene.geometry(),
+            KalmanTracksSettings.defaults().onRoad(RoadTracksSettings.defaults().seenAs(view)));
+    FilterChain chain = new FilterChain(scene.geometry());
+    chain.add(Filters.named("background-activity"));
+    chain.add(Filters.named("hot-pixels"));
+    chain.add("kalman-tracks", filter);
+    Map<Long, List<At>> tracks = new TreeMap<>();
+    TrackPoint[] inPicture = new TrackPoint[1];
+    // A track's place in the picture is published before its place on the road.
+    filter.points().subscribe(point -> inPicture[0] = point);
+    filter
+        .roadPoints()
+        .subscribe(
+            onRoad ->
+                tracks
+                    .computeIfAbsent(onRoad.timeUs(), time -> new ArrayList<>())
+                    .add(new At(inPicture[0], onRoad)));
+    try {
+      Pipeline.run(scene, chain, List.of(), new PipelineCounters());
+    } catch (IOException impossible) {
+      throw new UncheckedIOException(impossible);
+    }
+    chain.close();
+    return tracks;
+  }
+
+  /** The vehicle whose centre is nearest, or null if none is near for its size. */
+  private static RoadTruth nearest(TrackPoint track, List<RoadTruth> vehicles) {
+    RoadTruth best = null;
+    double least = Double.POSITIVE_INFINITY;
+    for (RoadTruth vehicle : vehicles) {
+      double distance = Math.hypot(vehicle.xPx() - track.xPx(), vehicle.yPx() - track.yPx());
+      if (distance < least) {
+        least = distance;
+        best = vehicle;
+      }
+    }
+    return best == null || least > Math.max(NEAR_PX, NEAR_BOXES * longerSide(best)) ? null : best;
+  }
+
+  private static double longerSide(RoadTruth vehicle) {
+    return Math.max(vehicle.widthPx(), vehicle.heightPx());
+  }
+
+  private void countTracks(RoadTruth vehicle, int tracks) {
+    if (vehicle.visibleShare() >= SEEN_SHARE && longerSide(vehicle) >= LEAST_BOX_PX) {
+      String kind = vehicle.kind().name().toLowerCase(Locale.ROOT);
+      momentsOf.computeIfAbsent(kind, name -> new int[3])[Math.min(2, tracks)]++;
+    }
+  }
+
+  @Override
+  public String toString() {
+    StringBuilder text = new StringBuilder();
+    Spread means = new Spread();
+    passages.forEach(passage -> means.add(passage.mean()));
+    line(
+        text,
+        "speed: bias %.2f %%, standard deviation of single estimates %.1f %% (%d), of the mean over"
+            + " a passage %.1f %% (%d, bias %.2f %%)",
+        100 * (singles.mean() - 1),
+        100 * singles.sd(),
+        singles.count,
+        100 * means.sd(),
+        means.count,
+        100 * (means.mean() - 1));
+    momentsOf.forEach(
+        (kind, moments) ->
+            line(
+                text,
+                "%s, %d moments in full view: no track in %.1f %%, one in %.1f %%, more in %.1f %%",
+                kind,
+                moments[0] + moments[1] + moments[2],
+                share(moments, 0),
+                share(moments, 1),
+                share(moments, 2)));
+    return text.toString();
+  }
+
+  private static double share(int[] moments, int which) {
+    return 100.0 * moments[which] / (moments[0] + moments[1] + moments[2]);
+  }
+
+  private static void line(StringBuilder text, String format, Object... values) {
+    text.append(String.format(Locale.ROOT, format, values)).append(System.lineSeparator());
+  }
+}
