@@ -87,6 +87,7 @@ public final class TrackEstimator implements ClusterObserver {
     this.listener = Objects.requireNonNull(listener, "listener");
     this.settings = Objects.requireNonNull(settings, "settings");
     tracker = new ClusterTracker(geometry, unreported(settings), timeUs -> {});
+    prepareMotion();
     prepare();
   }
 
@@ -116,6 +117,7 @@ public final class TrackEstimator implements ClusterObserver {
     if (!same) {
       dropAll();
       tracks = new Track[0];
+      prepareMotion();
     }
     prepare();
   }
@@ -125,13 +127,17 @@ public final class TrackEstimator implements ClusterObserver {
     return settings.clusters().with("output.reportRateHz=1", "output.pathPoints=1");
   }
 
-  private void prepare() {
+  /** What all tracks share: ones that are there go on with it, also when they are used again. */
+  private void prepareMotion() {
     road = settings.road().mapToRoad() ? new RoadMapping(settings.road().view(), geometry) : null;
     plane = new MeasurementPlane(road);
     noise =
         road == null
             ? MotionNoise.inPixels(settings.motion())
             : MotionNoise.onRoad(settings.motion(), settings.road().processVariance());
+  }
+
+  private void prepare() {
     tracks = Arrays.copyOf(tracks, settings.life().mostTracks());
     measurement = new Measurement(settings.measurement());
     pairs = new TrackPairs(settings.life());

@@ -293,6 +293,27 @@ class TrackEstimatorTest {
   }
 
   @Test
+  void afterOtherSettingsATrackBeginsWhereItsClusterIs() {
+    int before = stepsTillShown(new Moving(clusters.add(1), 150, 100, 200, 0));
+    clusters.list.clear();
+    step(100);
+    assertEquals(0, estimator.trackCount());
+    estimator.apply(estimator.settings().with("life.pathS=2"));
+    Moving next = new Moving(clusters.add(2), 20, 20, 10, 10);
+    assertEquals(before, stepsTillShown(next));
+    assertNotNull(near(next.x(timeUs * 1e-6), next.y(timeUs * 1e-6)));
+  }
+
+  private int stepsTillShown(Moving moving) {
+    int steps = 0;
+    while (only() == null && steps < 100) {
+      step(1, moving);
+      steps++;
+    }
+    return steps;
+  }
+
+  @Test
   void theOriginalWaitsForTheEventsOfAllClustersTogether() {
     estimator = estimator(KalmanTracksSettings.original().with("measurement.eventsTillTrack=200"));
     Moving a = new Moving(clusters.add(1), 20, 30, 50, 0);
