@@ -4,7 +4,6 @@ import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.filters.selection.PolaritySettings.Keep;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.function.LongConsumer;
@@ -34,13 +33,13 @@ import java.util.function.LongConsumer;
  * <p>Thread rule: not safe for use by two threads at a time.
  */
 public final class ClusterTracker {
-  private static final long NEVER = Long.MAX_VALUE;
-
   /** A second cluster that is less likely by more than this has no share in an event. */
   private static final double LEAST_SHARE = 0.02;
 
   private final SensorGeometry geometry;
-  private final LongConsumer atReport;
+  private final Clusters clusters = new Clusters();
+  private final ClusterTimes times = new ClusterTimes();
+  private final ClusterReports reports;
   private final ClusterGrid grid;
   private final ClusterMerging merging = new ClusterMerging();
   private final ClusterReader reader = new ClusterReader(merging);
@@ -49,26 +48,17 @@ public final class ClusterTracker {
   private ClusterForm form;
   private ClusterLife life;
   private BirthPlaces places;
-  private Cluster[] clusters = new Cluster[0];
-  private int count;
   private int lastId;
   private ClusterObserver observer;
 
   // Derived from the settings.
   private long upkeepUs;
-  private long reportUs;
-  private long observeUs;
   private boolean box;
   private boolean onlyClustered;
   private int otherPolarity;
   private double inhibition;
 
-  private boolean started;
-  private boolean showedSomething;
   private boolean observedSomething;
-  private long nextUpkeepUs;
-  private long nextReportUs;
-  private long nextObservationUs = NEVER;
 
   /**
    * A tracker that has seen nothing.
@@ -82,20 +72,20 @@ public final class ClusterTracker {
   public ClusterTracker(
       SensorGeometry geometry, ClusterTrackerSettings settings, LongConsumer atReport) {
     this.geometry = Objects.requireNonNull(geometry, "geometry");
-    this.atReport = Objects.requireNonNull(atReport, "atReport");
+    reports = new ClusterReports(clusters, Objects.requireNonNull(atReport, "atReport"));
     grid = new ClusterGrid(geometry);
     apply(settings);
   }
 
   /** Forgets all clusters. Their identities are not given out again. */
   public void reset() {
-    count = 0;
-    started = false;
-    showedSomething = false;
+    clusters.count = 0;
+    times.reset();
+    reports.reset();
     observedSomething = false;
     places.reset();
     merging.reset();
-    grid.index(clusters, 0, 0);
+    grid.index(clusters.all, 0, 0);
   }
 
   /**
@@ -116,7 +106,6 @@ public final class ClusterTracker {
   public void apply(ClusterTrackerSettings newSettings) {
     settings = Objects.requireNonNull(newSettings, "newSettings");
     upkeepUs = settings.output().upkeepUs();
-    reportUs = Math.round(1e6 / settings.output().reportRateHz());
     onlyClustered = settings.output().onlyClustered();
     inhibition = settings.events().inhibition();
     Keep keep = settings.events().polarity();
@@ -127,44 +116,18 @@ public final class ClusterTracker {
     places = new BirthPlaces(geometry, form.startRadius());
     places.apply(settings);
     life = new ClusterLife(geometry, settings, places);
-    makeRoom(settings.output().mostClusters());
-    for (Cluster cluster : clusters) {
+    merging.apply(settings.merging(), settings.output().mostClusters());
+    clusters.setMost(settings.output().mostClusters());
+    for (Cluster cluster : clusters.all) {
       cluster.path.setMost(settings.output().pathPoints());
     }
-    for (int i = 0; i < count; i++) {
-      form.upkeep(clusters[i], clusters[i].atUs, 0);
-      motion.setGains(clusters[i]);
+    for (int i = 0; i < clusters.count; i++) {
+      Cluster cluster = clusters.all[i];
+      form.upkeep(cluster, cluster.atUs, 0);
+      motion.setGains(cluster);
     }
     index();
-    if (started) {
-      long nowUs = nextUpkeepUs - 1;
-      nextUpkeepUs = nextMultiple(nowUs, upkeepUs);
-      nextReportUs = nextMultiple(nowUs, reportUs);
-    }
-  }
-
-  private void makeRoom(int most) {
-    merging.apply(settings.merging(), most);
-    if (most == clusters.length) {
-      return;
-    }
-    count = Math.min(count, most);
-    Cluster[] old = clusters;
-    clusters = new Cluster[most];
-    boolean[] taken = new boolean[most];
-    int kept = 0;
-    for (int i = 0; i < count; i++) {
-      if (old[i].slot < most) {
-        taken[old[i].slot] = true;
-        clusters[kept++] = old[i];
-      }
-    }
-    count = kept;
-    for (int slot = 0; slot < most; slot++) {
-      if (!taken[slot]) {
-        clusters[kept++] = new Cluster(slot);
-      }
-    }
+    times.apply(upkeepUs, Math.round(1e6 / settings.output().reportRateHz()));
   }
 
   /**
@@ -178,10 +141,8 @@ public final class ClusterTracker {
       throw new IllegalArgumentException("an interval is at least 1 us, not " + intervalUs);
     }
     observer = newObserver;
-    observeUs = intervalUs;
     observedSomething = false;
-    nextObservationUs =
-        observer == null || !started ? NEVER : nextMultiple(nextUpkeepUs - upkeepUs, observeUs);
+    times.observe(observer == null ? 0 : intervalUs);
   }
 
   /**
@@ -196,7 +157,7 @@ public final class ClusterTracker {
     int from = 0;
     while (from < packet.size()) {
       advance(timesUs[from]);
-      int to = packet.indexAtOrAfter(nextUs(), from);
+      int to = packet.indexAtOrAfter(times.nextUs(), from);
       if (onlyClustered) {
         for (int i = from; i < to; i++) {
           if (take(addresses[i], timesUs[i])) {
@@ -221,13 +182,7 @@ public final class ClusterTracker {
    * @return a new list, as of the last report
    */
   public List<ClusterTrack> tracks() {
-    List<ClusterTrack> tracks = new ArrayList<>(count);
-    for (int i = 0; i < count; i++) {
-      if (isReported(clusters[i])) {
-        tracks.add(clusters[i].path.last(clusters[i].id));
-      }
-    }
-    return tracks;
+    return reports.tracks();
   }
 
   /**
@@ -237,17 +192,7 @@ public final class ClusterTracker {
    * @return as of the last report
    */
   public ClusterSnapshot snapshot(long timeUs) {
-    List<ClusterSnapshot.Trail> trails = new ArrayList<>(count);
-    for (int i = 0; i < count; i++) {
-      if (isReported(clusters[i])) {
-        trails.add(new ClusterSnapshot.Trail(clusters[i].path.list(clusters[i].id)));
-      }
-    }
-    return new ClusterSnapshot(timeUs, trails);
-  }
-
-  private static boolean isReported(Cluster cluster) {
-    return cluster.isVisible() && !cluster.path.isEmpty();
+    return reports.snapshot(timeUs);
   }
 
   /** Takes an event, and says whether it is in a visible cluster. */
@@ -261,7 +206,7 @@ public final class ClusterTracker {
     int cell = grid.cellOf(x, y);
     int candidates = grid.count(cell);
     if (candidates == 1) {
-      Cluster cluster = clusters[grid.name(cell, 0)];
+      Cluster cluster = clusters.all[grid.name(cell, 0)];
       double distance = cluster.distance(x, y, timeUs, box);
       if (distance < 1) {
         give(cluster, x, y, sign, timeUs, distance);
@@ -296,9 +241,9 @@ public final class ClusterTracker {
     double firstDistance = 0;
     double best = 0;
     double next = 0;
-    int all = candidates == ClusterGrid.ALL ? count : candidates;
-    for (int i = 0; i < all; i++) {
-      Cluster cluster = clusters[candidates == ClusterGrid.ALL ? i : grid.name(cell, i)];
+    int most = candidates == ClusterGrid.ALL ? clusters.count : candidates;
+    for (int i = 0; i < most; i++) {
+      Cluster cluster = clusters.all[candidates == ClusterGrid.ALL ? i : grid.name(cell, i)];
       double distance = cluster.distance(x, y, timeUs, box);
       if (distance < 1) {
         double likelihood = cluster.likelihood(x, y, sign, timeUs);
@@ -331,13 +276,13 @@ public final class ClusterTracker {
   }
 
   private void birth(int x, int y, long timeUs) {
-    Cluster born = count < clusters.length ? clusters[count++] : life.weakest(clusters, count);
+    Cluster born = clusters.isFull() ? life.weakest(clusters.all, clusters.count) : clusters.add();
     if (born == null) {
       places.clearBirth(x, y);
       return;
     }
     merging.forget(born);
-    life.begin(born, clusters, count, timeUs);
+    life.begin(born, clusters.all, clusters.count, timeUs);
     form.begin(born);
     motion.begin(born, places.bornEvents(), (timeUs - places.bornFirstUs()) * 1e-6);
     places.clearBirth(x, y);
@@ -345,83 +290,63 @@ public final class ClusterTracker {
   }
 
   private void index() {
-    grid.index(clusters, count, upkeepUs * 1e-6);
-  }
-
-  private long nextUs() {
-    return Math.min(Math.min(nextUpkeepUs, nextReportUs), nextObservationUs);
+    grid.index(clusters.all, clusters.count, upkeepUs * 1e-6);
   }
 
   /** Lets everything happen that is due until an event. */
   private void advance(long timeUs) {
-    if (!started) {
-      started = true;
-      skipTo(timeUs);
-    }
-    while (nextUs() <= timeUs) {
+    times.startAt(timeUs);
+    while (times.nextUs() <= timeUs) {
       if (isIdle()) {
-        skipTo(timeUs);
+        times.skipTo(timeUs);
         return;
       }
-      if (nextUpkeepUs == nextUs()) {
-        upkeep(nextUpkeepUs);
-        nextUpkeepUs += upkeepUs;
-      } else if (nextObservationUs == nextUs()) {
-        observation(nextObservationUs);
-        nextObservationUs += observeUs;
+      if (times.isUpkeepNext()) {
+        upkeep(times.takeUpkeep());
+      } else if (times.isObservationNext()) {
+        observation(times.takeObservation());
       } else {
-        report(nextReportUs);
-        nextReportUs += reportUs;
+        reports.report(times.takeReport());
       }
     }
   }
 
   /** Whether nothing can happen until the next event. */
   private boolean isIdle() {
-    return count == 0
-        && !showedSomething
+    return clusters.count == 0
+        && !reports.isShowing()
         && !observedSomething
         && places.areForgotten()
         && (observer == null || !observer.isWaiting());
   }
 
-  private void skipTo(long timeUs) {
-    nextUpkeepUs = nextMultiple(timeUs, upkeepUs);
-    nextReportUs = nextMultiple(timeUs, reportUs);
-    nextObservationUs = observer == null ? NEVER : nextMultiple(timeUs, observeUs);
-  }
-
-  /** The first multiple of an interval after a time. */
-  private static long nextMultiple(long timeUs, long intervalUs) {
-    return (Math.floorDiv(timeUs, intervalUs) + 1) * intervalUs;
-  }
-
   private void upkeep(long timeUs) {
-    life.measureNoise(clusters, count);
-    for (int i = count - 1; i >= 0; i--) {
-      Cluster cluster = clusters[i];
+    life.measureNoise(clusters.all, clusters.count);
+    for (int i = clusters.count - 1; i >= 0; i--) {
+      Cluster cluster = clusters.all[i];
       cluster.moveTo(timeUs);
       if (life.isOver(cluster, timeUs)) {
-        remove(i);
+        clusters.remove(i);
       } else {
         motion.upkeep(cluster, timeUs);
         form.upkeep(cluster, timeUs, life.noiseShare(cluster));
-        if (count < clusters.length && form.isParting(cluster, timeUs)) {
+        if (!clusters.isFull() && form.isParting(cluster, timeUs)) {
           part(cluster, timeUs);
         }
       }
     }
     merge(timeUs);
-    for (int i = 0; i < count; i++) {
-      if (!clusters[i].isVisible() && life.isToBeSeen(clusters[i], timeUs)) {
-        clusters[i].id = ++lastId;
+    for (int i = 0; i < clusters.count; i++) {
+      Cluster cluster = clusters.all[i];
+      if (!cluster.isVisible() && life.isToBeSeen(cluster, timeUs)) {
+        cluster.id = ++lastId;
       }
     }
     index();
   }
 
   private void part(Cluster cluster, long timeUs) {
-    Cluster born = clusters[count++];
+    Cluster born = clusters.add();
     merging.forget(born);
     life.part(cluster, born, timeUs);
     form.part(cluster, born, timeUs);
@@ -430,21 +355,14 @@ public final class ClusterTracker {
   }
 
   private void merge(long timeUs) {
-    for (int i = 0; i < count; i++) {
-      clusters[i].overlapped = false;
+    for (int i = 0; i < clusters.count; i++) {
+      clusters.all[i].overlapped = false;
     }
-    for (int i = 0; i < count; i++) {
-      for (int j = i + 1; j < count; j++) {
-        if (merging.unite(clusters[i], clusters[j], timeUs, (int) upkeepUs)) {
-          boolean firstStays = ClusterMerging.isStronger(clusters[i], clusters[j]);
-          Cluster kept = clusters[firstStays ? i : j];
-          Cluster lost = clusters[firstStays ? j : i];
-          merging.absorb(kept, lost);
-          form.settle(kept, timeUs);
-          if (observer != null && kept.isVisible() && lost.isVisible()) {
-            observer.clustersMerged(timeUs, kept.id, lost.id);
-          }
-          remove(firstStays ? j : i);
+    for (int i = 0; i < clusters.count; i++) {
+      for (int j = i + 1; j < clusters.count; j++) {
+        if (merging.unite(clusters.all[i], clusters.all[j], timeUs, (int) upkeepUs)) {
+          boolean firstStays = ClusterMerging.isStronger(clusters.all[i], clusters.all[j]);
+          mergeInto(firstStays ? i : j, firstStays ? j : i, timeUs);
           // The others are looked at in the next upkeep.
           return;
         }
@@ -452,15 +370,19 @@ public final class ClusterTracker {
     }
   }
 
-  /** Takes a cluster out and keeps the order of the others, which is that of their births. */
-  private void remove(int index) {
-    Cluster removed = clusters[index];
-    System.arraycopy(clusters, index + 1, clusters, index, count - index - 1);
-    clusters[--count] = removed;
+  private void mergeInto(int keptIndex, int lostIndex, long timeUs) {
+    Cluster kept = clusters.all[keptIndex];
+    Cluster lost = clusters.all[lostIndex];
+    merging.absorb(kept, lost);
+    form.settle(kept, timeUs);
+    if (observer != null && kept.isVisible() && lost.isVisible()) {
+      observer.clustersMerged(timeUs, kept.id, lost.id);
+    }
+    clusters.remove(lostIndex);
   }
 
   private void observation(long timeUs) {
-    reader.open(clusters, count, timeUs, geometry.width(), geometry.height());
+    reader.open(clusters.all, clusters.count, timeUs, geometry.width(), geometry.height());
     boolean something = reader.count() > 0;
     if (something || observedSomething || observer.isWaiting()) {
       observedSomething = something;
@@ -469,22 +391,6 @@ public final class ClusterTracker {
     reader.close();
     if (reader.wasFedBack()) {
       index();
-    }
-  }
-
-  private void report(long timeUs) {
-    boolean shows = false;
-    for (int i = 0; i < count; i++) {
-      Cluster cluster = clusters[i];
-      if (cluster.isVisible()) {
-        shows = true;
-        cluster.moveTo(timeUs);
-        cluster.path.add(cluster, timeUs);
-      }
-    }
-    if (shows || showedSomething) {
-      showedSomething = shows;
-      atReport.accept(timeUs);
     }
   }
 }

@@ -1,5 +1,7 @@
 package haltere.filters.track;
 
+import java.util.Arrays;
+
 /**
  * One track: its filter, what it holds on to and since when. Its bookkeeping is that of {@link
  * TrackEstimator}.
@@ -8,6 +10,9 @@ package haltere.filters.track;
  */
 final class Track {
   private static final double US = 1e-6;
+
+  /** Within this time a track that may have stopped would still be at its cluster. */
+  private static final double REST_S = 0.2;
 
   MotionModes motion;
   private MotionModes ahead;
@@ -86,7 +91,7 @@ final class Track {
     nearOther = false;
     nearUnlike = false;
     hidden = false;
-    java.util.Arrays.fill(sides, (byte) 0);
+    Arrays.fill(sides, (byte) 0);
     motion.launch(plane.x, plane.y, plane.xx, plane.xy, plane.yy);
   }
 
@@ -96,6 +101,24 @@ final class Track {
     heardUs = stepUs;
     gatedInARow = 0;
     motion.relaunch(plane.x, plane.y, plane.xx, plane.xy, plane.yy);
+  }
+
+  /** Holds on to a cluster. */
+  void hold(EventBatch held) {
+    batch = held;
+    hidden = false;
+    held.track = this;
+  }
+
+  /** Lets go of its cluster, if it has one; hidden if another track is in the way. */
+  void release(boolean isHidden) {
+    if (batch != null) {
+      batch.track = null;
+      batch = null;
+      hidden = isHidden;
+      lostXPx = nowXPx;
+      lostYPx = nowYPx;
+    }
   }
 
   double ageS(long timeUs) {
@@ -127,13 +150,14 @@ final class Track {
    *
    * @return the normalised innovation squared, NaN if it cannot be compared
    */
-  double compare(long timeUs, double zX, double zY, double xx, double xy, double yy) {
+  double compare(Measurement measured) {
     ahead.copyFrom(motion);
-    double dtS = (timeUs - stateUs) * US;
+    double dtS = (measured.timeUs - stateUs) * US;
     if (dtS > 0) {
-      ahead.predict(dtS, noiseFactor(timeUs));
+      ahead.predict(dtS, noiseFactor(measured.timeUs));
     }
-    if (!plane.map(ahead.x(), ahead.y(), zX, zY, xx, xy, yy)) {
+    if (!plane.map(
+        ahead.x(), ahead.y(), measured.x, measured.y, measured.xx, measured.xy, measured.yy)) {
       return Double.NaN;
     }
     return ahead.innovate(plane.x, plane.y, plane.xx, plane.xy, plane.yy);
@@ -175,6 +199,11 @@ final class Track {
 
   double speedPxS() {
     return Math.hypot(nowVxPxS, nowVyPxS);
+  }
+
+  /** Whether it was so slow when it lost its cluster that it may have stopped there. */
+  boolean mayRest() {
+    return batch == null && !hidden && speedPxS() * REST_S < radiusPx;
   }
 
   /** Whether two tracks are known to move differently. */

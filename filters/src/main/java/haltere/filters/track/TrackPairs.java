@@ -20,9 +20,6 @@ final class TrackPairs {
 
   private static final double UNASSIGNED = 1000;
 
-  /** Within this time a track that may have stopped would still be at its cluster. */
-  private static final double REST_S = 0.2;
-
   /** A track that was thrown back appears within this time and so many of its radii. */
   private static final long THROWN_BACK_US = 200_000;
 
@@ -46,15 +43,16 @@ final class TrackPairs {
   }
 
   /** Marks the tracks that are near others at the time that they have looked at. */
-  void markContested(Track[] all, int count) {
-    for (int i = 0; i < count; i++) {
-      all[i].nearOther = false;
-      all[i].nearUnlike = false;
-      all[i].contested = false;
+  static void markContested(Tracks all) {
+    for (int i = 0; i < all.count(); i++) {
+      Track track = all.get(i);
+      track.nearOther = false;
+      track.nearUnlike = false;
+      track.contested = false;
     }
-    for (int i = 0; i < count; i++) {
-      for (int j = i + 1; j < count; j++) {
-        markPair(all[i], all[j]);
+    for (int i = 0; i < all.count(); i++) {
+      for (int j = i + 1; j < all.count(); j++) {
+        markPair(all.get(i), all.get(j));
       }
     }
   }
@@ -130,15 +128,7 @@ final class TrackPairs {
         if (!isWithinReach(tracks[i], batches[j], measurement)) {
           continue;
         }
-        double nis =
-            tracks[i].compare(
-                measurement.timeUs,
-                measurement.x,
-                measurement.y,
-                measurement.xx,
-                measurement.xy,
-                measurement.yy);
-        if (nis <= threshold) {
+        if (tracks[i].compare(measurement) <= threshold) {
           double bonus = tracks[i].batch == batches[j] ? OWN_BONUS : 0;
           assignment.setCost(i, j, -2 * tracks[i].logLikelihood() - bonus);
         }
@@ -163,27 +153,22 @@ final class TrackPairs {
     return row == Assignment.NONE ? null : tracks[row];
   }
 
-  /** Whether a track was so slow when it lost its cluster that it may have stopped there. */
-  boolean mayRest(Track track) {
-    return track.batch == null && !track.hidden && track.speedPxS() * REST_S < track.radiusPx;
-  }
-
   /**
    * A track without a cluster that may have become what is seen now though it was not expected
    * there, or null: one that has stopped and begins to move again, or was thrown back.
    */
-  Track unexpectedAt(Measurement measurement, Track[] all, int count, long timeUs) {
+  static Track unexpectedAt(Measurement measurement, Tracks all, long timeUs) {
     Track nearest = null;
     double least = Double.POSITIVE_INFINITY;
-    for (int i = 0; i < count; i++) {
-      Track track = all[i];
+    for (int i = 0; i < all.count(); i++) {
+      Track track = all.get(i);
       if (track.id == 0 || track.batch != null) {
         continue;
       }
       double fromLost = Math.hypot(measurement.x - track.lostXPx, measurement.y - track.lostYPx);
       boolean justLost = timeUs - track.heardUs <= THROWN_BACK_US;
       double reach = justLost ? THROWN_BACK_RADII * track.radiusPx : track.radiusPx;
-      if ((justLost || mayRest(track)) && fromLost < reach && fromLost < least) {
+      if ((justLost || track.mayRest()) && fromLost < reach && fromLost < least) {
         nearest = track;
         least = fromLost;
       }

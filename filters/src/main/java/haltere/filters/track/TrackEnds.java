@@ -1,0 +1,53 @@
+package haltere.filters.track;
+
+/** Which tracks end. Thread rule: that of its owner. */
+final class TrackEnds {
+  private static final double US = 1e-6;
+
+  /** Nearer to the border than this, what loses its cluster is taken to have left. */
+  private static final double LEAVING_SPREADS = 1.3;
+
+  private final Picture picture;
+  private final Tracks tracks;
+
+  TrackEnds(Picture picture, Tracks tracks) {
+    this.picture = picture;
+    this.tracks = tracks;
+  }
+
+  /** What has left takes no cluster of what is at the border after it. */
+  void dropThoseThatLeft() {
+    for (int i = tracks.count() - 1; i >= 0; i--) {
+      if (tracks.get(i).batch == null && isLeaving(tracks.get(i))) {
+        tracks.drop(i);
+      }
+    }
+  }
+
+  /** Drops what is out of the picture, and what has been without its cluster for too long. */
+  void dropThoseThatEnd(long timeUs, LifeSettings settings) {
+    for (int i = tracks.count() - 1; i >= 0; i--) {
+      Track track = tracks.get(i);
+      track.look(timeUs);
+      if (track.batch != null) {
+        if (!track.inView) {
+          tracks.drop(i);
+        }
+        continue;
+      }
+      double silentS = (timeUs - track.heardUs) * US;
+      boolean coasts = track.inView && !isLeaving(track) && silentS <= settings.coastTimeS();
+      boolean rests = track.mayRest() && silentS <= settings.restTimeS();
+      if (track.id == 0 || !coasts && !rests) {
+        tracks.drop(i);
+      }
+    }
+  }
+
+  /** Whether a track without a cluster is at the border of the picture or beyond it. */
+  private boolean isLeaving(Track track) {
+    double border =
+        Math.min(LEAVING_SPREADS * track.spreadPx, picture.geometry().longerSide() * 0.1);
+    return !picture.contains(track.nowXPx, track.nowYPx, -border);
+  }
+}
