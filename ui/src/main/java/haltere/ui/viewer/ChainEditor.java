@@ -8,9 +8,7 @@ import haltere.core.playback.Player;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicReference;
@@ -28,9 +26,8 @@ import javafx.application.Platform;
 final class ChainEditor {
   private final Consumer<String> problems;
   private final Consumer<List<StageState>> changed;
-  private final List<BiConsumer<String, Record>> adopters = new ArrayList<>();
+  private final List<BiConsumer<ChainStage, Record>> adopters = new ArrayList<>();
   private final List<Runnable> listeners = new ArrayList<>();
-  private final Map<ChainStage, Consumer<Record>> followers = new HashMap<>();
   private final EditHistory history = new EditHistory();
   private Optional<ChainAccess> player = Optional.empty();
 
@@ -52,7 +49,6 @@ final class ChainEditor {
   /** Goes over to another chain; what was changed in the one before can no longer be undone. */
   void setAccess(ChainAccess access) {
     player = Optional.of(access);
-    followers.clear();
     history.clear();
     listeners.forEach(Runnable::run);
   }
@@ -170,19 +166,15 @@ final class ChainEditor {
   void applyAndShow(
       ChainStage stage, Record before, Record settings, String subject, Consumer<String> refused) {
     apply(stage, before, settings, subject, refused);
-    adopters.forEach(adopter -> adopter.accept(stage.name(), settings));
+    adopters.forEach(adopter -> adopter.accept(stage, settings));
   }
 
   private void reapply(String stage, Record settings) {
-    edit(chain -> chain.apply(chain.stage(stage), settings))
-        .thenRun(
-            () ->
-                Platform.runLater(
-                    () -> adopters.forEach(adopter -> adopter.accept(stage, settings))));
+    edit(chain -> applyNow(chain, chain.stage(stage), settings));
   }
 
-  /** Tells somebody of settings that were taken back or made once more, with the stage's name. */
-  void onSettings(BiConsumer<String, Record> adopter) {
+  /** Tells somebody of settings that a filter was given other than by {@link #apply}. */
+  void onSettings(BiConsumer<ChainStage, Record> adopter) {
     adopters.add(adopter);
   }
 
@@ -202,16 +194,13 @@ final class ChainEditor {
                     }));
   }
 
-  /** Gives a filter settings from within a {@link #change}; who shows them is told. */
+  /**
+   * Gives a filter settings from within a {@link #change}, on the processing thread; who shows them
+   * is told.
+   */
   void applyNow(FilterChain chain, ChainStage stage, Record settings) {
     chain.apply(stage, settings);
-    Platform.runLater(
-        () -> Optional.ofNullable(followers.get(stage)).ifPresent(shown -> shown.accept(settings)));
-  }
-
-  /** Tells somebody, in place of whoever was told before, of settings that others have applied. */
-  void follow(ChainStage stage, Consumer<Record> follower) {
-    followers.put(stage, follower);
+    Platform.runLater(() -> adopters.forEach(adopter -> adopter.accept(stage, settings)));
   }
 
   /** Reads something off the chain between two packets and brings it to the JavaFX thread. */

@@ -9,6 +9,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import javafx.geometry.Pos;
 import javafx.scene.control.CustomMenuItem;
 import javafx.scene.control.Label;
@@ -51,10 +52,8 @@ final class ChainPanel extends VBox {
     empty.getStyleClass().addAll(Styles.TEXT_MUTED, "chain-empty");
     SettingsSearchField searchField = new SettingsSearchField(this::narrow);
     editor.onSettings(
-        (name, settings) ->
-            stages.stream()
-                .filter(state -> state.stage().name().equals(name))
-                .forEach(state -> cardOf.get(state.stage()).adopt(settings)));
+        (stage, settings) ->
+            Optional.ofNullable(cardOf.get(stage)).ifPresent(card -> card.adopt(settings)));
     ScrollPane scroll = new ScrollPane(cards);
     scroll.setFitToWidth(true);
     scroll.setHbarPolicy(ScrollPane.ScrollBarPolicy.NEVER);

@@ -72,9 +72,7 @@ final class SettingsPanel<S extends Record> extends VBox {
   @SuppressWarnings("unchecked")
   static <S extends Record> SettingsPanel<S> of(ChainStage stage, S settings, ChainEditor editor) {
     SettingsSchema<S> schema = SettingsSchema.of((Class<S>) settings.getClass());
-    SettingsPanel<S> panel = new SettingsPanel<>(stage, settings, schema, editor);
-    editor.follow(stage, changed -> panel.follow((S) changed));
-    return panel;
+    return new SettingsPanel<>(stage, settings, schema, editor);
   }
 
   private void set(String name, Object value, Consumer<String> refused) {
@@ -89,12 +87,6 @@ final class SettingsPanel<S extends Record> extends VBox {
     }
   }
 
-  /** Somebody else has given the filter settings. */
-  private void follow(S changed) {
-    settings = changed;
-    show();
-  }
-
   private void send(S changed, String subject, Consumer<String> refused) {
     S before = settings;
     settings = changed;
@@ -102,7 +94,7 @@ final class SettingsPanel<S extends Record> extends VBox {
     show();
   }
 
-  /** Shows settings that were taken back or made once more. */
+  /** Shows settings that somebody else has given the filter. */
   void adopt(Record adopted) {
     if (adopted.getClass() == settings.getClass()) {
       @SuppressWarnings("unchecked")

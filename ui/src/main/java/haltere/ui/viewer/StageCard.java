@@ -163,7 +163,7 @@ final class StageCard extends VBox {
     expand.setRotate(show ? 90 : 0);
   }
 
-  /** Shows settings that were taken back or made once more. */
+  /** Shows settings that the filter was given other than by this card. */
   void adopt(Record newSettings) {
     adopted = Optional.of(newSettings);
     settings.ifPresent(panel -> panel.adopt(newSettings));
