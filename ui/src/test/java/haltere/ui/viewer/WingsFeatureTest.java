@@ -132,6 +132,9 @@ class WingsFeatureTest {
   void theFlyIsPlacedByTheMouse() {
     viewer.pause();
     viewer.run(() -> viewer.window.actions().run("wings-place"));
+    // one that was under way when the fly stood still, and one after it
+    lookAgain();
+    lookAgain();
     FlyGeometry found = viewer.onFx(this::geometry);
     double away = 0.6 * found.sizePx();
     double turned = found.headingRad() + 0.2;
@@ -150,6 +153,11 @@ class WingsFeatureTest {
     double x = found.centreX() + 2;
     drag(x, found.centreY(), x, found.centreY());
     viewer.waitFor("the body where it was clicked", () -> Math.abs(geometry().centreX() - x) < 0.1);
+  }
+
+  private void lookAgain() {
+    WingsView before = viewer.onFx(() -> wings.seen().orElseThrow());
+    viewer.waitFor("another look", () -> wings.seen().orElseThrow() != before);
   }
 
   private void drag(double fromX, double fromY, double toX, double toY) {
