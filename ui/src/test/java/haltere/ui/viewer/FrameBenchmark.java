@@ -113,11 +113,19 @@ public final class FrameBenchmark {
             });
     waitUntil(() -> window.session().isPresent() && window.framesShown() > 0);
     Frames frames = new Frames(window, (int) (seconds * 400));
+    ScreenLatency latency = new ScreenLatency((int) (seconds * 400));
+    onFx(
+        () -> {
+          window.session().orElseThrow().player().addRawSink(latency);
+          window.view().onFrame(frame -> latency.shown(frame.timeUs));
+          return null;
+        });
     waitUntil(() -> status(window).elapsedUs() > WARM_UP_S * 1e6);
     PlayerStatus before = onFx(() -> status(window));
     onFx(
         () -> {
           frames.start();
+          latency.clear();
           return null;
         });
     Map<String, Long> cpuBefore = cpuNanos();
@@ -147,6 +155,7 @@ public final class FrameBenchmark {
         times.length / measured,
         conflated);
     print("frame time", times);
+    print("from the chain to the window", onFx(latency::millis));
     print("wait for the JavaFX thread", blocks);
     System.out.printf(
         Locale.ROOT,
