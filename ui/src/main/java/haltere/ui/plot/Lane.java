@@ -115,6 +115,21 @@ public final class Lane {
     return List.copyOf(curves.get(field).values());
   }
 
+  /**
+   * The unit of a curve's values.
+   *
+   * @param curve one of {@link #curves()}
+   * @return such as "rad", empty where there is none
+   */
+  public String unit(Curve curve) {
+    for (Map.Entry<PlotField, Map<String, Curve>> ofField : curves.entrySet()) {
+      if (ofField.getValue().containsValue(curve)) {
+        return ofField.getKey().unit();
+      }
+    }
+    return "";
+  }
+
   /** Forgets all curves. */
   public void clear() {
     curves.values().forEach(Map::clear);

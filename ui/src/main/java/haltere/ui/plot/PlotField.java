@@ -4,7 +4,9 @@ import haltere.core.chain.ChainStage;
 import haltere.core.chain.FilterChain;
 import haltere.core.chain.Outlet;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /**
@@ -17,6 +19,39 @@ import java.util.Optional;
 public record PlotField(String stage, String outlet, String column) {
   /** The rate of events into the chain, which is no filter's. */
   public static final PlotField EVENT_RATE = new PlotField("", "playback", "event_rate_eps");
+
+  /** Units as columns end in them, the longer ones first, and as they are shown. */
+  private static final Map<String, String> UNITS = units();
+
+  private static Map<String, String> units() {
+    Map<String, String> units = new LinkedHashMap<>();
+    units.put("_rad2_per_s2", "rad\u00b2/s\u00b2");
+    units.put("_rad2_per_s", "rad\u00b2/s");
+    units.put("_rad2", "rad\u00b2");
+    units.put("_rad", "rad");
+    units.put("_px_s", "px/s");
+    units.put("_px", "px");
+    units.put("_m_s", "m/s");
+    units.put("_km_h", "km/h");
+    units.put("_m", "m");
+    units.put("_hz", "Hz");
+    units.put("_us", "\u00b5s");
+    units.put("_eps", "ev/s");
+    return units;
+  }
+
+  /**
+   * The unit of the number, which stands at the end of the column's name.
+   *
+   * @return such as "rad", "px/s" or "\u00b5s"; empty where the name has none
+   */
+  public String unit() {
+    return UNITS.entrySet().stream()
+        .filter(unit -> column.endsWith(unit.getKey()))
+        .map(Map.Entry::getValue)
+        .findFirst()
+        .orElse("");
+  }
 
   /**
    * All that the filters of a chain publish and that can be plotted.

@@ -50,11 +50,13 @@ final class BodyFlightFeature implements ViewerFeature {
     Stage stage = new Stage();
     stage.initOwner(window.stage());
     stage.setTitle("Orientation in space");
-    stage.setScene(new Scene(new BodyFlightPane(flight), 800, 600));
+    Scene scene = new Scene(new BodyFlightPane(flight), 800, 600);
+    scene.getStylesheets().setAll(window.stage().getScene().getStylesheets());
+    stage.setScene(scene);
     stage.show();
   }
 
   private void failed(Exception problem) {
-    window.status().setActivity(problem.getMessage());
+    window.status().showProblem(problem);
   }
 }

@@ -44,10 +44,14 @@ final class BodyFlightPane extends BorderPane {
     holder.setMinSize(0, 0);
     setCenter(holder);
     slider.setId("flight-time");
+    slider.setAccessibleText("Time of the flight");
+    canvas.setAccessibleText("The body and the cameras in space");
     slider.setMax(Math.max(0, flight.moments().size() - 1));
     slider.valueProperty().addListener((property, was, is) -> redraw());
     words.setId("flight-words");
-    setBottom(new VBox(slider, words));
+    VBox controls = new VBox(4, slider, words);
+    controls.getStyleClass().add("flight-controls");
+    setBottom(controls);
     canvas.setOnMousePressed(
         event -> {
           pressedX = event.getX();

@@ -35,6 +35,7 @@ final class ComparisonTable extends ScrollPane {
     grid.setHgap(14);
     ColumnConstraints names = new ColumnConstraints();
     names.setHgrow(Priority.ALWAYS);
+    names.setMinWidth(220);
     ColumnConstraints numbers = new ColumnConstraints(70);
     numbers.setHalignment(HPos.RIGHT);
     grid.getColumnConstraints().addAll(names, numbers, numbers, numbers);

@@ -27,7 +27,7 @@ record PixelReading(int x, int y, long lastUs, boolean on, long agoUs, double ra
           .append(" \u00b5s");
     }
     if (!Double.isNaN(rateEps)) {
-      words.append("   ").append(Texts.quantity(rateEps)).append("ev/s near");
+      words.append("   ").append(Texts.quantity(rateEps)).append(" ev/s near");
     }
     return words.toString();
   }

@@ -39,6 +39,7 @@ final class PlotLane extends BorderPane {
   private final HBox values = new HBox(10);
   private final Label title = new Label();
   private final Label more = new Label();
+  private final Label note = new Label();
 
   /**
    * A lane without a plot yet.
@@ -73,6 +74,11 @@ final class PlotLane extends BorderPane {
       line.setMouseTransparent(true);
     }
     canvas.setManaged(false);
+    note.setId("plot-note");
+    note.relocate(LanePicture.LEFT + 10, 8);
+    note.getStyleClass().add("plot-note");
+    note.setVisible(false);
+    stack.getChildren().add(note);
     stack.setMinHeight(48);
     setCenter(stack);
     showTitle();
@@ -90,6 +96,17 @@ final class PlotLane extends BorderPane {
   void add(PlotField field) {
     lane.add(field);
     showTitle();
+  }
+
+  /** Says so where nothing of the lane is published by a chain that publishes these fields. */
+  void followPublished(List<PlotField> published) {
+    boolean any =
+        lane.fields().stream()
+            .anyMatch(field -> field.equals(PlotField.EVENT_RATE) || published.contains(field));
+    note.setVisible(!any);
+    note.setText(
+        "Nothing in the chain publishes "
+            + lane.fields().stream().map(PlotField::toString).collect(Collectors.joining(", ")));
   }
 
   private void showTitle() {
@@ -144,12 +161,18 @@ final class PlotLane extends BorderPane {
       Label label = (Label) values.getChildren().get(i);
       ((Circle) label.getGraphic()).setFill(ink.curve(curve.number()));
       double value = pointed ? curve.valueAt(atUs) : curve.last();
-      label.setText(curve.key() + " " + (Double.isNaN(value) ? "\u2013" : Texts.number(value)));
+      label.setText(curve.key() + " " + words(value, lane.unit(curve)));
     }
     if (curves.size() > NAMED_CURVES) {
       more.setText("+" + (curves.size() - NAMED_CURVES));
       values.getChildren().add(more);
     }
+  }
+
+  private static String words(double value, String unit) {
+    return Double.isNaN(value)
+        ? "\u2013"
+        : Texts.number(value) + (unit.isEmpty() ? "" : " " + unit);
   }
 
   private void place(Line line, boolean visible, double place, Color colour) {

@@ -13,6 +13,7 @@ import javafx.scene.control.Button;
 import javafx.scene.control.ContextMenu;
 import javafx.scene.control.Label;
 import javafx.scene.control.MenuButton;
+import javafx.scene.control.ScrollPane;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
@@ -85,10 +86,15 @@ final class PlotPanel extends BorderPane {
     head.setAlignment(Pos.CENTER_LEFT);
     head.getStyleClass().add("plots-head");
     laneBox.setFillWidth(true);
-    VBox.setVgrow(laneBox, Priority.ALWAYS);
+    ScrollPane lanesView = new ScrollPane(laneBox);
+    lanesView.setFitToWidth(true);
+    lanesView.setFitToHeight(true);
+    lanesView.setHbarPolicy(ScrollPane.ScrollBarPolicy.NEVER);
+    lanesView.setFocusTraversable(false);
+    VBox.setVgrow(lanesView, Priority.ALWAYS);
     empty.getStyleClass().add("chain-empty");
     setTop(head);
-    setCenter(new VBox(empty, laneBox, axis));
+    setCenter(new VBox(empty, lanesView, axis));
     setMinHeight(120);
     offer(List.of());
     showSpan();
@@ -128,6 +134,7 @@ final class PlotPanel extends BorderPane {
   private void offer(List<PlotField> fields) {
     offered = fields;
     add.getItems().setAll(PlotMenu.items(fields, this::addLane));
+    lanes.forEach(lane -> lane.followPublished(fields));
   }
 
   /** Adds a lane below the others. */

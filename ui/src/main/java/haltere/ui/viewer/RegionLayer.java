@@ -31,7 +31,7 @@ final class RegionLayer {
 
   /** What the region is doing, in words. */
   String words() {
-    String rate = Texts.quantity(reading.rateEps()) + "ev/s";
+    String rate = Texts.quantity(reading.rateEps()) + " ev/s";
     return Double.isNaN(reading.frequencyHz())
         ? rate
         : rate + "   " + Texts.digits(reading.frequencyHz()) + " Hz";

@@ -83,7 +83,6 @@ final class StatusLine extends HBox {
   void showError(String line) {
     error = line;
     details = "";
-    Controls.help(message, line);
     showMessage();
   }
 
@@ -95,7 +94,6 @@ final class StatusLine extends HBox {
 
   void clearError() {
     error = "";
-    Controls.help(message, "");
     showMessage();
   }
 
@@ -127,7 +125,7 @@ final class StatusLine extends HBox {
         status.timeUs() == StreamNotification.NO_TIME_US
             ? ""
             : "t " + status.timeUs() + " \u00b5s");
-    rate.setText(Texts.quantity(status.eventRateEps()) + "ev/s");
+    rate.setText(Texts.quantity(status.eventRateEps()) + " ev/s");
     speed.setText(
         status.state() == State.PLAYING ? Texts.speed(rounded(status.achievedSpeed())) : "");
     frames.setText(Math.round(framesPerSecond) + " fps");
@@ -135,7 +133,7 @@ final class StatusLine extends HBox {
         Texts.count(status.droppedEvents())
             + " dropped, "
             + Texts.count(conflatedFrames)
-            + " conflated");
+            + " not shown");
     showMessage();
   }
 
@@ -155,6 +153,7 @@ final class StatusLine extends HBox {
       text = source + " \u2013 paused";
     }
     message.setText(text);
+    Controls.help(message, text);
     message.pseudoClassStateChanged(ERROR, isError);
     message.pseudoClassStateChanged(WARNING, late && !isError);
     dismiss.setVisible(isError);

@@ -70,6 +70,9 @@ final class TransportBar extends HBox {
     }
     playback.speedProperty().addListener((property, old, now) -> showSpeed(now));
     showSpeed(playback.speedProperty().get());
+    for (Region kept : List.of(speed, elapsed, remaining)) {
+      kept.setMinWidth(Region.USE_PREF_SIZE);
+    }
     loop.setOnAction(event -> playback.setLooping(loop.isSelected()));
     playback.loopProperty().addListener((property, old, now) -> showLoop(now));
     showLoop(playback.loopProperty().get());

@@ -83,6 +83,7 @@ final class ViewBar extends HBox {
     box.setAccessibleText(help);
     Controls.help(box, help);
     box.getStyleClass().add(Styles.SMALL);
+    box.setMinWidth(90);
     box.getItems().setAll(words.keySet());
     box.setConverter(
         new StringConverter<>() {

@@ -8,6 +8,7 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.sink.Column;
 import haltere.filters.DefaultChain;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 
 /** From rows that filters publish to curves. */
@@ -51,6 +52,28 @@ class LaneTest {
     }
     assertTrue(new PlotField("gone", "clusters", "x_px").find(chain).isEmpty());
     assertTrue(PlotFeed.open(new PlotField("cluster-tracker", "clusters", "no"), chain).isEmpty());
+  }
+
+  @Test
+  void aValueHasTheUnitThatItsColumnNames() {
+    Map<String, String> expected =
+        Map.of(
+            "angle_rad", "rad",
+            "vx_px_s", "px/s",
+            "x_px", "px",
+            "sd_speed_km_h", "km/h",
+            "sd_y_m", "m",
+            "age_us", "\u00b5s",
+            "rate_hz", "Hz",
+            "frequency_rad2_per_s2", "rad\u00b2/s\u00b2",
+            "mass", "");
+    expected.forEach(
+        (column, unit) -> assertEquals(unit, new PlotField("a", "b", column).unit(), column));
+    Lane lane = new Lane(FIELD);
+    lane.add(PlotField.EVENT_RATE);
+    lane.take(PlotField.EVENT_RATE, 1, "", 1e6);
+    lane.take(FIELD, 1, "LEFT", 1);
+    assertEquals(List.of("ev/s", "rad"), lane.curves().stream().map(lane::unit).toList());
   }
 
   @Test

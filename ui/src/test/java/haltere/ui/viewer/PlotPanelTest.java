@@ -9,6 +9,8 @@ import haltere.ui.plot.PlotField;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import javafx.scene.Node;
+import javafx.scene.control.Label;
 import javafx.scene.image.PixelReader;
 import javafx.scene.image.WritableImage;
 import org.junit.jupiter.api.AfterEach;
@@ -51,6 +53,40 @@ class PlotPanelTest {
     viewer.waitFor("a curve on the screen", () -> hasCurve(PlotInk.DARK));
     viewer.run(() -> viewer.window.display().themeProperty().set(Theme.LIGHT));
     viewer.waitFor("the curve in the colours of the light theme", () -> hasCurve(PlotInk.LIGHT));
+  }
+
+  @Test
+  void lanesThatDoNotFitAreScrolledAndCoverNothing() {
+    viewer = ViewerHarness.withBlob();
+    plot(PlotField.EVENT_RATE);
+    for (int i = 0; i < 12; i++) {
+      viewer.run(() -> plots().addLane(X));
+    }
+    Node head = viewer.node("add-plot", Node.class);
+    viewer.waitFor(
+        "the first lane below the head",
+        () -> {
+          Node lane = plots().lookup(".plot-lane");
+          double top = lane.localToScene(lane.getLayoutBounds()).getMinY();
+          return lane.getLayoutBounds().getHeight() > 0
+              && top >= head.localToScene(head.getLayoutBounds()).getMaxY();
+        });
+    assertTrue(viewer.onFx(() -> !plots().lookupAll(".scroll-bar:vertical").isEmpty()));
+  }
+
+  @Test
+  void aPlotOfWhatNobodyPublishesSaysSo() {
+    viewer = ViewerHarness.withBlob();
+    plot(new PlotField("wing-tracker", "wings", "angle_rad"));
+    Label note = viewer.node("plot-note", Label.class);
+    viewer.waitFor("the note", note::isVisible);
+    assertTrue(viewer.onFx(note::getText).contains("wing-tracker / wings / angle_rad"));
+    plot(X);
+    viewer.waitFor("samples", () -> plots().lanes().get(1).lastUs() > 0);
+    List<Boolean> notes =
+        viewer.onFx(
+            () -> plots().lookupAll(".plot-note").stream().map(Node::isVisible).sorted().toList());
+    assertEquals(List.of(false, true), notes);
   }
 
   private boolean hasCurve(PlotInk ink) {

@@ -82,7 +82,7 @@ class SeeingTest {
         "a rate in words",
         () ->
             seeing().region().words().contains("ev/s")
-                && !seeing().region().words().equals("0ev/s"));
+                && !seeing().region().words().equals("0 ev/s"));
     viewer.press(KeyCode.G);
     viewer.click("event-view", 0.5, 0.5);
     viewer.waitFor("a click takes it away", () -> seeing().region().region().isEmpty());
