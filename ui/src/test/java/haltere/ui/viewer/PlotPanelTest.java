@@ -78,6 +78,7 @@ class PlotPanelTest {
   void aPlotOfWhatNobodyPublishesSaysSo() {
     viewer = ViewerHarness.withBlob();
     plot(new PlotField("wing-tracker", "wings", "angle_rad"));
+    viewer.waitFor("a note", () -> viewer.isThere("plot-note"));
     Label note = viewer.node("plot-note", Label.class);
     viewer.waitFor("the note", note::isVisible);
     assertTrue(viewer.onFx(note::getText).contains("wing-tracker / wings / angle_rad"));
