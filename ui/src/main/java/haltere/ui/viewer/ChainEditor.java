@@ -26,9 +26,10 @@ import javafx.application.Platform;
 final class ChainEditor {
   private final Consumer<String> problems;
   private final Consumer<List<StageState>> changed;
-  private final List<BiConsumer<ChainStage, Record>> adopters = new ArrayList<>();
+  private final List<BiConsumer<ChainStage, Record>> adopters;
   private final List<Runnable> listeners = new ArrayList<>();
-  private final EditHistory history = new EditHistory();
+  private final EditHistory history;
+  private final String prefix;
   private Optional<ChainAccess> player = Optional.empty();
 
   /**
@@ -38,8 +39,39 @@ final class ChainEditor {
    * @param changed takes the stages after every change of their order or number
    */
   ChainEditor(Consumer<String> problems, Consumer<List<StageState>> changed) {
+    this(problems, changed, new ArrayList<>(), new EditHistory(), "");
+  }
+
+  private ChainEditor(
+      Consumer<String> problems,
+      Consumer<List<StageState>> changed,
+      List<BiConsumer<ChainStage, Record>> adopters,
+      EditHistory history,
+      String prefix) {
     this.problems = problems;
     this.changed = changed;
+    this.adopters = adopters;
+    this.history = history;
+    this.prefix = prefix;
+  }
+
+  /**
+   * An editor of a chain inside this one, which is found by its stage's name at each change. What
+   * it changes is shown and taken back with all else.
+   */
+  ChainEditor inside(ChainStage nested) {
+    String name = nested.name();
+    ChainEditor inner =
+        new ChainEditor(
+            problems, stages -> change(chain -> {}), adopters, history, path(nested) + "/");
+    inner.player =
+        Optional.of(work -> edit(chain -> work.accept((FilterChain) chain.stage(name).filter())));
+    return inner;
+  }
+
+  /** The names of the chains that a stage is in, and its own. */
+  String path(ChainStage stage) {
+    return prefix + stage.name();
   }
 
   void setPlayer(Player newPlayer) {
@@ -66,6 +98,11 @@ final class ChainEditor {
   /** Adds a filter with default settings at the end. */
   void add(FilterProvider<?> provider) {
     restructure("adding " + Texts.title(provider.name()), chain -> chain.add(provider));
+  }
+
+  /** Adds a chain without filters at the end. */
+  void addChain() {
+    restructure("adding a chain", chain -> chain.add("chain", new FilterChain(chain.geometry())));
   }
 
   void remove(ChainStage stage) {
@@ -122,7 +159,7 @@ final class ChainEditor {
     edit(chain -> chain.setEnabled(stage, enabled));
     made(
         (enabled ? "switching on " : "switching off ") + Texts.title(name),
-        "switch " + name,
+        "switch " + prefix + name,
         () -> edit(chain -> chain.setEnabled(chain.stage(name), !enabled)),
         () -> edit(chain -> chain.setEnabled(chain.stage(name), enabled)));
   }
@@ -154,7 +191,7 @@ final class ChainEditor {
             });
     made(
         subject + " of " + Texts.title(name),
-        name + "/" + subject,
+        prefix + name + "/" + subject,
         () -> reapply(name, before),
         () -> reapply(name, settings));
   }

@@ -38,6 +38,7 @@ final class SettingsPanel<S extends Record> extends VBox {
     this.settings = settings;
     this.schema = schema;
     this.editor = editor;
+    String id = editor.path(stage).replace('/', '-');
     getStyleClass().add("settings");
     String group = "";
     for (Parameter parameter : schema.parameters()) {
@@ -49,12 +50,11 @@ final class SettingsPanel<S extends Record> extends VBox {
         getChildren().add(heading);
       }
       SettingField field =
-          SettingField.of(
-              stage.name(), parameter, (value, refused) -> set(parameter.name(), value, refused));
+          SettingField.of(id, parameter, (value, refused) -> set(parameter.name(), value, refused));
       fields.add(field);
       getChildren().add(field);
     }
-    resetAll.setId("reset-all-" + stage.name());
+    resetAll.setId("reset-all-" + id);
     resetAll.getStyleClass().addAll(Styles.SMALL, Styles.FLAT);
     resetAll.setOnAction(event -> send(schema.defaults(), "all settings", problem -> {}));
     getChildren().add(resetAll);

@@ -17,6 +17,7 @@ import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import javafx.scene.input.ClipboardContent;
 import javafx.scene.input.DataFormat;
+import javafx.scene.input.DragEvent;
 import javafx.scene.input.TransferMode;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
@@ -33,12 +34,14 @@ final class StageCard extends VBox {
   private static final PseudoClass OFF = PseudoClass.getPseudoClass("off");
 
   private final ChainStage stage;
+  private final String id;
   private final ToggleSwitch power = new ToggleSwitch();
   private final Label counts = new Label();
   private final MenuItem up;
   private final MenuItem down;
   private final Button expand;
   private final Optional<Record> firstSettings;
+  private final Optional<StageList> inside;
   private final ChainEditor editor;
   private Optional<SettingsPanel<?>> settings = Optional.empty();
   private Optional<Record> adopted = Optional.empty();
@@ -47,15 +50,16 @@ final class StageCard extends VBox {
   private boolean followingStage;
 
   StageCard(StageState state, ChainEditor editor) {
+    this.editor = editor;
     stage = state.stage();
     last = stage.timing();
+    id = editor.path(stage).replace('/', '-');
     String title = Texts.title(stage.name());
     getStyleClass().add("stage");
-    setId("stage-" + stage.name());
+    setId("stage-" + id);
     Optional<Record> record =
         state.settings().filter(found -> found.getClass().getRecordComponents().length > 0);
     firstSettings = record;
-    this.editor = editor;
     Label name = new Label(title);
     name.getStyleClass().add(Styles.TEXT_BOLD);
     name.setMaxWidth(Double.MAX_VALUE);
@@ -63,7 +67,7 @@ final class StageCard extends VBox {
     String help = description();
     Controls.help(name, help);
     HBox.setHgrow(name, Priority.ALWAYS);
-    power.setId("power-" + stage.name());
+    power.setId("power-" + id);
     power.setAccessibleText(title + " on or off");
     power.setSelected(stage.isEnabled());
     power
@@ -80,20 +84,21 @@ final class StageCard extends VBox {
     down = item("down-", "Move down", () -> editor.move(stage, 1));
     MenuButton more = new MenuButton("", Icons.MORE.node(), up, down);
     more.getItems().add(item("remove-", "Remove", () -> editor.remove(stage)));
-    more.setId("more-" + stage.name());
+    more.setId("more-" + id);
     more.setAccessibleText("Move or remove " + title);
     Controls.help(more, "Move or remove");
     more.getStyleClass().addAll(Styles.BUTTON_ICON, Styles.FLAT, Styles.SMALL, Tweaks.NO_ARROW);
     expand =
-        Controls.button(
-            "expand-" + stage.name(), Icons.RIGHT, "Settings of " + title, this::toggleSettings);
+        Controls.button("expand-" + id, Icons.RIGHT, "Settings of " + title, this::toggleSettings);
     expand.getStyleClass().add(Styles.SMALL);
-    expand.setVisible(record.isPresent());
+    inside =
+        stage.filter() instanceof FilterChain ? Optional.of(insideOf(state)) : Optional.empty();
+    expand.setVisible(record.isPresent() || inside.isPresent());
     HBox head = new HBox(2, expand, name, more, power);
     takePart(head);
     head.setAlignment(Pos.CENTER_LEFT);
     head.getStyleClass().add("stage-head");
-    counts.setId("counts-" + stage.name());
+    counts.setId("counts-" + id);
     counts.getStyleClass().addAll(Styles.TEXT_SMALL, "stage-counts");
     Controls.help(
         counts,
@@ -101,6 +106,36 @@ final class StageCard extends VBox {
             + " through, and what a thousand events cost");
     counts.setText("\u2013");
     getChildren().addAll(head, counts);
+    inside.ifPresent(
+        list -> {
+          getChildren().add(list.getParent());
+          showInside(true);
+        });
+  }
+
+  /** The stages of a chain inside the chain, and a menu to add one. */
+  private StageList insideOf(StageState state) {
+    ChainEditor inner = editor.inside(stage);
+    Label empty = new Label("No filters yet.");
+    empty.getStyleClass().add(Styles.TEXT_MUTED);
+    StageList list = new StageList(inner, empty);
+    list.show(state.inside());
+    new VBox(
+            list,
+            new AddFilterMenu(
+                "add-filter-" + id, "Add a filter to " + Texts.title(stage.name()), inner))
+        .getStyleClass()
+        .add("stages-inside");
+    return list;
+  }
+
+  ChainStage stage() {
+    return stage;
+  }
+
+  /** Shows what a chain inside the chain consists of now. */
+  void followInside(StageState state) {
+    inside.ifPresent(list -> list.show(state.inside()));
   }
 
   /** Says whether the stage is the first, the last or both. */
@@ -111,6 +146,7 @@ final class StageCard extends VBox {
 
   /** Shows what the stage did since the last call. */
   void update(long elapsedNanos) {
+    inside.ifPresent(list -> list.update(elapsedNanos));
     if (power.isSelected() != stage.isEnabled() && elapsedNanos > 0) {
       followStage();
     }
@@ -143,7 +179,18 @@ final class StageCard extends VBox {
   }
 
   private void toggleSettings() {
-    showSettings(!settings.map(Node::isVisible).orElse(false));
+    if (inside.isPresent()) {
+      showInside(!inside.get().getParent().isVisible());
+    } else {
+      showSettings(!settings.map(Node::isVisible).orElse(false));
+    }
+  }
+
+  private void showInside(boolean show) {
+    Node box = inside.orElseThrow().getParent();
+    box.setVisible(show);
+    box.setManaged(show);
+    expand.setRotate(show ? 90 : 0);
   }
 
   private void showSettings(boolean show) {
@@ -163,27 +210,36 @@ final class StageCard extends VBox {
     expand.setRotate(show ? 90 : 0);
   }
 
-  /** Shows settings that the filter was given other than by this card. */
-  void adopt(Record newSettings) {
-    adopted = Optional.of(newSettings);
-    settings.ifPresent(panel -> panel.adopt(newSettings));
+  /** Shows settings that a filter was given other than by a card, if it is this one's. */
+  void adopt(ChainStage of, Record newSettings) {
+    inside.ifPresent(list -> list.adopt(of, newSettings));
+    if (of == stage) {
+      adopted = Optional.of(newSettings);
+      settings.ifPresent(panel -> panel.adopt(newSettings));
+    }
   }
 
-  /** Shows those settings only that are searched for; without a search as it was. */
-  void narrow(SettingsSearch newSearch) {
+  /**
+   * Shows those settings only that are searched for; without a search as it was.
+   *
+   * @return whether anything of the card is shown
+   */
+  boolean narrow(SettingsSearch newSearch) {
     boolean wasActive = search.isActive();
     search = newSearch;
-    if (search.isActive()) {
+    boolean any = true;
+    if (inside.isPresent()) {
+      any = inside.get().narrow(search) || !search.isActive();
+    } else if (search.isActive()) {
       showSettings(true);
-      boolean any = settings.map(panel -> panel.narrow(search) > 0).orElse(false);
-      setVisible(any);
-      setManaged(any);
+      any = settings.map(panel -> panel.narrow(search) > 0).orElse(false);
     } else if (wasActive) {
       settings.ifPresent(panel -> panel.narrow(search));
       showSettings(false);
-      setVisible(true);
-      setManaged(true);
     }
+    setVisible(any);
+    setManaged(any);
+    return any;
   }
 
   /** Lets the card be dragged to the place of another one. */
@@ -191,28 +247,40 @@ final class StageCard extends VBox {
     handle.setOnDragDetected(
         event -> {
           ClipboardContent content = new ClipboardContent();
-          content.put(STAGE, stage.name());
+          content.put(STAGE, editor.path(stage));
           handle.startDragAndDrop(TransferMode.MOVE).setContent(content);
           event.consume();
         });
     setOnDragOver(
         event -> {
-          if (event.getDragboard().hasContent(STAGE)) {
+          if (sibling(event).isPresent()) {
             event.acceptTransferModes(TransferMode.MOVE);
             event.consume();
           }
         });
-    setOnDragEntered(
-        event -> pseudoClassStateChanged(TARGET, event.getDragboard().hasContent(STAGE)));
+    setOnDragEntered(event -> pseudoClassStateChanged(TARGET, sibling(event).isPresent()));
     setOnDragExited(event -> pseudoClassStateChanged(TARGET, false));
     setOnDragDropped(
         event -> {
-          if (event.getDragboard().getContent(STAGE) instanceof String dragged) {
-            drop(dragged);
-            event.setDropCompleted(true);
-            event.consume();
-          }
+          sibling(event)
+              .ifPresent(
+                  dragged -> {
+                    drop(dragged);
+                    event.setDropCompleted(true);
+                    event.consume();
+                  });
         });
+  }
+
+  /** The name of the card that is dragged, if it is of the same chain. */
+  private Optional<String> sibling(DragEvent event) {
+    String place = editor.path(stage);
+    int names = place.lastIndexOf('/') + 1;
+    return event.getDragboard().getContent(STAGE) instanceof String path
+            && path.lastIndexOf('/') + 1 == names
+            && path.startsWith(place.substring(0, names))
+        ? Optional.of(path.substring(names))
+        : Optional.empty();
   }
 
   /** Another card was dropped on this one. */
@@ -230,10 +298,10 @@ final class StageCard extends VBox {
     return provider == null ? stage.kind() : provider.description();
   }
 
-  private MenuItem item(String id, String words, Runnable action) {
+  private MenuItem item(String action, String words, Runnable work) {
     MenuItem item = new MenuItem(words);
-    item.setId(id + stage.name());
-    item.setOnAction(event -> action.run());
+    item.setId(action + id);
+    item.setOnAction(event -> work.run());
     return item;
   }
 }

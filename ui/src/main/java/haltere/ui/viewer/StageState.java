@@ -11,8 +11,9 @@ import java.util.Optional;
  *
  * @param stage its timing and whether it is on may be read from any thread
  * @param settings the settings record, empty for a filter without
+ * @param inside the stages of a chain inside the chain, empty for a filter
  */
-record StageState(ChainStage stage, Optional<Record> settings) {
+record StageState(ChainStage stage, Optional<Record> settings, List<StageState> inside) {
   /**
    * All stages of a chain.
    *
@@ -26,7 +27,8 @@ record StageState(ChainStage stage, Optional<Record> settings) {
                     stage,
                     stage.filter() instanceof ConfigurableFilter<?> configurable
                         ? Optional.of((Record) configurable.settings())
-                        : Optional.empty()))
+                        : Optional.empty(),
+                    stage.filter() instanceof FilterChain nested ? of(nested) : List.of()))
         .toList();
   }
 }

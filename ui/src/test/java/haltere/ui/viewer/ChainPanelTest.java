@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.chain.ChainStage;
 import haltere.core.chain.ConfigurableFilter;
+import haltere.core.chain.FilterChain;
 import haltere.core.chain.FilterTiming;
 import haltere.core.settings.SettingsSchema;
 import java.nio.file.Files;
@@ -116,6 +117,39 @@ class ChainPanelTest {
   }
 
   @Test
+  void aChainInsideTheChainHasCardsOfItsOwn() {
+    viewer.click("add-filter");
+    enter("add-filter-search", "filters of its own");
+    viewer.waitFor("a card for the chain", () -> viewer.isThere("stage-chain"));
+    viewer.click("add-filter-chain");
+    fire("add-polarity");
+    viewer.waitFor("a card inside", () -> viewer.isThere("stage-chain-polarity"));
+    ChainStage inner = inside("chain").stages().get(0);
+    viewer.waitFor("events through it", () -> inner.timing().eventsIn() > 0);
+    viewer.waitFor("its counts", () -> viewer.text("counts-chain-polarity").contains("ev/s"));
+    viewer.click("power-chain-polarity");
+    viewer.waitFor("off", () -> !inner.isEnabled());
+    viewer.run(() -> viewer.window.actions().run("undo"));
+    viewer.waitFor("on again", inner::isEnabled);
+
+    Object before = value(inner, "keep");
+    viewer.click("expand-chain-polarity");
+    ChoiceBox<?> keep = viewer.node("choice-chain-polarity-keep", ChoiceBox.class);
+    viewer.run(() -> keep.getSelectionModel().selectNext());
+    viewer.waitFor("the choice", () -> !value(inner, "keep").equals(before));
+    viewer.run(() -> viewer.window.actions().run("undo"));
+    viewer.waitFor("the choice before", () -> value(inner, "keep").equals(before));
+
+    viewer.run(() -> viewer.window.actions().run("undo"));
+    viewer.waitFor("its card is gone", () -> !viewer.isThere("stage-chain-polarity"));
+    assertEquals(List.of(), inside("chain").stages());
+  }
+
+  private FilterChain inside(String stage) {
+    return (FilterChain) viewer.session().chain().stage(stage).filter();
+  }
+
+  @Test
   void aChainIsSavedAndLoaded(@TempDir Path folder) throws Exception {
     Path file = folder.resolve("chain.json");
     viewer.click("expand-" + NOISE);
@@ -178,8 +212,11 @@ class ChainPanelTest {
   }
 
   private Object value(String stage, String name) {
-    var filter = (ConfigurableFilter<?>) viewer.session().chain().stage(stage).filter();
-    return get(filter.settings(), name);
+    return value(viewer.session().chain().stage(stage), name);
+  }
+
+  private static Object value(ChainStage stage, String name) {
+    return get(((ConfigurableFilter<?>) stage.filter()).settings(), name);
   }
 
   @SuppressWarnings("unchecked")

@@ -126,6 +126,9 @@ class MannersTest {
     enter("settings-search", "same polarity");
     viewer.waitFor("it is found", () -> isSeen("check-" + NOISE + "-samePolarity"));
     assertFalse(isSeen("entry-" + NOISE + "-neighbours"));
+    assertFalse(isSeen("settings-none"));
+    enter("settings-search", "no such thing");
+    viewer.waitFor("that there is none", () -> isSeen("settings-none"));
     enter("settings-search", "neighbours");
     viewer.waitFor("another", () -> isSeen("entry-" + NOISE + "-neighbours"));
     enter("entry-" + NOISE + "-neighbours", "2");
@@ -142,8 +145,8 @@ class MannersTest {
   void aFilterIsSearchedByItsSentenceAndAddedByEnter() {
     viewer = ViewerHarness.withBlob();
     viewer.click("add-filter");
-    viewer.waitFor("the search", () -> viewer.isThere("add-search"));
-    TextField search = viewer.node("add-search", TextField.class);
+    viewer.waitFor("the search", () -> viewer.isThere("add-filter-search"));
+    TextField search = viewer.node("add-filter-search", TextField.class);
     viewer.run(() -> search.setText("refractory"));
     viewer.run(() -> search.fireEvent(new ActionEvent()));
     viewer.waitFor("it is added", () -> names().contains("refractory"));

@@ -1,0 +1,78 @@
+package haltere.ui.viewer;
+
+import haltere.core.chain.ChainStage;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import javafx.scene.Node;
+import javafx.scene.layout.VBox;
+
+/**
+ * A card for each stage of a chain, in order.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+final class StageList extends VBox {
+  private final ChainEditor editor;
+  private final Node empty;
+  private final Map<String, StageCard> cardOf = new HashMap<>();
+  private List<StageCard> cards = List.of();
+  private SettingsSearch search = SettingsSearch.ALL;
+
+  /**
+   * A list without stages.
+   *
+   * @param empty shown where there are none
+   */
+  StageList(ChainEditor editor, Node empty) {
+    this.editor = editor;
+    this.empty = empty;
+    getStyleClass().add("cards");
+    getChildren().add(empty);
+  }
+
+  /** Shows a chain, keeping the cards of stages that were there. */
+  void show(List<StageState> stages) {
+    List<StageCard> order = new ArrayList<>();
+    for (StageState state : stages) {
+      StageCard card = cardOf.get(state.stage().name());
+      if (card == null || card.stage() != state.stage()) {
+        card = new StageCard(state, editor);
+        card.narrow(search);
+      } else {
+        card.followInside(state);
+      }
+      order.add(card);
+    }
+    cards = order;
+    cardOf.clear();
+    for (int i = 0; i < order.size(); i++) {
+      cardOf.put(order.get(i).stage().name(), order.get(i));
+      order.get(i).setPlace(i == 0, i == order.size() - 1);
+    }
+    getChildren().setAll(order.isEmpty() ? List.of(empty) : order);
+  }
+
+  /** Shows settings that a filter was given other than by a card. */
+  void adopt(ChainStage of, Record settings) {
+    cards.forEach(card -> card.adopt(of, settings));
+  }
+
+  /** Shows those settings only that are searched for; whether there are any. */
+  boolean narrow(SettingsSearch newSearch) {
+    search = newSearch;
+    boolean any = false;
+    for (StageCard card : cards) {
+      any |= card.narrow(search);
+    }
+    return any;
+  }
+
+  /** Shows what the stages do now; called a few times a second. */
+  void update(long elapsedNanos) {
+    for (int i = 0; i < cards.size(); i++) {
+      cards.get(i).update(elapsedNanos);
+    }
+  }
+}
