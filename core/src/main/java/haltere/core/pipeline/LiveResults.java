@@ -53,6 +53,9 @@ public final class LiveResults implements StreamHandler, Closeable {
   private volatile long lost;
   private volatile boolean closed;
 
+  /** Nothing comes after what waits, not even a notice of loss. */
+  private volatile boolean allPut;
+
   private LiveResults(
       FilterChain chain, LineOutput output, Predicate<String> wanted, Clock clock, int room) {
     this.chain = Objects.requireNonNull(chain, "chain");
@@ -176,7 +179,7 @@ public final class LiveResults implements StreamHandler, Closeable {
       Message next = waiting.take();
       while (next != END) {
         send(next);
-        next = closed && waiting.isEmpty() ? END : waiting.take();
+        next = allPut && waiting.isEmpty() ? END : waiting.take();
       }
     } catch (InterruptedException hurried) {
       // what waits is not sent
@@ -231,6 +234,7 @@ public final class LiveResults implements StreamHandler, Closeable {
       if (untold > 0) {
         waiting.offer(new Message(0, "", untold), PATIENCE_MS, TimeUnit.MILLISECONDS);
       }
+      allPut = true;
       waiting.offer(END);
       thread.join(PATIENCE_MS);
     } catch (InterruptedException hurried) {
