@@ -67,11 +67,14 @@ class PlotPanelTest {
         "the first lane below the head",
         () -> {
           Node lane = plots().lookup(".plot-lane");
+          if (lane == null) {
+            return false; // it is not laid out yet
+          }
           double top = lane.localToScene(lane.getLayoutBounds()).getMinY();
           return lane.getLayoutBounds().getHeight() > 0
               && top >= head.localToScene(head.getLayoutBounds()).getMaxY();
         });
-    assertTrue(viewer.onFx(() -> !plots().lookupAll(".scroll-bar:vertical").isEmpty()));
+    viewer.waitFor("a scroll bar", () -> !plots().lookupAll(".scroll-bar:vertical").isEmpty());
   }
 
   @Test
