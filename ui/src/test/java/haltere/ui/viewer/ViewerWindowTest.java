@@ -213,9 +213,11 @@ class ViewerWindowTest {
     EventView view = viewer.window.view();
     double before = viewer.onFx(view::scale);
     viewer.click("event-view", 0.5, 0.5);
-    viewer.waitFor("the read-out", () -> viewer.text("cursor-readout").startsWith("x 6"));
+    viewer.waitFor("the read-out", () -> viewer.text("cursor-readout").endsWith(" ev/s near"));
     String pixel = viewer.text("cursor-readout");
-    assertTrue(pixel.matches("x 6[345]   y 6[345](   .*near)?"), pixel);
+    String event = "(   (ON|OFF) [^ ]+ [^ ]+ ago   t \\d+ \u00b5s)?";
+    assertTrue(
+        pixel.matches("x 6[345]   y 6[345]" + event + "   [\\d.]+( [kM])? ev/s near"), pixel);
     viewer.wheel("event-view", 3);
     viewer.waitFor("closer", () -> view.scale() > before * 1.5);
     viewer.press(KeyCode.CONTROL, KeyCode.DIGIT0);
