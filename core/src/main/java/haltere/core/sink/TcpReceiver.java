@@ -71,10 +71,12 @@ final class TcpReceiver {
     try (socket;
         OutputStream out = new BufferedOutputStream(socket.getOutputStream(), 1 << 15)) {
       while (true) {
+        // asked for before the queue: what was put there before the end began is still written
+        boolean nothingFollows = ending;
         byte[] line = waiting.poll();
         if (line == null) {
           out.flush();
-          if (ending) {
+          if (nothingFollows) {
             return;
           }
           line = waiting.take();
