@@ -89,36 +89,74 @@ final class Evt3Writer extends EvtWriter {
         i++;
         continue;
       }
-      placeTime(timeUs);
+      if (timeUs >> LOW_BITS != lastUs >> LOW_BITS || !placed) {
+        placeTime(timeUs);
+      }
       room(GROUP_BYTES);
-      if (y != row) {
-        row = y;
-        buffer.putShort((short) y);
-      }
-      int onBit = (address & EventAddress.ON_BIT) << 11;
-      int mask = 1;
-      int next = i + 1;
-      if (x + VECTOR <= width) {
-        int last = address;
-        while (next < size
-            && times[next] == timeUs
-            && addresses[next] > last
-            && ((addresses[next] ^ address) & ROW) == 0
-            && EventAddress.x(addresses[next]) - x < VECTOR) {
-          last = addresses[next++];
-          mask |= 1 << (EventAddress.x(last) - x);
-        }
-      }
-      if (next - i >= SHORTEST_VECTOR) {
-        buffer.putShort((short) (VECT_BASE_X | onBit | x));
-        buffer.putShort((short) (VECT_12 | mask & 0xfff));
-        buffer.putShort((short) (VECT_12 | mask >>> 12 & 0xfff));
-        buffer.putShort((short) (VECT_8 | mask >>> 24));
-        i = next;
-      } else {
-        buffer.putShort((short) (ADDR_X | onBit | x));
+      boolean mayBeVector =
+          i + SHORTEST_VECTOR <= size
+              && times[i + SHORTEST_VECTOR - 1] == timeUs
+              && x + VECTOR <= width;
+      int next = mayBeVector ? endOfVector(times, addresses, i, size) : i + 1;
+      if (next - i < SHORTEST_VECTOR) {
+        putPlace(timeUs, y, ADDR_X | (address & EventAddress.ON_BIT) << 11 | x, 1);
         i++;
+      } else {
+        putPlace(timeUs, y, 0, 0);
+        putVector(addresses, i, next);
+        i = next;
       }
     }
+  }
+
+  /**
+   * Writes, in one go, what an event needs: the low part of the time and the row where they have
+   * changed, then a word if there is one. Eight bytes of room are overwritten by what follows.
+   */
+  private void putPlace(long timeUs, int y, int word, int words) {
+    long group = word;
+    int count = words;
+    if (y != row) {
+      row = y;
+      group = group << Short.SIZE | y;
+      count++;
+    }
+    if (timeUs != lastUs) {
+      lastUs = timeUs;
+      group = group << Short.SIZE | TIME_LOW | (int) timeUs & 0xfff;
+      count++;
+    }
+    int at = buffer.position();
+    buffer.putLong(at, group);
+    buffer.position(at + count * Short.BYTES);
+  }
+
+  private void putVector(int[] addresses, int from, int to) {
+    int x = EventAddress.x(addresses[from]);
+    int mask = 0;
+    for (int i = from; i < to; i++) {
+      mask |= 1 << (EventAddress.x(addresses[i]) - x);
+    }
+    int onBit = (addresses[from] & EventAddress.ON_BIT) << 11;
+    buffer.putShort((short) (VECT_BASE_X | onBit | x));
+    buffer.putShort((short) (VECT_12 | mask & 0xfff));
+    buffer.putShort((short) (VECT_12 | mask >>> 12 & 0xfff));
+    buffer.putShort((short) (VECT_8 | mask >>> 24));
+  }
+
+  /**
+   * Index after the last of the events that follow each other at one time, in ascending columns.
+   */
+  private static int endOfVector(long[] times, int[] addresses, int from, int size) {
+    int first = addresses[from];
+    int next = from + 1;
+    while (next < size
+        && times[next] == times[from]
+        && addresses[next] > addresses[next - 1]
+        && ((addresses[next] ^ first) & ROW) == 0
+        && EventAddress.x(addresses[next]) - EventAddress.x(first) < VECTOR) {
+      next++;
+    }
+    return next;
   }
 }
