@@ -30,26 +30,23 @@ final class SimulatedBiases implements Biases, BiasSliders {
           "shotHz");
 
   private final TunableScene<?> scene;
-  private final Object lock;
-  private final Runnable makeDue;
+  private final SimulatedTransfers transfers;
   private final Map<String, Parameter> parameters = new LinkedHashMap<>();
   private final Map<String, SensorTuning> sets = new LinkedHashMap<>();
   private final Map<Slider, Double> sliders = new EnumMap<>(Slider.class);
 
-  /** What is in effect in the middle of the sliders; guarded by the lock. */
+  /** What is in effect in the middle of the sliders; guarded by the transfers. */
   private SensorTuning middle;
 
   /**
    * Biases.
    *
    * @param scene is tuned
-   * @param lock guards the scene
-   * @param makeDue makes what came before a change, under the lock
+   * @param transfers guard the scene
    */
-  SimulatedBiases(TunableScene<?> scene, Object lock, Runnable makeDue) {
+  SimulatedBiases(TunableScene<?> scene, SimulatedTransfers transfers) {
     this.scene = scene;
-    this.lock = lock;
-    this.makeDue = makeDue;
+    this.transfers = transfers;
     middle = scene.tuning();
     List<Parameter> all =
         Stream.concat(
@@ -94,9 +91,7 @@ final class SimulatedBiases implements Biases, BiasSliders {
   @Override
   public double get(String name) {
     parameter(name);
-    synchronized (lock) {
-      return value(scene.tuning(), name);
-    }
+    return transfers.read(() -> value(scene.tuning(), name));
   }
 
   private static double value(SensorTuning tuning, String name) {
@@ -110,23 +105,19 @@ final class SimulatedBiases implements Biases, BiasSliders {
   @Override
   public void set(String name, double value) {
     parameter(name);
-    synchronized (lock) {
-      SensorTuning now = scene.tuning();
-      try {
-        middle = now.with(name, value);
-      } catch (SettingsProblem outOfRange) {
-        throw new IllegalArgumentException(outOfRange.getMessage(), outOfRange);
-      }
-      middle = new SensorTuning(middle.pixel(), middle.noise(), 0);
-      double balance = sliders.get(Slider.BALANCE);
-      sliders.replaceAll((slider, at) -> slider == Slider.BALANCE ? at : 0.0);
-      tune(new SensorTuning(middle.pixel(), middle.noise(), balance));
-    }
-  }
-
-  private void tune(SensorTuning tuning) {
-    makeDue.run();
-    scene.tune(tuning);
+    transfers.change(
+        () -> {
+          SensorTuning wanted;
+          try {
+            wanted = scene.tuning().with(name, value);
+          } catch (SettingsProblem outOfRange) {
+            throw new IllegalArgumentException(outOfRange.getMessage(), outOfRange);
+          }
+          middle = new SensorTuning(wanted.pixel(), wanted.noise(), 0);
+          double balance = sliders.get(Slider.BALANCE);
+          sliders.replaceAll((slider, at) -> slider == Slider.BALANCE ? at : 0.0);
+          scene.tune(new SensorTuning(middle.pixel(), middle.noise(), balance));
+        });
   }
 
   @Override
@@ -141,18 +132,17 @@ final class SimulatedBiases implements Biases, BiasSliders {
       throw new IllegalArgumentException(
           "there is no set of biases named " + name + "; there are " + sets.keySet());
     }
-    synchronized (lock) {
-      middle = set;
-      sliders.replaceAll((slider, at) -> 0.0);
-      tune(set);
-    }
+    transfers.change(
+        () -> {
+          middle = set;
+          sliders.replaceAll((slider, at) -> 0.0);
+          scene.tune(set);
+        });
   }
 
   @Override
   public double get(Slider slider) {
-    synchronized (lock) {
-      return sliders.get(Objects.requireNonNull(slider, "slider"));
-    }
+    return transfers.read(() -> sliders.get(Objects.requireNonNull(slider, "slider")));
   }
 
   @Override
@@ -160,15 +150,21 @@ final class SimulatedBiases implements Biases, BiasSliders {
     if (!(value >= -1 && value <= 1)) {
       throw new IllegalArgumentException("a slider goes from -1 to 1, not to " + value);
     }
-    synchronized (lock) {
-      sliders.put(slider, value);
-      SensorTuning tuning = middle;
-      tuning = scaled(tuning, "bandwidthHz", Math.pow(10, sliders.get(Slider.BANDWIDTH)));
-      tuning = scaled(tuning, "shotHz", Math.pow(4, sliders.get(Slider.BANDWIDTH)));
-      tuning = scaled(tuning, "threshold", Math.pow(3, sliders.get(Slider.THRESHOLD)));
-      tuning = scaled(tuning, "refractoryUs", Math.pow(10, sliders.get(Slider.REFRACTORY_PERIOD)));
-      tune(new SensorTuning(tuning.pixel(), tuning.noise(), sliders.get(Slider.BALANCE)));
-    }
+    transfers.change(
+        () -> {
+          sliders.put(slider, value);
+          scene.tune(slid());
+        });
+  }
+
+  /** What the sliders make of what is in effect in their middle. */
+  private SensorTuning slid() {
+    SensorTuning tuning = middle;
+    tuning = scaled(tuning, "bandwidthHz", Math.pow(10, sliders.get(Slider.BANDWIDTH)));
+    tuning = scaled(tuning, "shotHz", Math.pow(4, sliders.get(Slider.BANDWIDTH)));
+    tuning = scaled(tuning, "threshold", Math.pow(3, sliders.get(Slider.THRESHOLD)));
+    tuning = scaled(tuning, "refractoryUs", Math.pow(10, sliders.get(Slider.REFRACTORY_PERIOD)));
+    return new SensorTuning(tuning.pixel(), tuning.noise(), sliders.get(Slider.BALANCE));
   }
 
   private SensorTuning scaled(SensorTuning tuning, String name, double factor) {
@@ -179,15 +175,14 @@ final class SimulatedBiases implements Biases, BiasSliders {
 
   /** All biases and sliders, a line each. */
   String text() {
+    SensorTuning tuning = transfers.read(scene::tuning);
     StringBuilder text = new StringBuilder();
-    synchronized (lock) {
-      for (Parameter parameter : parameters.values()) {
-        text.append("bias." + parameter.name())
-            .append(" = " + value(scene.tuning(), parameter.name()))
-            .append(" " + parameter.unit() + "\n");
-      }
-      text.append("bias.balance = " + scene.tuning().balance() + " 1\n");
+    for (Parameter parameter : parameters.values()) {
+      text.append("bias." + parameter.name())
+          .append(" = " + value(tuning, parameter.name()))
+          .append(" " + parameter.unit() + "\n");
     }
+    text.append("bias.balance = " + tuning.balance() + " 1\n");
     return text.toString();
   }
 }

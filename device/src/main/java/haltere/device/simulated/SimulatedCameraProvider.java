@@ -25,24 +25,31 @@ import java.util.function.Supplier;
 public final class SimulatedCameraProvider implements CameraProvider {
   private static final String PREFIX = "simulated:";
 
-  private final LongSupplier nanoTime;
-  private final Supplier<Sleeper> sleepers;
+  /** Makes a camera of a scene. */
+  private interface Maker {
+    Camera make(CameraInfo info, Scene<?> scene, CameraOptions options);
+  }
+
+  private final Maker maker;
   private final Map<String, SensorGeometry> geometries = new ConcurrentHashMap<>();
 
-  /** Called by the service loader. */
+  /** Cameras in real time. Called by the service loader. */
   public SimulatedCameraProvider() {
-    this(System::nanoTime, Sleeper::real);
+    maker = SimulatedCamera::live;
   }
 
   /**
-   * Cameras that live by another clock.
+   * Cameras that live by another clock, and do nothing but when their consumer asks for something.
    *
-   * @param nanoTime real time, nanoseconds from anywhere
-   * @param sleepers make what a camera waits with
+   * @param nanoTime their time, nanoseconds from anywhere
+   * @param sleepers make what a consumer waits with
    */
   public SimulatedCameraProvider(LongSupplier nanoTime, Supplier<Sleeper> sleepers) {
-    this.nanoTime = Objects.requireNonNull(nanoTime, "nanoTime");
-    this.sleepers = Objects.requireNonNull(sleepers, "sleepers");
+    Objects.requireNonNull(nanoTime, "nanoTime");
+    Objects.requireNonNull(sleepers, "sleepers");
+    maker =
+        (info, scene, options) ->
+            SimulatedCamera.stepped(info, scene, options, nanoTime, sleepers.get());
   }
 
   @Override
@@ -80,7 +87,6 @@ public final class SimulatedCameraProvider implements CameraProvider {
           "there is no simulated camera " + info.id() + "; there are " + Scenes.all().keySet());
     }
     Scene<?> scene = provider.create(List.of());
-    return new SimulatedCamera(
-        info(provider, scene.geometry()), scene, options, nanoTime, sleepers.get());
+    return maker.make(info(provider, scene.geometry()), scene, options);
   }
 }

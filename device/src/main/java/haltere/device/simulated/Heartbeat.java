@@ -1,0 +1,57 @@
+package haltere.device.simulated;
+
+import haltere.core.playback.Sleeper;
+import java.util.function.Consumer;
+
+/**
+ * Lets the time of a simulated camera go on by itself, on a thread of its own, as a camera's does
+ * whatever the consumer is busy with.
+ *
+ * <p>Thread rule: all methods may be called from any thread.
+ */
+final class Heartbeat {
+  private final SimulatedTransfers transfers;
+  private final Consumer<Throwable> failed;
+  private final Sleeper sleeper = Sleeper.real();
+  private final Thread thread;
+  private boolean started;
+
+  /**
+   * A heart that does not beat yet.
+   *
+   * @param transfers are made when due
+   * @param name of the camera
+   * @param failed told, on the thread, that the scene failed
+   */
+  Heartbeat(SimulatedTransfers transfers, String name, Consumer<Throwable> failed) {
+    this.transfers = transfers;
+    this.failed = failed;
+    thread = new Thread(this::run, "haltere-" + name);
+    thread.setDaemon(true);
+  }
+
+  synchronized void start() {
+    if (!started) {
+      started = true;
+      thread.start();
+    }
+  }
+
+  /** The camera was plugged in or closed. */
+  void wake() {
+    sleeper.wake();
+  }
+
+  private void run() {
+    try {
+      while (!transfers.isOver()) {
+        transfers.makeDue();
+        sleeper.sleep(transfers.untilNextNanos());
+      }
+    } catch (InterruptedException nobodyDoes) {
+      Thread.currentThread().interrupt();
+    } catch (RuntimeException | Error thrown) {
+      failed.accept(thrown);
+    }
+  }
+}

@@ -1,0 +1,376 @@
+package haltere.device.simulated;
+
+import haltere.core.camera.CameraInfo;
+import haltere.core.camera.CameraOptions;
+import haltere.core.camera.CameraProblem;
+import haltere.core.camera.RegionOfInterest.Region;
+import haltere.core.event.EventPacket;
+import haltere.core.pipeline.LiveBuffer;
+import haltere.core.pipeline.OverflowPolicy;
+import haltere.core.simulation.Scene;
+import haltere.core.stream.DataLost;
+import haltere.core.stream.DeviceLost;
+import haltere.core.stream.EndOfStream;
+import haltere.core.stream.Reset;
+import haltere.core.stream.StreamNotification;
+import haltere.core.stream.StreamStarted;
+import java.util.ArrayDeque;
+import java.util.Optional;
+import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.LongSupplier;
+import java.util.function.Supplier;
+
+/**
+ * The camera's half of a simulated camera: transfers of a millisecond are made when their time has
+ * come and put where the consumer finds them, whether it takes them or not. A bounded number waits;
+ * what finds no room is lost, counted and told.
+ *
+ * <p>Its clock is live. Where making the scene takes so long that it falls behind, the scene stands
+ * still for the time that is missing, and a notice stands there, without a number, for nobody knows
+ * which events there would have been. While the camera is unplugged the scene stands still too, and
+ * the clock starts from 0 when it is plugged in again.
+ *
+ * <p>Thread rule: all methods may be called from any thread; the lock is fair.
+ */
+final class SimulatedTransfers {
+  static final long TRANSFER_US = 1000;
+
+  private static final int TRANSFER_EVENTS = 1024;
+  private static final int WAITING = 1024;
+  private static final long NANOS_PER_US = 1000;
+  private static final long UNKNOWN = -1;
+
+  /** Time that making a scene may take at once, while others wait for the lock. */
+  private static final long MOST_WORK_NANOS = 5_000_000;
+
+  /** The scene may be so much later than the clock, to be made up for. */
+  private static final long MOST_LATE_US = 200_000;
+
+  private final CameraInfo info;
+  private final CameraOptions options;
+  private final LongSupplier nanoTime;
+  private final SimulatedSensor sensor;
+  private final ReentrantLock lock = new ReentrantLock(true);
+
+  // Below: guarded by the lock. Times of the scene count from its beginning.
+  private final ArrayDeque<LiveBuffer> streams = new ArrayDeque<>();
+  private final EventPacket transfer = new EventPacket(TRANSFER_EVENTS);
+  private LiveBuffer filling;
+  private boolean begun;
+  private boolean pluggedIn = true;
+  private boolean closed;
+
+  /** Time of the scene up to which it is made. */
+  private long madeUs;
+
+  /** Time of the scene that the camera's clock calls 0. */
+  private long zeroUs;
+
+  /** When the scene began. */
+  private long anchorNanos;
+
+  private long lastUs = StreamNotification.NO_TIME_US;
+  private boolean behind;
+  private boolean eventsSeen;
+  private long transfers;
+  private long events;
+  private long lostEarlier;
+  private int mostWaiting;
+  private long streamsBegun;
+  private long timesBehind;
+
+  /**
+   * What has become of the transfers.
+   *
+   * @param transfers that were made
+   * @param events in them
+   * @param lost events that nobody got
+   * @param waiting transfers that wait now
+   * @param mostWaiting the most that ever waited
+   * @param streams that were begun
+   * @param timesBehind how often the scene stood still because making it took too long
+   */
+  record Counts(
+      long transfers,
+      long events,
+      long lost,
+      int waiting,
+      int mostWaiting,
+      long streams,
+      long timesBehind) {}
+
+  SimulatedTransfers(
+      CameraInfo info, Scene<?> scene, CameraOptions options, LongSupplier nanoTime) {
+    this.info = info;
+    this.options = options;
+    this.nanoTime = nanoTime;
+    sensor = new SimulatedSensor(scene);
+  }
+
+  // ---- Making
+
+  /** Starts the camera, if it has not been started yet. */
+  void start() {
+    lock.lock();
+    try {
+      if (!begun && !closed && pluggedIn) {
+        begin();
+      }
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private void begin() {
+    begun = true;
+    zeroUs = madeUs;
+    anchorNanos = nanoTime.getAsLong() - madeUs * NANOS_PER_US;
+    lastUs = StreamNotification.NO_TIME_US;
+    behind = false;
+    int waiting = options.waitingBuffers() == 0 ? WAITING : Math.max(2, options.waitingBuffers());
+    OverflowPolicy policy =
+        options.whenFull() == CameraOptions.WhenFull.DROP_OLDEST
+            ? OverflowPolicy.DROP_OLDEST
+            : OverflowPolicy.DROP_NEWEST;
+    filling =
+        new LiveBuffer(
+            info.geometry(), waiting, TRANSFER_EVENTS, policy, info.id() + ": nobody took them");
+    streams.add(filling);
+    streamsBegun++;
+    filling.notified(new StreamStarted(info.geometry(), info.id()));
+  }
+
+  /** Time of the scene that it is now. */
+  private long sceneUs() {
+    return Math.floorDiv(nanoTime.getAsLong() - anchorNanos, NANOS_PER_US);
+  }
+
+  /** Makes the transfers whose time has come, for some milliseconds at the most. */
+  void makeDue() {
+    lock.lock();
+    try {
+      long beginNanos = nanoTime.getAsLong();
+      while (filling != null && madeUs + TRANSFER_US <= sceneUs()) {
+        make(madeUs + TRANSFER_US);
+        if (nanoTime.getAsLong() - beginNanos > MOST_WORK_NANOS) {
+          standStill(sceneUs() - madeUs);
+          return;
+        }
+      }
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** The clock has gone on while the scene was made: what is too late is left out. */
+  private void standStill(long lateUs) {
+    if (lateUs > MOST_LATE_US) {
+      anchorNanos += lateUs * NANOS_PER_US;
+      zeroUs -= lateUs;
+      behind = true;
+      timesBehind++;
+    }
+  }
+
+  private void make(long untilUs) {
+    transfer.clear();
+    sensor.takeUntil(untilUs, zeroUs, transfer);
+    madeUs = untilUs;
+    if (!transfer.isEmpty()) {
+      if (behind) {
+        behind = false;
+        String place = "this computer is too slow to simulate " + info.id();
+        filling.notified(new DataLost(UNKNOWN, UNKNOWN, lastUs, transfer.firstTimeUs(), place));
+      }
+      transfers++;
+      events += transfer.size();
+      lastUs = transfer.lastTimeUs();
+      eventsSeen = true;
+      filling.packet(transfer);
+    }
+    if (sensor.isOver()) {
+      end();
+    }
+  }
+
+  private void end() {
+    LiveBuffer.Counts counts = filling.counts();
+    mostWaiting = Math.max(mostWaiting, counts.mostWaitingPackets());
+    lostEarlier += counts.lost();
+    filling.notified(new EndOfStream(lastUs));
+    filling = null;
+  }
+
+  /** Nanoseconds until the next transfer is due; {@link Long#MAX_VALUE} if none will be. */
+  long untilNextNanos() {
+    lock.lock();
+    try {
+      return filling == null
+          ? Long.MAX_VALUE
+          : Math.max(1, anchorNanos + (madeUs + TRANSFER_US) * NANOS_PER_US - nanoTime.getAsLong());
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  // ---- Taking
+
+  /** The stream that the consumer is at, or null. */
+  LiveBuffer stream() {
+    lock.lock();
+    try {
+      return streams.peek();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** The consumer has seen the end of a stream. */
+  void taken(LiveBuffer stream) {
+    lock.lock();
+    try {
+      streams.remove(stream);
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** Whether nothing more will be made. */
+  boolean isOver() {
+    lock.lock();
+    try {
+      return closed || filling == null && (pluggedIn ? begun : !options.reconnect());
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** Whether the consumer has had all there will be. */
+  boolean isTaken() {
+    lock.lock();
+    try {
+      return streams.isEmpty() && isOver();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  // ---- What it can be asked and told
+
+  Counts counts() {
+    lock.lock();
+    try {
+      int waiting = 0;
+      long lost = lostEarlier;
+      if (filling != null) {
+        LiveBuffer.Counts counts = filling.counts();
+        waiting = counts.waitingPackets();
+        mostWaiting = Math.max(mostWaiting, counts.mostWaitingPackets());
+        lost += counts.lost();
+      }
+      return new Counts(transfers, events, lost, waiting, mostWaiting, streamsBegun, timesBehind);
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** When the camera's clock was 0, by the clock of the computer; empty before the first event. */
+  Optional<Long> zeroNanos() {
+    return read(
+        () -> eventsSeen ? Optional.of(anchorNanos + zeroUs * NANOS_PER_US) : Optional.empty());
+  }
+
+  /** How long ago a time of the camera's clock was. */
+  long sinceUs(long cameraUs) {
+    return read(() -> sceneUs() - zeroUs - cameraUs);
+  }
+
+  /** Asks what changes under the lock only. */
+  <T> T read(Supplier<T> question) {
+    lock.lock();
+    try {
+      return question.get();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** Changes the scene or the sensor, after what came before is made. */
+  void change(Runnable change) {
+    lock.lock();
+    try {
+      makeDue();
+      change.run();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  void resetTimestamps() throws CameraProblem {
+    lock.lock();
+    try {
+      if (filling == null) {
+        throw new CameraProblem(CameraProblem.Kind.GONE, info.id() + " does not run");
+      }
+      makeDue();
+      if (filling != null) {
+        make(Math.max(madeUs, sceneUs()));
+      }
+      if (filling != null) {
+        filling.notified(new Reset(Reset.Cause.CLOCK_RESTARTED, lastUs, 0));
+        zeroUs = madeUs;
+        lastUs = StreamNotification.NO_TIME_US;
+      }
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  Optional<Region> region() {
+    return read(sensor::region);
+  }
+
+  void setRegion(Optional<Region> region) {
+    change(() -> sensor.setRegion(region));
+  }
+
+  void unplug() {
+    change(
+        () -> {
+          pluggedIn = false;
+          if (filling != null) {
+            filling.notified(new DeviceLost(info.id(), lastUs));
+            end();
+          }
+        });
+  }
+
+  void plugIn() {
+    lock.lock();
+    try {
+      boolean wasOut = !pluggedIn;
+      pluggedIn = true;
+      if (wasOut && begun && !closed && options.reconnect() && !sensor.isOver()) {
+        begin();
+      }
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  boolean isPluggedIn() {
+    return read(() -> pluggedIn);
+  }
+
+  void close() {
+    lock.lock();
+    try {
+      if (!closed && filling != null) {
+        end();
+      }
+      closed = true;
+    } finally {
+      lock.unlock();
+    }
+  }
+}
