@@ -59,6 +59,11 @@ record DavisBias(String name, int parameter, Kind kind, int first, int second, i
     return kind == Kind.CURRENT ? FULL_PA[first] * second / FINE : first;
   }
 
+  /** The largest value that the chip can set. */
+  double most() {
+    return kind == Kind.CURRENT ? FULL_PA[FULL_PA.length - 1] : LEVELS;
+  }
+
   Parameter asParameter() {
     boolean current = kind == Kind.CURRENT;
     return new Parameter(
@@ -66,7 +71,7 @@ record DavisBias(String name, int parameter, Kind kind, int first, int second, i
         double.class,
         current ? "pA" : "1/64",
         0,
-        current ? FULL_PA[FULL_PA.length - 1] : LEVELS,
+        most(),
         current,
         switch (kind) {
           case CURRENT -> "Current of the bias " + name + ".";

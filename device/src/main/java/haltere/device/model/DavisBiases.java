@@ -1,14 +1,20 @@
 package haltere.device.model;
 
+import haltere.core.camera.BiasSliders;
 import haltere.core.camera.Biases;
 import haltere.core.camera.CameraProblem;
 import haltere.core.settings.Parameter;
+import haltere.device.model.SliderPositions.Effect;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** The biases of a DAVIS240 or DAVIS346 in physical units; values of the maker's defaults. */
-final class DavisBiases implements Biases {
+/**
+ * The biases of a DAVIS240 or DAVIS346 in physical units; values of the maker's defaults. The
+ * sliders multiply some of them by a ratio; moving a slider starts from the values that were set
+ * last by name or as a set.
+ */
+final class DavisBiases implements Biases, BiasSliders {
   private static final String USUAL = "default";
   private static final String P = "P";
 
@@ -68,15 +74,29 @@ final class DavisBiases implements Biases {
           DavisBias.shiftedSource(35, "SSP"),
           DavisBias.shiftedSource(36, "SSN"));
 
+  /** Ratios of jAER's class for these chips. */
+  private static final List<Effect> EFFECTS =
+      List.of(
+          new Effect(Slider.BANDWIDTH, "PrBp", 30),
+          new Effect(Slider.BANDWIDTH, "PrSFBp", 30),
+          new Effect(Slider.REFRACTORY_PERIOD, "RefrBp", 1.0 / 100),
+          new Effect(Slider.THRESHOLD, "OnBn", 10),
+          new Effect(Slider.THRESHOLD, "OffBn", 1.0 / 10),
+          new Effect(Slider.BALANCE, "DiffBn", 10));
+
   private final DavisRegisters registers;
   private final Map<String, DavisBias> byName = new LinkedHashMap<>();
-  private final Map<String, Double> values = new LinkedHashMap<>();
+
+  /** What is in effect in the middle of the sliders. */
+  private final Map<String, Double> middle = new LinkedHashMap<>();
+
+  private SliderPositions sliders = SliderPositions.middle(EFFECTS);
 
   DavisBiases(DavisRegisters registers, boolean isSmall) {
     this.registers = registers;
     for (DavisBias bias : isSmall ? DAVIS240 : DAVIS346) {
       byName.put(bias.name(), bias);
-      values.put(bias.name(), bias.usual());
+      middle.put(bias.name(), bias.usual());
     }
   }
 
@@ -87,16 +107,28 @@ final class DavisBiases implements Biases {
 
   @Override
   public synchronized double get(String name) {
-    return values.get(bias(name).name());
+    return effective(bias(name), sliders);
+  }
+
+  private double effective(DavisBias bias, SliderPositions positions) {
+    double usual = middle.get(bias.name());
+    double factor = positions.factor(bias.name());
+    return factor == 1 ? usual : bias.nearest(Math.min(bias.most(), usual * factor));
   }
 
   @Override
   public synchronized void set(String name, double value) throws CameraProblem {
     DavisBias bias = bias(name);
-    double wanted = (Double) bias.asParameter().convert(value);
-    double near = bias.nearest(wanted);
-    registers.set(DavisRegisters.BIASES, bias.parameter(), bias.bits(near));
-    values.put(name, near);
+    double near = bias.nearest((Double) bias.asParameter().convert(value));
+    send(bias, near);
+    // What is set by name is what is in effect from now on: the sliders begin anew around it.
+    middle.replaceAll((other, usual) -> effective(bias(other), sliders));
+    middle.put(name, near);
+    sliders = sliders.centred();
+  }
+
+  private void send(DavisBias bias, double value) throws CameraProblem {
+    registers.set(DavisRegisters.BIASES, bias.parameter(), bias.bits(value));
   }
 
   @Override
@@ -111,14 +143,33 @@ final class DavisBiases implements Biases {
           "there is no set of biases " + name + "; there is " + USUAL);
     }
     for (DavisBias bias : byName.values()) {
-      set(bias.name(), bias.usual());
+      send(bias, bias.usual());
+      middle.put(bias.name(), bias.usual());
     }
+    sliders = sliders.centred();
+  }
+
+  @Override
+  public synchronized double get(Slider slider) {
+    return sliders.at(slider);
+  }
+
+  @Override
+  public synchronized void set(Slider slider, double value) throws CameraProblem {
+    SliderPositions moved = sliders.with(slider, value);
+    for (DavisBias bias : byName.values()) {
+      double next = effective(bias, moved);
+      if (next != effective(bias, sliders)) {
+        send(bias, next);
+      }
+    }
+    sliders = moved;
   }
 
   /** Sends all values. */
   synchronized void send() throws CameraProblem {
     for (DavisBias bias : byName.values()) {
-      registers.set(DavisRegisters.BIASES, bias.parameter(), bias.bits(values.get(bias.name())));
+      send(bias, effective(bias, sliders));
     }
   }
 

@@ -1,5 +1,6 @@
 package haltere.device.model;
 
+import haltere.core.camera.BiasSliders;
 import haltere.core.camera.Biases;
 import haltere.core.camera.CameraInfo;
 import haltere.core.camera.CameraProblem;
@@ -142,6 +143,7 @@ final class DavisDriver
   public Map<Class<?>, Object> facets() {
     Map<Class<?>, Object> facets = new HashMap<>();
     facets.put(Biases.class, biases);
+    facets.put(BiasSliders.class, biases);
     facets.put(Configuration.class, settings);
     facets.put(TimestampReset.class, this);
     facets.put(ClockSync.class, this);

@@ -4,9 +4,9 @@ import haltere.core.camera.BiasSliders;
 import haltere.core.camera.Biases;
 import haltere.core.camera.CameraProblem;
 import haltere.core.settings.Parameter;
+import haltere.device.model.SliderPositions.Effect;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -56,23 +56,25 @@ final class Dvs128Biases implements Biases, BiasSliders {
   private static final int LARGEST = (1 << 24) - 1;
   private static final int BYTES = 3;
   private static final int REQUEST = 0xb8;
-  private static final double BANDWIDTH_RATIO = 300;
-  private static final double REFRACTORY_RATIO = 100;
-  private static final double THRESHOLD_RATIO = 10;
-  private static final double BALANCE_RATIO = 10;
+
+  /** Ratios of jAER's class for this chip. */
+  private static final List<Effect> EFFECTS =
+      List.of(
+          new Effect(Slider.BANDWIDTH, Bias.FOLL.label, 300),
+          new Effect(Slider.REFRACTORY_PERIOD, Bias.REFR.label, 1.0 / 300),
+          new Effect(Slider.THRESHOLD, Bias.DIFF_ON.label, 100),
+          new Effect(Slider.THRESHOLD, Bias.DIFF_OFF.label, 1.0 / 100),
+          new Effect(Slider.BALANCE, Bias.DIFF.label, 100));
 
   private final ControlLine line;
   private final Map<String, Bias> byName = new LinkedHashMap<>();
-  private final EnumMap<Slider, Double> sliders = new EnumMap<>(Slider.class);
+  private SliderPositions sliders = SliderPositions.middle(EFFECTS);
   private int[] middle = set(0);
 
   Dvs128Biases(ControlLine line) {
     this.line = line;
     for (Bias bias : Bias.values()) {
       byName.put(bias.label, bias);
-    }
-    for (Slider slider : Slider.values()) {
-      sliders.put(slider, 0.0);
     }
   }
 
@@ -135,23 +137,19 @@ final class Dvs128Biases implements Biases, BiasSliders {
   private void take(int[] values) throws CameraProblem {
     send(values);
     middle = values;
-    sliders.replaceAll((slider, value) -> 0.0);
+    sliders = sliders.centred();
   }
 
   @Override
   public synchronized double get(Slider slider) {
-    return sliders.get(slider);
+    return sliders.at(slider);
   }
 
   @Override
   public synchronized void set(Slider slider, double value) throws CameraProblem {
-    if (!(value >= -1 && value <= 1)) {
-      throw new IllegalArgumentException("a slider stands at -1 to 1, not at " + value);
-    }
-    EnumMap<Slider, Double> moved = new EnumMap<>(sliders);
-    moved.put(slider, value);
+    SliderPositions moved = sliders.with(slider, value);
     send(effective(middle, moved));
-    sliders.put(slider, value);
+    sliders = moved;
   }
 
   /** Sends the values in effect. */
@@ -169,19 +167,13 @@ final class Dvs128Biases implements Biases, BiasSliders {
     line.send(REQUEST, 0, 0, bytes);
   }
 
-  private static int[] effective(int[] middle, Map<Slider, Double> sliders) {
+  private static int[] effective(int[] middle, SliderPositions sliders) {
     int[] values = middle.clone();
-    multiply(values, Bias.FOLL, BANDWIDTH_RATIO, sliders.get(Slider.BANDWIDTH));
-    multiply(values, Bias.REFR, REFRACTORY_RATIO, -sliders.get(Slider.REFRACTORY_PERIOD));
-    multiply(values, Bias.DIFF_ON, THRESHOLD_RATIO, sliders.get(Slider.THRESHOLD));
-    multiply(values, Bias.DIFF_OFF, THRESHOLD_RATIO, -sliders.get(Slider.THRESHOLD));
-    multiply(values, Bias.DIFF, BALANCE_RATIO, sliders.get(Slider.BALANCE));
+    for (Bias bias : Bias.values()) {
+      double value = values[bias.ordinal()] * sliders.factor(bias.label);
+      values[bias.ordinal()] = (int) Math.min(LARGEST, Math.round(value));
+    }
     return values;
-  }
-
-  private static void multiply(int[] values, Bias bias, double ratio, double exponent) {
-    double value = values[bias.ordinal()] * Math.pow(ratio, exponent);
-    values[bias.ordinal()] = (int) Math.max(0, Math.min(LARGEST, Math.round(value)));
   }
 
   private Bias bias(String name) {

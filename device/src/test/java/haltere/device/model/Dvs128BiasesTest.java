@@ -53,8 +53,8 @@ class Dvs128BiasesTest {
   }
 
   @Test
-  void eachSliderMovesItsBiasesByARatioAndBackAgain() throws CameraProblem {
-    sliders.set(Slider.THRESHOLD, 1);
+  void eachSliderMovesItsBiasesByItsRatioAndBackAgain() throws CameraProblem {
+    sliders.set(Slider.THRESHOLD, 0.5);
     assertEquals(2_099_960, biases.get("diffOn"));
     assertEquals(13, biases.get("diffOff"));
     assertEquals(2_099_960, sent(8));
@@ -65,9 +65,17 @@ class Dvs128BiasesTest {
     sliders.set(Slider.BANDWIDTH, 0.5);
     assertEquals(Math.round(271 * Math.sqrt(300)), biases.get("foll"));
     sliders.set(Slider.REFRACTORY_PERIOD, 1);
-    assertEquals(10, biases.get("refr"), "a smaller current is a longer rest");
+    assertEquals(3, biases.get("refr"), "a smaller current is a longer rest");
     sliders.set(Slider.BALANCE, -1);
-    assertEquals(1313, biases.get("diff"));
+    assertEquals(131, biases.get("diff"));
+  }
+
+  @Test
+  void slidersAreMonotoneStayInRangeAndLeaveTheSetAloneInTheMiddle() throws CameraProblem {
+    for (String set : biases.sets()) {
+      biases.apply(set);
+      SliderLaw.check(biases, sliders);
+    }
   }
 
   @Test
