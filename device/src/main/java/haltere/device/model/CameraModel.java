@@ -20,6 +20,17 @@ interface CameraModel {
   /** Whether a device is of this kind. */
   boolean matches(UsbDevice device);
 
+  /**
+   * Asks a camera that is claimed, and tells no number in its descriptor, for one.
+   *
+   * @param transport to ask
+   * @return empty if it has none
+   * @throws CameraProblem if it does not answer
+   */
+  default String serial(UsbTransport transport) throws CameraProblem {
+    return "";
+  }
+
   /** Its sensor, as far as it is known from the outside. */
   SensorGeometry usualGeometry();
 

@@ -32,6 +32,11 @@ final class EvkModel implements CameraModel {
   }
 
   @Override
+  public String serial(UsbTransport transport) throws CameraProblem {
+    return new TreuzellLine(transport).serial();
+  }
+
+  @Override
   public SensorGeometry usualGeometry() {
     return GEOMETRY;
   }
@@ -44,14 +49,11 @@ final class EvkModel implements CameraModel {
   @Override
   public CameraDriver driver(UsbTransport transport, String id, String serial)
       throws CameraProblem {
-    TreuzellLine line = new TreuzellLine(transport);
-    String compatible = line.sensor();
+    String compatible = new TreuzellLine(transport).sensor();
     if (!compatible.contains("imx636")) {
       throw new CameraProblem(
           Kind.UNSUPPORTED, "this camera's sensor is " + compatible + ", and only imx636 is known");
     }
-    return new EvkDriver(
-        new CameraInfo(
-            id, name(), serial.isEmpty() ? line.serial() : serial, GEOMETRY, true, REMARK));
+    return new EvkDriver(new CameraInfo(id, name(), serial, GEOMETRY, true, REMARK));
   }
 }

@@ -16,8 +16,6 @@ import haltere.device.usb.UsbTransport;
 import java.io.InterruptedIOException;
 import java.util.ArrayDeque;
 import java.util.Optional;
-import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.TimeUnit;
 
 /**
  * A camera on USB. The consumer's thread starts it, decodes, and finds it again after it was
@@ -45,18 +43,17 @@ final class UsbCamera implements Camera {
    */
   private record Connection(CameraLink link, CameraStatistics earlier) {}
 
-  private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(200);
-
   private final CameraDriver driver;
   private final CameraOptions options;
   private final Finder finder;
+  private final Lookout lookout;
   private final LatencyHistogram latency = new LatencyHistogram();
   private final ClockWatch clock = new ClockWatch();
-  private final CountDownLatch closing = new CountDownLatch(1);
 
   /** Guards the link: starting, reconnecting and closing exclude each other. */
   private final Object lifecycle = new Object();
 
+  private volatile boolean closing;
   private volatile Connection connection;
   private volatile long streams;
   private volatile long events;
@@ -66,7 +63,6 @@ final class UsbCamera implements Camera {
   private State state = State.READY;
   private StreamAssembly assembly;
   private ReceivedBuffers streaming;
-  private long nextLookNanos;
 
   /**
    * A camera that is set up.
@@ -75,12 +71,15 @@ final class UsbCamera implements Camera {
    * @param link that was made with it
    * @param options how its events come
    * @param finder finds it again
+   * @param lookout says when to look; closed with this
    */
-  UsbCamera(CameraDriver driver, CameraLink link, CameraOptions options, Finder finder) {
+  UsbCamera(
+      CameraDriver driver, CameraLink link, CameraOptions options, Finder finder, Lookout lookout) {
     this.driver = driver;
     connection = new Connection(link, CameraStatistics.NONE);
     this.options = options;
     this.finder = finder;
+    this.lookout = lookout;
   }
 
   @Override
@@ -127,7 +126,7 @@ final class UsbCamera implements Camera {
   private boolean prepare(long nanos) throws CameraProblem, InterruptedIOException {
     long end = System.nanoTime() + Math.min(nanos, Long.MAX_VALUE / 4);
     while (notices.isEmpty() && state != State.OVER) {
-      if (closing.getCount() == 0) {
+      if (closing) {
         endStream();
       } else if (state == State.READY) {
         begin();
@@ -149,7 +148,7 @@ final class UsbCamera implements Camera {
 
   /** Whether the stream came to an end rather than that nothing came in time. */
   private boolean noticeEnd() {
-    if (closing.getCount() == 0) {
+    if (closing) {
       return true;
     }
     if (!streaming.isAtEndOfDevice()) {
@@ -167,7 +166,12 @@ final class UsbCamera implements Camera {
             assembly.lastUs()));
     notices.add(new EndOfStream(assembly.lastUs()));
     closeLink();
-    state = options.reconnect() ? State.AWAY : State.OVER;
+    if (options.reconnect()) {
+      state = State.AWAY;
+      lookout.begin();
+    } else {
+      state = State.OVER;
+    }
     return true;
   }
 
@@ -181,7 +185,7 @@ final class UsbCamera implements Camera {
 
   private void begin() throws CameraProblem {
     synchronized (lifecycle) {
-      if (closing.getCount() == 0) {
+      if (closing) {
         return;
       }
       CameraLink started = connection.link;
@@ -203,28 +207,23 @@ final class UsbCamera implements Camera {
     notices.add(new StreamStarted(geometry(), info().model() + " " + info().serial()));
   }
 
-  /** Looks for the camera every now and then; false if the time is over before the next look. */
+  /** Looks for the camera when it is time to; false if the time is over before. */
   private boolean lookAgain(long nanos) throws InterruptedIOException {
-    long wait = nextLookNanos - System.nanoTime();
     try {
-      if (closing.await(Math.min(nanos, wait), TimeUnit.NANOSECONDS)) {
-        return true;
+      if (!lookout.await(nanos)) {
+        return false;
       }
     } catch (InterruptedException interrupted) {
       Thread.currentThread().interrupt();
       throw new InterruptedIOException("interrupted while waiting for " + info().id());
     }
-    if (nanos < wait) {
-      return false;
-    }
-    nextLookNanos = System.nanoTime() + LOOK_NANOS;
     look();
     return true;
   }
 
   private void look() {
     synchronized (lifecycle) {
-      if (closing.getCount() == 0) {
+      if (closing) {
         return;
       }
       try {
@@ -233,6 +232,7 @@ final class UsbCamera implements Camera {
           CameraLink fresh = new CameraLink(driver, found.get(), options);
           connection = new Connection(fresh, connection.earlier);
           begin();
+          lookout.end();
         }
       } catch (CameraProblem notYet) {
         // Just plugged in, it may not answer yet, or the system has not given it to us yet.
@@ -245,7 +245,8 @@ final class UsbCamera implements Camera {
 
   @Override
   public void close() {
-    closing.countDown();
+    closing = true;
+    lookout.close();
     CameraLink now = connection.link;
     if (now != null) {
       now.buffers().close(); // wakes the consumer, whatever happens on the bus

@@ -24,10 +24,11 @@ import java.util.function.Supplier;
 public final class UsbCameraProvider implements CameraProvider {
   private final Supplier<UsbBus> bus;
   private final List<CameraModel> models;
+  private final Lookout.Pace pace;
 
   /** The cameras on this computer's USB, through libusb. */
   public UsbCameraProvider() {
-    this(LibusbBus::shared, LockSupport::parkNanos);
+    this(LibusbBus::shared, LockSupport::parkNanos, Lookout.Pace.USUAL);
   }
 
   /**
@@ -36,7 +37,7 @@ public final class UsbCameraProvider implements CameraProvider {
    * @param bus where to look
    */
   public UsbCameraProvider(UsbBus bus) {
-    this(() -> bus, LockSupport::parkNanos);
+    this(() -> bus, LockSupport::parkNanos, Lookout.Pace.USUAL);
   }
 
   /**
@@ -44,9 +45,11 @@ public final class UsbCameraProvider implements CameraProvider {
    *
    * @param bus where to look
    * @param pause waits so many nanoseconds while a camera gets ready
+   * @param pace how often to look for a camera that is away
    */
-  UsbCameraProvider(Supplier<UsbBus> bus, LongConsumer pause) {
+  UsbCameraProvider(Supplier<UsbBus> bus, LongConsumer pause, Lookout.Pace pace) {
     this.bus = bus;
+    this.pace = pace;
     models = List.of(new Dvs128Model(), new DavisModel(pause), new EvkModel());
   }
 
@@ -77,7 +80,12 @@ public final class UsbCameraProvider implements CameraProvider {
           throw problem;
         }
         CameraLink link = new CameraLink(driver, transport, options);
-        return new UsbCamera(driver, link, options, () -> findAgain(seen.model, info.id()));
+        return new UsbCamera(
+            driver,
+            link,
+            options,
+            () -> findAgain(seen.model, info.id()),
+            new Lookout(bus.get(), pace));
       }
     }
     throw new CameraProblem(Kind.GONE, "the camera " + info.id() + " is not plugged in");
@@ -130,6 +138,9 @@ public final class UsbCameraProvider implements CameraProvider {
     try (UsbTransport transport = bus.get().open(device)) {
       serial = transport.serialNumber();
       transport.claim();
+      if (serial.isEmpty()) {
+        serial = model.serial(transport);
+      }
     } catch (CameraProblem problem) {
       note = problem.getMessage();
       canOpen = false;

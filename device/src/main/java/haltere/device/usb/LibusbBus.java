@@ -5,6 +5,7 @@ import haltere.core.camera.CameraProblem.Kind;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import org.usb4java.Context;
 import org.usb4java.Device;
 import org.usb4java.DeviceDescriptor;
@@ -14,7 +15,7 @@ import org.usb4java.LibUsb;
 
 /**
  * USB through libusb, which usb4java brings along. One context for the whole program; while a
- * device is open, a thread handles its events.
+ * device is open or somebody watches, a thread handles its events.
  */
 public final class LibusbBus implements UsbBus {
   private static final class Found {
@@ -23,6 +24,7 @@ public final class LibusbBus implements UsbBus {
 
   private Context context;
   private LibusbEvents events;
+  private LibusbChanges changes;
 
   private LibusbBus() {}
 
@@ -33,6 +35,12 @@ public final class LibusbBus implements UsbBus {
    */
   public static LibusbBus shared() {
     return Found.SHARED;
+  }
+
+  @Override
+  public Optional<Watch> watch(Runnable changed) throws CameraProblem {
+    context();
+    return changes.watch(changed);
   }
 
   @Override
@@ -124,6 +132,7 @@ public final class LibusbBus implements UsbBus {
       }
       context = fresh;
       events = new LibusbEvents(fresh);
+      changes = new LibusbChanges(fresh, events);
     }
     return context;
   }

@@ -2,6 +2,7 @@ package haltere.device.usb;
 
 import haltere.core.camera.CameraProblem;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * All devices that are plugged in.
@@ -9,9 +10,27 @@ import java.util.List;
  * <p>Thread rule: all methods may be called from any thread.
  */
 public interface UsbBus {
+  /** Being told of devices that come and go, until it is closed. */
+  interface Watch extends AutoCloseable {
+    /** Nobody is told any more. A second call does nothing. */
+    @Override
+    void close();
+  }
+
   /**
-   * The devices that are plugged in now. Cheap enough to be asked several times a second, which is
-   * how a device that comes back is noticed.
+   * Has somebody told each time that a device was plugged in or pulled out.
+   *
+   * @param changed called on a thread of the bus: returns at once and asks nothing of the bus
+   * @return a watch that the caller closes, or empty where the bus cannot tell, so that {@link
+   *     #devices()} has to be asked every now and then
+   * @throws CameraProblem if USB cannot be used on this computer
+   */
+  default Optional<Watch> watch(Runnable changed) throws CameraProblem {
+    return Optional.empty();
+  }
+
+  /**
+   * The devices that are plugged in now. Cheap enough to be asked several times a second.
    *
    * @return ordered by bus and address
    * @throws CameraProblem if USB cannot be used on this computer

@@ -9,7 +9,6 @@ import haltere.core.camera.CameraProblem;
 import haltere.core.stream.StreamStarted;
 import haltere.testing.usb.Dvs128Firmware;
 import haltere.testing.usb.EmulatedDevice;
-import haltere.testing.usb.TestBus;
 import java.io.IOException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
@@ -25,21 +24,20 @@ abstract class CameraBench {
       new CameraOptions(4, 512, 64, WhenFull.DROP_NEWEST, true, false);
   static final int ENDPOINT = Dvs128Firmware.ENDPOINT;
 
+  final BusUnderTest on;
   final Dvs128Firmware firmware = new Dvs128Firmware("0042");
   UsbCameraProvider provider;
   EmulatedDevice device;
   private int numberOfDevice;
   private int lastNumber;
 
-  /** The bus of all tests of this class. */
-  abstract TestBus bus();
-
-  /** An address that no test has used lately. */
-  abstract int nextNumber();
+  CameraBench(BusUnderTest on) {
+    this.on = on;
+  }
 
   @BeforeEach
   void plugIn() {
-    provider = new UsbCameraProvider(bus().bus());
+    provider = new UsbCameraProvider(on.bus().bus());
     device = plug(firmware);
     numberOfDevice = lastNumber;
   }
@@ -52,16 +50,16 @@ abstract class CameraBench {
 
   EmulatedDevice plug(Dvs128Firmware plugged) {
     int before = provider.list().size();
-    EmulatedDevice fresh = bus().plug(freeNumber(), plugged);
+    EmulatedDevice fresh = on.bus().plug(freeNumber(), plugged);
     await(() -> provider.list().size() > before);
     return fresh;
   }
 
   /** Many come and go while one stays plugged in. */
   private int freeNumber() {
-    int number = nextNumber();
+    int number = on.numbers().getAsInt();
     if (device != null && !device.isUnplugged() && number == numberOfDevice) {
-      number = nextNumber();
+      number = on.numbers().getAsInt();
     }
     lastNumber = number;
     return number;

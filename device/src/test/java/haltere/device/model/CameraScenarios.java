@@ -31,6 +31,10 @@ import org.junit.jupiter.api.Test;
 
 /** What a driver has to live through, whatever the bus: finding, asking, streaming, faults. */
 abstract class CameraScenarios extends CameraBench {
+  CameraScenarios(BusUnderTest on) {
+    super(on);
+  }
+
   // ---- Finding and opening
 
   @Test
@@ -318,7 +322,7 @@ abstract class CameraScenarios extends CameraBench {
 
   @Test
   void aBulkReadThatNobodyAnswersIsGivenUp() throws IOException {
-    try (UsbTransport transport = bus().bus().open(bus().bus().devices().get(0))) {
+    try (UsbTransport transport = on.bus().bus().open(on.bus().bus().devices().get(0))) {
       transport.claim();
 
       CameraProblem problem =

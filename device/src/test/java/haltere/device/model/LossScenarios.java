@@ -17,16 +17,24 @@ import haltere.core.stream.DataLost;
 import haltere.core.stream.DeviceLost;
 import haltere.core.stream.EndOfStream;
 import haltere.core.stream.StreamStarted;
+import haltere.device.usb.UsbBus;
+import haltere.device.usb.UsbDevice;
+import haltere.device.usb.UsbTransport;
 import haltere.testing.usb.Dvs128Firmware;
 import haltere.testing.usb.EmulatedDevice;
 import java.io.IOException;
 import java.util.List;
 import java.util.Random;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.Test;
 
 /** Loss, unplugging, coming back, closing, whatever the bus: every event is accounted for. */
 abstract class LossScenarios extends CameraBench {
+  LossScenarios(BusUnderTest on) {
+    super(on);
+  }
+
   @Test
   void aSlowConsumerLosesTheNewestAndIsToldHowMany() throws IOException {
     try (Camera camera = open(SMALL)) {
@@ -121,7 +129,7 @@ abstract class LossScenarios extends CameraBench {
       log.untilA(EndOfStream.class);
 
       Dvs128Firmware again = new Dvs128Firmware("0042");
-      device = bus().plug(nextNumber(), again);
+      device = on.bus().plug(on.numbers().getAsInt(), again);
       log.until(() -> camera.statistics().streams() == 2);
       assertArrayEquals(biases, again.biases());
       again.event(3, 1, 2, true);
@@ -130,6 +138,55 @@ abstract class LossScenarios extends CameraBench {
 
       assertEquals(3, log.all.timeUs(10));
       assertEquals(0, log.lost);
+    }
+  }
+
+  /** Looks for a camera so seldom that it does not, for a test. */
+  private static final long NEVER = TimeUnit.HOURS.toNanos(1);
+
+  @Test
+  void whereTheBusTellsNobodyHasToLookForACameraThatIsBack() throws IOException {
+    provider = lookingEvery(on.bus().bus(), new Lookout.Pace(NEVER, NEVER));
+    assertThatItIsFoundAgain();
+  }
+
+  @Test
+  void whereTheBusCannotTellTheCameraIsLookedForEveryNowAndThen() throws IOException {
+    provider =
+        lookingEvery(
+            new SilentBus(on.bus().bus()),
+            new Lookout.Pace(TimeUnit.MILLISECONDS.toNanos(5), NEVER));
+    assertThatItIsFoundAgain();
+  }
+
+  private static UsbCameraProvider lookingEvery(UsbBus bus, Lookout.Pace pace) {
+    return new UsbCameraProvider(() -> bus, LockSupport::parkNanos, pace);
+  }
+
+  private void assertThatItIsFoundAgain() throws IOException {
+    try (Camera camera = open(SMALL.withReconnect(true))) {
+      StreamLog log = started(camera);
+      for (int time = 2; time <= 4; time++) {
+        int streams = time;
+        device.unplug();
+        log.until(() -> log.ends() == streams - 1);
+        assertFalse(camera.await(0), "it is away");
+        device = on.bus().plug(on.numbers().getAsInt(), new Dvs128Firmware("0042"));
+        log.until(() -> camera.statistics().streams() == streams);
+      }
+    }
+  }
+
+  /** A bus that does not tell of changes, as libusb on Windows. */
+  private record SilentBus(UsbBus bus) implements UsbBus {
+    @Override
+    public List<UsbDevice> devices() throws CameraProblem {
+      return bus.devices();
+    }
+
+    @Override
+    public UsbTransport open(UsbDevice device) throws CameraProblem {
+      return bus.open(device);
     }
   }
 

@@ -4,6 +4,7 @@ import haltere.core.camera.Camera;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorReading;
 import haltere.core.stream.DataLost;
+import haltere.core.stream.EndOfStream;
 import haltere.core.stream.StreamGrammar;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
@@ -58,6 +59,11 @@ final class StreamLog implements StreamHandler {
   <T> T untilA(Class<T> type) throws IOException {
     until(() -> items.stream().anyMatch(type::isInstance));
     return type.cast(items.stream().filter(type::isInstance).findFirst().orElseThrow());
+  }
+
+  /** Streams that have ended. */
+  long ends() {
+    return items.stream().filter(EndOfStream.class::isInstance).count();
   }
 
   /** Consumes all that is there now, and whether the stream is over. */

@@ -27,6 +27,7 @@ public final class DavisFirmware implements Firmware {
   private final Map<Integer, Integer> registers = new TreeMap<>();
   private final List<String> log = new CopyOnWriteArrayList<>();
   private final AtomicLong eventsSent = new AtomicLong();
+  private final AtomicLong bytesSent = new AtomicLong();
   private final ByteArrayOutputStream packet = new ByteArrayOutputStream();
   private volatile EmulatedDevice device;
   private long nowUs = -1;
@@ -127,6 +128,16 @@ public final class DavisFirmware implements Firmware {
       events += code == 2 || code == 3 ? 1 : 0;
     }
     eventsSent.addAndGet(events);
+    bytesSent.addAndGet(length);
+  }
+
+  /**
+   * Bytes of data that have gone over the wire to the host.
+   *
+   * @return an exact count
+   */
+  public long bytesSent() {
+    return bytesSent.get();
   }
 
   /**

@@ -15,9 +15,12 @@ public final class EvkFirmware implements Firmware {
   public static final int ENDPOINT = 0x81;
 
   private static final int ANSWERS = 0x82;
+  private static final int STREAM = 0x4001_0200;
   private static final int FAILED = 1 << 31;
   private volatile EmulatedDevice device;
   private volatile boolean streaming;
+  private volatile boolean refusingStream;
+  private volatile String sensor = "psee,ccam5_imx636";
 
   @Override
   public byte[] deviceDescriptor() {
@@ -58,18 +61,40 @@ public final class EvkFirmware implements Firmware {
     return streaming;
   }
 
+  /**
+   * Has another sensor on the board.
+   *
+   * @param compatible what it says that it is compatible with
+   */
+  public void setSensor(String compatible) {
+    sensor = compatible;
+  }
+
+  /**
+   * Refuses the command that starts and stops the stream.
+   *
+   * @param refuse whether it does
+   */
+  public void refuseStream(boolean refuse) {
+    refusingStream = refuse;
+  }
+
   @Override
   public void written(int endpoint, byte[] data) {
     ByteBuffer command = ByteBuffer.wrap(data).order(ByteOrder.LITTLE_ENDIAN);
     int property = command.getInt();
     command.getInt();
+    if (refusingStream && property == STREAM) {
+      answer(property | FAILED, ByteBuffer.allocate(0));
+      return;
+    }
     switch (property) {
       case 0x72 -> answer(property, ByteBuffer.allocate(4).put(new byte[] {0x21, 0x43, 0, 0}));
       case 0x10003 -> {
-        byte[] text = "psee,ccam5_imx636\0".getBytes(StandardCharsets.ISO_8859_1);
+        byte[] text = (sensor + "\0").getBytes(StandardCharsets.ISO_8859_1);
         answer(property, ByteBuffer.allocate(4 + text.length).putInt(0).put(text));
       }
-      case 0x4001_0200 -> {
+      case STREAM -> {
         command.getInt();
         streaming = command.getInt() == 1;
         answer(property, ByteBuffer.allocate(0));

@@ -9,7 +9,9 @@ import haltere.device.usb.UsbTransport;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CopyOnWriteArrayList;
 
 /**
  * A bus in memory: the same devices as those of {@link UsbEmulator}, without libusb, so on every
@@ -19,6 +21,20 @@ import java.util.concurrent.ConcurrentHashMap;
  */
 public final class MemoryBus implements UsbBus, TestBus {
   private final Map<UsbDevice, EmulatedDevice> plugged = new ConcurrentHashMap<>();
+  private final List<Watching> watching = new CopyOnWriteArrayList<>();
+
+  private final class Watching implements Watch {
+    private final Runnable changed;
+
+    Watching(Runnable changed) {
+      this.changed = changed;
+    }
+
+    @Override
+    public void close() {
+      watching.remove(this);
+    }
+  }
 
   @Override
   public UsbBus bus() {
@@ -35,10 +51,23 @@ public final class MemoryBus implements UsbBus, TestBus {
         () -> {
           plugged.remove(seen);
           device.endAll();
+          tell();
         });
     firmware.attached(device);
     plugged.put(seen, device);
+    tell();
     return device;
+  }
+
+  private void tell() {
+    watching.forEach(each -> each.changed.run());
+  }
+
+  @Override
+  public Optional<Watch> watch(Runnable changed) {
+    Watching fresh = new Watching(changed);
+    watching.add(fresh);
+    return Optional.of(fresh);
   }
 
   private static int word(byte[] bytes, int at) {

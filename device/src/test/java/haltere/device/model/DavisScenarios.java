@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import haltere.core.camera.BiasSliders;
+import haltere.core.camera.BiasSliders.Slider;
 import haltere.core.camera.Biases;
 import haltere.core.camera.Camera;
 import haltere.core.camera.CameraOptions;
@@ -16,42 +18,28 @@ import haltere.core.camera.RegionOfInterest;
 import haltere.core.event.Frame;
 import haltere.core.event.InertialSample;
 import haltere.core.event.Trigger;
-import haltere.core.stream.StreamStarted;
 import haltere.testing.usb.DavisFirmware;
-import haltere.testing.usb.MemoryBus;
 import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-class DavisTest {
+/** What a DAVIS is told and what it tells, whatever the bus. */
+abstract class DavisScenarios extends DeviceBench<DavisFirmware> {
   private static final CameraOptions OPTIONS =
       new CameraOptions(4, 512, 64, WhenFull.DROP_NEWEST, true, false);
 
-  private final MemoryBus bus = new MemoryBus();
-  private final DavisFirmware firmware = new DavisFirmware("00000123");
-  private final UsbCameraProvider provider = new UsbCameraProvider(() -> bus, nanos -> {});
-
-  @BeforeEach
-  void plugIn() {
-    bus.plug(5, firmware);
+  DavisScenarios(BusUnderTest on) {
+    super(on);
   }
 
-  @AfterEach
-  void unplug() {
-    bus.close();
+  @Override
+  DavisFirmware newFirmware() {
+    return new DavisFirmware("00000123");
   }
 
   private Camera open() throws CameraProblem {
-    return provider.open(provider.list().get(0), OPTIONS);
-  }
-
-  private StreamLog started(Camera camera) throws IOException {
-    StreamLog log = new StreamLog(camera);
-    log.untilA(StreamStarted.class);
-    return log;
+    return open(OPTIONS);
   }
 
   @Test
@@ -169,16 +157,17 @@ class DavisTest {
 
   @Test
   void whatIsLostLeavesTimeAndRowBehind() throws IOException {
-    try (Camera camera = provider.open(provider.list().get(0), OPTIONS.withBuffers(2, 512, 2))) {
+    try (Camera camera = open(OPTIONS.withBuffers(2, 512, 2))) {
       StreamLog log = started(camera);
       int count = 20_000;
       for (int i = 0; i < count; i++) {
         firmware.event(i * 10L, i % 346, i % 260, true);
       }
       firmware.endPacket();
-      CameraBench.await(() -> firmware.eventsSent() == count);
-      long bytes = camera.statistics().bytes();
-      CameraBench.await(() -> camera.statistics().bytes() >= bytes);
+      CameraBench.await(
+          () ->
+              firmware.eventsSent() == count
+                  && camera.statistics().bytes() == firmware.bytesSent());
       log.drain();
       firmware.word(0x3000 | 7); // the row and the time of before
       firmware.endPacket();
@@ -208,6 +197,32 @@ class DavisTest {
       assertEquals(6054.0 * 42 / 255, biases.get("DiffBn"), 1e-9);
       assertThrows(IllegalArgumentException.class, () -> biases.set("DiffBn", 1e9));
     }
+  }
+
+  @Test
+  void slidersMoveBiasesByRatios() throws IOException {
+    try (Camera camera = open()) {
+      Biases biases = camera.facet(Biases.class).orElseThrow();
+      BiasSliders sliders = camera.facet(BiasSliders.class).orElseThrow();
+      double usual = biases.get("PrBp");
+
+      sliders.set(Slider.BANDWIDTH, 1);
+
+      assertEquals(usual * 30, biases.get("PrBp"), usual * 0.1);
+      assertEquals(biases.get("PrBp"), currentPa(firmware.register(5, 14)), 1);
+      biases.set("DiffBn", 1000);
+      assertEquals(usual * 30, biases.get("PrBp"), usual * 0.1, "it stays as it was");
+      assertEquals(0, sliders.get(Slider.BANDWIDTH), "which is the middle now");
+      biases.apply("default");
+      assertEquals(usual, biases.get("PrBp"));
+      SliderLaw.check(biases, sliders);
+    }
+  }
+
+  /** The current of a coarse and a fine part, by the full scales of the chip's makers. */
+  private static double currentPa(int bits) {
+    double[] fullPa = {11, 94, 756, 6054, 48_437, 387_500, 3_100_000, 24_800_000};
+    return fullPa[bits >> 12] * (bits >> 4 & 0xff) / 255;
   }
 
   @Test
@@ -245,6 +260,59 @@ class DavisTest {
       assertThrows(
           IllegalArgumentException.class,
           () -> region.setRegion(Optional.of(new RegionOfInterest.Region(340, 0, 20, 60))));
+    }
+  }
+
+  @Test
+  void aDavis240HasItsOwnSizeBiasesAndDoubledSamples() throws IOException {
+    firmware.preset(6, 1, 2);
+    firmware.preset(1, 0, 240);
+    firmware.preset(1, 1, 180);
+    try (Camera camera = open()) {
+      assertEquals("DAVIS240C", camera.info().model());
+      assertEquals("240x180", camera.geometry().toString());
+      assertEquals(2 << 12 | 58 << 4 | 0xd, firmware.register(5, 8), "PrBp is of P type");
+      assertEquals(33 << 10 | 1 << 4, firmware.register(5, 20), "a shifted source");
+      StreamLog log = started(camera);
+      firmware.frame(2000, 10, 20, new int[][] {{400, 300}});
+      firmware.event(3000, 239, 179, true);
+      firmware.endPacket();
+      log.untilEvents(1);
+
+      assertEquals(239, log.all.x(0));
+      assertEquals(0, log.all.y(0));
+      Frame frame = (Frame) log.items.get(1);
+      assertEquals(1023 - 800 << 6, frame.value(0, 1, 0), "twice 400 is missing from the whole");
+    }
+  }
+
+  @Test
+  void pluggedInAgainItGetsAllItsSettings() throws IOException {
+    try (Camera camera = open(OPTIONS.withReconnect(true))) {
+      camera.facet(Biases.class).orElseThrow().set("DiffBn", 1000);
+      camera.facet(Configuration.class).orElseThrow().set("frames.exposureUs", 1500);
+      camera
+          .facet(RegionOfInterest.class)
+          .orElseThrow()
+          .setRegion(Optional.of(new RegionOfInterest.Region(10, 0, 20, 60)));
+      StreamLog log = started(camera);
+      firmware.event(7, 3, 0, true);
+      firmware.endPacket();
+      log.untilEvents(1);
+      device.unplug();
+      log.until(() -> log.ends() == 1);
+
+      DavisFirmware again = newFirmware();
+      plug(again);
+      log.until(() -> camera.statistics().streams() == 2);
+
+      assertEquals(3 << 12 | 42 << 4 | 0xf, again.register(5, 10));
+      assertEquals(1500 * 30, again.register(2, 12));
+      assertEquals(29, again.register(1, 43));
+      again.event(9, 3, 0, true);
+      again.endPacket();
+      log.untilEvents(2);
+      assertEquals(9, log.all.timeUs(1));
     }
   }
 }

@@ -1,0 +1,102 @@
+package haltere.device.model;
+
+import haltere.core.camera.CameraProblem;
+import haltere.device.usb.UsbBus;
+import java.util.Optional;
+import java.util.concurrent.Semaphore;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * Says when to look for a camera that is away: at once when something is plugged in, where the bus
+ * tells; often for some seconds after that, for the system may not have handed the device to this
+ * user yet; and now and then in any case.
+ *
+ * <p>Thread rule: one thread begins, waits and ends; {@link #close} from any.
+ */
+final class Lookout implements AutoCloseable {
+  /**
+   * How often to look.
+   *
+   * @param oftenNanos where the bus does not tell, and after it has told
+   * @param rarelyNanos where the bus tells and has not
+   */
+  record Pace(long oftenNanos, long rarelyNanos) {
+    /** Five times a second, or every two seconds. */
+    static final Pace USUAL =
+        new Pace(TimeUnit.MILLISECONDS.toNanos(200), TimeUnit.SECONDS.toNanos(2));
+  }
+
+  private static final long GETTING_READY_NANOS = TimeUnit.SECONDS.toNanos(3);
+
+  private final UsbBus bus;
+  private final Pace pace;
+  private final Semaphore woken = new Semaphore(0);
+  private Optional<UsbBus.Watch> watch = Optional.empty();
+  private boolean closed;
+
+  // The waiting thread's own.
+  private long nextNanos;
+  private long oftenUntilNanos;
+
+  Lookout(UsbBus bus, Pace pace) {
+    this.bus = bus;
+    this.pace = pace;
+  }
+
+  /** The camera is away: the first look is now. */
+  void begin() {
+    synchronized (this) {
+      if (!closed) {
+        watch = watch();
+      }
+    }
+    nextNanos = System.nanoTime();
+    oftenUntilNanos = nextNanos + GETTING_READY_NANOS;
+  }
+
+  private Optional<UsbBus.Watch> watch() {
+    try {
+      return bus.watch(woken::release);
+    } catch (CameraProblem cannotTell) {
+      return Optional.empty();
+    }
+  }
+
+  /**
+   * Waits until it is time to look, or this is closed.
+   *
+   * @param nanos at most so long
+   * @return false if that is over before
+   */
+  boolean await(long nanos) throws InterruptedException {
+    long wait = nextNanos - System.nanoTime();
+    if (woken.tryAcquire(Math.max(0, Math.min(nanos, wait)), TimeUnit.NANOSECONDS)) {
+      woken.drainPermits();
+      oftenUntilNanos = System.nanoTime() + GETTING_READY_NANOS;
+    } else if (nanos < wait) {
+      return false;
+    }
+    long now = System.nanoTime();
+    boolean often = now - oftenUntilNanos < 0 || !isTold();
+    nextNanos = now + (often ? pace.oftenNanos : pace.rarelyNanos);
+    return true;
+  }
+
+  private synchronized boolean isTold() {
+    return watch.isPresent();
+  }
+
+  /** The camera is back. */
+  synchronized void end() {
+    watch.ifPresent(UsbBus.Watch::close);
+    watch = Optional.empty();
+  }
+
+  /** Nobody looks any more; who waits wakes up. */
+  @Override
+  public synchronized void close() {
+    closed = true;
+    end();
+    woken.release();
+  }
+}

@@ -1,0 +1,78 @@
+package haltere.device.usb;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.usb4java.Context;
+import org.usb4java.HotplugCallbackHandle;
+import org.usb4java.LibUsb;
+
+/**
+ * Tells of devices that come and go, by libusb's hot-plug callbacks where it has them: on Linux and
+ * macOS, not on Windows. One callback for the program, which is never taken back: usb4java forgets
+ * a callback that is taken back while libusb may be on its way to call it.
+ *
+ * <p>Thread rule: all methods may be called from any thread; whoever watches is told by the thread
+ * of {@link LibusbEvents}.
+ */
+final class LibusbChanges {
+  private static final int GO_ON = 0;
+
+  private final Context context;
+  private final LibusbEvents events;
+  private final HotplugCallbackHandle handle = new HotplugCallbackHandle();
+  private final List<Watching> watching = new CopyOnWriteArrayList<>();
+  private boolean registered;
+
+  LibusbChanges(Context context, LibusbEvents events) {
+    this.context = context;
+    this.events = events;
+  }
+
+  Optional<UsbBus.Watch> watch(Runnable changed) {
+    if (!register()) {
+      return Optional.empty();
+    }
+    Watching fresh = new Watching(changed);
+    watching.add(fresh);
+    events.join();
+    return Optional.of(fresh);
+  }
+
+  private synchronized boolean register() {
+    if (!registered && LibUsb.hasCapability(LibUsb.CAP_HAS_HOTPLUG)) {
+      int result =
+          LibUsb.hotplugRegisterCallback(
+              context,
+              LibUsb.HOTPLUG_EVENT_DEVICE_ARRIVED | LibUsb.HOTPLUG_EVENT_DEVICE_LEFT,
+              LibUsb.HOTPLUG_NO_FLAGS,
+              LibUsb.HOTPLUG_MATCH_ANY,
+              LibUsb.HOTPLUG_MATCH_ANY,
+              LibUsb.HOTPLUG_MATCH_ANY,
+              (of, device, event, data) -> {
+                watching.forEach(each -> each.changed.run());
+                return GO_ON;
+              },
+              null,
+              handle);
+      registered = result == LibUsb.SUCCESS;
+    }
+    return registered;
+  }
+
+  /** Somebody who is told; one object for each who asked, also if they ask for the same. */
+  private final class Watching implements UsbBus.Watch {
+    private final Runnable changed;
+
+    Watching(Runnable changed) {
+      this.changed = changed;
+    }
+
+    @Override
+    public void close() {
+      if (watching.remove(this)) {
+        events.leave();
+      }
+    }
+  }
+}
