@@ -10,7 +10,6 @@ import haltere.core.stream.StreamNotification;
 import haltere.core.stream.StreamStarted;
 import java.io.IOException;
 import java.io.InterruptedIOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -37,8 +36,7 @@ public final class DecodingReader implements RecordingReader {
   private final SensorGeometry geometry;
   private final List<String> remarks;
   private final int packetEvents;
-  private final boolean keepIndex;
-  private final String topic;
+  private final KeptIndex indexes;
   private final EventCursor.Factory cursors;
   private final ViolationCounts violations;
   private final EventCursor cursor;
@@ -109,11 +107,11 @@ public final class DecodingReader implements RecordingReader {
     this.file = file;
     this.geometry = Objects.requireNonNull(geometry, "geometry");
     this.remarks = new ArrayList<>(remarks);
-    keepIndex = options.keepIndex();
-    topic = options.topic().orElse("");
     packetEvents = options.packetEvents();
     this.violations = violations;
     this.cursors = cursors;
+    String reading = String.join("|", formatName, geometry.toString(), options.topic().orElse(""));
+    indexes = new KeptIndex(file, reading, options.keepIndex(), cursors);
     this.readings = readings;
     if (options.readings() && readings.isPresent()) {
       order = new ReadingOrder(readings.get().open(readingViolations));
@@ -310,47 +308,9 @@ public final class DecodingReader implements RecordingReader {
 
   private TimeIndex index() throws IOException {
     if (index == null) {
-      String reading = String.join("|", formatName, geometry.toString(), topic);
-      byte[] identity = IndexFile.identity(file, reading + "|" + cursor.streamNumber());
-      Optional<TimeIndex> kept = keptIndex(identity);
-      if (kept.isPresent()) {
-        index = kept.get();
-      } else {
-        try (EventCursor scanner = cursors.open(new ViolationCounts())) {
-          index = TimeIndex.scan(file.path(), scanner);
-        }
-        if (keepIndex) {
-          keep(identity);
-        }
-      }
+      index = indexes.find(cursor, remarks);
     }
     return index;
-  }
-
-  /** The index beside the recording, if there is one and it is of this recording. */
-  private Optional<TimeIndex> keptIndex(byte[] identity) {
-    Path beside = IndexFile.beside(file.path());
-    if (!Files.exists(beside)) {
-      return Optional.empty();
-    }
-    try {
-      Optional<TimeIndex> kept = IndexFile.read(file.path(), identity, cursor.stateLongs());
-      if (kept.isEmpty()) {
-        remarks.add(beside + " is not the index of this recording as it is now and is passed over");
-      }
-      return kept;
-    } catch (IOException e) {
-      remarks.add(beside + " cannot be read and is passed over: " + e.getMessage());
-      return Optional.empty();
-    }
-  }
-
-  private void keep(byte[] identity) {
-    try {
-      IndexFile.write(file.path(), identity, index);
-    } catch (IOException e) {
-      remarks.add("the index could not be kept beside the recording: " + e.getMessage());
-    }
   }
 
   @Override
