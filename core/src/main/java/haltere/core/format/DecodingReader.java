@@ -198,8 +198,10 @@ public final class DecodingReader implements RecordingReader {
   private void giveNotification(StreamHandler handler) {
     if (restart) {
       restart = false;
-      Reset reset = new Reset(Reset.Cause.CLOCK_RESTARTED, cursor.lastUs(), cursor.restartUs());
-      cursor.acceptRestart();
+      Reset reset =
+          new Reset(
+              Reset.Cause.CLOCK_RESTARTED, cursor.times().lastUs(), cursor.times().restartUs());
+      cursor.times().acceptRestart();
       handler.notified(reset);
     } else {
       state = State.ENDED;

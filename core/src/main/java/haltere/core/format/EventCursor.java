@@ -20,7 +20,7 @@ public interface EventCursor extends Closeable {
     /** The packet is full, or a piece of the file is done: ask again. */
     MORE,
     /**
-     * The clock goes back with the next event; it comes after {@link EventCursor#acceptRestart()}.
+     * The clock goes back with the next event; it comes after {@link EventTimes#acceptRestart()}.
      */
     CLOCK_WENT_BACK,
     /** There is nothing more. */
@@ -107,22 +107,11 @@ public interface EventCursor extends Closeable {
   Stop read(EventPacket out, int maxEvents) throws IOException;
 
   /**
-   * Time of the last event.
+   * Where it is in time, and how to go on where the clock goes back.
    *
-   * @return microseconds, or {@link haltere.core.stream.StreamNotification#NO_TIME_US} before the
-   *     first
+   * @return always the same object, which changes
    */
-  long lastUs();
-
-  /**
-   * Time of the first event of the new segment, after {@link #read} said that the clock went back.
-   *
-   * @return microseconds
-   */
-  long restartUs();
-
-  /** Goes on after the clock went back, without memory of the last time. */
-  void acceptRestart();
+  EventTimes times();
 
   /**
    * How far it is.

@@ -90,18 +90,8 @@ public final class FileCursor implements EventCursor {
   }
 
   @Override
-  public long lastUs() {
-    return decoder.lastUs();
-  }
-
-  @Override
-  public long restartUs() {
-    return decoder.restartUs();
-  }
-
-  @Override
-  public void acceptRestart() {
-    decoder.acceptRestart();
+  public EventTimes times() {
+    return decoder.times();
   }
 
   @Override

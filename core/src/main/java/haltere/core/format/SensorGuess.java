@@ -40,7 +40,7 @@ public final class SensorGuess {
       packet.clear();
       stop = cursor.read(packet, PACKET_EVENTS);
       if (stop == EventCursor.Stop.CLOCK_WENT_BACK) {
-        cursor.acceptRestart();
+        cursor.times().acceptRestart();
       }
       for (int i = 0; i < packet.size(); i++) {
         right = Math.max(right, packet.x(i) + 1);

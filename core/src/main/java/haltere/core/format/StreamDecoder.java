@@ -27,7 +27,7 @@ public interface StreamDecoder {
    * @param out events are appended; its capacity may grow beyond {@code maxEvents}
    * @param maxEvents events that the packet may hold
    * @return true if the clock went back at the input's position: the event there will be decoded,
-   *     as the first of a new segment, after {@link #acceptRestart()}
+   *     as the first of a new segment, after {@link EventTimes#acceptRestart()}
    */
   boolean decode(ByteBuffer in, long offset, EventPacket out, int maxEvents);
 
@@ -56,23 +56,11 @@ public interface StreamDecoder {
   }
 
   /**
-   * Time of the last event.
+   * Where it is in time, and how to go on where the clock goes back.
    *
-   * @return microseconds, or {@link haltere.core.stream.StreamNotification#NO_TIME_US} before the
-   *     first
+   * @return always the same object, which changes
    */
-  long lastUs();
-
-  /**
-   * Time of the first event of the new segment, after {@link #decode} said that the clock went
-   * back.
-   *
-   * @return microseconds
-   */
-  long restartUs();
-
-  /** Goes on after the clock went back, without memory of the last time. */
-  void acceptRestart();
+  EventTimes times();
 
   /**
    * How many numbers {@link #save} needs.

@@ -55,7 +55,7 @@ final class TimeIndex {
         throw new InterruptedIOException("interrupted while indexing " + path);
       }
       cursor.save(state, 0);
-      long lastUs = cursor.lastUs();
+      long lastUs = cursor.times().lastUs();
       long offset = cursor.positionBytes();
       packet.clear();
       stop = cursor.read(packet, SCAN_EVENTS);
@@ -69,14 +69,14 @@ final class TimeIndex {
       }
       if (stop == EventCursor.Stop.CLOCK_WENT_BACK) {
         if (inSegment) {
-          index.segments.add(new TimeSegment(segmentFirstUs, cursor.lastUs()));
+          index.segments.add(new TimeSegment(segmentFirstUs, cursor.times().lastUs()));
         }
         inSegment = false;
-        cursor.acceptRestart();
+        cursor.times().acceptRestart();
       }
     } while (stop != EventCursor.Stop.END);
     if (inSegment) {
-      index.segments.add(new TimeSegment(segmentFirstUs, cursor.lastUs()));
+      index.segments.add(new TimeSegment(segmentFirstUs, cursor.times().lastUs()));
     }
     return index;
   }

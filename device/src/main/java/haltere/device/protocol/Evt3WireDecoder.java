@@ -53,7 +53,7 @@ public final class Evt3WireDecoder implements WireDecoder {
     in.limit(limit);
     count();
     if (restarted) {
-      decoder.acceptRestart();
+      decoder.times().acceptRestart();
       return Stop.CLOCK_RESET;
     }
     if (in.position() < stop && out.size() >= maxEvents) {

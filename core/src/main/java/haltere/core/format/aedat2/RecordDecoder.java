@@ -1,12 +1,13 @@
 package haltere.core.format.aedat2;
 
 import haltere.core.event.EventPacket;
+import haltere.core.format.EventTimes;
 import haltere.core.format.RecordingClock;
 import haltere.core.format.StreamDecoder;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
 import haltere.core.format.WrappingClock;
-import haltere.core.stream.StreamNotification;
+import haltere.core.format.WrappingTimes;
 import java.nio.ByteBuffer;
 
 /**
@@ -27,11 +28,10 @@ public final class RecordDecoder implements StreamDecoder {
   private final AddressDecoder addresses;
   private final int recordBytes;
   private final WrappingClock clock;
+  private final WrappingTimes times;
   private final ViolationCounts violations;
   private final long[] run = new long[RUN];
   private long countedTo;
-  private boolean restarted;
-  private long restartUs;
 
   /**
    * A decoder before the first record.
@@ -50,6 +50,7 @@ public final class RecordDecoder implements StreamDecoder {
     this.recordBytes = recordBytes;
     this.violations = violations;
     clock = new WrappingClock(1L << 32, firstTurnUs);
+    times = new WrappingTimes(clock);
   }
 
   @Override
@@ -58,7 +59,7 @@ public final class RecordDecoder implements StreamDecoder {
     int start = in.position();
     int position = start;
     int end = in.limit() - recordBytes;
-    while (position <= end && out.size() < maxEvents && !restarted) {
+    while (position <= end && out.size() < maxEvents && !times.restarted()) {
       int records =
           Math.min(Math.min(RUN, maxEvents - out.size()), (in.limit() - position) / recordBytes);
       long at = offset + (position - start);
@@ -69,7 +70,7 @@ public final class RecordDecoder implements StreamDecoder {
       countedTo = Math.max(countedTo, offset + (position - start));
     }
     in.position(position);
-    return restarted;
+    return times.restarted();
   }
 
   private boolean decodeRun(ByteBuffer in, int position, int records, long at, EventPacket out) {
@@ -112,14 +113,11 @@ public final class RecordDecoder implements StreamDecoder {
         continue;
       }
       long timeUs = clock.read(in.getInt(from + recordBytes - 4));
-      if (clock.goesBack(timeUs)) {
-        restarted = true;
-        restartUs = timeUs;
+      if (!times.take(timeUs)) {
         count(Violation.CLOCK_WENT_BACK, at + (long) i * recordBytes);
         countedTo = Math.max(countedTo, at + (i + 1L) * recordBytes);
         return i;
       }
-      clock.take(timeUs);
       out.append(timeUs, address);
     }
     return records;
@@ -154,43 +152,22 @@ public final class RecordDecoder implements StreamDecoder {
   }
 
   @Override
-  public long lastUs() {
-    return clock.started() ? clock.lastUs() : StreamNotification.NO_TIME_US;
-  }
-
-  @Override
-  public long restartUs() {
-    return restartUs;
-  }
-
-  @Override
-  public void acceptRestart() {
-    if (!restarted) {
-      throw new IllegalStateException("the clock did not go back");
-    }
-    restarted = false;
-    clock.take(restartUs);
-    clock.reset(clock.turnUs());
+  public EventTimes times() {
+    return times;
   }
 
   @Override
   public int stateLongs() {
-    return 2;
+    return WrappingTimes.STATE_LONGS;
   }
 
   @Override
   public void save(long[] state, int at) {
-    state[at] = clock.turnUs();
-    state[at + 1] = lastUs();
+    times.save(state, at);
   }
 
   @Override
   public void restore(long[] state, int at) {
-    restarted = false;
-    if (state[at + 1] == StreamNotification.NO_TIME_US) {
-      clock.reset(state[at]);
-    } else {
-      clock.resume(state[at], state[at + 1]);
-    }
+    times.restore(state, at);
   }
 }

@@ -4,11 +4,12 @@ import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
+import haltere.core.format.AscendingTimes;
+import haltere.core.format.EventTimes;
 import haltere.core.format.RecordingClock;
 import haltere.core.format.StreamDecoder;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
-import haltere.core.stream.StreamNotification;
 import java.nio.ByteBuffer;
 
 /**
@@ -34,9 +35,7 @@ public final class Aedat3Decoder implements StreamDecoder {
   private long skip;
   private long turnUs;
   private long source = NO_SOURCE;
-  private long lastUs = StreamNotification.NO_TIME_US;
-  private long restartUs;
-  private boolean restarted;
+  private final AscendingTimes times = new AscendingTimes();
   private boolean lost;
 
   /**
@@ -61,7 +60,7 @@ public final class Aedat3Decoder implements StreamDecoder {
     int start = in.position();
     int position = start;
     int limit = in.limit();
-    while (position < limit && out.size() < maxEvents && !restarted) {
+    while (position < limit && out.size() < maxEvents && !times.restarted()) {
       long at = offset + (position - start);
       if (events > 0) {
         int there = (limit - position) / EVENT_BYTES;
@@ -83,7 +82,7 @@ public final class Aedat3Decoder implements StreamDecoder {
       }
     }
     in.position(position);
-    return restarted;
+    return times.restarted();
   }
 
   /** Reads a header; returns how many bytes to go on. */
@@ -136,13 +135,11 @@ public final class Aedat3Decoder implements StreamDecoder {
         continue;
       }
       long timeUs = turnUs + (time & Integer.MAX_VALUE);
-      if (timeUs < lastUs) {
+      if (times.goesBack(timeUs)) {
         violations.add(Violation.CLOCK_WENT_BACK, offset + (long) i * EVENT_BYTES);
-        restarted = true;
-        restartUs = timeUs;
         return i;
       }
-      lastUs = timeUs;
+      times.advance(timeUs);
       out.append(timeUs, EventAddress.pack(x, fromTop ? height - 1 - y : y, word >>> 1 & 1));
     }
     return count;
@@ -154,22 +151,8 @@ public final class Aedat3Decoder implements StreamDecoder {
   }
 
   @Override
-  public long lastUs() {
-    return lastUs;
-  }
-
-  @Override
-  public long restartUs() {
-    return restartUs;
-  }
-
-  @Override
-  public void acceptRestart() {
-    if (!restarted) {
-      throw new IllegalStateException("the clock did not go back");
-    }
-    restarted = false;
-    lastUs = StreamNotification.NO_TIME_US;
+  public EventTimes times() {
+    return times;
   }
 
   @Override
@@ -184,18 +167,17 @@ public final class Aedat3Decoder implements StreamDecoder {
     state[at + 1] = skip;
     state[at + 2] = turnUs;
     state[at + 3] = source;
-    state[at + 4] = lastUs;
+    state[at + 4] = times.lastUs();
     state[at + 5] = lost ? 1 : 0;
   }
 
   @Override
   public void restore(long[] state, int at) {
-    restarted = false;
     events = state[at];
     skip = state[at + 1];
     turnUs = state[at + 2];
     source = state[at + 3];
-    lastUs = state[at + 4];
+    times.restore(state[at + 4]);
     lost = state[at + 5] != 0;
   }
 }

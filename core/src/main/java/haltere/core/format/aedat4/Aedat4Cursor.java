@@ -3,7 +3,9 @@ package haltere.core.format.aedat4;
 import haltere.core.event.EventPacket;
 import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
+import haltere.core.format.AscendingTimes;
 import haltere.core.format.EventCursor;
+import haltere.core.format.EventTimes;
 import haltere.core.format.RecordingClock;
 import haltere.core.format.RecordingFile;
 import haltere.core.format.RecordingOutline;
@@ -29,7 +31,7 @@ final class Aedat4Cursor implements EventCursor {
   static final int EVENT_BYTES = 16;
 
   /** Numbers that say where a cursor is. */
-  static final int STATE_LONGS = 4;
+  static final int STATE_LONGS = 3;
 
   /** So many packets in order before a thread is started that helps. */
   private static final int PACKETS_ALONE = 8;
@@ -63,9 +65,7 @@ final class Aedat4Cursor implements EventCursor {
   private boolean inPacket;
   private long count;
   private long index;
-  private long lastUs;
-  private boolean started;
-  private long restartUs;
+  private final AscendingTimes times = new AscendingTimes();
 
   Aedat4Cursor(
       RecordingFile file,
@@ -247,15 +247,13 @@ final class Aedat4Cursor implements EventCursor {
   private boolean copy(EventPacket out, int maxEvents) {
     EventPacket decoded = slot.events();
     int from = (int) index;
-    if (started && decoded.timeUs(from) < lastUs) {
+    if (times.goesBack(decoded.timeUs(from))) {
       violations.add(Violation.CLOCK_WENT_BACK, offset(index));
-      restartUs = decoded.timeUs(from);
       return true;
     }
     int to = Math.min(decoded.size(), from + maxEvents - out.size());
     out.append(decoded, from, to);
-    lastUs = out.lastTimeUs();
-    started = true;
+    times.advance(out.lastTimeUs());
     index = to;
     violations.reached(offset(index));
     return false;
@@ -263,10 +261,11 @@ final class Aedat4Cursor implements EventCursor {
 
   /** Decodes events as long as nothing is odd about them; if something is, none. */
   private boolean decodeRun(int run, EventPacket out) {
-    if (!started || !events.decode(unpacker.data(), unpacker.from(), run, lastUs, out)) {
+    if (times.lastUs() == StreamNotification.NO_TIME_US
+        || !events.decode(unpacker.data(), unpacker.from(), run, times.lastUs(), out)) {
       return false;
     }
-    lastUs = out.lastTimeUs();
+    times.advance(out.lastTimeUs());
     return true;
   }
 
@@ -283,13 +282,11 @@ final class Aedat4Cursor implements EventCursor {
         violations.add(Violation.OUTSIDE_SENSOR, offset(index + i));
         continue;
       }
-      if (started && time < lastUs) {
+      if (times.goesBack(time)) {
         violations.add(Violation.CLOCK_WENT_BACK, offset(index + i));
-        restartUs = time;
         return i;
       }
-      lastUs = time;
-      started = true;
+      times.advance(time);
       boolean on = (word & 0xff * POLARITY) != 0;
       out.append(time, x, top ? geometry.height() - 1 - y : y, on);
     }
@@ -307,18 +304,8 @@ final class Aedat4Cursor implements EventCursor {
   }
 
   @Override
-  public long lastUs() {
-    return started ? lastUs : StreamNotification.NO_TIME_US;
-  }
-
-  @Override
-  public long restartUs() {
-    return restartUs;
-  }
-
-  @Override
-  public void acceptRestart() {
-    started = false;
+  public EventTimes times() {
+    return times;
   }
 
   @Override
@@ -354,19 +341,17 @@ final class Aedat4Cursor implements EventCursor {
   }
 
   /** What {@link #save} gives before a packet. */
-  static void save(long[] state, long position, long lastUs, boolean started) {
+  static void save(long[] state, long position, long lastUs) {
     state[0] = position;
     state[1] = 0;
     state[2] = lastUs;
-    state[3] = started ? 1 : 0;
   }
 
   @Override
   public void save(long[] state, int at) {
     state[at] = walk.position();
     state[at + 1] = inPacket ? index : 0;
-    state[at + 2] = lastUs;
-    state[at + 3] = started ? 1 : 0;
+    state[at + 2] = times.lastUs();
   }
 
   @Override
@@ -375,8 +360,7 @@ final class Aedat4Cursor implements EventCursor {
     stopAhead();
     alone = false;
     inPacket = false;
-    lastUs = state[at + 2];
-    started = state[at + 3] != 0;
+    times.restore(state[at + 2]);
     long skipped = state[at + 1];
     if (skipped > 0 && nextPacket()) {
       try {

@@ -6,6 +6,7 @@ import haltere.core.format.RecordingOutline;
 import haltere.core.format.packed.DamagedPacketException;
 import haltere.core.format.packed.FileWindow;
 import haltere.core.format.packed.LittleEndian;
+import haltere.core.stream.StreamNotification;
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.Optional;
@@ -165,10 +166,10 @@ final class PacketTable {
   /** Goes through the packets, as {@link haltere.core.format.EventCursor#visitPieces}. */
   void visit(PieceVisitor visitor) throws IOException {
     long[] state = new long[Aedat4Cursor.STATE_LONGS];
-    long beforeUs = 0;
+    long beforeUs = StreamNotification.NO_TIME_US;
     for (int at = 0; at < count * COLUMNS; at += COLUMNS) {
-      boolean goesOn = at > 0 && packets[at + 3] >= beforeUs;
-      Aedat4Cursor.save(state, packets[at], beforeUs, goesOn);
+      boolean goesOn = packets[at + 3] >= beforeUs;
+      Aedat4Cursor.save(state, packets[at], goesOn ? beforeUs : StreamNotification.NO_TIME_US);
       visitor.piece(state, packets[at], packets[at + 3], packets[at + 4]);
       beforeUs = packets[at + 4];
     }

@@ -3,6 +3,7 @@ package haltere.core.format.bag;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.EventCursor;
+import haltere.core.format.EventTimes;
 import haltere.core.format.RecordingClock;
 import haltere.core.format.StreamDecoder;
 import haltere.core.format.Violation;
@@ -174,18 +175,8 @@ final class BagCursor implements EventCursor {
   }
 
   @Override
-  public long lastUs() {
-    return decoder.lastUs();
-  }
-
-  @Override
-  public long restartUs() {
-    return decoder.restartUs();
-  }
-
-  @Override
-  public void acceptRestart() {
-    decoder.acceptRestart();
+  public EventTimes times() {
+    return decoder.times();
   }
 
   @Override

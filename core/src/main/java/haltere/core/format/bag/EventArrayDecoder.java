@@ -96,16 +96,16 @@ final class EventArrayDecoder extends MessageDecoder {
   /** Decodes events as long as nothing is odd about them; if something is, none. */
   private boolean decodeRun(
       byte[] data, int from, int events, int stride, int pixel, int seconds, EventPacket out) {
-    if (lastUs == StreamNotification.NO_TIME_US) {
+    if (times.lastUs() == StreamNotification.NO_TIME_US) {
       return false;
     }
     VarHandle ints = LittleEndian.INT;
     int size = out.size();
-    long[] times = out.timesUs();
+    long[] timesUs = out.timesUs();
     int[] addresses = out.addresses();
     int maxX = width - 1;
     int maxRow = top;
-    long last = lastUs;
+    long last = times.lastUs();
     long back = 0;
     int odd = 0;
     int at = from;
@@ -120,13 +120,13 @@ final class EventArrayDecoder extends MessageDecoder {
       odd |= maxX - x | maxRow - row | on | 1 - on | second | nanosecond | NS_PER_S - nanosecond;
       back |= time - last;
       last = time;
-      times[size + i] = time;
+      timesUs[size + i] = time;
       addresses[size + i] = maxRow - row << EventAddress.Y_SHIFT | x << EventAddress.X_SHIFT | on;
     }
     if (odd < 0 || back < 0) {
       return false;
     }
-    lastUs = last;
+    times.advance(last);
     out.setSize(size + events);
     return true;
   }

@@ -3,10 +3,11 @@ package haltere.core.format.bag;
 import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.format.AscendingTimes;
+import haltere.core.format.EventTimes;
 import haltere.core.format.StreamDecoder;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
-import haltere.core.stream.StreamNotification;
 
 /**
  * What the decoders of messages have in common whose times count from one in the message. Rows
@@ -20,9 +21,7 @@ abstract class MessageDecoder implements StreamDecoder {
   final int width;
   final int top;
   final ViolationCounts violations;
-  long lastUs = StreamNotification.NO_TIME_US;
-  private boolean restarted;
-  private long restartUs;
+  final AscendingTimes times = new AscendingTimes();
 
   MessageDecoder(SensorGeometry geometry, ViolationCounts violations) {
     width = geometry.width();
@@ -43,34 +42,18 @@ abstract class MessageDecoder implements StreamDecoder {
       violations.add(Violation.OUTSIDE_SENSOR, offset);
       return true;
     }
-    if (timeUs < lastUs) {
-      restarted = true;
-      restartUs = timeUs;
+    if (times.goesBack(timeUs)) {
       violations.add(Violation.CLOCK_WENT_BACK, offset);
       return false;
     }
-    lastUs = timeUs;
+    times.advance(timeUs);
     out.append(timeUs, EventAddress.pack(x, top - row, on));
     return true;
   }
 
   @Override
-  public final long lastUs() {
-    return lastUs;
-  }
-
-  @Override
-  public final long restartUs() {
-    return restartUs;
-  }
-
-  @Override
-  public final void acceptRestart() {
-    if (!restarted) {
-      throw new IllegalStateException("the clock did not go back");
-    }
-    restarted = false;
-    lastUs = StreamNotification.NO_TIME_US;
+  public final EventTimes times() {
+    return times;
   }
 
   @Override
@@ -80,12 +63,11 @@ abstract class MessageDecoder implements StreamDecoder {
 
   @Override
   public void save(long[] state, int at) {
-    state[at] = lastUs;
+    state[at] = times.lastUs();
   }
 
   @Override
   public void restore(long[] state, int at) {
-    restarted = false;
-    lastUs = state[at];
+    times.restore(state[at]);
   }
 }

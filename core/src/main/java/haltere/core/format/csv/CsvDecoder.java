@@ -2,11 +2,12 @@ package haltere.core.format.csv;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.format.AscendingTimes;
+import haltere.core.format.EventTimes;
 import haltere.core.format.RecordingClock;
 import haltere.core.format.StreamDecoder;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
-import haltere.core.stream.StreamNotification;
 import java.nio.ByteBuffer;
 
 /**
@@ -29,9 +30,7 @@ final class CsvDecoder implements StreamDecoder {
   private final CsvRow exactRow;
 
   private final byte[] piece = new byte[PIECE + PADDING];
-  private long lastUs = StreamNotification.NO_TIME_US;
-  private boolean restarted;
-  private long restartUs;
+  private final AscendingTimes times = new AscendingTimes();
   private boolean inLongRow;
 
   CsvDecoder(CsvLayout layout, SensorGeometry geometry, ViolationCounts violations) {
@@ -45,11 +44,11 @@ final class CsvDecoder implements StreamDecoder {
     out.ensureCapacity(maxEvents);
     int start = in.position();
     int position = start;
-    while (position < in.limit() && out.size() < maxEvents && !restarted) {
+    while (position < in.limit() && out.size() < maxEvents && !times.restarted()) {
       int length = Math.min(PIECE, in.limit() - position);
       in.get(position, piece, 0, length);
       int used = decodePiece(length, offset + (position - start), out, maxEvents);
-      if (used == 0 && !restarted) {
+      if (used == 0 && !times.restarted()) {
         used = length >= MAX_ROW ? skipLongRow(length, offset + (position - start)) : 0;
         if (used == 0) {
           break;
@@ -58,7 +57,7 @@ final class CsvDecoder implements StreamDecoder {
       position += used;
     }
     in.position(position);
-    return restarted;
+    return times.restarted();
   }
 
   /** A row without an end in sight is passed over up to its end. */
@@ -87,8 +86,10 @@ final class CsvDecoder implements StreamDecoder {
         continue;
       }
       int before = out.size();
-      row = plainRows.decode(piece, row, last, out, maxEvents, lastUs);
-      lastUs = out.size() > before ? out.lastTimeUs() : lastUs;
+      row = plainRows.decode(piece, row, last, out, maxEvents, times.lastUs());
+      if (out.size() > before) {
+        times.advance(out.lastTimeUs());
+      }
       if (row > last || out.size() == maxEvents) {
         break;
       }
@@ -112,14 +113,12 @@ final class CsvDecoder implements StreamDecoder {
       violations.add(Violation.OUTSIDE_SENSOR, offset);
       return true;
     }
-    if (exactRow.timeUs() < lastUs) {
-      restarted = true;
-      restartUs = exactRow.timeUs();
+    if (times.goesBack(exactRow.timeUs())) {
       violations.add(Violation.CLOCK_WENT_BACK, offset);
       return false;
     }
-    lastUs = exactRow.timeUs();
-    out.append(lastUs, exactRow.address());
+    times.advance(exactRow.timeUs());
+    out.append(exactRow.timeUs(), exactRow.address());
     return true;
   }
 
@@ -133,10 +132,10 @@ final class CsvDecoder implements StreamDecoder {
     in.get(in.position(), piece, 0, length);
     piece[length] = '\n';
     boolean whole =
-        exactRow.parse(piece, 0) && exactRow.address() >= 0 && exactRow.timeUs() >= lastUs;
+        exactRow.parse(piece, 0) && exactRow.address() >= 0 && exactRow.timeUs() >= times.lastUs();
     if (whole) {
-      lastUs = exactRow.timeUs();
-      out.append(lastUs, exactRow.address());
+      times.advance(exactRow.timeUs());
+      out.append(exactRow.timeUs(), exactRow.address());
       in.position(in.limit());
     }
     return whole;
@@ -148,22 +147,8 @@ final class CsvDecoder implements StreamDecoder {
   }
 
   @Override
-  public long lastUs() {
-    return lastUs;
-  }
-
-  @Override
-  public long restartUs() {
-    return restartUs;
-  }
-
-  @Override
-  public void acceptRestart() {
-    if (!restarted) {
-      throw new IllegalStateException("the clock did not go back");
-    }
-    restarted = false;
-    lastUs = StreamNotification.NO_TIME_US;
+  public EventTimes times() {
+    return times;
   }
 
   @Override
@@ -173,14 +158,13 @@ final class CsvDecoder implements StreamDecoder {
 
   @Override
   public void save(long[] state, int at) {
-    state[at] = lastUs;
+    state[at] = times.lastUs();
     state[at + 1] = inLongRow ? 1 : 0;
   }
 
   @Override
   public void restore(long[] state, int at) {
-    restarted = false;
-    lastUs = state[at];
+    times.restore(state[at]);
     inLongRow = state[at + 1] != 0;
   }
 }

@@ -3,12 +3,13 @@ package haltere.core.format.dat;
 import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.format.EventTimes;
 import haltere.core.format.RecordingClock;
 import haltere.core.format.StreamDecoder;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
 import haltere.core.format.WrappingClock;
-import haltere.core.stream.StreamNotification;
+import haltere.core.format.WrappingTimes;
 import java.nio.ByteBuffer;
 import java.nio.LongBuffer;
 
@@ -57,14 +58,12 @@ public final class DatDecoder implements StreamDecoder {
   private final boolean usual;
   private final ViolationCounts violations;
   private final WrappingClock clock;
+  private final WrappingTimes times;
 
   /** Records on their way; an array is read faster than a buffer. */
   private final long[] stage = new long[RUN];
 
   private final long[] wideAddresses = new long[RUN];
-
-  private boolean restarted;
-  private long restartUs;
 
   /**
    * A decoder before the first record.
@@ -83,6 +82,7 @@ public final class DatDecoder implements StreamDecoder {
     usual = layout.equals(Layout.VERSION_2);
     this.violations = violations;
     clock = new WrappingClock(1L << 32, firstTurnUs);
+    times = new WrappingTimes(clock);
   }
 
   @Override
@@ -92,7 +92,7 @@ public final class DatDecoder implements StreamDecoder {
     int start = in.position();
     int position = start;
     int end = start + (in.remaining() & -RECORD_BYTES);
-    while (position < end && out.size() < maxEvents && !restarted) {
+    while (position < end && out.size() < maxEvents && !times.restarted()) {
       int records =
           Math.min(RUN, Math.min(maxEvents - out.size(), (end - position) / RECORD_BYTES));
       words.get((position - start) / RECORD_BYTES, stage, 0, records);
@@ -102,7 +102,7 @@ public final class DatDecoder implements StreamDecoder {
       position += records * RECORD_BYTES;
     }
     in.position(position);
-    return restarted;
+    return times.restarted();
   }
 
   /**
@@ -123,12 +123,12 @@ public final class DatDecoder implements StreamDecoder {
   }
 
   /** Numbers of one width and no branch: the compiler does several records at once. */
-  private void prepare(int count, long turnUs, long[] times, int size) {
+  private void prepare(int count, long turnUs, long[] timesUs, int size) {
     long[] records = stage;
     long[] wide = wideAddresses;
     long topRow = (long) top << EventAddress.Y_SHIFT;
     for (int i = 0; i < count; i++) {
-      times[size + i] = turnUs + (records[i] & UNSIGNED);
+      timesUs[size + i] = turnUs + (records[i] & UNSIGNED);
     }
     for (int i = 0; i < count; i++) {
       long word = records[i] >>> 32;
@@ -143,7 +143,7 @@ public final class DatDecoder implements StreamDecoder {
   /** Puts the addresses into the packet; false if there is anything odd. */
   private boolean finish(int count, long beforeUs, EventPacket out) {
     long[] wide = wideAddresses;
-    long[] times = out.timesUs();
+    long[] timesUs = out.timesUs();
     int[] addresses = out.addresses();
     int size = out.size();
     long right = width - 1L << EventAddress.X_SHIFT;
@@ -151,7 +151,7 @@ public final class DatDecoder implements StreamDecoder {
     long odd = 0;
     for (int i = 0; i < count; i++) {
       long address = wide[i];
-      long timeUs = times[size + i];
+      long timeUs = timesUs[size + i];
       addresses[size + i] = (int) address;
       odd |= timeUs - last | address | right - (address & COLUMN);
       last = timeUs;
@@ -172,13 +172,10 @@ public final class DatDecoder implements StreamDecoder {
         continue;
       }
       long timeUs = clock.read(in.getInt(from) & UNSIGNED);
-      if (clock.goesBack(timeUs)) {
-        restarted = true;
-        restartUs = timeUs;
+      if (!times.take(timeUs)) {
         violations.add(Violation.CLOCK_WENT_BACK, at);
         return i;
       }
-      clock.take(timeUs);
       out.append(timeUs, EventAddress.pack(x, y, word >>> xBits + yBits & 1));
     }
     return records;
@@ -190,43 +187,22 @@ public final class DatDecoder implements StreamDecoder {
   }
 
   @Override
-  public long lastUs() {
-    return clock.started() ? clock.lastUs() : StreamNotification.NO_TIME_US;
-  }
-
-  @Override
-  public long restartUs() {
-    return restartUs;
-  }
-
-  @Override
-  public void acceptRestart() {
-    if (!restarted) {
-      throw new IllegalStateException("the clock did not go back");
-    }
-    restarted = false;
-    clock.take(restartUs);
-    clock.reset(clock.turnUs());
+  public EventTimes times() {
+    return times;
   }
 
   @Override
   public int stateLongs() {
-    return 2;
+    return WrappingTimes.STATE_LONGS;
   }
 
   @Override
   public void save(long[] state, int at) {
-    state[at] = clock.turnUs();
-    state[at + 1] = lastUs();
+    times.save(state, at);
   }
 
   @Override
   public void restore(long[] state, int at) {
-    restarted = false;
-    if (state[at + 1] == StreamNotification.NO_TIME_US) {
-      clock.reset(state[at]);
-    } else {
-      clock.resume(state[at], state[at + 1]);
-    }
+    times.restore(state, at);
   }
 }

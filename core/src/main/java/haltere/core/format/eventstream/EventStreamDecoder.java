@@ -3,11 +3,12 @@ package haltere.core.format.eventstream;
 import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.format.AscendingTimes;
+import haltere.core.format.EventTimes;
 import haltere.core.format.RecordingClock;
 import haltere.core.format.StreamDecoder;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
-import haltere.core.stream.StreamNotification;
 import java.nio.ByteBuffer;
 
 /**
@@ -45,8 +46,7 @@ public final class EventStreamDecoder implements StreamDecoder {
   private final boolean exposures;
   private final ViolationCounts violations;
   private long timeUs;
-  private boolean anyEvent;
-  private long lastUs;
+  private final AscendingTimes times = new AscendingTimes();
   private long skip;
 
   /**
@@ -83,8 +83,7 @@ public final class EventStreamDecoder implements StreamDecoder {
           case GENERIC -> decodeGeneric(in, from);
         };
     if (out.size() > before) {
-      lastUs = out.lastTimeUs();
-      anyEvent = true;
+      times.advance(out.lastTimeUs());
     }
     in.position(position);
     return false;
@@ -220,18 +219,8 @@ public final class EventStreamDecoder implements StreamDecoder {
   }
 
   @Override
-  public long lastUs() {
-    return anyEvent ? lastUs : StreamNotification.NO_TIME_US;
-  }
-
-  @Override
-  public long restartUs() {
-    throw new IllegalStateException("the clock of an Event Stream cannot go back");
-  }
-
-  @Override
-  public void acceptRestart() {
-    throw new IllegalStateException("the clock of an Event Stream cannot go back");
+  public EventTimes times() {
+    return times;
   }
 
   @Override
@@ -242,15 +231,14 @@ public final class EventStreamDecoder implements StreamDecoder {
   @Override
   public void save(long[] state, int at) {
     state[at] = timeUs;
-    state[at + 1] = lastUs();
+    state[at + 1] = times.lastUs();
     state[at + 2] = skip;
   }
 
   @Override
   public void restore(long[] state, int at) {
     timeUs = state[at];
-    anyEvent = state[at + 1] != StreamNotification.NO_TIME_US;
-    lastUs = state[at + 1];
+    times.restore(state[at + 1]);
     skip = state[at + 2];
   }
 }

@@ -69,7 +69,7 @@ public final class Evt21Decoder extends EvtDecoder {
     LongBuffer words = in.asLongBuffer();
     int end = words.limit();
     int first = 0;
-    while (first < end && out.size() < maxEvents && !restarted) {
+    while (first < end && out.size() < maxEvents && !times.restarted()) {
       int count = Math.min(STAGE_WORDS, end - first);
       words.get(first, stage, 0, count);
       if (legacy) {
@@ -79,7 +79,7 @@ public final class Evt21Decoder extends EvtDecoder {
       first += decodeStage(count, offset + (long) first * WORD_BYTES, out, maxEvents);
     }
     in.position(in.position() + first * WORD_BYTES);
-    return restarted;
+    return times.restarted();
   }
 
   /** Puts the halves of staged words in their places. */
@@ -108,7 +108,7 @@ public final class Evt21Decoder extends EvtDecoder {
   /** Decodes words of the stage until the packet is full; returns how many. */
   private int decodeStage(int count, long offset, EventPacket out, int maxEvents) {
     int at = 0;
-    while (at < count && out.size() < maxEvents && !restarted) {
+    while (at < count && out.size() < maxEvents && !times.restarted()) {
       if (handedOver == 0) {
         at = decodeRun(at, count, out, maxEvents);
       }
@@ -147,7 +147,7 @@ public final class Evt21Decoder extends EvtDecoder {
   private int decodeEvents(int from, int end, EventPacket out, int limit) {
     long[] words = stage;
     long[] first = firstPixels;
-    long[] times = out.timesUs();
+    long[] timesUs = out.timesUs();
     int[] addresses = out.addresses();
     int size = out.size();
     long startUs = clock.startUs();
@@ -166,13 +166,13 @@ public final class Evt21Decoder extends EvtDecoder {
       int place = (int) address;
       int column = place & COLUMN;
       int last = Integer.numberOfTrailingZeros(mask) << EventAddress.X_SHIFT;
-      times[size] = timeUs;
+      timesUs[size] = timeUs;
       addresses[size] = place + last;
       int next = size + 1;
       mask &= mask - 1;
       while (mask != 0) {
         last = Integer.numberOfTrailingZeros(mask) << EventAddress.X_SHIFT;
-        times[next] = timeUs;
+        timesUs[next] = timeUs;
         addresses[next++] = place + last;
         mask &= mask - 1;
       }
@@ -184,7 +184,9 @@ public final class Evt21Decoder extends EvtDecoder {
       at++;
     }
     out.setSize(size);
-    lastUs = at > from ? beforeUs : lastUs;
+    if (at > from) {
+      times.advance(beforeUs);
+    }
     return at;
   }
 
@@ -226,7 +228,7 @@ public final class Evt21Decoder extends EvtDecoder {
         return false;
       }
       out.append(timeUs, EventAddress.pack(x + bit, y, on));
-      lastUs = timeUs;
+      times.advance(timeUs);
     }
     return true;
   }

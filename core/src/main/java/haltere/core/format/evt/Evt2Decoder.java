@@ -40,19 +40,19 @@ public final class Evt2Decoder extends EvtDecoder {
     IntBuffer words = in.asIntBuffer();
     int end = words.limit();
     int first = 0;
-    while (first < end && out.size() < maxEvents && !restarted) {
+    while (first < end && out.size() < maxEvents && !times.restarted()) {
       int count = Math.min(STAGE_WORDS, end - first);
       words.get(first, stage, 0, count);
       first += decodeStage(count, offset + (long) first * WORD_BYTES, out, maxEvents);
     }
     in.position(in.position() + first * WORD_BYTES);
-    return restarted;
+    return times.restarted();
   }
 
   /** Decodes words of the stage until the packet is full; returns how many. */
   private int decodeStage(int count, long offset, EventPacket out, int maxEvents) {
     int at = 0;
-    while (at < count && out.size() < maxEvents && !restarted) {
+    while (at < count && out.size() < maxEvents && !times.restarted()) {
       at = decodeRun(at, count, out, maxEvents);
       if (at < count && out.size() < maxEvents) {
         at += decodeWord(stage[at], offset + (long) at * WORD_BYTES, out) ? 1 : 0;
@@ -87,7 +87,7 @@ public final class Evt2Decoder extends EvtDecoder {
    */
   private int decodeEvents(int from, int most, EventPacket out) {
     int[] words = stage;
-    long[] times = out.timesUs();
+    long[] timesUs = out.timesUs();
     int[] addresses = out.addresses();
     int size = out.size();
     long startUs = clock.startUs();
@@ -105,12 +105,14 @@ public final class Evt2Decoder extends EvtDecoder {
         break;
       }
       low = newLow & 0x3f;
-      times[size + count] = startUs + low;
+      timesUs[size + count] = startUs + low;
       addresses[size + count] = address;
       count++;
     }
     out.setSize(size + count);
-    lastUs = count > 0 ? startUs + low : lastUs;
+    if (count > 0) {
+      times.advance(startUs + low);
+    }
     return count;
   }
 
@@ -133,7 +135,7 @@ public final class Evt2Decoder extends EvtDecoder {
           return false;
         }
         out.append(timeUs, EventAddress.pack(x, y, word >>> 28));
-        lastUs = timeUs;
+        times.advance(timeUs);
       }
       case TIME_HIGH -> clock.take(word & 0xfffffff);
       case EXT_TRIGGER, IMU, OTHERS, CONTINUED -> violations.add(Violation.OTHER_DATA, offset);

@@ -95,20 +95,20 @@ public final class Evt3Decoder extends EvtDecoder {
     int start = in.position();
     int end = in.remaining() & -WORD_BYTES;
     int first = 0;
-    while (first < end && out.size() < maxEvents && !restarted) {
+    while (first < end && out.size() < maxEvents && !times.restarted()) {
       int bytes = Math.min(STAGE_BYTES, end - first);
       in.get(start + first, stage, 0, bytes);
       first += decodeStage(bytes, first + bytes == end, offset + first, out, maxEvents);
     }
     in.position(start + first);
-    return restarted;
+    return times.restarted();
   }
 
   /** Decodes words of the stage until the packet is full; returns the bytes of them. */
   private int decodeStage(int bytes, boolean last, long offset, EventPacket out, int maxEvents) {
     int at = 0;
-    while (at < bytes && out.size() < maxEvents && !restarted) {
-      if (handedOver == 0 && clock.high() >= 0 && timeUs >= lastUs) {
+    while (at < bytes && out.size() < maxEvents && !times.restarted()) {
+      if (handedOver == 0 && clock.high() >= 0 && timeUs >= times.lastUs()) {
         at = decodeRun(at, bytes, offset, out, maxEvents);
         if (bytes - at < GROUP_BYTES && !last) {
           return at;
@@ -130,7 +130,7 @@ public final class Evt3Decoder extends EvtDecoder {
    */
   private int decodeRun(int from, int end, long offset, EventPacket out, int maxEvents) {
     byte[] words = stage;
-    long[] times = out.timesUs();
+    long[] timesUs = out.timesUs();
     int[] addresses = out.addresses();
     int before = out.size();
     int size = before;
@@ -166,14 +166,14 @@ public final class Evt3Decoder extends EvtDecoder {
         }
         low = newLow;
         rowBits = y << EventAddress.Y_SHIFT;
-        times[size] = startUs + low;
+        timesUs[size] = startUs + low;
         addresses[size++] = rowBits | x << EventAddress.X_SHIFT | (int) (ahead >>> 43) & 1;
         at += 3 * WORD_BYTES;
       } else if (type == ADDR_X) {
         if ((rowBits | right - value) < 0) {
           break;
         }
-        times[size] = startUs + low;
+        timesUs[size] = startUs + low;
         addresses[size++] = rowBits | value << EventAddress.X_SHIFT | (int) ahead >>> 11 & 1;
         at += WORD_BYTES;
       } else if (type == ADDR_Y) {
@@ -187,7 +187,7 @@ public final class Evt3Decoder extends EvtDecoder {
         vectorOn = (int) ahead >>> 11 & 1;
         size =
             appendPixels(
-                times,
+                timesUs,
                 addresses,
                 size,
                 startUs + low,
@@ -211,7 +211,7 @@ public final class Evt3Decoder extends EvtDecoder {
     row = rowBits;
     timeUs = startUs + low;
     if (size > before) {
-      lastUs = times[size - 1];
+      times.advance(timesUs[size - 1]);
     }
     return at;
   }
@@ -309,7 +309,7 @@ public final class Evt3Decoder extends EvtDecoder {
         return false;
       }
       out.append(timeUs, row | x + bit << EventAddress.X_SHIFT | on);
-      lastUs = timeUs;
+      times.advance(timeUs);
     }
     return true;
   }

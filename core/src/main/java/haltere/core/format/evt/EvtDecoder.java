@@ -1,11 +1,12 @@
 package haltere.core.format.evt;
 
 import haltere.core.event.SensorGeometry;
+import haltere.core.format.AscendingTimes;
+import haltere.core.format.EventTimes;
 import haltere.core.format.RecordingClock;
 import haltere.core.format.StreamDecoder;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
-import haltere.core.stream.StreamNotification;
 
 /**
  * What the decoders of EVT words have in common. Rows count from the top in the words and from the
@@ -24,14 +25,11 @@ public abstract sealed class EvtDecoder implements StreamDecoder
   final ViolationCounts violations;
   final EvtClock clock;
 
-  /** Time of the last event. */
-  long lastUs = StreamNotification.NO_TIME_US;
+  /** Of the events. */
+  final AscendingTimes times = new AscendingTimes();
 
   /** Events of the word at the input's position that have been handed over already. */
   int handedOver;
-
-  boolean restarted;
-  private long restartUs;
 
   EvtDecoder(SensorGeometry geometry, EvtClock clock, ViolationCounts violations) {
     width = geometry.width();
@@ -44,16 +42,15 @@ public abstract sealed class EvtDecoder implements StreamDecoder
    * How far the last event is behind a high part's start, in its 64 us; 64 if it is beyond them.
    */
   final int lowNow(long startUs) {
+    long lastUs = times.lastUs();
     return lastUs <= startUs ? 0 : (int) Math.min(64, lastUs - startUs);
   }
 
-  /** Whether an event at a time must wait for {@link #acceptRestart()}. */
+  /** Whether an event at a time must wait for {@link EventTimes#acceptRestart()}. */
   final boolean goesBack(long timeUs, long offset) {
-    if (timeUs >= lastUs) {
+    if (!times.goesBack(timeUs)) {
       return false;
     }
-    restarted = true;
-    restartUs = timeUs;
     violations.add(Violation.CLOCK_WENT_BACK, offset);
     return true;
   }
@@ -64,22 +61,8 @@ public abstract sealed class EvtDecoder implements StreamDecoder
   }
 
   @Override
-  public final long lastUs() {
-    return lastUs;
-  }
-
-  @Override
-  public final long restartUs() {
-    return restartUs;
-  }
-
-  @Override
-  public final void acceptRestart() {
-    if (!restarted) {
-      throw new IllegalStateException("the clock did not go back");
-    }
-    restarted = false;
-    lastUs = StreamNotification.NO_TIME_US;
+  public final EventTimes times() {
+    return times;
   }
 
   @Override
@@ -90,15 +73,14 @@ public abstract sealed class EvtDecoder implements StreamDecoder
   /** {@link EvtReadingCursor} goes by these numbers too. */
   @Override
   public void save(long[] state, int at) {
-    state[at] = lastUs;
+    state[at] = times.lastUs();
     state[at + 1] = clock.turnUs();
     state[at + 2] = (long) handedOver << 32 | clock.high() & 0xffffffffL;
   }
 
   @Override
   public void restore(long[] state, int at) {
-    restarted = false;
-    lastUs = state[at];
+    times.restore(state[at]);
     clock.restore(state[at + 1], (int) state[at + 2]);
     handedOver = (int) (state[at + 2] >> 32);
   }

@@ -4,15 +4,16 @@ import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
+import haltere.core.format.AscendingTimes;
 import haltere.core.format.EventColumn;
 import haltere.core.format.EventCursor;
+import haltere.core.format.EventTimes;
 import haltere.core.format.RecordingClock;
 import haltere.core.format.RecordingOutline;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
 import haltere.core.format.packed.DamagedPacketException;
 import haltere.core.format.packed.LittleEndian;
-import haltere.core.stream.StreamNotification;
 import java.io.IOException;
 import java.util.HashMap;
 import java.util.Map;
@@ -39,9 +40,7 @@ final class Hdf5Cursor implements EventCursor {
   /** Rows before this one were read before; what was wrong there is not counted again. */
   private long counted;
 
-  private long lastUs = StreamNotification.NO_TIME_US;
-  private boolean restarted;
-  private long restartUs;
+  private final AscendingTimes times = new AscendingTimes();
 
   Hdf5Cursor(EventTable table, SensorGeometry geometry, ViolationCounts violations) {
     this.table = table;
@@ -126,7 +125,6 @@ final class Hdf5Cursor implements EventCursor {
     int done = usual ? decodeUsual(out, there) : decodeAny(out, there);
     row += done;
     if (done < there) {
-      restarted = true;
       count(Violation.CLOCK_WENT_BACK, time.rows().offset(row));
       counted = Math.max(counted, row + 1);
       return Stop.CLOCK_WENT_BACK;
@@ -137,7 +135,7 @@ final class Hdf5Cursor implements EventCursor {
 
   /** The types that most files have; returns the rows that were read before the clock goes back. */
   private int decodeUsual(EventPacket out, int rows) {
-    byte[] times = time.data();
+    byte[] timeData = time.data();
     byte[] columns = x.data();
     byte[] downs = y.data();
     byte[] signs = polarity.data();
@@ -150,7 +148,7 @@ final class Hdf5Cursor implements EventCursor {
     int yStep = y.stride();
     int signStep = polarity.stride();
     long offsetUs = table.timeOffsetUs();
-    long last = lastUs;
+    long last = times.lastUs();
     int top = height - 1;
     long[] timesUs = out.timesUs();
     int[] addresses = out.addresses();
@@ -160,8 +158,8 @@ final class Hdf5Cursor implements EventCursor {
       long timeUs =
           offsetUs
               + (wideTimes
-                  ? (long) LittleEndian.LONG.get(times, timeAt)
-                  : (int) LittleEndian.INT.get(times, timeAt) & 0xffffffffL);
+                  ? (long) LittleEndian.LONG.get(timeData, timeAt)
+                  : (int) LittleEndian.INT.get(timeData, timeAt) & 0xffffffffL);
       int column = (short) LittleEndian.SHORT.get(columns, xAt) & 0xffff;
       int down = (short) LittleEndian.SHORT.get(downs, yAt) & 0xffff;
       int on = signs[signAt] > 0 ? EventAddress.ON_BIT : 0;
@@ -174,14 +172,15 @@ final class Hdf5Cursor implements EventCursor {
         continue;
       }
       if (timeUs < last) {
-        restartUs = timeUs;
+        times.advance(last);
+        times.goesBack(timeUs);
         break;
       }
       last = timeUs;
       timesUs[size] = timeUs;
       addresses[size++] = EventAddress.pack(column, fromTop ? top - down : down, on);
     }
-    lastUs = last;
+    times.advance(last);
     out.setSize(size);
     return i;
   }
@@ -195,11 +194,10 @@ final class Hdf5Cursor implements EventCursor {
         outside(i);
         continue;
       }
-      if (timeUs < lastUs) {
-        restartUs = timeUs;
+      if (times.goesBack(timeUs)) {
         return i;
       }
-      lastUs = timeUs;
+      times.advance(timeUs);
       int up = (int) (fromTop ? height - 1 - down : down);
       int on = polarity == null || polarity.value(i, 0) > 0 ? EventAddress.ON_BIT : 0;
       out.append(timeUs, EventAddress.pack((int) column, up, on));
@@ -232,22 +230,8 @@ final class Hdf5Cursor implements EventCursor {
   }
 
   @Override
-  public long lastUs() {
-    return lastUs;
-  }
-
-  @Override
-  public long restartUs() {
-    return restartUs;
-  }
-
-  @Override
-  public void acceptRestart() {
-    if (!restarted) {
-      throw new IllegalStateException("the clock did not go back");
-    }
-    restarted = false;
-    lastUs = StreamNotification.NO_TIME_US;
+  public EventTimes times() {
+    return times;
   }
 
   @Override
@@ -264,14 +248,13 @@ final class Hdf5Cursor implements EventCursor {
   @Override
   public void save(long[] state, int at) {
     state[at] = row;
-    state[at + 1] = lastUs;
+    state[at + 1] = times.lastUs();
   }
 
   @Override
   public void restore(long[] state, int at) {
     row = state[at];
-    lastUs = state[at + 1];
-    restarted = false;
+    times.restore(state[at + 1]);
   }
 
   @Override

@@ -3,12 +3,13 @@ package haltere.core.format.nmnist;
 import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.format.EventTimes;
 import haltere.core.format.RecordingClock;
 import haltere.core.format.StreamDecoder;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
 import haltere.core.format.WrappingClock;
-import haltere.core.stream.StreamNotification;
+import haltere.core.format.WrappingTimes;
 import java.nio.ByteBuffer;
 
 /**
@@ -31,9 +32,8 @@ public final class NmnistDecoder implements StreamDecoder {
   private final int top;
   private final ViolationCounts violations;
   private final WrappingClock clock = new WrappingClock(TURN_US, 0);
+  private final WrappingTimes times = new WrappingTimes(clock);
   private long overflowUs;
-  private boolean restarted;
-  private long restartUs;
 
   /**
    * A decoder before the first record.
@@ -53,7 +53,7 @@ public final class NmnistDecoder implements StreamDecoder {
     int start = in.position();
     int position = start;
     int end = in.limit() - RECORD_BYTES;
-    while (position <= end && out.size() < maxEvents && !restarted) {
+    while (position <= end && out.size() < maxEvents && !times.restarted()) {
       position = decodeRun(in, position, end, out, maxEvents);
       if (position <= end
           && out.size() < maxEvents
@@ -62,7 +62,7 @@ public final class NmnistDecoder implements StreamDecoder {
       }
     }
     in.position(position);
-    return restarted;
+    return times.restarted();
   }
 
   /** Decodes until a record needs care; returns where that is. */
@@ -70,7 +70,7 @@ public final class NmnistDecoder implements StreamDecoder {
     if (!clock.started()) {
       return from;
     }
-    long[] times = out.timesUs();
+    long[] timesUs = out.timesUs();
     int[] addresses = out.addresses();
     int size = out.size();
     int right = width - 1;
@@ -91,7 +91,7 @@ public final class NmnistDecoder implements StreamDecoder {
         break;
       }
       lastUs = timeUs;
-      times[size] = timeUs;
+      timesUs[size] = timeUs;
       addresses[size++] = y << EventAddress.Y_SHIFT | x << EventAddress.X_SHIFT | word >>> 15 & 1;
     }
     out.setSize(size);
@@ -115,13 +115,10 @@ public final class NmnistDecoder implements StreamDecoder {
     }
     int value = (word << 8 | in.get(position + 4) & 0xff) & TIME_MASK;
     long timeUs = clock.read(value + overflowUs);
-    if (clock.goesBack(timeUs)) {
-      restarted = true;
-      restartUs = timeUs;
+    if (!times.take(timeUs)) {
       violations.add(Violation.CLOCK_WENT_BACK, offset);
       return false;
     }
-    clock.take(timeUs);
     out.append(timeUs, EventAddress.pack(x, top - row, word >>> 15 & 1));
     return true;
   }
@@ -132,45 +129,24 @@ public final class NmnistDecoder implements StreamDecoder {
   }
 
   @Override
-  public long lastUs() {
-    return clock.started() ? clock.lastUs() : StreamNotification.NO_TIME_US;
-  }
-
-  @Override
-  public long restartUs() {
-    return restartUs;
-  }
-
-  @Override
-  public void acceptRestart() {
-    if (!restarted) {
-      throw new IllegalStateException("the clock did not go back");
-    }
-    restarted = false;
-    clock.take(restartUs);
-    clock.reset(clock.turnUs());
+  public EventTimes times() {
+    return times;
   }
 
   @Override
   public int stateLongs() {
-    return 3;
+    return WrappingTimes.STATE_LONGS + 1;
   }
 
   @Override
   public void save(long[] state, int at) {
-    state[at] = clock.turnUs();
-    state[at + 1] = lastUs();
-    state[at + 2] = overflowUs;
+    times.save(state, at);
+    state[at + WrappingTimes.STATE_LONGS] = overflowUs;
   }
 
   @Override
   public void restore(long[] state, int at) {
-    restarted = false;
-    overflowUs = state[at + 2];
-    if (state[at + 1] == StreamNotification.NO_TIME_US) {
-      clock.reset(state[at]);
-    } else {
-      clock.resume(state[at], state[at + 1]);
-    }
+    overflowUs = state[at + WrappingTimes.STATE_LONGS];
+    times.restore(state, at);
   }
 }

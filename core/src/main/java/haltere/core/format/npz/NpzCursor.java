@@ -4,14 +4,15 @@ import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
+import haltere.core.format.AscendingTimes;
 import haltere.core.format.EventColumn;
 import haltere.core.format.EventCursor;
+import haltere.core.format.EventTimes;
 import haltere.core.format.RecordingClock;
 import haltere.core.format.RecordingFile;
 import haltere.core.format.RecordingOutline;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
-import haltere.core.stream.StreamNotification;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
@@ -80,9 +81,7 @@ final class NpzCursor implements EventCursor {
 
   private long pieceStart;
   private int pieceCount;
-  private long lastUs = StreamNotification.NO_TIME_US;
-  private boolean restarted;
-  private long restartUs;
+  private final AscendingTimes times = new AscendingTimes();
 
   NpzCursor(
       NpzLayout layout, RecordingFile file, SensorGeometry geometry, ViolationCounts violations) {
@@ -175,15 +174,13 @@ final class NpzCursor implements EventCursor {
         violations.add(Violation.OUTSIDE_SENSOR, offset(pieceStart + i));
         continue;
       }
-      if (timeUs < lastUs) {
+      if (times.goesBack(timeUs)) {
         row = pieceStart + i;
-        restarted = true;
-        restartUs = timeUs;
         violations.add(Violation.CLOCK_WENT_BACK, offset(row));
         violations.reached(offset(row) + 1);
         return Stop.CLOCK_WENT_BACK;
       }
-      lastUs = timeUs;
+      times.advance(timeUs);
       int up = (int) (fromTop ? height - 1 - down : down);
       int on = polarity == null || polarity.numbers[i] > 0 ? EventAddress.ON_BIT : 0;
       out.append(timeUs, EventAddress.pack((int) column, up, on));
@@ -220,22 +217,8 @@ final class NpzCursor implements EventCursor {
   }
 
   @Override
-  public long lastUs() {
-    return lastUs;
-  }
-
-  @Override
-  public long restartUs() {
-    return restartUs;
-  }
-
-  @Override
-  public void acceptRestart() {
-    if (!restarted) {
-      throw new IllegalStateException("the clock did not go back");
-    }
-    restarted = false;
-    lastUs = StreamNotification.NO_TIME_US;
+  public EventTimes times() {
+    return times;
   }
 
   @Override
@@ -252,14 +235,13 @@ final class NpzCursor implements EventCursor {
   @Override
   public void save(long[] state, int at) {
     state[at] = row;
-    state[at + 1] = lastUs;
+    state[at + 1] = times.lastUs();
   }
 
   @Override
   public void restore(long[] state, int at) {
     row = state[at];
-    lastUs = state[at + 1];
-    restarted = false;
+    times.restore(state[at + 1]);
   }
 
   @Override

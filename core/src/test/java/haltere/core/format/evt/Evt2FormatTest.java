@@ -113,8 +113,8 @@ class Evt2FormatTest extends EvtContract {
     assertEquals(2, packet.size());
     assertEquals(lastUs + 1, packet.timeUs(0));
     assertEquals((1L << 34) + 130, packet.timeUs(1));
-    assertEquals((1L << 34) + 64, decoder.restartUs());
-    decoder.acceptRestart();
+    assertEquals((1L << 34) + 64, decoder.times().restartUs());
+    decoder.times().acceptRestart();
     decoder.decode(in, 20, packet, 100);
     assertEquals((1L << 34) + 64, packet.timeUs(2));
   }

@@ -162,7 +162,7 @@ class Evt3FormatTest extends EvtContract {
     assertEquals((1L << 24) - 1, packet.timeUs(0));
     assertEquals((1L << 24) + 1, packet.timeUs(1));
     assertEquals((1L << 24) + (0x800L << 12), packet.timeUs(2));
-    assertEquals((1L << 24) + 4096, decoder.restartUs(), "a fall by 2047 is no wrap");
+    assertEquals((1L << 24) + 4096, decoder.times().restartUs(), "a fall by 2047 is no wrap");
   }
 
   @Test

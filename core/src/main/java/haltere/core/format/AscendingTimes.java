@@ -1,0 +1,76 @@
+package haltere.core.format;
+
+import haltere.core.stream.StreamNotification;
+
+/**
+ * Times of a clock that is wide enough never to start again from zero: one that is before the last
+ * begins a new segment.
+ *
+ * <p>Thread rule: one thread.
+ */
+public final class AscendingTimes implements EventTimes {
+  private long lastUs = StreamNotification.NO_TIME_US;
+  private boolean restarted;
+  private long restartUs;
+
+  /** Before the first event. */
+  public AscendingTimes() {}
+
+  /**
+   * Whether a time is before the last one. If so it is kept as the start of the next segment.
+   *
+   * @param timeUs of the next event, microseconds
+   * @return true if the event must wait for {@link #acceptRestart()}
+   */
+  public boolean goesBack(long timeUs) {
+    if (timeUs >= lastUs) {
+      return false;
+    }
+    restarted = true;
+    restartUs = timeUs;
+    return true;
+  }
+
+  /**
+   * Moves on.
+   *
+   * @param timeUs time of the newest event, not before the last one
+   */
+  public void advance(long timeUs) {
+    lastUs = timeUs;
+  }
+
+  /**
+   * Goes to where {@link #lastUs()} was noted.
+   *
+   * @param noted what it gave
+   */
+  public void restore(long noted) {
+    restarted = false;
+    lastUs = noted;
+  }
+
+  @Override
+  public long lastUs() {
+    return lastUs;
+  }
+
+  @Override
+  public boolean restarted() {
+    return restarted;
+  }
+
+  @Override
+  public long restartUs() {
+    return restartUs;
+  }
+
+  @Override
+  public void acceptRestart() {
+    if (!restarted) {
+      throw new IllegalStateException("the clock did not go back");
+    }
+    restarted = false;
+    lastUs = StreamNotification.NO_TIME_US;
+  }
+}

@@ -1,0 +1,94 @@
+package haltere.core.format;
+
+import haltere.core.stream.StreamNotification;
+
+/**
+ * Times of a narrow clock that turns ({@link WrappingClock} has the rule).
+ *
+ * <p>Thread rule: one thread.
+ */
+public final class WrappingTimes implements EventTimes {
+  /** Numbers that {@link #save} needs. */
+  public static final int STATE_LONGS = 2;
+
+  private final WrappingClock clock;
+  private boolean restarted;
+  private long restartUs;
+
+  /**
+   * Before the first event.
+   *
+   * @param clock what values of the file mean
+   */
+  public WrappingTimes(WrappingClock clock) {
+    this.clock = clock;
+  }
+
+  /**
+   * Takes the time that the clock gave for the next event, unless it is before the last one; then
+   * it is kept as the start of the next segment.
+   *
+   * @param timeUs what {@link WrappingClock#read} gave last
+   * @return false if the event must wait for {@link #acceptRestart()}
+   */
+  public boolean take(long timeUs) {
+    if (clock.goesBack(timeUs)) {
+      restarted = true;
+      restartUs = timeUs;
+      return false;
+    }
+    clock.take(timeUs);
+    return true;
+  }
+
+  /**
+   * Notes the place in time.
+   *
+   * @param state receives {@link #STATE_LONGS} numbers
+   * @param at index of the first of them
+   */
+  public void save(long[] state, int at) {
+    state[at] = clock.turnUs();
+    state[at + 1] = lastUs();
+  }
+
+  /**
+   * Goes to a place that was noted.
+   *
+   * @param state has the numbers
+   * @param at index of the first of them
+   */
+  public void restore(long[] state, int at) {
+    restarted = false;
+    if (state[at + 1] == StreamNotification.NO_TIME_US) {
+      clock.reset(state[at]);
+    } else {
+      clock.resume(state[at], state[at + 1]);
+    }
+  }
+
+  @Override
+  public long lastUs() {
+    return clock.started() ? clock.lastUs() : StreamNotification.NO_TIME_US;
+  }
+
+  @Override
+  public boolean restarted() {
+    return restarted;
+  }
+
+  @Override
+  public long restartUs() {
+    return restartUs;
+  }
+
+  @Override
+  public void acceptRestart() {
+    if (!restarted) {
+      throw new IllegalStateException("the clock did not go back");
+    }
+    restarted = false;
+    clock.take(restartUs);
+    clock.reset(clock.turnUs());
+  }
+}
