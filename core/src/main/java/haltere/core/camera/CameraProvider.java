@@ -1,6 +1,7 @@
 package haltere.core.camera;
 
 import java.util.List;
+import java.util.Optional;
 
 /**
  * A way to cameras: over USB, simulated, over a network. Found as a service, so that another jar
@@ -34,6 +35,15 @@ public interface CameraProvider {
    * @return ordered by id
    */
   List<CameraInfo> list();
+
+  /**
+   * What keeps this way from seeing any camera at all, such as a library that is missing.
+   *
+   * @return a line for a person, or empty
+   */
+  default Optional<String> obstacle() {
+    return Optional.empty();
+  }
 
   /**
    * Opens a camera and readies it; events flow from the first call of {@link Camera#next} on.

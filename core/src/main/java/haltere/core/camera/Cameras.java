@@ -49,6 +49,17 @@ public final class Cameras {
   }
 
   /**
+   * What keeps providers from seeing any camera at all.
+   *
+   * @return a line for a person for each that cannot, beginning with its name
+   */
+  public List<String> obstacles() {
+    return providers.stream()
+        .flatMap(provider -> provider.obstacle().stream().map(why -> provider.name() + ": " + why))
+        .toList();
+  }
+
+  /**
    * Opens a camera.
    *
    * @param id which, as listed; empty for the first physical one that can be opened
@@ -72,7 +83,8 @@ public final class Cameras {
         CameraProblem.Kind.NOT_FOUND,
         (id.isEmpty() ? "no camera can be opened" : "there is no camera " + id)
             + "; "
-            + (seen.isEmpty() ? "none is seen" : "seen are " + words(seen)));
+            + (seen.isEmpty() ? "none is seen" : "seen are " + words(seen))
+            + obstacles().stream().map(why -> "; " + why).collect(Collectors.joining()));
   }
 
   private static String words(List<Seen> seen) {

@@ -2,10 +2,12 @@ package haltere.core.camera;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.SensorGeometry;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
 class CamerasTest {
@@ -57,6 +59,38 @@ class CamerasTest {
             CameraProblem.class, () -> new Cameras(List.of()).open("", CameraOptions.DEFAULT));
 
     assertEquals("no camera can be opened; none is seen", problem.getMessage());
+  }
+
+  @Test
+  void whatKeepsAProviderFromSeeingAnyIsSaid() {
+    CameraProvider blind =
+        new CameraProvider() {
+          @Override
+          public String name() {
+            return "usb";
+          }
+
+          @Override
+          public List<CameraInfo> list() {
+            return List.of();
+          }
+
+          @Override
+          public Optional<String> obstacle() {
+            return Optional.of("there is no libusb");
+          }
+
+          @Override
+          public Camera open(CameraInfo info, CameraOptions options) throws CameraProblem {
+            throw new CameraProblem(CameraProblem.Kind.NOT_FOUND, "there is none");
+          }
+        };
+    Cameras none = new Cameras(List.of(blind));
+
+    assertEquals(List.of("usb: there is no libusb"), none.obstacles());
+    CameraProblem problem =
+        assertThrows(CameraProblem.class, () -> none.open("", CameraOptions.DEFAULT));
+    assertTrue(problem.getMessage().endsWith("; usb: there is no libusb"), problem.getMessage());
   }
 
   @Test

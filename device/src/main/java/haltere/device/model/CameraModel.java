@@ -34,6 +34,11 @@ interface CameraModel {
   /** Its sensor, as far as it is known from the outside. */
   SensorGeometry usualGeometry();
 
+  /** Why it cannot be driven at all and what to do instead, or empty. */
+  default String obstacle() {
+    return "";
+  }
+
   /** A remark for whoever sees it listed, or empty. */
   String remark();
 

@@ -50,7 +50,12 @@ public final class UsbCameraProvider implements CameraProvider {
   UsbCameraProvider(Supplier<UsbBus> bus, LongConsumer pause, Lookout.Pace pace) {
     this.bus = bus;
     this.pace = pace;
-    models = List.of(new Dvs128Model(), new DavisModel(pause), new EvkModel());
+    List<CameraModel> all = new ArrayList<>();
+    all.add(new Dvs128Model());
+    all.add(new DavisModel(pause));
+    all.add(new EvkModel());
+    all.addAll(KnownCamera.ALL);
+    models = List.copyOf(all);
   }
 
   @Override
@@ -68,9 +73,22 @@ public final class UsbCameraProvider implements CameraProvider {
   }
 
   @Override
+  public Optional<String> obstacle() {
+    try {
+      bus.get().devices();
+      return Optional.empty();
+    } catch (CameraProblem noUsb) {
+      return Optional.of(noUsb.getMessage());
+    }
+  }
+
+  @Override
   public Camera open(CameraInfo info, CameraOptions options) throws CameraProblem {
     for (Seen seen : seen()) {
       if (seen.info.id().equals(info.id())) {
+        if (!seen.model.obstacle().isEmpty()) {
+          throw new CameraProblem(Kind.UNSUPPORTED, seen.model.obstacle());
+        }
         UsbTransport transport = claimed(seen.device);
         CameraDriver driver;
         try {
@@ -132,9 +150,11 @@ public final class UsbCameraProvider implements CameraProvider {
 
   /** Opens a device for a moment, to see who it is and whether it can be used. */
   private Seen look(UsbDevice device, CameraModel model, List<Seen> before) {
+    if (!model.obstacle().isEmpty()) {
+      return seen(device, model, before, "", model.obstacle());
+    }
     String serial = "";
-    String note = model.remark();
-    boolean canOpen = true;
+    String obstacle = "";
     try (UsbTransport transport = bus.get().open(device)) {
       serial = transport.serialNumber();
       transport.claim();
@@ -142,16 +162,19 @@ public final class UsbCameraProvider implements CameraProvider {
         serial = model.serial(transport);
       }
     } catch (CameraProblem problem) {
-      note = problem.getMessage();
-      canOpen = false;
+      obstacle = problem.getMessage();
     }
-    String id = model.key() + ":" + (serial.isEmpty() ? device.place() : serial);
-    for (Seen other : before) {
-      if (other.info.id().equals(id)) {
-        id += "@" + device.place(); // two that nobody ever gave a number
-        break;
-      }
-    }
+    return seen(device, model, before, serial, obstacle);
+  }
+
+  private static Seen seen(
+      UsbDevice device, CameraModel model, List<Seen> before, String serial, String obstacle) {
+    String plain = model.key() + ":" + (serial.isEmpty() ? device.place() : serial);
+    boolean taken = before.stream().anyMatch(other -> other.info.id().equals(plain));
+    // two that nobody ever gave a number
+    String id = taken ? plain + "@" + device.place() : plain;
+    boolean canOpen = obstacle.isEmpty();
+    String note = canOpen ? model.remark() : obstacle;
     return new Seen(
         device,
         model,

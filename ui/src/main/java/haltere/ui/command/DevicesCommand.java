@@ -23,7 +23,7 @@ final class DevicesCommand extends Subcommand {
       names = "--json",
       description =
           "Write a JSON object whose key devices is an array: id, model, serial, width, height,"
-              + " canOpen, note.")
+              + " canOpen, note; obstacles says what keeps cameras from being seen.")
   boolean json;
 
   private final Cameras cameras;
@@ -43,9 +43,11 @@ final class DevicesCommand extends Subcommand {
     if (json) {
       Map<String, Object> object = new LinkedHashMap<>();
       object.put("devices", seen.stream().map(DevicesCommand::object).toList());
+      object.put("obstacles", cameras.obstacles());
       result(Json.write(object));
     } else {
       print(seen);
+      cameras.obstacles().forEach(this::warning);
     }
     return OK;
   }
