@@ -17,14 +17,8 @@ interface CameraDriver {
   /** The camera. */
   CameraInfo info();
 
-  /** Address of the endpoint that events come from. */
-  int endpoint();
-
-  /** Transfers under way, where nobody says otherwise. */
-  int usualTransfers();
-
-  /** Size of a transfer, where nobody says otherwise. */
-  int usualBufferBytes();
+  /** Where its data come from. */
+  DataEndpoint endpoint();
 
   /** A decoder for a new stream. */
   WireDecoder newDecoder(boolean readings);

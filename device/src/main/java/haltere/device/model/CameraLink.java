@@ -35,8 +35,9 @@ final class CameraLink {
       throws CameraProblem {
     this.driver = driver;
     this.transport = transport;
-    int transfers = options.transfers() == 0 ? driver.usualTransfers() : options.transfers();
-    int bytes = options.bufferBytes() == 0 ? driver.usualBufferBytes() : options.bufferBytes();
+    DataEndpoint from = driver.endpoint();
+    int transfers = options.transfers() == 0 ? from.usualTransfers() : options.transfers();
+    int bytes = options.bufferBytes() == 0 ? from.usualBufferBytes() : options.bufferBytes();
     int waiting =
         options.waitingBuffers() == 0
             ? (int) Math.min(USUAL_WAITING_MOST, Math.max(8, USUAL_WAITING_BYTES / bytes))
@@ -46,7 +47,7 @@ final class CameraLink {
       decoder = driver.newDecoder(options.readings());
       buffers =
           new ReceivedBuffers(transfers, waiting, bytes, options.whenFull(), decoder::droppedWords);
-      ring = new TransferRing(transport, driver.endpoint(), transfers, buffers);
+      ring = new TransferRing(transport, from.address(), transfers, buffers);
     } catch (CameraProblem | RuntimeException problem) {
       driver.disconnect();
       transport.close();

@@ -21,9 +21,7 @@ import java.util.function.LongConsumer;
 /** What a DAVIS240 or DAVIS346 with logic version 18 is told, by module and parameter. */
 final class DavisDriver
     implements CameraDriver, TimestampReset, RegionOfInterest, ClockSync, EarlyTransfer {
-  private static final int ENDPOINT = 0x82;
-  private static final int TRANSFERS = 8;
-  private static final int BUFFER_BYTES = 8192;
+  private static final DataEndpoint ENDPOINT = new DataEndpoint(0x82, 8, 8192);
 
   private static final int RUN = 0;
   private static final int RUN_CLOCK = 1;
@@ -75,18 +73,8 @@ final class DavisDriver
   }
 
   @Override
-  public int endpoint() {
+  public DataEndpoint endpoint() {
     return ENDPOINT;
-  }
-
-  @Override
-  public int usualTransfers() {
-    return TRANSFERS;
-  }
-
-  @Override
-  public int usualBufferBytes() {
-    return BUFFER_BYTES;
   }
 
   @Override
@@ -113,7 +101,7 @@ final class DavisDriver
   @Override
   public void start(Runnable startTransfers) throws CameraProblem {
     pause.accept(SETTLE_NANOS);
-    line.transport().clearHalt(ENDPOINT);
+    line.transport().clearHalt(ENDPOINT.address());
     startTransfers.run();
     registers.set(DavisRegisters.MULTIPLEXER, CHIP_POWER, 1);
     pause.accept(POWER_NANOS);

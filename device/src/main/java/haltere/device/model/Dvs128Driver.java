@@ -33,9 +33,7 @@ final class Dvs128Driver
   private static final int ASK_MASTER = 0xcb;
   private static final int LED = 0xcd;
 
-  private static final int ENDPOINT = 0x86;
-  private static final int TRANSFERS = 8;
-  private static final int BUFFER_BYTES = 4096;
+  private static final DataEndpoint ENDPOINT = new DataEndpoint(0x86, 8, 4096);
 
   /** The first firmware that sends what it has after one millisecond rather than four. */
   private static final int FIRMWARE_OF_EARLY_TIMER = 10;
@@ -79,18 +77,8 @@ final class Dvs128Driver
   }
 
   @Override
-  public int endpoint() {
+  public DataEndpoint endpoint() {
     return ENDPOINT;
-  }
-
-  @Override
-  public int usualTransfers() {
-    return TRANSFERS;
-  }
-
-  @Override
-  public int usualBufferBytes() {
-    return BUFFER_BYTES;
   }
 
   @Override

@@ -16,9 +16,7 @@ import java.util.Map;
  * written here, so the maker's program has to run once before.
  */
 final class EvkDriver implements CameraDriver, Configuration {
-  private static final int ENDPOINT = 0x81;
-  private static final int TRANSFERS = 20;
-  private static final int BUFFER_BYTES = 128 << 10;
+  private static final DataEndpoint ENDPOINT = new DataEndpoint(0x81, 20, 128 << 10);
 
   private final CameraInfo info;
   private final ControlLine line = new ControlLine();
@@ -33,18 +31,8 @@ final class EvkDriver implements CameraDriver, Configuration {
   }
 
   @Override
-  public int endpoint() {
+  public DataEndpoint endpoint() {
     return ENDPOINT;
-  }
-
-  @Override
-  public int usualTransfers() {
-    return TRANSFERS;
-  }
-
-  @Override
-  public int usualBufferBytes() {
-    return BUFFER_BYTES;
   }
 
   @Override
