@@ -15,6 +15,9 @@
  *   udev monitor   socket(AF_NETLINK, NETLINK_KOBJECT_UEVENT) becomes a connection to
  *                  $USBEMU_DIR/uevent.sock; each message is a 4-byte length and a
  *                  kernel-style uevent ("add@/devices/...\0KEY=VALUE\0...").
+ *   stamps         if $USBEMU_DIR/stamps is there (65537 words of 64 bits), word 0 counts the
+ *                  bulk transfers that came with data, and word 1 + n % 65536 is the time at
+ *                  which the n-th was handed over, nanoseconds of CLOCK_MONOTONIC.
  *   forbidden      a node whose $USBEMU_DIR/BBB-DDD.forbidden is there gives EACCES.
  *
  * Build: cc -O2 -Wall -Wextra -shared -fPIC -o libusbemu.so usbemu.c -ldl -lpthread
@@ -37,9 +40,11 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/ioctl.h>
+#include <sys/mman.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
+#include <time.h>
 #include <unistd.h>
 
 #define REAL(name) static __typeof__(name) *real_; \
@@ -86,6 +91,7 @@ static const char *map(const char *p, char *buf) {
     return buf;
 }
 
+static void close_real(int fd) { REAL(close); real_(fd); }
 static int connect_to(const char *name) {
     struct sockaddr_un sa = { .sun_family = AF_UNIX };
     if ((size_t) snprintf(sa.sun_path, sizeof sa.sun_path, "%s/%s", base(), name) >= sizeof sa.sun_path) { errno = ENAMETOOLONG; return -1; }
@@ -117,6 +123,24 @@ static char page[4096];
 static void lower(struct handle *h) { if (h->raised) { while (write(h->pipe_w, page, sizeof page) > 0) ; h->raised = 0; } }
 static void raise_(struct handle *h) { if (!h->raised) { char b[4096]; while (read(h->pipe_r, b, sizeof b) > 0) ; h->raised = 1; } }
 
+#define STAMPS 65536
+static uint64_t *stamps;
+static void map_stamps(void) {                 /* by the first open of a node, before its reader runs */
+    char name[PATH_MAX];
+    REAL(open);
+    snprintf(name, sizeof name, "%s/stamps", base());
+    int fd = stamps ? -1 : real_(name, O_RDWR | O_CLOEXEC);
+    if (fd < 0) return;
+    void *m = mmap(NULL, (STAMPS + 1) * sizeof *stamps, PROT_READ | PROT_WRITE, MAP_SHARED, fd, 0);
+    if (m != MAP_FAILED) stamps = m;
+    close_real(fd);
+}
+static void stamp(void) {                      /* callers hold the lock of the only device that streams */
+    struct timespec now;
+    if (!stamps || clock_gettime(CLOCK_MONOTONIC, &now)) return;
+    stamps[1 + stamps[0] % STAMPS] = (uint64_t) now.tv_sec * 1000000000u + (uint64_t) now.tv_nsec;
+    __atomic_store_n(stamps, stamps[0] + 1, __ATOMIC_RELEASE);
+}
 static void push_done(struct handle *h, struct pend *p, int status, int actual) {
     p->urb->status = status; p->urb->actual_length = actual; p->next = NULL;
     *h->done_tail = p; h->done_tail = &p->next;
@@ -144,6 +168,7 @@ static void *reader_main(void *arg) {
                 int room = p->urb->buffer_length - off;
                 if ((int) m.len > room) m.len = (uint32_t) (room < 0 ? 0 : room);
                 if (m.len) memcpy((char *) p->urb->buffer + off, data, m.len);
+                if (p->urb->type == USBDEVFS_URB_TYPE_BULK && m.len && !m.a) stamp();
                 push_done(h, p, (int) m.a, (int) m.b);
             }
         }
@@ -186,6 +211,7 @@ static int open_node(const char *path, int flags) {
     REAL(access);
     if (!real_(forbidden, F_OK)) { errno = EACCES; return -1; }   /* as for a user without the right */
     snprintf(name, sizeof name, "%03d-%03d.sock", bus, dev);
+    map_stamps();
     struct handle *h = calloc(1, sizeof *h);
     int p[2];
     if ((h->sock = connect_to(name)) < 0) { free(h); errno = errno == EACCES ? EACCES : ENODEV; return -1; }

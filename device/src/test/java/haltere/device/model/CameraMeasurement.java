@@ -2,13 +2,7 @@ package haltere.device.model;
 
 import haltere.core.camera.Camera;
 import haltere.core.camera.CameraOptions;
-import haltere.core.chain.FilterChain;
-import haltere.core.event.EventPacket;
-import haltere.core.stream.DataLost;
-import haltere.core.stream.StreamHandler;
-import haltere.core.stream.StreamNotification;
 import haltere.core.stream.StreamStarted;
-import haltere.filters.DefaultChain;
 import haltere.testing.usb.Dvs128Firmware;
 import haltere.testing.usb.EmulatedDevice;
 import haltere.testing.usb.UsbEmulator;
@@ -29,19 +23,19 @@ import java.util.concurrent.locks.LockSupport;
  */
 final class CameraMeasurement {
   private static final int BATCH_US = 1000;
-  private static final int KEPT_BATCHES = 1 << 16;
   private static final long LATEST_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
   private static final long WRAP_US = 1 << 14;
   private static final int PACKET_BYTES = 512;
 
+  private static final Path FOLDER = Path.of(System.getenv("USBEMU_DIR"));
+
   private final UsbEmulator emulator;
   private final Dvs128Firmware firmware = new Dvs128Firmware("0001");
   private final EmulatedDevice device;
-  private final long[] sentNanos = new long[KEPT_BATCHES];
   private volatile boolean ended;
 
   private CameraMeasurement() throws IOException {
-    emulator = new UsbEmulator(Path.of(System.getenv("USBEMU_DIR")));
+    emulator = new UsbEmulator(FOLDER);
     device = emulator.plug(2, firmware);
   }
 
@@ -57,7 +51,7 @@ final class CameraMeasurement {
     int rate = Integer.parseInt(args[2]);
     switch (args[0]) {
       case "endure" -> measurement.endure(seconds, rate);
-      case "latency" -> measurement.latency(seconds, rate);
+      case "latency" -> measurement.latency(seconds);
       case "speed" -> measurement.speed(seconds);
       case "idle" -> measurement.idle(seconds);
       default -> throw new IllegalArgumentException(args[0]);
@@ -97,7 +91,6 @@ final class CameraMeasurement {
             cell >> 7 & 127,
             (i & 1) == 0);
       }
-      sentNanos[(int) batch & KEPT_BATCHES - 1] = System.nanoTime();
       firmware.endPacket();
     }
     return batches * perBatch;
@@ -167,45 +160,10 @@ final class CameraMeasurement {
 
   // ---- Latency
 
-  private void latency(int seconds, int rate) throws Exception {
-    LatencyHistogram histogram = new LatencyHistogram();
-    FilterChain chain = DefaultChain.create(new haltere.core.event.SensorGeometry(128, 128));
-    long[] lost = new long[1];
-    StreamHandler consumer =
-        new StreamHandler() {
-          @Override
-          public void packet(EventPacket packet) {
-            long lastUs = packet.lastTimeUs();
-            chain.process(packet);
-            long now = System.nanoTime();
-            long batch = lastUs / BATCH_US;
-            // The first five seconds warm the JVM up, and only what ends a batch was sent at its
-            // time.
-            if (batch > 5000 && (lastUs + 1) % BATCH_US <= 1) {
-              histogram.add(now - sentNanos[(int) batch & KEPT_BATCHES - 1]);
-            }
-          }
-
-          @Override
-          public void notified(StreamNotification notification) {
-            chain.notified(notification);
-            lost[0] += notification instanceof DataLost ? 1 : 0;
-          }
-        };
+  private void latency(int seconds) throws Exception {
+    LatencyMeasurement measurement = new LatencyMeasurement(firmware, device, FOLDER);
     try (Camera camera = open(CameraOptions.DEFAULT)) {
-      camera.next(consumer);
-      sender(seconds, rate);
-      while (!ended) {
-        if (camera.await(TimeUnit.MILLISECONDS.toNanos(20))) {
-          camera.next(consumer);
-        }
-      }
-      for (double share : new double[] {0.5, 0.9, 0.99, 0.999}) {
-        System.out.printf(
-            Locale.ROOT, "%5.1f %% within %d us%n", share * 100, histogram.quantileUs(share));
-      }
-      System.out.println("longest " + histogram.longestUs() + " us, losses " + lost[0]);
-      System.out.println(camera.statistics());
+      measurement.run(camera, seconds);
     }
   }
 

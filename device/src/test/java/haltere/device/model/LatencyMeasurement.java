@@ -1,0 +1,215 @@
+package haltere.device.model;
+
+import haltere.core.camera.Camera;
+import haltere.core.chain.FilterChain;
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.stream.DataLost;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import haltere.filters.DefaultChain;
+import haltere.testing.usb.Dvs128Firmware;
+import haltere.testing.usb.EmulatedDevice;
+import java.io.IOException;
+import java.lang.management.GarbageCollectorMXBean;
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadInfo;
+import java.nio.ByteOrder;
+import java.nio.MappedByteBuffer;
+import java.nio.channels.FileChannel;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.Locale;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+
+/**
+ * How long events take from the emulated bus to the end of the default chain: a batch each
+ * millisecond, which is one transfer. Second by second this takes turns with {@link BareHandOver},
+ * so that what the machine takes itself is known of the same minutes.
+ */
+final class LatencyMeasurement implements StreamHandler {
+  private static final int BATCH_US = 1000;
+  private static final int BATCHES = 1000;
+  private static final int KEPT = 1 << 16;
+  private static final int WARM_UP_BLOCKS = 5;
+  private static final double[] SHARES = {0.5, 0.9, 0.99, 0.999};
+
+  private final Dvs128Firmware firmware;
+  private final EmulatedDevice device;
+  private final MappedByteBuffer stamps;
+  private final FilterChain chain = DefaultChain.create(new SensorGeometry(128, 128));
+  private final LatencyHistogram sinceSent = new LatencyHistogram();
+  private final LatencyHistogram sinceHandedOver = new LatencyHistogram();
+  private final LatencyHistogram bare = new LatencyHistogram();
+  private final long[] sentNanos = new long[KEPT];
+  private final int[] stampOfBatch = new int[KEPT];
+  private volatile long firstMeasured = Long.MAX_VALUE;
+  private volatile boolean ended;
+  private long losses;
+  private long unmatched;
+
+  /**
+   * A measurement; the emulator must not have been opened before.
+   *
+   * @param firmware sends
+   * @param device it is in
+   * @param folder of the emulated USB
+   */
+  LatencyMeasurement(Dvs128Firmware firmware, EmulatedDevice device, Path folder)
+      throws IOException {
+    this.firmware = firmware;
+    this.device = device;
+    try (FileChannel file =
+        FileChannel.open(
+            folder.resolve("stamps"),
+            StandardOpenOption.CREATE,
+            StandardOpenOption.READ,
+            StandardOpenOption.WRITE)) {
+      stamps = file.map(FileChannel.MapMode.READ_WRITE, 0, (KEPT + 1L) * Long.BYTES);
+    }
+    stamps.order(ByteOrder.nativeOrder());
+  }
+
+  // ---- The sender's side
+
+  /**
+   * Sends for some seconds, every other of which is the bare hand-over's.
+   *
+   * @param seconds beyond those that warm everything up
+   */
+  private void send(int seconds) throws IOException {
+    BareHandOver hands = new BareHandOver(bare);
+    for (int second = 0; second < seconds + WARM_UP_BLOCKS; second++) {
+      boolean measured = second >= WARM_UP_BLOCKS;
+      if (measured && second % 2 == 0) {
+        hands.run(BATCHES);
+      } else {
+        block((long) second * BATCHES, measured);
+      }
+    }
+    settle();
+    ended = true;
+  }
+
+  private void block(long firstBatch, boolean measured) {
+    firmware.advance(firstBatch * BATCH_US);
+    firmware.endPacket();
+    settle();
+    int stamp = (int) stamps.getLong(0);
+    if (measured && firstMeasured == Long.MAX_VALUE) {
+      firstMeasured = firstBatch;
+    }
+    long start = System.nanoTime();
+    for (int i = 0; i < BATCHES; i++) {
+      long due = start + TimeUnit.MICROSECONDS.toNanos((long) i * BATCH_US);
+      while (System.nanoTime() < due) {
+        LockSupport.parkNanos(due - System.nanoTime());
+      }
+      long batch = firstBatch + i;
+      for (int event = 0; event < BATCH_US; event++) {
+        int cell = (int) (batch * 31 + event * 17L);
+        firmware.event(batch * BATCH_US + event, cell & 127, cell >> 7 & 127, (event & 1) == 0);
+      }
+      int kept = (int) batch & KEPT - 1;
+      stampOfBatch[kept] = stamp + i;
+      sentNanos[kept] = System.nanoTime();
+      firmware.endPacket();
+    }
+  }
+
+  private void settle() {
+    CameraBench.await(() -> device.queued(Dvs128Firmware.ENDPOINT) == 0);
+    LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(50));
+  }
+
+  // ---- The consumer's side
+
+  @Override
+  public void packet(EventPacket packet) {
+    long lastUs = packet.lastTimeUs();
+    chain.process(packet);
+    long now = System.nanoTime();
+    long batch = lastUs / BATCH_US;
+    boolean endsBatch = (lastUs + 1) % BATCH_US == 0;
+    if (batch < firstMeasured || !endsBatch) {
+      return;
+    }
+    int kept = (int) batch & KEPT - 1;
+    long handedOver = stamps.getLong((1 + (stampOfBatch[kept] & KEPT - 1)) * Long.BYTES);
+    sinceSent.add(now - sentNanos[kept]);
+    if (handedOver >= sentNanos[kept] && handedOver <= now) {
+      sinceHandedOver.add(now - handedOver);
+    } else {
+      unmatched++;
+    }
+  }
+
+  @Override
+  public void notified(StreamNotification notification) {
+    chain.notified(notification);
+    losses += notification instanceof DataLost ? 1 : 0;
+  }
+
+  /** Measures and prints. */
+  void run(Camera camera, int seconds) throws Exception {
+    camera.next(this);
+    Thread sender =
+        new Thread(
+            () -> {
+              try {
+                send(seconds);
+              } catch (IOException problem) {
+                throw new AssertionError(problem);
+              }
+            },
+            "sender");
+    sender.setDaemon(true);
+    long collectionsBefore = collectionMs();
+    sender.start();
+    while (!ended) {
+      if (camera.await(TimeUnit.MILLISECONDS.toNanos(20))) {
+        camera.next(this);
+      }
+    }
+    print("from the emulated bus to the end of the chain", sinceHandedOver);
+    print("the same with the emulated bus itself        ", sinceSent);
+    print("bare threads that wake one another likewise  ", bare);
+    System.out.println(
+        "losses "
+            + losses
+            + ", batches without a stamp "
+            + unmatched
+            + ", collections of the heap "
+            + (collectionMs() - collectionsBefore)
+            + " ms in all; allocated:");
+    allocations();
+    System.out.println(camera.statistics());
+  }
+
+  private static void print(String what, LatencyHistogram histogram) {
+    StringBuilder line = new StringBuilder(what);
+    for (double share : SHARES) {
+      line.append(
+          String.format(Locale.ROOT, "  %.1f %% %d us", share * 100, histogram.quantileUs(share)));
+    }
+    System.out.println(line + "  longest " + histogram.longestUs() + " us");
+  }
+
+  private static long collectionMs() {
+    return ManagementFactory.getGarbageCollectorMXBeans().stream()
+        .mapToLong(GarbageCollectorMXBean::getCollectionTime)
+        .sum();
+  }
+
+  /** What each thread has allocated since it began. */
+  private static void allocations() {
+    var threads = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
+    for (ThreadInfo thread : threads.getThreadInfo(threads.getAllThreadIds())) {
+      long bytes = threads.getThreadAllocatedBytes(thread.getThreadId());
+      if (bytes > 1_000_000) {
+        System.out.printf(Locale.ROOT, "  %-24s %6.1f MB%n", thread.getThreadName(), bytes / 1e6);
+      }
+    }
+  }
+}
