@@ -19,7 +19,8 @@ import java.util.concurrent.locks.LockSupport;
 
 /**
  * Measures the driver of the DVS128 on emulated USB, all of it in this program: {@code endure},
- * {@code latency}, {@code speed} or {@code idle}, then seconds and events per second.
+ * {@code latency}, {@code speed}, {@code idle} or {@code replug}, then seconds (of {@code replug},
+ * times) and events per second.
  */
 final class CameraMeasurement {
   private static final int BATCH_US = 1000;
@@ -31,7 +32,7 @@ final class CameraMeasurement {
 
   private final UsbEmulator emulator;
   private final Dvs128Firmware firmware = new Dvs128Firmware("0001");
-  private final EmulatedDevice device;
+  private EmulatedDevice device;
   private volatile boolean ended;
 
   private CameraMeasurement() throws IOException {
@@ -53,6 +54,7 @@ final class CameraMeasurement {
       case "endure" -> measurement.endure(seconds, rate);
       case "latency" -> measurement.latency(seconds);
       case "speed" -> measurement.speed(seconds);
+      case "replug" -> measurement.replug(seconds);
       case "idle" -> measurement.idle(seconds);
       default -> throw new IllegalArgumentException(args[0]);
     }
@@ -165,6 +167,37 @@ final class CameraMeasurement {
     try (Camera camera = open(CameraOptions.DEFAULT)) {
       measurement.run(camera, seconds);
     }
+  }
+
+  // ---- Coming back
+
+  /** From the moment that it is plugged in again to the beginning of its stream. */
+  private void replug(int times) throws Exception {
+    LatencyHistogram histogram = new LatencyHistogram();
+    try (Camera camera = open(CameraOptions.DEFAULT.withReconnect(true))) {
+      StreamLog log = new StreamLog(camera);
+      start(camera, log);
+      for (int time = 1; time <= times; time++) {
+        int streams = time + 1;
+        device.unplug();
+        log.until(() -> log.ends() == streams - 1);
+        log.drain();
+        device = emulator.plug(2 + time % 100, new Dvs128Firmware("0001"));
+        long begin = System.nanoTime();
+        while (camera.statistics().streams() < streams) {
+          log.drain();
+          camera.await(TimeUnit.MILLISECONDS.toNanos(20));
+        }
+        histogram.add(System.nanoTime() - begin);
+      }
+    }
+    System.out.printf(
+        Locale.ROOT,
+        "back after %.1f ms (half of %d times), %.1f ms (99 %%), %.1f ms at the most%n",
+        histogram.quantileUs(0.5) / 1e3,
+        times,
+        histogram.quantileUs(0.99) / 1e3,
+        histogram.longestUs() / 1e3);
   }
 
   // ---- Speed
