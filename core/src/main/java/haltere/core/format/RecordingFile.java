@@ -47,6 +47,38 @@ public final class RecordingFile implements Closeable {
     }
   }
 
+  /** Makes a reader of a file, which is closed with it. */
+  @FunctionalInterface
+  public interface Opening {
+    /**
+     * Makes the reader.
+     *
+     * @param file the bytes
+     * @return a reader at the start
+     * @throws IOException if it is no recording that can be read
+     */
+    RecordingReader open(RecordingFile file) throws IOException;
+  }
+
+  /**
+   * Opens a file for a reader; the file is closed again if there will be none.
+   *
+   * @param path which file
+   * @param opening makes the reader
+   * @return what that made
+   * @throws RecordingProblem if the file is not there or may not be read
+   * @throws IOException if the reader cannot be made
+   */
+  public static RecordingReader reading(Path path, Opening opening) throws IOException {
+    RecordingFile file = new RecordingFile(path);
+    try {
+      return opening.open(file);
+    } catch (IOException | RuntimeException e) {
+      file.close();
+      throw e;
+    }
+  }
+
   /**
    * Which file it is.
    *

@@ -78,25 +78,23 @@ public final class Aedat1Format implements RecordingFormat {
 
   @Override
   public RecordingReader open(Path file, ReadOptions options) throws IOException {
-    RecordingFile bytes = new RecordingFile(file);
-    try {
-      AedatHeader header = AedatReader.header(bytes);
-      List<String> remarks = new ArrayList<>();
-      if (header.version().isEmpty()) {
-        remarks.add("there is no line #!AER-DAT1.0; it is read as AEDAT-1.0 of a DVS128");
-      } else if (header.version().getAsInt() != 1) {
-        throw new RecordingProblem(
-            file,
-            "the header says AEDAT-" + header.versionText() + ", not 1.0; leave out --format");
-      }
-      SensorGeometry geometry = options.sensor().orElse(AedatSensor.DVS128_SIZE);
-      AedatSensor sensor = new AedatSensor(AedatSensor.Layout.DVS128, geometry, remarks);
-      return AedatReader.open(
-          name(), bytes, header, sensor, remarks, RecordDecoder.AEDAT1_BYTES, options);
-    } catch (IOException | RuntimeException e) {
-      bytes.close();
-      throw e;
+    return RecordingFile.reading(file, bytes -> open(bytes, options));
+  }
+
+  private RecordingReader open(RecordingFile bytes, ReadOptions options) throws IOException {
+    AedatHeader header = AedatReader.header(bytes);
+    List<String> remarks = new ArrayList<>();
+    if (header.version().isEmpty()) {
+      remarks.add("there is no line #!AER-DAT1.0; it is read as AEDAT-1.0 of a DVS128");
+    } else if (header.version().getAsInt() != 1) {
+      throw new RecordingProblem(
+          bytes.path(),
+          "the header says AEDAT-" + header.versionText() + ", not 1.0; leave out --format");
     }
+    SensorGeometry geometry = options.sensor().orElse(AedatSensor.DVS128_SIZE);
+    AedatSensor sensor = new AedatSensor(AedatSensor.Layout.DVS128, geometry, remarks);
+    return AedatReader.open(
+        name(), bytes, header, sensor, remarks, RecordDecoder.AEDAT1_BYTES, options);
   }
 
   @Override

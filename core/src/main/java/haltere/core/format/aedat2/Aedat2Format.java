@@ -56,28 +56,26 @@ public final class Aedat2Format implements RecordingFormat {
 
   @Override
   public RecordingReader open(Path file, ReadOptions options) throws IOException {
-    RecordingFile bytes = new RecordingFile(file);
-    try {
-      AedatHeader header = AedatReader.header(bytes);
-      List<String> remarks = new ArrayList<>();
-      if (header.version().isEmpty()) {
-        remarks.add("there is no line #!AER-DAT2.0; it is read as AEDAT-2.0 all the same");
-      } else if (header.version().getAsInt() != 2) {
-        throw new RecordingProblem(
-            file,
-            "the header says AEDAT-" + header.versionText() + ", not 2.0; leave out --format");
-      }
-      long rest = bytes.size() - header.dataOffset();
-      ByteBuffer start = ByteBuffer.allocate((int) Math.min(LOOK_BYTES, Math.max(0, rest)));
-      bytes.read(start, header.dataOffset());
-      AedatSensor sensor = AedatSensor.of(header, options, start);
-      remarks.addAll(sensor.remarks());
-      return AedatReader.open(
-          name(), bytes, header, sensor, remarks, RecordDecoder.AEDAT2_BYTES, options);
-    } catch (IOException | RuntimeException e) {
-      bytes.close();
-      throw e;
+    return RecordingFile.reading(file, bytes -> open(bytes, options));
+  }
+
+  private RecordingReader open(RecordingFile bytes, ReadOptions options) throws IOException {
+    AedatHeader header = AedatReader.header(bytes);
+    List<String> remarks = new ArrayList<>();
+    if (header.version().isEmpty()) {
+      remarks.add("there is no line #!AER-DAT2.0; it is read as AEDAT-2.0 all the same");
+    } else if (header.version().getAsInt() != 2) {
+      throw new RecordingProblem(
+          bytes.path(),
+          "the header says AEDAT-" + header.versionText() + ", not 2.0; leave out --format");
     }
+    long rest = bytes.size() - header.dataOffset();
+    ByteBuffer start = ByteBuffer.allocate((int) Math.min(LOOK_BYTES, Math.max(0, rest)));
+    bytes.read(start, header.dataOffset());
+    AedatSensor sensor = AedatSensor.of(header, options, start);
+    remarks.addAll(sensor.remarks());
+    return AedatReader.open(
+        name(), bytes, header, sensor, remarks, RecordDecoder.AEDAT2_BYTES, options);
   }
 
   @Override

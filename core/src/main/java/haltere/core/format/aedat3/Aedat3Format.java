@@ -67,13 +67,7 @@ public final class Aedat3Format implements RecordingFormat {
 
   @Override
   public RecordingReader open(Path file, ReadOptions options) throws IOException {
-    RecordingFile bytes = new RecordingFile(file);
-    try {
-      return open(bytes, options);
-    } catch (IOException | RuntimeException e) {
-      bytes.close();
-      throw e;
-    }
+    return RecordingFile.reading(file, bytes -> open(bytes, options));
   }
 
   private RecordingReader open(RecordingFile file, ReadOptions options) throws IOException {

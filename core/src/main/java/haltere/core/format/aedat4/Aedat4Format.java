@@ -80,13 +80,7 @@ public final class Aedat4Format implements RecordingFormat {
    */
   public RecordingReader open(Path file, ReadOptions options, OptionalInt stream)
       throws IOException {
-    RecordingFile bytes = new RecordingFile(file);
-    try {
-      return new Opening(bytes, options).open(stream);
-    } catch (IOException | RuntimeException e) {
-      bytes.close();
-      throw e;
-    }
+    return RecordingFile.reading(file, bytes -> new Opening(bytes, options).open(stream));
   }
 
   /**

@@ -44,22 +44,20 @@ public final class McapFormat implements RecordingFormat {
 
   @Override
   public RecordingReader open(Path path, ReadOptions options) throws IOException {
-    RecordingFile file = new RecordingFile(path);
-    try {
-      BagTopics topics = new BagTopics();
-      ViolationCounts found = new ViolationCounts();
-      McapIndex index = McapIndex.read(file, topics, found);
-      return new BagOpening(
-              name(),
-              file,
-              options,
-              topics,
-              (wanted, violations) -> new McapWalk(file, index, topics, wanted, violations))
-          .open(found);
-    } catch (IOException | RuntimeException e) {
-      file.close();
-      throw e;
-    }
+    return RecordingFile.reading(path, file -> open(file, options));
+  }
+
+  private RecordingReader open(RecordingFile file, ReadOptions options) throws IOException {
+    BagTopics topics = new BagTopics();
+    ViolationCounts found = new ViolationCounts();
+    McapIndex index = McapIndex.read(file, topics, found);
+    return new BagOpening(
+            name(),
+            file,
+            options,
+            topics,
+            (wanted, violations) -> new McapWalk(file, index, topics, wanted, violations))
+        .open(found);
   }
 
   @Override

@@ -56,13 +56,7 @@ public final class SqliteBagFormat implements RecordingFormat {
 
   @Override
   public RecordingReader open(Path path, ReadOptions options) throws IOException {
-    RecordingFile bytes = new RecordingFile(path);
-    try {
-      return new Opening(bytes, options).open();
-    } catch (IOException | RuntimeException e) {
-      bytes.close();
-      throw e;
-    }
+    return RecordingFile.reading(path, bytes -> new Opening(bytes, options).open());
   }
 
   private final class Opening {

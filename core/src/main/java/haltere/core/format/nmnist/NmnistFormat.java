@@ -89,32 +89,30 @@ public final class NmnistFormat implements RecordingFormat {
 
   @Override
   public RecordingReader open(Path file, ReadOptions options) throws IOException {
-    RecordingFile bytes = new RecordingFile(file);
-    try {
-      Optional<SensorGeometry> asked =
-          options
-              .sensor()
-              .map(sensor -> new SensorGeometry(sensor.width(), sensor.height(), Origin.TOP));
-      SensorGeometry geometry =
-          asked.isPresent()
-              ? asked.get()
-              : SensorGuess.smallest(
-                      cursor(bytes, SensorGuess.square(MAX_SIDE), new ViolationCounts()),
-                      MAX_SIDE,
-                      SIZES)
-                  .orElse(SIZES.get(0));
-      return new DecodingReader(
-          name(),
-          bytes,
-          geometry,
-          asked.isPresent() ? List.of() : List.of(SensorGuess.remark(geometry)),
-          options,
-          new ViolationCounts(),
-          violations -> cursor(bytes, geometry, violations));
-    } catch (IOException | RuntimeException e) {
-      bytes.close();
-      throw e;
-    }
+    return RecordingFile.reading(file, bytes -> open(bytes, options));
+  }
+
+  private RecordingReader open(RecordingFile bytes, ReadOptions options) throws IOException {
+    Optional<SensorGeometry> asked =
+        options
+            .sensor()
+            .map(sensor -> new SensorGeometry(sensor.width(), sensor.height(), Origin.TOP));
+    SensorGeometry geometry =
+        asked.isPresent()
+            ? asked.get()
+            : SensorGuess.smallest(
+                    cursor(bytes, SensorGuess.square(MAX_SIDE), new ViolationCounts()),
+                    MAX_SIDE,
+                    SIZES)
+                .orElse(SIZES.get(0));
+    return new DecodingReader(
+        name(),
+        bytes,
+        geometry,
+        asked.isPresent() ? List.of() : List.of(SensorGuess.remark(geometry)),
+        options,
+        new ViolationCounts(),
+        violations -> cursor(bytes, geometry, violations));
   }
 
   private static EventCursor cursor(
