@@ -6,9 +6,13 @@ import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.stream.StreamNotification;
 import haltere.testing.ManualClock;
+import haltere.testing.MemoryRecording;
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
+import java.util.stream.LongStream;
 
 /** An engine driven by the test's own thread in virtual time. */
 final class EngineRig {
@@ -47,6 +51,27 @@ final class EngineRig {
     ask(new PlaybackCommand.AddSink(log, false));
     ask(new PlaybackCommand.AddSink(raw, true));
     engine.start(new CompletableFuture<>());
+  }
+
+  static RecordingPlayable recording(EventPacket... segments) throws IOException {
+    return new RecordingPlayable(new MemoryRecording(SENSOR, () -> 2, segments));
+  }
+
+  /** One event every 10 us from 1000 us on. */
+  static EventPacket even(int count) {
+    return events(LongStream.range(0, count).map(i -> 1000 + 10 * i).toArray());
+  }
+
+  static EventFilter filter(Consumer<EventPacket> work) {
+    return new EventFilter() {
+      @Override
+      public void process(EventPacket packet) {
+        work.accept(packet);
+      }
+
+      @Override
+      public void reset() {}
+    };
   }
 
   static PlayerOptions byTime(long sliceUs) {
