@@ -1,6 +1,5 @@
 package haltere.testing.usb;
 
-import java.util.ArrayDeque;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
@@ -36,32 +35,6 @@ public final class EmulatedDevice {
 
   private static final int STANDARD_TO_HOST = 0x80;
   private static final int GET_DESCRIPTOR = 6;
-  private static final int HIGH_SPEED_PACKET = 512;
-
-  /** A transfer from the device that waits for data. */
-  static final class Transfer {
-    private final byte[] data;
-    private final Answer answer;
-    private int used;
-
-    Transfer(int length, Answer answer) {
-      data = new byte[length];
-      this.answer = answer;
-    }
-
-    private boolean end(int error) {
-      return answer.end(error, data, used);
-    }
-  }
-
-  /** Told of the end of a transfer. */
-  interface Answer {
-    /**
-     * The first {@code length} bytes of the data have come; the error is 0 or negative. Returns
-     * whether this reached the host.
-     */
-    boolean end(int error, byte[] data, int length);
-  }
 
   /** Told of bytes that the host has got. */
   @FunctionalInterface
@@ -77,7 +50,7 @@ public final class EmulatedDevice {
 
   private final int number;
   private final Firmware firmware;
-  private final Map<Integer, Endpoint> endpoints = new HashMap<>();
+  private final Map<Integer, EmulatedEndpoint> endpoints = new HashMap<>();
   private final AtomicLong packetsDropped = new AtomicLong();
   private volatile int controlDelayMs;
   private volatile boolean deaf;
@@ -254,22 +227,35 @@ public final class EmulatedDevice {
     return packetsDropped.get();
   }
 
+  /** How many packets may wait at an endpoint. */
+  int maxQueuedPackets() {
+    return maxQueuedPackets;
+  }
+
+  void packetDropped() {
+    packetsDropped.incrementAndGet();
+  }
+
+  void delivered(byte[] data, int length) {
+    delivery.delivered(data, length);
+  }
+
   // ---- The host's side
 
-  void submit(int endpoint, Transfer transfer) {
+  void submit(int endpoint, EmulatedEndpoint.Transfer transfer) {
     endpoint(endpoint).submit(transfer);
   }
 
   /** Takes transfers back without ending them. */
-  void discard(Transfer transfer) {
-    for (Endpoint endpoint : allEndpoints()) {
+  void discard(EmulatedEndpoint.Transfer transfer) {
+    for (EmulatedEndpoint endpoint : allEndpoints()) {
       endpoint.discard(transfer);
     }
   }
 
   /** Forgets all transfers, as when the host closes the device. */
   void discardAll() {
-    allEndpoints().forEach(Endpoint::discardAll);
+    allEndpoints().forEach(EmulatedEndpoint::discardAll);
   }
 
   /** Ends all transfers: the device is gone. */
@@ -296,112 +282,15 @@ public final class EmulatedDevice {
     };
   }
 
-  private Endpoint endpoint(int address) {
+  private EmulatedEndpoint endpoint(int address) {
     synchronized (endpoints) {
-      return endpoints.computeIfAbsent(address, unused -> new Endpoint());
+      return endpoints.computeIfAbsent(address, unused -> new EmulatedEndpoint(this));
     }
   }
 
-  private List<Endpoint> allEndpoints() {
+  private List<EmulatedEndpoint> allEndpoints() {
     synchronized (endpoints) {
       return List.copyOf(endpoints.values());
-    }
-  }
-
-  /** One endpoint to the host. */
-  private final class Endpoint {
-    private final ArrayDeque<Transfer> transfers = new ArrayDeque<>();
-    private final ArrayDeque<byte[]> packets = new ArrayDeque<>();
-    private boolean halted;
-
-    synchronized boolean offer(byte[] packet) {
-      if (packets.size() >= maxQueuedPackets) {
-        packetsDropped.incrementAndGet();
-        return false;
-      }
-      packets.add(packet);
-      pump();
-      return true;
-    }
-
-    synchronized void submit(Transfer transfer) {
-      if (gone) {
-        transfer.end(ENODEV);
-        return;
-      }
-      transfers.add(transfer);
-      pump();
-    }
-
-    private void pump() {
-      while (!transfers.isEmpty()) {
-        Transfer transfer = transfers.peek();
-        if (halted) {
-          transfers.poll();
-          end(transfer, EPIPE);
-          continue;
-        }
-        byte[] packet = packets.poll();
-        if (packet == null) {
-          return;
-        }
-        boolean fits = packet.length <= transfer.data.length - transfer.used;
-        if (fits) {
-          System.arraycopy(packet, 0, transfer.data, transfer.used, packet.length);
-          transfer.used += packet.length;
-        }
-        if (!fits || packet.length < HIGH_SPEED_PACKET || transfer.used == transfer.data.length) {
-          transfers.poll();
-          end(transfer, fits ? 0 : EOVERFLOW);
-        }
-      }
-    }
-
-    private void end(Transfer transfer, int error) {
-      if (!gone && transfer.end(error)) {
-        delivery.delivered(transfer.data, transfer.used);
-      }
-    }
-
-    synchronized void halt(boolean on) {
-      halted = on;
-      pump();
-    }
-
-    synchronized void failNext(int error) {
-      Transfer transfer = transfers.poll();
-      if (transfer != null) {
-        transfer.used = 0;
-        end(transfer, error);
-      }
-    }
-
-    synchronized void endAll(int error) {
-      for (Transfer transfer : transfers) {
-        transfer.used = 0;
-        transfer.end(error);
-      }
-      transfers.clear();
-    }
-
-    synchronized void discard(Transfer transfer) {
-      transfers.remove(transfer);
-    }
-
-    synchronized void discardAll() {
-      transfers.clear();
-    }
-
-    synchronized int waiting() {
-      return transfers.size();
-    }
-
-    synchronized int queued() {
-      return packets.size();
-    }
-
-    synchronized void flush() {
-      packets.clear();
     }
   }
 

@@ -64,7 +64,7 @@ final class HostConnections {
   }
 
   private void serve(SocketChannel host) throws IOException {
-    Map<Long, EmulatedDevice.Transfer> transfers = new ConcurrentHashMap<>();
+    Map<Long, EmulatedEndpoint.Transfer> transfers = new ConcurrentHashMap<>();
     ByteBuffer head = ByteBuffer.allocate(HEAD_BYTES).order(ByteOrder.nativeOrder());
     try {
       while (true) {
@@ -91,7 +91,7 @@ final class HostConnections {
             }
           }
           case DISCARD -> {
-            EmulatedDevice.Transfer transfer = transfers.remove(id);
+            EmulatedEndpoint.Transfer transfer = transfers.remove(id);
             if (transfer != null) {
               device.discard(transfer);
             }
@@ -115,12 +115,12 @@ final class HostConnections {
 
   private void submit(
       SocketChannel host,
-      Map<Long, EmulatedDevice.Transfer> transfers,
+      Map<Long, EmulatedEndpoint.Transfer> transfers,
       long id,
       int endpoint,
       int room) {
-    EmulatedDevice.Transfer transfer =
-        new EmulatedDevice.Transfer(
+    EmulatedEndpoint.Transfer transfer =
+        new EmulatedEndpoint.Transfer(
             room,
             (error, data, length) -> {
               transfers.remove(id);

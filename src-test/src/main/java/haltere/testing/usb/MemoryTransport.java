@@ -104,8 +104,8 @@ final class MemoryTransport implements UsbTransport {
   public byte[] read(int endpoint, int most) throws CameraProblem {
     requirePlugged();
     CompletableFuture<byte[]> read = new CompletableFuture<>();
-    EmulatedDevice.Transfer transfer =
-        new EmulatedDevice.Transfer(
+    EmulatedEndpoint.Transfer transfer =
+        new EmulatedEndpoint.Transfer(
             most, (error, data, length) -> read.complete(Arrays.copyOf(data, length)));
     emulated.submit(endpoint, transfer);
     try {
@@ -151,7 +151,7 @@ final class MemoryTransport implements UsbTransport {
   private final class Bulk implements BulkTransfer {
     private final int endpoint;
     private final TransferListener listener;
-    private final AtomicReference<EmulatedDevice.Transfer> underWay = new AtomicReference<>();
+    private final AtomicReference<EmulatedEndpoint.Transfer> underWay = new AtomicReference<>();
     private ByteBuffer buffer;
 
     Bulk(int endpoint, TransferListener listener) {
@@ -168,16 +168,16 @@ final class MemoryTransport implements UsbTransport {
         return false;
       }
       buffer = into;
-      EmulatedDevice.Transfer[] self = new EmulatedDevice.Transfer[1];
+      EmulatedEndpoint.Transfer[] self = new EmulatedEndpoint.Transfer[1];
       self[0] =
-          new EmulatedDevice.Transfer(
+          new EmulatedEndpoint.Transfer(
               into.capacity(), (error, data, length) -> end(self[0], error, data, length));
       underWay.set(self[0]);
       emulated.submit(endpoint, self[0]);
       return true;
     }
 
-    private boolean end(EmulatedDevice.Transfer which, int error, byte[] data, int length) {
+    private boolean end(EmulatedEndpoint.Transfer which, int error, byte[] data, int length) {
       if (underWay.compareAndSet(which, null)) {
         buffer.duplicate().clear().put(data, 0, length);
         events.add(() -> listener.ended(endOf(error), length));
@@ -188,7 +188,7 @@ final class MemoryTransport implements UsbTransport {
 
     @Override
     public void cancel() {
-      EmulatedDevice.Transfer which = underWay.get();
+      EmulatedEndpoint.Transfer which = underWay.get();
       if (which != null) {
         emulated.discard(which);
         end(which, EmulatedDevice.ENOENT, new byte[0], 0);
