@@ -36,6 +36,24 @@ public interface CameraProvider {
    */
   List<CameraInfo> list();
 
+  /** Being told of cameras that come and go, until it is closed. */
+  interface Watch extends AutoCloseable {
+    /** Nobody is told any more. A second call does nothing. */
+    @Override
+    void close();
+  }
+
+  /**
+   * Has somebody told when cameras may have come or gone. One that has just come may need a second
+   * until it can be opened.
+   *
+   * @param changed called on any thread: returns at once and asks this for nothing
+   * @return a watch that the caller closes, or empty if this way cannot tell
+   */
+  default Optional<Watch> watch(Runnable changed) {
+    return Optional.empty();
+  }
+
   /**
    * What keeps this way from seeing any camera at all, such as a library that is missing.
    *

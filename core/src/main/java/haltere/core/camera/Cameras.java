@@ -49,6 +49,19 @@ public final class Cameras {
   }
 
   /**
+   * Has somebody told when cameras may have come or gone, as far as providers can tell. One that
+   * has just come may need a second until it can be opened.
+   *
+   * @param changed called on any thread: returns at once and asks this for nothing
+   * @return ends that when closed
+   */
+  public CameraProvider.Watch watch(Runnable changed) {
+    List<CameraProvider.Watch> watches =
+        providers.stream().flatMap(provider -> provider.watch(changed).stream()).toList();
+    return () -> watches.forEach(CameraProvider.Watch::close);
+  }
+
+  /**
    * What keeps providers from seeing any camera at all.
    *
    * @return a line for a person for each that cannot, beginning with its name

@@ -94,6 +94,34 @@ class CamerasTest {
   }
 
   @Test
+  void whoWatchesIsToldByEveryProviderThatCanTell() {
+    List<Runnable> watching = new ArrayList<>();
+    int[] told = {0};
+    CameraProvider.Watch watch =
+        new Cameras(List.of(new Shelf(true), new TellingShelf(watching))).watch(() -> told[0]++);
+
+    watching.forEach(Runnable::run);
+    assertEquals(1, told[0]);
+    watch.close();
+    assertEquals(List.of(), watching);
+  }
+
+  private final class TellingShelf extends Shelf {
+    private final List<Runnable> watching;
+
+    TellingShelf(List<Runnable> watching) {
+      super(true);
+      this.watching = watching;
+    }
+
+    @Override
+    public Optional<Watch> watch(Runnable changed) {
+      watching.add(changed);
+      return Optional.of(() -> watching.remove(changed));
+    }
+  }
+
+  @Test
   void timesOfOneCameraAreFoundOnTheClockOfAnother() {
     ClockRelation one = new ClockRelation(1_000_000, 50_000_000_000L);
     ClockRelation other = new ClockRelation(0, 50_000_300_000L);
@@ -106,7 +134,7 @@ class CamerasTest {
     return new CameraInfo(id, "Model", "", new SensorGeometry(4, 4), canOpen, note);
   }
 
-  private final class Shelf implements CameraProvider {
+  private class Shelf implements CameraProvider {
     private final boolean physical;
     private final List<CameraInfo> infos;
 

@@ -73,6 +73,15 @@ public final class UsbCameraProvider implements CameraProvider {
   }
 
   @Override
+  public Optional<Watch> watch(Runnable changed) {
+    try {
+      return bus.get().watch(changed).map(watch -> watch::close);
+    } catch (CameraProblem noUsb) {
+      return Optional.empty();
+    }
+  }
+
+  @Override
   public Optional<String> obstacle() {
     try {
       bus.get().devices();

@@ -3,6 +3,7 @@ package haltere.device.model;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -11,6 +12,7 @@ import haltere.core.camera.Camera;
 import haltere.core.camera.CameraInfo;
 import haltere.core.camera.CameraProblem;
 import haltere.core.camera.CameraProblem.Kind;
+import haltere.core.camera.CameraProvider;
 import haltere.core.camera.ClockSync;
 import haltere.core.camera.Configuration;
 import haltere.core.camera.Led;
@@ -27,6 +29,7 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Random;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 
 /** What a driver has to live through, whatever the bus: finding, asking, streaming, faults. */
@@ -56,6 +59,20 @@ abstract class CameraScenarios extends CameraBench {
     await(() -> provider.list().isEmpty());
     device = plug(firmware);
     assertEquals("dvs128:0042", provider.list().get(0).id());
+  }
+
+  @Test
+  void whoWatchesIsToldOfCamerasThatComeAndGo() {
+    AtomicInteger told = new AtomicInteger();
+    try (CameraProvider.Watch watch = provider.watch(told::incrementAndGet).orElseThrow()) {
+      assertNotNull(watch);
+      device.unplug();
+      await(() -> told.get() >= 1);
+      await(() -> provider.list().isEmpty());
+      int before = told.get();
+      device = plug(firmware);
+      await(() -> told.get() > before);
+    }
   }
 
   @Test

@@ -15,9 +15,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import javafx.animation.PauseTransition;
 import javafx.application.Platform;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
+import javafx.util.Duration;
 
 /**
  * Cameras: lists and opens them, shows a panel with their biases, their region and what came and
@@ -42,6 +44,9 @@ final class CameraFeature implements ViewerFeature {
   private boolean saidUnplugged;
   private long numbersNanos;
 
+  /** One that has just come may not be ours to open yet, and several may come at once. */
+  private final PauseTransition comingSoon = new PauseTransition(Duration.seconds(1));
+
   CameraFeature() {
     this(Cameras.installed());
   }
@@ -54,6 +59,7 @@ final class CameraFeature implements ViewerFeature {
   public void install(ViewerContext installed) {
     window = installed;
     panel = new CameraPanel(this::tell);
+    comingSoon.setOnFinished(over -> list());
     BooleanProperty shown =
         window.addPanel("camera", "Camera", "Shortcut+Shift+C", PanelPlace.SIDE, () -> panel);
     window
@@ -96,10 +102,14 @@ final class CameraFeature implements ViewerFeature {
 
   /** Lists the cameras; asking USB takes its time. */
   void list() {
+    boolean first = !everListed;
     everListed = true;
     Thread looking =
         new Thread(
             () -> {
+              if (first) {
+                cameras.watch(() -> Platform.runLater(comingSoon::playFromStart));
+              }
               List<CameraInfo> seen = cameras.list();
               Platform.runLater(() -> show(seen));
             },
