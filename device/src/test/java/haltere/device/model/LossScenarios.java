@@ -13,6 +13,13 @@ import haltere.core.camera.CameraOptions.WhenFull;
 import haltere.core.camera.CameraProblem;
 import haltere.core.camera.CameraProblem.Kind;
 import haltere.core.camera.TimestampReset;
+import haltere.core.format.RecordingReader;
+import haltere.core.format.Recordings;
+import haltere.core.format.WriteOptions;
+import haltere.core.format.aedat4.Aedat4Compression;
+import haltere.core.format.aedat4.Aedat4Writer;
+import haltere.core.pipeline.CameraHeader;
+import haltere.core.pipeline.SessionRecorder;
 import haltere.core.stream.DataLost;
 import haltere.core.stream.DeviceLost;
 import haltere.core.stream.EndOfStream;
@@ -20,14 +27,20 @@ import haltere.core.stream.StreamStarted;
 import haltere.device.usb.UsbBus;
 import haltere.device.usb.UsbDevice;
 import haltere.device.usb.UsbTransport;
+import haltere.testing.StreamRecorder;
 import haltere.testing.usb.Dvs128Firmware;
 import haltere.testing.usb.EmulatedDevice;
 import java.io.IOException;
+import java.nio.file.Path;
+import java.time.Clock;
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
+import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 /** Loss, unplugging, coming back, closing, whatever the bus: every event is accounted for. */
 abstract class LossScenarios extends CameraBench {
@@ -139,6 +152,72 @@ abstract class LossScenarios extends CameraBench {
       assertEquals(3, log.all.timeUs(10));
       assertEquals(0, log.lost);
     }
+  }
+
+  @Test
+  void aRecordingAcrossAnUnpluggingIsInTwoPartsWithEachEventOnce(@TempDir Path folder)
+      throws IOException {
+    Camera camera = open(SMALL.withReconnect(true));
+    SessionRecorder session = session(camera, folder.resolve("night.aedat4"));
+    takeUntil(camera, session, () -> camera.statistics().streams() == 1);
+    await(firmware::isStreaming);
+    camera.facet(Biases.class).orElseThrow().set("Pr", 300);
+    sendEvents(1000);
+    takeUntil(camera, session, () -> camera.statistics().events() == 1000);
+    device.unplug();
+    Dvs128Firmware again = new Dvs128Firmware("0042");
+    device = on.bus().plug(on.numbers().getAsInt(), again);
+    takeUntil(camera, session, () -> camera.statistics().streams() == 2);
+    for (int i = 0; i < 500; i++) {
+      again.event(i * 7L, i & 127, 5, true);
+    }
+    again.endPacket();
+    takeUntil(camera, session, () -> camera.statistics().events() == 1500);
+    camera.close();
+    camera.drainTo(session);
+    List<SessionRecorder.Part> parts = session.finish();
+
+    assertEquals(2, parts.size());
+    StreamRecorder first = read(parts.get(0).file(), "300 2^-24");
+    StreamRecorder second = read(parts.get(1).file(), "300 2^-24");
+    assertEquals(firmware.eventsSent(), first.events().size());
+    assertEquals(again.eventsSent(), second.events().size());
+    assertEquals(9990, first.events().lastTimeUs());
+    assertEquals(0, second.events().firstTimeUs());
+    assertEquals(499 * 7, second.events().lastTimeUs());
+  }
+
+  private static SessionRecorder session(Camera camera, Path file) {
+    return new SessionRecorder(
+        file,
+        camera.geometry(),
+        (part, metadata) ->
+            Aedat4Writer.createInPlace(
+                part,
+                new WriteOptions(camera.geometry(), false, Optional.empty(), metadata),
+                Aedat4Compression.LZ4),
+        SessionRecorder.Limits.USUAL,
+        new CameraHeader(camera, Optional::empty, System::nanoTime, Clock.systemUTC()),
+        () -> Long.MAX_VALUE);
+  }
+
+  private static void takeUntil(Camera camera, SessionRecorder session, BooleanSupplier condition)
+      throws IOException {
+    while (!condition.getAsBoolean()) {
+      if (camera.await(TimeUnit.MILLISECONDS.toNanos(5))) {
+        camera.next(session);
+      }
+    }
+  }
+
+  private static StreamRecorder read(Path part, String bias) throws IOException {
+    StreamRecorder all = new StreamRecorder();
+    try (RecordingReader reader = Recordings.open(part)) {
+      assertEquals("DVS128 0042", reader.metadata().get("camera"));
+      assertEquals(bias, reader.metadata().get("camera.bias.Pr"));
+      reader.drainTo(all);
+    }
+    return all;
   }
 
   /** Looks for a camera so seldom that it does not, for a test. */
