@@ -31,11 +31,9 @@ public final class CameraPlayable implements Playable {
   private final Camera camera;
   private final boolean reconnects;
   private final EventPacket nothing = new EventPacket(1);
+  private final ElapsedTimeline timeline = new ElapsedTimeline();
   private volatile boolean unplugged;
   private boolean started;
-  private boolean offsetKnown;
-  private long offsetUs;
-  private long endUs;
   private long lastUs = StreamNotification.NO_TIME_US;
 
   /**
@@ -98,8 +96,7 @@ public final class CameraPlayable implements Playable {
     if (elapsedUs != 0) {
       throw new IOException(name() + " is a camera: what has been cannot be seen again");
     }
-    offsetKnown = false;
-    endUs = 0;
+    timeline.begin();
   }
 
   @Override
@@ -123,11 +120,7 @@ public final class CameraPlayable implements Playable {
     public void packet(EventPacket packet) {
       if (!packet.isEmpty()) {
         lastUs = packet.lastTimeUs();
-        if (!offsetKnown) {
-          offsetUs = endUs - packet.firstTimeUs();
-          offsetKnown = true;
-        }
-        endUs = lastUs + offsetUs + 1;
+        timeline.packet(packet);
       }
       handler.packet(packet);
     }
@@ -156,14 +149,14 @@ public final class CameraPlayable implements Playable {
     }
 
     private void restart(Reset reset) {
-      offsetKnown = false;
+      timeline.clockRestarts();
       handler.notified(reset);
     }
   }
 
   @Override
   public long elapsedUs(long timeUs) {
-    return timeUs + offsetUs;
+    return timeline.elapsedUs(timeUs);
   }
 
   @Override

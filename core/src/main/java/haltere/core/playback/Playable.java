@@ -49,6 +49,25 @@ public interface Playable extends EventSource {
   }
 
   /**
+   * Earliest place that can be gone to at once. From any thread.
+   *
+   * @return microseconds; 0 where nothing is forgotten
+   */
+  default long earliestUs() {
+    return 0;
+  }
+
+  /**
+   * Where one gets who wants to go to a place. From any thread.
+   *
+   * @param elapsedUs any place, also before the start and behind the end
+   * @return the nearest place that {@link #seek} may be asked for, microseconds
+   */
+  default long nearestUs(long elapsedUs) {
+    return Math.max(0, Math.min(elapsedUs, durationUs().orElse(Long.MAX_VALUE) - 1));
+  }
+
+  /**
    * Goes on at the first event at or after a place. The next thing handed over is a {@code
    * Reset(SEEK)}, or the start of the stream if nothing has been handed over yet or the end has.
    *

@@ -31,6 +31,8 @@ final class PlaybackEngine {
   private final StatusBoard board;
   private final ChainRunner runner;
   private final SliceRunner stream;
+  private double speed;
+  private boolean live;
 
   PlaybackEngine(Playable playable, FilterChain chain, PlayerOptions options) {
     if (chain.geometry().width() != playable.geometry().width()
@@ -48,7 +50,9 @@ final class PlaybackEngine {
     runUpUs = options.runUpUs();
     SourceCursor cursor = new SourceCursor(playable, options.nanoTime());
     PlaybackClock clock = new PlaybackClock(options.nanoTime(), options.sleeper());
-    clock.setSpeed(playable.isLive() ? Double.POSITIVE_INFINITY : options.speed());
+    speed = options.speed();
+    live = playable.isLive();
+    clock.setSpeed(live ? Double.POSITIVE_INFINITY : speed);
     pace = new PlaybackPace(clock, new PlaybackMeter(chain, cursor, options.nanoTime()));
     slices = new SliceCutter(clock, options.slicing(), options.loop());
     State state = options.paused() ? State.PAUSED : State.PLAYING;
@@ -84,7 +88,18 @@ final class PlaybackEngine {
 
   /** Works a little; returns nanoseconds until the next turn has something to do. */
   long turn() {
+    followSource();
     return stream.turn();
+  }
+
+  /** What is live is not paced; what was kept of it is, until it has been played again. */
+  private void followSource() {
+    if (playable.isLive() != live) {
+      live = !live;
+      pace.setSpeed(live ? Double.POSITIVE_INFINITY : speed);
+      pace.jumpTo(slices.nextUs());
+      slices.reopen();
+    }
   }
 
   /** Gives up; another jump may try again. */
@@ -127,10 +142,11 @@ final class PlaybackEngine {
     } else if (command instanceof PlaybackCommand.Rewind) {
       return jumpAndShow(stream.startOfLoop(), Reset.Cause.REWIND, done);
     } else if (command instanceof PlaybackCommand.SetSpeed set) {
+      speed = set.speed();
       if (playable.isLive()) {
         throw new IOException(playable.name() + " is live: its events come at their own speed");
       }
-      pace.setSpeed(set.speed());
+      pace.setSpeed(speed);
       slices.reopen();
     } else if (command instanceof PlaybackCommand.SetSlicing set) {
       slices.setSlicing(set.slicing());
@@ -199,8 +215,9 @@ final class PlaybackEngine {
     if (slices.byCount()) {
       return stream.eventsBack((long) slices.countPerSlice() * count);
     }
-    boolean toStart = slices.lengthUs() > shownFrom / count;
-    return new StepBackSearch.Place(toStart ? 0 : shownFrom - slices.lengthUs() * count, 0);
+    long earliest = playable.earliestUs();
+    boolean toStart = slices.lengthUs() > (shownFrom - earliest) / count;
+    return new StepBackSearch.Place(toStart ? earliest : shownFrom - slices.lengthUs() * count, 0);
   }
 
   private boolean jumpAndShow(long to, Reset.Cause cause, CompletableFuture<Void> done)

@@ -20,10 +20,8 @@ import java.util.function.Supplier;
 public final class ScenePlayable implements Playable {
   private final Supplier<? extends EventSource> scenes;
   private final String name;
+  private final ElapsedTimeline timeline = new ElapsedTimeline();
   private EventSource scene;
-  private boolean offsetKnown;
-  private long offsetUs;
-  private long endUs;
 
   /**
    * A scene at its start.
@@ -64,8 +62,7 @@ public final class ScenePlayable implements Playable {
     }
     scene.close();
     scene = scenes.get();
-    offsetKnown = false;
-    endUs = 0;
+    timeline.begin();
   }
 
   @Override
@@ -74,20 +71,14 @@ public final class ScenePlayable implements Playable {
         new StreamHandler() {
           @Override
           public void packet(EventPacket packet) {
-            if (!packet.isEmpty()) {
-              if (!offsetKnown) {
-                offsetUs = endUs - packet.firstTimeUs();
-                offsetKnown = true;
-              }
-              endUs = packet.lastTimeUs() + offsetUs + 1;
-            }
+            timeline.packet(packet);
             handler.packet(packet);
           }
 
           @Override
           public void notified(StreamNotification notification) {
             if (notification instanceof haltere.core.stream.Reset) {
-              offsetKnown = false;
+              timeline.clockRestarts();
             }
             handler.notified(notification);
           }
@@ -96,7 +87,7 @@ public final class ScenePlayable implements Playable {
 
   @Override
   public long elapsedUs(long timeUs) {
-    return timeUs + offsetUs;
+    return timeline.elapsedUs(timeUs);
   }
 
   @Override

@@ -52,7 +52,7 @@ final class SliceRunner {
    * Goes to a place, brought into its range; the notification is given before whatever comes next.
    */
   void jump(long to, Reset.Cause cause) throws IOException {
-    long place = Math.max(0, Math.min(to, playable.durationUs().orElse(Long.MAX_VALUE) - 1));
+    long place = playable.nearestUs(to);
     if (place != 0 && !playable.seekable()) {
       throw new IOException(playable.name() + " cannot seek; it can be rewound");
     }
@@ -69,7 +69,7 @@ final class SliceRunner {
 
   /** Goes to a place by way of a run-up through the chain. */
   void jumpWithRunUp(StepBackSearch.Place target, long runUpUs) throws IOException {
-    long from = Math.max(0, target.elapsedUs() - runUpUs);
+    long from = Math.max(playable.earliestUs(), target.elapsedUs() - runUpUs);
     jump(playable.seekable() ? from : target.elapsedUs(), Reset.Cause.SEEK);
     if (from < target.elapsedUs() || target.ties() > 0) {
       runUp.open(target);
@@ -272,7 +272,7 @@ final class SliceRunner {
 
   private void wrap() throws IOException {
     long from = slices.position();
-    long to = startOfLoop();
+    long to = playable.nearestUs(startOfLoop());
     cursor.seek(to);
     pendingBreak = Reset.Cause.REWIND;
     slices.moveTo(to);

@@ -123,6 +123,11 @@ final class SourceCursor implements StreamHandler {
     breakExpected = true;
   }
 
+  /** The earliest place that can be gone to at once. */
+  long earliestUs() {
+    return playable.earliestUs();
+  }
+
   /** Real time that the playable has taken to give what it gave, nanoseconds. */
   long busyNanos() {
     return busyNanos;

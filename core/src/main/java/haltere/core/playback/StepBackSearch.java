@@ -29,19 +29,20 @@ final class StepBackSearch {
   Place before(Place boundary, long events) throws IOException {
     long end = boundary.elapsedUs();
     long window = Math.max(SMALLEST_WINDOW_US, (long) (2 * events / eventRateEps * 1e6));
-    while (end > 0) {
-      long from = Math.max(0, end - window);
+    long earliest = cursor.earliestUs();
+    while (end > earliest) {
+      long from = Math.max(earliest, end - window);
       pass(from, end, Long.MAX_VALUE);
       long found = passed + boundary.ties();
       if (found >= events) {
         return pass(from, end + 1, found - events);
       }
-      if (from == 0) {
+      if (from == earliest) {
         break;
       }
       window = window > end / 4 ? end : window * 4;
     }
-    return new Place(0, 0);
+    return new Place(earliest, 0);
   }
 
   /** Passes events from a place to another, or so many; tells where the next one is. */
