@@ -80,11 +80,7 @@ final class CameraFeature implements ViewerFeature {
   }
 
   private void follow(Optional<ViewerSession> session, BooleanProperty shown) {
-    open =
-        session
-            .map(made -> made.player().playable())
-            .filter(CameraPlayable.class::isInstance)
-            .map(CameraPlayable.class::cast);
+    open = session.flatMap(ViewerSession::camera);
     saidUnplugged = false;
     panel.setCamera(open.map(CameraPlayable::camera));
     window.status().setLive("");

@@ -2,13 +2,11 @@ package haltere.ui.viewer;
 
 import haltere.core.chain.ChainFile;
 import haltere.core.chain.FilterChain;
-import haltere.core.format.Conversion;
-import haltere.core.format.ProgressListener;
 import haltere.core.format.ReadOptions;
-import haltere.core.format.RecordingReader;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.Recordings;
 import haltere.core.format.WriteOptions;
+import haltere.core.playback.KeptPlayable;
 import haltere.core.playback.Loop;
 import haltere.core.playback.Playable;
 import haltere.ui.export.FilmWriter;
@@ -21,16 +19,23 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 
 /**
- * Exports the marked part of the recording that is open, or all of it, through the chain: as a film
- * with overlays or as data. Works on a copy of the chain and on its own reader, in the background.
+ * Exports the marked part of what is open, or all of it, through the chain: as a film with overlays
+ * or as data. Works in the background, on a copy of the chain; a recording is read anew, of a
+ * camera and a scene the moments that are kept are copied.
  *
  * <p>Thread rule: JavaFX thread only.
  */
 final class ExportFeature implements ViewerFeature {
   private static final double FRAMES_PER_SECOND = 25;
 
-  /** A recording, and what of it is wanted. */
-  private record Part(Path file, long fromUs, long toUs) {}
+  /** What is wanted, on the elapsed timeline of what {@code open} gives. */
+  private record Part(Callable<Playable> open, String chain, long fromUs, long toUs) {}
+
+  /** Exports a part. */
+  private interface Exporter {
+    /** In the background; says what was done. */
+    String export(Part part, Playable playable, FilterChain chain) throws IOException;
+  }
 
   private ViewerContext window;
 
@@ -45,33 +50,14 @@ final class ExportFeature implements ViewerFeature {
                     "export-film",
                     "Export the marked part as film\u2026",
                     "File",
-                    () -> part().ifPresent(part -> dialogs.film().ifPresent(this::exportFilm)))
+                    () -> dialogs.film().ifPresent(this::exportFilm))
                 .withHelp("GIF or MP4, with overlays, at the speed of playback."),
             ViewerAction.of(
                     "export-data",
                     "Export the marked part as recording\u2026",
                     "File",
-                    () ->
-                        part()
-                            .ifPresent(
-                                part -> dialogs.recordingToExport().ifPresent(this::exportData)))
+                    () -> dialogs.recordingToExport().ifPresent(this::exportData))
                 .withHelp("What the chain leaves of the events, in any format that is written."));
-  }
-
-  /** What is marked; says what is lacking if nothing can be exported. */
-  private Optional<Part> part() {
-    Optional<ViewerSession> session = window.sessions().session();
-    if (session.isEmpty() || session.get().file().isEmpty()) {
-      window.status().showError("Only a recording can be exported; record it first (Ctrl+E)");
-      return Optional.empty();
-    }
-    Loop loop = window.playback().loopProperty().get();
-    long durationUs = session.get().player().status().durationUs();
-    return Optional.of(
-        new Part(
-            session.get().file().get(),
-            loop.inUs().orElse(0),
-            Math.min(durationUs, loop.outUs().orElse(durationUs))));
   }
 
   /** Writes a film; its name's ending says in which format. */
@@ -79,34 +65,16 @@ final class ExportFeature implements ViewerFeature {
     double speed = window.playback().speedProperty().get();
     double pictureUs = (Double.isInfinite(speed) ? 1 : speed) * 1e6 / FRAMES_PER_SECOND;
     DisplayOptions options = window.display().options();
-    part()
-        .ifPresent(
-            part ->
-                withChain(
-                    file,
-                    json ->
-                        () -> {
-                          try (Playable playable =
-                                  Sources.recording(part.file(), ReadOptions.DEFAULT);
-                              FilmWriter film = film(file)) {
-                            FilterChain chain = Sources.chain(playable.geometry(), json);
-                            try {
-                              long pictures =
-                                  new ClipExport(
-                                          playable,
-                                          chain,
-                                          options,
-                                          film,
-                                          part.fromUs(),
-                                          part.toUs(),
-                                          pictureUs)
-                                      .run();
-                              return pictures + " pictures";
-                            } finally {
-                              chain.close();
-                            }
-                          }
-                        }));
+    export(
+        file,
+        (part, playable, chain) -> {
+          try (FilmWriter film = film(file)) {
+            ClipExport clip =
+                new ClipExport(
+                    playable, chain, options, film, part.fromUs(), part.toUs(), pictureUs);
+            return clip.run() + " pictures";
+          }
+        });
   }
 
   private static FilmWriter film(Path file) throws IOException {
@@ -122,60 +90,65 @@ final class ExportFeature implements ViewerFeature {
 
   /** Writes what the chain leaves of the events; the name's ending says in which format. */
   void exportData(Path file) {
-    part()
-        .ifPresent(
-            part ->
-                withChain(
-                    file,
-                    json ->
-                        () -> {
-                          try (RecordingReader reader =
-                                  Recordings.open(
-                                      part.file(), ReadOptions.DEFAULT.withReadings(true));
-                              Playable clock =
-                                  Sources.recording(part.file(), ReadOptions.DEFAULT)) {
-                            return data(file, part, json, reader, clock);
-                          }
-                        }));
+    export(
+        file,
+        (part, playable, chain) -> {
+          try (RecordingWriter writer =
+              Recordings.forWriting(file)
+                  .create(file, WriteOptions.of(playable.geometry()).withOverwrite(true))
+                  .orElseThrow(() -> new IOException(file + ": this format is only read"))) {
+            DataExport export = new DataExport(playable, chain, writer, part.fromUs(), part.toUs());
+            return Texts.count(export.run()) + " events";
+          }
+        });
   }
 
-  private static String data(
-      Path file, Part part, String json, RecordingReader reader, Playable clock)
-      throws IOException {
-    FilterChain chain = Sources.chain(reader.geometry(), json);
-    long startUs = -clock.elapsedUs(0);
-    try (RecordingWriter writer =
-        Recordings.forWriting(file)
-            .create(file, WriteOptions.of(reader.geometry()).withOverwrite(true))
-            .orElseThrow(() -> new IOException(file + ": this format is only read"))) {
-      Conversion conversion =
-          new Conversion(
-              part.fromUs() + startUs,
-              part.toUs() + startUs,
-              Optional.of(chain),
-              ProgressListener.NONE);
-      return Texts.count(conversion.run(reader, writer).eventsWritten()) + " events";
-    } finally {
-      chain.close();
+  private void export(Path file, Exporter exporter) {
+    Optional<ViewerSession> session = window.sessions().session();
+    if (session.isEmpty()) {
+      return;
     }
-  }
-
-  /** Takes a copy of the chain, and works with it in the background. */
-  private void withChain(Path file, java.util.function.Function<String, Callable<String>> work) {
-    window.status().setActivity("Exporting to " + file.getFileName() + " \u2026");
+    StatusLine status = window.status();
+    String name = file.getFileName().toString();
+    status.setActivity("Exporting to " + name + " \u2026");
+    Loop loop = window.playback().loopProperty().get();
     window
         .editor()
         .read(
-            ChainFile::write,
-            json ->
+            chain -> part(session.get(), loop, chain),
+            part ->
                 window
                     .background()
                     .export(
-                        work.apply(json),
-                        done ->
-                            window
-                                .status()
-                                .setActivity("Exported " + file.getFileName() + ": " + done),
-                        window.status()::showProblem));
+                        () -> export(part, exporter),
+                        done -> status.setActivity("Exported " + name + ": " + done),
+                        status::showProblem));
+  }
+
+  /** What is marked, all where nothing is; processing thread. */
+  private static Part part(ViewerSession session, Loop loop, FilterChain chain) {
+    String json = ChainFile.write(chain);
+    Playable playing = session.player().playable();
+    long fromUs = Math.max(playing.earliestUs(), loop.inUs().orElse(0));
+    long endUs = playing.durationUs().orElseGet(() -> playing.nearestUs(Long.MAX_VALUE));
+    long toUs = Math.min(endUs, loop.outUs().orElse(Long.MAX_VALUE));
+    if (playing instanceof KeptPlayable kept) {
+      Playable copy = kept.copy(fromUs, toUs);
+      return new Part(() -> copy, json, fromUs, toUs);
+    }
+    Path recording = session.file().orElseThrow();
+    ReadOptions options = session.options().withReadings(true);
+    return new Part(() -> Sources.recording(recording, options), json, fromUs, toUs);
+  }
+
+  private static String export(Part part, Exporter exporter) throws Exception {
+    try (Playable playable = part.open().call()) {
+      FilterChain chain = Sources.chain(playable.geometry(), part.chain());
+      try {
+        return exporter.export(part, playable, chain);
+      } finally {
+        chain.close();
+      }
+    }
   }
 }

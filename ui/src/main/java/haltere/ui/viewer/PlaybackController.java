@@ -2,6 +2,7 @@ package haltere.ui.viewer;
 
 import haltere.core.playback.Loop;
 import haltere.core.playback.Mark;
+import haltere.core.playback.Playable;
 import haltere.core.playback.PlaybackClock;
 import haltere.core.playback.Player;
 import haltere.core.playback.PlayerOptions;
@@ -91,6 +92,11 @@ final class PlaybackController {
   /** What the player says of itself; empty before the first one. */
   Optional<PlayerStatus> status() {
     return player.map(Player::status);
+  }
+
+  /** What can be gone to; empty where nothing can. */
+  Optional<Reach> reach() {
+    return player.map(Player::playable).filter(Playable::seekable).map(Reach::of);
   }
 
   boolean seekable() {
@@ -251,8 +257,7 @@ final class PlaybackController {
       return;
     }
     Player open = player.get();
-    long durationUs = open.status().durationUs();
-    aimUs = Math.max(0, durationUs > 0 ? Math.min(durationUs - 1, elapsedUs) : elapsedUs);
+    aimUs = open.playable().nearestUs(elapsedUs);
     if (seeking) {
       nextSeekUs = OptionalLong.of(aimUs);
       return;

@@ -12,7 +12,6 @@ import haltere.core.pipeline.OverflowPolicy;
 import haltere.core.pipeline.Recorder;
 import haltere.core.pipeline.RecorderReport;
 import haltere.core.pipeline.SessionRecorder;
-import haltere.core.playback.CameraPlayable;
 import haltere.core.playback.Player;
 import haltere.core.stream.StreamHandler;
 import java.io.IOException;
@@ -44,6 +43,8 @@ final class RecordingControl {
 
   /** A recording under way. */
   private record Under(Player player, Writing writing, Path file) {}
+
+  private static final String UNTIL_JUMP = ", until playback jumped";
 
   private final BackgroundWork background;
   private final Consumer<String> problems;
@@ -81,8 +82,8 @@ final class RecordingControl {
     recording.set(true);
     background.file(
         () ->
-            player.playable() instanceof CameraPlayable live
-                ? ofCamera(file, live.camera(), session.chain())
+            session.camera().isPresent()
+                ? ofCamera(file, session.camera().get().camera(), session.chain())
                 : ofRecording(file, player.playable().geometry()),
         writing -> begin(start, new Under(player, writing, file)),
         problem -> {
@@ -103,8 +104,7 @@ final class RecordingControl {
       @Override
       public String finish() throws IOException {
         RecorderReport report = recorder.finish();
-        return words(file, report.written())
-            + (report.afterStop() > 0 ? ", until playback jumped" : "");
+        return words(file, report.written()) + (report.afterStop() > 0 ? UNTIL_JUMP : "");
       }
 
       @Override
@@ -144,6 +144,7 @@ final class RecordingControl {
         long lost = parts.stream().mapToLong(part -> part.report().lost()).sum();
         return words(file, events)
             + (parts.size() > 1 ? " in " + parts.size() + " parts" : "")
+            + (parts.stream().anyMatch(part -> part.report().afterStop() > 0) ? UNTIL_JUMP : "")
             + (lost > 0 ? "; the disk was too slow for " + Texts.count(lost) : "")
             + session.endedEarly().map(line -> "; " + line).orElse("");
       }

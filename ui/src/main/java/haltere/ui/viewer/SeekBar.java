@@ -4,6 +4,7 @@ import haltere.core.format.RateProfile;
 import haltere.core.playback.Loop;
 import haltere.core.playback.Mark;
 import haltere.core.playback.PlayerStatus;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import javafx.scene.AccessibleRole;
@@ -17,7 +18,7 @@ import javafx.scene.shape.Rectangle;
 
 /**
  * The whole recording at a glance: its event rate over time, the place that is shown, the loop and
- * the marks. A click or a drag seeks. For a source without end the rate of the last while is drawn.
+ * the marks. A click or a drag seeks. Of a camera or a scene it shows the moments that are kept.
  *
  * <p>Thread rule: JavaFX thread only.
  */
@@ -40,9 +41,13 @@ final class SeekBar extends Region {
             Color.web("#d0d7de"));
   }
 
-  private static final int HISTORY = 400;
   private static final double MARK_NAME_WIDTH = 120;
-  private static final long HISTORY_NANOS = 100_000_000;
+  private static final int COLUMN = 3;
+
+  /** At least so much of a camera or a scene is drawn, the right end of it empty at first. */
+  private static final long LEAST_SPAN_US = 5_000_000;
+
+  private static final long GROW_NANOS = 100_000_000;
 
   private final PlaybackController playback;
 
@@ -57,13 +62,17 @@ final class SeekBar extends Region {
   private final Label hover = new Label();
   private Ink ink = Ink.DARK;
   private Optional<RateProfile> profile = Optional.empty();
-  private final double[] history = new double[HISTORY];
-  private int historyLength;
-  private long lastHistoryUs = Long.MIN_VALUE;
+  private final RateHistory history = new RateHistory();
   private PlayerStatus status;
+  private Optional<Reach> reach = Optional.empty();
+
+  /** What the bar stands for, on the elapsed timeline. */
+  private long fromUs;
+
+  private long spanUs = 1;
+  private long grownNanos;
   private List<Mark> marks = List.of();
   private Loop loop = Loop.OFF;
-  private long historyNanos;
   private boolean dirty = true;
 
   SeekBar(PlaybackController playback) {
@@ -110,9 +119,9 @@ final class SeekBar extends Region {
   /** Forgets the recording that was shown. */
   void clear() {
     profile = Optional.empty();
-    historyLength = 0;
-    lastHistoryUs = Long.MIN_VALUE;
+    history.clear();
     status = null;
+    reach = Optional.empty();
     dirty = true;
   }
 
@@ -132,19 +141,17 @@ final class SeekBar extends Region {
   }
 
   /** Shows where the player is. */
-  void update(PlayerStatus newStatus, List<Mark> newMarks) {
+  void update(PlayerStatus newStatus, Optional<Reach> newReach, List<Mark> newMarks) {
     status = newStatus;
+    reach = newReach;
     if (!newMarks.equals(marks)) {
       marks = newMarks;
       dirty = true;
     }
-    boolean endless = status.durationUs() < 0;
-    setCursor(endless ? Cursor.DEFAULT : Cursor.HAND);
-    if (endless) {
-      remember();
-    }
-    double x = endless ? getWidth() : Math.rint(xOf(status.elapsedUs()));
-    needle.setVisible(!endless);
+    setCursor(canSeek() ? Cursor.HAND : Cursor.DEFAULT);
+    reach.ifPresent(this::follow);
+    double x = Math.rint(xOf(status.elapsedUs()));
+    needle.setVisible(canSeek());
     needle.resizeRelocate(x - 1, 0, 2, getHeight());
     playedClip.setWidth(x);
     if (dirty) {
@@ -165,30 +172,43 @@ final class SeekBar extends Region {
     }
   }
 
-  private void remember() {
-    if (status.elapsedUs() < lastHistoryUs) {
-      historyLength = 0;
+  private boolean canSeek() {
+    return status != null && reach.isPresent() && !reach.get().isEmpty();
+  }
+
+  /** Goes along with what can be gone to. */
+  private void follow(Reach all) {
+    long newSpanUs = Math.max(all.grows() ? LEAST_SPAN_US : 1, all.toUs() - all.fromUs());
+    if (!all.grows()) {
+      dirty |= spanUs != newSpanUs;
+      fromUs = all.fromUs();
+      spanUs = newSpanUs;
+      return;
+    }
+    if (history.lastUs() > all.toUs()) {
+      history.clear();
     }
     long nanos = System.nanoTime();
-    if (status.elapsedUs() != lastHistoryUs && nanos - historyNanos > HISTORY_NANOS) {
-      historyNanos = nanos;
-      lastHistoryUs = status.elapsedUs();
-      history[historyLength++ % HISTORY] = status.eventRateEps();
+    if (history.add(status.elapsedUs(), status.eventRateEps(), newSpanUs)
+        && nanos - grownNanos > GROW_NANOS) {
+      // the picture moves with what is drawn on it
+      grownNanos = nanos;
+      fromUs = all.fromUs();
+      spanUs = newSpanUs;
       dirty = true;
     }
   }
 
   private void seek(double x) {
-    if (status != null && status.durationUs() > 0) {
+    if (canSeek()) {
       playback.seek(placeAt(x));
     }
   }
 
   private void showHover(double x) {
-    boolean known = status != null && status.durationUs() > 0;
-    hover.setVisible(known);
-    if (known) {
-      hover.setText(Texts.time(placeAt(x), status.durationUs() < 10_000_000));
+    hover.setVisible(canSeek());
+    if (canSeek()) {
+      hover.setText(Texts.time(placeAt(x), spanUs < 10_000_000));
       hover.autosize();
       hover.relocate(
           Math.max(2, Math.min(getWidth() - hover.getWidth() - 2, x - hover.getWidth() / 2)), 3);
@@ -198,13 +218,11 @@ final class SeekBar extends Region {
   /** Elapsed time at a place on the bar. */
   private long placeAt(double x) {
     double share = Math.max(0, Math.min(1, x / Math.max(1, getWidth())));
-    return Math.min(status.durationUs() - 1, Math.round(share * status.durationUs()));
+    return fromUs + Math.min(spanUs - 1, Math.round(share * spanUs));
   }
 
   private double xOf(long elapsedUs) {
-    return status == null || status.durationUs() <= 0
-        ? 0
-        : Math.max(0, Math.min(1, elapsedUs / (double) status.durationUs())) * getWidth();
+    return Math.max(0, Math.min(1, (elapsedUs - fromUs) / (double) spanUs)) * getWidth();
   }
 
   private void draw() {
@@ -216,10 +234,6 @@ final class SeekBar extends Region {
     over.clearRect(0, 0, width, height);
     graphics.setFill(ink.base());
     graphics.fillRect(0, height - 1, width, 1);
-    if (status != null && status.durationUs() < 0) {
-      drawHistory(over);
-      return;
-    }
     if (loop.on() && (loop.inUs().isPresent() || loop.outUs().isPresent())) {
       double from = xOf(loop.inUs().orElse(0));
       double to = loop.outUs().isPresent() ? xOf(loop.outUs().getAsLong()) : width;
@@ -229,13 +243,14 @@ final class SeekBar extends Region {
       graphics.fillRect(Math.rint(from), 0, 1.5, height);
       graphics.fillRect(Math.rint(to) - 1.5, 0, 1.5, height);
     }
-    profile.ifPresent(
-        rates -> {
-          drawProfile(graphics, rates, ink.rate());
-          drawProfile(over, rates, ink.played());
-        });
+    double[] rates = rates((int) width / COLUMN);
+    drawRates(graphics, rates, ink.rate());
+    drawRates(over, rates, ink.played());
     graphics.setFill(ink.mark());
     for (Mark mark : marks) {
+      if (mark.elapsedUs() < fromUs) {
+        continue;
+      }
       double x = Math.rint(xOf(mark.elapsedUs()));
       graphics.fillPolygon(new double[] {x - 4, x + 4, x}, new double[] {0, 0, 7}, 3);
       graphics.fillRect(x - 0.5, 0, 1, height);
@@ -243,41 +258,31 @@ final class SeekBar extends Region {
     }
   }
 
-  private void drawProfile(GraphicsContext graphics, RateProfile rates, Color colour) {
-    double highest = 0;
-    for (int bin = 0; bin < rates.bins(); bin++) {
-      highest = Math.max(highest, rates.eventsPerSecond(bin));
+  /** Events per second in each column. */
+  private double[] rates(int columns) {
+    if (profile.isEmpty()) {
+      return history.highest(fromUs, fromUs + spanUs, columns);
     }
-    double usable = getHeight() - 6;
-    int columns = (int) getWidth();
-    graphics.setFill(colour);
-    for (int column = 0; column < columns; column += 3) {
-      int from = (int) ((long) column * rates.bins() / columns);
-      int to = Math.max(from + 1, (int) ((long) (column + 3) * rates.bins() / columns));
-      double rate = 0;
-      for (int bin = from; bin < Math.min(to, rates.bins()); bin++) {
-        rate = Math.max(rate, rates.eventsPerSecond(bin));
-      }
-      if (rate > 0) {
-        double bar = Math.max(1, Math.rint(rate / highest * usable));
-        graphics.fillRect(column, getHeight() - bar, 2, bar);
+    RateProfile whole = profile.get();
+    double[] rates = new double[columns];
+    for (int column = 0; column < columns; column++) {
+      int from = (int) ((long) column * whole.bins() / columns);
+      int to = Math.max(from + 1, (int) ((long) (column + 1) * whole.bins() / columns));
+      for (int bin = from; bin < Math.min(to, whole.bins()); bin++) {
+        rates[column] = Math.max(rates[column], whole.eventsPerSecond(bin));
       }
     }
+    return rates;
   }
 
-  private void drawHistory(GraphicsContext graphics) {
-    int shown = Math.min(historyLength, HISTORY);
-    double highest = 1;
-    for (int i = 0; i < shown; i++) {
-      highest = Math.max(highest, history[i]);
-    }
+  private void drawRates(GraphicsContext graphics, double[] rates, Color colour) {
+    double highest = Arrays.stream(rates).max().orElse(0);
     double usable = getHeight() - 6;
-    graphics.setFill(ink.played());
-    for (int i = 0; i < shown; i++) {
-      double bar = Math.rint(history[(historyLength - shown + i) % HISTORY] / highest * usable);
-      double x = getWidth() - (shown - i) * 3.0;
-      if (x >= 0 && bar > 0) {
-        graphics.fillRect(Math.rint(x), getHeight() - bar, 2, bar);
+    graphics.setFill(colour);
+    for (int column = 0; column < rates.length; column++) {
+      if (rates[column] > 0) {
+        double bar = Math.max(1, Math.rint(rates[column] / highest * usable));
+        graphics.fillRect(column * COLUMN, getHeight() - bar, COLUMN - 1, bar);
       }
     }
   }

@@ -62,13 +62,13 @@ record SessionRequest(
   ViewerSession session(
       Optional<String> chainJson, PlayerOptions playerOptions, DisplayOptions displayOptions)
       throws Exception {
-    Playable opened = playable.call();
+    Playable opened = file.isPresent() ? playable.call() : Sources.kept(playable.call());
     try {
       FilterChain chain =
           chainJson.isPresent()
               ? Sources.chain(opened.geometry(), chainJson.get())
               : start.chain(opened.geometry());
-      return new ViewerSession(opened, file, chain, start, playerOptions, displayOptions);
+      return new ViewerSession(opened, file, options, chain, start, playerOptions, displayOptions);
     } catch (IOException | RuntimeException problem) {
       opened.close();
       throw problem;

@@ -5,6 +5,7 @@ import haltere.core.chain.FilterChain;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.Recordings;
+import haltere.core.playback.KeptPlayable;
 import haltere.core.playback.Playable;
 import haltere.core.playback.RecordingPlayable;
 import haltere.core.playback.ScenePlayable;
@@ -19,11 +20,19 @@ import java.nio.file.Path;
  * <p>Thread rule: any thread but JavaFX's, because files are read.
  */
 final class Sources {
+  /** Events of a camera or a scene that are kept, in 48 MB. */
+  private static final int KEPT_EVENTS = 6_000_000;
+
   private Sources() {}
 
   /** The built-in scene. */
   static Playable flyScene() {
     return new ScenePlayable(() -> new FlyScene(FlySceneSettings.defaults()), "Fly scene");
+  }
+
+  /** A camera or a scene, so that one can go back to its last moments. */
+  static Playable kept(Playable source) {
+    return new KeptPlayable(source, KEPT_EVENTS);
   }
 
   /**

@@ -4,6 +4,7 @@ import haltere.core.playback.Loop;
 import haltere.core.playback.PlayerStatus;
 import haltere.core.playback.PlayerStatus.State;
 import java.util.List;
+import java.util.Optional;
 import javafx.geometry.Orientation;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
@@ -39,6 +40,9 @@ final class TransportBar extends HBox {
           8.0,
           16.0,
           Double.POSITIVE_INFINITY);
+
+  /** What is nearer to the newest events than this is shown as it comes. */
+  private static final long NOW_US = 100_000;
 
   private final PlaybackController playback;
   private final Button play;
@@ -78,10 +82,10 @@ final class TransportBar extends HBox {
     showLoop(playback.loopProperty().get());
     elapsed.setId("elapsed");
     elapsed.getStyleClass().add("time");
-    Controls.help(elapsed, "Time since the start of the recording");
+    Controls.help(elapsed, "Time since the start");
     remaining.setId("remaining");
     remaining.getStyleClass().addAll("time", "time-remaining");
-    Controls.help(remaining, "Time until the end of the recording");
+    Controls.help(remaining, "Time until the end, or until what comes just now");
     Region space = new Region();
     HBox.setHgrow(space, Priority.ALWAYS);
     getChildren()
@@ -115,7 +119,7 @@ final class TransportBar extends HBox {
   }
 
   /** Shows what the player is doing. */
-  void update(PlayerStatus status) {
+  void update(PlayerStatus status, Optional<Reach> reach) {
     boolean playing = status.state() == State.PLAYING;
     Node icon = playing ? pauseIcon : playIcon;
     if (play.getGraphic() != icon) {
@@ -126,14 +130,12 @@ final class TransportBar extends HBox {
     }
     boolean fine = status.sliceUs() < 1000;
     elapsed.setText(Texts.time(status.elapsedUs(), fine));
-    remaining.setText(
-        status.durationUs() < 0
-            ? ""
-            : "/ " + Texts.time(status.elapsedUs() - status.durationUs(), fine));
-    boolean finite = status.durationUs() >= 0;
-    markIn.setDisable(!finite);
-    markOut.setDisable(!finite);
-    loop.setDisable(!finite);
+    long behindUs = reach.map(all -> all.toUs() - status.elapsedUs()).orElse(0L);
+    boolean newest = reach.isEmpty() || reach.get().grows() && behindUs < status.sliceUs() + NOW_US;
+    remaining.setText(newest ? "" : "/ " + Texts.time(-behindUs, fine));
+    markIn.setDisable(reach.isEmpty());
+    markOut.setDisable(reach.isEmpty());
+    loop.setDisable(reach.isEmpty());
   }
 
   private void showSpeed(double value) {

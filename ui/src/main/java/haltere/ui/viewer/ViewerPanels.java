@@ -153,7 +153,7 @@ final class ViewerPanels extends BorderPane {
     if (now == shownStatus && nowNanos - numbersNanos < NUMBERS_NANOS) {
       return;
     }
-    seekBar.update(now, playback.marks());
+    seekBar.update(now, playback.reach(), playback.marks());
     boolean held = now.state() != State.PLAYING;
     if (held || nowNanos - numbersNanos >= NUMBERS_NANOS) {
       showNumbers(open, now, nowNanos);
@@ -162,7 +162,7 @@ final class ViewerPanels extends BorderPane {
   }
 
   private void showNumbers(ViewerSession open, PlayerStatus now, long nowNanos) {
-    transport.update(now);
+    transport.update(now, playback.reach());
     statusLine.update(now, meter.perSecond(nowNanos), open.display().exchange().conflated());
     chainPanel.update(nowNanos - numbersNanos);
     numbersNanos = nowNanos;

@@ -1,6 +1,9 @@
 package haltere.ui.viewer;
 
 import haltere.core.chain.FilterChain;
+import haltere.core.format.ReadOptions;
+import haltere.core.playback.CameraPlayable;
+import haltere.core.playback.KeptPlayable;
 import haltere.core.playback.Playable;
 import haltere.core.playback.Player;
 import haltere.core.playback.PlayerOptions;
@@ -15,6 +18,7 @@ import java.util.Optional;
  */
 final class ViewerSession implements AutoCloseable {
   private final Optional<Path> file;
+  private final ReadOptions options;
   private final FilterChain chain;
   private final FirstView start;
   private final List<StageState> firstStages;
@@ -25,21 +29,35 @@ final class ViewerSession implements AutoCloseable {
   ViewerSession(
       Playable playable,
       Optional<Path> file,
+      ReadOptions options,
       FilterChain chain,
       FirstView start,
-      PlayerOptions options,
+      PlayerOptions playerOptions,
       DisplayOptions displayOptions) {
     this.file = file;
+    this.options = options;
     this.chain = chain;
     this.start = start;
     this.firstStages = StageState.of(chain);
     this.display = new DisplaySink(playable.geometry(), chain, displayOptions);
-    this.player = new Player(playable, chain, options);
+    this.player = new Player(playable, chain, playerOptions);
     player.addSink(display);
   }
 
   Optional<Path> file() {
     return file;
+  }
+
+  /** What the user said of the file. */
+  ReadOptions options() {
+    return options;
+  }
+
+  /** The camera that is open, if it is one. */
+  Optional<CameraPlayable> camera() {
+    Playable playing = player.playable();
+    Playable source = playing instanceof KeptPlayable kept ? kept.source() : playing;
+    return source instanceof CameraPlayable live ? Optional.of(live) : Optional.empty();
   }
 
   FilterChain chain() {
