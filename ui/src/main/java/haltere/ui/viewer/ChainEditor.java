@@ -30,6 +30,7 @@ final class ChainEditor {
   private final List<Runnable> listeners = new ArrayList<>();
   private final EditHistory history;
   private final String prefix;
+  private final ChainEditor outermost;
   private Optional<ChainAccess> player = Optional.empty();
 
   /**
@@ -39,7 +40,7 @@ final class ChainEditor {
    * @param changed takes the stages after every change of their order or number
    */
   ChainEditor(Consumer<String> problems, Consumer<List<StageState>> changed) {
-    this(problems, changed, new ArrayList<>(), new EditHistory(), "");
+    this(problems, changed, new ArrayList<>(), new EditHistory(), "", null);
   }
 
   private ChainEditor(
@@ -47,12 +48,14 @@ final class ChainEditor {
       Consumer<List<StageState>> changed,
       List<BiConsumer<ChainStage, Record>> adopters,
       EditHistory history,
-      String prefix) {
+      String prefix,
+      ChainEditor outermost) {
     this.problems = problems;
     this.changed = changed;
     this.adopters = adopters;
     this.history = history;
     this.prefix = prefix;
+    this.outermost = outermost == null ? this : outermost;
   }
 
   /**
@@ -63,7 +66,12 @@ final class ChainEditor {
     String name = nested.name();
     ChainEditor inner =
         new ChainEditor(
-            problems, stages -> change(chain -> {}), adopters, history, path(nested) + "/");
+            problems,
+            stages -> change(chain -> {}),
+            adopters,
+            history,
+            path(nested) + "/",
+            outermost);
     inner.player =
         Optional.of(work -> edit(chain -> work.accept((FilterChain) chain.stage(name).filter())));
     return inner;
@@ -116,11 +124,46 @@ final class ChainEditor {
         chain -> moveTo(chain, stage, chain.stages().indexOf(stage) + places));
   }
 
-  /** Moves a stage to where another one is. */
-  void moveTo(String stage, ChainStage target) {
-    restructure(
-        "moving " + Texts.title(stage),
-        chain -> moveTo(chain, chain.stage(stage), chain.stages().indexOf(target)));
+  /** Whether a stage may be moved into this chain, or is there already. */
+  boolean takes(String stagePath) {
+    return !StageMoves.isWithin(prefix, stagePath);
+  }
+
+  /**
+   * Moves a stage to a place of this chain, from wherever it is.
+   *
+   * @param stagePath its {@link #path}
+   * @param target the stage whose place it gets; empty for the end
+   */
+  void moveHere(String stagePath, Optional<ChainStage> target) {
+    String name = StageMoves.name(stagePath);
+    if (!StageMoves.prefix(stagePath).equals(prefix)) {
+      String before = target.map(ChainStage::name).orElse("");
+      outermost.restructure(
+          "moving " + Texts.title(name),
+          chain -> StageMoves.move(chain, stagePath, prefix, before));
+    } else if (!target.map(ChainStage::name).equals(Optional.of(name))) {
+      restructure(
+          "moving " + Texts.title(name),
+          chain ->
+              moveTo(
+                  chain,
+                  chain.stage(name),
+                  target.map(chain.stages()::indexOf).orElse(chain.stages().size())));
+    }
+  }
+
+  /** Whether this chain is inside another one. */
+  boolean isInside() {
+    return this != outermost;
+  }
+
+  /** Moves a stage out of this chain, to the place before it. */
+  void moveOut(ChainStage stage) {
+    String chain = prefix.substring(0, prefix.length() - 1);
+    outermost.restructure(
+        "moving " + Texts.title(stage.name()),
+        all -> StageMoves.move(all, path(stage), StageMoves.prefix(chain), StageMoves.name(chain)));
   }
 
   private static void moveTo(FilterChain chain, ChainStage stage, int position) {

@@ -16,7 +16,6 @@ import javafx.scene.control.Label;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import javafx.scene.input.ClipboardContent;
-import javafx.scene.input.DataFormat;
 import javafx.scene.input.DragEvent;
 import javafx.scene.input.TransferMode;
 import javafx.scene.layout.HBox;
@@ -29,7 +28,6 @@ import javafx.scene.layout.VBox;
  * <p>Thread rule: JavaFX thread only.
  */
 final class StageCard extends VBox {
-  private static final DataFormat STAGE = new DataFormat("application/x-haltere-stage");
   private static final PseudoClass TARGET = PseudoClass.getPseudoClass("target");
   private static final PseudoClass OFF = PseudoClass.getPseudoClass("off");
 
@@ -39,6 +37,7 @@ final class StageCard extends VBox {
   private final Label counts = new Label();
   private final MenuItem up;
   private final MenuItem down;
+  private final MenuItem into;
   private final Button expand;
   private final Optional<Record> firstSettings;
   private final Optional<StageList> inside;
@@ -48,6 +47,7 @@ final class StageCard extends VBox {
   private SettingsSearch search = SettingsSearch.ALL;
   private FilterTiming last;
   private boolean followingStage;
+  private Optional<StageList> chainAbove = Optional.empty();
 
   StageCard(StageState state, ChainEditor editor) {
     this.editor = editor;
@@ -82,7 +82,11 @@ final class StageCard extends VBox {
     pseudoClassStateChanged(OFF, !stage.isEnabled());
     up = item("up-", "Move up", () -> editor.move(stage, -1));
     down = item("down-", "Move down", () -> editor.move(stage, 1));
-    MenuButton more = new MenuButton("", Icons.MORE.node(), up, down);
+    into = item("into-", "Move into the chain above", this::moveIntoNeighbour);
+    MenuButton more = new MenuButton("", Icons.MORE.node(), up, down, into);
+    if (editor.isInside()) {
+      more.getItems().add(item("out-", "Move out of its chain", () -> editor.moveOut(stage)));
+    }
     more.getItems().add(item("remove-", "Remove", () -> editor.remove(stage)));
     more.setId("more-" + id);
     more.setAccessibleText("Move or remove " + title);
@@ -138,10 +142,16 @@ final class StageCard extends VBox {
     inside.ifPresent(list -> list.show(state.inside()));
   }
 
-  /** Says whether the stage is the first, the last or both. */
-  void setPlace(boolean first, boolean lastOne) {
-    up.setDisable(first);
+  /** Says which cards are before and behind this one, if any. */
+  void setPlace(Optional<StageCard> before, boolean lastOne) {
+    up.setDisable(before.isEmpty());
     down.setDisable(lastOne);
+    chainAbove = before.flatMap(card -> card.inside);
+    into.setDisable(chainAbove.isEmpty());
+  }
+
+  private void moveIntoNeighbour() {
+    chainAbove.ifPresent(list -> list.drop(editor.path(stage)));
   }
 
   /** Shows what the stage did since the last call. */
@@ -247,47 +257,49 @@ final class StageCard extends VBox {
     handle.setOnDragDetected(
         event -> {
           ClipboardContent content = new ClipboardContent();
-          content.put(STAGE, editor.path(stage));
+          content.put(StageList.STAGE, editor.path(stage));
           handle.startDragAndDrop(TransferMode.MOVE).setContent(content);
           event.consume();
         });
     setOnDragOver(
         event -> {
-          if (sibling(event).isPresent()) {
+          if (dragged(event).isPresent()) {
             event.acceptTransferModes(TransferMode.MOVE);
             event.consume();
           }
         });
-    setOnDragEntered(event -> pseudoClassStateChanged(TARGET, sibling(event).isPresent()));
+    setOnDragEntered(event -> pseudoClassStateChanged(TARGET, dragged(event).isPresent()));
     setOnDragExited(event -> pseudoClassStateChanged(TARGET, false));
     setOnDragDropped(
         event -> {
-          sibling(event)
+          dragged(event)
               .ifPresent(
-                  dragged -> {
-                    drop(dragged);
+                  path -> {
+                    drop(path);
                     event.setDropCompleted(true);
                     event.consume();
                   });
         });
   }
 
-  /** The name of the card that is dragged, if it is of the same chain. */
-  private Optional<String> sibling(DragEvent event) {
-    String place = editor.path(stage);
-    int names = place.lastIndexOf('/') + 1;
-    return event.getDragboard().getContent(STAGE) instanceof String path
-            && path.lastIndexOf('/') + 1 == names
-            && path.startsWith(place.substring(0, names))
-        ? Optional.of(path.substring(names))
-        : Optional.empty();
+  /** The path of the card that is dragged, if it may come here. */
+  private Optional<String> dragged(DragEvent event) {
+    return StageList.dragged(event).filter(this::accepts);
   }
 
-  /** Another card was dropped on this one. */
-  void drop(String dragged) {
-    if (!dragged.equals(stage.name())) {
-      editor.moveTo(dragged, stage);
-    }
+  /** Whether the card of a path may be dropped on this one. */
+  boolean accepts(String path) {
+    return editor.takes(path);
+  }
+
+  /** The card of a path was dropped below the cards inside this one. */
+  void dropInside(String path) {
+    inside.orElseThrow().drop(path);
+  }
+
+  /** The card of a path was dropped on this one. */
+  void drop(String path) {
+    editor.moveHere(path, Optional.of(stage));
   }
 
   private String description() {

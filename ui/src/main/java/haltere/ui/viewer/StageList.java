@@ -5,7 +5,11 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import javafx.scene.Node;
+import javafx.scene.input.DataFormat;
+import javafx.scene.input.DragEvent;
+import javafx.scene.input.TransferMode;
 import javafx.scene.layout.VBox;
 
 /**
@@ -14,6 +18,9 @@ import javafx.scene.layout.VBox;
  * <p>Thread rule: JavaFX thread only.
  */
 final class StageList extends VBox {
+  /** What is carried while a card is dragged: the path of its stage. */
+  static final DataFormat STAGE = new DataFormat("application/x-haltere-stage");
+
   private final ChainEditor editor;
   private final Node empty;
   private final Map<String, StageCard> cardOf = new HashMap<>();
@@ -30,6 +37,40 @@ final class StageList extends VBox {
     this.empty = empty;
     getStyleClass().add("cards");
     getChildren().add(empty);
+    takeDropped();
+  }
+
+  /** The path of the stage whose card is dragged. */
+  static Optional<String> dragged(DragEvent event) {
+    return event.getDragboard().getContent(STAGE) instanceof String path
+        ? Optional.of(path)
+        : Optional.empty();
+  }
+
+  /** Takes what is dropped between or below the cards. */
+  private void takeDropped() {
+    setOnDragOver(
+        event -> {
+          if (dragged(event).filter(editor::takes).isPresent()) {
+            event.acceptTransferModes(TransferMode.MOVE);
+            event.consume();
+          }
+        });
+    setOnDragDropped(
+        event ->
+            dragged(event)
+                .filter(editor::takes)
+                .ifPresent(
+                    path -> {
+                      drop(path);
+                      event.setDropCompleted(true);
+                      event.consume();
+                    }));
+  }
+
+  /** The card of a path was dropped below all others. */
+  void drop(String path) {
+    editor.moveHere(path, Optional.empty());
   }
 
   /** Shows a chain, keeping the cards of stages that were there. */
@@ -49,7 +90,10 @@ final class StageList extends VBox {
     cardOf.clear();
     for (int i = 0; i < order.size(); i++) {
       cardOf.put(order.get(i).stage().name(), order.get(i));
-      order.get(i).setPlace(i == 0, i == order.size() - 1);
+      order
+          .get(i)
+          .setPlace(
+              i == 0 ? Optional.empty() : Optional.of(order.get(i - 1)), i == order.size() - 1);
     }
     getChildren().setAll(order.isEmpty() ? List.of(empty) : order);
   }

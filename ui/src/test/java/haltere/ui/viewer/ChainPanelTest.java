@@ -145,6 +145,50 @@ class ChainPanelTest {
     assertEquals(List.of(), inside("chain").stages());
   }
 
+  @Test
+  void aCardIsMovedIntoAChainAndOutAgain() {
+    viewer.click("add-filter");
+    enter("add-filter-search", "filters of its own");
+    viewer.waitFor("a card for the chain", () -> viewer.isThere("stage-chain"));
+    List<String> outside = names();
+    viewer.click("expand-" + NOISE);
+    enter("entry-" + NOISE + "-neighbours", "3");
+    viewer.waitFor("three neighbours", () -> longValue(NOISE, "neighbours") == 3);
+
+    StageCard chain = viewer.node("stage-chain", StageCard.class);
+    viewer.run(() -> chain.dropInside(NOISE));
+    viewer.waitFor("its card inside", () -> viewer.isThere("stage-chain-" + NOISE));
+    assertFalse(names().contains(NOISE));
+    assertEquals(3, ((Number) value(inside("chain").stage(NOISE), "neighbours")).intValue());
+
+    viewer.click("more-chain-" + NOISE);
+    fire("out-chain-" + NOISE);
+    viewer.waitFor("its card outside", () -> viewer.isThere("stage-" + NOISE));
+    assertEquals(List.of(), inside("chain").stages());
+    assertEquals(names().indexOf("chain") - 1, names().indexOf(NOISE));
+    assertEquals(3, longValue(NOISE, "neighbours"));
+
+    viewer.run(() -> viewer.window.actions().run("undo"));
+    viewer.waitFor("inside again", () -> viewer.isThere("stage-chain-" + NOISE));
+    viewer.run(() -> viewer.window.actions().run("undo"));
+    viewer.waitFor("as at first", () -> names().equals(outside));
+    assertEquals(3, longValue(NOISE, "neighbours"));
+  }
+
+  @Test
+  void aChainIsNotPutIntoItself() {
+    viewer.click("add-filter");
+    enter("add-filter-search", "filters of its own");
+    viewer.waitFor("a card for the chain", () -> viewer.isThere("stage-chain"));
+    viewer.click("add-filter-chain");
+    fire("add-polarity");
+    viewer.waitFor("a card inside", () -> viewer.isThere("stage-chain-polarity"));
+    StageCard inner = viewer.node("stage-chain-polarity", StageCard.class);
+    assertFalse(viewer.onFx(() -> inner.accepts("chain")));
+    assertTrue(viewer.onFx(() -> inner.accepts(NOISE)));
+    assertTrue(viewer.onFx(() -> inner.accepts("chain/polarity")));
+  }
+
   private FilterChain inside(String stage) {
     return (FilterChain) viewer.session().chain().stage(stage).filter();
   }
