@@ -17,6 +17,17 @@ import javafx.scene.text.Font;
  * <p>Thread rule: JavaFX thread only.
  */
 public final class JavaFxOverlayCanvas implements OverlayCanvas {
+  /** Size of words. */
+  public static final double FONT_SIZE = 12;
+
+  /** Room around words, units of the screen. */
+  private static final double MARGIN = 3;
+
+  private static final double ASCENT = 13;
+  private static final double DESCENT = 4;
+
+  private final Font font = Font.font(FONT_SIZE);
+  private final TextWidths widths = new TextWidths(font);
   private final GraphicsContext graphics;
   private final Map<Integer, Color> colours = new HashMap<>();
   private double scale = 1;
@@ -34,7 +45,7 @@ public final class JavaFxOverlayCanvas implements OverlayCanvas {
     this.graphics = graphics;
     graphics.setLineCap(StrokeLineCap.ROUND);
     graphics.setLineJoin(StrokeLineJoin.ROUND);
-    graphics.setFont(Font.font(12));
+    graphics.setFont(font);
   }
 
   /**
@@ -127,14 +138,27 @@ public final class JavaFxOverlayCanvas implements OverlayCanvas {
   @Override
   public void text(double x, double y, String text, MarkStyle style) {
     marks++;
+    double width = widths.of(text);
+    double canvasWidth = graphics.getCanvas().getWidth();
+    double canvasHeight = graphics.getCanvas().getHeight();
+    // words stay whole at the edges
+    double first = Math.max(MARGIN, Math.min(screenX(x), canvasWidth - width - MARGIN));
+    double base = Math.max(ASCENT, Math.min(screenY(y), canvasHeight - DESCENT));
+    graphics.setFill(plateColour(dark));
+    graphics.fillRect(
+        Math.rint(first) - MARGIN, Math.rint(base) - ASCENT, width + 2 * MARGIN, ASCENT + DESCENT);
     graphics.setFill(colour(style));
-    graphics.fillText(text, screenX(x), screenY(y));
+    graphics.fillText(text, first, base);
   }
 
   private void stroke(MarkStyle style) {
     marks++;
     graphics.setStroke(colour(style));
     graphics.setLineWidth(MarkColours.width(style));
+  }
+
+  private Color plateColour(boolean ofDark) {
+    return colours.computeIfAbsent(MarkColours.plate(ofDark), JavaFxOverlayCanvas::colour);
   }
 
   private Color colour(MarkStyle style) {

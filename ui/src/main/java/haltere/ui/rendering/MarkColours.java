@@ -56,6 +56,16 @@ public final class MarkColours {
     };
   }
 
+  /**
+   * Colour of what lies behind words, so that they can be read over events.
+   *
+   * @param dark whether the picture is dark
+   * @return ARGB, not opaque
+   */
+  public static int plate(boolean dark) {
+    return dark ? 0xB80D1117 : 0xC8FFFFFF;
+  }
+
   private static int withAlpha(int argb, int alpha) {
     return argb & 0xFFFFFF | alpha << 24;
   }

@@ -23,6 +23,13 @@ import java.awt.image.BufferedImage;
  * <p>Thread rule: one thread at a time. Needs no display.
  */
 public final class PictureOverlayCanvas implements OverlayCanvas, AutoCloseable {
+  /** Side of a dot of the letters, pixels. */
+  private static final int DOT = 2;
+
+  /** Room around words, pixels. */
+  private static final int MARGIN = 3;
+
+  private final BufferedImage image;
   private final Graphics2D graphics;
   private final int scale;
   private final int height;
@@ -38,6 +45,7 @@ public final class PictureOverlayCanvas implements OverlayCanvas, AutoCloseable 
    */
   public PictureOverlayCanvas(
       BufferedImage image, SensorGeometry geometry, int scale, boolean dark) {
+    this.image = image;
     this.graphics = image.createGraphics();
     this.scale = scale;
     this.height = geometry.height();
@@ -88,8 +96,20 @@ public final class PictureOverlayCanvas implements OverlayCanvas, AutoCloseable 
 
   @Override
   public void text(double x, double y, String text, MarkStyle style) {
+    double width = PixelFont.width(text, DOT);
+    double high = PixelFont.HEIGHT * DOT;
+    // words stay whole at the edges
+    double left = Math.max(MARGIN, Math.min(pictureX(x), image.getWidth() - width - MARGIN));
+    double base = Math.max(high + MARGIN, Math.min(pictureY(y), image.getHeight() - MARGIN));
+    graphics.setColor(new Color(MarkColours.plate(dark), true));
+    graphics.fill(
+        new Rectangle2D.Double(
+            Math.rint(left) - MARGIN,
+            Math.rint(base) - high - MARGIN,
+            width + 2 * MARGIN,
+            high + 2 * MARGIN));
     graphics.setColor(new Color(MarkColours.argb(style, dark), true));
-    PixelFont.draw(graphics, text, pictureX(x), pictureY(y), 2);
+    PixelFont.draw(graphics, text, left, base, DOT);
   }
 
   private void draw(Shape shape, MarkStyle style) {

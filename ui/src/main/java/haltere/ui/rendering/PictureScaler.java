@@ -18,6 +18,7 @@ public final class PictureScaler {
   private int[] rows = {0};
 
   private int sourceWidth;
+  private int[] combined = new int[0];
 
   /**
    * Says which part is shown and how large.
@@ -82,29 +83,58 @@ public final class PictureScaler {
 
   private void reduceRow(
       int[] source, int fromRow, int toRow, int background, int[] target, int to) {
-    for (int x = 0; x < columns.length - 1; x++) {
-      int best = background;
-      int bestDifference = -1;
-      int end = Math.max(columns[x] + 1, columns[x + 1]);
-      for (int row = fromRow; row < toRow; row++) {
-        for (int column = columns[x]; column < end; column++) {
-          int colour = source[row * sourceWidth + column];
-          int difference = difference(colour, background);
-          if (difference > bestDifference) {
-            best = colour;
-            bestDifference = difference;
-          }
-        }
+    int width = columns.length - 1;
+    int[] line = source;
+    int start = fromRow * sourceWidth;
+    if (toRow - fromRow > 1) {
+      combineRows(source, fromRow, toRow, background);
+      line = combined;
+      start = 0;
+    }
+    for (int x = 0; x < width; x++) {
+      int colour = line[start + columns[x]];
+      int last = line[start + Math.max(columns[x], columns[x + 1] - 1)];
+      // mostly all of them are background, or there are two at most
+      if (last != colour) {
+        colour = stronger(colour, last, background);
       }
-      target[to + x] = best;
+      for (int column = columns[x] + 1; column < columns[x + 1] - 1; column++) {
+        colour = stronger(colour, line[start + column], background);
+      }
+      target[to + x] = colour;
     }
   }
 
+  /** Of each column in sight the colour that differs most from the background. */
+  private void combineRows(int[] source, int fromRow, int toRow, int background) {
+    int first = columns[0];
+    int last = Math.max(first + 1, columns[columns.length - 1]);
+    if (combined.length < sourceWidth) {
+      combined = new int[sourceWidth];
+    }
+    System.arraycopy(source, fromRow * sourceWidth + first, combined, first, last - first);
+    for (int row = fromRow + 1; row < toRow; row++) {
+      int start = row * sourceWidth;
+      for (int column = first; column < last; column++) {
+        int colour = source[start + column];
+        if (colour != background) {
+          combined[column] = stronger(combined[column], colour, background);
+        }
+      }
+    }
+  }
+
+  /** Of two colours the one that differs more from the background; mostly both are it. */
+  private static int stronger(int a, int b, int background) {
+    if (b == background || a == b) {
+      return a;
+    }
+    return a == background || difference(b, background) > difference(a, background) ? b : a;
+  }
+
   private static int difference(int a, int b) {
-    return a == b
-        ? 0
-        : Math.abs((a >> 16 & 0xFF) - (b >> 16 & 0xFF))
-            + Math.abs((a >> 8 & 0xFF) - (b >> 8 & 0xFF))
-            + Math.abs((a & 0xFF) - (b & 0xFF));
+    return Math.abs((a >> 16 & 0xFF) - (b >> 16 & 0xFF))
+        + Math.abs((a >> 8 & 0xFF) - (b >> 8 & 0xFF))
+        + Math.abs((a & 0xFF) - (b & 0xFF));
   }
 }

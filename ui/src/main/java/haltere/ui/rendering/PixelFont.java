@@ -12,7 +12,10 @@ import java.util.TreeMap;
  */
 final class PixelFont {
   private static final int WIDTH = 5;
-  private static final int HEIGHT = 7;
+
+  /** Height of a letter in dots. */
+  static final int HEIGHT = 7;
+
   private static final int ADVANCE = WIDTH + 1;
 
   /** A character, then its seven rows from the top, each five bits as two hexadecimal digits. */

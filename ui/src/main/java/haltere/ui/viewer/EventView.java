@@ -3,7 +3,6 @@ package haltere.ui.viewer;
 import haltere.core.event.SensorGeometry;
 import haltere.core.overlay.OverlayCanvas;
 import haltere.ui.measure.PixelRegion;
-import haltere.ui.overlay.JavaFxOverlayCanvas;
 import haltere.ui.rendering.ColourMap;
 import java.util.ArrayList;
 import java.util.List;
@@ -13,7 +12,6 @@ import javafx.application.ConditionalFeature;
 import javafx.application.Platform;
 import javafx.scene.AccessibleRole;
 import javafx.scene.Cursor;
-import javafx.scene.canvas.Canvas;
 import javafx.scene.control.Label;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
@@ -34,16 +32,9 @@ final class EventView extends Region {
     void pointed(int x, int y, boolean over);
   }
 
-  private static final double MAX_PIXEL = 64;
-  private static final double MAX_LOSS = 1.06;
-  private static final double ZOOM_PER_NOTCH = 1.2;
-  private static final double ZOOM_MARGIN = 0.9;
-
+  private final Viewpoint viewpoint = new Viewpoint();
   private final SensorPicture picture =
       new SensorPicture(!Platform.isSupported(ConditionalFeature.SCENE3D));
-  private final Canvas marks = new Canvas();
-  private final JavaFxOverlayCanvas marksCanvas =
-      new JavaFxOverlayCanvas(marks.getGraphicsContext2D());
   private final Rectangle frame = new Rectangle();
   private final Label readout = new Label();
   private final ScaleLegend legend = new ScaleLegend();
@@ -55,15 +46,6 @@ final class EventView extends Region {
   private List<DisplayFrame.Marks<?>> shownMarks = List.of();
   private boolean dark = true;
   private boolean marksVisible = true;
-  private boolean marksDrawn;
-
-  /** 1 shows the whole sensor. */
-  private double zoom = 1;
-
-  /** Middle of the view, in pixels of the sensor from its left bottom corner. */
-  private double centreX;
-
-  private double centreY;
   private double dragX;
   private double dragY;
   private Optional<ViewTool> tool = Optional.empty();
@@ -78,8 +60,6 @@ final class EventView extends Region {
     setAccessibleText("Events");
     setFocusTraversable(true);
     setMinSize(160, 120);
-    marks.setManaged(false);
-    marks.setMouseTransparent(true);
     frame.getStyleClass().add("sensor-frame");
     frame.setManaged(false);
     frame.setMouseTransparent(true);
@@ -88,7 +68,10 @@ final class EventView extends Region {
     readout.setMouseTransparent(true);
     readout.setManaged(false);
     readout.setVisible(false);
-    getChildren().addAll(picture.node(), frame, marks, readout, legend);
+    getChildren().addAll(picture.nodes());
+    getChildren().addAll(frame, readout, legend);
+    widthProperty().addListener(changed -> viewpoint.setSize(getWidth(), getHeight()));
+    heightProperty().addListener(changed -> viewpoint.setSize(getWidth(), getHeight()));
     Rectangle clip = new Rectangle();
     clip.widthProperty().bind(widthProperty());
     clip.heightProperty().bind(heightProperty());
@@ -118,7 +101,8 @@ final class EventView extends Region {
     if (!newGeometry.equals(geometry)) {
       geometry = newGeometry;
       picture.setGeometry(geometry, colours.background());
-      showAll();
+      viewpoint.setSensor(geometry);
+      requestLayout();
     }
   }
 
@@ -135,7 +119,7 @@ final class EventView extends Region {
     if (!frame.geometry.equals(geometry)) {
       return;
     }
-    picture.show(frame.argb);
+    picture.setPixels(frame.argb);
     shownMarks = frame.marks;
     dark = frame.dark;
     if (readout.isVisible()) {
@@ -146,13 +130,13 @@ final class EventView extends Region {
     }
     legend.show(frame.scale);
     frameListeners.forEach(listener -> listener.accept(frame));
-    drawMarks();
+    redraw();
   }
 
   /** Shows or hides the marks. */
   void setMarksVisible(boolean visible) {
     marksVisible = visible;
-    drawMarks();
+    redraw();
   }
 
   /** Tells somebody which pixel is under the mouse. */
@@ -167,20 +151,13 @@ final class EventView extends Region {
 
   /** Enlarges a region as far as the view has room. */
   void zoomTo(PixelRegion region) {
-    double wanted =
-        Math.min(getWidth() / region.width(), getHeight() / region.height()) * ZOOM_MARGIN;
-    zoom = Math.max(1, Math.min(MAX_PIXEL, wanted) / fit());
-    centreX = region.left() + region.width() / 2.0;
-    centreY = region.bottom() + region.height() / 2.0;
+    viewpoint.zoomTo(region);
     requestLayout();
   }
 
   /** Makes the picture larger or smaller around its middle. */
   void zoomBy(double factor) {
-    zoom = Math.max(1, Math.min(Math.max(1, MAX_PIXEL / fit()), zoom * factor));
-    if (zoom < 1.01) {
-      showAll();
-    }
+    viewpoint.zoomBy(factor);
     requestLayout();
   }
 
@@ -191,9 +168,7 @@ final class EventView extends Region {
 
   /** Moves the picture by shares of the view. */
   void pan(double right, double up) {
-    centreX += right * getWidth() / scale();
-    centreY += up * getHeight() / scale();
-    keepInside();
+    viewpoint.move(right * getWidth(), up * getHeight());
     requestLayout();
   }
 
@@ -203,7 +178,7 @@ final class EventView extends Region {
     tool = newTool;
     setCursor(tool.isPresent() ? Cursor.CROSSHAIR : Cursor.DEFAULT);
     toolListeners.forEach(listener -> listener.accept(tool));
-    drawMarks();
+    redraw();
   }
 
   /** Tells somebody which tool is in the hand, whenever that changes. */
@@ -226,104 +201,70 @@ final class EventView extends Region {
     layers.add(layer);
   }
 
-  /** Draws what lies over the picture once more, because it has changed. */
+  /** Draws the picture once more, because what lies over it has changed. */
   void redrawMarks() {
-    drawMarks();
+    redraw();
   }
 
   /** Shows the whole sensor. */
   void showAll() {
-    zoom = 1;
-    centreX = geometry.width() / 2.0;
-    centreY = geometry.height() / 2.0;
+    viewpoint.showAll();
     requestLayout();
   }
 
   /** Pixels of the screen per pixel of the sensor. */
   double scale() {
-    double fit = fit() * zoom;
-    double whole = Math.floor(fit);
-    // whole numbers make all pixels alike, where they do not leave much room empty
-    return zoom == 1 && whole >= 1 && fit < whole * MAX_LOSS ? whole : fit;
-  }
-
-  /** Scale at which the whole sensor just fits. */
-  private double fit() {
-    return Math.min(getWidth() / geometry.width(), getHeight() / geometry.height());
+    return viewpoint.scale();
   }
 
   /** Where a place on the sensor is in this view, from the left. */
   double viewX(double sensorX) {
-    return getWidth() / 2 + (sensorX + 0.5 - centreX) * scale();
+    return viewpoint.viewX(sensorX);
   }
 
   /** Where a place on the sensor is in this view, from the top. */
   double viewY(double sensorY) {
-    return getHeight() / 2 - (sensorY + 0.5 - centreY) * scale();
+    return viewpoint.viewY(sensorY);
   }
 
   @Override
   protected void layoutChildren() {
     double scale = scale();
-    double left = Math.rint(getWidth() / 2 - centreX * scale);
-    double top = Math.rint(getHeight() / 2 - (geometry.height() - centreY) * scale);
+    double left = viewpoint.left();
+    double top = viewpoint.top();
     double density = getScene() == null ? 1 : getScene().getWindow().getRenderScaleX();
     picture.place(left, top, scale, getWidth(), getHeight(), density);
     frame.setX(left - 0.5);
     frame.setY(top - 0.5);
     frame.setWidth(geometry.width() * scale + 1);
     frame.setHeight(geometry.height() * scale + 1);
-    // the marks get the sensor's part of the view and no more: a canvas costs by its size
-    double canvasLeft = Math.max(0, left);
-    double canvasTop = Math.max(0, top);
-    marks.relocate(canvasLeft, canvasTop);
-    marks.setWidth(Math.min(getWidth(), left + geometry.width() * scale) - canvasLeft);
-    marks.setHeight(Math.min(getHeight(), top + geometry.height() * scale) - canvasTop);
-    marksCanvas.setView(scale, left - canvasLeft, top + geometry.height() * scale - canvasTop);
-    marksDrawn = true;
-    drawMarks();
+    redraw();
     readout.autosize();
     readout.relocate(12, getHeight() - readout.getHeight() - 10);
     legend.autosize();
     legend.relocate(getWidth() - legend.getWidth() - 12, getHeight() - legend.getHeight() - 10);
   }
 
-  private void drawMarks() {
-    if (marksDrawn) {
-      marks.getGraphicsContext2D().clearRect(0, 0, marks.getWidth(), marks.getHeight());
-      marksDrawn = false;
-    }
-    marksCanvas.setDark(dark);
-    long before = marksCanvas.marks();
+  private void redraw() {
+    picture.draw(this::drawMarks, dark);
+  }
+
+  private void drawMarks(OverlayCanvas canvas) {
     if (marksVisible) {
       for (DisplayFrame.Marks<?> snapshot : shownMarks) {
-        snapshot.draw(marksCanvas);
+        snapshot.draw(canvas);
       }
     }
-    layers.forEach(layer -> layer.accept(marksCanvas));
-    tool.ifPresent(held -> held.draw(marksCanvas));
-    marksDrawn = marksCanvas.marks() != before;
+    layers.forEach(layer -> layer.accept(canvas));
+    tool.ifPresent(held -> held.draw(canvas));
   }
 
   private void scrolled(ScrollEvent event) {
     if (event.getDeltaY() == 0) {
       return;
     }
-    double before = scale();
-    double sensorX = centreX + (event.getX() - getWidth() / 2) / before;
-    double sensorY = centreY - (event.getY() - getHeight() / 2) / before;
     double notches = event.getDeltaY() / Math.max(1, event.getMultiplierY());
-    zoom =
-        Math.max(
-            1, Math.min(Math.max(1, MAX_PIXEL / fit()), zoom * Math.pow(ZOOM_PER_NOTCH, notches)));
-    if (zoom < 1.01) {
-      showAll();
-    } else {
-      // the place under the mouse stays there
-      centreX = sensorX - (event.getX() - getWidth() / 2) / scale();
-      centreY = sensorY + (event.getY() - getHeight() / 2) / scale();
-      keepInside();
-    }
+    viewpoint.zoomAt(event.getX(), event.getY(), notches);
     requestLayout();
     event.consume();
   }
@@ -338,14 +279,14 @@ final class EventView extends Region {
     dragY = event.getY();
     if (worksWithTool(event)) {
       tool.get().pressed(sensorX(event), sensorY(event));
-      drawMarks();
+      redraw();
     }
   }
 
   private void released(MouseEvent event) {
     if (worksWithTool(event)) {
       tool.get().released(sensorX(event), sensorY(event));
-      drawMarks();
+      redraw();
     } else {
       setCursor(tool.isPresent() ? Cursor.CROSSHAIR : Cursor.DEFAULT);
     }
@@ -353,23 +294,21 @@ final class EventView extends Region {
 
   /** Column under the mouse, 0 at the middle of the first one. */
   private double sensorX(MouseEvent event) {
-    return centreX + (event.getX() - getWidth() / 2) / scale() - 0.5;
+    return viewpoint.sensorX(event.getX());
   }
 
   /** Row under the mouse, upwards, 0 at the middle of the lowest one. */
   private double sensorY(MouseEvent event) {
-    return centreY - (event.getY() - getHeight() / 2) / scale() - 0.5;
+    return viewpoint.sensorY(event.getY());
   }
 
   private void dragged(MouseEvent event) {
     if (worksWithTool(event)) {
       tool.get().dragged(sensorX(event), sensorY(event));
-      drawMarks();
-    } else if (zoom > 1) {
+      redraw();
+    } else if (viewpoint.isClose()) {
       setCursor(Cursor.CLOSED_HAND);
-      centreX -= (event.getX() - dragX) / scale();
-      centreY += (event.getY() - dragY) / scale();
-      keepInside();
+      viewpoint.move(dragX - event.getX(), event.getY() - dragY);
       requestLayout();
     }
     dragX = event.getX();
@@ -377,14 +316,9 @@ final class EventView extends Region {
     pointed(event);
   }
 
-  private void keepInside() {
-    centreX = Math.max(0, Math.min(geometry.width(), centreX));
-    centreY = Math.max(0, Math.min(geometry.height(), centreY));
-  }
-
   private void pointed(MouseEvent event) {
-    int x = (int) Math.floor(centreX + (event.getX() - getWidth() / 2) / scale());
-    int y = (int) Math.floor(centreY - (event.getY() - getHeight() / 2) / scale());
+    int x = (int) Math.floor(sensorX(event) + 0.5);
+    int y = (int) Math.floor(sensorY(event) + 0.5);
     boolean inside = geometry.contains(x, y);
     readout.setVisible(inside);
     pointer.pointed(x, y, inside);

@@ -1,0 +1,161 @@
+package haltere.ui.rendering;
+
+import haltere.core.overlay.MarkStyle;
+import haltere.core.overlay.OverlayCanvas;
+
+/**
+ * Draws marks straight into the pixels of a picture that is as large as on the screen. For screens
+ * without a graphics card.
+ *
+ * <p>Thread rule: one thread at a time.
+ */
+public final class PixelOverlayCanvas implements OverlayCanvas {
+  private static final int CORNERS = 64;
+
+  /** Room around words, units of the view. */
+  private static final double MARGIN = 3;
+
+  private final LinePainter painter = new LinePainter();
+  private final Letters letters;
+  private final double[] ellipseX = new double[CORNERS + 1];
+  private final double[] ellipseY = new double[CORNERS + 1];
+  private int width;
+  private int height;
+  private double density = 1;
+  private double scale = 1;
+  private double left;
+  private double bottom;
+  private boolean dark = true;
+
+  /**
+   * A canvas without pixels.
+   *
+   * @param letters what words are drawn with
+   */
+  public PixelOverlayCanvas(Letters letters) {
+    this.letters = letters;
+  }
+
+  /**
+   * Says where to draw.
+   *
+   * @param pixels opaque, row by row from the top
+   * @param newWidth pixels in a row
+   * @param newHeight rows
+   */
+  public void setTarget(int[] pixels, int newWidth, int newHeight) {
+    painter.setTarget(pixels, newWidth, newHeight);
+    width = newWidth;
+    height = newHeight;
+  }
+
+  /**
+   * Says where the sensor lies on the pixels.
+   *
+   * @param newScale units of the view per pixel of the sensor
+   * @param newLeft where the sensor's left edge is, units of the view from the left of the pixels
+   * @param newBottom where its bottom edge is, units of the view from the top of the pixels
+   * @param newDensity pixels per unit of the view
+   */
+  public void setView(double newScale, double newLeft, double newBottom, double newDensity) {
+    density = newDensity;
+    scale = newScale * density;
+    left = newLeft * density;
+    bottom = newBottom * density;
+  }
+
+  /**
+   * Says which colours can be seen.
+   *
+   * @param newDark whether the picture is dark
+   */
+  public void setDark(boolean newDark) {
+    dark = newDark;
+  }
+
+  @Override
+  public void circle(double x, double y, double radius, MarkStyle style) {
+    painter.ring(pixelX(x), pixelY(y), radius * scale, thickness(style), argb(style));
+  }
+
+  @Override
+  public void line(double x1, double y1, double x2, double y2, MarkStyle style) {
+    painter.line(
+        pixelX(x1), pixelY(y1), pixelX(x2), pixelY(y2), thickness(style), argb(style), true);
+  }
+
+  @Override
+  public void polyline(double[] x, double[] y, int points, MarkStyle style) {
+    for (int i = 1; i < points; i++) {
+      segment(pixelX(x[i - 1]), pixelY(y[i - 1]), pixelX(x[i]), pixelY(y[i]), style);
+    }
+  }
+
+  /** Without round ends, so that what lets shine through is not drawn twice where two meet. */
+  private void segment(double x1, double y1, double x2, double y2, MarkStyle style) {
+    painter.line(x1, y1, x2, y2, thickness(style), argb(style), false);
+  }
+
+  @Override
+  public void ellipse(
+      double x, double y, double radiusA, double radiusB, double angleRad, MarkStyle style) {
+    double cos = Math.cos(angleRad);
+    double sin = Math.sin(angleRad);
+    for (int i = 0; i <= CORNERS; i++) {
+      double turn = 2 * Math.PI * (i % CORNERS) / CORNERS;
+      double a = radiusA * Math.cos(turn);
+      double b = radiusB * Math.sin(turn);
+      ellipseX[i] = x + a * cos - b * sin;
+      ellipseY[i] = y + a * sin + b * cos;
+    }
+    polyline(ellipseX, ellipseY, CORNERS + 1, style);
+  }
+
+  @Override
+  public void rectangle(double x, double y, double rectWidth, double rectHeight, MarkStyle style) {
+    double west = pixelX(x);
+    double east = pixelX(x + rectWidth);
+    double south = pixelY(y);
+    double north = pixelY(y + rectHeight);
+    double half = thickness(style) / 2;
+    segment(west - half, north, east + half, north, style);
+    segment(west - half, south, east + half, south, style);
+    segment(west, north + half, west, south - half, style);
+    segment(east, north + half, east, south - half, style);
+  }
+
+  @Override
+  public void text(double x, double y, String text, MarkStyle style) {
+    double margin = MARGIN * density;
+    double textWidth = letters.width(text);
+    double ascent = letters.ascent();
+    double descent = letters.descent();
+    // words stay whole at the edges
+    int from = (int) Math.rint(Math.max(margin, Math.min(pixelX(x), width - textWidth - margin)));
+    int base = (int) Math.rint(Math.max(ascent, Math.min(pixelY(y), height - descent)));
+    painter.fill(
+        (int) Math.rint(from - margin),
+        (int) Math.rint(base - ascent),
+        (int) Math.rint(from + textWidth + margin),
+        (int) Math.rint(base + descent),
+        MarkColours.plate(dark));
+    int argb = argb(style);
+    letters.draw(text, from, base, (column, row, share) -> painter.dot(column, row, argb, share));
+  }
+
+  private int argb(MarkStyle style) {
+    return MarkColours.argb(style, dark);
+  }
+
+  private double thickness(MarkStyle style) {
+    return MarkColours.width(style) * density;
+  }
+
+  private double pixelX(double x) {
+    return left + (x + 0.5) * scale;
+  }
+
+  private double pixelY(double y) {
+    return bottom - (y + 0.5) * scale;
+  }
+}
