@@ -46,11 +46,21 @@ public record PlotField(String stage, String outlet, String column) {
    * @return such as "rad", "px/s" or "\u00b5s"; empty where the name has none
    */
   public String unit() {
-    return UNITS.entrySet().stream()
-        .filter(unit -> column.endsWith(unit.getKey()))
-        .map(Map.Entry::getValue)
-        .findFirst()
-        .orElse("");
+    return ending().map(Map.Entry::getValue).orElse("");
+  }
+
+  private Optional<Map.Entry<String, String>> ending() {
+    return UNITS.entrySet().stream().filter(unit -> column.endsWith(unit.getKey())).findFirst();
+  }
+
+  /**
+   * The column in words, without its unit.
+   *
+   * @return such as "event rate"
+   */
+  public String words() {
+    int unit = ending().map(found -> found.getKey().length()).orElse(0);
+    return column.substring(0, column.length() - unit).replace('_', ' ');
   }
 
   /**

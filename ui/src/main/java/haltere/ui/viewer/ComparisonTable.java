@@ -22,8 +22,8 @@ import javafx.scene.layout.Priority;
  * <p>Thread rule: JavaFX thread only.
  */
 final class ComparisonTable extends ScrollPane {
-  /** A line of the table. */
-  record Line(String field, String first, String second, String difference) {}
+  /** A line of the table, below the heading of what publishes it. */
+  record Line(String group, String field, String first, String second, String difference) {}
 
   private final GridPane grid = new GridPane();
 
@@ -32,11 +32,11 @@ final class ComparisonTable extends ScrollPane {
     setAccessibleText("Published numbers of both chains");
     setFitToWidth(true);
     getStyleClass().add("comparison");
-    grid.setHgap(14);
+    grid.setHgap(10);
     ColumnConstraints names = new ColumnConstraints();
     names.setHgrow(Priority.ALWAYS);
-    names.setMinWidth(220);
-    ColumnConstraints numbers = new ColumnConstraints(70);
+    names.setMinWidth(70);
+    ColumnConstraints numbers = new ColumnConstraints(62);
     numbers.setHalignment(HPos.RIGHT);
     grid.getColumnConstraints().addAll(names, numbers, numbers, numbers);
     setContent(grid);
@@ -50,7 +50,9 @@ final class ComparisonTable extends ScrollPane {
     for (PlotField field : fields) {
       Double a = first.get(field);
       Double b = second.get(field);
-      lines.add(new Line(field.toString(), number(a), number(b), difference(a, b)));
+      String group = Texts.title(field.stage()) + ": " + field.outlet().replace('-', ' ');
+      String unit = field.unit().isEmpty() ? "" : ", " + field.unit();
+      lines.add(new Line(group, field.words() + unit, number(a), number(b), difference(a, b)));
     }
     return lines;
   }
@@ -76,10 +78,15 @@ final class ComparisonTable extends ScrollPane {
     grid.getChildren().clear();
     grid.addRow(
         0, heading("Mean of a second"), heading("first"), heading("second"), heading("differs"));
-    for (int i = 0; i < lines.size(); i++) {
-      Line line = lines.get(i);
+    String group = "";
+    int row = 1;
+    for (Line line : lines) {
+      if (!line.group().equals(group)) {
+        group = line.group();
+        grid.add(heading(group), 0, row++, 4, 1);
+      }
       grid.addRow(
-          i + 1,
+          row++,
           small(line.field()),
           small(line.first()),
           small(line.second()),

@@ -7,6 +7,7 @@ import javafx.scene.control.Label;
 import javafx.scene.control.Slider;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
+import javafx.scene.layout.Region;
 
 /**
  * A number: a slider for finding a value, an entry for an exact one.
@@ -59,6 +60,7 @@ final class NumberField extends SettingField {
         });
     Label unit = new Label(unit());
     unit.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED, "unit");
+    unit.setMinWidth(Region.USE_PREF_SIZE);
     slider.setMaxWidth(Double.MAX_VALUE);
     layOutBelow(slider, entry, unit);
   }

@@ -111,11 +111,17 @@ final class PlotLane extends BorderPane {
 
   private void showTitle() {
     String words =
-        lane.fields().stream().map(PlotField::column).distinct().collect(Collectors.joining(", "));
+        lane.fields().stream().map(PlotLane::words).distinct().collect(Collectors.joining(", "));
     title.setText(words);
     Controls.help(
         title, lane.fields().stream().map(PlotField::toString).collect(Collectors.joining("\n")));
     setAccessibleText("Plot of " + words);
+  }
+
+  private static String words(PlotField field) {
+    return field.equals(PlotField.EVENT_RATE)
+        ? "Event rate"
+        : Texts.title(field.outlet()) + ": " + field.words();
   }
 
   /** Draws all anew. */

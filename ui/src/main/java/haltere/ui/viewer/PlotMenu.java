@@ -21,9 +21,14 @@ final class PlotMenu {
         menu = new Menu(name);
         items.add(menu);
       }
-      menu.getItems().add(item(field.column(), field, chosen));
+      menu.getItems().add(item(words(field), field, chosen));
     }
     return items;
+  }
+
+  private static String words(PlotField field) {
+    String unit = field.unit();
+    return Texts.title(field.words()) + (unit.isEmpty() ? "" : " (" + unit + ")");
   }
 
   private static MenuItem item(String words, PlotField field, Consumer<PlotField> chosen) {

@@ -2,6 +2,7 @@ package haltere.ui.viewer;
 
 import atlantafx.base.theme.Styles;
 import haltere.core.settings.Parameter;
+import java.math.BigDecimal;
 import java.util.function.Consumer;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
@@ -131,10 +132,14 @@ abstract class SettingField extends VBox {
     problem.setManaged(!line.isEmpty());
   }
 
+  private static boolean isPlain(double size) {
+    return size >= 1e-6 && size < 1e15;
+  }
+
   /** A value as it stands in an entry: numbers without a needless fraction or exponent. */
   static String text(Object value) {
-    if (value instanceof Double number && number == Math.rint(number) && Math.abs(number) < 1e15) {
-      return Long.toString(number.longValue());
+    if (value instanceof Double number && (number == 0 || isPlain(Math.abs(number)))) {
+      return new BigDecimal(number.toString()).stripTrailingZeros().toPlainString();
     }
     if (value instanceof Enum<?> constant) {
       return constant.name().toLowerCase(java.util.Locale.ROOT).replace('_', '-');

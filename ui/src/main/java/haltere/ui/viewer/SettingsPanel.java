@@ -6,8 +6,12 @@ import haltere.core.settings.Parameter;
 import haltere.core.settings.SettingsProblem;
 import haltere.core.settings.SettingsSchema;
 import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
 import java.util.function.Consumer;
 import javafx.scene.control.Button;
 import javafx.scene.control.Label;
@@ -26,7 +30,7 @@ final class SettingsPanel<S extends Record> extends VBox {
   private final ChainEditor editor;
   private final SettingsSchema<S> schema;
   private final List<SettingField> fields = new ArrayList<>();
-  private final List<Label> headings = new ArrayList<>();
+  private final Map<String, Label> headings = new LinkedHashMap<>();
   private final Button resetAll = new Button("Reset all to defaults");
 
   /** The record in force, as far as this panel knows. */
@@ -46,7 +50,7 @@ final class SettingsPanel<S extends Record> extends VBox {
         group = parameter.group();
         Label heading = new Label(Texts.words(group, ""));
         heading.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_BOLD, "settings-group");
-        headings.add(heading);
+        headings.put(group, heading);
         getChildren().add(heading);
       }
       SettingField field =
@@ -107,18 +111,23 @@ final class SettingsPanel<S extends Record> extends VBox {
   /** Shows those settings only that match; how many there are. */
   int narrow(SettingsSearch search) {
     List<String> changed = schema.changed(settings);
+    Set<String> shownGroups = new HashSet<>();
     int shown = 0;
     for (SettingField field : fields) {
       boolean matches =
           search.matches(field.parameter(), changed.contains(field.parameter().name()));
       field.setVisible(matches);
       field.setManaged(matches);
-      shown += matches ? 1 : 0;
+      if (matches) {
+        shown++;
+        shownGroups.add(field.parameter().group());
+      }
     }
-    for (Label heading : headings) {
-      heading.setVisible(!search.isActive());
-      heading.setManaged(!search.isActive());
-    }
+    headings.forEach(
+        (group, heading) -> {
+          heading.setVisible(shownGroups.contains(group));
+          heading.setManaged(shownGroups.contains(group));
+        });
     return shown;
   }
 

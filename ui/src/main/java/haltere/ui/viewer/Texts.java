@@ -143,7 +143,7 @@ final class Texts {
   /** A name in a settings record as words, without the unit at its end. */
   static String words(String name, String unit) {
     String own = name.substring(name.lastIndexOf('.') + 1);
-    String suffix = unit.replace("/", "Per").replaceAll("[^A-Za-z]", "");
+    String suffix = unit.replace("/", "Per").replaceAll("[^A-Za-z0-9]", "");
     if (!suffix.isEmpty()
         && own.length() > suffix.length()
         && own.regionMatches(true, own.length() - suffix.length(), suffix, 0, suffix.length())
@@ -160,9 +160,14 @@ final class Texts {
     return spaced.isEmpty() ? name : Character.toUpperCase(spaced.charAt(0)) + spaced.substring(1);
   }
 
-  /** A unit as it is shown: no sign for a ratio, the Greek letter for micro. */
+  /** A unit as it is shown: no sign for a ratio, the Greek letter for micro, raised powers. */
   static String unit(String unit) {
-    return unit.equals("1") ? "" : unit.equals("us") ? "\u00b5s" : unit;
+    return switch (unit) {
+      case "1" -> "";
+      case "us" -> "\u00b5s";
+      case "deg" -> "\u00b0";
+      default -> unit.replace("^2", "\u00b2").replace("^3", "\u00b3");
+    };
   }
 
   /** What went wrong in one line, without the wrapping of futures. */

@@ -73,6 +73,7 @@ final class ViewBar extends HBox {
   private static Label muted(String words) {
     Label label = new Label(words);
     label.getStyleClass().addAll(Styles.TEXT_MUTED, Styles.TEXT_SMALL);
+    label.setMinWidth(Region.USE_PREF_SIZE);
     return label;
   }
 

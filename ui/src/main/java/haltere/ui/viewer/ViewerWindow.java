@@ -15,10 +15,12 @@ import javafx.animation.AnimationTimer;
 import javafx.application.Platform;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
+import javafx.geometry.Rectangle2D;
 import javafx.scene.Group;
 import javafx.scene.Scene;
 import javafx.scene.input.DragEvent;
 import javafx.scene.input.TransferMode;
+import javafx.stage.Screen;
 import javafx.stage.Stage;
 import javafx.stage.WindowEvent;
 
@@ -30,6 +32,11 @@ import javafx.stage.WindowEvent;
  */
 public final class ViewerWindow implements SessionHost {
   private static final int PROFILE_BINS = 2000;
+
+  /** Size at first, where the screen has room for it. */
+  private static final double WIDTH = 1200;
+
+  private static final double HEIGHT = 760;
 
   private final Stage stage;
   private final BackgroundWork background = new BackgroundWork();
@@ -67,7 +74,10 @@ public final class ViewerWindow implements SessionHost {
   ViewerWindow(Stage stage, UserSettings settings) {
     this.stage = stage;
     dialogs = new FileDialogs(stage);
-    Scene scene = new Scene(new Group(), 1200, 760);
+    Rectangle2D room = Screen.getPrimary().getVisualBounds();
+    Scene scene =
+        new Scene(
+            new Group(), Math.min(WIDTH, room.getWidth()), Math.min(HEIGHT, room.getHeight()));
     scene.getStylesheets().add(ViewerWindow.class.getResource("viewer.css").toExternalForm());
     // after the style sheet, because each new sheet styles everything anew
     scene.setRoot(panels);
