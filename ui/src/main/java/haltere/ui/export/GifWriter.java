@@ -57,6 +57,8 @@ public final class GifWriter implements FilmWriter {
     child(root, "ApplicationExtensions").appendChild(application);
     metadata.setFromTree(FORMAT, root);
     writer.writeToSequence(new IIOImage(image, null, metadata), null);
+    // otherwise the whole film would stay in memory
+    stream.flushBefore(stream.getStreamPosition());
   }
 
   private static IIOMetadataNode child(IIOMetadataNode root, String name) {

@@ -17,6 +17,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import javax.imageio.ImageIO;
@@ -147,6 +148,50 @@ class ExportTest {
     assertTrue(bytes / (768L * 768 * 3) >= 12);
     assertTrue(lines.get(1).contains("-video_size 768x768"), lines.get(1));
     assertFalse(Files.exists(folder.resolve(".part.mp4.part")));
+  }
+
+  @Test
+  void mp4IsAFilmOfTheBlobThatARealProgramCanRead() throws Exception {
+    Optional<Path> program = Mp4Writer.findProgram();
+    assumeTrue(program.isPresent(), "ffmpeg is not on this machine");
+    Path file = folder.resolve("part.mp4");
+    viewer.run(() -> export().exportFilm(file));
+    viewer.waitFor("it says so", () -> said().matches("Exported part.mp4: 1[23] pictures"));
+    Path decoded = folder.resolve("decoded.rgb");
+    Process decoding =
+        new ProcessBuilder(
+                program.get().toString(),
+                "-v",
+                "error",
+                "-i",
+                file.toString(),
+                "-f",
+                "rawvideo",
+                "-pix_fmt",
+                "rgb24",
+                decoded.toString())
+            .inheritIO()
+            .start();
+    assertEquals(0, decoding.waitFor());
+    byte[] pixels = Files.readAllBytes(decoded);
+    int side = 768;
+    assertEquals(0, pixels.length % (side * side * 3));
+    assertTrue(pixels.length / (side * side * 3) >= 12);
+    BufferedImage first = picture(pixels, 0, side);
+    BufferedImage last = picture(pixels, 11, side);
+    assertTrue(middleX(last) > middleX(first) + 10, "the blob moves to the right");
+  }
+
+  private static BufferedImage picture(byte[] rgb, int number, int side) {
+    BufferedImage image = new BufferedImage(side, side, BufferedImage.TYPE_INT_RGB);
+    int at = number * side * side * 3;
+    for (int i = 0; i < side * side; i++, at += 3) {
+      image.setRGB(
+          i % side,
+          i / side,
+          (rgb[at] & 0xFF) << 16 | (rgb[at + 1] & 0xFF) << 8 | rgb[at + 2] & 0xFF);
+    }
+    return image;
   }
 
   @Test
