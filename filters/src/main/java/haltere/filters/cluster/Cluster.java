@@ -14,6 +14,7 @@ final class Cluster {
   final int slot;
 
   final ClusterPath path = new ClusterPath();
+  final ClusterContour contour = new ClusterContour();
 
   /** Identity, 0 until the cluster is visible. */
   int id;
@@ -253,6 +254,9 @@ final class Cluster {
     batchX += ownX;
     batchY += ownY;
     batchTimes += timeUs - batchFromUs;
+    if (contour.on && --contour.skip <= 0) {
+      contour.take(this, eventX, eventY, px, py, 1);
+    }
   }
 
   /**
@@ -286,6 +290,9 @@ final class Cluster {
     batchX += share * ownX;
     batchY += share * ownY;
     batchTimes += share * (timeUs - batchFromUs);
+    if (contour.on && --contour.skip <= 0) {
+      contour.take(this, eventX, eventY, px, py, share);
+    }
   }
 
   /** Moves the centre on to a time. */

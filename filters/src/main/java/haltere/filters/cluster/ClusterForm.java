@@ -159,10 +159,14 @@ final class ClusterForm {
   }
 
   /**
-   * Where there is one polarity only, how far its events are from the centre cannot be known: the
-   * lead fades, and the centre goes to where the events are.
+   * Where there is one polarity only, how far its events are from the centre is known if they are a
+   * part of a round outline. Otherwise the lead fades, and the centre goes to where the events are.
    */
   private static void forgetLead(Cluster cluster) {
+    if (cluster.contour.isPlaced()) {
+      cluster.contour.centre(cluster, cluster.balance > 0 ? 1 : -1);
+      return;
+    }
     double side = cluster.balance > 0 ? LEAD_FADING : -LEAD_FADING;
     cluster.x += side * cluster.leadX;
     cluster.y += side * cluster.leadY;
@@ -243,6 +247,7 @@ final class ClusterForm {
 
   /** Takes a form that has changed at once as the usual one. */
   void settle(Cluster cluster, long timeUs) {
+    cluster.contour.end();
     setSpread(
         cluster,
         cluster.cxx * cluster.cos * cluster.cos

@@ -76,6 +76,7 @@ final class ClusterLife {
     born.unseenUntilUs = isBeside(born, clusters, count) ? timeUs + PARTING_US : Long.MIN_VALUE;
     born.overlapped = false;
     born.path.clear();
+    born.contour.end();
     born.clearBatch(timeUs);
     setVelocity(born, clusters, count);
   }
@@ -102,8 +103,10 @@ final class ClusterLife {
     born.unseenUntilUs = timeUs + PARTING_US;
     born.overlapped = true;
     born.path.clear();
+    born.contour.end();
     born.clearBatch(timeUs);
     born.usualMass = share * cluster.usualMass;
+    cluster.contour.end();
     cluster.x -= root / ahead * cluster.cos;
     cluster.y -= root / ahead * cluster.sin;
     cluster.mass *= 1 - share;

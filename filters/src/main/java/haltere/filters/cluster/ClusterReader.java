@@ -27,6 +27,7 @@ final class ClusterReader implements ClusterReadings {
     for (int i = 0; i < clusterCount; i++) {
       if (clusters[i].isVisible()) {
         clusters[i].moveTo(readingUs);
+        clusters[i].contour.read(clusters[i]);
         visible[count++] = clusters[i];
       }
     }
@@ -36,6 +37,7 @@ final class ClusterReader implements ClusterReadings {
   void close() {
     for (int i = 0; i < count; i++) {
       visible[i].clearBatch(timeUs);
+      visible[i].contour.next(visible[i], timeUs);
       visible[i] = null;
     }
     count = 0;
@@ -123,6 +125,42 @@ final class ClusterReader implements ClusterReadings {
   @Override
   public double eventCovarianceXy(int index) {
     return at(index).cxy;
+  }
+
+  @Override
+  public double outlineXx(int index) {
+    return at(index).contour.informationXx;
+  }
+
+  @Override
+  public double outlineXy(int index) {
+    return at(index).contour.informationXy;
+  }
+
+  @Override
+  public double outlineYy(int index) {
+    return at(index).contour.informationYy;
+  }
+
+  @Override
+  public double outlineX(int index) {
+    return shifted(at(index), at(index).contour.vectorX, true);
+  }
+
+  @Override
+  public double outlineY(int index) {
+    return shifted(at(index), at(index).contour.vectorY, false);
+  }
+
+  /** The vector of information at the mean time of the new events. */
+  private static double shifted(Cluster cluster, double vector, boolean first) {
+    double seconds = cluster.batchTimes / cluster.batchEvents * 1e-6;
+    ClusterContour contour = cluster.contour;
+    double moved =
+        first
+            ? contour.informationXx * cluster.vx + contour.informationXy * cluster.vy
+            : contour.informationXy * cluster.vx + contour.informationYy * cluster.vy;
+    return vector + seconds * moved;
   }
 
   @Override

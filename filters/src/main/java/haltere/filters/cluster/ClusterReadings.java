@@ -130,6 +130,48 @@ public interface ClusterReadings {
   double eventCovarianceXy(int index);
 
   /**
+   * Information on the column of the centre that the new events hold if they lie on a round
+   * outline, of which no more than a part need be seen: an entry of the inverse of a covariance.
+   *
+   * @param index of the cluster
+   * @return 1 over pixels squared; 0 if there is no such outline
+   */
+  double outlineXx(int index);
+
+  /**
+   * Information on column and row together, see {@link #outlineXx}.
+   *
+   * @param index of the cluster
+   * @return 1 over pixels squared
+   */
+  double outlineXy(int index);
+
+  /**
+   * Information on the row, see {@link #outlineXx}.
+   *
+   * @param index of the cluster
+   * @return 1 over pixels squared
+   */
+  double outlineYy(int index);
+
+  /**
+   * First component of the information times the centre of the outline, at the time of {@link
+   * #measuredAgeUs}. Unlike the centre itself it exists also where only one direction is known.
+   *
+   * @param index of the cluster
+   * @return 1 over pixels
+   */
+  double outlineX(int index);
+
+  /**
+   * Second component, see {@link #outlineX}.
+   *
+   * @param index of the cluster
+   * @return 1 over pixels
+   */
+  double outlineY(int index);
+
+  /**
    * Radius within which events belong to the cluster; of an ellipse the geometric mean of its half
    * axes.
    *

@@ -29,7 +29,7 @@ final class ClusterFeedback {
           readings.keepApart(index, other.batch.index, timeUs + settings.updateIntervalUs());
         }
       }
-      if (track.contested) {
+      if (track.contested && track.wasFree()) {
         readings.keepAlive(index, timeUs + TrackReports.SHOWN_WITHOUT_CLUSTER_US);
       }
     }

@@ -29,6 +29,13 @@ final class EventBatch {
   private double sumYy;
   private long baseUs;
 
+  // Information on the centre of a round outline, and that times the centre.
+  private double outlineXx;
+  private double outlineXy;
+  private double outlineYy;
+  private double outlineX;
+  private double outlineY;
+
   /** The track that has it, or null. */
   Track track;
 
@@ -48,6 +55,11 @@ final class EventBatch {
     sumXy = 0;
     sumYy = 0;
     baseUs = timeUs;
+    outlineXx = 0;
+    outlineXy = 0;
+    outlineYy = 0;
+    outlineX = 0;
+    outlineY = 0;
   }
 
   void add(long timeUs, ClusterReadings readings, int i) {
@@ -66,6 +78,13 @@ final class EventBatch {
     sumXx += n * readings.eventVarianceX(i);
     sumXy += n * readings.eventCovarianceXy(i);
     sumYy += n * readings.eventVarianceY(i);
+    if (readings.outlineXx(i) > 0) {
+      outlineXx += readings.outlineXx(i);
+      outlineXy += readings.outlineXy(i);
+      outlineYy += readings.outlineYy(i);
+      outlineX += readings.outlineX(i);
+      outlineY += readings.outlineY(i);
+    }
   }
 
   double meanX() {
@@ -92,6 +111,37 @@ final class EventBatch {
 
   double varianceY() {
     return sumYy / events;
+  }
+
+  /** Whether the outline tells the centre better than the mean of the events does. */
+  boolean hasOutline() {
+    double determinant = outlineXx * outlineYy - outlineXy * outlineXy;
+    return determinant > 0
+        && (outlineXx + outlineYy) / determinant < (sumXx + sumYy) / (events * events);
+  }
+
+  double outlineVarianceX() {
+    return outlineYy / determinant();
+  }
+
+  double outlineCovarianceXy() {
+    return -outlineXy / determinant();
+  }
+
+  double outlineVarianceY() {
+    return outlineXx / determinant();
+  }
+
+  double outlineCentreX() {
+    return (outlineYy * outlineX - outlineXy * outlineY) / determinant();
+  }
+
+  double outlineCentreY() {
+    return (outlineXx * outlineY - outlineXy * outlineX) / determinant();
+  }
+
+  private double determinant() {
+    return outlineXx * outlineYy - outlineXy * outlineXy;
   }
 
   /** Standard deviation of an event about the centre, both axes taken together. */

@@ -7,6 +7,9 @@ import haltere.filters.cluster.ClusterReadings;
  * its owner.
  */
 final class Measurement {
+  /** Of two outlines in one place a part of the events is of the other. */
+  private static final double CONTESTED_FACTOR = 10;
+
   private final MeasurementSettings settings;
   long timeUs;
   double x;
@@ -37,11 +40,21 @@ final class Measurement {
       return;
     }
     timeUs = batch.meanTimeUs();
+    double floor = settings.floorPx() * settings.floorPx();
+    if (settings.source() == MeasurementSource.OUTLINE && batch.hasOutline()) {
+      double more =
+          settings.varianceFactor() * (track != null && track.contested ? CONTESTED_FACTOR : 1);
+      x = batch.outlineCentreX();
+      y = batch.outlineCentreY();
+      xx = more * batch.outlineVarianceX() + floor;
+      xy = more * batch.outlineCovarianceXy();
+      yy = more * batch.outlineVarianceY() + floor;
+      return;
+    }
     x = batch.meanX();
     y = batch.meanY();
     // Of two tracks in one place each event may be the other's: as good as one event.
     double share = track != null && track.contested ? 1 : settings.varianceFactor() / batch.events;
-    double floor = settings.floorPx() * settings.floorPx();
     xx = batch.varianceX() * share + floor;
     yy = batch.varianceY() * share + floor;
     xy = batch.covarianceXy() * share;

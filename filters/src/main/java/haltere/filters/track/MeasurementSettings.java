@@ -18,7 +18,9 @@ import haltere.core.settings.Unit;
  * @param floorPx standard deviation of what no number of events averages out
  */
 public record MeasurementSettings(
-    @Help("The events' own mean with its own variance, or the cluster's centre as in the original.")
+    @Help(
+            "The middle of a round outline where there is one, the events' own mean, or the"
+                + " cluster's centre as in the original.")
         MeasurementSource source,
     @Help("A track is launched, and then updated, when this many events have come in.")
         @Range(min = 1, max = 100_000, logarithmic = true)
@@ -63,10 +65,10 @@ public record MeasurementSettings(
   /**
    * The settings to start from. The two variances are the original's.
    *
-   * @return the events' own mean, at least 6 of them for each cluster
+   * @return the outline or the events' own mean, at least 6 of them for each cluster
    */
   public static MeasurementSettings defaults() {
     return new MeasurementSettings(
-        MeasurementSource.EVENTS, 6, EventCount.EACH_CLUSTER, false, 8, 0.5, 1, 0.05);
+        MeasurementSource.OUTLINE, 6, EventCount.EACH_CLUSTER, false, 8, 0.5, 1, 0.05);
   }
 }

@@ -3,6 +3,11 @@ package haltere.filters.track;
 /** What a track takes as a measurement of its place. */
 public enum MeasurementSource {
   /**
+   * The middle of the round outline on which the events lie, of which no more than a part need be
+   * seen. Where there is no such outline, as with {@link #EVENTS}.
+   */
+  OUTLINE,
+  /**
    * The mean of the events since the last update, with the variance that their scatter and their
    * number give it. Its errors are independent of those before.
    */

@@ -14,6 +14,8 @@ final class Track {
   /** Within this time a track that may have stopped would still be at its cluster. */
   private static final double REST_S = 0.2;
 
+  private static final int LEAST_FREE_UPDATES = 10;
+
   MotionModes motion;
   private MotionModes ahead;
   private final MeasurementPlane plane;
@@ -31,6 +33,10 @@ final class Track {
   long heardUs;
 
   int updates;
+
+  /** Updates while no other track was in the way. */
+  private int freeUpdates;
+
   int gatedInARow;
   double events;
 
@@ -84,6 +90,7 @@ final class Track {
     stateUs = timeUs;
     heardUs = stepUs;
     updates = 1;
+    freeUpdates = 0;
     gatedInARow = 0;
     events = 0;
     batch = null;
@@ -103,6 +110,14 @@ final class Track {
     motion.relaunch(plane.x, plane.y, plane.xx, plane.xy, plane.yy);
   }
 
+  /** Begins again where its own cluster is for some time, though it was expected elsewhere. */
+  void follow(long timeUs, long stepUs) {
+    stateUs = timeUs;
+    heardUs = stepUs;
+    gatedInARow = 0;
+    motion.launch(plane.x, plane.y, plane.xx, plane.xy, plane.yy);
+  }
+
   /** Holds on to a cluster. */
   void hold(EventBatch held) {
     batch = held;
@@ -115,10 +130,15 @@ final class Track {
     if (batch != null) {
       batch.track = null;
       batch = null;
-      hidden = isHidden;
+      hidden = isHidden && wasFree();
       lostXPx = nowXPx;
       lostYPx = nowYPx;
     }
+  }
+
+  /** Whether it has been seen by itself: what has not may be a part of another. */
+  boolean wasFree() {
+    return freeUpdates >= LEAST_FREE_UPDATES;
   }
 
   double ageS(long timeUs) {
@@ -177,6 +197,7 @@ final class Track {
     stateUs = Math.max(stateUs, timeUs);
     heardUs = stepUs;
     updates++;
+    freeUpdates += contested ? 0 : 1;
     gatedInARow = 0;
   }
 

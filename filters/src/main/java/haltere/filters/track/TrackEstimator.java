@@ -326,7 +326,7 @@ public final class TrackEstimator implements ClusterObserver {
     batch.clear(timeUs);
     if (track.gatedInARow >= GATED_TILL_RELAUNCH) {
       if (measurement.map(plane)) {
-        track.relaunch(measurement.timeUs, timeUs);
+        track.follow(measurement.timeUs, timeUs);
       } else {
         track.release(false);
       }

@@ -89,7 +89,7 @@ final class TrackReports {
   private boolean isSure(Track track) {
     double most = SURE_SPREADS * track.spreadPx;
     return track.hidden
-        || track.contested
+        || track.contested && track.wasFree()
         || settings.measurement().source() == MeasurementSource.CENTRE
         || plane.varianceXPx2 + plane.varianceYPx2 < 2 * most * most;
   }

@@ -16,6 +16,11 @@ final class GivenClusters implements ClusterReadings {
     double variance = 4;
     double radius = 12;
     boolean overlapped;
+
+    /** Information on the middle of an outline, which is that far to the right of the mean. */
+    double outline;
+
+    double outlineAheadX;
     double fedX = Double.NaN;
     double fedY = Double.NaN;
     double fedVx = Double.NaN;
@@ -109,6 +114,31 @@ final class GivenClusters implements ClusterReadings {
   @Override
   public double eventCovarianceXy(int index) {
     return 0;
+  }
+
+  @Override
+  public double outlineXx(int index) {
+    return list.get(index).outline;
+  }
+
+  @Override
+  public double outlineXy(int index) {
+    return 0;
+  }
+
+  @Override
+  public double outlineYy(int index) {
+    return list.get(index).outline;
+  }
+
+  @Override
+  public double outlineX(int index) {
+    return list.get(index).outline * (list.get(index).x + list.get(index).outlineAheadX);
+  }
+
+  @Override
+  public double outlineY(int index) {
+    return list.get(index).outline * list.get(index).y;
   }
 
   @Override

@@ -113,6 +113,28 @@ class TrackEstimatorTest {
   }
 
   @Test
+  void whereTheOutlineIsKnownItsMiddleCountsAndNotTheMeanOfItsEvents() {
+    Moving moving = new Moving(clusters.add(5), 20, 30, 120, 0);
+    clusters.list.get(0).outline = 100;
+    clusters.list.get(0).outlineAheadX = 3;
+    step(50, moving);
+    assertEquals(moving.x(timeUs * 1e-6) + 3, only().at(timeUs).x(), 0.1);
+    estimator = estimator(KalmanTracksSettings.defaults().with("measurement.source=events"));
+    step(50, moving);
+    assertEquals(moving.x(timeUs * 1e-6), only().at(timeUs).x(), 0.1);
+  }
+
+  @Test
+  void whatWasNeverSeenByItselfIsNotShownOnceItsClusterIsGone() {
+    Moving one = new Moving(clusters.add(1), 20, 100, 100, 0);
+    Moving piece = new Moving(clusters.add(2), 25, 103, 100, 0);
+    step(30, one, piece);
+    clusters.list.remove(1);
+    step(12, one);
+    assertEquals(1, only().id);
+  }
+
+  @Test
   void itsClusterIsPutWhereItIsExpected() {
     estimator = estimator(KalmanTracksSettings.defaults().with("life.feedbackToCluster=true"));
     Moving moving = new Moving(clusters.add(5), 20, 30, 120, 0);

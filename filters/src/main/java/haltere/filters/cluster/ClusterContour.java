@@ -1,0 +1,302 @@
+package haltere.filters.cluster;
+
+/**
+ * The round outline of a cluster, fitted to its events: what a cluster knows beyond the mean of its
+ * events if they lie on a thin ring or on a part of one.
+ *
+ * <p>An event at z says of the centre c and the radius R that |z - c| = R + noise. About a
+ * reference q near the centre, with n the direction from q to the event, that is
+ *
+ * <pre>
+ *   |z - q| - R₀ = n (c - q) + (R - R₀) + noise,  noise of variance s²,
+ * </pre>
+ *
+ * <p>a line in (c, R): least squares, where each event counts in the direction across the outline
+ * only, in which it is known to a third of a pixel. Events at one side of the thing, be it since
+ * the border of the sensor cuts it off or since it has just begun to enter, make the fit uncertain
+ * and not wrong, as their mean would be. The radius is what the readings before have left it, with
+ * a variance. It is given to readers as information, J = I_cc - I_cR I_Rc / (I_RR + s²/P_R), over
+ * s².
+ *
+ * <p>Events off the ring by more than three standard deviations take no part. Of many events
+ * between two readings only some are taken, which bounds the cost. Thread rule: that of its owner.
+ */
+final class ClusterContour {
+  private static final double US = 1e-6;
+
+  /** A ring is thin if its scatter is less than this share of its radius. */
+  private static final double THIN = 0.25;
+
+  /** Scatter of events that mark an outline as well as pixels can, pixels squared. */
+  private static final double FIRST_SCATTER = 0.14;
+
+  private static final double LEAST_SCATTER = 0.09;
+
+  /** What the reference may be off by, added to the scatter for the gate, pixels squared. */
+  private static final double REFERENCE_VARIANCE = 0.15;
+
+  private static final double GATE = 9;
+
+  /** How far the first radius may be wrong, as a share of it. */
+  private static final double FIRST_RADIUS_SHARE = 0.4;
+
+  /** How the radius and the place of the reference wander, pixels squared a second. */
+  private static final double RADIUS_WANDERS = 0.2;
+
+  private static final double REFERENCE_WANDERS = 20;
+
+  /** Events over which the scatter is averaged, and without which nothing is known of it. */
+  private static final double SCATTER_EVENTS = 200;
+
+  private static final double LEAST_EVENTS = 15;
+
+  /** Events taken between two readings. */
+  private static final double ENOUGH = 40;
+
+  /** Variance of the middle from which on it is known, pixels squared. */
+  private static final double SURE_VARIANCE = 1;
+
+  /** Share of the way to the middle that a centre goes at an upkeep. */
+  private static final double CENTRING = 0.1;
+
+  private static final double LEAST_DISTANCE = 0.5;
+  private static final double PLACE_VARIANCE = 9;
+
+  /** Whether the events of the cluster are looked at; counts those that are passed over. */
+  boolean on;
+
+  int skip;
+  private int stride;
+  private double radius;
+  private double radiusVariance;
+  private double scatter;
+  private double freedom;
+  private double offsetX;
+  private double offsetY;
+  private double offsetVariance;
+  private double baseX;
+  private double baseY;
+  private long fromUs;
+
+  // Sums over the events since the last reading of (n, 1)(n, 1)ᵀ, (n, 1) m and m².
+  private double count;
+  private double ixx;
+  private double ixy;
+  private double ixr;
+  private double iyy;
+  private double iyr;
+  private double bx;
+  private double by;
+  private double br;
+  private double squares;
+
+  /** Information on the centre that the last reading had, 0 if there was none. */
+  double informationXx;
+
+  double informationXy;
+  double informationYy;
+
+  /** That information times the centre at {@link #fromUs}. */
+  double vectorX;
+
+  double vectorY;
+
+  /** Knows nothing, and looks at no event. */
+  void end() {
+    on = false;
+    informationXx = 0;
+    informationXy = 0;
+    informationYy = 0;
+  }
+
+  /** Takes an event, and the centre expected at its time, into the fit. */
+  void take(Cluster cluster, double eventX, double eventY, double px, double py, double weight) {
+    skip = stride;
+    double qx = px + offsetX;
+    double qy = py + offsetY;
+    double dx = eventX - qx;
+    double dy = eventY - qy;
+    double distance = Math.sqrt(dx * dx + dy * dy);
+    if (distance < LEAST_DISTANCE) {
+      return;
+    }
+    double off = distance - radius;
+    if (off * off > GATE * (scatter + REFERENCE_VARIANCE + radiusVariance)) {
+      return;
+    }
+    double nx = dx / distance;
+    double ny = dy / distance;
+    double seconds = (cluster.atUs - fromUs) * US;
+    double m =
+        off + nx * (qx - cluster.vx * seconds - baseX) + ny * (qy - cluster.vy * seconds - baseY);
+    count += weight;
+    ixx += weight * nx * nx;
+    ixy += weight * nx * ny;
+    ixr += weight * nx;
+    iyy += weight * ny * ny;
+    iyr += weight * ny;
+    bx += weight * nx * m;
+    by += weight * ny * m;
+    br += weight * m;
+    squares += weight * m * m;
+  }
+
+  /** Works out what a reading says, and learns from it. */
+  void read(Cluster cluster) {
+    informationXx = 0;
+    informationXy = 0;
+    informationYy = 0;
+    if (!on || count <= 0) {
+      return;
+    }
+    double known = ridge();
+    double share = 1 / (count + known);
+    double jxx = ixx - ixr * ixr * share;
+    double jxy = ixy - ixr * iyr * share;
+    double jyy = iyy - iyr * iyr * share;
+    double ux = bx - ixr * br * share;
+    double uy = by - iyr * br * share;
+    if (isThin()) {
+      double perVariance = 1 / scatter;
+      informationXx = jxx * perVariance;
+      informationXy = jxy * perVariance;
+      informationYy = jyy * perVariance;
+      vectorX = ux * perVariance + informationXx * baseX + informationXy * baseY;
+      vectorY = uy * perVariance + informationXy * baseX + informationYy * baseY;
+    }
+    learn(cluster, jxx, jxy, jyy, ux, uy);
+  }
+
+  /** What is known of the radius from before, in units of an event. */
+  private double ridge() {
+    return scatter / radiusVariance;
+  }
+
+  private void learn(Cluster cluster, double jxx, double jxy, double jyy, double ux, double uy) {
+    // The centre, if it is where it was expected give or take a few pixels.
+    double loose = scatter / PLACE_VARIANCE;
+    double determinant = (jxx + loose) * (jyy + loose) - jxy * jxy;
+    double cx = ((jyy + loose) * ux - jxy * uy) / determinant;
+    double cy = ((jxx + loose) * uy - jxy * ux) / determinant;
+    double known = ridge();
+    double radiusMoves = (br - ixr * cx - iyr * cy) / (count + known);
+    learnScatter(cx, cy, radiusMoves, known);
+    // With the centre taken out: what is left of the events to tell the radius.
+    double kxx = ixx + loose;
+    double kyy = iyy + loose;
+    double taken =
+        (kyy * ixr * ixr - 2 * ixy * ixr * iyr + kxx * iyr * iyr) / (kxx * kyy - ixy * ixy);
+    radiusVariance = scatter / (known + Math.max(0, count - taken));
+    radius = Math.min(2 * cluster.radius(), Math.max(1, radius + radiusMoves));
+    moveReference(cluster, jxx, jxy, jyy, ux, uy);
+  }
+
+  /** Takes the mean square of what is left over, per degree of freedom. */
+  private void learnScatter(double cx, double cy, double radiusMoves, double known) {
+    double degrees = count - 2 - count / (count + known);
+    if (!(degrees > 0)) {
+      return;
+    }
+    double rest =
+        squares
+            - 2 * (bx * cx + by * cy + br * radiusMoves)
+            + cx * (ixx * cx + 2 * ixy * cy + 2 * ixr * radiusMoves)
+            + cy * (iyy * cy + 2 * iyr * radiusMoves)
+            + count * radiusMoves * radiusMoves;
+    freedom += degrees;
+    double over = Math.max(degrees, Math.min(SCATTER_EVENTS, freedom + LEAST_EVENTS));
+    scatter = Math.max(LEAST_SCATTER, scatter + (rest - degrees * scatter) / over);
+  }
+
+  /** Says where to look for the outline next time, relative to the cluster's centre. */
+  private void moveReference(
+      Cluster cluster, double jxx, double jxy, double jyy, double ux, double uy) {
+    double tight = scatter / offsetVariance;
+    double determinant = (jxx + tight) * (jyy + tight) - jxy * jxy;
+    double seconds = (cluster.atUs - fromUs) * US;
+    double nowX = cluster.x + offsetX - baseX - cluster.vx * seconds;
+    double nowY = cluster.y + offsetY - baseY - cluster.vy * seconds;
+    double wx = ux - jxx * nowX - jxy * nowY;
+    double wy = uy - jxy * nowX - jyy * nowY;
+    offsetX += ((jyy + tight) * wx - jxy * wy) / determinant;
+    offsetY += ((jxx + tight) * wy - jxy * wx) / determinant;
+    offsetVariance = scatter / (tight + 0.5 * (jxx + jyy));
+    double length = Math.hypot(offsetX, offsetY);
+    double most = cluster.radius();
+    if (length > most) {
+      offsetX *= most / length;
+      offsetY *= most / length;
+    }
+  }
+
+  /** Begins to gather for the next reading; of a cluster that is new, with what its form is. */
+  void next(Cluster cluster, long timeUs) {
+    if (!on) {
+      begin(cluster);
+    } else {
+      stride = (int) Math.max(1, Math.round(stride * count / ENOUGH));
+      double seconds = (timeUs - fromUs) * US;
+      radiusVariance += RADIUS_WANDERS * seconds;
+      offsetVariance += REFERENCE_WANDERS * seconds;
+    }
+    skip = 1;
+    fromUs = timeUs;
+    baseX = cluster.x + offsetX;
+    baseY = cluster.y + offsetY;
+    count = 0;
+    ixx = 0;
+    ixy = 0;
+    ixr = 0;
+    iyy = 0;
+    iyr = 0;
+    bx = 0;
+    by = 0;
+    br = 0;
+    squares = 0;
+  }
+
+  private void begin(Cluster cluster) {
+    on = true;
+    stride = 1;
+    // The mean square of the distance from the middle of a whole ring is the square of its radius.
+    radius =
+        Math.sqrt(
+            cluster.cxx
+                + cluster.cyy
+                + cluster.leadX * cluster.leadX
+                + cluster.leadY * cluster.leadY);
+    radius = Math.max(1, radius);
+    radiusVariance = FIRST_RADIUS_SHARE * radius * FIRST_RADIUS_SHARE * radius;
+    scatter = FIRST_SCATTER;
+    freedom = 0;
+    offsetX = 0;
+    offsetY = 0;
+    offsetVariance = 0.25 * radius * radius;
+  }
+
+  /** Whether it is known where the middle of the outline is. */
+  boolean isPlaced() {
+    return isThin() && offsetVariance < SURE_VARIANCE;
+  }
+
+  private boolean isThin() {
+    return on && freedom >= LEAST_EVENTS && scatter < THIN * THIN * radius * radius;
+  }
+
+  /**
+   * Moves the centre of a cluster whose events are all of one polarity towards the middle of the
+   * outline, and says how far ahead of it they are.
+   *
+   * @param side 1 if the events are ON events, -1 if they are OFF events
+   */
+  void centre(Cluster cluster, int side) {
+    double moveX = CENTRING * offsetX;
+    double moveY = CENTRING * offsetY;
+    cluster.x += moveX;
+    cluster.y += moveY;
+    cluster.leadX -= side * moveX;
+    cluster.leadY -= side * moveY;
+    offsetX -= moveX;
+    offsetY -= moveY;
+  }
+}

@@ -1,0 +1,114 @@
+package haltere.filters.cluster;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import java.util.SplittableRandom;
+import java.util.function.LongToDoubleFunction;
+import org.junit.jupiter.api.Test;
+
+class ClusterContourTest {
+  private static final SensorGeometry SENSOR = new SensorGeometry(128, 128);
+  private static final double RADIUS = 6;
+  private static final long STEP_US = 200;
+
+  private final LongToDoubleFunction x = timeUs -> 10 + 100e-6 * timeUs;
+  private final LongToDoubleFunction entering = timeUs -> -9 + 100e-6 * timeUs;
+  private double outlineSquares;
+  private double meanSquares;
+  private double normalised;
+  private int readings;
+  private int outlines;
+
+  /** Reads what a tracker finds out about a thing that goes to the right, for half a second. */
+  private void read(EventPacket events, LongToDoubleFunction trueX, long fromUs, long toUs) {
+    ClusterTracker tracker =
+        new ClusterTracker(SENSOR, ClusterTrackerSettings.defaults(), timeUs -> {});
+    tracker.observe(
+        (timeUs, at) -> {
+          if (at.count() != 1 || !(at.newEvents(0) > 0) || timeUs < fromUs || timeUs > toUs) {
+            return;
+          }
+          readings++;
+          double truth = trueX.applyAsDouble(timeUs - Math.round(at.measuredAgeUs(0)));
+          meanSquares += Math.pow(at.measuredX(0) - truth, 2);
+          double a = at.outlineXx(0);
+          double b = at.outlineXy(0);
+          double c = at.outlineYy(0);
+          double determinant = a * c - b * b;
+          if (determinant > 0) {
+            outlines++;
+            double dx = (c * at.outlineX(0) - b * at.outlineY(0)) / determinant - truth;
+            double dy = (a * at.outlineY(0) - b * at.outlineX(0)) / determinant - 60;
+            outlineSquares += dx * dx;
+            normalised += a * dx * dx + 2 * b * dx * dy + c * dy * dy;
+          }
+        },
+        10_000);
+    tracker.track(events);
+  }
+
+  /** OFF events at the edge in front of a disc, ON events at the one behind. */
+  private static EventPacket disc(long seed, LongToDoubleFunction x) {
+    SplittableRandom random = new SplittableRandom(seed);
+    EventPacket events = new EventPacket(8192);
+    for (long timeUs = 0; timeUs < 600_000; timeUs += STEP_US) {
+      double across = random.nextDouble(-RADIUS, RADIUS);
+      boolean on = random.nextBoolean();
+      double ahead = Math.sqrt(RADIUS * RADIUS - across * across);
+      add(events, timeUs, x.applyAsDouble(timeUs) + (on ? -ahead : ahead), 60 + across, on);
+    }
+    return events;
+  }
+
+  private static void add(EventPacket events, long timeUs, double atX, double atY, boolean on) {
+    int column = (int) Math.floor(atX + 0.5);
+    int row = (int) Math.floor(atY + 0.5);
+    if (SENSOR.contains(column, row)) {
+      events.append(timeUs, column, row, on);
+    }
+  }
+
+  @Test
+  void theMiddleOfAnOutlineIsKnownBetterThanTheMeanOfItsEvents() {
+    for (long seed = 0; seed < 20; seed++) {
+      read(disc(seed, x), x, 100_000, 600_000);
+    }
+    assertEquals(readings, outlines);
+    double outlineRms = Math.sqrt(outlineSquares / readings);
+    double meanRms = Math.sqrt(meanSquares / readings);
+    assertTrue(outlineRms < 0.12, "RMS " + outlineRms);
+    assertTrue(meanRms > 1.5 * outlineRms, "mean " + meanRms + ", outline " + outlineRms);
+    // Two degrees of freedom; pixels are no Gaussian noise.
+    assertTrue(normalised / readings > 0.8 && normalised / readings < 2.6, normalised + "");
+  }
+
+  @Test
+  void whatIsHalfInThePictureIsWhereItIsAndNotWhereItIsSeen() {
+    for (long seed = 0; seed < 20; seed++) {
+      // Its middle is in the picture from 90 ms on, its rear edge from 150 ms on.
+      read(disc(seed, entering), entering, 110_000, 150_000);
+    }
+    assertTrue(outlines > 0.8 * readings, outlines + " of " + readings);
+    double outlineRms = Math.sqrt(outlineSquares / outlines);
+    assertTrue(outlineRms < 1.2, "RMS " + outlineRms);
+    assertTrue(Math.sqrt(meanSquares / readings) > 1.5 * outlineRms, "mean " + meanSquares);
+  }
+
+  @Test
+  void whatIsFilledHasNoOutline() {
+    SplittableRandom random = new SplittableRandom(3);
+    EventPacket events = new EventPacket(8192);
+    for (long timeUs = 0; timeUs < 600_000; timeUs += STEP_US) {
+      double distance = RADIUS * Math.sqrt(random.nextDouble());
+      double angle = random.nextDouble(2 * Math.PI);
+      double atX = x.applyAsDouble(timeUs) + distance * Math.cos(angle);
+      add(events, timeUs, atX, 60 + distance * Math.sin(angle), random.nextBoolean());
+    }
+    read(events, x, 100_000, 600_000);
+    assertTrue(readings > 40, "readings " + readings);
+    assertEquals(0, outlines);
+  }
+}
