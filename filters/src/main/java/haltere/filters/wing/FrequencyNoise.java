@@ -25,6 +25,11 @@ final class FrequencyNoise {
     calmVariance = Double.MAX_VALUE;
   }
 
+  /** Says whose wing is driven together with this one; null if there is none. */
+  void besides(FrequencyNoise other) {
+    runAway.besides(other == null ? null : other.runAway);
+  }
+
   /** Takes a residual, its weight times the slope, and the slope. */
   void add(double residual, double weight, double slope) {
     runAway.add(residual, weight, slope);

@@ -5,6 +5,10 @@ package haltere.filters.wing;
  * frequency's process noise is then raised, by as much as the phase is off, and falls back slowly,
  * because a manoeuvre that has begun goes on.
  *
+ * <p>A fly's wings are driven as one: what both phases are off by together tells of a manoeuvre
+ * sooner, and noise is less often taken for one, than each does alone. A wing that runs away alone
+ * has to do so more clearly.
+ *
  * <p>Thread rule: one thread at a time.
  */
 final class RunAway {
@@ -14,8 +18,10 @@ final class RunAway {
   /** Events of one beat repeat each other's errors: so many of them count for one. */
   private static final double REPEATING = 3;
 
-  /** A phase is off if its square is so many times its variance. */
-  private static final double CLEARLY = 1.5;
+  /** Both phases are off if their square is so many times its variance; one alone, so many. */
+  private static final double CLEARLY = 6;
+
+  private static final double CLEARLY_ALONE = 12;
 
   private static final double HOLD_S = 0.03;
   private static final double LEAST_DENSITY = 1;
@@ -23,11 +29,17 @@ final class RunAway {
   private double y;
   private double w;
   private double density;
+  private RunAway other;
 
   void launch() {
     y = 0;
     w = 0;
     density = 0;
+  }
+
+  /** Says which wing is driven together with this one; null if none is known. */
+  void besides(RunAway wing) {
+    other = wing;
   }
 
   /**
@@ -51,11 +63,11 @@ final class RunAway {
    */
   void look(double dtS, double omega, double most) {
     if (w > 0) {
-      double off = y / w;
-      double excess = off * off - CLEARLY * REPEATING / w;
-      density =
-          Math.max(
-              density * Math.exp(-dtS / HOLD_S), Math.min(most, excess > 0 ? DENSITY * excess : 0));
+      double excess = excess(y, w, other == null ? CLEARLY : CLEARLY_ALONE);
+      if (other != null) {
+        excess = Math.max(excess, excess(y + other.y, w + other.w, CLEARLY));
+      }
+      density = Math.max(density * Math.exp(-dtS / HOLD_S), Math.min(most, DENSITY * excess));
       if (density < LEAST_DENSITY) {
         density = 0;
       }
@@ -63,6 +75,12 @@ final class RunAway {
     double fade = Math.exp(-dtS * omega / (2 * Math.PI));
     y *= fade;
     w *= fade;
+  }
+
+  /** Square of what a phase is off by beyond what noise explains; 0 where that explains it. */
+  private static double excess(double y, double w, double clearly) {
+    double off = y / w;
+    return Math.max(0, off * off - clearly * REPEATING / w);
   }
 
   /** What is to be added to the density of the angular frequency's noise; 0 in steady flight. */
