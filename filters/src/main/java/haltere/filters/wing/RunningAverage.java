@@ -26,6 +26,7 @@ final class RunningAverage implements SideEstimator {
   private double position;
   private double centre;
   private double amplitude;
+  private double hysteresis;
   private double periodUs;
   private double least;
   private double most;
@@ -56,6 +57,11 @@ final class RunningAverage implements SideEstimator {
   @Override
   public void apply(WingTrackerSettings changed) {
     settings = changed.average();
+    adapt();
+  }
+
+  private void adapt() {
+    hysteresis = Math.max(settings.leastHysteresisRad(), settings.hysteresis() * amplitude);
   }
 
   /** Begins where another estimate is. */
@@ -67,6 +73,7 @@ final class RunningAverage implements SideEstimator {
     lastUs[1] = atUs;
     centre = seed.centre();
     amplitude = seed.amplitude();
+    adapt();
     periodUs = 2e6 * Math.PI / seed.omega();
     least = position;
     most = position;
@@ -88,9 +95,21 @@ final class RunningAverage implements SideEstimator {
 
   @Override
   public boolean event(long timeUs, boolean on) {
+    event(timeUs, on, frame.angle(), frame.hingeX() + frame.dx, frame.hingeY() + frame.dy);
+    return true;
+  }
+
+  /**
+   * Takes an event whose stroke angle is known.
+   *
+   * @param angle stroke angle, whichever turn
+   * @param x column
+   * @param y row
+   */
+  void event(long timeUs, boolean on, double angle, double x, double y) {
     nowUs = timeUs;
     int edge = on ? 1 : 0;
-    double off = frame.angle() - edges[edge];
+    double off = angle - edges[edge];
     if (off > Math.PI || off < -Math.PI) {
       off = Angles.wrapPi(off);
     }
@@ -105,20 +124,21 @@ final class RunningAverage implements SideEstimator {
     edges[edge] += share * off;
     taken[edge]++;
     sum += measured;
-    sumX += frame.dx;
-    sumY += frame.dy;
+    sumX += x;
+    sumY += y;
     count++;
     double before = position;
     position = (edges[0] + edges[1]) / 2;
-    least = Math.min(least, position);
-    most = Math.max(most, position);
+    if (position < least) {
+      least = position;
+    } else if (position > most) {
+      most = position;
+    }
     follow(timeUs, before);
     positionUs = timeUs;
-    return true;
   }
 
   private void follow(long timeUs, double before) {
-    double hysteresis = Math.max(settings.leastHysteresisRad(), settings.hysteresis() * amplitude);
     if (position < centre - hysteresis) {
       armed = true;
     } else if (armed) {
@@ -137,10 +157,11 @@ final class RunningAverage implements SideEstimator {
     if (!Double.isNaN(lastPassedUs)) {
       periodUs = passedUs - lastPassedUs;
       amplitude = (most - least) / 2;
+      adapt();
       centre = sum / count;
     }
-    meanX = frame.hingeX() + sumX / count;
-    meanY = frame.hingeY() + sumY / count;
+    meanX = sumX / count;
+    meanY = sumY / count;
     beats.beat(side, passedUs, passedUs - lastPassedUs, least, most);
     lastPassedUs = passedUs;
     least = position;

@@ -1,5 +1,6 @@
 package haltere.filters.wing;
 
+import haltere.core.event.SensorGeometry;
 import haltere.filters.estimation.Angles;
 import haltere.filters.wing.WingTrackerState.Phase;
 import java.util.ArrayList;
@@ -16,33 +17,24 @@ final class TrackedFly {
   /** Share of an asymmetry that the heading takes up in one check. */
   private static final double HEADING_SHARE = 0.5;
 
-  private static final double REGION_SLACK = 1.05;
-
   private final WingListener listener;
   private WingTrackerSettings settings;
-  private final StrokeFrame[] frames = {
-    new StrokeFrame(WingSide.LEFT), new StrokeFrame(WingSide.RIGHT)
-  };
+  private final FlyPlace place = new FlyPlace();
+  private final StrokeFrame[] frames = place.frames;
+  private final SensorGeometry sensor;
   private final SideEstimator[] main = new SideEstimator[2];
   private final RunningAverage[] beside = new RunningAverage[2];
   private final boolean[] tracked = new boolean[2];
   private final boolean[] takes = new boolean[4];
   private final FlyReport report;
-  private final double[] startX = new double[2];
-  private final double[] startY = new double[2];
   private final FrequencyAgreement agreement = new FrequencyAgreement();
-  private double headingCos;
-  private double headingSin;
-  private double axisX;
-  private double axisY;
   private double symmetry;
-  private double followedRad;
-  private double confidence;
-  private long initialisedAtUs;
-  private double sizePx;
-  private double regionPx;
 
-  TrackedFly(WingTrackerSettings settings, WingListener listener) {
+  /** Angles of pixels while the running average alone is at work, else null. */
+  private PixelAngles angles;
+
+  TrackedFly(SensorGeometry sensor, WingTrackerSettings settings, WingListener listener) {
+    this.sensor = sensor;
     this.settings = settings;
     this.listener = listener;
     report = new FlyReport(listener, main, beside, tracked, takes);
@@ -53,6 +45,8 @@ final class TrackedFly {
     for (int side = 0; side < 2; side++) {
       build(side);
     }
+    boolean averageAlone = settings.filter().method() == WingMethod.WRA;
+    angles = averageAlone ? new PixelAngles(sensor.width(), sensor.height(), place) : null;
     takeEdges();
   }
 
@@ -95,7 +89,7 @@ final class TrackedFly {
   }
 
   double regionPx() {
-    return regionPx;
+    return place.regionPx();
   }
 
   double meanNis() {
@@ -120,36 +114,43 @@ final class TrackedFly {
   }
 
   void begin(FoundFly found, long timeUs) {
-    FlyGeometry g = found.geometry();
-    WingPlaceSettings place = settings.place();
-    boolean flip = place.flipHeading();
-    double heading = g.headingRad() + (flip ? Math.PI : 0) + place.headingOffsetRad();
-    sizePx = g.sizePx();
-    confidence = g.headTailConfidence();
-    initialisedAtUs = timeUs;
+    WingPlaceSettings said = settings.place();
+    place.begin(found.geometry(), said, timeUs);
     report.begin();
     agreement.launch();
-    regionPx = Math.max(3, sizePx * REGION_SLACK + place.regionOffsetPx());
     for (int side = 0; side < 2; side++) {
-      int from = flip ? 1 - side : side;
-      startX[side] = from == 0 ? g.leftHingeX() : g.rightHingeX();
-      startY[side] = from == 0 ? g.leftHingeY() : g.rightHingeY();
-      double x = startX[side] + place.bodyOffsetXPx();
-      double y = startY[side] + place.bodyOffsetYPx();
-      frames[side].place(x, y, heading, place.innerRadiusPx(), regionPx);
-      StrokeSeed seed = found.seeds()[from];
+      StrokeSeed seed = found.seeds()[said.flipHeading() ? 1 - side : side];
       tracked[side] = seed != null;
       if (seed != null) {
-        StrokeSeed turned = flip ? seed.mirrored() : seed;
+        StrokeSeed turned = said.flipHeading() ? seed.mirrored() : seed;
         launch(
             side,
             timeUs,
-            turned.withCentre(turned.centre() - frames[side].turn() * place.headingOffsetRad()));
+            turned.withCentre(turned.centre() - frames[side].turn() * said.headingOffsetRad()));
       }
     }
+    pair();
+    takeSymmetry();
+    forgetAngles();
+  }
+
+  /** Two wings that are tracked are driven together. */
+  private void pair() {
+    if (main[0] instanceof WingEstimator left && main[1] instanceof WingEstimator right) {
+      boolean both = tracked[0] && tracked[1];
+      left.frequencyNoise().besides(both ? right.frequencyNoise() : null);
+      right.frequencyNoise().besides(both ? left.frequencyNoise() : null);
+    }
+  }
+
+  private void takeSymmetry() {
     symmetry = tracked[0] && tracked[1] ? (main[0].centre() - main[1].centre()) / 2 : 0;
-    followedRad = 0;
-    placeAxis();
+  }
+
+  private void forgetAngles() {
+    if (angles != null) {
+      angles.clear();
+    }
   }
 
   private void launch(int side, long timeUs, StrokeSeed seed) {
@@ -168,26 +169,32 @@ final class TrackedFly {
     }
   }
 
-  /** The line that divides left from right: through the middle of the hinges, along the heading. */
-  private void placeAxis() {
-    double heading = frames[0].headingRad();
-    headingCos = Math.cos(heading);
-    headingSin = Math.sin(heading);
-    axisX = (frames[0].hingeX() + frames[1].hingeX()) / 2;
-    axisY = (frames[0].hingeY() + frames[1].hingeY()) / 2;
-  }
-
   void event(long timeUs, int x, int y, boolean on) {
-    double across = (y - axisY) * headingCos - (x - axisX) * headingSin;
-    int side = across > 0 ? 0 : 1;
+    if (angles != null) {
+      averageEvent(timeUs, x, y, on);
+      return;
+    }
+    int side = place.side(x, y);
     if (!tracked[side] || !takes[on ? 2 * side + 1 : 2 * side] || !frames[side].look(x, y)) {
       return;
     }
     if (main[side].event(timeUs, on) && listener.wantsMeasurements()) {
       report.event(timeUs, side, on, frames[side].angle());
     }
-    if (main[side] != beside[side] && settings.filter().method() == WingMethod.BOTH) {
+    if (settings.filter().method() == WingMethod.BOTH) {
       beside[side].event(timeUs, on);
+    }
+  }
+
+  private void averageEvent(long timeUs, int x, int y, boolean on) {
+    float code = angles.code(x, y);
+    int side = PixelAngles.side(code);
+    if (code != code || !tracked[side] || !takes[on ? 2 * side + 1 : 2 * side]) {
+      return;
+    }
+    beside[side].event(timeUs, on, PixelAngles.angle(code), x, y);
+    if (listener.wantsMeasurements()) {
+      report.event(timeUs, side, on, PixelAngles.angle(code));
     }
   }
 
@@ -205,6 +212,7 @@ final class TrackedFly {
     for (int side = 0; side < 2; side++) {
       if (tracked[side] && main[side].isLost(timeUs)) {
         tracked[side] = false;
+        pair();
       }
     }
     if (!isTracked()) {
@@ -216,12 +224,11 @@ final class TrackedFly {
         double by = HEADING_SHARE * ((left.centre() - right.centre()) / 2 - symmetry);
         left.turnHeading(by);
         right.turnHeading(by);
-        followedRad += by;
       }
     } else if (settings.average().bodyUpdate() && tracked[0] && tracked[1]) {
       followEvents();
     }
-    placeAxis();
+    place.settle();
   }
 
   private void compareFrequencies(WingEstimator left, WingEstimator right) {
@@ -245,8 +252,8 @@ final class TrackedFly {
     if (Double.isNaN(middleX + middleY)) {
       return;
     }
-    double byX = share * (middleX + settings.place().bodyOffsetXPx() - axisX);
-    double byY = share * (middleY + settings.place().bodyOffsetYPx() - axisY);
+    double byX = share * (middleX + settings.place().bodyOffsetXPx() - place.axisX());
+    double byY = share * (middleY + settings.place().bodyOffsetYPx() - place.axisY());
     double across =
         Math.atan2(beside[0].meanY - beside[1].meanY, beside[0].meanX - beside[1].meanX);
     double turn =
@@ -258,30 +265,18 @@ final class TrackedFly {
                         + settings.place().headingOffsetRad()
                         - frames[0].headingRad())
             : 0;
-    for (StrokeFrame frame : frames) {
-      frame.shift(byX, byY);
-      frame.setHeading(frame.headingRad() + turn);
-    }
+    place.shift(byX, byY, turn);
+    forgetAngles();
   }
 
   FlyGeometry geometry() {
-    return new FlyGeometry(
-        (frames[0].hingeX() + frames[1].hingeX()) / 2,
-        (frames[0].hingeY() + frames[1].hingeY()) / 2,
-        FlyFinder.wrapped(frames[0].headingRad()),
-        sizePx,
-        frames[0].hingeX(),
-        frames[0].hingeY(),
-        frames[1].hingeX(),
-        frames[1].hingeY(),
-        confidence,
-        initialisedAtUs);
+    return place.geometry();
   }
 
   void publish(long timeUs, Phase phase) {
     report.tick(timeUs, settings.filter().method() == WingMethod.BOTH);
     if (listener.wantsSnapshots()) {
-      report.snapshot(timeUs, phase, geometry(), regionPx);
+      report.snapshot(timeUs, phase, geometry(), place.regionPx());
     }
   }
 
@@ -307,6 +302,7 @@ final class TrackedFly {
     StrokeSeed seed = main[side].seed();
     build(side);
     launch(side, seed.timeUs(), seed);
+    pair();
   }
 
   private int sideOf(WingPart part) {
@@ -321,14 +317,11 @@ final class TrackedFly {
   void apply(WingTrackerSettings changed) {
     WingTrackerSettings before = settings;
     settings = changed;
-    boolean rebuild =
-        changed.filter().method() != before.filter().method()
-            || changed.filter().model() != before.filter().model()
-            || changed.filter().harmonics() != before.filter().harmonics();
     if (!isTracked()) {
       build();
       return;
     }
+    boolean rebuild = !isSameEstimator(before.filter(), changed.filter());
     if (!rebuild && changed.place().equals(before.place())) {
       for (int side = 0; side < 2; side++) {
         main[side].apply(changed);
@@ -337,50 +330,44 @@ final class TrackedFly {
       takeEdges();
       return;
     }
-    StrokeSeed[] seeds = new StrokeSeed[2];
-    long timeUs = 0;
-    for (int side = 0; side < 2; side++) {
-      seeds[side] = tracked[side] ? main[side].seed() : null;
-      timeUs = tracked[side] ? seeds[side].timeUs() : timeUs;
-    }
+    StrokeSeed[] seeds = seeds();
     boolean flipped = changed.place().flipHeading() != before.place().flipHeading();
     if (flipped) {
-      FlyGeometry g = geometry();
-      double heading = frames[0].headingRad() + Math.PI;
-      double inner = changed.place().innerRadiusPx();
-      frames[0].place(g.rightHingeX(), g.rightHingeY(), heading, inner, regionPx);
-      frames[1].place(g.leftHingeX(), g.leftHingeY(), heading, inner, regionPx);
+      place.exchange(changed.place().innerRadiusPx());
       boolean keep = tracked[0];
       tracked[0] = tracked[1];
       tracked[1] = keep;
-      seeds =
-          new StrokeSeed[] {
-            seeds[1] == null ? null : seeds[1].mirrored(),
-            seeds[0] == null ? null : seeds[0].mirrored()
-          };
+      seeds = new StrokeSeed[] {mirrored(seeds[1]), mirrored(seeds[0])};
     }
-    double byX = changed.place().bodyOffsetXPx() - before.place().bodyOffsetXPx();
-    double byY = changed.place().bodyOffsetYPx() - before.place().bodyOffsetYPx();
-    double turn =
-        Angles.wrapPi(changed.place().headingOffsetRad() - before.place().headingOffsetRad());
-    regionPx =
-        Math.max(3, regionPx + changed.place().regionOffsetPx() - before.place().regionOffsetPx());
+    double turn = place.move(before.place(), changed.place());
     build();
     for (int side = 0; side < 2; side++) {
-      StrokeFrame frame = frames[side];
-      frame.place(
-          frame.hingeX() + byX,
-          frame.hingeY() + byY,
-          frame.headingRad() + turn,
-          changed.place().innerRadiusPx(),
-          regionPx);
       if (tracked[side]) {
-        launch(side, timeUs, seeds[side].withCentre(seeds[side].centre() - frame.turn() * turn));
+        StrokeSeed seed = seeds[side];
+        launch(side, seed.timeUs(), seed.withCentre(seed.centre() - frames[side].turn() * turn));
       }
     }
+    pair();
     if (flipped || turn != 0 || rebuild) {
-      symmetry = tracked[0] && tracked[1] ? (main[0].centre() - main[1].centre()) / 2 : 0;
+      takeSymmetry();
     }
-    placeAxis();
+  }
+
+  private static boolean isSameEstimator(WingFilterSettings one, WingFilterSettings other) {
+    return one.method() == other.method()
+        && one.model() == other.model()
+        && one.harmonics() == other.harmonics();
+  }
+
+  private StrokeSeed[] seeds() {
+    StrokeSeed[] seeds = new StrokeSeed[2];
+    for (int side = 0; side < 2; side++) {
+      seeds[side] = tracked[side] ? main[side].seed() : null;
+    }
+    return seeds;
+  }
+
+  private static StrokeSeed mirrored(StrokeSeed seed) {
+    return seed == null ? null : seed.mirrored();
   }
 }

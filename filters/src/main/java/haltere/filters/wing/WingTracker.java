@@ -26,6 +26,9 @@ public final class WingTracker {
 
   private static final long NO_EVENT = Long.MIN_VALUE >> 1;
 
+  /** Of the next tick, while no fly is tracked: each event may end the wait. */
+  private static final long AT_ONCE = Long.MIN_VALUE;
+
   private final int width;
   private final WingListener listener;
   private final FlyFinder finder;
@@ -56,7 +59,7 @@ public final class WingTracker {
     this.settings = settings;
     this.listener = listener;
     finder = new FlyFinder(geometry, RECENT);
-    fly = new TrackedFly(settings, listener);
+    fly = new TrackedFly(geometry, settings, listener);
     lastOfPixel = new long[geometry.pixels()];
     reset();
   }
@@ -67,6 +70,7 @@ public final class WingTracker {
     Arrays.fill(lastOfPixel, NO_EVENT);
     phase = Phase.COLLECTING;
     begun = false;
+    nextTickUs = AT_ONCE;
     fly.forget();
   }
 
@@ -230,29 +234,41 @@ public final class WingTracker {
       long timeUs = times[i];
       int address = addresses[i];
       recent.add(timeUs, address);
-      if (!fly.isTracked()) {
-        search(timeUs);
+      if (timeUs >= nextTickUs && !work(timeUs)) {
         continue;
-      }
-      if (timeUs >= nextTickUs) {
-        passTicks(timeUs);
-        if (!fly.isTracked()) {
-          continue;
-        }
       }
       int x = EventAddress.x(address);
       int y = EventAddress.y(address);
       int on = address & EventAddress.ON_BIT;
-      if (firstOfRun) {
-        int pixel = y * width + x;
-        long last = lastOfPixel[pixel];
-        lastOfPixel[pixel] = timeUs << 1 | on;
-        if ((last & 1) == on && timeUs - (last >> 1) < LONGEST_RUN_US && last != NO_EVENT) {
-          continue;
-        }
+      if (!firstOfRun || isFirst(y * width + x, timeUs, on)) {
+        fly.event(timeUs, x, y, on != 0);
       }
-      fly.event(timeUs, x, y, on != 0);
     }
+  }
+
+  /**
+   * Whether an event is the first of a run of one polarity on its pixel. Times stand in the upper
+   * bits and the polarity in the last one, so that the difference to the event before, turned by a
+   * bit, is half of it where the polarities are alike, and beyond any time where they are not.
+   */
+  private boolean isFirst(int pixel, long timeUs, int on) {
+    long now = timeUs << 1 | on;
+    long since = Long.rotateRight(now - lastOfPixel[pixel], 1);
+    lastOfPixel[pixel] = now;
+    return since + Long.MIN_VALUE >= LONGEST_RUN_US + Long.MIN_VALUE;
+  }
+
+  /** Does what is due at a time; false if its event is not to be tracked. */
+  private boolean work(long timeUs) {
+    if (!fly.isTracked()) {
+      search(timeUs);
+      return false;
+    }
+    passTicks(timeUs);
+    if (!fly.isTracked()) {
+      nextTickUs = AT_ONCE;
+    }
+    return fly.isTracked();
   }
 
   private void search(long timeUs) {

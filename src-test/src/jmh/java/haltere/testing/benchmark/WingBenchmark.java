@@ -49,10 +49,8 @@ public class WingBenchmark {
   public String settings;
 
   private final EventPacket stream = new EventPacket(EVENTS);
-  private final EventPacket packet = new EventPacket(EVENTS);
   private WingTracker tracker;
   private long lengthUs;
-  private long rounds;
 
   /** Makes the events and lets the tracker find the fly. */
   @Setup(Level.Trial)
@@ -84,8 +82,8 @@ public class WingBenchmark {
     while (stream.size() < EVENTS + 100_000) {
       scene.next(collect);
     }
-    lengthUs = stream.timeUs(EVENTS) / 5000 * 5000;
-    stream.truncate(stream.indexAtOrAfter(lengthUs));
+    lengthUs = (stream.timeUs(EVENTS) / 5000 + 1) * 5000;
+    keepEvenly(stream.indexAtOrAfter(lengthUs));
     tracker =
         new WingTracker(
             scene.geometry(),
@@ -96,20 +94,28 @@ public class WingBenchmark {
                 return false;
               }
             });
-    rounds = 0;
     track();
   }
 
-  private void track() {
-    packet.clear();
-    long shiftUs = rounds++ * lengthUs;
-    long[] times = stream.timesUs();
-    int[] addresses = stream.addresses();
-    int size = Math.min(EVENTS, stream.size());
-    for (int i = 0; i < size; i++) {
-      packet.append(times[i] + shiftUs, addresses[i]);
+  /** Of the first events of the stream, which are a few more, as many as are counted. */
+  private void keepEvenly(int first) {
+    int kept = 0;
+    for (int i = 0; i < first; i++) {
+      if ((i + 1L) * EVENTS / first > (long) i * EVENTS / first) {
+        stream.move(i, kept++);
+      }
     }
-    tracker.track(packet);
+    stream.truncate(kept);
+  }
+
+  private void track() {
+    tracker.track(stream);
+    // the same events again, later
+    long[] times = stream.timesUs();
+    int size = stream.size();
+    for (int i = 0; i < size; i++) {
+      times[i] += lengthUs;
+    }
   }
 
   /**
