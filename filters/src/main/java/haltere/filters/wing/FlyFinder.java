@@ -27,11 +27,6 @@ final class FlyFinder {
   /** Cosine of the most by which one wing may be behind the other. */
   private static final double LEAST_TOGETHER = 0.5;
 
-  /** What a hinge may be wrong by along the body, and how unlike the centres of two strokes are. */
-  private static final double HINGE_SD_PX = 0.4;
-
-  private static final double SYMMETRY_SD_RAD = 0.05;
-  private static final double LEAST_APART_PX = 3;
   private static final double HEAD_SD_RAD = 0.03;
 
   final StrokeSample sample;
@@ -40,6 +35,7 @@ final class FlyFinder {
   private final TwoMeans means = new TwoMeans();
   private final HingeLines lines = new HingeLines();
   private final SideSplit split;
+  private final BodyLine bodyLine = new BodyLine();
   private StrokeFit[] fits = {new StrokeFit(), new StrokeFit()};
   private StrokeFit[] otherFits = {new StrokeFit(), new StrokeFit()};
   private final double[] px;
@@ -252,6 +248,10 @@ final class FlyFinder {
       if (!fitted[0] && !fitted[1]) {
         return -1;
       }
+      if (pass == 0 && fitted[0] && fitted[1]) {
+        // a hinge that the events of one wing leave open is where the other's says
+        bodyLine.bring(fits, axis);
+      }
       StrokeFit first = fits[fitted[0] ? 0 : 1];
       StrokeFit second = fits[fitted[1] ? 1 : 0];
       x = (first.hingeX() + second.hingeX()) / 2;
@@ -292,20 +292,10 @@ final class FlyFinder {
     if (missing >= 0) {
       return concludeOne(1 - missing);
     }
-    double dx = fits[0].hingeX() - fits[1].hingeX();
-    double dy = fits[0].hingeY() - fits[1].hingeY();
-    double apart = Math.hypot(dx, dy);
-    // the heading for which both strokes have the same centre, and the one across the hinges
-    double turn = (fits[0].centre() - fits[1].centre()) / 2;
-    if (apart > LEAST_APART_PX) {
-      double byHinges = Angles.wrapHalfPi(Math.atan2(dy, dx) - Math.PI / 2 - fittedAxis);
-      double hingesVariance = HINGE_SD_PX * HINGE_SD_PX / (apart * apart);
-      double symmetryVariance = SYMMETRY_SD_RAD * SYMMETRY_SD_RAD;
-      turn +=
-          symmetryVariance
-              / (symmetryVariance + hingesVariance)
-              * Angles.wrapHalfPi(byHinges - turn);
-    }
+    double turn =
+        bodyLine.bring(fits, fittedAxis)
+            ? bodyLine.turnRad
+            : (fits[0].centre() - fits[1].centre()) / 2;
     double asymmetry = (backwards(fits[0]) + backwards(fits[1])) / 2;
     boolean flipped = asymmetry < 0;
     double heading = fittedAxis + turn + (flipped ? Math.PI : 0);

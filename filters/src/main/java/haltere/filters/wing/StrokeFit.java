@@ -17,14 +17,14 @@ final class StrokeFit {
   /** Harmonics in the fit. */
   static final int HARMONICS = 4;
 
-  private static final int CENTRE = 0;
+  static final int CENTRE = 0;
   private static final int OMEGA = 1;
-  private static final int HINGE_X = 2;
-  private static final int HINGE_Y = 3;
+  static final int HINGE_X = 2;
+  static final int HINGE_Y = 3;
   private static final int WIDTH = 4;
   private static final int LAG = 5;
   private static final int SERIES = 6;
-  private static final int SIZE = SERIES + 2 * HARMONICS;
+  static final int SIZE = SERIES + 2 * HARMONICS;
   private static final int ROUNDS = 18;
   private static final int WITH_HARMONICS = 3;
   private static final int WITH_HINGE = 6;
@@ -344,6 +344,22 @@ final class StrokeFit {
     }
     residual = inliers > 0 ? Math.sqrt(squares / inliers) : 0;
     return events >= 50;
+  }
+
+  /**
+   * Adds the normal equations to larger ones.
+   *
+   * @param normal takes them from a row and column on
+   * @param from the row and column
+   * @param repeating so many events count for one
+   */
+  void addTo(double[][] normal, int from, double repeating) {
+    double scale = 1 / (repeating * Math.max(1, residual * residual));
+    for (int i = 0; i < SIZE; i++) {
+      for (int j = 0; j < SIZE; j++) {
+        normal[from + i][from + j] += scale * a[i][j];
+      }
+    }
   }
 
   private void believe(int index, double value, double sd) {

@@ -42,9 +42,11 @@ final class TwoMeans {
     double meanX = 0;
     double meanY = 0;
     for (int i = 0; i < size; i++) {
-      meanX += x[i] / size;
-      meanY += y[i] / size;
+      meanX += x[i];
+      meanY += y[i];
     }
+    meanX /= size;
+    meanY /= size;
     double xx = 0;
     double xy = 0;
     double yy = 0;
