@@ -19,8 +19,11 @@ final class CameraLatency {
   /** Lag of ON events, in the same measure, at which a pixel begins to be slow. */
   private static final double SLOW_LAG = 0.35;
 
-  /** How much the delays of different recordings differ, as a share of the time over a pixel. */
-  private static final double SPREAD_SHARE = 0.12;
+  /**
+   * What is usually left of the delay, with what the stroke's shape is off by as the wing moves, as
+   * found on simulated flies; it is the same for slow and for fast wings.
+   */
+  private static final double LEFT_S = 8e-6;
 
   /** What is not known of the constant delay, where nobody says it. */
   private static final double UNKNOWN_S = 15e-6;
@@ -51,10 +54,9 @@ final class CameraLatency {
    * Standard deviation of {@link #seconds}.
    *
    * @param knownUs constant delay of the camera, microseconds; negative if it is not known
-   * @param fullSpeed of the wing in the middle of its stroke, radians a second
    * @return seconds
    */
-  static double sdSeconds(double knownUs, double fullSpeed) {
-    return Math.hypot(SPREAD_SHARE * overPixelS(fullSpeed), knownUs >= 0 ? 0 : UNKNOWN_S);
+  static double sdSeconds(double knownUs) {
+    return Math.hypot(LEFT_S, knownUs >= 0 ? 0 : UNKNOWN_S);
   }
 }

@@ -11,15 +11,15 @@ package haltere.filters.wing;
  */
 final class FrequencyAgreement {
   /** Variance, as a share of what the filter thinks, before anything was compared. */
-  private static final double FIRST_SHARE = 0.2;
+  private static final double FIRST_SHARE = 0.15;
 
   private static final double FIRST_WEIGHT = 10;
-  private static final double MOST_WEIGHT = 50;
+  private static final double MOST_WEIGHT = 100;
   private static final double LEAST_SHARE = 0.02;
   private static final double MOST_SHARE = 4;
 
-  /** Variance of each wing's error over what the comparison says, as found on simulated flies. */
-  private static final double SHARED = 0.85;
+  /** What both wings are off by together, by the same measure, as found on simulated flies. */
+  private static final double COMMON = 0.015;
 
   private double share = FIRST_SHARE;
   private double weight = FIRST_WEIGHT;
@@ -44,6 +44,6 @@ final class FrequencyAgreement {
 
   /** Variance in steady flight as a share of what a filter thinks. */
   double share() {
-    return SHARED * share;
+    return COMMON + share;
   }
 }

@@ -26,7 +26,7 @@ final class WingEstimator implements SideEstimator {
   private static final double REPEATING = 3;
 
   /** What a wing's estimate is usually wrong by from the heading that its angles refer to. */
-  private static final double SYSTEMATIC_RAD = 0.0115;
+  private static final double SYSTEMATIC_RAD = 0.0092;
 
   final StrokeEkf filter;
   final EventNoise noise;
@@ -334,7 +334,7 @@ final class WingEstimator implements SideEstimator {
   public double sdAngle() {
     filter.look(filter.cos, filter.sin, 0);
     double speed = filter.slope(filter.cos, filter.sin) * filter.x[StrokeEkf.OMEGA];
-    double late = CameraLatency.sdSeconds(options.latencyUs(), fullSpeed()) * speed;
+    double late = CameraLatency.sdSeconds(options.latencyUs()) * speed;
     return Math.sqrt(
         Math.max(0, filter.expectedVariance()) + SYSTEMATIC_RAD * SYSTEMATIC_RAD + late * late);
   }
