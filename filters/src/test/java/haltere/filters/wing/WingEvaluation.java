@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 
 /**
@@ -132,17 +133,29 @@ public final class WingEvaluation {
         "| mean NIS in 0.95 to 1.05 | %d of %d | | |",
         found.stream().filter(r -> Math.abs(r.usual.meanNis() - 1) <= 0.05).count(),
         found.size());
-    line(
-        text,
-        "| NEES of the frequency in its band | %d of %d | | |",
-        found.stream().filter(r -> r.usual.frequencyIsHonest()).count(),
-        found.size());
-    line(
-        text,
-        "| NEES of the angle in its band | %d of %d | | |",
-        found.stream().filter(r -> r.known.angleIsHonest()).count(),
-        found.size());
+    inBand(text, "NEES of the frequency", found, r -> r.usual.frequencyErrors());
+    inBand(text, "NEES of the angle", found, r -> r.known.angleErrors());
     line(text, "");
+  }
+
+  /** Steady flight and manoeuvres have a band each: errors follow each other in other ways. */
+  private static void inBand(
+      StringBuilder text,
+      String name,
+      List<Result> found,
+      Function<Result, NormalisedErrors[]> errors) {
+    int inside = 0;
+    StringBuilder bands = new StringBuilder();
+    for (boolean manoeuvres : new boolean[] {false, true}) {
+      List<NormalisedErrors[]> kind =
+          found.stream().filter(r -> r.manoeuvres() == manoeuvres).map(errors).toList();
+      if (!kind.isEmpty()) {
+        NeesBand band = NeesBand.of(kind);
+        inside += band.count(kind);
+        bands.append(String.format(Locale.ROOT, " %.2f to %.2f", band.least(), band.most()));
+      }
+    }
+    line(text, "| %s in its band | %d of %d |%s | |", name, inside, found.size(), bands);
   }
 
   private static void worst(StringBuilder text, List<Result> results) {

@@ -237,14 +237,14 @@ final class WingScores implements WingListener {
     return NormalisedErrors.meanSquare(angleErrors);
   }
 
-  /** Whether the NEES of the frequency is within the 95 % band of as many independent errors. */
-  boolean frequencyIsHonest() {
-    return NormalisedErrors.inBand(frequencyErrors);
+  /** Normalised errors of the frequency of each wing. */
+  NormalisedErrors[] frequencyErrors() {
+    return frequencyErrors;
   }
 
-  /** Whether the NEES of the angle is within the 95 % band of as many independent errors. */
-  boolean angleIsHonest() {
-    return NormalisedErrors.inBand(angleErrors);
+  /** Normalised errors of the angle of each wing. */
+  NormalisedErrors[] angleErrors() {
+    return angleErrors;
   }
 
   long longestWrongUs() {
