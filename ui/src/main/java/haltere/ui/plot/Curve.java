@@ -108,7 +108,7 @@ public final class Curve {
       return;
     }
     if (timeUs < lastUs) {
-      clear();
+      forgetFrom(timeUs);
     }
     if (lastUs != Long.MIN_VALUE) {
       double interval = (double) timeUs - lastUs;
@@ -125,6 +125,15 @@ public final class Curve {
     if (level == LEVELS) {
       return;
     }
+    hold(level, fromUs, lowest, highest);
+    if (pending[level] == MERGED) {
+      pending[level] = 0;
+      levels[level].add(pendingFromUs[level], toUs, pendingLowest[level], pendingHighest[level]);
+      merge(level + 1, pendingFromUs[level], toUs, pendingLowest[level], pendingHighest[level]);
+    }
+  }
+
+  private void hold(int level, long fromUs, double lowest, double highest) {
     if (pending[level] == 0) {
       pendingFromUs[level] = fromUs;
       pendingLowest[level] = lowest;
@@ -133,10 +142,35 @@ public final class Curve {
       pendingLowest[level] = Math.min(pendingLowest[level], lowest);
       pendingHighest[level] = Math.max(pendingHighest[level], highest);
     }
-    if (++pending[level] == MERGED) {
-      pending[level] = 0;
-      levels[level].add(pendingFromUs[level], toUs, pendingLowest[level], pendingHighest[level]);
-      merge(level + 1, pendingFromUs[level], toUs, pendingLowest[level], pendingHighest[level]);
+    pending[level]++;
+  }
+
+  /** Playback went back: what lies before a time stays, the rest comes anew. */
+  private void forgetFrom(long timeUs) {
+    for (SummaryRing ring : levels) {
+      ring.truncate(timeUs);
+    }
+    SummaryRing finest = levels[0];
+    if (finest.size() == 0) {
+      clear();
+      return;
+    }
+    lastUs = finest.toUs(finest.size() - 1);
+    last = finest.highest(finest.size() - 1);
+    for (int level = 1; level < LEVELS; level++) {
+      mergeAnew(level);
+    }
+  }
+
+  /** Begins the next stretch of a level with what the finer one has behind the last. */
+  private void mergeAnew(int level) {
+    SummaryRing finer = levels[level - 1];
+    SummaryRing ring = levels[level];
+    pending[level] = 0;
+    int from = ring.size() == 0 ? 0 : finer.firstEndingFrom(ring.toUs(ring.size() - 1) + 1);
+    // at most as many as make a stretch less one, but where a ring has forgotten its oldest
+    for (int i = Math.max(from, finer.size() - MERGED + 1); i < finer.size(); i++) {
+      hold(level, finer.fromUs(i), finer.lowest(i), finer.highest(i));
     }
   }
 

@@ -104,6 +104,11 @@ final class SummaryRing {
     return low;
   }
 
+  /** Forgets all stretches that end at or after a time. */
+  void truncate(long timeUs) {
+    size = firstEndingFrom(timeUs);
+  }
+
   /** Bytes that its arrays take. */
   long bytes() {
     return 32L * fromUs.length;

@@ -108,6 +108,32 @@ class CurveTest {
   }
 
   @Test
+  void whereTimeGoesBackWhatLiesBeforeStaysAsIfTheRestHadNeverBeen() {
+    SplittableRandom random = new SplittableRandom(11);
+    for (int trial = 0; trial < 20; trial++) {
+      Curve curve = new Curve("a", 0);
+      Curve expected = new Curve("a", 0);
+      int cut = 1 + random.nextInt(40_000);
+      int beyond = cut + random.nextInt(20_000);
+      for (int i = 0; i < beyond; i++) {
+        curve.add(i * 1000L, i < cut ? i : -1);
+      }
+      for (int i = 0; i < cut; i++) {
+        expected.add(i * 1000L, i);
+      }
+      for (int i = cut; i < cut + 5000; i++) {
+        curve.add(i * 1000L, 2 * i);
+        expected.add(i * 1000L, 2 * i);
+      }
+      assertEquals(expected.lastUs(), curve.lastUs());
+      for (int columns : new int[] {1, 10, 500}) {
+        assertEquals(
+            paint(expected, 0, 100_000_000, columns), paint(curve, 0, 100_000_000, columns));
+      }
+    }
+  }
+
+  @Test
   void whatIsNoNumberIsLeftOut() {
     Curve curve = new Curve("a", 0);
     curve.add(1000, Double.NaN);
