@@ -110,6 +110,20 @@ public final class EventPicture implements StreamHandler {
   }
 
   /**
+   * Paints for a {@link PictureScaler}.
+   *
+   * @param ranked receives one pixel for each of the sensor's, row by row from the TOP, with its
+   *     rank in place of its opacity: 0 for the background, 127 for what differs most from it
+   */
+  public void paintRanked(int[] ranked) {
+    if (sums != null) {
+      sums.paintRanked(frame.nowUs(), ranked);
+    } else {
+      painter.paintRanked(frame, ranked);
+    }
+  }
+
+  /**
    * Paints.
    *
    * @param argb receives one opaque pixel for each of the sensor's, row by row from the TOP

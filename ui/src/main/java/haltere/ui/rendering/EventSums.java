@@ -37,6 +37,7 @@ final class EventSums {
   private final float[] samples;
   private final int sampling;
   private final int[] table = new int[ENTRIES];
+  private int[] rankedTable = table;
   private final int[] row;
   private PictureStyle style;
   private long referenceUs;
@@ -77,6 +78,7 @@ final class EventSums {
               ? Gradient.GREY.colour(share)
               : style.gradient().colour(share);
     }
+    rankedTable = Ranks.ranked(table, style.background());
   }
 
   void clear() {
@@ -148,6 +150,15 @@ final class EventSums {
 
   /** Paints row by row from the top. */
   void paint(long nowUs, int[] argb) {
+    paint(nowUs, argb, table);
+  }
+
+  /** Paints colours that carry their rank. */
+  void paintRanked(long nowUs, int[] ranked) {
+    paint(nowUs, ranked, rankedTable);
+  }
+
+  private void paint(long nowUs, int[] argb, int[] colours) {
     double present =
         style.sharp() || empty
             ? 1
@@ -166,7 +177,7 @@ final class EventSums {
       indices(sums, y * width, width, gain, middle, row);
       int to = (height - 1 - y) * width;
       for (int x = 0; x < width; x++) {
-        argb[to + x] = table[row[x]];
+        argb[to + x] = colours[row[x]];
       }
     }
   }

@@ -27,6 +27,9 @@ public final class FramePainter {
   /** At twice the cut age, plus 1 for ON. The last pair is the background. */
   private int[] table;
 
+  /** The same with ranks. */
+  private int[] rankedTable;
+
   private int ageShift;
 
   private int[] row = new int[0];
@@ -77,6 +80,7 @@ public final class FramePainter {
     }
     table[2 * entries - 2] = style.background();
     table[2 * entries - 1] = style.background();
+    rankedTable = Ranks.ranked(table, style.background());
   }
 
   /**
@@ -114,20 +118,29 @@ public final class FramePainter {
    * @param argb receives one opaque pixel for each of the sensor's, row by row from the TOP
    */
   public void paint(EventFrame frame, int[] argb) {
+    paint(frame, argb, table);
+  }
+
+  /** Paints colours that carry their rank. */
+  void paintRanked(EventFrame frame, int[] ranked) {
+    paint(frame, ranked, rankedTable);
+  }
+
+  private void paint(EventFrame frame, int[] argb, int[] colours) {
     int width = frame.geometry().width();
     int height = frame.geometry().height();
     int[] lastEvents = frame.lastEvents();
     Objects.checkFromIndexSize(0, lastEvents.length, argb.length);
     if (frame.nowUs() == StreamNotification.NO_TIME_US) {
-      Arrays.fill(argb, 0, lastEvents.length, style.background());
+      Arrays.fill(argb, 0, lastEvents.length, colours[colours.length - 1]);
       return;
     }
     if (row.length < width) {
       row = new int[width];
     }
     for (int y = 0; y < height; y++) {
-      indices(lastEvents, y * width, width, frame.now(), ageShift, table.length - 2, row);
-      colours(row, width, table, argb, (height - 1 - y) * width);
+      indices(lastEvents, y * width, width, frame.now(), ageShift, colours.length - 2, row);
+      colours(row, width, colours, argb, (height - 1 - y) * width);
     }
   }
 

@@ -11,12 +11,18 @@ package haltere.ui.rendering;
  * <p>Thread rule: one thread at a time.
  */
 public final class PictureScaler {
+  private static final int OPAQUE = 0xFF000000;
+
   /** First source column of each column of the target, and at the end the one behind the last. */
   private int[] columns = {0};
 
   /** First source row of each row of the target, and at the end the one behind the last. */
   private int[] rows = {0};
 
+  /** Last source column of each column of the target. */
+  private int[] lastColumns = {};
+
+  private int widest;
   private int sourceWidth;
   private int[] combined = new int[0];
 
@@ -42,6 +48,13 @@ public final class PictureScaler {
     sourceWidth = newSourceWidth;
     columns = edges(fromX, scale, width, newSourceWidth);
     rows = edges(fromY, scale, height, sourceHeight);
+    lastColumns = new int[width];
+    widest = 0;
+    for (int x = 0; x < width; x++) {
+      lastColumns[x] = Math.max(columns[x], columns[x + 1] - 1);
+      widest = Math.max(widest, columns[x + 1] - columns[x]);
+    }
+    combined = new int[newSourceWidth];
   }
 
   private static int[] edges(double from, double scale, int count, int limit) {
@@ -57,84 +70,74 @@ public final class PictureScaler {
   /**
    * Scales.
    *
-   * @param source ARGB pixels, row by row
-   * @param background the colour that matters least
-   * @param target receives the pixels, row by row
+   * @param ranked pixels that carry their rank, as {@link EventPicture#paintRanked} makes them, row
+   *     by row
+   * @param target receives opaque pixels, row by row
    */
-  public void scale(int[] source, int background, int[] target) {
+  public void scale(int[] ranked, int[] target) {
     int width = columns.length - 1;
     for (int y = 0; y < rows.length - 1; y++) {
       int to = y * width;
       if (y > 0 && rows[y] == rows[y - 1] && rows[y + 1] - rows[y] <= 1) {
         System.arraycopy(target, to - width, target, to, width);
-      } else if (rows[y + 1] - rows[y] <= 1 && columns[width] - columns[0] <= width) {
-        enlargeRow(source, rows[y] * sourceWidth, target, to, width);
+      } else if (rows[y + 1] - rows[y] <= 1 && widest <= 1) {
+        enlargeRow(ranked, rows[y] * sourceWidth, target, to, width);
       } else {
-        reduceRow(source, rows[y], Math.max(rows[y] + 1, rows[y + 1]), background, target, to);
+        reduceRow(ranked, rows[y], rows[y + 1], target, to);
       }
     }
   }
 
-  private void enlargeRow(int[] source, int from, int[] target, int to, int width) {
-    for (int x = 0; x < width; x++) {
-      target[to + x] = source[from + columns[x]];
+  /**
+   * Makes pixels opaque without scaling them.
+   *
+   * @param ranked pixels that carry their rank
+   * @param target receives as many
+   */
+  public static void makeOpaque(int[] ranked, int[] target) {
+    for (int i = 0; i < ranked.length; i++) {
+      target[i] = ranked[i] | OPAQUE;
     }
   }
 
-  private void reduceRow(
-      int[] source, int fromRow, int toRow, int background, int[] target, int to) {
-    int width = columns.length - 1;
-    int[] line = source;
+  private void enlargeRow(int[] ranked, int from, int[] target, int to, int width) {
+    for (int x = 0; x < width; x++) {
+      target[to + x] = ranked[from + columns[x]] | OPAQUE;
+    }
+  }
+
+  private void reduceRow(int[] ranked, int fromRow, int toRow, int[] target, int to) {
+    int[] line = ranked;
     int start = fromRow * sourceWidth;
     if (toRow - fromRow > 1) {
-      combineRows(source, fromRow, toRow, background);
+      combine(ranked, fromRow, toRow);
       line = combined;
       start = 0;
     }
+    int width = columns.length - 1;
     for (int x = 0; x < width; x++) {
-      int colour = line[start + columns[x]];
-      int last = line[start + Math.max(columns[x], columns[x + 1] - 1)];
-      // mostly all of them are background, or there are two at most
-      if (last != colour) {
-        colour = stronger(colour, last, background);
+      int colour = Math.max(line[start + columns[x]], line[start + lastColumns[x]]);
+      for (int column = columns[x] + 1; column < lastColumns[x]; column++) {
+        colour = Math.max(colour, line[start + column]);
       }
-      for (int column = columns[x] + 1; column < columns[x + 1] - 1; column++) {
-        colour = stronger(colour, line[start + column], background);
-      }
-      target[to + x] = colour;
+      target[to + x] = colour | OPAQUE;
     }
   }
 
-  /** Of each column in sight the colour that differs most from the background. */
-  private void combineRows(int[] source, int fromRow, int toRow, int background) {
+  /** Of each column in sight the colour of the highest rank. */
+  private void combine(int[] ranked, int fromRow, int toRow) {
     int first = columns[0];
-    int last = Math.max(first + 1, columns[columns.length - 1]);
-    if (combined.length < sourceWidth) {
-      combined = new int[sourceWidth];
-    }
-    System.arraycopy(source, fromRow * sourceWidth + first, combined, first, last - first);
+    int count = lastColumns[lastColumns.length - 1] + 1 - first;
+    System.arraycopy(ranked, fromRow * sourceWidth + first, combined, first, count);
     for (int row = fromRow + 1; row < toRow; row++) {
-      int start = row * sourceWidth;
-      for (int column = first; column < last; column++) {
-        int colour = source[start + column];
-        if (colour != background) {
-          combined[column] = stronger(combined[column], colour, background);
-        }
-      }
+      highest(ranked, row * sourceWidth + first, combined, first, count);
     }
   }
 
-  /** Of two colours the one that differs more from the background; mostly both are it. */
-  private static int stronger(int a, int b, int background) {
-    if (b == background || a == b) {
-      return a;
+  /** By itself, the compiler makes vectors of this loop. */
+  private static void highest(int[] ranked, int from, int[] combined, int to, int count) {
+    for (int i = 0; i < count; i++) {
+      combined[to + i] = Math.max(combined[to + i], ranked[from + i]);
     }
-    return a == background || difference(b, background) > difference(a, background) ? b : a;
-  }
-
-  private static int difference(int a, int b) {
-    return Math.abs((a >> 16 & 0xFF) - (b >> 16 & 0xFF))
-        + Math.abs((a >> 8 & 0xFF) - (b >> 8 & 0xFF))
-        + Math.abs((a & 0xFF) - (b & 0xFF));
   }
 }

@@ -22,8 +22,8 @@ final class DisplayFrame {
 
   final SensorGeometry geometry;
 
-  /** One opaque pixel for each of the sensor's, row by row from the top. */
-  final int[] argb;
+  /** One for each of the sensor's, row by row from the top, with its rank for the scaler. */
+  final int[] pixels;
 
   List<Marks<?>> marks = List.of();
 
@@ -41,6 +41,6 @@ final class DisplayFrame {
 
   DisplayFrame(SensorGeometry geometry) {
     this.geometry = geometry;
-    this.argb = new int[geometry.pixels()];
+    this.pixels = new int[geometry.pixels()];
   }
 }

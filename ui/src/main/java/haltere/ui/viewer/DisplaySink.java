@@ -134,7 +134,7 @@ final class DisplaySink implements SliceSink {
     followChain();
     events.configure(style());
     DisplayFrame frame = exchange.back();
-    events.paint(frame.argb);
+    events.paintRanked(frame.pixels);
     frame.pixel = probes.pixel(events.frame());
     frame.region = probes.region(events.frame().nowUs());
     frame.scale = scale();

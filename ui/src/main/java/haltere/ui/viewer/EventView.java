@@ -97,7 +97,6 @@ final class EventView extends Region {
   /** Prepares for frames of another sensor. */
   void setGeometry(SensorGeometry newGeometry, ColourMap colours) {
     dark = colours.dark();
-    setBackgroundColour(colours);
     if (!newGeometry.equals(geometry)) {
       geometry = newGeometry;
       picture.setGeometry(geometry, colours.background());
@@ -106,20 +105,12 @@ final class EventView extends Region {
     }
   }
 
-  /**
-   * Changes the colour of what lies behind the events. Around the picture the scene's own fill is
-   * seen: this view has no background, because without a graphics card each layer costs.
-   */
-  void setBackgroundColour(ColourMap colours) {
-    picture.setBackground(colours.background());
-  }
-
   /** Shows a frame of the current sensor. */
   void show(DisplayFrame frame) {
     if (!frame.geometry.equals(geometry)) {
       return;
     }
-    picture.setPixels(frame.argb);
+    picture.setPixels(frame.pixels);
     shownMarks = frame.marks;
     dark = frame.dark;
     if (readout.isVisible()) {

@@ -37,7 +37,6 @@ final class SensorPicture {
   private double density;
   private SensorGeometry geometry = new SensorGeometry(1, 1);
   private int[] newest = new int[1];
-  private int background;
   private PixelBuffer<IntBuffer> pixels;
 
   /**
@@ -59,16 +58,11 @@ final class SensorPicture {
   }
 
   /** Prepares for another sensor. */
-  void setGeometry(SensorGeometry newGeometry, int newBackground) {
+  void setGeometry(SensorGeometry newGeometry, int background) {
     geometry = newGeometry;
-    background = newBackground;
     newest = new int[geometry.pixels()];
-    Arrays.fill(newest, background);
+    Arrays.fill(newest, background & 0xFFFFFF);
     pixels = null;
-  }
-
-  void setBackground(int newBackground) {
-    background = newBackground;
   }
 
   /**
@@ -128,8 +122,8 @@ final class SensorPicture {
   }
 
   /** The pixels to be drawn next, which must stay as they are until there are others. */
-  void setPixels(int[] argb) {
-    newest = argb;
+  void setPixels(int[] ranked) {
+    newest = ranked;
   }
 
   private void allocate(int width, int height) {
@@ -156,12 +150,12 @@ final class SensorPicture {
     }
     int[] shown = pixels.getBuffer().array();
     if (scaleHere) {
-      scaler.scale(newest, background, shown);
+      scaler.scale(newest, shown);
       pixelMarks.setTarget(shown, pixels.getWidth(), pixels.getHeight());
       pixelMarks.setDark(dark);
       marks.accept(pixelMarks);
     } else {
-      System.arraycopy(newest, 0, shown, 0, newest.length);
+      PictureScaler.makeOpaque(newest, shown);
       drawOnCanvas(marks, dark);
     }
     pixels.updateBuffer(all -> null);

@@ -116,7 +116,6 @@ public final class ViewerWindow implements SessionHost {
         () -> {
           session().ifPresent(open -> open.display().setOptions(display.options()));
           ColourMap colours = display.options().colours();
-          panels.view().setBackgroundColour(colours);
           stage.getScene().setFill(JavaFxOverlayCanvas.colour(colours.background()));
         });
     display

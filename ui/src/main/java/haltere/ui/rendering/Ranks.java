@@ -1,0 +1,30 @@
+package haltere.ui.rendering;
+
+/**
+ * Colours that carry a rank in the place of their opacity: 0 for the background, more the more they
+ * differ from it, at most 127. Of two of them the greater number is the one that matters more.
+ */
+final class Ranks {
+  private static final int MOST = 127;
+  private static final int FARTHEST = 3 * 255;
+
+  private Ranks() {}
+
+  /** A colour with its rank. */
+  static int ranked(int rgb, int background) {
+    int difference =
+        Math.abs((rgb >> 16 & 0xFF) - (background >> 16 & 0xFF))
+            + Math.abs((rgb >> 8 & 0xFF) - (background >> 8 & 0xFF))
+            + Math.abs((rgb & 0xFF) - (background & 0xFF));
+    return difference * MOST / FARTHEST << 24 | rgb & 0xFFFFFF;
+  }
+
+  /** A table of colours with their ranks. */
+  static int[] ranked(int[] table, int background) {
+    int[] ranked = new int[table.length];
+    for (int i = 0; i < table.length; i++) {
+      ranked[i] = ranked(table[i], background);
+    }
+    return ranked;
+  }
+}
