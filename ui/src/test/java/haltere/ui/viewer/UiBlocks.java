@@ -20,6 +20,7 @@ import javafx.application.Platform;
  */
 final class UiBlocks implements AutoCloseable {
   private static final long PROBE_NANOS = 1_000_000;
+  private static final long LONGEST_EXPORT_US = 30_000_000;
 
   private final ThreadMXBean threads = ManagementFactory.getThreadMXBean();
   private final Thread probe = new Thread(this::probe, "block-probe");
@@ -72,6 +73,15 @@ final class UiBlocks implements AutoCloseable {
       viewer.run(() -> viewer.window.playback().seek(placeUs));
       viewer.waitFor("there", () -> viewer.status().elapsedUs() >= placeUs);
     }
+    exportPart(viewer, durationUs, target);
+  }
+
+  /** Of a long recording the last half minute, so that it comes to an end in the usual patience. */
+  private static void exportPart(ViewerHarness viewer, long durationUs, Path target) {
+    long fromUs = Math.max(0, durationUs - LONGEST_EXPORT_US);
+    viewer.run(() -> viewer.window.playback().seek(fromUs));
+    viewer.waitFor("there", () -> viewer.status().elapsedUs() >= fromUs);
+    viewer.run(viewer.window.playback()::markIn);
     viewer.run(() -> ViewerHarness.join(viewer.session().player().setLoop(Loop.OFF)));
     viewer.run(() -> viewer.window.feature(ExportFeature.class).exportData(target));
     viewer.waitFor(
@@ -86,9 +96,13 @@ final class UiBlocks implements AutoCloseable {
    */
   public static void main(String[] args) throws IOException {
     Path recording = Path.of(args[0]);
-    try (ViewerHarness viewer = new ViewerHarness();
-        UiBlocks blocks = new UiBlocks()) {
+    try (ViewerHarness viewer = new ViewerHarness()) {
+      // a window that has just started shows the scene
+      viewer.run(() -> viewer.window.actions().run("open-scene"));
+      viewer.waitFor("the scene", () -> viewer.window.framesShown() > 60);
+      UiBlocks blocks = new UiBlocks();
       work(viewer, recording, Path.of(args[1]));
+      blocks.close();
       System.out.printf(
           Locale.ROOT,
           "longest block of the JavaFX thread: %.1f ms of its CPU time, %.1f ms of real time%n",
