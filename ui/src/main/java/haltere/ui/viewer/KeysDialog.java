@@ -1,6 +1,7 @@
 package haltere.ui.viewer;
 
 import atlantafx.base.theme.Styles;
+import javafx.geometry.Insets;
 import javafx.scene.control.Alert;
 import javafx.scene.control.ButtonType;
 import javafx.scene.control.Label;
@@ -20,6 +21,7 @@ final class KeysDialog {
     GridPane grid = new GridPane();
     grid.setHgap(18);
     grid.setVgap(4);
+    grid.setPadding(new Insets(12));
     int row = 0;
     String menu = "";
     for (ViewerAction action : actions.all()) {
