@@ -33,6 +33,9 @@ final class LiveRun {
   private volatile Throwable problem;
   private volatile boolean begun;
 
+  /** Shown while it runs. */
+  private LiveStatus status;
+
   /**
    * A run that has not started.
    *
@@ -73,8 +76,11 @@ final class LiveRun {
    */
   static void run(List<LiveRun> runs, OptionalDouble durationS) throws IOException {
     long beginNanos = System.nanoTime();
+    LiveStatus status =
+        runs.get(0).command.liveStatus(runs.stream().map(run -> run.camera).toList());
+    runs.forEach(run -> run.status = status);
     runs.forEach(run -> run.thread.start());
-    try {
+    try (status) {
       boolean begun = false;
       while (runs.stream().allMatch(run -> run.thread.isAlive())) {
         long now = System.nanoTime();
@@ -94,6 +100,7 @@ final class LiveRun {
           break;
         }
         runs.get(0).thread.join(Math.min(leftMs, LOOK_MS));
+        status.show();
       }
     } catch (InterruptedException toldToStop) {
       // that is how a person ends it
@@ -170,10 +177,12 @@ final class LiveRun {
     public void notified(StreamNotification notification) {
       if (notification instanceof DeviceLost lost) {
         gone = true;
+        status.erase();
         command.warning(
             lost.device() + " was unplugged; it goes on when it is back, Ctrl+C ends it");
       } else if (gone && notification instanceof StreamStarted) {
         gone = false;
+        status.erase();
         command.message(camera.info().id() + " is back");
       }
     }

@@ -12,17 +12,13 @@ import java.util.function.LongSupplier;
  * <p>Thread rule: one thread.
  */
 final class ProgressBar implements ProgressListener, AutoCloseable {
-  private static final long REDRAW_NANOS = 100_000_000L;
   private static final int BAR_WIDTH = 24;
   private static final int LABEL_WIDTH = 24;
 
-  private final PrintStream err;
-  private final boolean shown;
+  private final TerminalLine line;
   private final String label;
   private final LongSupplier nanoTime;
   private final long startNanos;
-  private long lastDrawNanos;
-  private int drawnLength;
   private long events = -1;
 
   /**
@@ -34,13 +30,11 @@ final class ProgressBar implements ProgressListener, AutoCloseable {
    * @param nanoTime clock
    */
   ProgressBar(PrintStream err, boolean shown, String label, LongSupplier nanoTime) {
-    this.err = err;
-    this.shown = shown;
+    line = new TerminalLine(err, shown, nanoTime);
     this.label =
         label.length() <= LABEL_WIDTH ? label : label.substring(0, LABEL_WIDTH - 3) + "...";
     this.nanoTime = nanoTime;
     startNanos = nanoTime.getAsLong();
-    lastDrawNanos = startNanos;
   }
 
   /**
@@ -54,18 +48,12 @@ final class ProgressBar implements ProgressListener, AutoCloseable {
 
   @Override
   public void progress(long done, long total) {
-    if (!shown) {
-      return;
+    if (line.isDue()) {
+      line.draw(text(done, total, (nanoTime.getAsLong() - startNanos) / 1e9));
     }
-    long now = nanoTime.getAsLong();
-    if (now - lastDrawNanos < REDRAW_NANOS) {
-      return;
-    }
-    lastDrawNanos = now;
-    draw(line(done, total, (now - startNanos) / 1e9));
   }
 
-  private String line(long done, long total, double seconds) {
+  private String text(long done, long total, double seconds) {
     double share = total <= 0 ? 0 : Math.min(1, done / (double) total);
     int filled = (int) (share * BAR_WIDTH);
     StringBuilder bar = new StringBuilder(80);
@@ -85,27 +73,13 @@ final class ProgressBar implements ProgressListener, AutoCloseable {
     return bar.toString();
   }
 
-  private void draw(String line) {
-    StringBuilder text = new StringBuilder(line.length() + 2).append('\r').append(line);
-    for (int i = line.length(); i < drawnLength; i++) {
-      text.append(' ');
-    }
-    drawnLength = line.length();
-    err.print(text);
-    err.flush();
-  }
-
   @Override
   public void close() {
-    erase();
+    line.close();
   }
 
   /** Takes the line away, so that results can be printed. */
   void erase() {
-    if (drawnLength > 0) {
-      err.print("\r" + " ".repeat(drawnLength) + "\r");
-      err.flush();
-      drawnLength = 0;
-    }
+    line.erase();
   }
 }

@@ -1,9 +1,11 @@
 package haltere.ui.command;
 
+import haltere.core.camera.Camera;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.Violation;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
@@ -91,8 +93,16 @@ abstract class Subcommand implements Callable<Integer> {
   }
 
   ProgressBar progressBar(String label) {
-    return new ProgressBar(
-        surroundings.err(), surroundings.errIsTerminal() && !isQuiet(), label, System::nanoTime);
+    return new ProgressBar(surroundings.err(), isLineShown(), label, System::nanoTime);
+  }
+
+  LiveStatus liveStatus(List<Camera> cameras) {
+    TerminalLine line = new TerminalLine(surroundings.err(), isLineShown(), System::nanoTime);
+    return new LiveStatus(line, System::nanoTime, cameras);
+  }
+
+  private boolean isLineShown() {
+    return surroundings.errIsTerminal() && !isQuiet();
   }
 
   ProgressBar progressBar(String verb, Path file) {
