@@ -111,14 +111,12 @@ final class SimulatedTransfers {
 
   /** Starts the camera, if it has not been started yet. */
   void start() {
-    lock.lock();
-    try {
-      if (!begun && !closed && pluggedIn) {
-        begin();
-      }
-    } finally {
-      lock.unlock();
-    }
+    locked(
+        () -> {
+          if (!begun && !closed && pluggedIn) {
+            begin();
+          }
+        });
   }
 
   private void begin() {
@@ -203,75 +201,51 @@ final class SimulatedTransfers {
 
   /** Nanoseconds until the next transfer is due; {@link Long#MAX_VALUE} if none will be. */
   long untilNextNanos() {
-    lock.lock();
-    try {
-      return filling == null
-          ? Long.MAX_VALUE
-          : Math.max(1, anchorNanos + (madeUs + TRANSFER_US) * NANOS_PER_US - nanoTime.getAsLong());
-    } finally {
-      lock.unlock();
-    }
+    return read(
+        () -> {
+          long dueNanos = anchorNanos + (madeUs + TRANSFER_US) * NANOS_PER_US;
+          return filling == null ? Long.MAX_VALUE : Math.max(1, dueNanos - nanoTime.getAsLong());
+        });
   }
 
   // ---- Taking
 
   /** The stream that the consumer is at, or null. */
   LiveBuffer stream() {
-    lock.lock();
-    try {
-      return streams.peek();
-    } finally {
-      lock.unlock();
-    }
+    return read(streams::peek);
   }
 
   /** The consumer has seen the end of a stream. */
   void taken(LiveBuffer stream) {
-    lock.lock();
-    try {
-      streams.remove(stream);
-    } finally {
-      lock.unlock();
-    }
+    locked(() -> streams.remove(stream));
   }
 
   /** Whether nothing more will be made. */
   boolean isOver() {
-    lock.lock();
-    try {
-      return closed || filling == null && (pluggedIn ? begun : !options.reconnect());
-    } finally {
-      lock.unlock();
-    }
+    return read(() -> closed || filling == null && (pluggedIn ? begun : !options.reconnect()));
   }
 
   /** Whether the consumer has had all there will be. */
   boolean isTaken() {
-    lock.lock();
-    try {
-      return streams.isEmpty() && isOver();
-    } finally {
-      lock.unlock();
-    }
+    return read(() -> streams.isEmpty() && isOver());
   }
 
   // ---- What it can be asked and told
 
   Counts counts() {
-    lock.lock();
-    try {
-      int waiting = 0;
-      long lost = lostEarlier;
-      if (filling != null) {
-        LiveBuffer.Counts counts = filling.counts();
-        waiting = counts.waitingPackets();
-        mostWaiting = Math.max(mostWaiting, counts.mostWaitingPackets());
-        lost += counts.lost();
-      }
-      return new Counts(transfers, events, lost, waiting, mostWaiting, streamsBegun, timesBehind);
-    } finally {
-      lock.unlock();
-    }
+    return read(
+        () -> {
+          int waiting = 0;
+          long lost = lostEarlier;
+          if (filling != null) {
+            LiveBuffer.Counts counts = filling.counts();
+            waiting = counts.waitingPackets();
+            mostWaiting = Math.max(mostWaiting, counts.mostWaitingPackets());
+            lost += counts.lost();
+          }
+          return new Counts(
+              transfers, events, lost, waiting, mostWaiting, streamsBegun, timesBehind);
+        });
   }
 
   /** When the camera's clock was 0, by the clock of the computer; empty before the first event. */
@@ -283,6 +257,15 @@ final class SimulatedTransfers {
   /** How long ago a time of the camera's clock was. */
   long sinceUs(long cameraUs) {
     return read(() -> sceneUs() - zeroUs - cameraUs);
+  }
+
+  private void locked(Runnable action) {
+    lock.lock();
+    try {
+      action.run();
+    } finally {
+      lock.unlock();
+    }
   }
 
   /** Asks what changes under the lock only. */
@@ -297,13 +280,11 @@ final class SimulatedTransfers {
 
   /** Changes the scene or the sensor, after what came before is made. */
   void change(Runnable change) {
-    lock.lock();
-    try {
-      makeDue();
-      change.run();
-    } finally {
-      lock.unlock();
-    }
+    locked(
+        () -> {
+          makeDue();
+          change.run();
+        });
   }
 
   void resetTimestamps() throws CameraProblem {
@@ -346,16 +327,14 @@ final class SimulatedTransfers {
   }
 
   void plugIn() {
-    lock.lock();
-    try {
-      boolean wasOut = !pluggedIn;
-      pluggedIn = true;
-      if (wasOut && begun && !closed && options.reconnect() && !sensor.isOver()) {
-        begin();
-      }
-    } finally {
-      lock.unlock();
-    }
+    locked(
+        () -> {
+          boolean wasOut = !pluggedIn;
+          pluggedIn = true;
+          if (wasOut && begun && !closed && options.reconnect() && !sensor.isOver()) {
+            begin();
+          }
+        });
   }
 
   boolean isPluggedIn() {
@@ -363,14 +342,12 @@ final class SimulatedTransfers {
   }
 
   void close() {
-    lock.lock();
-    try {
-      if (!closed && filling != null) {
-        end();
-      }
-      closed = true;
-    } finally {
-      lock.unlock();
-    }
+    locked(
+        () -> {
+          if (!closed && filling != null) {
+            end();
+          }
+          closed = true;
+        });
   }
 }
