@@ -150,7 +150,7 @@ final class LiveResultsMeasurement {
         if (received != last) {
           last = received;
           stuckSince = System.nanoTime();
-        } else if (System.nanoTime() - stuckSince > TimeUnit.MILLISECONDS.toNanos(100)) {
+        } else if (System.nanoTime() - stuckSince > TimeUnit.SECONDS.toNanos(1)) {
           offset = bench.rows.published - received; // datagrams got lost
         }
       }

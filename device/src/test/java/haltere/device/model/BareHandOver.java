@@ -7,11 +7,13 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.LockSupport;
 import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.LongSupplier;
 
 /**
  * What the machine itself takes to hand something over in the way of a camera on emulated USB:
  * bytes by a pipe to a thread that stands for the emulated kernel, from there by a pipe to one that
- * stands for that of the bus, from there by a lock to the consumer's. Nothing is done on the way.
+ * stands for that of the bus, from there by a lock to the consumer's, which then counts for as long
+ * as the camera's works.
  */
 final class BareHandOver {
   private static final int BYTES = 4000;
@@ -19,6 +21,7 @@ final class BareHandOver {
   private final Pipe toKernel = Pipe.open();
   private final Pipe toBus = Pipe.open();
   private final LatencyHistogram histogram;
+  private final LongSupplier workNanos;
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition arrived = lock.newCondition();
   private long handedOverNanos;
@@ -26,10 +29,12 @@ final class BareHandOver {
   /**
    * Threads that wait.
    *
-   * @param histogram takes the time from the end of the first pipe to the consumer
+   * @param histogram takes the time from the end of the first pipe to that of the consumer's work
+   * @param workNanos how long that is
    */
-  BareHandOver(LatencyHistogram histogram) throws IOException {
+  BareHandOver(LatencyHistogram histogram, LongSupplier workNanos) throws IOException {
     this.histogram = histogram;
+    this.workNanos = workNanos;
     start("bare-kernel", this::kernel);
     start("bare-bus", this::bus);
     start("bare-consumer", this::consume);
@@ -77,16 +82,22 @@ final class BareHandOver {
   }
 
   private void consume() throws InterruptedException {
+    long handedOver;
     lock.lock();
     try {
       while (handedOverNanos == 0) {
         arrived.await();
       }
-      histogram.add(System.nanoTime() - handedOverNanos);
+      handedOver = handedOverNanos;
       handedOverNanos = 0;
     } finally {
       lock.unlock();
     }
+    long end = System.nanoTime() + workNanos.getAsLong();
+    while (System.nanoTime() < end) {
+      Thread.onSpinWait();
+    }
+    histogram.add(System.nanoTime() - handedOver);
   }
 
   private static void read(Pipe from, ByteBuffer into) throws IOException {

@@ -33,6 +33,7 @@ final class LatencyMeasurement implements StreamHandler {
   private static final int BATCHES = 1000;
   private static final int KEPT = 1 << 16;
   private static final int WARM_UP_BLOCKS = 5;
+  private static final int MEAN_OF = 256;
   private static final double[] SHARES = {0.5, 0.9, 0.99, 0.999};
 
   private final Dvs128Firmware firmware;
@@ -46,6 +47,10 @@ final class LatencyMeasurement implements StreamHandler {
   private final int[] stampOfBatch = new int[KEPT];
   private volatile long firstMeasured = Long.MAX_VALUE;
   private volatile boolean ended;
+
+  /** What the chain takes for a batch, a mean of the latest. */
+  private volatile long workNanos;
+
   private long losses;
   private long unmatched;
 
@@ -79,7 +84,7 @@ final class LatencyMeasurement implements StreamHandler {
    * @param seconds beyond those that warm everything up
    */
   private void send(int seconds) throws IOException {
-    BareHandOver hands = new BareHandOver(bare);
+    BareHandOver hands = new BareHandOver(bare, () -> workNanos);
     for (int second = 0; second < seconds + WARM_UP_BLOCKS; second++) {
       boolean measured = second >= WARM_UP_BLOCKS;
       if (measured && second % 2 == 0) {
@@ -128,6 +133,7 @@ final class LatencyMeasurement implements StreamHandler {
   @Override
   public void packet(EventPacket packet) {
     long lastUs = packet.lastTimeUs();
+    long begin = System.nanoTime();
     chain.process(packet);
     long now = System.nanoTime();
     long batch = lastUs / BATCH_US;
@@ -135,6 +141,7 @@ final class LatencyMeasurement implements StreamHandler {
     if (batch < firstMeasured || !endsBatch) {
       return;
     }
+    workNanos += (now - begin - workNanos) / MEAN_OF;
     int kept = (int) batch & KEPT - 1;
     long handedOver = stamps.getLong((1 + (stampOfBatch[kept] & KEPT - 1)) * Long.BYTES);
     sinceSent.add(now - sentNanos[kept]);
@@ -174,9 +181,11 @@ final class LatencyMeasurement implements StreamHandler {
     }
     print("from the emulated bus to the end of the chain", sinceHandedOver);
     print("the same with the emulated bus itself        ", sinceSent);
-    print("bare threads that wake one another likewise  ", bare);
+    print("bare threads that wake and work likewise      ", bare);
     System.out.println(
-        "losses "
+        "work of the chain "
+            + workNanos / 1000
+            + " us, losses "
             + losses
             + ", batches without a stamp "
             + unmatched
