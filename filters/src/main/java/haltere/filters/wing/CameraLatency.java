@@ -36,6 +36,24 @@ final class CameraLatency {
   }
 
   /**
+   * Lag of ON behind OFF events. Both wings are seen by the same pixels, so that what each of them
+   * says counts by how sure it is.
+   *
+   * @param own filter of the wing
+   * @param other filter of the other wing, null if that is not tracked
+   * @return seconds
+   */
+  static double lagS(StrokeEkf own, StrokeEkf other) {
+    double lag = own.x[StrokeEkf.LAG];
+    if (other == null) {
+      return lag;
+    }
+    double variance = own.covariance(StrokeEkf.LAG, StrokeEkf.LAG);
+    double otherVariance = other.covariance(StrokeEkf.LAG, StrokeEkf.LAG);
+    return lag + variance / (variance + otherVariance) * (other.x[StrokeEkf.LAG] - lag);
+  }
+
+  /**
    * Latency of OFF events.
    *
    * @param knownUs constant delay of the camera, microseconds; negative if it is not known

@@ -9,7 +9,7 @@ package haltere.filters.wing;
  */
 final class MultipleWatch {
   private static final int WINDOW_US = 30_000;
-  private static final int MOST_EVENTS = 2000;
+  private static final int MOST_EVENTS = 1000;
   private static final double[] MULTIPLES = {0.5, 2};
 
   /** How much more another multiple has to explain, and at least. */
@@ -17,6 +17,9 @@ final class MultipleWatch {
 
   private static final double LEAST_EXPLAINED = 0.25;
   private static final int LOOKS = 2;
+
+  /** Frequencies that differ by less than this share are judged as one. */
+  private static final double ALIKE = 0.02;
 
   private final BeatSpectrum spectrum = new BeatSpectrum();
   private int wrong;
@@ -56,7 +59,8 @@ final class MultipleWatch {
    * @return true if one of them has been on a wrong multiple for two looks
    */
   boolean isWrong(double leftHz, double rightHz) {
-    boolean now = spectrum.settle() && (isWrong(leftHz) || isWrong(rightHz));
+    boolean alike = Math.abs(leftHz - rightHz) < ALIKE * leftHz;
+    boolean now = spectrum.settle() && (isWrong(leftHz) || !alike && isWrong(rightHz));
     wrong = now ? wrong + 1 : 0;
     return wrong >= LOOKS;
   }

@@ -47,9 +47,9 @@ final class PixelAngles {
     return code;
   }
 
-  /** Side of a code that is not NaN, 0 left, 1 right. */
+  /** Side of a code, 0 left, 1 right; of no meaning for NaN. */
   static int side(float code) {
-    return code > 0 ? 0 : 1;
+    return Float.floatToRawIntBits(code) >>> 31;
   }
 
   /** Stroke angle of a code that is not NaN, in [0, 2 pi), within 3e-7 radians. */

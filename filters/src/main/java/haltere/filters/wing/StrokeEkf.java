@@ -127,6 +127,20 @@ final class StrokeEkf {
     return value;
   }
 
+  /** Stroke angle when the phase has turned on. */
+  double angleAfter(double turn) {
+    double c = Math.cos(turn);
+    double s = Math.sin(turn);
+    return angle(cos * c - sin * s, sin * c + cos * s);
+  }
+
+  /** Derivative with respect to the phase when that has turned on. */
+  double slopeAfter(double turn) {
+    double c = Math.cos(turn);
+    double s = Math.sin(turn);
+    return slope(cos * c - sin * s, sin * c + cos * s);
+  }
+
   /** Takes the covariance on by a time: the phase gathers the error of the frequency. */
   void predictCovariance(double dtS, double[] density) {
     x[OMEGA] += dtS * x[RATE];

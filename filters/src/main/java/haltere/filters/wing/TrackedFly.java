@@ -26,6 +26,10 @@ final class TrackedFly {
   private final RunningAverage[] beside = new RunningAverage[2];
   private final boolean[] tracked = new boolean[2];
   private final boolean[] takes = new boolean[4];
+
+  /** Edges of wings that are tracked, of which events are taken. */
+  private final boolean[] takesNow = new boolean[4];
+
   private final FlyReport report;
   private final FrequencyAgreement agreement = new FrequencyAgreement();
   private double symmetry;
@@ -73,6 +77,9 @@ final class TrackedFly {
     takes[1] = output.leftTrailing();
     takes[2] = output.rightLeading();
     takes[3] = output.rightTrailing();
+    for (int edge = 0; edge < 4; edge++) {
+      takesNow[edge] = takes[edge] && tracked[edge / 2];
+    }
   }
 
   boolean isTracked() {
@@ -86,6 +93,7 @@ final class TrackedFly {
   void forget() {
     tracked[0] = false;
     tracked[1] = false;
+    takeEdges();
   }
 
   double regionPx() {
@@ -129,17 +137,18 @@ final class TrackedFly {
             turned.withCentre(turned.centre() - frames[side].turn() * said.headingOffsetRad()));
       }
     }
-    pair();
+    trackedChanged();
     takeSymmetry();
     forgetAngles();
   }
 
-  /** Two wings that are tracked are driven together. */
-  private void pair() {
+  /** Edges of wings that are tracked are taken, and two of them are driven together. */
+  private void trackedChanged() {
+    takeEdges();
     if (main[0] instanceof WingEstimator left && main[1] instanceof WingEstimator right) {
       boolean both = tracked[0] && tracked[1];
-      left.frequencyNoise().besides(both ? right.frequencyNoise() : null);
-      right.frequencyNoise().besides(both ? left.frequencyNoise() : null);
+      left.besides(both ? right : null);
+      right.besides(both ? left : null);
     }
   }
 
@@ -175,7 +184,7 @@ final class TrackedFly {
       return;
     }
     int side = place.side(x, y);
-    if (!tracked[side] || !takes[on ? 2 * side + 1 : 2 * side] || !frames[side].look(x, y)) {
+    if (!takesNow[2 * side + (on ? 1 : 0)] || !frames[side].look(x, y)) {
       return;
     }
     if (main[side].event(timeUs, on) && listener.wantsMeasurements()) {
@@ -189,12 +198,13 @@ final class TrackedFly {
   private void averageEvent(long timeUs, int x, int y, boolean on) {
     float code = angles.code(x, y);
     int side = PixelAngles.side(code);
-    if (code != code || !tracked[side] || !takes[on ? 2 * side + 1 : 2 * side]) {
+    if (code != code || !takesNow[2 * side + (on ? 1 : 0)]) {
       return;
     }
-    beside[side].event(timeUs, on, PixelAngles.angle(code), x, y);
+    double angle = PixelAngles.angle(code);
+    beside[side].event(timeUs, on, angle, x, y);
     if (listener.wantsMeasurements()) {
-      report.event(timeUs, side, on, PixelAngles.angle(code));
+      report.event(timeUs, side, on, angle);
     }
   }
 
@@ -212,7 +222,7 @@ final class TrackedFly {
     for (int side = 0; side < 2; side++) {
       if (tracked[side] && main[side].isLost(timeUs)) {
         tracked[side] = false;
-        pair();
+        trackedChanged();
       }
     }
     if (!isTracked()) {
@@ -302,7 +312,7 @@ final class TrackedFly {
     StrokeSeed seed = main[side].seed();
     build(side);
     launch(side, seed.timeUs(), seed);
-    pair();
+    trackedChanged();
   }
 
   private int sideOf(WingPart part) {
@@ -347,7 +357,7 @@ final class TrackedFly {
         launch(side, seed.timeUs(), seed.withCentre(seed.centre() - frames[side].turn() * turn));
       }
     }
-    pair();
+    trackedChanged();
     if (flipped || turn != 0 || rebuild) {
       takeSymmetry();
     }

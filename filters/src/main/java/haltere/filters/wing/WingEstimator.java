@@ -40,6 +40,7 @@ final class WingEstimator implements SideEstimator {
   private final HingeTracker hinge = new HingeTracker();
   private final LockJudge judge = new LockJudge();
   private final FrequencyNoise frequencyNoise = new FrequencyNoise();
+  private WingEstimator other;
   private boolean followsHinge;
   private final double[] density;
   private double steadyFrequency;
@@ -93,6 +94,12 @@ final class WingEstimator implements SideEstimator {
     density[StrokeEkf.PHASE] = settings.phase();
     steadyFrequency = settings.frequency();
     density[StrokeEkf.OMEGA] = steadyFrequency;
+  }
+
+  /** Says which wing is of the same fly, seen by the same camera; null if none is tracked. */
+  void besides(WingEstimator wing) {
+    other = wing;
+    frequencyNoise.besides(wing == null ? null : wing.frequencyNoise);
   }
 
   /** Begins at a time with a state. */
@@ -280,26 +287,21 @@ final class WingEstimator implements SideEstimator {
   }
 
   private double ahead() {
-    return CameraLatency.seconds(options.latencyUs(), filter.x[StrokeEkf.LAG], fullSpeed())
+    double lagS = CameraLatency.lagS(filter, other == null ? null : other.filter);
+    return CameraLatency.seconds(options.latencyUs(), lagS, fullSpeed())
         * filter.x[StrokeEkf.OMEGA];
   }
 
   @Override
   public double angle() {
-    double turned = ahead();
-    double c = Math.cos(turned);
-    double s = Math.sin(turned);
-    return filter.angle(filter.cos * c - filter.sin * s, filter.sin * c + filter.cos * s);
+    return filter.angleAfter(ahead());
   }
 
   @Override
   public double edgeAngle(int edge) {
-    double turned = ahead();
-    double c = Math.cos(turned);
-    double s = Math.sin(turned);
-    double slope = filter.slope(filter.cos * c - filter.sin * s, filter.sin * c + filter.cos * s);
-    double half = slope >= 0 == (edge == 0) ? 1 : -1;
-    return angle() + half * filter.x[StrokeEkf.WIDTH];
+    double ahead = ahead();
+    double half = filter.slopeAfter(ahead) >= 0 == (edge == 0) ? 1 : -1;
+    return filter.angleAfter(ahead) + half * filter.x[StrokeEkf.WIDTH];
   }
 
   @Override

@@ -123,6 +123,18 @@ class StrokeEkfTest {
   }
 
   @Test
+  void theLagIsThatOfBothWingsByHowSureEachIs() {
+    StrokeEkf[] wings = {filter(STATE), filter(STATE)};
+    wings[0].set(StrokeEkf.LAG, 10e-6);
+    wings[1].set(StrokeEkf.LAG, 50e-6);
+    assertEquals(30e-6, CameraLatency.lagS(wings[0], wings[1]), 1e-12);
+    wings[1].setCovariance(StrokeEkf.LAG, StrokeEkf.LAG, 1e-12);
+    assertEquals(50e-6, CameraLatency.lagS(wings[0], wings[1]), 1e-9);
+    assertEquals(50e-6, CameraLatency.lagS(wings[1], wings[0]), 1e-9);
+    assertEquals(10e-6, CameraLatency.lagS(wings[0], null));
+  }
+
+  @Test
   void theFastAngleIsTheAngle() {
     SplittableRandom random = new SplittableRandom(3);
     for (int i = 0; i < 100_000; i++) {
