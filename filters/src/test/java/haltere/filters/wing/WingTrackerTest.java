@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.simulation.FlyScene;
 import haltere.filters.estimation.Angles;
 import haltere.filters.wing.WingFilterEdit.Table;
 import haltere.filters.wing.WingTrackerFilterTest.Flies;
@@ -48,6 +49,19 @@ class WingTrackerTest {
       WingEstimate last = said.estimates.get(said.estimates.size() - 1);
       assertEquals(hz, last.frequencyHz(), 0.1 * hz);
     }
+  }
+
+  /** Each wing's events leave the place of its hinge along the body open in these scenes. */
+  @ParameterizedTest
+  @ValueSource(longs = {4126, 6192})
+  void aFlyThatSlowPixelsSeeAtItsReversalsAloneIsFoundWithItsHeading(long seed) {
+    FlyScene scene = new FlyScene(EvaluationScenes.random(seed));
+    WingScores scores = new WingScores(scene, WingTrackerSettings.defaults()).run(0.06);
+    assertEquals(0, scores.losses);
+    assertTrue(scores.foundAtUs >= 0, "found");
+    double off =
+        Angles.wrapPi(scores.geometry.headingRad() - scene.truthAt(scores.foundAtUs).headingRad());
+    assertEquals(0, Math.toDegrees(off), 3);
   }
 
   @ParameterizedTest
