@@ -8,6 +8,7 @@ import haltere.core.json.Json;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -89,6 +90,12 @@ class WingsCommandTest {
     assertEquals(Math.PI / 2, ((Number) keys.get("headingRad")).doubleValue(), 0.05);
     assertTrue(run.out().contains("in lock"), run.out());
     assertTrue(run.out().contains("mean NIS"), run.out());
+    assertTrue(run.out().contains("beats") && run.out().contains("SD"), run.out());
+    for (String side : List.of("left", "right")) {
+      assertTrue(
+          run.out().lines().anyMatch(line -> line.strip().startsWith(side)),
+          "frequency and amplitude of the " + side + " wing: " + run.out());
+    }
     List<String> lines = Files.readAllLines(log);
     assertTrue(lines.get(0).startsWith("# haltere"), lines.get(0));
     assertTrue(
@@ -114,6 +121,13 @@ class WingsCommandTest {
       assertEquals(8, fields.length, row);
       assertTrue(fields[0].matches("[1-4]"), row);
     }
+    List<String> average = log(fly, "tick", "original", "--method", "wra");
+    assertTrue(average.size() > 200, average.size() + " rows of ticks");
+    for (String row : average) {
+      String[] fields = row.split("\t");
+      // of the fourth edge the original wrote no frequency and no amplitude
+      assertEquals(fields[0].equals("4") ? 4 : 6, fields.length, row);
+    }
     CommandRun wrong =
         CommandRun.of(
             "wings",
@@ -127,20 +141,24 @@ class WingsCommandTest {
     assertEquals(2, wrong.status(), wrong.err());
   }
 
-  private List<String> log(Path fly, String rows, String layout) throws IOException {
+  private List<String> log(Path fly, String rows, String layout, String... more)
+      throws IOException {
     Path log = folder.resolve(rows + layout + ".txt");
-    CommandRun run =
-        CommandRun.of(
-            "wings",
-            fly,
-            "--out",
-            folder.resolve(rows + layout + ".csv"),
-            "--log",
-            log,
-            "--log-rows",
-            rows,
-            "--log-layout",
-            layout);
+    List<Object> words =
+        new ArrayList<>(
+            List.of(
+                "wings",
+                fly,
+                "--out",
+                folder.resolve(rows + layout + ".csv"),
+                "--log",
+                log,
+                "--log-rows",
+                rows,
+                "--log-layout",
+                layout));
+    words.addAll(List.of(more));
+    CommandRun run = CommandRun.of(words.toArray());
     assertEquals(0, run.status(), run.err());
     return Files.readAllLines(log).stream().filter(line -> !line.startsWith("#")).toList();
   }
