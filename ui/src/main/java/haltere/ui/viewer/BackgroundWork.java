@@ -47,9 +47,13 @@ final class BackgroundWork implements AutoCloseable {
         failed -> {});
   }
 
-  /** Exports something, which may take long; what was asked for before is done first. */
-  <T> void export(Callable<T> work, Consumer<T> done, Consumer<Exception> failed) {
-    exports.submit(() -> run(work, done, failed));
+  /**
+   * Exports something, which may take long; what was asked for before is done first.
+   *
+   * @return ends it when it is cancelled
+   */
+  <T> Future<?> export(Callable<T> work, Consumer<T> done, Consumer<Exception> failed) {
+    return exports.submit(() -> run(work, done, failed));
   }
 
   /** Scans something, in place of what is being scanned. */

@@ -9,6 +9,7 @@ import haltere.core.stream.StreamNotification;
 import haltere.ui.export.FilmWriter;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.util.function.LongConsumer;
 
 /**
  * Plays a stretch of a recording through a chain, without a clock, and makes a picture with
@@ -74,16 +75,17 @@ final class ClipExport implements StreamHandler {
   /**
    * Runs.
    *
+   * @param progress told where on the elapsed timeline it is, again and again
    * @return how many pictures the film has
    */
-  long run() throws IOException {
+  long run(LongConsumer progress) throws IOException {
     try {
       long start = Math.max(0, fromUs - RUN_UP_US);
       if (start > 0) {
         playable.seek(start);
       }
       while (lastUs < toUs && !Thread.currentThread().isInterrupted() && playable.next(this)) {
-        // the handler counts
+        progress.accept(lastUs);
       }
       if (Thread.currentThread().isInterrupted()) {
         throw new IOException("the export was ended");

@@ -10,6 +10,7 @@ import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.util.function.LongConsumer;
 
 /**
  * Plays a stretch of what is open through a chain, without a clock, and writes what the chain
@@ -26,6 +27,7 @@ final class DataExport implements StreamHandler {
   private final EventPacket part = new EventPacket(4096);
   private long written;
   private long lastUs = StreamNotification.NO_TIME_US;
+  private long reachedUs;
   private boolean past;
   private boolean ended;
 
@@ -46,8 +48,13 @@ final class DataExport implements StreamHandler {
     this.toUs = toUs;
   }
 
-  /** Runs; how many events were written. */
-  long run() throws IOException {
+  /**
+   * Runs.
+   *
+   * @param progress told where on the elapsed timeline it is, again and again
+   * @return how many events were written
+   */
+  long run(LongConsumer progress) throws IOException {
     try {
       if (fromUs > 0) {
         playable.seek(fromUs);
@@ -56,6 +63,7 @@ final class DataExport implements StreamHandler {
         if (Thread.currentThread().isInterrupted()) {
           throw new IOException("the export was ended");
         }
+        progress.accept(reachedUs);
       }
     } catch (UncheckedIOException problem) {
       throw problem.getCause();
@@ -80,6 +88,7 @@ final class DataExport implements StreamHandler {
       return;
     }
     lastUs = packet.timeUs(to - 1);
+    reachedUs = lastUs + offsetUs;
     part.clear();
     part.append(packet, from, to);
     chain.packet(part);

@@ -14,9 +14,14 @@ import haltere.ui.export.GifWriter;
 import haltere.ui.export.Mp4Writer;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.concurrent.Future;
+import java.util.function.LongConsumer;
+import javafx.application.Platform;
 
 /**
  * Exports the marked part of what is open, or all of it, through the chain: as a film with overlays
@@ -34,10 +39,46 @@ final class ExportFeature implements ViewerFeature {
   /** Exports a part. */
   private interface Exporter {
     /** In the background; says what was done. */
-    String export(Part part, Playable playable, FilterChain chain) throws IOException;
+    String export(Part part, Playable playable, FilterChain chain, LongConsumer progress)
+        throws IOException;
+  }
+
+  /** Says how far an export is, a few times a second. */
+  private final class Progress implements LongConsumer {
+    private static final long BETWEEN_NANOS = 250_000_000;
+
+    private final String name;
+    private final Part part;
+    private final int stopsBefore;
+    private long saidNanos = System.nanoTime();
+
+    Progress(String name, Part part, int stopsBefore) {
+      this.name = name;
+      this.part = part;
+      this.stopsBefore = stopsBefore;
+    }
+
+    @Override
+    public void accept(long elapsedUs) {
+      long now = System.nanoTime();
+      if (now - saidNanos < BETWEEN_NANOS) {
+        return;
+      }
+      saidNanos = now;
+      double share = (elapsedUs - part.fromUs()) / (double) (part.toUs() - part.fromUs());
+      int percent = (int) (100 * Math.max(0, Math.min(1, share)));
+      Platform.runLater(
+          () -> {
+            if (stops == stopsBefore) {
+              window.status().setActivity(exporting(name) + percent + " %");
+            }
+          });
+    }
   }
 
   private ViewerContext window;
+  private final List<Future<?>> running = new ArrayList<>();
+  private int stops;
 
   @Override
   public void install(ViewerContext installed) {
@@ -57,7 +98,22 @@ final class ExportFeature implements ViewerFeature {
                     "Export the marked part as recording\u2026",
                     "File",
                     () -> dialogs.recordingToExport().ifPresent(this::exportData))
-                .withHelp("What the chain leaves of the events, in any format that is written."));
+                .withHelp("What the chain leaves of the events, in any format that is written."),
+            ViewerAction.of("stop-export", "Stop all exports", "File", this::stop));
+  }
+
+  private static String exporting(String name) {
+    return "Exporting to " + name + " \u2026 ";
+  }
+
+  /** Ends what is being exported and what waits for it; nothing of it is kept. */
+  void stop() {
+    if (running.stream().anyMatch(export -> !export.isDone())) {
+      stops++;
+      running.forEach(export -> export.cancel(true));
+      window.status().setActivity("Exports were stopped");
+    }
+    running.clear();
   }
 
   /** Writes a film; its name's ending says in which format. */
@@ -67,12 +123,12 @@ final class ExportFeature implements ViewerFeature {
     DisplayOptions options = window.display().options();
     export(
         file,
-        (part, playable, chain) -> {
+        (part, playable, chain, progress) -> {
           try (FilmWriter film = film(file)) {
             ClipExport clip =
                 new ClipExport(
                     playable, chain, options, film, part.fromUs(), part.toUs(), pictureUs);
-            return clip.run() + " pictures";
+            return clip.run(progress) + " pictures";
           }
         });
   }
@@ -92,13 +148,13 @@ final class ExportFeature implements ViewerFeature {
   void exportData(Path file) {
     export(
         file,
-        (part, playable, chain) -> {
+        (part, playable, chain, progress) -> {
           try (RecordingWriter writer =
               Recordings.forWriting(file)
                   .create(file, WriteOptions.of(playable.geometry()).withOverwrite(true))
                   .orElseThrow(() -> new IOException(file + ": this format is only read"))) {
             DataExport export = new DataExport(playable, chain, writer, part.fromUs(), part.toUs());
-            return Texts.count(export.run()) + " events";
+            return Texts.count(export.run(progress)) + " events";
           }
         });
   }
@@ -110,19 +166,28 @@ final class ExportFeature implements ViewerFeature {
     }
     StatusLine status = window.status();
     String name = file.getFileName().toString();
-    status.setActivity("Exporting to " + name + " \u2026");
+    status.setActivity(exporting(name));
     Loop loop = window.playback().loopProperty().get();
     window
         .editor()
-        .read(
-            chain -> part(session.get(), loop, chain),
-            part ->
-                window
-                    .background()
-                    .export(
-                        () -> export(part, exporter),
-                        done -> status.setActivity("Exported " + name + ": " + done),
-                        status::showProblem));
+        .read(chain -> part(session.get(), loop, chain), part -> begin(name, part, exporter));
+  }
+
+  private void begin(String name, Part part, Exporter exporter) {
+    StatusLine status = window.status();
+    running.removeIf(Future::isDone);
+    int stopsBefore = stops;
+    running.add(
+        window
+            .background()
+            .export(
+                () -> export(part, exporter, new Progress(name, part, stopsBefore)),
+                done -> status.setActivity("Exported " + name + ": " + done),
+                problem -> {
+                  if (stops == stopsBefore) {
+                    status.showProblem(problem);
+                  }
+                }));
   }
 
   /** What is marked, all where nothing is; processing thread. */
@@ -141,11 +206,12 @@ final class ExportFeature implements ViewerFeature {
     return new Part(() -> Sources.recording(recording, options), json, fromUs, toUs);
   }
 
-  private static String export(Part part, Exporter exporter) throws Exception {
+  private static String export(Part part, Exporter exporter, LongConsumer progress)
+      throws Exception {
     try (Playable playable = part.open().call()) {
       FilterChain chain = Sources.chain(playable.geometry(), part.chain());
       try {
-        return exporter.export(part, playable, chain);
+        return exporter.export(part, playable, chain, progress);
       } finally {
         chain.close();
       }

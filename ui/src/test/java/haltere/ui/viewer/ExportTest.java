@@ -123,6 +123,20 @@ class ExportTest {
   }
 
   @Test
+  void anExportSaysHowFarItIsAndIsStopped() {
+    // three thousand pictures
+    viewer.run(() -> viewer.window.playback().setSpeed(0.001));
+    Path file = folder.resolve("part.gif");
+    viewer.run(() -> export().exportFilm(file));
+    viewer.waitFor("it says how far", () -> said().matches("Exporting to part.gif \u2026 \\d+ %"));
+    viewer.run(() -> viewer.window.actions().run("stop-export"));
+    viewer.waitFor("it was stopped", () -> said().equals("Exports were stopped"));
+    assertFalse(Files.exists(file));
+    viewer.run(() -> export().exportData(folder.resolve("next.aedat4")));
+    viewer.waitFor("the next one", () -> said().startsWith("Exported next.aedat4"));
+  }
+
+  @Test
   void withoutTheProgramMp4SaysWhatToDo() {
     System.setProperty(Mp4Writer.PROPERTY, folder.resolve("none").toString());
     Path file = folder.resolve("part.mp4");
