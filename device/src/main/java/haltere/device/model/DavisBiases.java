@@ -5,6 +5,7 @@ import haltere.core.camera.Biases;
 import haltere.core.camera.CameraProblem;
 import haltere.core.settings.Parameter;
 import haltere.device.model.SliderPositions.Effect;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -157,13 +158,30 @@ final class DavisBiases implements Biases, BiasSliders {
   @Override
   public synchronized void set(Slider slider, double value) throws CameraProblem {
     SliderPositions moved = sliders.with(slider, value);
-    for (DavisBias bias : byName.values()) {
-      double next = effective(bias, moved);
-      if (next != effective(bias, sliders)) {
-        send(bias, next);
+    List<DavisBias> sent = new ArrayList<>();
+    try {
+      for (DavisBias bias : byName.values()) {
+        double next = effective(bias, moved);
+        if (next != effective(bias, sliders)) {
+          send(bias, next);
+          sent.add(bias);
+        }
       }
+    } catch (CameraProblem problem) {
+      takeBack(sent);
+      throw problem;
     }
     sliders = moved;
+  }
+
+  private void takeBack(List<DavisBias> sent) {
+    for (DavisBias bias : sent) {
+      try {
+        send(bias, effective(bias, sliders));
+      } catch (CameraProblem gone) {
+        return; // it gets all biases anew when it is back
+      }
+    }
   }
 
   /** Sends all values. */

@@ -219,6 +219,26 @@ abstract class DavisScenarios extends DeviceBench<DavisFirmware> {
     }
   }
 
+  @Test
+  void aSliderThatTheCameraDoesNotTakeStaysAndSoDoAllItsBiases() throws IOException {
+    try (Camera camera = open()) {
+      Biases biases = camera.facet(Biases.class).orElseThrow();
+      BiasSliders sliders = camera.facet(BiasSliders.class).orElseThrow();
+      int before = firmware.register(5, 11);
+      firmware.refuse(5, 12);
+
+      CameraProblem problem =
+          assertThrows(CameraProblem.class, () -> sliders.set(Slider.THRESHOLD, 0.5));
+
+      assertEquals(CameraProblem.Kind.REFUSED, problem.kind());
+      assertTrue(
+          firmware.log().indexOf("5.11=" + before) < firmware.log().lastIndexOf("5.11=" + before));
+      assertEquals(before, firmware.register(5, 11), "what was sent is taken back");
+      assertEquals(0, sliders.get(Slider.THRESHOLD));
+      assertEquals(387_500, biases.get("OnBn"), 1e-6);
+    }
+  }
+
   /** The current of a coarse and a fine part, by the full scales of the chip's makers. */
   private static double currentPa(int bits) {
     double[] fullPa = {11, 94, 756, 6054, 48_437, 387_500, 3_100_000, 24_800_000};

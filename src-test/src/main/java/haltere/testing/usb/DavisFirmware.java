@@ -30,6 +30,7 @@ public final class DavisFirmware implements Firmware {
   private final AtomicLong bytesSent = new AtomicLong();
   private final ByteArrayOutputStream packet = new ByteArrayOutputStream();
   private volatile EmulatedDevice device;
+  private volatile int refusedRegister = -1;
   private long nowUs = -1;
   private long wraps;
 
@@ -80,6 +81,16 @@ public final class DavisFirmware implements Firmware {
     synchronized (registers) {
       return registers.getOrDefault(module << 16 | parameter, 0);
     }
+  }
+
+  /**
+   * Stalls every request to set a register.
+   *
+   * @param module of the logic
+   * @param parameter of the module
+   */
+  public void refuse(int module, int parameter) {
+    refusedRegister = module << 16 | parameter;
   }
 
   /**
@@ -154,7 +165,8 @@ public final class DavisFirmware implements Firmware {
     if (request.type() == ControlRequest.TO_HOST && request.request() == 0xbf) {
       return ByteBuffer.allocate(4).putInt(register(request.value(), request.index())).array();
     }
-    if (request.type() != ControlRequest.TO_DEVICE) {
+    boolean refused = (request.value() << 16 | request.index()) == refusedRegister;
+    if (request.type() != ControlRequest.TO_DEVICE || refused) {
       return null;
     }
     ByteBuffer data = ByteBuffer.wrap(request.data());
