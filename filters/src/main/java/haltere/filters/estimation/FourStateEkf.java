@@ -116,6 +116,53 @@ public final class FourStateEkf {
   }
 
   /**
+   * Takes over state and covariance of another filter, and ends a run of gated innovations.
+   *
+   * @param other stays as it is
+   */
+  public void copy(FourStateEkf other) {
+    x0 = other.x0;
+    x1 = other.x1;
+    x2 = other.x2;
+    x3 = other.x3;
+    p00 = other.p00;
+    p01 = other.p01;
+    p02 = other.p02;
+    p03 = other.p03;
+    p11 = other.p11;
+    p12 = other.p12;
+    p13 = other.p13;
+    p22 = other.p22;
+    p23 = other.p23;
+    p33 = other.p33;
+    monitor.endRun();
+  }
+
+  /**
+   * The whole covariance.
+   *
+   * @param out gets sixteen entries, row by row
+   */
+  public void covariance(double[] out) {
+    out[0] = p00;
+    out[1] = p01;
+    out[2] = p02;
+    out[3] = p03;
+    out[4] = p01;
+    out[5] = p11;
+    out[6] = p12;
+    out[7] = p13;
+    out[8] = p02;
+    out[9] = p12;
+    out[10] = p22;
+    out[11] = p23;
+    out[12] = p03;
+    out[13] = p13;
+    out[14] = p23;
+    out[15] = p33;
+  }
+
+  /**
    * Predicts by a transition that is 1 on its diagonal and 0 below: x ← F x, P ← F P Fᵀ. That is
    * any chain of integrators in order of their derivatives. Constant velocity in a plane is (Δt, 0,
    * 0, 0, 0, Δt).

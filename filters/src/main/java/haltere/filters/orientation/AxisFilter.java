@@ -6,13 +6,8 @@ package haltere.filters.orientation;
  * <p>Thread rule: one thread at a time. Nothing is allocated by a step.
  */
 sealed interface AxisFilter permits SphereFilter, QuaternionFilter {
-  /**
-   * Begins.
-   *
-   * @param axis unit vector
-   * @param covariance of it in the world's coordinates, nine entries of rank 2
-   */
-  void launch(double[] axis, double[] covariance);
+  /** Begins with an axis that was found. */
+  void launch(AxisLaunch found);
 
   /**
    * Goes on in time. A step of 0 is none.
@@ -28,6 +23,32 @@ sealed interface AxisFilter permits SphereFilter, QuaternionFilter {
    * @param count at least 0
    */
   void update(LineMeasurement[] lines, int count);
+
+  /**
+   * Takes in that a body flies more or less where its head points.
+   *
+   * @param direction unit vector, of the flight
+   * @param variance of the angle between axis and flight in each direction, squared radians, for
+   *     this instant alone
+   */
+  void lean(double[] direction, double variance);
+
+  /**
+   * Whether the axis had better be looked for anew, after these lines were taken in.
+   *
+   * @param lines the first {@code count} of them
+   * @param count at least 0
+   */
+  boolean doubts(LineMeasurement[] lines, int count);
+
+  /**
+   * Takes note of an axis that was found anew while there is one; returns whether it now is the
+   * axis.
+   */
+  boolean offer(AxisLaunch found);
+
+  /** Whether the axis is not in doubt, so that it tells where the head is. */
+  boolean isSettled();
 
   /** Puts the axis into an array of three. */
   void axis(double[] out);
@@ -46,4 +67,13 @@ sealed interface AxisFilter permits SphereFilter, QuaternionFilter {
 
   /** Whether all numbers are finite. */
   boolean isSound();
+
+  /** From now on keeps each instant for a smoother; this allocates. */
+  void record();
+
+  /** The last instant, with the way to it; null if the form has no smoother. */
+  AxisStep step();
+
+  /** The state; without a covariance if it is of quaternions. */
+  AxisState state();
 }

@@ -1,11 +1,11 @@
 package haltere.filters.orientation;
 
 /**
- * One instant of an axis filter, for a smoother.
+ * One instant of a guess of how an axis went, for a smoother.
  *
- * @param timeUs microseconds
  * @param predicted the state before the instant's observations; null after a launch
  * @param transition how errors went from the instant before; null after a launch
  * @param updated the state after them
+ * @param before the instant before; null after a launch
  */
-record AxisStep(long timeUs, AxisState predicted, double[] transition, AxisState updated) {}
+record AxisStep(AxisState predicted, double[] transition, AxisState updated, AxisStep before) {}

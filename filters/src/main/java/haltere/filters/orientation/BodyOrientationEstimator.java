@@ -1,7 +1,6 @@
 package haltere.filters.orientation;
 
 import haltere.filters.estimation.FilterStep;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
@@ -28,60 +27,47 @@ import java.util.function.Consumer;
  * <p>Thread rule: one thread at a time.
  */
 public final class BodyOrientationEstimator {
-  /** Instants in a row at which most lines were rejected, after which an axis is lost. */
-  private static final int LOST_AFTER = 3;
-
-  /** Lines of one camera that were rejected in a row, after which an axis is doubted. */
-  private static final int BLIND_AFTER = 5;
-
-  /** Instants at which all lines agreed, after which an axis is established. */
-  private static final int ESTABLISHED = 3;
-
   /** Variance of the axis beyond which it is as good as unknown. */
   private static final double LOST_VARIANCE = Math.toRadians(50) * Math.toRadians(50);
 
-  /** Detections that the learnt variance of a camera is a mean over. */
-  private static final double NOISE_MEMORY = 300;
+  /** Variance of the axis beyond which the way flown along it tells nothing of the head. */
+  private static final double VAGUE_VARIANCE = Math.toRadians(15) * Math.toRadians(15);
 
-  private static final double SAME_AXIS = Math.cos(Math.toRadians(30));
-  private static final double LEAST_SD = Math.toRadians(0.05);
-  private static final double GREATEST_SD = Math.toRadians(30);
+  /** Squared angle up to which the direction of flight is known. */
+  private static final double CLEAR_COURSE = 0.1;
+
+  /** How long an axis stays off the direction of flight. */
+  private static final double SLIP_LASTS_S = 0.1;
 
   private final List<CameraModel> cameras;
   private final OrientationSettings settings;
+  private final OrientationCounts counts = new OrientationCounts();
+  private final LineIntake intake;
+  private final LineNoise noise;
+  private final LineGate gate;
   private final PositionFilter position;
   private final AxisFilter axis;
+  private final AxisLaunch search;
   private final HeadOrTail head;
-  private final double[] lineVariances;
-  private final long[] counts = new long[OrientationCount.values().length];
+  private final Course course = new Course();
   private final LineMeasurement[] lines;
-  private final LineObservation[] latest;
-  private final long[] latestUs;
+  private final LineMeasurement[] views;
   private final double[] residuals;
   private final boolean[] used;
-  private final int[] rejections;
   private final double[] place = new double[3];
   private final double[] placeBefore = new double[3];
   private final double[] u = new double[3];
   private final double[] tip = new double[3];
-  private final double[] candidate = new double[3];
   private final double[] uAgreed = new double[3];
-  private final double[] covariance = new double[9];
-  private final double[] line = new double[3];
-  private final List<LineObservation> usable = new ArrayList<>();
+  private final double[] uBefore = new double[3];
+  private boolean wasClear;
 
-  private Consumer<? super AxisStep> recorder;
   private boolean hasTime;
   private long lastUs;
   private long seenUs;
   private boolean hasAxis;
   private boolean hadAxis;
   private boolean hasPlaceBefore;
-  private boolean hasCandidate;
-  private long candidateUs;
-  private int rejectedInstants;
-  private int agreements;
-  private boolean together;
   private double nisSum;
   private long nisCount;
 
@@ -95,25 +81,27 @@ public final class BodyOrientationEstimator {
   public BodyOrientationEstimator(List<CameraModel> cameras, OrientationSettings settings) {
     this.cameras = List.copyOf(cameras);
     this.settings = Objects.requireNonNull(settings, "settings");
+    int count = this.cameras.size();
+    intake = new LineIntake(this.cameras, settings.position().togetherS(), counts);
+    noise = new LineNoise(settings.line(), count);
+    gate = new LineGate(settings.gate(), noise);
     position = new PositionFilter(this.cameras, settings.position());
     axis =
         settings.form() == OrientationSettings.Form.QUATERNION
             ? new QuaternionFilter(settings)
             : new SphereFilter(settings);
+    search = new AxisLaunch(settings.gate().outlierShare());
     head = new HeadOrTail(settings.direction());
-    int count = this.cameras.size();
-    lines = new LineMeasurement[count];
-    latest = new LineObservation[count];
-    latestUs = new long[count];
+    lines = measurements(count);
+    views = measurements(count);
     residuals = new double[count];
     used = new boolean[count];
-    rejections = new int[count];
-    lineVariances = new double[count];
-    double sd = Math.toRadians(settings.line().angleSdDeg());
-    for (int i = 0; i < count; i++) {
-      lines[i] = new LineMeasurement();
-      lineVariances[i] = sd * sd;
-    }
+  }
+
+  private static LineMeasurement[] measurements(int count) {
+    LineMeasurement[] all = new LineMeasurement[count];
+    Arrays.setAll(all, i -> new LineMeasurement());
+    return all;
   }
 
   /**
@@ -125,53 +113,29 @@ public final class BodyOrientationEstimator {
    */
   public Optional<OrientationEstimate> update(long timeUs, List<LineObservation> seen) {
     if (hasTime && timeUs < lastUs) {
-      count(OrientationCount.TIME_BACK, seen.size());
+      counts.add(OrientationCount.TIME_BACK, seen.size());
       return Optional.empty();
     }
     double dtS = hasTime ? (timeUs - lastUs) * 1e-6 : 0;
-    boolean fresh = !hasTime;
+    if (hasTime && timeUs - seenUs > settings.position().longestGapS() * 1e6) {
+      position.stop();
+      course.forget();
+      hasAxis = false;
+    }
     hasTime = true;
     lastUs = timeUs;
-    if (!fresh && timeUs - seenUs > settings.position().longestGapS() * 1e6) {
-      position.stop();
-      loseAxis();
-      hasPlaceBefore = false;
-    }
-    take(timeUs, seen);
-    if (!usable.isEmpty()) {
+    intake.take(timeUs, seen);
+    if (!intake.usable().isEmpty()) {
       seenUs = timeUs;
     }
-    together |= usable.size() > 1;
     Arrays.fill(residuals, Double.NaN);
     Arrays.fill(used, false);
     if (!locate(timeUs, dtS)) {
-      count(OrientationCount.NO_PLACE, 1);
-      loseAxis();
+      counts.add(OrientationCount.NO_PLACE, 1);
+      hasAxis = false;
       return Optional.empty();
     }
     return orient(timeUs, dtS);
-  }
-
-  /** Sorts out what cannot be used at all. */
-  private void take(long timeUs, List<LineObservation> seen) {
-    usable.clear();
-    for (LineObservation observation : seen) {
-      if (observation.camera() >= cameras.size()) {
-        throw new IllegalArgumentException(
-            "there is no camera " + observation.camera() + ", there are " + cameras.size());
-      }
-      if (cameras.get(observation.camera()).problem().isPresent()) {
-        count(OrientationCount.UNUSABLE_CAMERA, 1);
-      } else if (latest[observation.camera()] != null
-          && latestUs[observation.camera()] == timeUs
-          && usable.contains(latest[observation.camera()])) {
-        count(OrientationCount.TWICE, 1);
-      } else {
-        usable.add(observation);
-        latest[observation.camera()] = observation;
-        latestUs[observation.camera()] = timeUs;
-      }
-    }
   }
 
   private boolean locate(long timeUs, double dtS) {
@@ -179,11 +143,11 @@ public final class BodyOrientationEstimator {
     if (hasPlaceBefore) {
       position.place(placeBefore);
       position.predict(dtS);
-      position.update(usable);
+      position.update(intake.usable());
     }
     if (!position.isRunning() || position.isLost()) {
       hasPlaceBefore = false;
-      if (!position.launch(recent(timeUs)) && !position.isRunning()) {
+      if (!position.launch(intake.recent(timeUs)) && !position.isRunning()) {
         return false;
       }
     }
@@ -191,116 +155,107 @@ public final class BodyOrientationEstimator {
     return true;
   }
 
-  /**
-   * What goes together: what was seen now if cameras look at the same times, else the last views
-   * that are recent enough.
-   */
-  private List<LineObservation> recent(long timeUs) {
-    if (together) {
-      return usable;
-    }
-    List<LineObservation> views = new ArrayList<>();
-    for (int i = 0; i < latest.length; i++) {
-      if (latest[i] != null && timeUs - latestUs[i] <= settings.position().togetherS() * 1e6) {
-        views.add(latest[i]);
-      }
-    }
-    return views;
-  }
-
   private Optional<OrientationEstimate> orient(long timeUs, double dtS) {
     int skipped = 0;
     int count = 0;
-    for (LineObservation observation : usable) {
-      if (prepare(observation, lines[count])) {
+    for (LineObservation observation : intake.usable()) {
+      Optional<OrientationCount> why = prepare(observation, lines[count]);
+      if (why.isEmpty()) {
         count++;
       } else {
+        counts.add(why.get(), 1);
         skipped++;
       }
     }
     int taken = 0;
     if (hasAxis) {
       axis.predict(dtS);
-      AxisState predicted = recorder != null ? predicted() : null;
       axis.update(lines, count);
       taken = note(count);
-      if (!axis.isSound() || (axis.axisVariance() > LOST_VARIANCE && taken == 0)) {
-        loseAxis();
-      } else if (!isDoubtful(count, taken) || !launch(timeUs)) {
-        if (recorder != null) {
-          recorder.accept(new AxisStep(timeUs, predicted, transition(), current()));
-        }
+      lean(dtS);
+      hasAxis = axis.isSound() && (axis.axisVariance() <= LOST_VARIANCE || taken > 0);
+      if (hasAxis && axis.doubts(lines, count) && finds(timeUs) && axis.offer(search)) {
+        head.doubt();
+        counts.add(OrientationCount.RELAUNCHED, 1);
       }
     }
     if (!hasAxis) {
-      if (!launch(timeUs)) {
-        count(OrientationCount.NO_AXIS, 1);
+      if (!finds(timeUs)) {
+        counts.add(OrientationCount.NO_AXIS, 1);
         return Optional.empty();
       }
-      taken = started(count);
+      taken = start(count);
     }
     return Optional.of(estimate(timeUs, dtS, taken, count - taken + skipped));
   }
 
-  /** The lines of this instant that have started an axis; a gate that rejects all rejects them. */
-  private int started(int count) {
-    int taken = settings.gate().angleDeg() > 0 ? count : 0;
-    count(OrientationCount.USED, taken);
-    count(OrientationCount.REJECTED, count - taken);
-    for (int i = 0; i < taken; i++) {
-      used[lines[i].camera] = true;
+  /** A body that flies points more or less to where it flies. */
+  private void lean(double dtS) {
+    if (hasPlaceBefore) {
+      course.step(placeBefore, place, dtS);
     }
-    return taken;
+    double slip = Math.toRadians(settings.direction().slipSdDeg());
+    if (dtS > 0 && slip < Math.PI / 2 && course.direction(tip)) {
+      double noise = 2 * position.variance(tip) / (course.lengthM() * course.lengthM());
+      if (noise < CLEAR_COURSE) {
+        double sign = head.isFlipped() ? -1 : 1;
+        for (int k = 0; k < 3; k++) {
+          tip[k] *= sign;
+        }
+        // how far the axis is off does not change from one instant to the next
+        axis.lean(tip, (slip * slip + noise) * Math.max(1, SLIP_LASTS_S / dtS));
+      }
+    }
   }
 
-  private boolean prepare(LineObservation observation, LineMeasurement into) {
-    ObservationGateSettings gate = settings.gate();
-    if (!Double.isFinite(observation.angleRad())) {
-      count(OrientationCount.WITHOUT_ANGLE, 1);
+  private Optional<OrientationCount> prepare(LineObservation seen, LineMeasurement into) {
+    return gate.prepare(seen, cameras.get(seen.camera()), place, into);
+  }
+
+  /** Looks for an axis in what goes together; its head is where the body's was or flies to. */
+  private boolean finds(long timeUs) {
+    int count = 0;
+    for (LineObservation observation : intake.recent(timeUs)) {
+      if (prepare(observation, views[count]).isEmpty()) {
+        count++;
+      }
+    }
+    if (!search.find(views, count)) {
       return false;
     }
-    if (observation.areaPx() <= gate.minAreaPx() && gate.minAreaPx() > 0) {
-      count(OrientationCount.SMALL, 1);
-      return false;
+    if (hadAxis && isAgainst(search.axis())) {
+      search.turnRound();
     }
-    double ratio = observation.axisRatio();
-    if (gate.minEccentricity() > 0 && ratio <= gate.minEccentricity()) {
-      count(OrientationCount.ROUND, 1);
-      return false;
-    }
-    CameraModel camera = cameras.get(observation.camera());
-    line[0] = observation.xPx();
-    line[1] = observation.yPx();
-    line[2] = observation.angleRad();
-    if (!observation.hasPlace() && !camera.project(place, line)) {
-      count(OrientationCount.WITHOUT_LINE, 1);
-      return false;
-    }
-    if (!camera.straighten(line)) {
-      count(OrientationCount.UNUSABLE_CAMERA, 1);
-      return false;
-    }
-    if (!camera.lineNormals(place, into.n)) {
-      count(OrientationCount.WITHOUT_LINE, 1);
-      return false;
-    }
-    into.camera = observation.camera();
-    into.angleRad = line[2];
-    into.roundness = settings.line().byEccentricity() ? roundness(ratio) : 1;
-    into.varianceRad2 = lineVariances[into.camera] * into.roundness;
     return true;
   }
 
   /**
-   * How much larger the variance of an ellipse's angle is than that of one with the ratio 2: it
-   * goes with (ρ / (ρ² − 1))², the derivative of the angle by the second moments.
+   * Whether an axis that was found anew points to the tail, by where the head last was for sure and
+   * by where the body flies.
    */
-  private static double roundness(double ratio) {
-    if (Double.isNaN(ratio) || ratio >= 2) {
-      return 1;
+  private boolean isAgainst(double[] found) {
+    position.velocity(tip);
+    double speed = Math.max(1e-9, Vectors.length(tip));
+    double sign = head.isFlipped() ? -1 : 1;
+    return sign * Vectors.dot(found, tip) / speed + Vectors.dot(found, uAgreed) < 0;
+  }
+
+  /** Begins with what was found; returns how many lines of this instant have started it. */
+  private int start(int count) {
+    if (hadAxis) {
+      head.doubt();
+      counts.add(OrientationCount.RELAUNCHED, 1);
     }
-    double lever = 1.5 * ratio / Math.max(1e-3, ratio * ratio - 1);
-    return Math.min(400, lever * lever);
+    axis.launch(search);
+    hasAxis = true;
+    // a gate that rejects all rejects these too
+    int taken = settings.gate().angleDeg() > 0 ? count : 0;
+    counts.add(OrientationCount.USED, taken);
+    counts.add(OrientationCount.REJECTED, count - taken);
+    for (int i = 0; i < taken; i++) {
+      used[lines[i].camera] = true;
+    }
+    return taken;
   }
 
   /** Counts what became of the lines and learns their noise; returns how many were used. */
@@ -314,125 +269,25 @@ public final class BodyOrientationEstimator {
         taken++;
         nisSum += each.nis;
         nisCount++;
-        learn(each);
+        noise.learn(each);
       }
     }
-    count(OrientationCount.USED, taken);
-    count(OrientationCount.REJECTED, count - taken);
+    counts.add(OrientationCount.USED, taken);
+    counts.add(OrientationCount.REJECTED, count - taken);
     return taken;
-  }
-
-  /**
-   * Whether the axis had better be looked for anew. A young one, which may have begun with a line
-   * that was none, as soon as one is rejected; an established one when most lines are rejected
-   * several times in a row, or those of one camera longer.
-   */
-  private boolean isDoubtful(int count, int taken) {
-    for (int i = 0; i < count; i++) {
-      rejections[lines[i].camera] = lines[i].used ? 0 : rejections[lines[i].camera] + 1;
-    }
-    if (count == 0) {
-      return false;
-    }
-    boolean most = count <= 2 ? taken < count : 2 * taken <= count;
-    rejectedInstants = most ? rejectedInstants + 1 : 0;
-    if (taken == count) {
-      agreements = Math.min(ESTABLISHED, count < 2 ? agreements : agreements + 1);
-      return false;
-    }
-    int longest = 0;
-    for (int i = 0; i < count; i++) {
-      longest = Math.max(longest, rejections[lines[i].camera]);
-    }
-    return agreements < ESTABLISHED || rejectedInstants >= LOST_AFTER || longest >= BLIND_AFTER;
-  }
-
-  /** One step of expectation and maximisation: R is the mean of ε² + H P⁺ Hᵀ. */
-  private void learn(LineMeasurement each) {
-    double now = each.afterRad2 / each.roundness;
-    if (settings.line().calibrate() && Double.isFinite(now)) {
-      double variance = lineVariances[each.camera];
-      variance += (now - variance) / NOISE_MEMORY;
-      lineVariances[each.camera] =
-          Math.min(GREATEST_SD * GREATEST_SD, Math.max(LEAST_SD * LEAST_SD, variance));
-    }
-  }
-
-  private boolean launch(long timeUs) {
-    int count = 0;
-    long[] noted = counts.clone();
-    for (LineObservation observation : recent(timeUs)) {
-      if (prepare(observation, lines[count])) {
-        count++;
-      }
-    }
-    System.arraycopy(noted, 0, counts, 0, counts.length);
-    if (!AxisLaunch.find(lines, count, u, covariance)) {
-      return false;
-    }
-    boolean replaces = hasAxis && agreements >= ESTABLISHED;
-    if (replaces && count == 2 && !isConfirmed(timeUs)) {
-      return false;
-    }
-    if (hadAxis) {
-      head.doubt();
-      if (isAgainst()) {
-        for (int k = 0; k < 3; k++) {
-          u[k] = -u[k];
-        }
-      }
-      count(OrientationCount.RELAUNCHED, 1);
-    }
-    axis.launch(u, covariance);
-    hasAxis = true;
-    forgetDoubts();
-    // Three lines with an axis in common are no chance, nor is one that was found twice.
-    agreements = count > 2 || replaces ? ESTABLISHED : 0;
-    if (recorder != null) {
-      recorder.accept(new AxisStep(timeUs, null, null, current()));
-    }
-    return true;
-  }
-
-  /**
-   * Two lines always have an axis in common. One that is to replace another must be found at two
-   * times in a row.
-   */
-  private boolean isConfirmed(long timeUs) {
-    boolean confirmed =
-        hasCandidate
-            && timeUs - candidateUs <= 2e6 * settings.position().togetherS()
-            && Math.abs(Vectors.dot(u, candidate)) > SAME_AXIS;
-    System.arraycopy(u, 0, candidate, 0, 3);
-    candidateUs = timeUs;
-    hasCandidate = true;
-    return confirmed;
-  }
-
-  /**
-   * Whether an axis that was found anew points to the tail, by where the head last was for sure and
-   * by where the body flies.
-   */
-  private boolean isAgainst() {
-    position.velocity(tip);
-    double speed = Math.max(1e-9, Vectors.length(tip));
-    double sign = head.isFlipped() ? -1 : 1;
-    return sign * Vectors.dot(u, tip) / speed + Vectors.dot(u, uAgreed) < 0;
-  }
-
-  private void loseAxis() {
-    hasAxis = false;
-    forgetDoubts();
-  }
-
-  private void forgetDoubts() {
-    rejectedInstants = 0;
-    agreements = 0;
-    Arrays.fill(rejections, 0);
   }
 
   private OrientationEstimate estimate(long timeUs, double dtS, int taken, int rejected) {
     axis.axis(u);
+    boolean clear = axis.axisVariance() <= VAGUE_VARIANCE;
+    if (hadAxis && clear && wasClear && Vectors.dot(u, uBefore) < 0) {
+      head.turnRound(); // no body turns that fast
+    }
+    wasClear = clear;
+    System.arraycopy(u, 0, uBefore, 0, 3);
+    if (!clear) {
+      head.restart(course.along(u));
+    }
     if (hasPlaceBefore && hadAxis) {
       double along = 0;
       for (int k = 0; k < 3; k++) {
@@ -440,7 +295,7 @@ public final class BodyOrientationEstimator {
       }
       head.step(along, position.variance(u), dtS);
     }
-    if (!hadAxis || rejectedInstants == 0) {
+    if (!hadAxis || axis.isSettled()) {
       System.arraycopy(u, 0, uAgreed, 0, 3);
     }
     hadAxis = true;
@@ -467,31 +322,15 @@ public final class BodyOrientationEstimator {
         rejected);
   }
 
-  private AxisState predicted() {
-    return axis instanceof SphereFilter sphere ? sphere.predictedState() : null;
-  }
-
-  private double[] transition() {
-    return axis instanceof SphereFilter sphere ? sphere.transition() : null;
-  }
-
-  private AxisState current() {
-    if (axis instanceof SphereFilter sphere) {
-      return sphere.state();
-    }
-    double[] now = new double[3];
-    axis.axis(now);
-    return new AxisState(now, null, null, 0, 0, null);
-  }
-
-  /** Hands out each step of the axis and of the place, for a smoother; this allocates. */
-  void record(Consumer<? super AxisStep> axisSteps, Consumer<? super FilterStep> placeSteps) {
-    recorder = axisSteps;
+  /** From now on keeps each step of the axis and hands out those of the place; this allocates. */
+  void record(Consumer<? super FilterStep> placeSteps) {
+    axis.record();
     position.record(placeSteps);
   }
 
-  private void count(OrientationCount what, long number) {
-    counts[what.ordinal()] += number;
+  /** The last instant of the axis with the way to it; null if its form has no smoother. */
+  AxisStep axisStep() {
+    return axis.step();
   }
 
   /**
@@ -501,7 +340,7 @@ public final class BodyOrientationEstimator {
    * @return at least 0
    */
   public long count(OrientationCount what) {
-    return counts[what.ordinal()];
+    return counts.of(what);
   }
 
   /**
@@ -511,7 +350,7 @@ public final class BodyOrientationEstimator {
    * @return radians
    */
   public double lineSdRad(int camera) {
-    return Math.sqrt(lineVariances[camera]);
+    return noise.sdRad(camera);
   }
 
   /**
@@ -536,7 +375,7 @@ public final class BodyOrientationEstimator {
 
   /** State of the axis after the last instant; without a covariance if it is of quaternions. */
   AxisState axisState() {
-    return current();
+    return axis.state();
   }
 
   /**

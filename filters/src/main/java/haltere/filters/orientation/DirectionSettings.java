@@ -11,6 +11,7 @@ import haltere.core.settings.Unit;
  * @param memoryS how long the way flown counts
  * @param doubtSigmas how clear the opposite must be before the decision is changed
  * @param certaintySigmas how clear the decision can become
+ * @param slipSdDeg how far the head is off the direction of flight
  */
 public record DirectionSettings(
     @Help("Time constant with which the way that the body has flown along its axis is forgotten.")
@@ -26,18 +27,25 @@ public record DirectionSettings(
     @Help("The way flown forwards counts up to so many times its standard deviation.")
         @Range(min = 1, max = 1000)
         @Unit("sigma")
-        double certaintySigmas) {
+        double certaintySigmas,
+    @Help(
+            "Standard deviation of the angle between axis and flight; it helps where cameras do not"
+                + " tell the axis, and only there. 90 leaves the flight out.")
+        @Range(min = 5, max = 90)
+        @Unit("deg")
+        double slipSdDeg) {
   /** Checks the ranges. */
   public DirectionSettings {
-    SettingsSchema.validate(DirectionSettings.class, memoryS, doubtSigmas, certaintySigmas);
+    SettingsSchema.validate(
+        DirectionSettings.class, memoryS, doubtSigmas, certaintySigmas, slipSdDeg);
   }
 
   /**
    * The settings to start from.
    *
-   * @return half a second, two standard deviations to change, at most twelve
+   * @return half a second, two standard deviations to change, at most twelve; 50 degrees
    */
   public static DirectionSettings defaults() {
-    return new DirectionSettings(0.5, 2, 12);
+    return new DirectionSettings(0.5, 2, 12, 50);
   }
 }

@@ -37,6 +37,20 @@ final class HeadOrTail {
     sigmas = 0;
   }
 
+  /** The axis is followed by its other end. */
+  void turnRound() {
+    wayM = -wayM;
+    sigmas = -sigmas;
+    flipped = !flipped;
+  }
+
+  /** The axis is vague: the head is where the body flies now, until the way tells. */
+  void restart(double alongM) {
+    doubt();
+    decided = false;
+    flipped = alongM < 0;
+  }
+
   /**
    * A step.
    *

@@ -9,7 +9,8 @@ final class LineMeasurement {
   final double[] n = new double[6];
 
   int camera;
-  double angleRad;
+  private double sin;
+  private double cos = 1;
   double varianceRad2;
 
   /** By how much more than the camera's usual variance, because the detection is round. */
@@ -23,8 +24,14 @@ final class LineMeasurement {
   /** Normalised innovation squared when it was taken in. */
   double nis;
 
-  /** What is left of the residual, squared, with the variance of the expected angle afterwards. */
-  double afterRad2;
+  /** What it says of its own variance, on average; NaN where it says nothing. */
+  double ownRad2;
+
+  /** What was observed, radians, modulo pi. */
+  void setAngle(double angleRad) {
+    sin = Math.sin(angleRad);
+    cos = Math.cos(angleRad);
+  }
 
   /** The difference between the observed line and that of a direction, in (−π/2, π/2). */
   double residual(double[] direction) {
@@ -34,8 +41,6 @@ final class LineMeasurement {
   }
 
   double residual(double vx, double vy) {
-    double sin = Math.sin(angleRad);
-    double cos = Math.cos(angleRad);
     double along = cos * vx + sin * vy;
     double across = sin * vx - cos * vy;
     return along == 0 && across == 0 ? 0 : Math.atan(across / along);
@@ -54,8 +59,6 @@ final class LineMeasurement {
 
   /** Normal of the plane that the line and the camera span: the body's axis lies in it. */
   void planeNormal(double[] normal) {
-    double sin = Math.sin(angleRad);
-    double cos = Math.cos(angleRad);
     for (int i = 0; i < 3; i++) {
       normal[i] = sin * n[i] - cos * n[3 + i];
     }

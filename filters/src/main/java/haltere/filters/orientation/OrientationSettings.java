@@ -63,6 +63,7 @@ public record OrientationSettings(
         .with(
             "form=quaternion",
             "gate.outlierShare=0",
+            "turning.decayS=0.1",
             "turning.updateNoise=0.1",
             "line.angleSdDeg=" + Math.toDegrees(Math.sqrt(10)),
             "line.calibrate=false");

@@ -5,6 +5,7 @@ import haltere.filters.estimation.Estimate;
 import haltere.filters.estimation.FilterStep;
 import haltere.filters.estimation.RtsSmoother;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 
@@ -16,12 +17,11 @@ import java.util.Optional;
  */
 public final class OrientationTrack {
   /** What was said at a time, and where its steps are. */
-  private record Instant(OrientationEstimate online, int place) {}
+  private record Instant(OrientationEstimate online, int place, AxisStep axis) {}
 
   private final OrientationSettings settings;
   private final BodyOrientationEstimator estimator;
   private final List<FilterStep> placeSteps = new ArrayList<>();
-  private final List<AxisStep> axisSteps = new ArrayList<>();
   private final List<Instant> instants = new ArrayList<>();
   private int places = -1;
 
@@ -34,7 +34,7 @@ public final class OrientationTrack {
   public OrientationTrack(List<CameraModel> cameras, OrientationSettings settings) {
     this.settings = settings;
     estimator = new BodyOrientationEstimator(cameras, settings);
-    estimator.record(axisSteps::add, this::addPlaceStep);
+    estimator.record(this::addPlaceStep);
   }
 
   private void addPlaceStep(FilterStep step) {
@@ -59,7 +59,7 @@ public final class OrientationTrack {
    */
   public Optional<OrientationEstimate> update(long timeUs, List<LineObservation> seen) {
     Optional<OrientationEstimate> now = estimator.update(timeUs, seen);
-    now.ifPresent(estimate -> instants.add(new Instant(estimate, places)));
+    now.ifPresent(estimate -> instants.add(new Instant(estimate, places, estimator.axisStep())));
     return now;
   }
 
@@ -87,7 +87,8 @@ public final class OrientationTrack {
     double[] weights = new double[instants.size()];
     boolean[] linked = new boolean[instants.size()];
     boolean onSphere = settings.form() == OrientationSettings.Form.ERROR_STATE;
-    List<AxisState> states = onSphere ? AxisSmoother.smooth(axisSteps) : List.of();
+    List<AxisStep> steps = onSphere ? way() : List.of();
+    List<AxisState> states = AxisSmoother.smooth(steps);
     for (int k = 0; k < instants.size(); k++) {
       OrientationEstimate online = instants.get(k).online();
       Estimate place = placesNow.get(instants.get(k).place());
@@ -111,7 +112,7 @@ public final class OrientationTrack {
         }
         tips.add(tip);
         sds[k] = Math.sqrt(state.p()[0] + state.p()[10]);
-        linked[k] = axisSteps.get(k).predicted() != null;
+        linked[k] = steps.get(k).predicted() != null;
       } else {
         axes.add(new double[] {online.ux(), online.uy(), online.uz()});
         sds[k] = online.sdAxisRad();
@@ -135,6 +136,19 @@ public final class OrientationTrack {
               flips[k]));
     }
     return track;
+  }
+
+  /** The way that led to the end, of which more is known there than there was on the way. */
+  private List<AxisStep> way() {
+    List<AxisStep> way = new ArrayList<>();
+    AxisStep step = null;
+    for (int k = instants.size() - 1; k >= 0; k--) {
+      step = step == null ? instants.get(k).axis() : step;
+      way.add(step);
+      step = step.before();
+    }
+    Collections.reverse(way);
+    return way;
   }
 
   private List<double[]> smoothVectors(

@@ -62,6 +62,6 @@ public record TurningSettings(
    * @return a fly: calm with a saccade now and then
    */
   public static TurningSettings defaults() {
-    return new TurningSettings(2, 25, 0.1, 1, 0.07, 0);
+    return new TurningSettings(1, 40, 0.5, 0.3, 0.05, 0);
   }
 }

@@ -22,10 +22,10 @@ final class FlightScores {
   long estimates;
   long fast;
 
-  /** Instants at which the line was right to 45 degrees and the head was the tail. */
+  /** Instants at which the axis was nearer to the tail than to the head. */
   long wrongSigns;
 
-  /** Instants at which the line itself was further off. */
+  /** Instants at which the line itself was off by more than 45 degrees. */
   long lost;
 
   long outliers;
@@ -103,20 +103,22 @@ final class FlightScores {
     worstLength = Math.max(worstLength, Math.abs(Vectors.length(u) - 1));
     if (isFast) {
       fast++;
-      wrongSigns += off > 135 ? 1 : 0;
+      wrongSigns += off > 90 ? 1 : 0;
       lost += off > 45 && off <= 135 ? 1 : 0;
     }
   }
 
-  /** Of the two numbers that an axis has. */
+  /** Of the two numbers that an axis has: angles along the great circle to the nearer end. */
   static double nees(AxisState state, FlightTruth truth) {
     double[] t = {truth.ux(), truth.uy(), truth.uz()};
-    double along = Vectors.dot(t, state.u());
-    double a = Vectors.dot(t, state.e1()) / along;
-    double b = Vectors.dot(t, state.e2()) / along;
+    double side = Vectors.dot(t, state.u()) < 0 ? -1 : 1;
+    double a = side * Vectors.dot(t, state.e1());
+    double b = side * Vectors.dot(t, state.e2());
+    double sin = Math.hypot(a, b);
+    double scale = sin < 1e-9 ? 1 : Math.atan2(sin, side * Vectors.dot(t, state.u())) / sin;
     double[] p = state.p();
     double determinant = p[0] * p[10] - p[2] * p[2];
-    return (p[10] * a * a - 2 * p[2] * a * b + p[0] * b * b) / determinant;
+    return scale * scale * (p[10] * a * a - 2 * p[2] * a * b + p[0] * b * b) / determinant;
   }
 
   static double quantile(List<Double> values, double share) {

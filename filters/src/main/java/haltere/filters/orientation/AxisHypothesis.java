@@ -1,0 +1,348 @@
+package haltere.filters.orientation;
+
+import haltere.filters.estimation.FourStateEkf;
+import haltere.filters.estimation.Gate;
+import java.util.Arrays;
+
+/**
+ * One guess of where an axis points and how it turns: a point u of the unit sphere with two
+ * directions e₁, e₂ beside it, which move along without turning about it, and a Gaussian of the
+ * error (a, ȧ, b, ḃ): how far u is off along e₁ and e₂ and how far its velocity is. The length of u
+ * needs no care, and the rotation about u, which no camera sees, is no state and cannot be mistaken
+ * for known.
+ *
+ * <p>Between two times the axis goes along a great circle by the arc s = |v| g, with g = τ(1 − d)
+ * and d = e^(−Δt/τ), and the velocity decays to d v. Errors along the way (t) and across it (n)
+ * follow the deviation of neighbouring great circles (Jacobi's equation on the sphere):
+ *
+ * <pre>
+ * a_t ← a_t + g ȧ_t              ȧ_t ← d ȧ_t
+ * a_n ← cos s a_n + (g/s) sin s ȧ_n    ȧ_n ← d (cos s ȧ_n − (s/g) sin s a_n)
+ * </pre>
+ *
+ * <p>Reused; nothing is allocated by a step.
+ */
+final class AxisHypothesis {
+  /** Variance in one direction at which a guess is too wide to be taken for straight. */
+  private static final double WIDE_VARIANCE = Math.toRadians(12) * Math.toRadians(12);
+
+  /** Standard deviation of each of three guesses over that of the one they stand for. */
+  private static final double NARROWER = 0.6;
+
+  final double[] u = new double[3];
+  final double[] e1 = new double[3];
+  final double[] e2 = new double[3];
+  double va;
+  double vb;
+  final FourStateEkf error = new FourStateEkf(Gate.OPEN, 1);
+  final double[] transition = new double[16];
+
+  /** Logarithm of its probability up to a number that all have in common, while lines come in. */
+  double logWeight;
+
+  /** Its probability, given that any guess is right. */
+  double weight;
+
+  /** Probability that the body is in a saccade, if this guess is right. */
+  double saccadeShare;
+
+  /** Lines that are not yet decided upon, and what became of the others. */
+  int undecided;
+
+  private int lines;
+
+  boolean[] decided = new boolean[16];
+  boolean[] used = new boolean[16];
+  double[] nis = new double[16];
+
+  /** What each line that was used says of its own variance. */
+  double[] own = new double[16];
+
+  /** For a smoother: the instant before, and the state before this one's lines. */
+  AxisStep step;
+
+  AxisState predicted;
+
+  private final double[] buffer = new double[16];
+
+  void copy(AxisHypothesis other) {
+    System.arraycopy(other.u, 0, u, 0, 3);
+    System.arraycopy(other.e1, 0, e1, 0, 3);
+    System.arraycopy(other.e2, 0, e2, 0, 3);
+    System.arraycopy(other.transition, 0, transition, 0, 16);
+    va = other.va;
+    vb = other.vb;
+    error.copy(other.error);
+    logWeight = other.logWeight;
+    weight = other.weight;
+    saccadeShare = other.saccadeShare;
+    undecided = other.undecided;
+    lines = other.lines;
+    room(lines);
+    System.arraycopy(other.decided, 0, decided, 0, lines);
+    System.arraycopy(other.used, 0, used, 0, lines);
+    System.arraycopy(other.nis, 0, nis, 0, lines);
+    System.arraycopy(other.own, 0, own, 0, lines);
+    step = other.step;
+    predicted = other.predicted;
+  }
+
+  /** Begins with an axis and its covariance in the world; the rates are unknown but for a size. */
+  void launch(double[] axis, double[] covariance, double rateVariance) {
+    System.arraycopy(axis, 0, u, 0, 3);
+    Vectors.normalise(u);
+    System.arraycopy(Vectors.orthogonalTo(u), 0, e1, 0, 3);
+    Vectors.cross(u, e1, e2);
+    va = 0;
+    vb = 0;
+    Arrays.fill(buffer, 0);
+    buffer[0] = Vectors.quadratic(covariance, e1, e1);
+    buffer[2] = Vectors.quadratic(covariance, e1, e2);
+    buffer[8] = buffer[2];
+    buffer[10] = Vectors.quadratic(covariance, e2, e2);
+    buffer[5] = rateVariance;
+    buffer[15] = rateVariance;
+    error.setCovariance(buffer);
+    error.setState(0, 0, 0, 0);
+    stay();
+    step = null;
+    predicted = null;
+  }
+
+  /** No time has passed. */
+  void stay() {
+    Arrays.fill(transition, 0);
+    for (int i = 0; i < 4; i++) {
+      transition[5 * i] = 1;
+    }
+  }
+
+  /** Goes on by a step, without its noise. */
+  void predict(RateDecay decay) {
+    double speed = Math.sqrt(va * va + vb * vb);
+    double arc = speed * decay.reachS;
+    double ta = speed > 0 ? va / speed : 1;
+    double tb = speed > 0 ? vb / speed : 0;
+    setTransition(-tb, ta, arc, speed, decay);
+    transport(ta, tb, arc);
+    va *= decay.left;
+    vb *= decay.left;
+    error.predictCovariance(transition);
+  }
+
+  private void setTransition(double na, double nb, double s, double speed, RateDecay decay) {
+    double g = decay.reachS;
+    double left = decay.left;
+    double sinc = s < 1e-4 ? 1 - s * s / 6 : Math.sin(s) / s;
+    double fall = s < 1e-4 ? -s * s / 2 : Math.cos(s) - 1;
+    double placeByRate = g * (sinc - 1);
+    double rateByPlace = -left * speed * Math.sin(s);
+    double rateByRate = left * fall;
+    double[] f = transition;
+    double aa = na * na;
+    double ab = na * nb;
+    double bb = nb * nb;
+    f[0] = 1 + fall * aa;
+    f[1] = g + placeByRate * aa;
+    f[2] = fall * ab;
+    f[3] = placeByRate * ab;
+    f[4] = rateByPlace * aa;
+    f[5] = left + rateByRate * aa;
+    f[6] = rateByPlace * ab;
+    f[7] = rateByRate * ab;
+    f[8] = f[2];
+    f[9] = f[3];
+    f[10] = 1 + fall * bb;
+    f[11] = g + placeByRate * bb;
+    f[12] = f[6];
+    f[13] = f[7];
+    f[14] = rateByPlace * bb;
+    f[15] = left + rateByRate * bb;
+  }
+
+  /** The noise of a step, of rates with a variance. */
+  void addNoise(RateDecay decay, double rateVariance) {
+    double place = rateVariance * decay.angleNoise;
+    double joint = rateVariance * decay.jointNoise;
+    double rate = rateVariance * decay.rateNoise;
+    error.addNoise(place, rate, place, rate);
+    error.addPairNoise(joint, joint);
+  }
+
+  /** Moves u by an arc towards a tangent direction, and e₁, e₂ along with it without turning. */
+  private void transport(double ta, double tb, double arc) {
+    if (arc < 1e-300) {
+      return;
+    }
+    double cos = Math.cos(arc);
+    double sin = Math.sin(arc);
+    for (int i = 0; i < 3; i++) {
+      double ahead = ta * e1[i] + tb * e2[i];
+      double across = ta * e2[i] - tb * e1[i];
+      double newAhead = cos * ahead - sin * u[i];
+      u[i] = cos * u[i] + sin * ahead;
+      e1[i] = ta * newAhead - tb * across;
+    }
+    Vectors.normalise(u);
+    double along = Vectors.dot(e1, u);
+    for (int i = 0; i < 3; i++) {
+      e1[i] -= along * u[i];
+    }
+    Vectors.normalise(e1);
+    Vectors.cross(u, e1, e2);
+  }
+
+  /** Nothing is decided yet about so many lines. */
+  void expect(int count) {
+    room(count);
+    Arrays.fill(decided, 0, count, false);
+    Arrays.fill(used, 0, count, false);
+    Arrays.fill(nis, 0, count, Double.NaN);
+    undecided = count;
+    lines = count;
+    error.setState(0, va, 0, vb);
+  }
+
+  private void room(int count) {
+    if (used.length < count) {
+      decided = Arrays.copyOf(decided, count);
+      used = Arrays.copyOf(used, count);
+      nis = Arrays.copyOf(nis, count);
+      own = Arrays.copyOf(own, count);
+    }
+  }
+
+  /** Takes a line in that was compared with what is expected just now. */
+  void take(int index, LineComparison seen) {
+    own[index] = seen.own();
+    nis[index] = seen.nis();
+    used[index] = true;
+    decided[index] = true;
+    undecided--;
+    error.update(seen.innovation, seen.ha, 0, seen.hb, 0, seen.noise);
+  }
+
+  /** Takes in a direction that the axis has but for a variance; leaves how likely that was. */
+  void lean(double[] direction, double variance) {
+    double a = Vectors.dot(direction, e1);
+    double b = Vectors.dot(direction, e2);
+    double sin = Math.sqrt(a * a + b * b);
+    double angle = Math.atan2(sin, Vectors.dot(direction, u));
+    double scale = sin < 1e-7 ? 1 : angle / sin;
+    error.setState(0, va, 0, vb);
+    logWeight = -0.5 * angle * angle / variance;
+    error.update(scale * a, 1, 0, 0, 0, variance);
+    error.update(scale * b - error.x2(), 0, 0, 1, 0, variance);
+    settle();
+  }
+
+  /** Takes the error into the state, once all lines are decided upon. */
+  void settle() {
+    double a = error.x0();
+    double b = error.x2();
+    double off = Math.sqrt(a * a + b * b);
+    if (off > 0) {
+      transport(a / off, b / off, Math.atan(off));
+    }
+    va = error.x1();
+    vb = error.x3();
+    error.setState(0, va, 0, vb);
+  }
+
+  /** Moves the mean by a difference (a, ȧ, b, ḃ) along a great circle; the covariance stays. */
+  void move(double[] by) {
+    double off = Math.sqrt(by[0] * by[0] + by[2] * by[2]);
+    va += by[1];
+    vb += by[3];
+    if (off > 0) {
+      transport(by[0] / off, by[2] / off, off);
+    }
+    error.setState(0, va, 0, vb);
+  }
+
+  /**
+   * Makes itself narrower along the direction in which it is widest, if it is too wide to be taken
+   * for straight.
+   *
+   * @param shift gets the step from it to each of two that stand beside it, so that the three with
+   *     weights 1 : 2 : 1 have the mean and the covariance of the one
+   * @return false if it is narrow enough
+   */
+  boolean narrow(double[] shift) {
+    double p00 = error.covariance(0, 0);
+    double p02 = error.covariance(0, 2);
+    double p22 = error.covariance(2, 2);
+    if (p00 + p22 < WIDE_VARIANCE) {
+      return false;
+    }
+    double half = 0.5 * (p00 - p22);
+    double largest = 0.5 * (p00 + p22) + Math.sqrt(half * half + p02 * p02);
+    if (!(largest > WIDE_VARIANCE)) {
+      return false;
+    }
+    double angle = 0.5 * Math.atan2(p02, half);
+    double wa = Math.cos(angle);
+    double wb = Math.sin(angle);
+    covariance(buffer);
+    double sd = Math.sqrt(largest);
+    for (int i = 0; i < 4; i++) {
+      shift[i] = (buffer[4 * i] * wa + buffer[4 * i + 2] * wb) / sd;
+    }
+    for (int i = 0; i < 4; i++) {
+      for (int j = 0; j < 4; j++) {
+        buffer[4 * i + j] -= (1 - NARROWER * NARROWER) * shift[i] * shift[j];
+      }
+    }
+    error.setCovariance(buffer);
+    for (int i = 0; i < 4; i++) {
+      shift[i] *= Math.sqrt(2 * (1 - NARROWER * NARROWER));
+    }
+    return true;
+  }
+
+  /** Merges with another one, of which the difference and covariance in this one's frame are. */
+  void absorb(AxisDifference other, double share) {
+    covariance(buffer);
+    double[] d = other.d;
+    for (int i = 0; i < 4; i++) {
+      for (int j = 0; j < 4; j++) {
+        int k = 4 * i + j;
+        buffer[k] =
+            (1 - share) * buffer[k] + share * other.p[k] + share * (1 - share) * d[i] * d[j];
+      }
+    }
+    error.setCovariance(buffer);
+    for (int i = 0; i < 4; i++) {
+      d[i] *= share;
+    }
+    move(d);
+  }
+
+  void covariance(double[] out) {
+    error.covariance(out);
+  }
+
+  /** Everything that a smoother needs of the state. */
+  AxisState state() {
+    double[] p = new double[16];
+    covariance(p);
+    return new AxisState(u.clone(), e1.clone(), e2.clone(), va, vb, p);
+  }
+
+  boolean isSound() {
+    double p0 = error.covariance(0, 0);
+    double p2 = error.covariance(2, 2);
+    return Double.isFinite(
+            u[0]
+                + u[1]
+                + u[2]
+                + va
+                + vb
+                + p0
+                + p2
+                + error.covariance(1, 1)
+                + error.covariance(3, 3))
+        && p0 > 0
+        && p2 > 0;
+  }
+}

@@ -1,0 +1,64 @@
+package haltere.filters.orientation;
+
+import java.util.Arrays;
+
+/** How sure each camera's angles are, learnt from its own detections. */
+final class LineNoise {
+  /** Detections that the learnt variance of a camera is a mean over. */
+  private static final double MEMORY = 300;
+
+  /** Detections that the variance to begin with counts for. */
+  private static final double BEGINNING = 30;
+
+  private static final double LEAST_SD = Math.toRadians(0.05);
+  private static final double GREATEST_SD = Math.toRadians(30);
+
+  private final LineNoiseSettings settings;
+  private final double[] variances;
+  private final double[] weights;
+
+  LineNoise(LineNoiseSettings settings, int cameras) {
+    this.settings = settings;
+    variances = new double[cameras];
+    double sd = Math.toRadians(settings.angleSdDeg());
+    Arrays.fill(variances, sd * sd);
+    weights = new double[cameras];
+    Arrays.fill(weights, BEGINNING);
+  }
+
+  /** Gives a measurement its variance, by its camera and the ratio of its axes. */
+  void putInto(LineMeasurement line, double ratio) {
+    line.roundness = settings.byEccentricity() ? roundness(ratio) : 1;
+    line.varianceRad2 = variances[line.camera] * line.roundness;
+  }
+
+  /**
+   * How much larger the variance of an ellipse's angle is than that of one with the ratio 2: it
+   * goes with (ρ / (ρ² − 1))², the derivative of the angle by the second moments.
+   */
+  private static double roundness(double ratio) {
+    if (Double.isNaN(ratio) || ratio >= 2) {
+      return 1;
+    }
+    double lever = 1.5 * ratio / Math.max(1e-3, ratio * ratio - 1);
+    return Math.min(400, lever * lever);
+  }
+
+  /** Goes towards what a line says of its own variance. */
+  void learn(LineMeasurement each) {
+    double now = each.ownRad2 / each.roundness;
+    if (settings.calibrate() && Double.isFinite(now)) {
+      double variance = variances[each.camera];
+      double weight = Math.min(MEMORY, weights[each.camera] + 1);
+      weights[each.camera] = weight;
+      variance += (now - variance) / weight;
+      variances[each.camera] =
+          Math.min(GREATEST_SD * GREATEST_SD, Math.max(LEAST_SD * LEAST_SD, variance));
+    }
+  }
+
+  /** Standard deviation of a camera's angles, radians. */
+  double sdRad(int camera) {
+    return Math.sqrt(variances[camera]);
+  }
+}

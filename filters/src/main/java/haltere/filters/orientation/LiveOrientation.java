@@ -1,0 +1,136 @@
+package haltere.filters.orientation;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.TreeMap;
+
+/**
+ * Orientation while it happens: takes the lines that the filters {@code body-line} of several event
+ * cameras publish, in whatever order the cameras' threads bring them, puts those of one time
+ * together and hands them to a {@link BodyOrientationEstimator}.
+ *
+ * <pre>{@code
+ * LiveOrientation live = new LiveOrientation(cameras, OrientationSettings.defaults(), 20_000,
+ *     (now, body) -> show(now));
+ * left.lines().subscribe(line -> live.line(0, line));
+ * right.lines().subscribe(line -> live.line(1, line));
+ * }</pre>
+ *
+ * <p>The cameras' clocks must agree, as those of cameras that are wired together do. A time is
+ * complete when each camera has gone on to it; a camera that says nothing is waited for no longer
+ * than set. What comes later is counted and left out, so that times ascend.
+ *
+ * <p>Thread rule: safe for use by several threads; the listener is called on one of them at a time.
+ */
+public final class LiveOrientation {
+  /** Takes each orientation. */
+  @FunctionalInterface
+  public interface Listener {
+    /**
+     * An orientation was found.
+     *
+     * @param now where the body is and which way it points
+     * @param body what found it, for residuals and counts; not to be kept
+     */
+    void oriented(OrientationEstimate now, BodyOrientationEstimator body);
+  }
+
+  private final List<CameraModel> cameras;
+  private final OrientationSettings settings;
+  private final long waitUs;
+  private final Listener listener;
+  private final TreeMap<Long, List<LineObservation>> pending = new TreeMap<>();
+  private final long[] reachedUs;
+  private BodyOrientationEstimator body;
+  private long newestUs;
+  private long doneUs;
+  private long late;
+
+  /**
+   * Nothing has been seen yet.
+   *
+   * @param cameras the calibrated cameras, in the order of the numbers given to {@link #line}
+   * @param settings of the estimator
+   * @param waitUs how long a camera is waited for, microseconds of the events' clock, not negative
+   * @param listener takes each orientation
+   */
+  public LiveOrientation(
+      List<CameraModel> cameras, OrientationSettings settings, long waitUs, Listener listener) {
+    if (waitUs < 0) {
+      throw new IllegalArgumentException("waitUs must not be negative: " + waitUs);
+    }
+    this.cameras = List.copyOf(cameras);
+    this.settings = Objects.requireNonNull(settings, "settings");
+    this.waitUs = waitUs;
+    this.listener = Objects.requireNonNull(listener, "listener");
+    reachedUs = new long[this.cameras.size()];
+    reset();
+  }
+
+  /** Forgets everything: the clocks were set, or something else is seen. */
+  public synchronized void reset() {
+    body = new BodyOrientationEstimator(cameras, settings);
+    pending.clear();
+    Arrays.fill(reachedUs, Long.MIN_VALUE);
+    newestUs = Long.MIN_VALUE;
+    doneUs = Long.MIN_VALUE;
+  }
+
+  /**
+   * Takes what a camera saw.
+   *
+   * @param camera its number, from 0
+   * @param line what was seen; those of one camera ascend in time
+   */
+  public synchronized void line(int camera, BodyLine line) {
+    Objects.checkIndex(camera, reachedUs.length);
+    if (line.timeUs() <= doneUs) {
+      late++;
+      return;
+    }
+    pending.computeIfAbsent(line.timeUs(), time -> new ArrayList<>()).add(line.observation(camera));
+    reached(camera, line.timeUs());
+  }
+
+  /**
+   * Says that a camera has gone on to a time, whether it saw the body or not; others then need not
+   * wait for it.
+   *
+   * @param camera its number, from 0
+   * @param timeUs up to here all its lines have been given
+   */
+  public synchronized void reached(int camera, long timeUs) {
+    reachedUs[camera] = Math.max(reachedUs[camera], timeUs);
+    newestUs = Math.max(newestUs, timeUs);
+    long slowest = Long.MAX_VALUE;
+    for (long each : reachedUs) {
+      slowest = Math.min(slowest, each);
+    }
+    goOn(Math.max(slowest, newestUs - waitUs));
+  }
+
+  /** Hands over what still waits for a camera; at the end of a stream. */
+  public synchronized void finish() {
+    goOn(Long.MAX_VALUE);
+  }
+
+  private void goOn(long completeUs) {
+    while (!pending.isEmpty() && pending.firstKey() <= completeUs) {
+      Map.Entry<Long, List<LineObservation>> first = pending.pollFirstEntry();
+      doneUs = first.getKey();
+      body.update(doneUs, first.getValue()).ifPresent(now -> listener.oriented(now, body));
+    }
+  }
+
+  /**
+   * Lines that came after their time had been handed over.
+   *
+   * @return at least 0
+   */
+  public synchronized long late() {
+    return late;
+  }
+}
