@@ -15,6 +15,7 @@ final class ViewerFeatures {
         new ExportFeature(),
         new EditFeature(),
         new BodyFlightFeature(),
+        new LiveFlightFeature(),
         new DisplayFeature(),
         new SeeingFeature(),
         new VanishingPointFeature(),

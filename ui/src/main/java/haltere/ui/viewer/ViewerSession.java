@@ -53,11 +53,15 @@ final class ViewerSession implements AutoCloseable {
     return options;
   }
 
+  /** What was opened, whether its newest events are kept or not. */
+  Playable source() {
+    Playable playing = player.playable();
+    return playing instanceof KeptPlayable kept ? kept.source() : playing;
+  }
+
   /** The camera that is open, if it is one. */
   Optional<CameraPlayable> camera() {
-    Playable playing = player.playable();
-    Playable source = playing instanceof KeptPlayable kept ? kept.source() : playing;
-    return source instanceof CameraPlayable live ? Optional.of(live) : Optional.empty();
+    return source() instanceof CameraPlayable live ? Optional.of(live) : Optional.empty();
   }
 
   FilterChain chain() {

@@ -1,0 +1,131 @@
+package haltere.ui.viewer;
+
+import haltere.core.format.ReadOptions;
+import haltere.core.playback.Playable;
+import haltere.core.simulation.FlightSettings;
+import haltere.filters.orientation.CameraFile;
+import haltere.filters.orientation.CameraModel;
+import haltere.ui.space.CameraRig;
+import haltere.ui.space.LiveFlight;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import javafx.beans.property.BooleanProperty;
+
+/**
+ * Where a body is and which way it points while the events of several cameras play: of a simulated
+ * flight, or of one recording for each calibrated camera.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+final class LiveFlightFeature implements ViewerFeature {
+  private final LiveFlightPane pane = new LiveFlightPane();
+  private ViewerContext window;
+  private BooleanProperty shown;
+  private Optional<CameraRig> rig = Optional.empty();
+  private Optional<LiveFlight> flight = Optional.empty();
+
+  @Override
+  public void install(ViewerContext installed) {
+    window = installed;
+    shown =
+        window.addPanel(
+            "live-flight", "Orientation in space, live", "", PanelPlace.BESIDE, () -> pane);
+    window
+        .actions()
+        .add(
+            ViewerAction.of("open-flight", "Flight before several cameras", "File", this::openScene)
+                .withHelp("A simulated insect in free flight; its axis is found from all cameras."),
+            ViewerAction.of(
+                    "open-camera-recordings",
+                    "Recordings of several cameras\u2026",
+                    "File",
+                    this::chooseRecordings)
+                .withHelp(
+                    "Asks for the calibrated cameras and for one recording of each, in the same"
+                        + " order, on one clock."));
+    window.sessions().sessionProperty().addListener((property, was, is) -> follow(was, is));
+    window.panels().onPulse(() -> flight.ifPresent(live -> pane.update(live.latest())));
+  }
+
+  /** Opens the simulated flight. */
+  void openScene() {
+    open(() -> CameraRig.simulated(FlightSettings.defaults()), "Flight");
+  }
+
+  private void chooseRecordings() {
+    Optional<Path> calibration = window.dialogs().cameras();
+    calibration.ifPresent(
+        file ->
+            window
+                .background()
+                .file(
+                    () -> CameraFile.read(file).cameras(),
+                    this::chooseRecordings,
+                    window.status()::showProblem));
+  }
+
+  private void chooseRecordings(List<CameraModel> cameras) {
+    List<Path> files = new ArrayList<>();
+    for (CameraModel camera : cameras) {
+      window.status().setActivity("The recording of camera " + camera.id() + " \u2026");
+      Optional<Path> file = window.dialogs().recording();
+      if (file.isEmpty()) {
+        window.status().setActivity("");
+        return;
+      }
+      files.add(file.get());
+    }
+    open(() -> recorded(cameras, files), files.get(0).toString());
+  }
+
+  /** Opens a recording for each camera; background thread. */
+  static CameraRig recorded(List<CameraModel> cameras, List<Path> files) throws IOException {
+    List<Playable> opened = new ArrayList<>();
+    try {
+      for (Path file : files) {
+        opened.add(Sources.recording(file, ReadOptions.DEFAULT));
+      }
+      return new CameraRig(cameras, opened.get(0), opened.subList(1, opened.size()));
+    } catch (IOException | RuntimeException problem) {
+      for (Playable each : opened) {
+        each.close();
+      }
+      throw problem;
+    }
+  }
+
+  /** Opens several cameras in place of what is open. */
+  void open(Callable<CameraRig> cameras, String name) {
+    window
+        .background()
+        .file(
+            cameras,
+            made -> {
+              rig.ifPresent(window.background()::close);
+              rig = Optional.of(made);
+              window.sessions().open(made::first, name);
+            },
+            window.status()::showProblem);
+  }
+
+  private void follow(Optional<ViewerSession> was, Optional<ViewerSession> is) {
+    was.ifPresent(before -> flight.ifPresent(before.player()::removeSink));
+    flight = Optional.empty();
+    if (rig.isPresent() && is.isPresent()) {
+      if (is.get().source() == rig.get().first()) {
+        LiveFlight live = new LiveFlight(rig.get());
+        is.get().player().addRawSink(live);
+        flight = Optional.of(live);
+        pane.startAnew();
+        shown.set(true);
+      } else {
+        window.background().close(rig.get());
+        rig = Optional.empty();
+      }
+    }
+  }
+}

@@ -1,0 +1,102 @@
+package haltere.ui.viewer;
+
+import haltere.ui.overlay.JavaFxOverlayCanvas;
+import haltere.ui.space.BodyFlight;
+import haltere.ui.space.BodyFlightDrawing;
+import haltere.ui.space.SpaceView;
+import java.util.Locale;
+import javafx.scene.canvas.Canvas;
+import javafx.scene.layout.Pane;
+import javafx.scene.paint.Color;
+
+/**
+ * A body in space and the cameras that see it, at one time. Dragging turns the view, the wheel
+ * comes nearer.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+final class SpaceCanvas extends Pane {
+  private static final double RADIANS_PER_PIXEL = 0.01;
+
+  private final SpaceView view = new SpaceView();
+  private final Canvas canvas = new Canvas();
+  private final JavaFxOverlayCanvas marks = new JavaFxOverlayCanvas(canvas.getGraphicsContext2D());
+  private BodyFlightDrawing drawing;
+  private int index;
+  private double pressedX;
+  private double pressedY;
+  private boolean fitted;
+
+  SpaceCanvas() {
+    getChildren().add(canvas);
+    canvas.widthProperty().bind(widthProperty());
+    canvas.heightProperty().bind(heightProperty());
+    canvas.widthProperty().addListener((property, was, is) -> redraw());
+    canvas.heightProperty().addListener((property, was, is) -> redraw());
+    canvas.setAccessibleText("The body and the cameras in space");
+    setMinSize(0, 0);
+    canvas.setOnMousePressed(
+        event -> {
+          pressedX = event.getX();
+          pressedY = event.getY();
+        });
+    canvas.setOnMouseDragged(
+        event -> {
+          view.turn(
+              RADIANS_PER_PIXEL * (pressedX - event.getX()),
+              RADIANS_PER_PIXEL * (event.getY() - pressedY));
+          pressedX = event.getX();
+          pressedY = event.getY();
+          redraw();
+        });
+    canvas.setOnScroll(
+        event -> {
+          view.zoom(Math.exp(event.getDeltaY() * 0.002));
+          redraw();
+        });
+  }
+
+  /** Shows a moment of a flight; the view stays as it was turned. */
+  void show(BodyFlightDrawing newDrawing, int newIndex) {
+    drawing = newDrawing;
+    index = newIndex;
+    redraw();
+  }
+
+  /** Looks at what is shown as if nothing had been shown before. */
+  void lookAnew() {
+    fitted = false;
+    redraw();
+  }
+
+  private void redraw() {
+    var graphics = canvas.getGraphicsContext2D();
+    graphics.setFill(Color.rgb(20, 22, 26));
+    graphics.fillRect(0, 0, canvas.getWidth(), canvas.getHeight());
+    if (drawing == null) {
+      return;
+    }
+    if (!fitted && canvas.getWidth() > 0 && canvas.getHeight() > 0) {
+      view.fit(drawing.points(), canvas.getWidth(), canvas.getHeight());
+      fitted = canvas.getWidth() > 100 && canvas.getHeight() > 100;
+    }
+    marks.setView(1, 0, canvas.getHeight());
+    drawing.draw(index, view, marks);
+  }
+
+  /** A moment in words. */
+  static String words(BodyFlight.Moment moment) {
+    var now = moment.estimate();
+    return String.format(
+        Locale.ROOT,
+        "%.3f s   axis (%.2f, %.2f, %.2f) \u00b1 %.1f\u00b0   head %.0f %%   used %d, rejected %d",
+        now.timeUs() * 1e-6,
+        now.ux(),
+        now.uy(),
+        now.uz(),
+        Math.toDegrees(now.sdAxisRad()),
+        100 * now.headProbability(),
+        now.used(),
+        now.rejected());
+  }
+}
