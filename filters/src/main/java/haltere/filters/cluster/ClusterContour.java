@@ -50,8 +50,11 @@ final class ClusterContour {
 
   private static final double LEAST_EVENTS = 15;
 
-  /** Events taken between two readings. */
-  private static final double ENOUGH = 40;
+  /** Events taken between two readings where there are very many. */
+  private static final double ENOUGH = 16;
+
+  /** Up to the root of this and some more, all events are taken; above, fewer of more. */
+  private static final double MANY = 1000;
 
   /** Variance of the middle from which on it is known, pixels squared. */
   private static final double SURE_VARIANCE = 1;
@@ -234,7 +237,8 @@ final class ClusterContour {
     if (!on) {
       begin(cluster);
     } else {
-      stride = (int) Math.max(1, Math.round(stride * count / ENOUGH));
+      double seen = Math.max(1, stride * count);
+      stride = (int) Math.max(1, Math.round(seen / (ENOUGH + MANY / seen)));
       double seconds = (timeUs - fromUs) * US;
       radiusVariance += RADIUS_WANDERS * seconds;
       offsetVariance += REFERENCE_WANDERS * seconds;
