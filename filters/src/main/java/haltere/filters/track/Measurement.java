@@ -11,6 +11,7 @@ final class Measurement {
   private static final double CONTESTED_FACTOR = 10;
 
   private final MeasurementSettings settings;
+  private final boolean outlines;
   long timeUs;
   double x;
   double y;
@@ -18,8 +19,10 @@ final class Measurement {
   double xy;
   double yy;
 
-  Measurement(MeasurementSettings settings) {
+  /** Of round things, or on a road, where there are none: vehicles are boxes that grow. */
+  Measurement(MeasurementSettings settings, boolean onRoad) {
     this.settings = settings;
+    outlines = settings.source() == MeasurementSource.OUTLINE && !onRoad;
   }
 
   /** What a batch says to a track, or to nobody yet. */
@@ -41,7 +44,7 @@ final class Measurement {
     }
     timeUs = batch.meanTimeUs();
     double floor = settings.floorPx() * settings.floorPx();
-    if (settings.source() == MeasurementSource.OUTLINE && batch.hasOutline()) {
+    if (outlines && batch.hasOutline()) {
       double more =
           settings.varianceFactor() * (track != null && track.contested ? CONTESTED_FACTOR : 1);
       x = batch.outlineCentreX();

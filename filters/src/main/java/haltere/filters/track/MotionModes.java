@@ -21,6 +21,9 @@ final class MotionModes {
   /** Share of the speed of a new target by which one that is thrown back may be faster. */
   private static final double RELAUNCH_SHARE = 0.1;
 
+  /** Share of the speed of a new target by which one that is displaced may be faster or slower. */
+  private static final double DISPLACED_SHARE = 0.25;
+
   private final MotionNoise noise;
   private final int modes;
   private final PlaneFilter[] filters;
@@ -56,6 +59,19 @@ final class MotionModes {
   void relaunch(double atX, double atY, double xx, double xy, double yy) {
     double speed = Math.hypot(state[2], state[3]) + RELAUNCH_SHARE * noise.launchSpeed();
     launch(atX, atY, xx, xy, yy, speed * speed);
+  }
+
+  /** Goes on at a place where it was not expected, with about the velocity that it has. */
+  void displace(double atX, double atY, double xx, double xy, double yy) {
+    double vx = state[2];
+    double vy = state[3];
+    double unsure = DISPLACED_SHARE * noise.launchSpeed();
+    launch(atX, atY, xx, xy, yy, unsure * unsure);
+    for (int j = 0; j < modes; j++) {
+      filters[j].x[2] = vx;
+      filters[j].x[3] = vy;
+    }
+    combine();
   }
 
   private void launch(

@@ -16,6 +16,9 @@ final class Track {
 
   private static final int LEAST_FREE_UPDATES = 10;
 
+  /** A velocity of fewer updates than this is not kept where a track is found elsewhere. */
+  private static final int TRUSTED_UPDATES = 10;
+
   MotionModes motion;
   private MotionModes ahead;
   private final MeasurementPlane plane;
@@ -33,6 +36,9 @@ final class Track {
   long heardUs;
 
   int updates;
+
+  /** How many updates there had been when it was last found elsewhere than expected. */
+  private int displacedAt;
 
   /** Updates while no other track was in the way. */
   private int freeUpdates;
@@ -91,6 +97,7 @@ final class Track {
     heardUs = stepUs;
     updates = 1;
     freeUpdates = 0;
+    displacedAt = 0;
     gatedInARow = 0;
     events = 0;
     batch = null;
@@ -115,7 +122,12 @@ final class Track {
     stateUs = timeUs;
     heardUs = stepUs;
     gatedInARow = 0;
-    motion.launch(plane.x, plane.y, plane.xx, plane.xy, plane.yy);
+    if (updates - displacedAt < TRUSTED_UPDATES) {
+      motion.launch(plane.x, plane.y, plane.xx, plane.xy, plane.yy);
+    } else {
+      motion.displace(plane.x, plane.y, plane.xx, plane.xy, plane.yy);
+    }
+    displacedAt = updates;
   }
 
   /** Holds on to a cluster. */

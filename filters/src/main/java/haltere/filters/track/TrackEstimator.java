@@ -123,7 +123,7 @@ public final class TrackEstimator implements ClusterObserver {
   private void prepare() {
     tracks.setMost(settings.life().mostTracks());
     batches.apply(settings.measurement());
-    measurement = new Measurement(settings.measurement());
+    measurement = new Measurement(settings.measurement(), road != null);
     pairs = new TrackPairs(settings.life());
     reports.apply(settings, plane);
     tracker.observe(this, settings.updateIntervalUs());

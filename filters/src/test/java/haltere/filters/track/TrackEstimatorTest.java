@@ -135,6 +135,30 @@ class TrackEstimatorTest {
   }
 
   @Test
+  void aTrackWhoseClusterIsElsewhereGoesOnThereWithAboutItsVelocity() {
+    Moving moving = new Moving(clusters.add(5), 20, 30, 120, 0);
+    step(40, moving);
+    int id = only().id;
+    Moving aside = new Moving(moving.cluster, 20, 70, 120, 0);
+    for (int i = 0; i < 10; i++) {
+      step(1, aside);
+      Track track = only();
+      assertEquals(120, track == null ? 120 : track.at(timeUs).vx(), 60, "after " + i);
+    }
+    assertEquals(id, only().id);
+    assertEquals(70, only().at(timeUs).y(), 1);
+  }
+
+  @Test
+  void aTrackThatBeganWithNoIdeaOfItsVelocityIsNotThrownBackForEver() {
+    Given cluster = clusters.add(5).at(20, 30);
+    step(8, new Moving(cluster, 20, 30, 0, 0));
+    double startS = timeUs * 1e-6;
+    step(20, new Moving(cluster, 20 - 400 * startS, 30, 400, 0));
+    assertEquals(400, only().at(timeUs).vx(), 20);
+  }
+
+  @Test
   void itsClusterIsPutWhereItIsExpected() {
     estimator = estimator(KalmanTracksSettings.defaults().with("life.feedbackToCluster=true"));
     Moving moving = new Moving(clusters.add(5), 20, 30, 120, 0);

@@ -41,10 +41,25 @@ public final class RoadEvaluation {
 
   private final Spread singles = new Spread();
   private final List<Spread> passages = new ArrayList<>();
+  private final Spread weighted = new Spread();
   private final Map<String, int[]> momentsOf = new TreeMap<>();
 
   /** A track in the picture and on the road. */
   private record At(TrackPoint picture, RoadTrackPoint road) {}
+
+  /** Estimated and true speeds of a vehicle, each by what the estimate says of its certainty. */
+  private static final class Passage {
+    private int moments;
+    private double estimated;
+    private double truth;
+
+    void add(RoadTrackPoint at, double trueSpeed) {
+      double weight = 1 / (at.sdSpeedKmH() * at.sdSpeedKmH());
+      moments++;
+      estimated += weight * Math.hypot(at.vxMS(), at.vyMS());
+      truth += weight * trueSpeed;
+    }
+  }
 
   /** Mean and standard deviation of what was added. */
   private static final class Spread {
@@ -91,6 +106,7 @@ public final class RoadEvaluation {
   private void add(RoadSceneSettings settings) {
     RoadScene scene = new RoadScene(settings);
     Map<Integer, Spread> ratios = new HashMap<>();
+    Map<Integer, Passage> certain = new HashMap<>();
     Map<Integer, Long> begun = new HashMap<>();
     for (Map.Entry<Long, List<At>> moment : tracks(scene).entrySet()) {
       long timeUs = moment.getKey();
@@ -112,10 +128,14 @@ public final class RoadEvaluation {
           double ratio = Math.hypot(at.road().vxMS(), at.road().vyMS()) / speed;
           singles.add(ratio);
           ratios.computeIfAbsent(vehicle.id(), id -> new Spread()).add(ratio);
+          certain.computeIfAbsent(vehicle.id(), id -> new Passage()).add(at.road(), speed);
         }
       }
       vehicles.forEach(vehicle -> countTracks(vehicle, held.getOrDefault(vehicle.id(), 0)));
     }
+    certain.values().stream()
+        .filter(passage -> passage.moments >= ENOUGH_MOMENTS)
+        .forEach(passage -> weighted.add(passage.estimated / passage.truth));
     passages.addAll(
         ratios.values().stream().filter(spread -> spread.count >= ENOUGH_MOMENTS).toList());
   }
@@ -196,6 +216,11 @@ public final class RoadEvaluation {
         100 * means.sd(),
         means.count,
         100 * (means.mean() - 1));
+    line(
+        text,
+        "mean over a passage weighted by 1/variance: bias %.2f %%, standard deviation %.1f %%",
+        100 * (weighted.mean() - 1),
+        100 * weighted.sd());
     momentsOf.forEach(
         (kind, moments) ->
             line(
