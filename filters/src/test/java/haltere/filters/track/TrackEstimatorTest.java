@@ -385,7 +385,7 @@ class TrackEstimatorTest {
   }
 
   private Measurement measured() {
-    Measurement measurement = new Measurement(estimator.settings().measurement());
+    Measurement measurement = new Measurement(estimator.settings().measurement(), false);
     EventBatch batch = new EventBatch();
     batch.begin(1, timeUs);
     batch.add(timeUs, clusters, 0);
