@@ -4,6 +4,7 @@ import haltere.core.camera.BiasSliders;
 import haltere.core.camera.Camera;
 import haltere.core.camera.CameraInfo;
 import haltere.core.camera.CameraOptions;
+import haltere.core.camera.CameraProvider;
 import haltere.core.camera.Cameras;
 import haltere.core.camera.RegionOfInterest;
 import haltere.core.camera.RegionOfInterest.Region;
@@ -19,6 +20,7 @@ import javafx.animation.PauseTransition;
 import javafx.application.Platform;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
+import javafx.stage.WindowEvent;
 import javafx.util.Duration;
 
 /**
@@ -42,6 +44,8 @@ final class CameraFeature implements ViewerFeature {
   private List<String> listed = List.of();
   private boolean everListed;
   private boolean saidUnplugged;
+  private Optional<CameraProvider.Watch> watch = Optional.empty();
+  private boolean ended;
   private long numbersNanos;
 
   /** One that has just come may not be ours to open yet, and several may come at once. */
@@ -77,6 +81,7 @@ final class CameraFeature implements ViewerFeature {
         drawing, new RegionTool(() -> open.orElseThrow().geometry(), region -> setRegion(region)));
     window.sessions().sessionProperty().addListener((property, was, is) -> follow(is, shown));
     window.panels().onPulse(this::pulse);
+    window.stage().addEventHandler(WindowEvent.WINDOW_HIDDEN, event -> end());
   }
 
   private void follow(Optional<ViewerSession> session, BooleanProperty shown) {
@@ -104,7 +109,9 @@ final class CameraFeature implements ViewerFeature {
         new Thread(
             () -> {
               if (first) {
-                cameras.watch(() -> Platform.runLater(comingSoon::playFromStart));
+                CameraProvider.Watch begun =
+                    cameras.watch(() -> Platform.runLater(comingSoon::playFromStart));
+                Platform.runLater(() -> keep(begun));
               }
               List<CameraInfo> seen = cameras.list();
               Platform.runLater(() -> show(seen));
@@ -112,6 +119,28 @@ final class CameraFeature implements ViewerFeature {
             "haltere-cameras");
     looking.setDaemon(true);
     looking.start();
+  }
+
+  /** Watches until the window is closed. */
+  private void keep(CameraProvider.Watch begun) {
+    if (ended) {
+      closeAside(begun);
+    } else {
+      watch = Optional.of(begun);
+    }
+  }
+
+  private void end() {
+    ended = true;
+    watch.ifPresent(CameraFeature::closeAside);
+    watch = Optional.empty();
+  }
+
+  /** Ending what listens to USB may take a moment. */
+  private static void closeAside(CameraProvider.Watch ended) {
+    Thread closing = new Thread(ended::close, "haltere-cameras");
+    closing.setDaemon(true);
+    closing.start();
   }
 
   private void show(List<CameraInfo> seen) {
