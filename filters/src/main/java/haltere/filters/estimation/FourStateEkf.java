@@ -102,17 +102,24 @@ public final class FourStateEkf {
    * @param p sixteen entries, row by row, symmetric and positive definite; not kept
    */
   public void setCovariance(double[] p) {
-    p00 = Require.positive("variance", p[0]);
-    p11 = Require.positive("variance", p[5]);
-    p22 = Require.positive("variance", p[10]);
-    p33 = Require.positive("variance", p[15]);
+    for (int i = 0; i < 4; i++) {
+      Require.positive("variance", p[5 * i]);
+    }
+    takeCovariance(p);
+    monitor.endRun();
+  }
+
+  private void takeCovariance(double[] p) {
+    p00 = p[0];
     p01 = p[1];
     p02 = p[2];
     p03 = p[3];
+    p11 = p[5];
     p12 = p[6];
     p13 = p[7];
+    p22 = p[10];
     p23 = p[11];
-    monitor.endRun();
+    p33 = p[15];
   }
 
   /**
@@ -414,22 +421,8 @@ public final class FourStateEkf {
    */
   public void setCovariance(int row, int column, double value) {
     double[] p = new double[16];
-    for (int i = 0; i < 4; i++) {
-      for (int j = 0; j < 4; j++) {
-        p[4 * i + j] = covariance(i, j);
-      }
-    }
-    double[] edited = CovarianceEdit.with(p, 4, row, column, value);
-    p00 = edited[0];
-    p01 = edited[1];
-    p02 = edited[2];
-    p03 = edited[3];
-    p11 = edited[5];
-    p12 = edited[6];
-    p13 = edited[7];
-    p22 = edited[10];
-    p23 = edited[11];
-    p33 = edited[15];
+    covariance(p);
+    takeCovariance(CovarianceEdit.with(p, 4, row, column, value));
   }
 
   /**
