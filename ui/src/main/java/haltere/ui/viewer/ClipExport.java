@@ -32,6 +32,7 @@ final class ClipExport implements StreamHandler {
   private final long toUs;
   private final double pictureUs;
   private final EventPacket slice = new EventPacket(4096);
+  private LongConsumer progress;
   private long pictures;
   private long lastUs;
 
@@ -75,20 +76,18 @@ final class ClipExport implements StreamHandler {
   /**
    * Runs.
    *
-   * @param progress told where on the elapsed timeline it is, again and again
+   * @param toTell told at each picture where on the elapsed timeline it is
    * @return how many pictures the film has
    */
-  long run(LongConsumer progress) throws IOException {
+  long run(LongConsumer toTell) throws IOException {
+    progress = toTell;
     try {
       long start = Math.max(0, fromUs - RUN_UP_US);
       if (start > 0) {
         playable.seek(start);
       }
-      while (lastUs < toUs && !Thread.currentThread().isInterrupted() && playable.next(this)) {
-        progress.accept(lastUs);
-      }
-      if (Thread.currentThread().isInterrupted()) {
-        throw new IOException("the export was ended");
+      while (lastUs < toUs && playable.next(this)) {
+        stopIfAsked();
       }
       // the last picture, also where the recording ends before it
       while (nextUs() <= toUs + 0.5) {
@@ -134,15 +133,23 @@ final class ClipExport implements StreamHandler {
     }
   }
 
+  private static void stopIfAsked() throws IOException {
+    if (Thread.currentThread().isInterrupted()) {
+      throw new IOException("the export was ended");
+    }
+  }
+
   private void shoot() {
     pass();
     long offsetUs = offsetUs();
     display.endSlice(Math.round(nextUs() - pictureUs) + offsetUs, Math.round(nextUs()) + offsetUs);
     try {
+      stopIfAsked();
       film.add(display.picture());
     } catch (IOException problem) {
       throw new UncheckedIOException(problem);
     }
+    progress.accept(Math.round(nextUs()));
     pictures++;
   }
 
