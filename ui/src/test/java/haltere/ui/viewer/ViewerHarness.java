@@ -354,6 +354,7 @@ final class ViewerHarness implements AutoCloseable {
 
   /** Presses keys together. */
   void press(KeyCode... keys) {
+    waitFor("the focus", () -> Window.getWindows().stream().anyMatch(Window::isFocused));
     run(
         () -> {
           for (KeyCode key : keys) {
