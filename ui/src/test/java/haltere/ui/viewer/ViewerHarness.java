@@ -33,6 +33,7 @@ import javafx.scene.Parent;
 import javafx.scene.control.Labeled;
 import javafx.scene.image.WritableImage;
 import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyCodeCombination;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.ScrollEvent;
 import javafx.scene.robot.Robot;
@@ -352,9 +353,20 @@ final class ViewerHarness implements AutoCloseable {
         null);
   }
 
-  /** Presses keys together. */
+  private boolean isKeyOfMenu(KeyCode key) {
+    return stage.getScene().getAccelerators().keySet().stream()
+        .anyMatch(menu -> menu instanceof KeyCodeCombination keys && keys.getCode() == key);
+  }
+
+  /**
+   * Presses keys together, once a window has the focus; those with Control once a menu has them,
+   * which is when the window was first laid out.
+   */
   void press(KeyCode... keys) {
     waitFor("the focus", () -> Window.getWindows().stream().anyMatch(Window::isFocused));
+    if (keys[0] == KeyCode.CONTROL) {
+      waitFor("the key of a menu", () -> isKeyOfMenu(keys[keys.length - 1]));
+    }
     run(
         () -> {
           for (KeyCode key : keys) {
