@@ -8,10 +8,8 @@ import haltere.core.stream.StreamNotification;
  *
  * <p>Thread rule: one thread.
  */
-public final class AscendingTimes implements EventTimes {
+public final class AscendingTimes extends EventTimes {
   private long lastUs = StreamNotification.NO_TIME_US;
-  private boolean restarted;
-  private long restartUs;
 
   /** Before the first event. */
   public AscendingTimes() {}
@@ -26,8 +24,7 @@ public final class AscendingTimes implements EventTimes {
     if (timeUs >= lastUs) {
       return false;
     }
-    restarted = true;
-    restartUs = timeUs;
+    holdBack(timeUs);
     return true;
   }
 
@@ -46,7 +43,7 @@ public final class AscendingTimes implements EventTimes {
    * @param noted what it gave
    */
   public void restore(long noted) {
-    restarted = false;
+    holdNothingBack();
     lastUs = noted;
   }
 
@@ -56,21 +53,7 @@ public final class AscendingTimes implements EventTimes {
   }
 
   @Override
-  public boolean restarted() {
-    return restarted;
-  }
-
-  @Override
-  public long restartUs() {
-    return restartUs;
-  }
-
-  @Override
-  public void acceptRestart() {
-    if (!restarted) {
-      throw new IllegalStateException("the clock did not go back");
-    }
-    restarted = false;
+  void forget() {
     lastUs = StreamNotification.NO_TIME_US;
   }
 }

@@ -6,33 +6,62 @@ package haltere.core.format;
  *
  * <p>Thread rule: one thread.
  */
-public interface EventTimes {
+public abstract sealed class EventTimes permits AscendingTimes, WrappingTimes {
+  private boolean restarted;
+  private long restartUs;
+
+  EventTimes() {}
+
   /**
    * Time of the last event.
    *
    * @return microseconds, or {@link haltere.core.stream.StreamNotification#NO_TIME_US} before the
    *     first of a segment
    */
-  long lastUs();
+  public abstract long lastUs();
+
+  /** Forgets the last time, where the next segment begins. */
+  abstract void forget();
 
   /**
    * Whether the clock goes back with the next event.
    *
    * @return true until that is {@link #acceptRestart() accepted}
    */
-  boolean restarted();
+  public final boolean restarted() {
+    return restarted;
+  }
 
   /**
    * Time of the first event of the new segment, where the clock goes back.
    *
    * @return microseconds
    */
-  long restartUs();
+  public final long restartUs() {
+    return restartUs;
+  }
 
   /**
    * Goes on after the clock went back, without memory of the last time.
    *
    * @throws IllegalStateException if it did not
    */
-  void acceptRestart();
+  public final void acceptRestart() {
+    if (!restarted) {
+      throw new IllegalStateException("the clock did not go back");
+    }
+    restarted = false;
+    forget();
+  }
+
+  /** Holds back an event with which the clock goes back. */
+  final void holdBack(long timeUs) {
+    restarted = true;
+    restartUs = timeUs;
+  }
+
+  /** No event is held back where decoding goes on from a place that was noted. */
+  final void holdNothingBack() {
+    restarted = false;
+  }
 }

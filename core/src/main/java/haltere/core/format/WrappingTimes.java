@@ -7,13 +7,11 @@ import haltere.core.stream.StreamNotification;
  *
  * <p>Thread rule: one thread.
  */
-public final class WrappingTimes implements EventTimes {
+public final class WrappingTimes extends EventTimes {
   /** Numbers that {@link #save} needs. */
   public static final int STATE_LONGS = 2;
 
   private final WrappingClock clock;
-  private boolean restarted;
-  private long restartUs;
 
   /**
    * Before the first event.
@@ -33,8 +31,7 @@ public final class WrappingTimes implements EventTimes {
    */
   public boolean take(long timeUs) {
     if (clock.goesBack(timeUs)) {
-      restarted = true;
-      restartUs = timeUs;
+      holdBack(timeUs);
       return false;
     }
     clock.take(timeUs);
@@ -59,7 +56,7 @@ public final class WrappingTimes implements EventTimes {
    * @param at index of the first of them
    */
   public void restore(long[] state, int at) {
-    restarted = false;
+    holdNothingBack();
     if (state[at + 1] == StreamNotification.NO_TIME_US) {
       clock.reset(state[at]);
     } else {
@@ -73,22 +70,8 @@ public final class WrappingTimes implements EventTimes {
   }
 
   @Override
-  public boolean restarted() {
-    return restarted;
-  }
-
-  @Override
-  public long restartUs() {
-    return restartUs;
-  }
-
-  @Override
-  public void acceptRestart() {
-    if (!restarted) {
-      throw new IllegalStateException("the clock did not go back");
-    }
-    restarted = false;
-    clock.take(restartUs);
+  void forget() {
+    clock.take(restartUs());
     clock.reset(clock.turnUs());
   }
 }
