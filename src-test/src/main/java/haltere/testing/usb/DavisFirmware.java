@@ -157,6 +157,8 @@ public final class DavisFirmware implements Firmware {
    * @return an exact count
    */
   public long eventsSent() {
+    // a delivery that is under way holds the endpoint until it is counted
+    device.queued(ENDPOINT);
     return eventsSent.get();
   }
 
