@@ -3,6 +3,7 @@ package haltere.core.chain;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorReading;
 import haltere.core.overlay.OverlayLayer;
+import haltere.core.stream.DataLost;
 import haltere.core.stream.StreamNotification;
 import java.util.List;
 
@@ -36,13 +37,24 @@ public interface EventFilter {
   void reset();
 
   /**
-   * Is told what happened between the last packet and the next. A filter that can bridge a gap, or
-   * that holds results to give out at the end, overrides this.
+   * Whether what events have taught it still holds behind a gap in the data, because time goes on
+   * over the gap.
+   *
+   * @return false if it begins anew
+   */
+  default boolean bridgesGaps() {
+    return false;
+  }
+
+  /**
+   * Is told what happened between the last packet and the next. A filter that holds results to give
+   * out at the end overrides this.
    *
    * @param notification what happened; one without meaning for the filter is ignored
    */
   default void notified(StreamNotification notification) {
-    if (notification.endsContinuity()) {
+    boolean isBridged = notification instanceof DataLost && bridgesGaps();
+    if (notification.endsContinuity() && !isBridged) {
       reset();
     }
   }

@@ -1,28 +1,20 @@
 package haltere.filters.cluster;
 
-import haltere.core.chain.ConfigurableFilter;
 import haltere.core.chain.FilterProvider;
 import haltere.core.chain.Outlet;
+import haltere.core.chain.PublishingFilter;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.core.overlay.OverlayLayer;
-import haltere.core.stream.DataLost;
-import haltere.core.stream.StreamNotification;
-import java.util.List;
 
 /**
  * {@link ClusterTracker} as a stage of a chain. Lets all events through; publishes a {@link
  * ClusterTrack} for each visible cluster at each report, and all of them together as a {@link
  * ClusterSnapshot}.
  */
-public final class ClusterTrackerFilter implements ConfigurableFilter<ClusterTrackerSettings> {
-  private final Outlet<ClusterTrack> clusters = new Outlet<>("clusters", ClusterTrack.class);
-  private final Outlet<ClusterSnapshot> snapshot = new Outlet<>("snapshot", ClusterSnapshot.class);
-  private final List<Outlet<?>> outlets = List.of(clusters, snapshot);
-  private final List<OverlayLayer<?>> overlays =
-      List.of(
-          new OverlayLayer<ClusterSnapshot>(
-              "clusters", snapshot::subscribe, new ClusterTrackOverlay()));
+public final class ClusterTrackerFilter extends PublishingFilter<ClusterTrackerSettings> {
+  private final Outlet<ClusterTrack> clusters = outlet("clusters", ClusterTrack.class);
+  private final Outlet<ClusterSnapshot> snapshot =
+      drawnOutlet("snapshot", ClusterSnapshot.class, "clusters", new ClusterTrackOverlay());
   private final ClusterTracker tracker;
 
   /**
@@ -56,20 +48,8 @@ public final class ClusterTrackerFilter implements ConfigurableFilter<ClusterTra
 
   /** Time goes on over a gap in the data, and clusters live on for as long as they live anyway. */
   @Override
-  public void notified(StreamNotification notification) {
-    if (!(notification instanceof DataLost)) {
-      ConfigurableFilter.super.notified(notification);
-    }
-  }
-
-  @Override
-  public List<Outlet<?>> outlets() {
-    return outlets;
-  }
-
-  @Override
-  public List<OverlayLayer<?>> overlays() {
-    return overlays;
+  public boolean bridgesGaps() {
+    return true;
   }
 
   @Override

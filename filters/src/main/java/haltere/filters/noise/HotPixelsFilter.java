@@ -4,8 +4,6 @@ import haltere.core.chain.ConfigurableFilter;
 import haltere.core.chain.FilterProvider;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.core.stream.DataLost;
-import haltere.core.stream.StreamNotification;
 
 /** {@link HotPixels} as a stage of a chain. */
 public final class HotPixelsFilter implements ConfigurableFilter<HotPixelsSettings> {
@@ -33,10 +31,8 @@ public final class HotPixelsFilter implements ConfigurableFilter<HotPixelsSettin
 
   /** A gap in the data heals no pixel, so what has been learned outlives it. */
   @Override
-  public void notified(StreamNotification notification) {
-    if (!(notification instanceof DataLost)) {
-      ConfigurableFilter.super.notified(notification);
-    }
+  public boolean bridgesGaps() {
+    return true;
   }
 
   @Override

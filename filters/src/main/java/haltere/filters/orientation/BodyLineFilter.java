@@ -1,22 +1,18 @@
 package haltere.filters.orientation;
 
-import haltere.core.chain.ConfigurableFilter;
 import haltere.core.chain.FilterProvider;
 import haltere.core.chain.Outlet;
+import haltere.core.chain.PublishingFilter;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.core.overlay.OverlayLayer;
-import java.util.List;
 
 /**
  * {@link BodyLineTracker} as a stage of a chain. Lets all events through; publishes a {@link
  * BodyLine} at each report, which {@link BodyOrientationEstimator} takes from two cameras and more.
  */
-public final class BodyLineFilter implements ConfigurableFilter<BodyLineSettings> {
-  private final Outlet<BodyLine> lines = new Outlet<>("lines", BodyLine.class);
-  private final List<Outlet<?>> outlets = List.of(lines);
-  private final List<OverlayLayer<?>> overlays =
-      List.of(new OverlayLayer<BodyLine>("body line", lines::subscribe, new BodyLineOverlay()));
+public final class BodyLineFilter extends PublishingFilter<BodyLineSettings> {
+  private final Outlet<BodyLine> lines =
+      drawnOutlet("lines", BodyLine.class, "body line", new BodyLineOverlay());
   private final BodyLineTracker tracker;
 
   /**
@@ -46,16 +42,6 @@ public final class BodyLineFilter implements ConfigurableFilter<BodyLineSettings
   @Override
   public void reset() {
     tracker.reset();
-  }
-
-  @Override
-  public List<Outlet<?>> outlets() {
-    return outlets;
-  }
-
-  @Override
-  public List<OverlayLayer<?>> overlays() {
-    return overlays;
   }
 
   @Override

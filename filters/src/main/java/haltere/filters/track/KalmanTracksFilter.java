@@ -1,13 +1,10 @@
 package haltere.filters.track;
 
-import haltere.core.chain.ConfigurableFilter;
 import haltere.core.chain.FilterProvider;
 import haltere.core.chain.Outlet;
+import haltere.core.chain.PublishingFilter;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.core.overlay.OverlayLayer;
-import haltere.core.stream.DataLost;
-import haltere.core.stream.StreamNotification;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -25,18 +22,13 @@ import java.util.Map;
  *   <li>{@code track-snapshot}: a {@link TrackSnapshot} at each report.
  * </ul>
  */
-public final class KalmanTracksFilter implements ConfigurableFilter<KalmanTracksSettings> {
-  private final Outlet<TrackPoint> points = new Outlet<>("tracks", TrackPoint.class);
-  private final Outlet<RoadTrackPoint> roadPoints =
-      new Outlet<>("road-tracks", RoadTrackPoint.class);
-  private final Outlet<TrackUpdate> updates = new Outlet<>("estimates", TrackUpdate.class);
-  private final Outlet<LineCrossing> crossings = new Outlet<>("crossings", LineCrossing.class);
+public final class KalmanTracksFilter extends PublishingFilter<KalmanTracksSettings> {
+  private final Outlet<TrackPoint> points = outlet("tracks", TrackPoint.class);
+  private final Outlet<RoadTrackPoint> roadPoints = outlet("road-tracks", RoadTrackPoint.class);
+  private final Outlet<TrackUpdate> updates = outlet("estimates", TrackUpdate.class);
+  private final Outlet<LineCrossing> crossings = outlet("crossings", LineCrossing.class);
   private final Outlet<TrackSnapshot> snapshots =
-      new Outlet<>("track-snapshot", TrackSnapshot.class);
-  private final List<Outlet<?>> outlets =
-      List.of(points, roadPoints, updates, crossings, snapshots);
-  private final List<OverlayLayer<?>> overlays =
-      List.of(new OverlayLayer<TrackSnapshot>("tracks", snapshots::subscribe, new TrackOverlay()));
+      drawnOutlet("track-snapshot", TrackSnapshot.class, "tracks", new TrackOverlay());
   private final Map<Integer, ArrayDeque<TrackPoint>> paths = new HashMap<>();
   private final TrackEstimator estimator;
   private LineCounter counter;
@@ -66,10 +58,8 @@ public final class KalmanTracksFilter implements ConfigurableFilter<KalmanTracks
 
   /** Time goes on over a gap in the data, and tracks coast for as long as they do anyway. */
   @Override
-  public void notified(StreamNotification notification) {
-    if (!(notification instanceof DataLost)) {
-      ConfigurableFilter.super.notified(notification);
-    }
+  public boolean bridgesGaps() {
+    return true;
   }
 
   /**
@@ -98,16 +88,6 @@ public final class KalmanTracksFilter implements ConfigurableFilter<KalmanTracks
    */
   public Outlet<TrackUpdate> updates() {
     return updates;
-  }
-
-  @Override
-  public List<Outlet<?>> outlets() {
-    return outlets;
-  }
-
-  @Override
-  public List<OverlayLayer<?>> overlays() {
-    return overlays;
   }
 
   @Override

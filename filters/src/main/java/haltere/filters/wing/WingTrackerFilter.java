@@ -1,14 +1,10 @@
 package haltere.filters.wing;
 
-import haltere.core.chain.ConfigurableFilter;
 import haltere.core.chain.FilterProvider;
 import haltere.core.chain.Outlet;
+import haltere.core.chain.PublishingFilter;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.core.overlay.OverlayLayer;
-import haltere.core.stream.DataLost;
-import haltere.core.stream.StreamNotification;
-import java.util.List;
 
 /**
  * {@link WingTracker} as a stage of a chain. Lets all events through; publishes what it tracks.
@@ -19,36 +15,20 @@ import java.util.List;
  * {@code pairs} of wings, {@code geometry} of the fly, {@code initialisation} step by step, and
  * {@code snapshot} to be drawn.
  */
-public final class WingTrackerFilter implements ConfigurableFilter<WingTrackerSettings> {
-  private final Outlet<WingEstimate> estimates = new Outlet<>("estimates", WingEstimate.class);
-  private final Outlet<WingEstimate> wings = new Outlet<>("wings", WingEstimate.class);
-  private final Outlet<WingEstimate> averages = new Outlet<>("averages", WingEstimate.class);
-  private final Outlet<WingDifference> differences =
-      new Outlet<>("differences", WingDifference.class);
+public final class WingTrackerFilter extends PublishingFilter<WingTrackerSettings> {
+  private final Outlet<WingEstimate> estimates = outlet("estimates", WingEstimate.class);
+  private final Outlet<WingEstimate> wings = outlet("wings", WingEstimate.class);
+  private final Outlet<WingEstimate> averages = outlet("averages", WingEstimate.class);
+  private final Outlet<WingDifference> differences = outlet("differences", WingDifference.class);
   private final Outlet<WingMeasurement> measurements =
-      new Outlet<>("measurements", WingMeasurement.class);
-  private final Outlet<WingVariances> variances = new Outlet<>("variances", WingVariances.class);
-  private final Outlet<WingBeat> beats = new Outlet<>("beats", WingBeat.class);
-  private final Outlet<WingPair> pairs = new Outlet<>("pairs", WingPair.class);
-  private final Outlet<FlyGeometry> geometries = new Outlet<>("geometry", FlyGeometry.class);
-  private final Outlet<WingTrackerState> states =
-      new Outlet<>("initialisation", WingTrackerState.class);
-  private final Outlet<WingSnapshot> snapshots = new Outlet<>("snapshot", WingSnapshot.class);
-  private final List<Outlet<?>> outlets =
-      List.of(
-          estimates,
-          wings,
-          averages,
-          differences,
-          measurements,
-          variances,
-          beats,
-          pairs,
-          geometries,
-          states,
-          snapshots);
-  private final List<OverlayLayer<?>> overlays =
-      List.of(new OverlayLayer<WingSnapshot>("wings", snapshots::subscribe, new WingOverlay()));
+      outlet("measurements", WingMeasurement.class);
+  private final Outlet<WingVariances> variances = outlet("variances", WingVariances.class);
+  private final Outlet<WingBeat> beats = outlet("beats", WingBeat.class);
+  private final Outlet<WingPair> pairs = outlet("pairs", WingPair.class);
+  private final Outlet<FlyGeometry> geometries = outlet("geometry", FlyGeometry.class);
+  private final Outlet<WingTrackerState> states = outlet("initialisation", WingTrackerState.class);
+  private final Outlet<WingSnapshot> snapshots =
+      drawnOutlet("snapshot", WingSnapshot.class, "wings", new WingOverlay());
   private final WingTracker tracker;
 
   /**
@@ -82,20 +62,8 @@ public final class WingTrackerFilter implements ConfigurableFilter<WingTrackerSe
 
   /** Time goes on over a gap in the data; whether the wings are still there will show. */
   @Override
-  public void notified(StreamNotification notification) {
-    if (!(notification instanceof DataLost)) {
-      ConfigurableFilter.super.notified(notification);
-    }
-  }
-
-  @Override
-  public List<Outlet<?>> outlets() {
-    return outlets;
-  }
-
-  @Override
-  public List<OverlayLayer<?>> overlays() {
-    return overlays;
+  public boolean bridgesGaps() {
+    return true;
   }
 
   @Override
