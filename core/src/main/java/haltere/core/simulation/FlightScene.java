@@ -6,7 +6,6 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.stream.StreamHandler;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.OptionalLong;
 import java.util.stream.IntStream;
 
 /**
@@ -121,18 +120,8 @@ public final class FlightScene implements Scene<FlightTruth> {
   }
 
   @Override
-  public double truthRateHz() {
-    return settings.run().truthRateHz();
-  }
-
-  @Override
-  public long startUs() {
-    return settings.run().startUs();
-  }
-
-  @Override
-  public OptionalLong durationUs() {
-    return settings.run().durationUs();
+  public RunSettings run() {
+    return settings.run();
   }
 
   /**

@@ -4,7 +4,6 @@ import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.stream.StreamHandler;
 import java.util.List;
-import java.util.OptionalLong;
 
 /**
  * A tethered fruit fly before a bright background as a dynamic vision sensor sees it: a test bed
@@ -147,18 +146,8 @@ public final class FlyScene implements TunableScene<FlyTruth> {
   }
 
   @Override
-  public double truthRateHz() {
-    return settings.run().truthRateHz();
-  }
-
-  @Override
-  public long startUs() {
-    return settings.run().startUs();
-  }
-
-  @Override
-  public OptionalLong durationUs() {
-    return settings.run().durationUs();
+  public RunSettings run() {
+    return settings.run();
   }
 
   /** Adds the events of the next interval and tells where it ended. */

@@ -6,7 +6,6 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.stream.StreamHandler;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.OptionalLong;
 
 /**
  * Dark discs on known paths through noise: the plainest scene for cluster trackers. The edge in
@@ -90,18 +89,8 @@ public final class MovingDotsScene implements Scene<DotTruth> {
   }
 
   @Override
-  public double truthRateHz() {
-    return settings.run().truthRateHz();
-  }
-
-  @Override
-  public long startUs() {
-    return settings.run().startUs();
-  }
-
-  @Override
-  public OptionalLong durationUs() {
-    return settings.run().durationUs();
+  public RunSettings run() {
+    return settings.run();
   }
 
   private double pause() {

@@ -4,7 +4,6 @@ import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.stream.StreamHandler;
 import java.util.List;
-import java.util.OptionalLong;
 
 /**
  * Traffic on a road as a dynamic vision sensor on a bridge sees it: a test bed for trackers and for
@@ -132,18 +131,8 @@ public final class RoadScene implements TunableScene<RoadTruth> {
   }
 
   @Override
-  public double truthRateHz() {
-    return settings.run().truthRateHz();
-  }
-
-  @Override
-  public long startUs() {
-    return settings.run().startUs();
-  }
-
-  @Override
-  public OptionalLong durationUs() {
-    return settings.run().durationUs();
+  public RunSettings run() {
+    return settings.run();
   }
 
   private long makeInterval(EventPacket out) {

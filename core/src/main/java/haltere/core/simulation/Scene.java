@@ -30,25 +30,38 @@ public interface Scene<T extends Record> extends EventSource {
   List<T> truthRows(long timeUs);
 
   /**
+   * When it begins, how long it is, how often the truth is wanted.
+   *
+   * @return always the same
+   */
+  RunSettings run();
+
+  /**
    * How often the settings want the truth to be written.
    *
    * @return rows a second, greater than 0
    */
-  double truthRateHz();
+  default double truthRateHz() {
+    return run().truthRateHz();
+  }
 
   /**
    * Time of the beginning.
    *
    * @return microseconds; no event is earlier
    */
-  long startUs();
+  default long startUs() {
+    return run().startUs();
+  }
 
   /**
    * Length of the scene.
    *
    * @return microseconds, or empty if it is endless
    */
-  OptionalLong durationUs();
+  default OptionalLong durationUs() {
+    return run().durationUs();
+  }
 
   /**
    * Time of a row of truth.

@@ -13,6 +13,7 @@ import haltere.core.camera.CameraStatistics;
 import haltere.core.camera.Cameras;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.simulation.RunSettings;
 import haltere.core.simulation.Scene;
 import haltere.core.stream.DataLost;
 import haltere.core.stream.DeviceLost;
@@ -23,7 +24,6 @@ import haltere.testing.ManualClock;
 import haltere.testing.StreamRecorder;
 import java.io.IOException;
 import java.util.List;
-import java.util.OptionalLong;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
@@ -152,18 +152,8 @@ class LiveSimulatedCameraTest {
     }
 
     @Override
-    public double truthRateHz() {
-      return 1;
-    }
-
-    @Override
-    public long startUs() {
-      return 0;
-    }
-
-    @Override
-    public OptionalLong durationUs() {
-      return OptionalLong.empty();
+    public RunSettings run() {
+      return RunSettings.defaults();
     }
   }
 
