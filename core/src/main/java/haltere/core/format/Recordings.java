@@ -7,9 +7,12 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.ServiceLoader;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
  * The way into every recording: the content decides which format reads it.
@@ -28,6 +31,9 @@ public final class Recordings {
       return java.util.Collections.unmodifiableMap(found);
     }
   }
+
+  /** Files of a folder that a message names. */
+  private static final int NAMED_FILES = 3;
 
   private Recordings() {}
 
@@ -101,6 +107,11 @@ public final class Recordings {
     if (surest.size() == 1) {
       return surest.get(0);
     }
+    Optional<String> unpacking = surest.isEmpty() ? PackedWhole.program(head) : Optional.empty();
+    if (unpacking.isPresent()) {
+      throw new RecordingProblem(
+          file, "it is packed as a whole; unpack it first: " + unpacking.get());
+    }
     String reasons =
         answers.entrySet().stream()
             .filter(answer -> surest.isEmpty() || surest.contains(answer.getKey()))
@@ -157,10 +168,30 @@ public final class Recordings {
       throw new RecordingProblem(file, "there is no such file");
     }
     if (Files.isDirectory(file)) {
-      throw new RecordingProblem(file, "this is a folder; name a recording in it");
+      throw new RecordingProblem(
+          file, "this is a folder; name a recording in it" + recordingsIn(file));
     }
     if (!Files.isReadable(file)) {
       throw new RecordingProblem(file, "no permission to read it; change its mode or owner");
+    }
+  }
+
+  private static String recordingsIn(Path folder) {
+    Set<String> endings =
+        formats().values().stream()
+            .flatMap(format -> format.extensions().stream())
+            .collect(Collectors.toSet());
+    try (Stream<Path> files = Files.list(folder)) {
+      List<String> names =
+          files
+              .filter(file -> endings.contains(FileHead.extension(file)))
+              .map(file -> file.getFileName().toString())
+              .sorted()
+              .limit(NAMED_FILES)
+              .toList();
+      return names.isEmpty() ? "" : ", such as " + String.join(", ", names);
+    } catch (IOException unreadable) {
+      return "";
     }
   }
 }

@@ -4,11 +4,14 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.github.luben.zstd.Zstd;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.util.zip.GZIPOutputStream;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -76,7 +79,11 @@ class BadInputTest {
 
   @Test
   void aFolderIsRefused() throws IOException {
-    assertSays("folder", refused(Files.createDirectory(folder.resolve("folder.aedat"))));
+    Path bag = Files.createDirectory(folder.resolve("folder.aedat"));
+    assertSays("folder", refused(bag));
+    Files.createFile(bag.resolve("metadata.yaml"));
+    Files.createFile(bag.resolve("bag_0.db3"));
+    assertSays("name a recording in it, such as bag_0.db3", refused(bag));
   }
 
   @Test
@@ -100,6 +107,20 @@ class BadInputTest {
       assertSays("aedat1: ", problem);
       assertSays("aedat2: it has no line #!AER-DAT2.0", problem);
     }
+  }
+
+  @Test
+  void aFileThatIsPackedAsAWholeIsRefusedWithWhatUnpacksIt() throws IOException {
+    ByteArrayOutputStream packed = new ByteArrayOutputStream();
+    try (GZIPOutputStream out = new GZIPOutputStream(packed)) {
+      out.write("#!AER-DAT2.0\n\0\0\0\0\0\0\0\7".getBytes(StandardCharsets.ISO_8859_1));
+    }
+    assertSays(
+        "unpack it first: gunzip",
+        refused(Files.write(folder.resolve("a.aedat.gz"), packed.toByteArray())));
+    assertSays(
+        "unpack it first: zstd -d",
+        refused(Files.write(folder.resolve("a.db3.zstd"), Zstd.compress(PNG))));
   }
 
   @Test

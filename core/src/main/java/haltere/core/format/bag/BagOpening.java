@@ -95,11 +95,16 @@ final class BagOpening {
   private BagCursor cursor(First first, SensorGeometry geometry, ViolationCounts violations)
       throws IOException {
     return new BagCursor(
-        walks.from(first.topic()::equals, violations),
+        messages(first.topic()::equals, violations),
         geometry,
         first.encoding(),
         first.topic().cdr(),
         violations);
+  }
+
+  private MessageWalk messages(MessageWalk.Wanted wanted, ViolationCounts violations)
+      throws IOException {
+    return new UnpackingWalk(walks.from(wanted, violations));
   }
 
   private boolean isAskedFor(BagTopic topic) {
@@ -111,7 +116,7 @@ final class BagOpening {
   private Optional<First> first() throws IOException {
     ViolationCounts ignored = new ViolationCounts();
     MessageBody body = new MessageBody();
-    try (MessageWalk walk = walks.from(this::isAskedFor, ignored)) {
+    try (MessageWalk walk = messages(this::isAskedFor, ignored)) {
       while (walk.find()) {
         if (Thread.currentThread().isInterrupted()) {
           throw new InterruptedIOException("interrupted while looking for events");

@@ -9,7 +9,7 @@ import java.nio.ByteBuffer;
  *
  * <p>Thread rule: one thread.
  */
-public final class FileWindow {
+public final class FileWindow implements ByteSource {
   private static final int USUAL_BYTES = 64 * 1024;
 
   /** Asking for more than this at once is a fault of the caller. */
@@ -50,6 +50,7 @@ public final class FileWindow {
    * @return index of the first, or -1 if the file ends before the last
    * @throws IOException if the file cannot be read
    */
+  @Override
   public int require(long offset, int count) throws IOException {
     if (offset >= start && offset + count <= start + length) {
       return (int) (offset - start);
@@ -77,6 +78,7 @@ public final class FileWindow {
    *
    * @return borrowed array, another one after each {@link #require}
    */
+  @Override
   public byte[] bytes() {
     return bytes;
   }

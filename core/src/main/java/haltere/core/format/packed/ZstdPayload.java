@@ -19,20 +19,24 @@ public final class ZstdPayload extends Payload {
   private static final int PIECE = 256 * 1024;
   private static final int MAX_WINDOW_LOG = 25;
 
-  private final FileWindow window;
+  /** The longest header of a frame. */
+  private static final int HEADER_BYTES = 18;
+
+  private final ByteSource source;
   private final ZstdDecompressCtx context = new ZstdDecompressCtx();
   private long next;
   private long end;
   private InputStream stream;
   private boolean ended;
+  private long claimed;
 
   /**
    * A payload that is not opened yet.
    *
-   * @param window over the file
+   * @param source holds the packed bytes; it is not closed with the payload
    */
-  public ZstdPayload(FileWindow window) {
-    this.window = window;
+  public ZstdPayload(ByteSource source) {
+    this.source = source;
   }
 
   @Override
@@ -43,15 +47,24 @@ public final class ZstdPayload extends Payload {
     from = 0;
     to = 0;
     ended = false;
-    if (size <= AT_ONCE_BYTES) {
-      int at = window.require(offset, (int) size);
-      long whole = at < 0 ? -1 : Zstd.getFrameContentSize(window.bytes(), at, (int) size);
-      if (whole >= 0 && whole <= AT_ONCE_BYTES) {
-        atOnce(at, (int) size, (int) whole);
-        return;
-      }
+    boolean small = size <= AT_ONCE_BYTES;
+    int head = (int) (small ? size : HEADER_BYTES);
+    int at = source.require(offset, head);
+    claimed = at < 0 ? -1 : Zstd.getFrameContentSize(source.bytes(), at, head);
+    if (small && claimed >= 0 && claimed <= AT_ONCE_BYTES) {
+      atOnce(at, head, (int) claimed);
+      return;
     }
     stream = new ZstdInputStreamNoFinalizer(new Packed()).setLongMax(MAX_WINDOW_LOG);
+  }
+
+  /**
+   * Bytes that the frame says it will be; it may lie.
+   *
+   * @return negative if it does not say
+   */
+  public long claimedBytes() {
+    return claimed;
   }
 
   private void atOnce(int at, int size, int whole) throws DamagedPacketException {
@@ -59,7 +72,7 @@ public final class ZstdPayload extends Payload {
       data = new byte[Math.min(AT_ONCE_BYTES, Math.max(whole, 2 * data.length))];
     }
     try {
-      to = context.decompressByteArray(data, 0, whole, window.bytes(), at, size);
+      to = context.decompressByteArray(data, 0, whole, source.bytes(), at, size);
     } catch (ZstdException e) {
       throw new DamagedPacketException(e.getMessage());
     }
@@ -116,13 +129,21 @@ public final class ZstdPayload extends Payload {
     @Override
     public int read(byte[] target, int offset, int length) throws IOException {
       int count = (int) Math.min(Math.min(length, 64 * 1024), end - next);
-      int at = count <= 0 ? -1 : window.require(next, count);
+      int at = count <= 0 ? -1 : place(count);
       if (at < 0) {
         return -1;
       }
-      System.arraycopy(window.bytes(), at, target, offset, count);
+      System.arraycopy(source.bytes(), at, target, offset, count);
       next += count;
       return count;
+    }
+
+    private int place(int count) throws IOException {
+      try {
+        return source.require(next, count);
+      } catch (DamagedPacketException e) {
+        return -1;
+      }
     }
   }
 }

@@ -8,6 +8,7 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.UnaryOperator;
 
 /** Puts a ROS 2 bag in SQLite together: a page for each message, and pages that it goes on over. */
 final class SqliteBagFile {
@@ -92,6 +93,15 @@ final class SqliteBagFile {
 
   /** A bag with the events of packets, and messages of another topic in between. */
   static byte[] of(SensorGeometry sensor, EventPacket... packets) {
+    return of(MESSAGE_EVENTS, UnaryOperator.identity(), sensor, packets);
+  }
+
+  /** The same with messages of so many events, which are packed one by one. */
+  static byte[] of(
+      int messageEvents,
+      UnaryOperator<byte[]> packing,
+      SensorGeometry sensor,
+      EventPacket... packets) {
     SqliteBagFile bag = new SqliteBagFile();
     ByteBuffer first = bag.newPage();
     first.put(SqliteFile.MAGIC.getBytes(StandardCharsets.US_ASCII)).putShort((short) PAGE);
@@ -116,11 +126,11 @@ final class SqliteBagFile {
     for (EventPacket packet : packets) {
       events.append(packet, 0, packet.size());
     }
-    for (int from = 0; from < events.size(); from += MESSAGE_EVENTS) {
+    for (int from = 0; from < events.size(); from += messageEvents) {
       EventPacket part =
-          EventPackets.part(events, from, Math.min(from + MESSAGE_EVENTS, events.size()));
+          EventPackets.part(events, from, Math.min(from + messageEvents, events.size()));
       messages.add(row(null, 1L, 5L, new RosBytes(true).text("nothing").toBytes()));
-      messages.add(row(null, 2L, 6L, RosBytes.array(true, sensor, part)));
+      messages.add(row(null, 2L, 6L, packing.apply(RosBytes.array(true, sensor, part))));
     }
     if (messages.isEmpty()) {
       bag.leaf(root, 0, 1);

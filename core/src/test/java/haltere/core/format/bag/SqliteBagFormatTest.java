@@ -3,6 +3,7 @@ package haltere.core.format.bag;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.github.luben.zstd.Zstd;
 import haltere.core.event.EventPacket;
 import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
@@ -13,6 +14,7 @@ import haltere.core.format.RecordingReader;
 import haltere.core.format.Recordings;
 import haltere.core.format.Support;
 import haltere.core.stream.StreamGrammar;
+import haltere.testing.EventPackets;
 import haltere.testing.RecordingFormatContract;
 import haltere.testing.StreamRecorder;
 import java.io.IOException;
@@ -88,6 +90,38 @@ class SqliteBagFormatTest extends RecordingFormatContract {
   }
 
   @Test
+  void messagesThatRosbag2PackedOneByOneAreRead() throws IOException {
+    for (String name : new String[] {"array-packed.db3", "array-packed.mcap"}) {
+      Path file = Files.write(folder.resolve(name), BagResources.bytes(name));
+      StreamRecorder recorder = new StreamRecorder();
+      try (RecordingReader reader =
+          Recordings.open(file, ReadOptions.DEFAULT.withPacketEvents(7))) {
+        reader.drainTo(new StreamGrammar(recorder));
+        assertEquals(List.of(), reader.violations().describe());
+        assertEquals(BagResources.events(), recorder.events());
+        StreamRecorder rest = new StreamRecorder();
+        reader.seek(BagResources.events().timeUs(333));
+        reader.drainTo(new StreamGrammar(rest));
+        assertEquals(EventPackets.part(BagResources.events(), 333, 600), rest.events());
+      }
+    }
+  }
+
+  @Test
+  void aPackedMessageThatIsTooLargeForMemoryIsUnpackedPieceByPiece() throws IOException {
+    int count = 400_000;
+    EventPacket events = EventPackets.uniform(DAVIS346, 3, count, 0, 1.5);
+    Path file = folder.resolve("large.db3");
+    Files.write(file, SqliteBagFile.of(count, Zstd::compress, DAVIS346, events));
+    StreamRecorder recorder = new StreamRecorder();
+    try (RecordingReader reader = Recordings.open(file)) {
+      reader.drainTo(new StreamGrammar(recorder));
+      assertEquals(List.of(), reader.violations().describe());
+    }
+    assertEquals(events, recorder.events());
+  }
+
+  @Test
   void messagesThatSqliteHasNotMovedToTheFileYetAreSaid() throws IOException {
     Path file = Files.write(folder.resolve("b.db3"), BagResources.bytes("array.db3"));
     Files.write(folder.resolve("b.db3-wal"), new byte[100]);
@@ -98,8 +132,13 @@ class SqliteBagFormatTest extends RecordingFormatContract {
 
   @Test
   void manyDamagedFilesDoNoHarm() throws IOException {
-    byte[] whole = BagResources.bytes("array.db3");
-    SplittableRandom random = new SplittableRandom(9);
+    assertReadable("array.db3", 9);
+    assertReadable("array-packed.db3", 10);
+  }
+
+  private void assertReadable(String name, long seed) throws IOException {
+    byte[] whole = BagResources.bytes(name);
+    SplittableRandom random = new SplittableRandom(seed);
     Path file = folder.resolve("fuzz.db3");
     int read = 0;
     for (int i = 0; i < 300; i++) {
