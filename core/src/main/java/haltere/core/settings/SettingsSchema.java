@@ -173,7 +173,8 @@ public final class SettingsSchema<S extends Record> {
   }
 
   /**
-   * Applies {@code name=value} texts, as a command line has them.
+   * Applies {@code name=value} texts, as a command line has them. The last part of a name is enough
+   * where only one setting ends in it: {@code seed} for {@code run.seed}.
    *
    * @param settings a record, unchanged
    * @param assignments texts with an equals sign
@@ -187,9 +188,23 @@ public final class SettingsSchema<S extends Record> {
       if (equals < 1) {
         throw new SettingsProblem("\"" + assignment + "\" is not of the form name=value");
       }
-      values.put(assignment.substring(0, equals).trim(), assignment.substring(equals + 1));
+      String name = wholeName(assignment.substring(0, equals).trim());
+      values.put(name, assignment.substring(equals + 1));
     }
     return with(settings, values);
+  }
+
+  private String wholeName(String name) {
+    if (parameters.containsKey(name)) {
+      return name;
+    }
+    List<String> found =
+        parameters.keySet().stream().filter(whole -> whole.endsWith("." + name)).toList();
+    if (found.size() > 1) {
+      throw new SettingsProblem(
+          "several settings end in " + name + ": " + String.join(", ", found));
+    }
+    return found.isEmpty() ? name : found.get(0);
   }
 
   /**

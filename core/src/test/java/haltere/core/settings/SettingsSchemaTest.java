@@ -162,6 +162,30 @@ class SettingsSchemaTest {
   }
 
   @Test
+  void theLastPartOfANameIsEnoughWhereOnlyOneSettingEndsInIt() {
+    Whole changed = schema.withAssignments(defaults, List.of("low=0.5", "band.high=0.625"));
+    assertEquals(new Band(0.5, 0.625), changed.band());
+  }
+
+  @Test
+  void anEndingOfSeveralSettingsIsAnsweredWithTheirNames() {
+    record Two(Band left, Band right) {
+      Two {
+        SettingsSchema.validate(Two.class, left, right);
+      }
+
+      static Two defaults() {
+        return new Two(new Band(0, 1), new Band(0, 1));
+      }
+    }
+    SettingsProblem problem =
+        assertThrows(
+            SettingsProblem.class,
+            () -> SettingsSchema.of(Two.class).withAssignments(Two.defaults(), List.of("low=0.5")));
+    assertEquals("several settings end in low: left.low, right.low", problem.getMessage());
+  }
+
+  @Test
   void anAssignmentNeedsANameAndAnEqualsSign() {
     for (String assignment : List.of("count", "=5", "")) {
       SettingsProblem problem =

@@ -35,6 +35,7 @@ public final class HaltereProgram {
           "devices",
           "record",
           "simulate",
+          "scenes",
           "filters",
           "bench");
 
@@ -149,6 +150,7 @@ public final class HaltereProgram {
       case "wings" -> new WingsCommand(surroundings);
       case "orient" -> new OrientCommand(surroundings);
       case "simulate" -> new SimulateCommand(surroundings);
+      case "scenes" -> new ScenesCommand(surroundings);
       case "filters" -> new FiltersCommand(surroundings);
       case "devices" -> new DevicesCommand(surroundings);
       case "record" -> new RecordCommand(surroundings);

@@ -4,7 +4,6 @@ import haltere.core.event.EventPacket;
 import haltere.core.format.RecordingWriter;
 import haltere.core.simulation.FlightScene;
 import haltere.core.simulation.Scene;
-import haltere.core.simulation.SceneProvider;
 import haltere.core.simulation.Scenes;
 import haltere.core.sink.CsvSink;
 import haltere.core.stream.StreamHandler;
@@ -13,6 +12,7 @@ import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
+import java.util.Iterator;
 import java.util.List;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -29,7 +29,11 @@ final class SimulateCommand extends Subcommand {
   /** Length of a scene whose settings and options give none. */
   private static final long USUAL_DURATION_US = 10_000_000;
 
-  @Parameters(index = "0", paramLabel = "SCENE", description = "The kind of scene, such as fly.")
+  @Parameters(
+      index = "0",
+      paramLabel = "SCENE",
+      completionCandidates = SceneNames.class,
+      description = "The kind of scene: ${COMPLETION-CANDIDATES}.")
   String sceneName;
 
   @Parameters(
@@ -56,7 +60,9 @@ final class SimulateCommand extends Subcommand {
   @Option(
       names = "--set",
       paramLabel = "name=value",
-      description = "A setting of the scene; may be repeated.")
+      description =
+          "A setting of the scene; may be repeated. haltere scenes lists them; the last part of"
+              + " a name is enough where no other ends in it.")
   List<String> assignments = List.of();
 
   @Option(
@@ -119,16 +125,8 @@ final class SimulateCommand extends Subcommand {
   }
 
   private Scene<?> scene() {
-    SceneProvider<?> provider = Scenes.all().get(sceneName);
-    if (provider == null) {
-      throw wrongArguments(
-          "there is no scene named "
-              + sceneName
-              + "; there are "
-              + String.join(", ", Scenes.all().keySet()));
-    }
     try {
-      return provider.create(assignments);
+      return Scenes.named(sceneName).create(assignments);
     } catch (IllegalArgumentException problem) {
       throw wrongArguments(problem.getMessage());
     }
@@ -192,6 +190,14 @@ final class SimulateCommand extends Subcommand {
       timeUs = scene.startUs() + Math.round(row * 1e6 / rate);
     }
     return table.rows();
+  }
+
+  /** The scenes that there are, for the usage. */
+  static final class SceneNames implements Iterable<String> {
+    @Override
+    public Iterator<String> iterator() {
+      return Scenes.all().keySet().iterator();
+    }
   }
 
   /** Writes events up to a time. */

@@ -52,8 +52,10 @@ class SimulateCommandTest {
   void theSameSettingsMakeTheSameBytesAndAnotherSeedOthers() throws IOException {
     Path first = simulate("first.aedat", "run.seed=7");
     Path second = simulate("second.aedat", "run.seed=7");
+    Path third = simulate("third.aedat", "seed=7");
     Path other = simulate("other.aedat", "run.seed=8");
     assertEquals(-1, Files.mismatch(first, second));
+    assertEquals(-1, Files.mismatch(first, third));
     assertTrue(Files.mismatch(first, other) >= 0);
   }
 

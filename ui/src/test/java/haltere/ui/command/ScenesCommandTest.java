@@ -1,0 +1,44 @@
+package haltere.ui.command;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.core.settings.Parameter;
+import haltere.core.simulation.SceneProvider;
+import haltere.core.simulation.Scenes;
+import org.junit.jupiter.api.Test;
+
+class ScenesCommandTest {
+  @Test
+  void everySceneIsListedWithItsSentenceAndAllItsSettings() {
+    CommandRun run = CommandRun.of("scenes");
+    assertEquals(0, run.status(), run.err());
+    for (SceneProvider<?> scene : Scenes.all().values()) {
+      assertTrue(run.out().contains(scene.name() + "\n  " + scene.description()), run.out());
+      for (Parameter parameter : scene.schema().parameters()) {
+        assertTrue(run.out().contains("    " + parameter.name() + " "), parameter.name());
+      }
+    }
+  }
+
+  @Test
+  void oneSceneIsListedByItself() {
+    CommandRun run = CommandRun.of("scenes", "road");
+    assertTrue(run.out().startsWith("road\n"), run.out());
+    assertFalse(run.out().contains("\nfly\n"), run.out());
+  }
+
+  @Test
+  void aSceneThatDoesNotExistIsAWrongArgument() {
+    CommandRun run = CommandRun.of("scenes", "unicorn");
+    assertEquals(2, run.status());
+    assertTrue(run.err().contains("there is no scene named unicorn; there are dots"), run.err());
+  }
+
+  @Test
+  void theUsageOfSimulateNamesTheScenes() {
+    CommandRun run = CommandRun.of("simulate", "--help");
+    assertTrue(run.out().contains("dots, flight, fly, road"), run.out());
+  }
+}
