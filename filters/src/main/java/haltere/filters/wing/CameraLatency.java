@@ -7,8 +7,8 @@ package haltere.filters.wing;
  * wing is over a pixel. A pixel without a lag is taken for ideal.
  */
 final class CameraLatency {
+  /** Constant delay that is taken where nobody says it: no camera is without one. */
   private static final double USUAL_S = 60e-6;
-  private static final double SURE_LAG_S = 20e-6;
 
   /** Width of a wing as seen from its hinge, radians, where it is best seen: in mid stroke. */
   private static final double WING_RAD = 0.05;
@@ -64,7 +64,7 @@ final class CameraLatency {
   static double seconds(double knownUs, double lagS, double fullSpeed) {
     double lag = Math.max(0, lagS);
     double over = overPixelS(fullSpeed);
-    double constant = knownUs >= 0 ? knownUs * 1e-6 : USUAL_S * Math.min(1, lag / SURE_LAG_S);
+    double constant = knownUs >= 0 ? knownUs * 1e-6 : USUAL_S;
     return constant + SLOW_SHARE * over * (1 - Math.exp(-lag / (SLOW_LAG * over)));
   }
 

@@ -3,7 +3,7 @@ package haltere.filters.wing;
 /**
  * The noise of a wing's frequency: how much process noise the filter gets, more in a manoeuvre
  * ({@link RunAway}), and how sure the frequency really is, which the filter, ready for manoeuvres,
- * puts too low in steady flight ({@link FrequencyAgreement}) and too high just before a manoeuvre
+ * puts too low in steady flight ({@link FrequencyHindsight}) and too high just before a manoeuvre
  * is noticed ({@link FrequencySurprise}).
  *
  * <p>Thread rule: one thread at a time.
@@ -13,21 +13,23 @@ final class FrequencyNoise {
 
   private final RunAway runAway = new RunAway();
   private final FrequencySurprise surprise = new FrequencySurprise();
+  private final FrequencyHindsight hindsight = new FrequencyHindsight();
+  private FrequencyNoise other;
 
   /** Variance of the angular frequency in steady flight, as the filter thinks. */
   private double calmVariance;
 
-  private double rightShare = 1;
-
   void launch() {
     runAway.launch();
     surprise.launch();
+    hindsight.launch();
     calmVariance = Double.MAX_VALUE;
   }
 
   /** Says whose wing is driven together with this one; null if there is none. */
-  void besides(FrequencyNoise other) {
-    runAway.besides(other == null ? null : other.runAway);
+  void besides(FrequencyNoise wing) {
+    other = wing;
+    runAway.besides(wing == null ? null : wing.runAway);
   }
 
   /** Takes a residual, its weight times the slope, and the slope. */
@@ -45,11 +47,13 @@ final class FrequencyNoise {
   void look(double dtS, StrokeEkf filter, double most) {
     double omega = filter.x[StrokeEkf.OMEGA];
     runAway.look(dtS, omega, most);
-    surprise.look(dtS, omega, filter.x[StrokeEkf.RATE], isCalm());
+    boolean calm = isCalm();
+    surprise.look(dtS, omega, filter.x[StrokeEkf.RATE], calm);
+    hindsight.look(dtS, filter, calm);
     double p = filter.covariance(StrokeEkf.OMEGA, StrokeEkf.OMEGA);
     if (p < calmVariance) {
       calmVariance = p;
-    } else if (isCalm()) {
+    } else if (calm) {
       calmVariance += CALM_SHARE * (p - calmVariance);
     }
   }
@@ -60,18 +64,14 @@ final class FrequencyNoise {
   }
 
   /** Whether the fly flies steadily. */
-  boolean isCalm() {
+  private boolean isCalm() {
     return runAway.density() == 0;
-  }
-
-  /** Says which share of the filter's variance in steady flight is right. */
-  void setRightShare(double share) {
-    rightShare = share;
   }
 
   /** Variance of the angular frequency, from what the filter thinks it is. */
   double variance(double p) {
-    double calm = Math.min(p, calmVariance);
-    return rightShare * calm + (p - calm) + surprise.variance();
+    double manoeuvre = isCalm() ? 0 : Math.max(0, p - calmVariance);
+    double share = hindsight.share(other == null ? null : other.hindsight);
+    return share * (p - manoeuvre) + manoeuvre + surprise.variance();
   }
 }

@@ -47,7 +47,7 @@ record StrokeSeed(
     sd[StrokeEkf.CENTRE] = 0.05;
     sd[StrokeEkf.AMPLITUDE] = 0.05;
     sd[StrokeEkf.PHASE] = 0.1;
-    sd[StrokeEkf.OMEGA] = 2 * Math.PI * 2;
+    sd[StrokeEkf.OMEGA] = 2 * Math.PI;
     sd[StrokeEkf.WIDTH] = 0.01;
     sd[StrokeEkf.LAG] = 30e-6;
     sd[StrokeEkf.RATE] = 100;

@@ -31,7 +31,6 @@ final class TrackedFly {
   private final boolean[] takesNow = new boolean[4];
 
   private final FlyReport report;
-  private final FrequencyAgreement agreement = new FrequencyAgreement();
   private double symmetry;
 
   /** Angles of pixels while the running average alone is at work, else null. */
@@ -125,7 +124,6 @@ final class TrackedFly {
     WingPlaceSettings said = settings.place();
     place.begin(found.geometry(), said, timeUs);
     report.begin();
-    agreement.launch();
     for (int side = 0; side < 2; side++) {
       StrokeSeed seed = found.seeds()[said.flipHeading() ? 1 - side : side];
       tracked[side] = seed != null;
@@ -167,7 +165,6 @@ final class TrackedFly {
     if (main[side] instanceof WingEstimator wing) {
       int harmonics = settings.filter().harmonics();
       wing.launch(timeUs, seed.state(harmonics, timeUs), StrokeSeed.sd(harmonics));
-      wing.frequencyNoise().setRightShare(agreement.share());
     } else if (main[side] instanceof EdgesEstimator edges) {
       double startHz = settings.search().startFrequencyHz();
       if (startHz > 0) {
@@ -229,7 +226,6 @@ final class TrackedFly {
       return;
     }
     if (main[0] instanceof WingEstimator left && main[1] instanceof WingEstimator right) {
-      compareFrequencies(left, right);
       if (tracked[0] && tracked[1] && settings.place().followsHeading()) {
         double by = HEADING_SHARE * ((left.centre() - right.centre()) / 2 - symmetry);
         left.turnHeading(by);
@@ -239,19 +235,6 @@ final class TrackedFly {
       followEvents();
     }
     place.settle();
-  }
-
-  private void compareFrequencies(WingEstimator left, WingEstimator right) {
-    if (tracked[0]
-        && tracked[1]
-        && left.frequencyNoise().isCalm()
-        && right.frequencyNoise().isCalm()) {
-      agreement.compare(
-          2 * Math.PI * (left.frequencyHz() - right.frequencyHz()),
-          left.frequencyVariance() + right.frequencyVariance());
-    }
-    left.frequencyNoise().setRightShare(agreement.share());
-    right.frequencyNoise().setRightShare(agreement.share());
   }
 
   /** The running average's way: the body is between the mean places of both wings' events. */

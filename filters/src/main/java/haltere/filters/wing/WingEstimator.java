@@ -343,16 +343,8 @@ final class WingEstimator implements SideEstimator {
 
   @Override
   public double sdFrequencyHz() {
-    return Math.sqrt(frequencyNoise.variance(frequencyVariance())) / (2 * Math.PI);
-  }
-
-  /** Variance of the angular frequency as the filter thinks. */
-  double frequencyVariance() {
-    return filter.covariance(StrokeEkf.OMEGA, StrokeEkf.OMEGA);
-  }
-
-  FrequencyNoise frequencyNoise() {
-    return frequencyNoise;
+    double variance = filter.covariance(StrokeEkf.OMEGA, StrokeEkf.OMEGA);
+    return Math.sqrt(frequencyNoise.variance(variance)) / (2 * Math.PI);
   }
 
   @Override

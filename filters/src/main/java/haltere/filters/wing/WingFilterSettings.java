@@ -25,7 +25,7 @@ public record WingFilterSettings(
         @Unit("harmonics")
         int harmonics,
     @Help(
-            "Constant delay of the camera, from light to time stamp: estimates are ahead of the events by this, and by what a slow pixel adds. -1 takes 60 us, or 0 where pixels are ideal.")
+            "Constant delay of the camera, from light to time stamp: estimates are ahead of the events by this, and by what a slow pixel adds. -1 takes the usual 60 us.")
         @Range(min = -1, max = 2000)
         @Unit("us")
         double latencyUs,
