@@ -11,6 +11,7 @@ import haltere.core.simulation.FlightSettings;
 import haltere.core.simulation.FlightTruth;
 import haltere.filters.estimation.Angles;
 import haltere.testing.EventFilterContract;
+import haltere.testing.SceneEvents;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -23,7 +24,7 @@ class BodyLineFilterTest extends EventFilterContract {
 
   @Override
   protected EventPacket stream(SensorGeometry geometry, long seed) {
-    return EventFlights.events(
+    return SceneEvents.of(
         new FlightScene(
             FlightSettings.defaults()
                 .with(
@@ -61,7 +62,7 @@ class BodyLineFilterTest extends EventFilterContract {
                 places.add(Math.hypot(line.xPx() - pixel[0], line.yPx() - pixel[1]));
                 ratios.add(line.eccentricity());
               });
-      filter.process(EventFlights.events(scene));
+      filter.process(SceneEvents.of(scene));
     }
     assertTrue(places.size() > 600, places.size() + " lines");
     assertTrue(

@@ -1,10 +1,8 @@
 package haltere.filters.orientation;
 
-import haltere.core.event.EventPacket;
 import haltere.core.simulation.FlightScene;
 import haltere.core.simulation.FlightTruth;
-import haltere.core.stream.StreamHandler;
-import haltere.core.stream.StreamNotification;
+import haltere.testing.SceneEvents;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -13,26 +11,6 @@ import java.util.TreeMap;
 /** From the events of several cameras to the orientation of the body that they see. */
 final class EventFlights {
   private EventFlights() {}
-
-  static EventPacket events(FlightScene scene) {
-    EventPacket all = new EventPacket(0);
-    StreamHandler collect =
-        new StreamHandler() {
-          @Override
-          public void packet(EventPacket packet) {
-            all.append(packet, 0, packet.size());
-          }
-
-          @Override
-          public void notified(StreamNotification notification) {
-            // the events are all that counts
-          }
-        };
-    while (scene.next(collect)) {
-      // until the end
-    }
-    return all;
-  }
 
   /** Errors of the axis from 0.3 s on, degrees. */
   static List<Double> errorsDeg(int cameras, long seed, double seconds) {
@@ -48,7 +26,7 @@ final class EventFlights {
               line ->
                   seen.computeIfAbsent(line.timeUs(), t -> new ArrayList<>())
                       .add(line.observation(camera)));
-      filter.process(events(scene));
+      filter.process(SceneEvents.of(scene));
     }
     BodyOrientationEstimator body =
         new BodyOrientationEstimator(Flights.cameras(scene), OrientationSettings.defaults());

@@ -8,7 +8,6 @@ import haltere.core.settings.Parameter;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.simulation.FlyTruth;
 import haltere.core.stream.Reset;
-import haltere.filters.wing.WingTrackerFilterTest.Flies;
 import haltere.filters.wing.WingTrackerState.Phase;
 import java.util.ArrayList;
 import java.util.EnumSet;

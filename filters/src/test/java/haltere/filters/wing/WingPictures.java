@@ -22,7 +22,7 @@ final class WingPictures {
   private static List<WingEstimate> track(
       FlySceneSettings scene, double seconds, List<WingEstimate> averages) {
     List<WingEstimate> left = new ArrayList<>();
-    EventPacket events = WingTrackerFilterTest.Flies.events(seconds, scene);
+    EventPacket events = Flies.events(seconds, scene);
     new WingTracker(
             new FlyScene(scene).geometry(),
             WingTrackerSettings.defaults().with("filter.method=BOTH", "output.rateHz=20000"),

@@ -9,8 +9,9 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.simulation.FlyScene;
 import haltere.filters.estimation.Angles;
 import haltere.filters.wing.WingFilterEdit.Table;
-import haltere.filters.wing.WingTrackerFilterTest.Flies;
 import haltere.filters.wing.WingTrackerState.Phase;
+import haltere.testing.wings.RandomFlies;
+import haltere.testing.wings.WingScores;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -28,9 +29,9 @@ class WingTrackerTest {
                 Flies.scene(STEADY, "run.seed=" + seed, "fly.body.headingRad=" + seed % 6),
                 WingTrackerSettings.defaults())
             .run(0.8);
-    assertEquals(0, scores.losses);
+    assertEquals(0, scores.losses());
     int buffered = WingTrackerSettings.defaults().search().windowUs();
-    assertTrue(scores.foundAtUs <= buffered + 20_000, "found at " + scores.foundAtUs);
+    assertTrue(scores.foundAtUs() <= buffered + 20_000, "found at " + scores.foundAtUs());
     assertTrue(scores.frequencyHz() < 0.15, "frequency " + scores.frequencyHz());
     assertTrue(scores.angleOfStrokeDeg() < 1.2, "angle " + scores.angleDeg());
     assertTrue(scores.reversalDeg() < 2, "reversals " + scores.reversalDeg());
@@ -39,6 +40,17 @@ class WingTrackerTest {
     assertTrue(scores.lagDeg() < 1.5, "lag " + scores.lagDeg());
     assertTrue(scores.centrePx() < 1, "centre " + scores.centrePx());
     assertTrue(scores.headingDeg() < 3, "heading " + scores.headingDeg());
+    assertEquals(1, scores.neesFrequency(), 0.35, "standard deviation of the frequency");
+    assertTrue(scores.neesAngle() < 2.4, "that of the angle " + scores.neesAngle());
+  }
+
+  /** Its stroke was followed wrongly after the first beat, on the way into parts not yet seen. */
+  @Test
+  void aFlyWithDenseEventsIsKeptFromItsFirstBeatOn() {
+    FlyScene scene = new FlyScene(RandomFlies.random(7365));
+    WingScores scores = new WingScores(scene, WingTrackerSettings.defaults()).run(0.12);
+    assertTrue(scores.foundAtUs() >= 0, "found");
+    assertEquals(0, scores.losses());
   }
 
   @Test
@@ -55,12 +67,13 @@ class WingTrackerTest {
   @ParameterizedTest
   @ValueSource(longs = {4126, 6192})
   void aFlyThatSlowPixelsSeeAtItsReversalsAloneIsFoundWithItsHeading(long seed) {
-    FlyScene scene = new FlyScene(EvaluationScenes.random(seed));
+    FlyScene scene = new FlyScene(RandomFlies.random(seed));
     WingScores scores = new WingScores(scene, WingTrackerSettings.defaults()).run(0.06);
-    assertEquals(0, scores.losses);
-    assertTrue(scores.foundAtUs >= 0, "found");
+    assertEquals(0, scores.losses());
+    assertTrue(scores.foundAtUs() >= 0, "found");
     double off =
-        Angles.wrapPi(scores.geometry.headingRad() - scene.truthAt(scores.foundAtUs).headingRad());
+        Angles.wrapPi(
+            scores.geometry().headingRad() - scene.truthAt(scores.foundAtUs()).headingRad());
     assertEquals(0, Math.toDegrees(off), 3);
   }
 

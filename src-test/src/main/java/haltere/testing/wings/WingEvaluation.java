@@ -1,7 +1,8 @@
-package haltere.filters.wing;
+package haltere.testing.wings;
 
 import haltere.core.simulation.FlyScene;
 import haltere.core.simulation.FlySceneSettings;
+import haltere.filters.wing.WingTrackerSettings;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -9,11 +10,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Function;
+import java.util.function.Predicate;
 import java.util.function.ToDoubleFunction;
 
 /**
  * Tracks many simulated flies and writes the figures of docs/wings.md: {@code ./gradlew
- * :filters:evaluateWings -Pscenes=500 -PfirstSeed=1}.
+ * :src-test:evaluateWings -Pscenes=500 -PfirstSeed=1}.
  */
 public final class WingEvaluation {
   private static final double SECONDS = 1;
@@ -43,9 +45,9 @@ public final class WingEvaluation {
     List<Result> results = new ArrayList<>();
     List<Result> heavy = new ArrayList<>();
     for (long seed = firstSeed; seed < firstSeed + scenes; seed++) {
-      results.add(track(seed, EvaluationScenes.random(seed)));
+      results.add(track(seed, RandomFlies.random(seed)));
       if (heavy.size() < Math.max(4, scenes / 10)) {
-        heavy.add(track(seed, EvaluationScenes.heavyNoise(seed)));
+        heavy.add(track(seed, RandomFlies.heavyNoise(seed)));
       }
       // a run that is ended early leaves its figures as well
       if (results.size() % WRITTEN_EVERY == 0 || results.size() == scenes) {
@@ -87,13 +89,13 @@ public final class WingEvaluation {
     return new Result(
         seed,
         scene,
-        EvaluationScenes.eventsPerEdgeAndBeat(scene, usual.events, SECONDS),
+        RandomFlies.eventsPerEdgeAndBeat(scene, usual.events(), SECONDS),
         usual,
         known);
   }
 
   private static boolean locked(Result r) {
-    return r.usual.foundAtUs >= 0 && r.usual.losses == 0 && r.usual.longestWrongUs() <= 50_000;
+    return r.usual.foundAtUs() >= 0 && r.usual.losses() == 0 && r.usual.longestWrongUs() <= 50_000;
   }
 
   private static void table(StringBuilder text, String name, List<Result> results) {
@@ -105,8 +107,8 @@ public final class WingEvaluation {
         "locked %d of %d, found after (ms) median %.0f most %.0f",
         found.size(),
         results.size(),
-        quantile(found, r -> r.usual.foundAtUs / 1000.0, 0.5),
-        quantile(found, r -> r.usual.foundAtUs / 1000.0, 1));
+        quantile(found, r -> r.usual.foundAtUs() / 1000.0, 0.5),
+        quantile(found, r -> r.usual.foundAtUs() / 1000.0, 1));
     line(text, "");
     line(text, "| RMS | median scene | 90 %% of scenes | worst scene |");
     line(text, "| --- | --- | --- | --- |");
@@ -131,7 +133,7 @@ public final class WingEvaluation {
     line(
         text,
         "| mean NIS in 0.95 to 1.05 | %d of %d | | |",
-        found.stream().filter(r -> Math.abs(r.usual.meanNis() - 1) <= 0.05).count(),
+        found.stream().filter(WingEvaluation::isNisInside).count(),
         found.size());
     inBand(text, "NEES of the frequency", found, r -> r.usual.frequencyErrors());
     inBand(text, "NEES of the angle", found, r -> r.known.angleErrors());
@@ -159,24 +161,20 @@ public final class WingEvaluation {
   }
 
   private static void worst(StringBuilder text, List<Result> results) {
-    line(
-        text,
-        "not locked: seeds %s",
-        results.stream().filter(r -> !locked(r)).map(Result::seed).toList());
-    line(
-        text,
-        "head for tail: seeds %s",
-        results.stream()
-            .filter(r -> locked(r) && r.usual.headingDeg() > 90)
-            .map(Result::seed)
-            .toList());
-    line(
-        text,
-        "angle above 1.2 degrees: seeds %s",
-        results.stream()
-            .filter(r -> locked(r) && r.known.angleOfStrokeDeg() > 1.2)
-            .map(Result::seed)
-            .toList());
+    List<Result> found = results.stream().filter(WingEvaluation::locked).toList();
+    seeds(text, "not locked", results, r -> !locked(r));
+    seeds(text, "head for tail", found, r -> r.usual.headingDeg() > 90);
+    seeds(text, "angle above 1.2 degrees", found, r -> r.known.angleOfStrokeDeg() > 1.2);
+    seeds(text, "mean NIS outside", found, r -> !isNisInside(r));
+  }
+
+  private static boolean isNisInside(Result r) {
+    return Math.abs(r.usual.meanNis() - 1) <= 0.05;
+  }
+
+  private static void seeds(
+      StringBuilder text, String what, List<Result> results, Predicate<Result> which) {
+    line(text, "%s: seeds %s", what, results.stream().filter(which).map(Result::seed).toList());
   }
 
   private static void row(

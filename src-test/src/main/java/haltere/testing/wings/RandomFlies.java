@@ -1,4 +1,4 @@
-package haltere.filters.wing;
+package haltere.testing.wings;
 
 import haltere.core.simulation.FlySceneSettings;
 import java.util.ArrayList;
@@ -6,13 +6,18 @@ import java.util.List;
 import java.util.SplittableRandom;
 
 /** Random flies over the ranges in which the tracker is to work; each seed makes another one. */
-final class EvaluationScenes {
+public final class RandomFlies {
   private static final String[] WAVEFORMS = {"MUIJRES", "FRY", "MAEDA", "CHEN_SUN", "FREE"};
 
-  private EvaluationScenes() {}
+  private RandomFlies() {}
 
-  /** A fly of any kind. */
-  static FlySceneSettings random(long seed) {
+  /**
+   * A fly of any kind.
+   *
+   * @param seed of everything about it
+   * @return an endless scene
+   */
+  public static FlySceneSettings random(long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     double length = random.nextDouble(20, 55);
     double room = Math.max(1, 62 - 0.9 * length);
@@ -59,8 +64,14 @@ final class EvaluationScenes {
     return FlySceneSettings.defaults().with(set.toArray(new String[0]));
   }
 
-  /** The heavy noise of the project's figures. */
-  static FlySceneSettings heavyNoise(long seed) {
+  /**
+   * A steady fly of 200 Hz in heavy noise: 3 Hz a pixel, 12 hot pixels, a wire, and about 60 events
+   * an edge and beat.
+   *
+   * @param seed of everything about it
+   * @return an endless scene
+   */
+  public static FlySceneSettings heavyNoise(long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     return FlySceneSettings.defaults()
         .with(

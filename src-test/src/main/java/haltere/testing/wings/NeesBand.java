@@ -1,4 +1,4 @@
-package haltere.filters.wing;
+package haltere.testing.wings;
 
 import java.util.List;
 

@@ -1,4 +1,4 @@
-package haltere.filters.wing;
+package haltere.testing.wings;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
