@@ -20,20 +20,18 @@ final class BareHandOver {
 
   private final Pipe toKernel = Pipe.open();
   private final Pipe toBus = Pipe.open();
-  private final LatencyHistogram histogram;
   private final LongSupplier workNanos;
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition arrived = lock.newCondition();
   private long handedOverNanos;
+  private volatile LatencyHistogram histogram;
 
   /**
    * Threads that wait.
    *
-   * @param histogram takes the time from the end of the first pipe to that of the consumer's work
-   * @param workNanos how long that is
+   * @param workNanos how long the consumer works
    */
-  BareHandOver(LatencyHistogram histogram, LongSupplier workNanos) throws IOException {
-    this.histogram = histogram;
+  BareHandOver(LongSupplier workNanos) throws IOException {
     this.workNanos = workNanos;
     start("bare-kernel", this::kernel);
     start("bare-bus", this::bus);
@@ -113,8 +111,14 @@ final class BareHandOver {
     }
   }
 
-  /** Hands something over each millisecond. */
-  void run(int times) throws IOException {
+  /**
+   * Hands something over each millisecond.
+   *
+   * @param times how often
+   * @param into takes the time from the end of the first pipe to that of the consumer's work
+   */
+  void run(int times, LatencyHistogram into) throws IOException {
+    histogram = into;
     ByteBuffer bytes = ByteBuffer.allocateDirect(BYTES);
     long start = System.nanoTime();
     for (int i = 0; i < times; i++) {

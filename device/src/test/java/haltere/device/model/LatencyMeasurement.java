@@ -26,13 +26,18 @@ import java.util.concurrent.locks.LockSupport;
 /**
  * How long events take from the emulated bus to the end of the default chain: a batch each
  * millisecond, which is one transfer. Second by second this takes turns with {@link BareHandOver},
- * so that what the machine takes itself is known of the same minutes.
+ * so that what the machine takes itself is known of the same minutes. The camera's clock stands
+ * still meanwhile, so that its events are one stream.
+ *
+ * <p>While Java still compiles, its compilers take a processor for milliseconds at a time; the
+ * seconds until that is over are told by themselves. What the emulator leaves on the heap is
+ * collected once after them.
  */
 final class LatencyMeasurement implements StreamHandler {
   private static final int BATCH_US = 1000;
   private static final int BATCHES = 1000;
   private static final int KEPT = 1 << 16;
-  private static final int WARM_UP_BLOCKS = 5;
+  private static final int WARM_UP_BLOCKS = 20;
   private static final int MEAN_OF = 256;
   private static final double[] SHARES = {0.5, 0.9, 0.99, 0.999};
 
@@ -42,7 +47,9 @@ final class LatencyMeasurement implements StreamHandler {
   private final FilterChain chain = DefaultChain.create(new SensorGeometry(128, 128));
   private final LatencyHistogram sinceSent = new LatencyHistogram();
   private final LatencyHistogram sinceHandedOver = new LatencyHistogram();
+  private final LatencyHistogram warmingUp = new LatencyHistogram();
   private final LatencyHistogram bare = new LatencyHistogram();
+  private final SeenObjects objects = new SeenObjects();
   private final long[] sentNanos = new long[KEPT];
   private final int[] stampOfBatch = new int[KEPT];
   private volatile long firstMeasured = Long.MAX_VALUE;
@@ -51,6 +58,7 @@ final class LatencyMeasurement implements StreamHandler {
   /** What the chain takes for a batch, a mean of the latest. */
   private volatile long workNanos;
 
+  private volatile long collectedBeforeMs;
   private long losses;
   private long unmatched;
 
@@ -84,13 +92,18 @@ final class LatencyMeasurement implements StreamHandler {
    * @param seconds beyond those that warm everything up
    */
   private void send(int seconds) throws IOException {
-    BareHandOver hands = new BareHandOver(bare, () -> workNanos);
+    BareHandOver hands = new BareHandOver(() -> workNanos);
+    LatencyHistogram bareWarmingUp = new LatencyHistogram();
     for (int second = 0; second < seconds + WARM_UP_BLOCKS; second++) {
       boolean measured = second >= WARM_UP_BLOCKS;
-      if (measured && second % 2 == 0) {
-        hands.run(BATCHES);
+      if (second == WARM_UP_BLOCKS) {
+        System.gc();
+        collectedBeforeMs = collectionMs();
+      }
+      if (second % 2 == 0) {
+        hands.run(BATCHES, measured ? bare : bareWarmingUp);
       } else {
-        block((long) second * BATCHES, measured);
+        block(second / 2L * BATCHES, measured);
       }
     }
     settle();
@@ -113,8 +126,8 @@ final class LatencyMeasurement implements StreamHandler {
       }
       long batch = firstBatch + i;
       for (int event = 0; event < BATCH_US; event++) {
-        int cell = (int) (batch * 31 + event * 17L);
-        firmware.event(batch * BATCH_US + event, cell & 127, cell >> 7 & 127, (event & 1) == 0);
+        long timeUs = batch * BATCH_US + event;
+        firmware.event(timeUs, objects.x(timeUs), objects.y(timeUs), (event & 1) == 0);
       }
       int kept = (int) batch & KEPT - 1;
       stampOfBatch[kept] = stamp + i;
@@ -138,17 +151,20 @@ final class LatencyMeasurement implements StreamHandler {
     long now = System.nanoTime();
     long batch = lastUs / BATCH_US;
     boolean endsBatch = (lastUs + 1) % BATCH_US == 0;
-    if (batch < firstMeasured || !endsBatch) {
+    if (!endsBatch) {
       return;
     }
     workNanos += (now - begin - workNanos) / MEAN_OF;
+    boolean measured = batch >= firstMeasured;
     int kept = (int) batch & KEPT - 1;
     long handedOver = stamps.getLong((1 + (stampOfBatch[kept] & KEPT - 1)) * Long.BYTES);
-    sinceSent.add(now - sentNanos[kept]);
-    if (handedOver >= sentNanos[kept] && handedOver <= now) {
-      sinceHandedOver.add(now - handedOver);
-    } else {
+    if (handedOver < sentNanos[kept] || handedOver > now) {
       unmatched++;
+    } else if (measured) {
+      sinceHandedOver.add(now - handedOver);
+      sinceSent.add(now - sentNanos[kept]);
+    } else {
+      warmingUp.add(now - handedOver);
     }
   }
 
@@ -172,7 +188,6 @@ final class LatencyMeasurement implements StreamHandler {
             },
             "sender");
     sender.setDaemon(true);
-    long collectionsBefore = collectionMs();
     sender.start();
     while (!ended) {
       if (camera.await(TimeUnit.MILLISECONDS.toNanos(20))) {
@@ -182,6 +197,7 @@ final class LatencyMeasurement implements StreamHandler {
     print("from the emulated bus to the end of the chain", sinceHandedOver);
     print("the same with the emulated bus itself        ", sinceSent);
     print("bare threads that wake and work likewise      ", bare);
+    print("the first in the seconds before, of warming up", warmingUp);
     System.out.println(
         "work of the chain "
             + workNanos / 1000
@@ -190,8 +206,8 @@ final class LatencyMeasurement implements StreamHandler {
             + ", batches without a stamp "
             + unmatched
             + ", collections of the heap "
-            + (collectionMs() - collectionsBefore)
-            + " ms in all; allocated:");
+            + (collectionMs() - collectedBeforeMs)
+            + " ms while it was measured; allocated:");
     allocations();
     System.out.println(camera.statistics());
   }
