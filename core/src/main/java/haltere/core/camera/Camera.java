@@ -81,9 +81,9 @@ public interface Camera extends EventSource {
   Optional<ClockRelation> clockRelation();
 
   /**
-   * Stops the camera and frees everything. Does not wait for the consumer, who gets {@link
-   * EndOfStream} and no event after it. Returns within seconds whatever the camera does; a second
-   * call does nothing.
+   * Stops the camera and frees everything. Does not wait for the consumer, who gets what has come
+   * until then if it still asks, and {@link EndOfStream}. Returns within seconds whatever the
+   * camera does; a second call does nothing.
    */
   @Override
   void close();

@@ -74,15 +74,16 @@ final class CameraLink {
   }
 
   /**
-   * Ends all that is under way and closes the device. A transfer that does not end within seconds
-   * keeps the device and its own memory: libusb may still write to it.
+   * Ends all that is under way and closes the device; what has come can still be taken. A transfer
+   * that does not end within seconds keeps the device and its own memory: libusb may still write to
+   * it.
    */
   void close() {
     if (closed) {
       return;
     }
     closed = true;
-    buffers.close();
+    buffers.end();
     if (running && !buffers.isAtEndOfDevice()) {
       try {
         driver.stop();

@@ -126,8 +126,8 @@ final class UsbCamera implements Camera {
   private boolean prepare(long nanos) throws CameraProblem, InterruptedIOException {
     long end = System.nanoTime() + Math.min(nanos, Long.MAX_VALUE / 4);
     while (notices.isEmpty() && state != State.OVER) {
-      if (closing) {
-        endStream();
+      if (closing && state != State.STREAMING) {
+        state = State.OVER;
       } else if (state == State.READY) {
         begin();
       } else if (state == State.AWAY) {
@@ -148,10 +148,7 @@ final class UsbCamera implements Camera {
 
   /** Whether the stream came to an end rather than that nothing came in time. */
   private boolean noticeEnd() {
-    if (closing) {
-      return true;
-    }
-    if (!streaming.isAtEndOfDevice()) {
+    if (!streaming.isEnded() && !streaming.isAtEndOfDevice()) {
       return false;
     }
     if (!streaming.droppedLast().isEmpty()) {
@@ -159,11 +156,20 @@ final class UsbCamera implements Camera {
     }
     assembly.tellLoss(StreamNotification.NO_TIME_US);
     assembly.drainTo(notices);
+    if (streaming.isEnded()) {
+      notices.add(new EndOfStream(assembly.lastUs()));
+      state = State.OVER;
+    } else {
+      noticeThatItIsGone();
+    }
+    return true;
+  }
+
+  private void noticeThatItIsGone() {
     CameraInfo info = info();
     notices.add(
         new DeviceLost(
-            info.model() + " " + info.serial() + " was unplugged (" + info.id() + ")",
-            assembly.lastUs()));
+            info.model() + " " + info.serial() + " (" + info.id() + ")", assembly.lastUs()));
     notices.add(new EndOfStream(assembly.lastUs()));
     closeLink();
     if (options.reconnect()) {
@@ -172,15 +178,6 @@ final class UsbCamera implements Camera {
     } else {
       state = State.OVER;
     }
-    return true;
-  }
-
-  /** The camera was closed: the stream gets its end, if it had a beginning. */
-  private void endStream() {
-    if (state == State.STREAMING) {
-      notices.add(new EndOfStream(assembly.lastUs()));
-    }
-    state = State.OVER;
   }
 
   private void begin() throws CameraProblem {
@@ -236,6 +233,9 @@ final class UsbCamera implements Camera {
         }
       } catch (CameraProblem notYet) {
         // Just plugged in, it may not answer yet, or the system has not given it to us yet.
+        if (connection.link != null) {
+          connection.link.buffers().close();
+        }
         closeLink();
       }
     }
@@ -249,7 +249,7 @@ final class UsbCamera implements Camera {
     lookout.close();
     CameraLink now = connection.link;
     if (now != null) {
-      now.buffers().close(); // wakes the consumer, whatever happens on the bus
+      now.buffers().end(); // wakes the consumer, whatever happens on the bus
     }
     closeLink();
   }

@@ -21,7 +21,7 @@ public final class OpeningHelp {
    */
   public static String forbidden(UsbDevice device, String system) {
     return system.toLowerCase(Locale.ROOT).contains("linux")
-        ? "this user may not open it; run: " + udevCommand(device) + " and plug it in again"
+        ? "this user may not open it; plug it in again after: " + udevCommand(device)
         : "this user may not open it";
   }
 

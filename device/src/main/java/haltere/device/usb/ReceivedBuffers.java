@@ -37,7 +37,7 @@ public final class ReceivedBuffers {
   private boolean leaving;
   private long goneNanos;
   private boolean gone;
-  private boolean closed;
+  private boolean ended;
   private long transfers;
   private long bytes;
   private long lostTransfers;
@@ -110,7 +110,7 @@ public final class ReceivedBuffers {
       bytes += received.length();
       boolean whole = received.end() == TransferEnd.COMPLETED;
       brokenTransfers += whole ? 0 : 1;
-      if (closed || gone) {
+      if (ended || gone) {
         abandon(received);
         return received;
       }
@@ -214,10 +214,10 @@ public final class ReceivedBuffers {
     lock.lock();
     try {
       long left = nanos;
-      while (waiting.isEmpty() && !closed && !gone && left > 0) {
+      while (waiting.isEmpty() && !ended && !gone && left > 0) {
         left -= awaitChange(left);
       }
-      return closed ? null : waiting.poll();
+      return waiting.poll();
     } catch (InterruptedException interrupted) {
       Thread.currentThread().interrupt();
       throw new InterruptedIOException("interrupted while waiting for a camera");
@@ -269,24 +269,47 @@ public final class ReceivedBuffers {
   /**
    * What was dropped after the last buffer that was taken.
    *
-   * @return a note; only once {@link #isAtEndOfDevice}
+   * @return a note; only once {@link #isAtEndOfDevice} or {@link #isEnded}
    */
   public DroppedWords droppedLast() {
     return droppedLast;
   }
 
-  /** What waits, and whatever still comes, is counted as lost; a consumer that waits wakes up. */
+  /**
+   * Whether {@link #end} was said and all that came before has been taken.
+   *
+   * @return true if {@link #take} will give nothing any more because of that
+   */
+  public boolean isEnded() {
+    lock.lock();
+    try {
+      return ended && waiting.isEmpty();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /**
+   * Whatever still comes is counted as lost; what waits can be taken; a consumer that waits wakes
+   * up.
+   */
+  public void end() {
+    lock.lock();
+    try {
+      ended = true;
+      changed.signalAll();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** Ends, and counts what waits as lost too. */
   public void close() {
     lock.lock();
     try {
-      if (!closed) {
-        closed = true;
-        for (Received received : waiting) {
-          abandon(received);
-        }
-        waiting.clear();
-        changed.signalAll();
-      }
+      end();
+      waiting.forEach(this::abandon);
+      waiting.clear();
     } finally {
       lock.unlock();
     }

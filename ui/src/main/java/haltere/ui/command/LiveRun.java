@@ -14,6 +14,7 @@ import haltere.core.stream.StreamStarted;
 import java.io.IOException;
 import java.util.List;
 import java.util.OptionalDouble;
+import java.util.function.BooleanSupplier;
 
 /**
  * A camera's events through a chain to sinks, on a thread of its own, until the camera is closed.
@@ -32,6 +33,9 @@ final class LiveRun {
   private final Thread thread;
   private volatile Throwable problem;
   private volatile boolean begun;
+
+  /** What was lost until the camera was told to stop, and not because it was. */
+  private CameraStatistics whenStopped;
 
   /** Shown while it runs. */
   private LiveStatus status;
@@ -75,6 +79,16 @@ final class LiveRun {
    * @throws IOException if a camera or a sink failed
    */
   static void run(List<LiveRun> runs, OptionalDouble durationS) throws IOException {
+    run(runs, durationS, () -> false);
+  }
+
+  /**
+   * Runs cameras as {@link #run(List, OptionalDouble)} does, or until something else ends it.
+   *
+   * @param ended whether to end; asked ten times a second
+   */
+  static void run(List<LiveRun> runs, OptionalDouble durationS, BooleanSupplier ended)
+      throws IOException {
     long beginNanos = System.nanoTime();
     LiveStatus status =
         runs.get(0).command.liveStatus(runs.stream().map(run -> run.camera).toList());
@@ -96,7 +110,7 @@ final class LiveRun {
             durationS.isEmpty()
                 ? LOOK_MS
                 : (long) (durationS.getAsDouble() * 1000) - (now - beginNanos) / 1_000_000;
-        if (leftMs <= 0) {
+        if (leftMs <= 0 || ended.getAsBoolean()) {
           break;
         }
         runs.get(0).thread.join(Math.min(leftMs, LOOK_MS));
@@ -105,7 +119,7 @@ final class LiveRun {
     } catch (InterruptedException toldToStop) {
       // that is how a person ends it
     }
-    runs.forEach(run -> run.camera.close());
+    runs.forEach(LiveRun::stop);
     boolean interrupted = false;
     for (LiveRun run : runs) {
       while (run.thread.isAlive()) {
@@ -123,6 +137,11 @@ final class LiveRun {
     for (LiveRun run : runs) {
       run.rethrow();
     }
+  }
+
+  private void stop() {
+    whenStopped = camera.statistics();
+    camera.close();
   }
 
   private void rethrow() throws IOException {
@@ -150,17 +169,18 @@ final class LiveRun {
             + " us (half of the transfers), "
             + statistics.latency999Us()
             + " us (999 of 1,000)");
-    if (statistics.lostEvents() > 0 || statistics.brokenTransfers() > 0) {
+    if (whenStopped.lostEvents() > 0) {
       command.warning(
           id
               + ": lost "
-              + Quantities.events(statistics.lostEvents())
+              + Quantities.events(whenStopped.lostEvents())
               + " in "
-              + Quantities.count(statistics.lostTransfers())
-              + " transfers because this computer did not keep up"
-              + (statistics.brokenTransfers() > 0
-                  ? ", and " + statistics.brokenTransfers() + " transfers were broken"
-                  : ""));
+              + Quantities.count(whenStopped.lostTransfers())
+              + " transfers because this computer did not keep up");
+    }
+    if (whenStopped.brokenTransfers() > 0) {
+      command.warning(
+          id + ": transfers that were broken: " + Quantities.count(whenStopped.brokenTransfers()));
     }
   }
 

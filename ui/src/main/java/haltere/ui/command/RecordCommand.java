@@ -96,7 +96,10 @@ final class RecordCommand extends Subcommand {
       for (String device : devices) {
         all.add(open(device, devices.size() == 1 ? out : beside(device), limits, published));
       }
-      LiveRun.run(all.stream().map(Recorded::run).toList(), cameras.durationS());
+      LiveRun.run(
+          all.stream().map(Recorded::run).toList(),
+          cameras.durationS(),
+          () -> all.stream().anyMatch(each -> each.recorder().endedEarly().isPresent()));
     } finally {
       for (Recorded recorded : all) {
         recorded.camera().close();

@@ -15,6 +15,7 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
@@ -159,6 +160,22 @@ class RecordCommandTest {
     assertEquals(1, inTheWay.status());
     assertTrue(inTheWay.err().contains("fly-2.aedat4: exists already"), inTheWay.err());
     assertFalse(Files.exists(out));
+  }
+
+  @Test
+  @Timeout(60)
+  void aDiskWithoutRoomEndsARecordingThatHasNoOtherEnd() throws IOException {
+    CommandRun run =
+        CommandRun.of(
+            "record",
+            "--device",
+            "simulated:fly",
+            folder.resolve("fly.aedat4"),
+            "--keep-free",
+            "999999999");
+    assertEquals(1, run.status());
+    assertTrue(run.err().contains("MB left, so the recording ended"), run.err());
+    assertTrue(names().isEmpty());
   }
 
   @Test
