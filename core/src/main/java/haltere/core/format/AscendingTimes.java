@@ -9,6 +9,9 @@ import haltere.core.stream.StreamNotification;
  * <p>Thread rule: one thread.
  */
 public final class AscendingTimes extends EventTimes {
+  /** Numbers that {@link #save} needs. */
+  public static final int STATE_LONGS = 1;
+
   private long lastUs = StreamNotification.NO_TIME_US;
 
   /** Before the first event. */
@@ -37,14 +40,20 @@ public final class AscendingTimes extends EventTimes {
     lastUs = timeUs;
   }
 
-  /**
-   * Goes to where {@link #lastUs()} was noted.
-   *
-   * @param noted what it gave
-   */
-  public void restore(long noted) {
+  @Override
+  public int stateLongs() {
+    return STATE_LONGS;
+  }
+
+  @Override
+  public void save(long[] state, int at) {
+    state[at] = lastUs;
+  }
+
+  @Override
+  public void restore(long[] state, int at) {
     holdNothingBack();
-    lastUs = noted;
+    lastUs = state[at];
   }
 
   @Override

@@ -20,6 +20,29 @@ public abstract sealed class EventTimes permits AscendingTimes, WrappingTimes {
    */
   public abstract long lastUs();
 
+  /**
+   * How many numbers {@link #save} needs.
+   *
+   * @return at least 1
+   */
+  public abstract int stateLongs();
+
+  /**
+   * Notes the place in time.
+   *
+   * @param state receives {@link #stateLongs()} numbers
+   * @param at index of the first of them
+   */
+  public abstract void save(long[] state, int at);
+
+  /**
+   * Goes to a place that was noted.
+   *
+   * @param state has the numbers
+   * @param at index of the first of them
+   */
+  public abstract void restore(long[] state, int at);
+
   /** Forgets the last time, where the next segment begins. */
   abstract void forget();
 

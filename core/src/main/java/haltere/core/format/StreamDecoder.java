@@ -63,11 +63,14 @@ public interface StreamDecoder {
   EventTimes times();
 
   /**
-   * How many numbers {@link #save} needs.
+   * How many numbers {@link #save} needs. Unless a decoder says otherwise, all of its state is
+   * where it is in time.
    *
    * @return at least 1
    */
-  int stateLongs();
+  default int stateLongs() {
+    return times().stateLongs();
+  }
 
   /**
    * Notes the state between two calls of {@link #decode}.
@@ -75,7 +78,9 @@ public interface StreamDecoder {
    * @param state receives {@link #stateLongs()} numbers
    * @param at index of the first of them
    */
-  void save(long[] state, int at);
+  default void save(long[] state, int at) {
+    times().save(state, at);
+  }
 
   /**
    * Puts a state back.
@@ -83,5 +88,7 @@ public interface StreamDecoder {
    * @param state has the numbers
    * @param at index of the first of them
    */
-  void restore(long[] state, int at);
+  default void restore(long[] state, int at) {
+    times().restore(state, at);
+  }
 }

@@ -38,23 +38,18 @@ public final class WrappingTimes extends EventTimes {
     return true;
   }
 
-  /**
-   * Notes the place in time.
-   *
-   * @param state receives {@link #STATE_LONGS} numbers
-   * @param at index of the first of them
-   */
+  @Override
+  public int stateLongs() {
+    return STATE_LONGS;
+  }
+
+  @Override
   public void save(long[] state, int at) {
     state[at] = clock.turnUs();
     state[at + 1] = lastUs();
   }
 
-  /**
-   * Goes to a place that was noted.
-   *
-   * @param state has the numbers
-   * @param at index of the first of them
-   */
+  @Override
   public void restore(long[] state, int at) {
     holdNothingBack();
     if (state[at + 1] == StreamNotification.NO_TIME_US) {

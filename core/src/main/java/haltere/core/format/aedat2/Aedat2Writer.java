@@ -1,15 +1,18 @@
 package haltere.core.format.aedat2;
 
+import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.AtomicFile;
+import haltere.core.format.HeaderText;
+import haltere.core.format.OutputBuffer;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingWriter;
-import haltere.core.format.WrappingClock;
 import haltere.core.format.WriteOptions;
+import haltere.core.format.WrittenClock;
 import java.io.IOException;
 import java.nio.ByteBuffer;
-import java.nio.charset.StandardCharsets;
+import java.nio.ByteOrder;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -25,7 +28,6 @@ import java.util.TreeMap;
  * that says what to add to them; jAER passes over it.
  */
 final class Aedat2Writer implements RecordingWriter {
-  private static final int BUFFER_BYTES = 256 * 1024;
   private static final List<String> OWN_KEYS =
       List.of(AedatHeader.CHIP, AedatHeader.HARDWARE, AedatHeader.SENSOR, AedatHeader.TIME_BASE);
 
@@ -38,18 +40,15 @@ final class Aedat2Writer implements RecordingWriter {
           "640x480", "eu.seebetter.ini.chips.davis.Davis640",
           "208x192", "eu.seebetter.ini.chips.davis.Davis208PixelParade");
 
-  private final AtomicFile file;
+  private final OutputBuffer output;
   private final WriteOptions options;
   private final SensorGeometry geometry;
   private final AddressDecoder addresses;
-  private final ByteBuffer buffer = ByteBuffer.allocateDirect(BUFFER_BYTES);
-  private WrappingClock reader;
-  private long shiftUs;
-  private long shifts;
+  private WrittenClock clock;
   private long outside;
 
   private Aedat2Writer(AtomicFile file, WriteOptions options, AddressDecoder addresses) {
-    this.file = file;
+    output = new OutputBuffer(file, ByteOrder.BIG_ENDIAN);
     this.options = options;
     this.geometry = options.geometry();
     this.addresses = addresses;
@@ -80,35 +79,55 @@ final class Aedat2Writer implements RecordingWriter {
 
   @Override
   public void write(EventPacket packet) throws IOException {
-    if (reader == null && !packet.isEmpty()) {
+    if (packet.isEmpty()) {
+      return;
+    }
+    if (clock == null) {
       long first = packet.firstTimeUs();
       start(first - (int) first);
     }
+    long[] times = packet.timesUs();
+    int[] events = packet.addresses();
+    ByteBuffer buffer = output.bytes();
     int size = packet.size();
-    for (int i = 0; i < size; i++) {
-      int address = packet.address(i);
-      if (!geometry.contains(packet.x(i), packet.y(i))) {
-        outside++;
-        continue;
+    int i = 0;
+    while (i < size) {
+      output.room(RecordDecoder.AEDAT2_BYTES);
+      long leastUs = clock.turnUs() + Integer.MIN_VALUE;
+      long lastUs = clock.started() ? clock.lastUs() : Long.MAX_VALUE;
+      int stop = Math.min(size, i + buffer.remaining() / RecordDecoder.AEDAT2_BYTES);
+      for (; i < stop; i++) {
+        long timeUs = times[i];
+        if ((timeUs - lastUs) >>> 31 != 0
+            || (timeUs - leastUs) >>> 32 != 0
+            || isOutside(events[i])) {
+          break;
+        }
+        lastUs = timeUs;
+        buffer.putInt(addresses.word(events[i])).putInt((int) timeUs);
       }
-      long timeUs = packet.timeUs(i);
-      long readUs = reader.read((int) timeUs);
-      reader.take(readUs);
-      if (readUs - timeUs != shiftUs) {
-        shiftUs = readUs - timeUs;
-        shifts++;
+      if (clock.started()) {
+        clock.advance(lastUs);
       }
-      if (buffer.remaining() < RecordDecoder.AEDAT2_BYTES) {
-        flush();
+      if (i < stop) {
+        writeWithCare(times[i], events[i]);
+        i++;
       }
-      buffer.putInt(addresses.word(address)).putInt((int) timeUs);
     }
   }
 
-  private void flush() throws IOException {
-    buffer.flip();
-    file.write(buffer);
-    buffer.clear();
+  private boolean isOutside(int event) {
+    return EventAddress.x(event) >= geometry.width() || EventAddress.y(event) >= geometry.height();
+  }
+
+  /** The first event, one outside, or one to which the clock does not simply go on. */
+  private void writeWithCare(long timeUs, int event) {
+    if (isOutside(event)) {
+      outside++;
+      return;
+    }
+    clock.take(timeUs, (int) timeUs);
+    output.bytes().putInt(addresses.word(event)).putInt((int) timeUs);
   }
 
   private void start(long firstTurnUs) throws IOException {
@@ -116,37 +135,29 @@ final class Aedat2Writer implements RecordingWriter {
     boolean tooFar =
         firstTurnUs > AedatHeader.MAX_BASE_US || firstTurnUs < -AedatHeader.MAX_BASE_US;
     long turnUs = tooFar ? 0 : firstTurnUs;
-    reader = new WrappingClock(1L << 32, turnUs);
-    StringBuilder text = new StringBuilder();
-    line(text, AedatHeader.VERSION + "2.0");
-    line(text, " This is a raw AE data file - do not edit");
-    line(
-        text,
+    clock = new WrittenClock(turnUs);
+    HeaderText text = new HeaderText("#", "\r\n");
+    text.line(AedatHeader.VERSION + "2.0");
+    text.line(" This is a raw AE data file - do not edit");
+    text.line(
         " Data format is int32 address, int32 timestamp (8 bytes total), repeated for each event");
-    line(text, " Timestamps tick: 1 us");
+    text.line(" Timestamps tick: 1 us");
     String chip = CHIPS.get(geometry.toString());
     if (chip != null) {
-      line(text, " " + AedatHeader.CHIP + " " + chip);
+      text.line(" " + AedatHeader.CHIP + " " + chip);
     }
-    line(text, " " + AedatHeader.SENSOR + " " + geometry);
+    text.line(" " + AedatHeader.SENSOR + " " + geometry);
     if (turnUs != 0) {
-      line(text, " " + AedatHeader.TIME_BASE + " " + turnUs + " us");
+      text.line(" " + AedatHeader.TIME_BASE + " " + turnUs + " us");
     }
     for (Map.Entry<String, String> entry : new TreeMap<>(options.metadata()).entrySet()) {
       String key = entry.getKey().strip();
       if (OWN_KEYS.stream().noneMatch(own -> own.equalsIgnoreCase(key + ":"))) {
-        line(text, " " + key + ": " + entry.getValue());
+        text.line(" " + key + ": " + entry.getValue());
       }
     }
-    line(text, AedatHeader.END);
-    ByteBuffer bytes = ByteBuffer.wrap(text.toString().getBytes(StandardCharsets.US_ASCII));
-    file.write(bytes);
-  }
-
-  private static void line(StringBuilder text, String line) {
-    text.append('#');
-    line.chars().forEach(c -> text.append(c < ' ' ? ' ' : c > '~' ? '?' : (char) c));
-    text.append("\r\n");
+    text.line(AedatHeader.END);
+    output.header(text.bytes());
   }
 
   @Override
@@ -155,26 +166,22 @@ final class Aedat2Writer implements RecordingWriter {
     if (outside > 0) {
       lines.add(outside + " events outside of " + geometry + " were left out");
     }
-    if (shifts > 0) {
-      lines.add(
-          shifts
-              + " leaps of time are too long for the format's 32-bit clock;"
-              + " the times behind them read back shifted");
+    if (clock != null) {
+      clock.loss().ifPresent(lines::add);
     }
     return lines;
   }
 
   @Override
   public void finish() throws IOException {
-    if (reader == null) {
+    if (clock == null) {
       start(0);
     }
-    flush();
-    file.commit();
+    output.finish();
   }
 
   @Override
   public void close() throws IOException {
-    file.close();
+    output.close();
   }
 }

@@ -167,7 +167,7 @@ public final class Aedat3Decoder implements StreamDecoder {
     state[at + 1] = skip;
     state[at + 2] = turnUs;
     state[at + 3] = source;
-    state[at + 4] = times.lastUs();
+    times.save(state, at + 4);
     state[at + 5] = lost ? 1 : 0;
   }
 
@@ -177,7 +177,7 @@ public final class Aedat3Decoder implements StreamDecoder {
     skip = state[at + 1];
     turnUs = state[at + 2];
     source = state[at + 3];
-    times.restore(state[at + 4]);
+    times.restore(state, at + 4);
     lost = state[at + 5] != 0;
   }
 }

@@ -351,7 +351,7 @@ final class Aedat4Cursor implements EventCursor {
   public void save(long[] state, int at) {
     state[at] = walk.position();
     state[at + 1] = inPacket ? index : 0;
-    state[at + 2] = times.lastUs();
+    times.save(state, at + 2);
   }
 
   @Override
@@ -360,7 +360,7 @@ final class Aedat4Cursor implements EventCursor {
     stopAhead();
     alone = false;
     inPacket = false;
-    times.restore(state[at + 2]);
+    times.restore(state, at + 2);
     long skipped = state[at + 1];
     if (skipped > 0 && nextPacket()) {
       try {

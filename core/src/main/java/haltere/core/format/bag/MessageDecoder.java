@@ -55,19 +55,4 @@ abstract class MessageDecoder implements StreamDecoder {
   public final EventTimes times() {
     return times;
   }
-
-  @Override
-  public int stateLongs() {
-    return 1;
-  }
-
-  @Override
-  public void save(long[] state, int at) {
-    state[at] = times.lastUs();
-  }
-
-  @Override
-  public void restore(long[] state, int at) {
-    times.restore(state[at]);
-  }
 }

@@ -158,13 +158,13 @@ final class CsvDecoder implements StreamDecoder {
 
   @Override
   public void save(long[] state, int at) {
-    state[at] = times.lastUs();
+    times.save(state, at);
     state[at + 1] = inLongRow ? 1 : 0;
   }
 
   @Override
   public void restore(long[] state, int at) {
-    times.restore(state[at]);
+    times.restore(state, at);
     inLongRow = state[at + 1] != 0;
   }
 }

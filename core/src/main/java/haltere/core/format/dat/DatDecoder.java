@@ -190,19 +190,4 @@ public final class DatDecoder implements StreamDecoder {
   public EventTimes times() {
     return times;
   }
-
-  @Override
-  public int stateLongs() {
-    return WrappingTimes.STATE_LONGS;
-  }
-
-  @Override
-  public void save(long[] state, int at) {
-    times.save(state, at);
-  }
-
-  @Override
-  public void restore(long[] state, int at) {
-    times.restore(state, at);
-  }
 }

@@ -4,21 +4,20 @@ import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.AtomicFile;
+import haltere.core.format.HeaderText;
+import haltere.core.format.OutputBuffer;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingWriter;
-import haltere.core.format.WrappingClock;
 import haltere.core.format.WriteOptions;
+import haltere.core.format.WrittenClock;
+import haltere.core.format.evt.PropheseeHeader;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
-import java.util.Map;
 import java.util.Set;
-import java.util.TreeMap;
 
 /**
  * Writes DAT of version 2 with CD events. The times of the records have 32 bits. Longer ones come
@@ -26,20 +25,14 @@ import java.util.TreeMap;
  * where the first turn begins; other programs see the low 32 bits, which {@link #losses} tells.
  */
 final class DatWriter implements RecordingWriter {
-  private static final int BUFFER_BYTES = 256 * 1024;
-  private static final long TURN_US = 1L << 32;
   private static final Set<String> OWN_KEYS =
       Set.of("data", "version", "width", "height", "end", DatFormat.TIME_BASE);
 
-  private final AtomicFile file;
+  private final OutputBuffer output;
   private final WriteOptions options;
   private final int width;
   private final int top;
-  private final ByteBuffer buffer =
-      ByteBuffer.allocateDirect(BUFFER_BYTES).order(ByteOrder.LITTLE_ENDIAN);
-  private WrappingClock reader;
-  private long shiftUs;
-  private long shifts;
+  private WrittenClock clock;
   private long outside;
   private long narrowed;
 
@@ -56,7 +49,8 @@ final class DatWriter implements RecordingWriter {
     this.options = options;
     width = geometry.width();
     top = geometry.height() - 1;
-    file = AtomicFile.create(path, options.overwrite());
+    output =
+        new OutputBuffer(AtomicFile.create(path, options.overwrite()), ByteOrder.LITTLE_ENDIAN);
   }
 
   @Override
@@ -64,9 +58,10 @@ final class DatWriter implements RecordingWriter {
     if (packet.isEmpty()) {
       return;
     }
-    if (reader == null) {
-      start(Math.floorDiv(packet.firstTimeUs(), TURN_US) * TURN_US);
+    if (clock == null) {
+      start(Math.floorDiv(packet.firstTimeUs(), WrittenClock.TURN_US) * WrittenClock.TURN_US);
     }
+    ByteBuffer buffer = output.bytes();
     long[] times = packet.timesUs();
     int[] addresses = packet.addresses();
     int size = packet.size();
@@ -74,11 +69,9 @@ final class DatWriter implements RecordingWriter {
     int topRow = top;
     int i = 0;
     while (i < size) {
-      if (buffer.remaining() < DatDecoder.RECORD_BYTES) {
-        flush();
-      }
-      long turnUs = reader.turnUs() - shiftUs;
-      long lastUs = reader.started() ? reader.lastUs() - shiftUs : Long.MAX_VALUE;
+      output.room(DatDecoder.RECORD_BYTES);
+      long turnUs = clock.turnUs();
+      long lastUs = clock.started() ? clock.lastUs() : Long.MAX_VALUE;
       int position = buffer.position();
       int stop = Math.min(size, i + buffer.remaining() / DatDecoder.RECORD_BYTES);
       for (; i < stop; i++) {
@@ -94,8 +87,8 @@ final class DatWriter implements RecordingWriter {
         position += DatDecoder.RECORD_BYTES;
       }
       buffer.position(position);
-      if (reader.started()) {
-        reader.advance(lastUs + shiftUs);
+      if (clock.started()) {
+        clock.advance(lastUs);
       }
       if (i < stop) {
         writeWithCare(times[i], addresses[i]);
@@ -120,48 +113,26 @@ final class DatWriter implements RecordingWriter {
       outside++;
       return;
     }
-    long readUs = reader.read(timeUs & 0xffffffffL);
-    reader.take(readUs);
-    if (readUs - timeUs != shiftUs) {
-      shiftUs = readUs - timeUs;
-      shifts++;
-    }
-    buffer.putLong(record(timeUs, x, y, address));
-  }
-
-  private void flush() throws IOException {
-    buffer.flip();
-    file.write(buffer);
-    buffer.clear();
+    clock.take(timeUs, timeUs & 0xffffffffL);
+    output.bytes().putLong(record(timeUs, x, y, address));
   }
 
   private void start(long firstTurnUs) throws IOException {
     // A start too far from 0 for the header line counts as a leap.
     boolean tooFar = firstTurnUs > DatFormat.MAX_BASE_US || firstTurnUs < -DatFormat.MAX_BASE_US;
     long turnUs = tooFar ? 0 : firstTurnUs;
-    reader = new WrappingClock(TURN_US, turnUs);
-    StringBuilder text = new StringBuilder();
-    line(text, "Data file containing CD events");
-    line(text, "Version 2");
-    line(text, "Width " + width);
-    line(text, "Height " + (top + 1));
+    clock = new WrittenClock(turnUs);
+    HeaderText text = PropheseeHeader.text();
+    text.line("Data file containing CD events");
+    text.line("Version 2");
+    text.line("Width " + width);
+    text.line("Height " + (top + 1));
     if (turnUs != 0) {
-      line(text, DatFormat.TIME_BASE + " " + turnUs);
+      text.line(DatFormat.TIME_BASE + " " + turnUs);
     }
-    for (Map.Entry<String, String> entry : new TreeMap<>(options.metadata()).entrySet()) {
-      String key = entry.getKey().strip().replaceAll("\\s+", "_");
-      if (!key.isEmpty() && !OWN_KEYS.contains(key.toLowerCase(Locale.ROOT))) {
-        line(text, key + " " + entry.getValue());
-      }
-    }
-    file.write(ByteBuffer.wrap(text.toString().getBytes(StandardCharsets.US_ASCII)));
-    file.write(ByteBuffer.wrap(new byte[] {DatFormat.CD, DatDecoder.RECORD_BYTES}));
-  }
-
-  private static void line(StringBuilder text, String line) {
-    text.append("% ");
-    line.chars().forEach(c -> text.append(c < ' ' ? ' ' : c > '~' ? '?' : (char) c));
-    text.append('\n');
+    PropheseeHeader.addMetadata(text, options.metadata(), OWN_KEYS);
+    output.header(text.bytes());
+    output.bytes().put((byte) DatFormat.CD).put((byte) DatDecoder.RECORD_BYTES);
   }
 
   @Override
@@ -176,26 +147,22 @@ final class DatWriter implements RecordingWriter {
               + narrowed
               + " events less a multiple of 4294967296 us");
     }
-    if (shifts > 0) {
-      lines.add(
-          shifts
-              + " leaps of time are too long for the format's 32-bit clock;"
-              + " the times behind them read back shifted");
+    if (clock != null) {
+      clock.loss().ifPresent(lines::add);
     }
     return lines;
   }
 
   @Override
   public void finish() throws IOException {
-    if (reader == null) {
+    if (clock == null) {
       start(0);
     }
-    flush();
-    file.commit();
+    output.finish();
   }
 
   @Override
   public void close() throws IOException {
-    file.close();
+    output.close();
   }
 }

@@ -231,14 +231,14 @@ public final class EventStreamDecoder implements StreamDecoder {
   @Override
   public void save(long[] state, int at) {
     state[at] = timeUs;
-    state[at + 1] = times.lastUs();
+    times.save(state, at + 1);
     state[at + 2] = skip;
   }
 
   @Override
   public void restore(long[] state, int at) {
     timeUs = state[at];
-    times.restore(state[at + 1]);
+    times.restore(state, at + 1);
     skip = state[at + 2];
   }
 }

@@ -4,6 +4,7 @@ import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.AtomicFile;
+import haltere.core.format.OutputBuffer;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.WriteOptions;
 import java.io.IOException;
@@ -20,15 +21,13 @@ import java.util.List;
  * told by {@link #losses}, since the format has no place to write it down.
  */
 final class EventStreamWriter implements RecordingWriter {
-  private static final int BUFFER_BYTES = 256 * 1024;
   private static final int EVENT_BYTES = 5;
   private static final int OVERFLOW_US = 0x7f;
   private static final long LONGEST_LEAP_US = 86_400_000_000L;
 
-  private final AtomicFile file;
+  private final OutputBuffer output;
   private final SensorGeometry geometry;
-  private final ByteBuffer buffer =
-      ByteBuffer.allocateDirect(BUFFER_BYTES).order(ByteOrder.LITTLE_ENDIAN);
+  private final ByteBuffer buffer;
 
   /** What is taken from times; changes where the format cannot hold them. */
   private long baseUs;
@@ -41,7 +40,9 @@ final class EventStreamWriter implements RecordingWriter {
 
   EventStreamWriter(Path path, WriteOptions options) throws IOException {
     geometry = options.geometry();
-    file = AtomicFile.create(path, options.overwrite());
+    output =
+        new OutputBuffer(AtomicFile.create(path, options.overwrite()), ByteOrder.LITTLE_ENDIAN);
+    buffer = output.bytes();
     buffer.put(EventStreamHeader.MAGIC).put(new byte[] {2, 0, 0, EventStreamHeader.DVS});
     buffer.putShort((short) geometry.width()).putShort((short) geometry.height());
   }
@@ -55,9 +56,7 @@ final class EventStreamWriter implements RecordingWriter {
     int topRow = geometry.height() - 1;
     int i = 0;
     while (i < size) {
-      if (buffer.remaining() < EVENT_BYTES) {
-        flush();
-      }
+      output.room(EVENT_BYTES);
       int position = buffer.position();
       int stop = Math.min(size, i + buffer.remaining() / EVENT_BYTES);
       long lastUs = writtenUs + baseUs;
@@ -106,17 +105,9 @@ final class EventStreamWriter implements RecordingWriter {
     long overflows = (timeUs - baseUs - writtenUs) / OVERFLOW_US;
     writtenUs += overflows * OVERFLOW_US;
     for (; overflows > 0; overflows--) {
-      if (!buffer.hasRemaining()) {
-        flush();
-      }
+      output.room(1);
       buffer.put((byte) 0xff);
     }
-  }
-
-  private void flush() throws IOException {
-    buffer.flip();
-    file.write(buffer);
-    buffer.clear();
   }
 
   @Override
@@ -139,12 +130,11 @@ final class EventStreamWriter implements RecordingWriter {
 
   @Override
   public void finish() throws IOException {
-    flush();
-    file.commit();
+    output.finish();
   }
 
   @Override
   public void close() throws IOException {
-    file.close();
+    output.close();
   }
 }

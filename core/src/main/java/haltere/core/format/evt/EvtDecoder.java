@@ -73,14 +73,14 @@ public abstract sealed class EvtDecoder implements StreamDecoder
   /** {@link EvtReadingCursor} goes by these numbers too. */
   @Override
   public void save(long[] state, int at) {
-    state[at] = times.lastUs();
+    times.save(state, at);
     state[at + 1] = clock.turnUs();
     state[at + 2] = (long) handedOver << 32 | clock.high() & 0xffffffffL;
   }
 
   @Override
   public void restore(long[] state, int at) {
-    times.restore(state[at]);
+    times.restore(state, at);
     clock.restore(state[at + 1], (int) state[at + 2]);
     handedOver = (int) (state[at + 2] >> 32);
   }

@@ -5,20 +5,18 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.event.SensorReading;
 import haltere.core.event.Trigger;
 import haltere.core.format.AtomicFile;
+import haltere.core.format.HeaderText;
+import haltere.core.format.OutputBuffer;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.WriteOptions;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
-import java.util.Map;
 import java.util.Set;
-import java.util.TreeMap;
 
 /**
  * What the writers of EVT words have in common: the header, the clock's high part, the buffer.
@@ -31,7 +29,6 @@ import java.util.TreeMap;
  */
 abstract sealed class EvtWriter implements RecordingWriter
     permits Evt2Writer, Evt21Writer, Evt3Writer {
-  private static final int BUFFER_BYTES = 256 * 1024;
   private static final long MAX_TURNS = 1 << 22;
 
   /** Turns at the start that are written out, a few bytes each, so that all programs see them. */
@@ -40,14 +37,14 @@ abstract sealed class EvtWriter implements RecordingWriter
   private static final Set<String> OWN_KEYS =
       Set.of("evt", "format", "geometry", "endianness", "end", EvtFormat.TIME_BASE);
 
-  final ByteBuffer buffer = ByteBuffer.allocateDirect(BUFFER_BYTES).order(ByteOrder.LITTLE_ENDIAN);
+  final ByteBuffer buffer;
   final int width;
   final int top;
 
   /** What a reader makes of the high parts that have been written. */
   final EvtClock reader;
 
-  private final AtomicFile file;
+  private final OutputBuffer output;
   private final WriteOptions options;
   private final long turnLengthUs;
   private long baseUs;
@@ -71,7 +68,9 @@ abstract sealed class EvtWriter implements RecordingWriter
     width = geometry.width();
     top = geometry.height() - 1;
     turnLengthUs = reader.turnLengthUs();
-    file = AtomicFile.create(path, options.overwrite());
+    output =
+        new OutputBuffer(AtomicFile.create(path, options.overwrite()), ByteOrder.LITTLE_ENDIAN);
+    buffer = output.bytes();
   }
 
   /** The header lines that tell the encoding. */
@@ -127,14 +126,8 @@ abstract sealed class EvtWriter implements RecordingWriter
   /** Makes room in the buffer. */
   final void room(int bytes) throws IOException {
     if (buffer.remaining() < bytes) {
-      flush();
+      output.flush();
     }
-  }
-
-  final void flush() throws IOException {
-    buffer.flip();
-    file.write(buffer);
-    buffer.clear();
   }
 
   /**
@@ -172,31 +165,20 @@ abstract sealed class EvtWriter implements RecordingWriter
   private void start(long turnUs) throws IOException {
     started = true;
     baseUs = turnUs;
-    StringBuilder text = new StringBuilder();
+    HeaderText text = PropheseeHeader.text();
     if (Math.abs(turnUs) > EvtFormat.MAX_BASE_US) {
       shifts++;
     } else if (turnUs != 0) {
       statedBaseUs = turnUs;
-      line(text, EvtFormat.TIME_BASE + " " + turnUs);
+      text.line(EvtFormat.TIME_BASE + " " + turnUs);
     }
     for (String line : encodingLines()) {
-      line(text, line);
+      text.line(line);
     }
-    line(text, "geometry " + options.geometry());
-    for (Map.Entry<String, String> entry : new TreeMap<>(options.metadata()).entrySet()) {
-      String key = entry.getKey().strip().replaceAll("\\s+", "_");
-      if (!key.isEmpty() && !OWN_KEYS.contains(key.toLowerCase(Locale.ROOT))) {
-        line(text, key + " " + entry.getValue());
-      }
-    }
-    line(text, "end");
-    file.write(ByteBuffer.wrap(text.toString().getBytes(StandardCharsets.US_ASCII)));
-  }
-
-  private static void line(StringBuilder text, String line) {
-    text.append("% ");
-    line.chars().forEach(c -> text.append(c < ' ' ? ' ' : c > '~' ? '?' : (char) c));
-    text.append('\n');
+    text.line("geometry " + options.geometry());
+    PropheseeHeader.addMetadata(text, options.metadata(), OWN_KEYS);
+    text.line("end");
+    output.header(text.bytes());
   }
 
   @Override
@@ -225,12 +207,11 @@ abstract sealed class EvtWriter implements RecordingWriter
     if (!started) {
       start(0);
     }
-    flush();
-    file.commit();
+    output.finish();
   }
 
   @Override
   public final void close() throws IOException {
-    file.close();
+    output.close();
   }
 }

@@ -1,5 +1,6 @@
 package haltere.core.format.evt;
 
+import haltere.core.format.HeaderText;
 import haltere.core.format.RecordingFile;
 import haltere.core.format.RecordingProblem;
 import java.io.IOException;
@@ -7,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -39,6 +41,34 @@ public record PropheseeHeader(Map<String, String> keys, int dataOffset, boolean 
   /** Copies the keys. */
   public PropheseeHeader {
     keys = Map.copyOf(keys);
+  }
+
+  /**
+   * A header to be written.
+   *
+   * @return without lines
+   */
+  public static HeaderText text() {
+    return new HeaderText("% ", "\n");
+  }
+
+  /**
+   * Adds what is known of a recording to a header, in the order of its keys.
+   *
+   * @param text the header
+   * @param metadata by key; what is no word becomes one
+   * @param ownKeys those that the format writes by itself, which are left out
+   */
+  public static void addMetadata(
+      HeaderText text, Map<String, String> metadata, Set<String> ownKeys) {
+    new TreeMap<>(metadata)
+        .forEach(
+            (name, value) -> {
+              String key = name.strip().replaceAll("\\s+", "_");
+              if (!key.isEmpty() && !ownKeys.contains(key.toLowerCase(Locale.ROOT))) {
+                text.line(key + " " + value);
+              }
+            });
   }
 
   /**

@@ -248,13 +248,13 @@ final class Hdf5Cursor implements EventCursor {
   @Override
   public void save(long[] state, int at) {
     state[at] = row;
-    state[at + 1] = times.lastUs();
+    times.save(state, at + 1);
   }
 
   @Override
   public void restore(long[] state, int at) {
     row = state[at];
-    times.restore(state[at + 1]);
+    times.restore(state, at + 1);
   }
 
   @Override
