@@ -1,16 +1,19 @@
 package haltere.core.playback;
 
 import haltere.core.event.EventPacket;
+import haltere.core.event.SensorReading;
 import haltere.core.stream.Reset;
+import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.LongConsumer;
 
 /**
- * The newest events of a stream and the notifications between them, 8 bytes an event, in bounded
- * memory: where there is no more room the oldest are forgotten, some thousand at a time. Memory is
- * taken as events come, and used again.
+ * The newest events of a stream, and the notifications and readings between them, 8 bytes an event,
+ * in bounded memory: where there is no more room the oldest are forgotten, some thousand at a time.
+ * Memory is taken as events come, and used again.
  *
  * <p>Places are on the elapsed timeline, in microseconds. Thread rule: one thread at a time.
  */
@@ -25,6 +28,7 @@ final class EventHistory {
     private int count;
     private long firstTimeUs;
     private long offsetUs;
+    private long eventsBefore;
     private StreamNotification before;
 
     long fromUs() {
@@ -64,7 +68,11 @@ final class EventHistory {
   private final int mostChunks;
   private final List<Chunk> chunks = new ArrayList<>();
   private final ArrayDeque<Chunk> spare = new ArrayDeque<>();
+  private final KeptReadings readings;
   private StreamNotification pending;
+
+  /** Events so far, those forgotten included. */
+  private long events;
 
   // Where reading is.
   private int chunk;
@@ -77,7 +85,18 @@ final class EventHistory {
    * @param mostEvents about so many are kept
    */
   EventHistory(int mostEvents) {
+    this(mostEvents, KeptReadings.MOST_BYTES);
+  }
+
+  /**
+   * A history without events.
+   *
+   * @param mostEvents about so many are kept
+   * @param mostReadingBytes about so much is kept of readings
+   */
+  EventHistory(int mostEvents, long mostReadingBytes) {
     mostChunks = Math.max(2, mostEvents / CHUNK_EVENTS);
+    readings = new KeptReadings(mostReadingBytes);
   }
 
   boolean isEmpty() {
@@ -103,6 +122,7 @@ final class EventHistory {
   void clear() {
     spare.addAll(chunks);
     chunks.clear();
+    readings.clear();
     pending = null;
     toEnd();
   }
@@ -120,6 +140,7 @@ final class EventHistory {
       }
       last.sinceFirstUs[last.count] = (int) (times[i] - last.firstTimeUs);
       last.addresses[last.count++] = addresses[i];
+      events++;
     }
     toEnd();
   }
@@ -127,11 +148,13 @@ final class EventHistory {
   private Chunk begin(long timeUs, long offsetUs) {
     if (chunks.size() == mostChunks) {
       spare.add(chunks.remove(0));
+      readings.forgetBefore(chunks.get(0).eventsBefore);
     }
     Chunk begun = spare.isEmpty() ? new Chunk() : spare.pop();
     begun.count = 0;
     begun.firstTimeUs = timeUs;
     begun.offsetUs = offsetUs;
+    begun.eventsBefore = events;
     begun.before = pending;
     pending = null;
     chunks.add(begun);
@@ -146,15 +169,27 @@ final class EventHistory {
     toEnd();
   }
 
+  /** Keeps a reading. */
+  void append(SensorReading reading, long offsetUs) {
+    readings.add(new KeptReadings.Kept(reading, offsetUs, events, pending != null));
+    toEnd();
+  }
+
   // ---- Reading
 
   private void toEnd() {
     chunk = chunks.size();
     index = 0;
     noticeGiven = true;
+    readings.toEnd();
   }
 
-  /** Reads on at the first event at or after a place, or at the end. */
+  /** How many events came before the one that is read next. */
+  private long nextEvent() {
+    return chunk < chunks.size() ? chunks.get(chunk).eventsBefore + index : events;
+  }
+
+  /** Reads on at the first event or reading at or after a place, or at the end. */
   void read(long elapsedUs) {
     chunk = 0;
     while (chunk < chunks.size() && chunks.get(chunk).lastUs() < elapsedUs) {
@@ -162,29 +197,54 @@ final class EventHistory {
     }
     index = chunk < chunks.size() ? chunks.get(chunk).indexAtOrAfter(elapsedUs) : 0;
     noticeGiven = true;
+    readings.read(nextEvent(), elapsedUs);
   }
 
   /** Whether all that is kept has been read. */
   boolean atEnd() {
-    return chunk == chunks.size();
-  }
-
-  /** The notification that comes next, or null if events do; only if not at the end. */
-  StreamNotification nextNotice() {
-    StreamNotification next = noticeGiven ? null : chunks.get(chunk).before;
-    noticeGiven = true;
-    return next;
+    return chunk == chunks.size() && readings.atEnd();
   }
 
   /**
-   * Reads events.
+   * Hands over what comes next; only if not at the end.
    *
-   * @param target receives at most {@value PlaybackEngine#CHUNK_EVENTS}, in place of what it has
-   * @return elapsed time less time of them
+   * @param piece for events; what it has is dropped
+   * @param place told elapsed time less time of what comes next, before that is handed over
    */
-  long readInto(EventPacket target) {
+  void next(EventPacket piece, LongConsumer place, StreamHandler handler) {
+    if (isReadingNext()) {
+      KeptReadings.Kept next = readings.peek();
+      readings.skip();
+      place.accept(next.offsetUs());
+      handler.reading(next.reading());
+      return;
+    }
+    StreamNotification notice = noticeGiven ? null : chunks.get(chunk).before;
+    noticeGiven = true;
+    if (notice != null) {
+      handler.notified(notice);
+    } else {
+      place.accept(readInto(piece));
+      handler.packet(piece);
+    }
+  }
+
+  private boolean isReadingNext() {
+    if (readings.atEnd()) {
+      return false;
+    }
+    KeptReadings.Kept next = readings.peek();
+    return next.eventsBefore() < nextEvent()
+        || next.eventsBefore() == nextEvent() && (noticeGiven || !next.afterNotice());
+  }
+
+  /** Reads events up to the next reading; elapsed time less time of them. */
+  private long readInto(EventPacket target) {
     Chunk read = chunks.get(chunk);
     int to = Math.min(read.count, index + PlaybackEngine.CHUNK_EVENTS);
+    if (!readings.atEnd()) {
+      to = (int) Math.min(to, readings.peek().eventsBefore() - read.eventsBefore);
+    }
     target.clear();
     for (int i = index; i < to; i++) {
       target.append(read.timeUs(i), read.addresses[i]);
@@ -193,7 +253,7 @@ final class EventHistory {
     if (index == read.count) {
       chunk++;
       index = 0;
-      noticeGiven = false;
+      noticeGiven = chunk == chunks.size();
     }
     return read.offsetUs;
   }
@@ -202,23 +262,60 @@ final class EventHistory {
 
   /** What is kept of a half-open stretch, to be read from its start. */
   EventHistory copy(long fromUs, long toUs) {
-    EventHistory copy = new EventHistory(Integer.MAX_VALUE);
-    EventPacket part = new EventPacket(CHUNK_EVENTS);
-    for (Chunk kept : chunks) {
-      int from = kept.indexAtOrAfter(fromUs);
-      int to = Math.max(from, kept.indexAtOrAfter(toUs));
-      if (kept.before != null && from == 0 && !copy.isEmpty()) {
-        copy.append(kept.before);
-      }
-      if (to > from) {
-        part.clear();
-        for (int i = from; i < to; i++) {
-          part.append(kept.timeUs(i), kept.addresses[i]);
-        }
-        copy.append(part, kept.offsetUs);
+    int chunkBefore = chunk;
+    int indexBefore = index;
+    boolean noticeBefore = noticeGiven;
+    int readingBefore = readings.place();
+    Copy copy = new Copy(toUs);
+    EventPacket piece = new EventPacket(PlaybackEngine.CHUNK_EVENTS);
+    read(fromUs);
+    while (!atEnd() && !copy.full) {
+      next(piece, copy, copy);
+    }
+    chunk = chunkBefore;
+    index = indexBefore;
+    noticeGiven = noticeBefore;
+    readings.returnTo(readingBefore);
+    copy.target.read(Long.MIN_VALUE);
+    return copy.target;
+  }
+
+  /** Keeps what comes before a place. */
+  private static final class Copy implements StreamHandler, LongConsumer {
+    private final EventHistory target = new EventHistory(Integer.MAX_VALUE, Long.MAX_VALUE);
+    private final long toUs;
+    private long offsetUs;
+    private boolean full;
+
+    Copy(long toUs) {
+      this.toUs = toUs;
+    }
+
+    @Override
+    public void accept(long newOffsetUs) {
+      offsetUs = newOffsetUs;
+    }
+
+    @Override
+    public void packet(EventPacket packet) {
+      int end = packet.indexAtOrAfter(toUs - offsetUs);
+      full = end < packet.size();
+      packet.truncate(end);
+      target.append(packet, offsetUs);
+    }
+
+    @Override
+    public void reading(SensorReading reading) {
+      if (reading.timeUs() + offsetUs < toUs) {
+        target.append(reading, offsetUs);
       }
     }
-    copy.read(Long.MIN_VALUE);
-    return copy;
+
+    @Override
+    public void notified(StreamNotification notification) {
+      if (!target.isEmpty()) {
+        target.append(notification);
+      }
+    }
   }
 }

@@ -13,12 +13,11 @@ import java.util.Objects;
 import java.util.OptionalLong;
 
 /**
- * A source that cannot be sought, such as a camera or a scene, whose newest events are kept, so
- * that one can go back to them, play them again at any speed, loop a part of them and take a copy.
- * Behind the newest of them it goes on with what the source gives then. A camera that is not
- * listened to meanwhile loses what it loses in a pause, and says so.
- *
- * <p>Readings (frames, inertial samples, triggers) are handed over once and not kept.
+ * A source that cannot be sought, such as a camera or a scene, whose newest events are kept, and
+ * the readings (frames, inertial samples, triggers) between them, so that one can go back to them,
+ * play them again at any speed, loop a part of them and take a copy. Behind the newest of them it
+ * goes on with what the source gives then. A camera that is not listened to meanwhile loses what it
+ * loses in a pause, and says so.
  *
  * <p>Thread rule: as {@link Playable}; {@link #isLive()}, {@link #keptFromUs()} and {@link
  * #keptToUs()} from any thread.
@@ -42,7 +41,7 @@ public final class KeptPlayable implements Playable {
    *
    * @param source at its start; closed with this
    * @param mostEvents so many of its newest events are kept, at 8 bytes each; at least some ten
-   *     thousand
+   *     thousand. Readings are kept as long as the events beside them, in at most 72 MB
    */
   public KeptPlayable(Playable source, int mostEvents) {
     this.source = Objects.requireNonNull(source, "source");
@@ -146,7 +145,7 @@ public final class KeptPlayable implements Playable {
     // not before the last piece has been asked for and played: until then it is paced
     replaying &= !history.atEnd();
     if (replaying) {
-      replay(handler);
+      history.next(again, offset -> offsetUs = offset, handler);
       return true;
     }
     if (end != null) {
@@ -158,16 +157,6 @@ public final class KeptPlayable implements Playable {
       return false;
     }
     return source.next(keeper.of(handler));
-  }
-
-  private void replay(StreamHandler handler) {
-    StreamNotification notice = history.nextNotice();
-    if (notice != null) {
-      handler.notified(notice);
-      return;
-    }
-    offsetUs = history.readInto(again);
-    handler.packet(again);
   }
 
   private void published() {
@@ -197,6 +186,7 @@ public final class KeptPlayable implements Playable {
     @Override
     public void reading(SensorReading reading) {
       offsetUs = source.elapsedUs(reading.timeUs()) - reading.timeUs();
+      history.append(reading, offsetUs);
       handler.reading(reading);
     }
 

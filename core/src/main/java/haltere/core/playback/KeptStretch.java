@@ -9,7 +9,7 @@ import haltere.core.stream.StreamNotification;
 import haltere.core.stream.StreamStarted;
 import java.util.OptionalLong;
 
-/** A copy of events that were kept, to be played on its own. */
+/** A copy of events and readings that were kept, to be played on its own. */
 final class KeptStretch implements Playable {
   private final String name;
   private final SensorGeometry geometry;
@@ -70,19 +70,9 @@ final class KeptStretch implements Playable {
       ended = true;
       handler.notified(new EndOfStream(StreamNotification.NO_TIME_US));
     } else {
-      read(handler);
+      events.next(packet, offset -> offsetUs = offset, handler);
     }
     return true;
-  }
-
-  private void read(StreamHandler handler) {
-    StreamNotification notice = events.nextNotice();
-    if (notice != null) {
-      handler.notified(notice);
-    } else {
-      offsetUs = events.readInto(packet);
-      handler.packet(packet);
-    }
   }
 
   @Override
