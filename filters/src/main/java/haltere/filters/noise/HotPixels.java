@@ -144,17 +144,41 @@ public final class HotPixels {
   }
 
   private int countAndKeep(EventPacket packet, int from, int to, int keptBefore) {
-    int kept = keptBefore;
+    if (count(packet.addresses(), from, to)) {
+      return keepOpen(packet, from, to, keptBefore);
+    }
+    for (int i = from; i < to && keptBefore < from; i++) {
+      packet.move(i, keptBefore + i - from);
+    }
+    return keptBefore + to - from;
+  }
+
+  /** Counts events; whether any is of a blocked pixel. */
+  private boolean count(int[] addresses, int from, int to) {
+    int[] counts = cells;
+    int candidate = threshold;
+    int seen = 0;
     for (int i = from; i < to; i++) {
-      int address = packet.address(i);
-      int pixel = EventAddress.y(address) * width + EventAddress.x(address);
-      int cell = cells[pixel] + 1;
-      cells[pixel] = cell;
-      if ((cell & ~BLOCKED) == threshold) {
+      int pixel = EventAddress.y(addresses[i]) * width + EventAddress.x(addresses[i]);
+      int cell = counts[pixel] + 1;
+      counts[pixel] = cell;
+      seen |= cell;
+      if ((cell & ~BLOCKED) == candidate) {
         addCandidate(pixel);
       }
-      packet.move(i, kept);
-      kept += ~cell >>> 31;
+    }
+    return seen < 0;
+  }
+
+  private int keepOpen(EventPacket packet, int from, int to, int keptBefore) {
+    long[] timesUs = packet.timesUs();
+    int[] addresses = packet.addresses();
+    int kept = keptBefore;
+    for (int i = from; i < to; i++) {
+      int address = addresses[i];
+      timesUs[kept] = timesUs[i];
+      addresses[kept] = address;
+      kept += ~cells[EventAddress.y(address) * width + EventAddress.x(address)] >>> 31;
     }
     return kept;
   }
