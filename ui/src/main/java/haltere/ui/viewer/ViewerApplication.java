@@ -9,6 +9,8 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.Future;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
+import javafx.animation.AnimationTimer;
 import javafx.application.Platform;
 import javafx.stage.Stage;
 
@@ -18,6 +20,8 @@ import javafx.stage.Stage;
  * <p>Thread rule: {@link #open} on the program's main thread; the rest is JavaFX's.
  */
 public final class ViewerApplication {
+  private static final int REHEARSED_PICTURES = 20;
+
   private ViewerApplication() {}
 
   /**
@@ -29,6 +33,37 @@ public final class ViewerApplication {
    * @return empty if the window was opened and closed again; one line that says why not otherwise
    */
   public static Optional<String> open(Optional<Path> file, ReadOptions options) {
+    return open(file, options, UserSettings.load(ConfigFolder.ofUser()), window -> {});
+  }
+
+  /**
+   * Opens the window on the built-in scene, without the user's settings, and closes it once it has
+   * shown some pictures.
+   *
+   * @return as {@link #open}
+   */
+  public static Optional<String> rehearse() {
+    return open(
+        Optional.empty(),
+        ReadOptions.DEFAULT,
+        UserSettings.inMemory(),
+        window ->
+            new AnimationTimer() {
+              @Override
+              public void handle(long now) {
+                if (window.framesShown() > REHEARSED_PICTURES) {
+                  stop();
+                  window.actions().run("quit");
+                }
+              }
+            }.start());
+  }
+
+  private static Optional<String> open(
+      Optional<Path> file,
+      ReadOptions options,
+      UserSettings settings,
+      Consumer<ViewerWindow> opened) {
     CountDownLatch closed = new CountDownLatch(1);
     AtomicReference<Throwable> problem = new AtomicReference<>();
     // the first session is made ready while JavaFX starts
@@ -37,12 +72,11 @@ public final class ViewerApplication {
     Thread ahead = new Thread(first, "haltere-first");
     ahead.setDaemon(true);
     ahead.start();
-    UserSettings settings = UserSettings.load(ConfigFolder.ofUser());
     try {
       Platform.startup(
           () -> {
             try {
-              show(first, file, options, settings, closed);
+              opened.accept(show(first, file, options, settings, closed));
             } catch (RuntimeException | Error broken) {
               problem.set(broken);
               closed.countDown();
@@ -79,7 +113,7 @@ public final class ViewerApplication {
             .anyMatch(frame -> frame.getClassName().startsWith("com.sun.javafx.font"));
   }
 
-  private static void show(
+  private static ViewerWindow show(
       Future<ViewerSession> first,
       Optional<Path> file,
       ReadOptions options,
@@ -98,5 +132,6 @@ public final class ViewerApplication {
             });
     window.open(first, file.map(Path::toString).orElse("the fly scene"), options);
     stage.show();
+    return window;
   }
 }
