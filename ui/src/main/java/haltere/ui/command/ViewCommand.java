@@ -23,10 +23,12 @@ final class ViewCommand extends Subcommand {
 
   @Override
   public Integer call() throws IOException {
-    if (file != null) {
+    boolean display = surroundings().window().hasDisplay();
+    if (file != null && (surroundings().errIsTerminal() || !display)) {
+      // who has no terminal, as from a desktop entry, is told of a bad recording in the window
       reading.open(file).close();
     }
-    if (!surroundings().window().hasDisplay()) {
+    if (!display) {
       throw new CommandProblem(
           "there is no display to open a window on: set DISPLAY, or use haltere info and haltere run,"
               + " which need none");

@@ -1,14 +1,13 @@
 package haltere.ui.export;
 
 import java.awt.image.BufferedImage;
-import java.io.BufferedOutputStream;
 import java.io.File;
 import java.io.IOException;
-import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -22,16 +21,19 @@ public final class Mp4Writer implements FilmWriter {
   /** System property that names the program where it is not on the path. */
   public static final String PROPERTY = "haltere.ffmpeg";
 
-  private static final long PATIENCE_S = 60;
+  private static final Duration PATIENCE = Duration.ofSeconds(60);
+
+  /** For a program that has been killed, until it is gone. */
+  private static final long GONE_S = 5;
 
   private final Path target;
   private final Path partial;
   private final Path said;
   private final double framesPerSecond;
   private final Path program;
+  private final Duration patience;
   private Process process;
-  private OutputStream pipe;
-  private byte[] bytes = new byte[0];
+  private ProcessFeed feed;
 
   /**
    * Begins a film.
@@ -41,6 +43,19 @@ public final class Mp4Writer implements FilmWriter {
    * @throws IOException with one line for a person if there is no ffmpeg
    */
   public Mp4Writer(Path target, double framesPerSecond) throws IOException {
+    this(target, framesPerSecond, PATIENCE);
+  }
+
+  /**
+   * Begins a film.
+   *
+   * @param target where; a file that is there is replaced
+   * @param framesPerSecond pictures a second
+   * @param patience the program is ended when it takes or does nothing for so long
+   * @throws IOException with one line for a person if there is no ffmpeg
+   */
+  public Mp4Writer(Path target, double framesPerSecond, Duration patience) throws IOException {
+    this.patience = patience;
     this.target = target;
     this.framesPerSecond = framesPerSecond;
     program =
@@ -82,18 +97,14 @@ public final class Mp4Writer implements FilmWriter {
     }
     int pixels = image.getWidth() * image.getHeight();
     int[] rgb = image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth());
-    if (bytes.length != 3 * pixels) {
-      bytes = new byte[3 * pixels];
-    }
+    byte[] bytes = new byte[3 * pixels];
     for (int i = 0; i < pixels; i++) {
       bytes[3 * i] = (byte) (rgb[i] >> 16);
       bytes[3 * i + 1] = (byte) (rgb[i] >> 8);
       bytes[3 * i + 2] = (byte) rgb[i];
     }
-    try {
-      pipe.write(bytes);
-    } catch (IOException broken) {
-      throw new IOException("ffmpeg stopped: " + lastWords(), broken);
+    if (!taken(feed -> feed.hand(bytes))) {
+      throw new IOException("ffmpeg has taken no picture for " + seconds());
     }
   }
 
@@ -129,7 +140,7 @@ public final class Mp4Writer implements FilmWriter {
     builder.redirectErrorStream(true);
     builder.redirectOutput(said.toFile());
     process = builder.start();
-    pipe = new BufferedOutputStream(process.getOutputStream(), 1 << 16);
+    feed = new ProcessFeed(process, patience);
   }
 
   private String lastWords() throws IOException {
@@ -142,14 +153,9 @@ public final class Mp4Writer implements FilmWriter {
     if (process == null) {
       throw new IOException("there are no pictures in this stretch of time");
     }
-    try {
-      pipe.close();
-      if (!process.waitFor(PATIENCE_S, TimeUnit.SECONDS)) {
-        throw new IOException("ffmpeg did not come to its end within " + PATIENCE_S + " s");
-      }
-    } catch (InterruptedException told) {
-      Thread.currentThread().interrupt();
-      throw new IOException("the export was ended", told);
+    if (!taken(ProcessFeed::end)
+        || !taken(feed -> process.waitFor(patience.toMillis(), TimeUnit.MILLISECONDS))) {
+      throw new IOException("ffmpeg did not come to its end within " + seconds());
     }
     if (process.exitValue() != 0) {
       throw new IOException("ffmpeg failed: " + lastWords());
@@ -157,12 +163,50 @@ public final class Mp4Writer implements FilmWriter {
     Files.move(partial, target, StandardCopyOption.REPLACE_EXISTING);
   }
 
+  /** Something that is done by the program, or not in time. */
+  private interface Step {
+    boolean isDone(ProcessFeed feed) throws IOException, InterruptedException;
+  }
+
+  private boolean taken(Step step) throws IOException {
+    try {
+      return step.isDone(feed);
+    } catch (InterruptedException told) {
+      Thread.currentThread().interrupt();
+      throw new IOException("the export was ended", told);
+    } catch (IOException broken) {
+      throw new IOException("ffmpeg stopped: " + lastWords(), broken);
+    }
+  }
+
+  private String seconds() {
+    return String.format(Locale.ROOT, "%.0f s", patience.toMillis() / 1e3);
+  }
+
+  /** {@inheritDoc} A program that is still at work is ended. */
   @Override
   public void close() throws IOException {
     if (process != null && process.isAlive()) {
       process.destroyForcibly();
+      awaitGone();
+    }
+    if (feed != null) {
+      feed.stop();
     }
     Files.deleteIfExists(partial);
     Files.deleteIfExists(said);
+  }
+
+  /** A file that is still being written could not be deleted for good. */
+  private void awaitGone() {
+    boolean told = Thread.interrupted();
+    try {
+      process.waitFor(GONE_S, TimeUnit.SECONDS);
+    } catch (InterruptedException again) {
+      told = true;
+    }
+    if (told) {
+      Thread.currentThread().interrupt();
+    }
   }
 }

@@ -32,6 +32,7 @@ final class ChainEditor {
   private final String prefix;
   private final ChainEditor outermost;
   private Optional<ChainAccess> player = Optional.empty();
+  private Optional<ChainPresets> presets = Optional.empty();
 
   /**
    * An editor without a chain.
@@ -101,6 +102,16 @@ final class ChainEditor {
   /** What can be taken back. */
   EditHistory history() {
     return history;
+  }
+
+  /** Says where chains are kept under a name, for this one and those inside of it. */
+  void setPresets(ChainPresets kept) {
+    presets = Optional.of(kept);
+  }
+
+  /** Where chains are kept under a name, if anywhere. */
+  Optional<ChainPresets> presets() {
+    return outermost.presets;
   }
 
   /** Adds a filter with default settings at the end. */

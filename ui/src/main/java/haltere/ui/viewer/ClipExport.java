@@ -27,6 +27,7 @@ final class ClipExport implements StreamHandler {
   private final Playable playable;
   private final FilterChain chain;
   private final DisplaySink display;
+  private final Overlays overlays;
   private final FilmWriter film;
   private final long fromUs;
   private final long toUs;
@@ -42,6 +43,7 @@ final class ClipExport implements StreamHandler {
    * @param playable closed by the caller
    * @param chain for its sensor
    * @param options how events are shown
+   * @param overlays what lies over them
    * @param fromUs start on the elapsed timeline
    * @param toUs end, not included
    * @param pictureUs recording time from one picture to the next
@@ -50,6 +52,7 @@ final class ClipExport implements StreamHandler {
       Playable playable,
       FilterChain chain,
       DisplayOptions options,
+      Overlays overlays,
       FilmWriter film,
       long fromUs,
       long toUs,
@@ -65,7 +68,9 @@ final class ClipExport implements StreamHandler {
     }
     this.playable = playable;
     this.chain = chain;
-    this.display = new DisplaySink(playable.geometry(), chain, options);
+    this.display = DisplaySink.direct(playable.geometry(), chain, options);
+    this.overlays = overlays;
+    display.setRegion(overlays.region());
     this.film = film;
     this.fromUs = fromUs;
     this.toUs = toUs;
@@ -145,7 +150,7 @@ final class ClipExport implements StreamHandler {
     display.endSlice(Math.round(nextUs() - pictureUs) + offsetUs, Math.round(nextUs()) + offsetUs);
     try {
       stopIfAsked();
-      film.add(display.picture());
+      film.add(display.picture(overlays));
     } catch (IOException problem) {
       throw new UncheckedIOException(problem);
     }

@@ -123,6 +123,7 @@ final class CompareFeature implements ViewerFeature {
     view.setGeometry(made.chain().geometry(), window.display().options().colours());
     List<StageState> stages = StageState.of(made.chain());
     player.addRawSink(made);
+    window.editor().presets().ifPresent(editor::setPresets);
     editor.setAccess(change -> player.edit(first -> change.accept(made.chain())));
     showStages(stages);
   }

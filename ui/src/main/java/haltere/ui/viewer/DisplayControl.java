@@ -1,8 +1,10 @@
 package haltere.ui.viewer;
 
+import haltere.ui.measure.PixelRegion;
 import haltere.ui.rendering.ColourMap;
 import haltere.ui.rendering.DisplayMode;
 import haltere.ui.rendering.Gradient;
+import java.util.Optional;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleBooleanProperty;
@@ -24,6 +26,10 @@ final class DisplayControl {
   private final ObjectProperty<Gradient> gradient =
       new SimpleObjectProperty<>(DisplayOptions.DEFAULT.gradient());
   private final BooleanProperty marks = new SimpleBooleanProperty(true);
+  private final ObjectProperty<Optional<PixelRegion>> region =
+      new SimpleObjectProperty<>(Optional.empty());
+  private final ObjectProperty<Optional<MeasuredLine>> tape =
+      new SimpleObjectProperty<>(Optional.empty());
 
   DisplayControl() {
     // a theme brings the colours that go with it
@@ -54,6 +60,21 @@ final class DisplayControl {
   /** Whether marks of the filters are drawn over the events. */
   BooleanProperty marksProperty() {
     return marks;
+  }
+
+  /** The region of interest. */
+  ObjectProperty<Optional<PixelRegion>> regionProperty() {
+    return region;
+  }
+
+  /** What was measured. */
+  ObjectProperty<Optional<MeasuredLine>> tapeProperty() {
+    return tape;
+  }
+
+  /** What lies over the events. */
+  Overlays overlays() {
+    return new Overlays(marks.get(), region.get(), tape.get());
   }
 
   /** What the painter of events needs to know. */

@@ -121,13 +121,21 @@ final class ExportFeature implements ViewerFeature {
     double speed = window.playback().speedProperty().get();
     double pictureUs = (Double.isInfinite(speed) ? 1 : speed) * 1e6 / FRAMES_PER_SECOND;
     DisplayOptions options = window.display().options();
+    Overlays overlays = window.display().overlays();
     export(
         file,
         (part, playable, chain, progress) -> {
           try (FilmWriter film = film(file)) {
             ClipExport clip =
                 new ClipExport(
-                    playable, chain, options, film, part.fromUs(), part.toUs(), pictureUs);
+                    playable,
+                    chain,
+                    options,
+                    overlays,
+                    film,
+                    part.fromUs(),
+                    part.toUs(),
+                    pictureUs);
             return clip.run(progress) + " pictures";
           }
         });

@@ -17,6 +17,9 @@ import javafx.stage.Window;
  * <p>Thread rule: JavaFX thread only.
  */
 final class FileDialogs {
+  private static final ExtensionFilter ALL_FILES = new ExtensionFilter("All files", "*");
+  private static final ExtensionFilter CHAINS = new ExtensionFilter("Chains", "*.json");
+
   private final Window owner;
   private File folder;
 
@@ -29,90 +32,64 @@ final class FileDialogs {
     for (RecordingFormat format : Recordings.formats().values()) {
       format.extensions().forEach(extension -> endings.add("*." + extension));
     }
-    FileChooser chooser = chooser("Open recording");
-    chooser
-        .getExtensionFilters()
-        .addAll(
-            new ExtensionFilter("Recordings", List.copyOf(endings)),
-            new ExtensionFilter("All files", "*"));
-    return remembered(chooser.showOpenDialog(owner));
+    return open(
+        "Open recording", new ExtensionFilter("Recordings", List.copyOf(endings)), ALL_FILES);
   }
 
   Optional<Path> chainToLoad() {
-    FileChooser chooser = chooser("Load chain");
-    chooser.getExtensionFilters().add(new ExtensionFilter("Chains", "*.json"));
-    return remembered(chooser.showOpenDialog(owner));
+    return open("Load chain", CHAINS);
   }
 
   Optional<Path> chainToSave() {
-    FileChooser chooser = chooser("Save chain");
-    chooser.getExtensionFilters().add(new ExtensionFilter("Chains", "*.json"));
-    chooser.setInitialFileName("chain.json");
-    return remembered(chooser.showSaveDialog(owner));
+    return save("Save chain", "chain.json", CHAINS);
   }
 
   Optional<Path> picture() {
-    FileChooser chooser = chooser("Save picture");
-    chooser.getExtensionFilters().add(new ExtensionFilter("Pictures", "*.png"));
-    chooser.setInitialFileName("haltere.png");
-    return remembered(chooser.showSaveDialog(owner));
+    return save("Save picture", "haltere.png", new ExtensionFilter("Pictures", "*.png"));
   }
 
   Optional<Path> recordingToWrite() {
-    FileChooser chooser = chooser("Record to");
-    chooser.getExtensionFilters().add(new ExtensionFilter("AEDAT-4", "*.aedat4"));
-    chooser.setInitialFileName("recording.aedat4");
-    return remembered(chooser.showSaveDialog(owner));
+    return save("Record to", "recording.aedat4", new ExtensionFilter("AEDAT-4", "*.aedat4"));
   }
 
   Optional<Path> film() {
-    FileChooser chooser = chooser("Export film");
-    chooser
-        .getExtensionFilters()
-        .addAll(new ExtensionFilter("Animated GIF", "*.gif"), new ExtensionFilter("MP4", "*.mp4"));
-    chooser.setInitialFileName("haltere.gif");
-    return remembered(chooser.showSaveDialog(owner));
+    return save("Export film", "haltere.gif", new ExtensionFilter("Films", "*.gif", "*.mp4"));
   }
 
   Optional<Path> recordingToExport() {
-    FileChooser chooser = chooser("Export recording");
-    chooser.getExtensionFilters().add(new ExtensionFilter("All files", "*"));
-    chooser.setInitialFileName("part.aedat4");
-    return remembered(chooser.showSaveDialog(owner));
+    return save("Export recording", "part.aedat4", ALL_FILES);
   }
 
   Optional<Path> table() {
-    FileChooser chooser = chooser("Save plots as table");
-    chooser.getExtensionFilters().add(new ExtensionFilter("Tables", "*.csv"));
-    chooser.setInitialFileName("plots.csv");
-    return remembered(chooser.showSaveDialog(owner));
+    return save("Save plots as table", "plots.csv", new ExtensionFilter("Tables", "*.csv"));
   }
 
   Optional<Path> log() {
-    FileChooser chooser = chooser("Log wings to");
-    chooser.getExtensionFilters().add(new ExtensionFilter("Logs", "*.txt"));
-    chooser.setInitialFileName("wings.txt");
-    return remembered(chooser.showSaveDialog(owner));
+    return save("Log wings to", "wings.txt", new ExtensionFilter("Logs", "*.txt"));
   }
 
   Optional<Path> observations() {
-    FileChooser chooser = chooser("Open observations of several cameras");
-    chooser
-        .getExtensionFilters()
-        .addAll(
-            new ExtensionFilter("Observations", "*.csv", "*.braidz"),
-            new ExtensionFilter("All files", "*"));
-    return remembered(chooser.showOpenDialog(owner));
+    return open(
+        "Open observations of several cameras",
+        new ExtensionFilter("Observations", "*.csv", "*.braidz"),
+        ALL_FILES);
   }
 
   Optional<Path> cameras() {
-    FileChooser chooser = chooser("Open their cameras");
-    chooser
-        .getExtensionFilters()
-        .addAll(
-            new ExtensionFilter("Cameras", "*.json", "*.xml"),
-            new ExtensionFilter("All files", "*"));
+    return open("Open their cameras", new ExtensionFilter("Cameras", "*.json", "*.xml"), ALL_FILES);
+  }
+
+  private Optional<Path> open(String title, ExtensionFilter... filters) {
+    FileChooser chooser = chooser(title);
+    chooser.getExtensionFilters().addAll(filters);
     return remembered(chooser.showOpenDialog(owner));
+  }
+
+  private Optional<Path> save(String title, String name, ExtensionFilter... filters) {
+    FileChooser chooser = chooser(title);
+    chooser.getExtensionFilters().addAll(filters);
+    chooser.setInitialFileName(name);
+    return remembered(chooser.showSaveDialog(owner));
   }
 
   private FileChooser chooser(String title) {

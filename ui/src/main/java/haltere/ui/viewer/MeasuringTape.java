@@ -1,9 +1,8 @@
 package haltere.ui.viewer;
 
-import haltere.core.overlay.MarkStyle;
-import haltere.core.overlay.MarkStyle.Role;
 import haltere.core.overlay.OverlayCanvas;
-import java.util.Locale;
+import java.util.Optional;
+import javafx.beans.property.ObjectProperty;
 
 /**
  * Measures lengths and angles: drag from one place to another.
@@ -11,13 +10,18 @@ import java.util.Locale;
  * <p>Thread rule: JavaFX thread only.
  */
 final class MeasuringTape implements ViewTool {
-  private static final double TICK = 2;
-
-  private boolean laid;
+  private final ObjectProperty<Optional<MeasuredLine>> measured;
   private double fromX;
   private double fromY;
-  private double toX;
-  private double toY;
+
+  /**
+   * A tape.
+   *
+   * @param measured gets what is measured, and nothing when the tape is put aside
+   */
+  MeasuringTape(ObjectProperty<Optional<MeasuredLine>> measured) {
+    this.measured = measured;
+  }
 
   @Override
   public String hint() {
@@ -26,51 +30,28 @@ final class MeasuringTape implements ViewTool {
 
   @Override
   public void pressed(double x, double y) {
-    laid = false;
+    measured.set(Optional.empty());
     fromX = x;
     fromY = y;
   }
 
   @Override
   public void dragged(double x, double y) {
-    laid = true;
-    toX = x;
-    toY = y;
+    measured.set(Optional.of(new MeasuredLine(fromX, fromY, x, y)));
   }
 
   @Override
   public void putAside() {
-    laid = false;
+    measured.set(Optional.empty());
   }
 
   /** What was measured, in words; empty if nothing. */
   String words() {
-    if (!laid) {
-      return "";
-    }
-    double right = toX - fromX;
-    double up = toY - fromY;
-    return String.format(
-        Locale.ROOT,
-        "%.1f px   %.1f\u00b0   x %.1f   y %.1f",
-        Math.hypot(right, up),
-        Math.toDegrees(Math.atan2(up, right)),
-        right,
-        up);
+    return measured.get().map(MeasuredLine::words).orElse("");
   }
 
   @Override
   public void draw(OverlayCanvas canvas) {
-    if (!laid) {
-      return;
-    }
-    MarkStyle line = MarkStyle.of(Role.REGION);
-    double length = Math.max(1e-9, Math.hypot(toX - fromX, toY - fromY));
-    double acrossX = -(toY - fromY) / length * TICK;
-    double acrossY = (toX - fromX) / length * TICK;
-    canvas.line(fromX, fromY, toX, toY, line);
-    canvas.line(fromX - acrossX, fromY - acrossY, fromX + acrossX, fromY + acrossY, line);
-    canvas.line(toX - acrossX, toY - acrossY, toX + acrossX, toY + acrossY, line);
-    canvas.text(toX + 2, toY + 2, words(), MarkStyle.of(Role.LABEL));
+    measured.get().ifPresent(line -> line.draw(canvas));
   }
 }

@@ -6,7 +6,6 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 
@@ -16,13 +15,13 @@ import java.util.stream.Stream;
  *
  * <p>Thread rule: JavaFX thread only.
  */
-final class PresetFeature implements ViewerFeature {
+final class PresetFeature implements ViewerFeature, ChainPresets {
   private static final String MENU = "Chain/Presets";
   private static final String ENDING = ".json";
 
   private ViewerContext window;
   private Path folder;
-  private List<String> offered = List.of();
+  private List<String> names = List.of();
 
   @Override
   public void install(ViewerContext installed) {
@@ -34,10 +33,9 @@ final class PresetFeature implements ViewerFeature {
                     "save-preset",
                     "Keep this chain as a preset\u2026",
                     "Chain",
-                    () ->
-                        Questions.ask(
-                            window.stage(), "Preset", "Name of the preset", "", this::save))
+                    () -> keep(window.editor()))
                 .withHelp("Presets are chain files in the folder of the settings."));
+    window.editor().setPresets(this);
     window
         .settings()
         .file()
@@ -48,23 +46,31 @@ final class PresetFeature implements ViewerFeature {
             });
   }
 
-  /** Keeps the chain under a name. */
-  void save(String name) {
+  @Override
+  public List<String> names() {
+    return names;
+  }
+
+  @Override
+  public void keep(ChainEditor chain) {
+    Questions.ask(window.stage(), "Preset", "Name of the preset", "", name -> save(name, chain));
+  }
+
+  /** Keeps a chain under a name. */
+  void save(String name, ChainEditor chain) {
     if (folder == null || name.matches(".*[/\\\\:].*")) {
       window.status().showError("A preset cannot be named " + name);
       return;
     }
-    window
-        .editor()
-        .read(
-            ChainFile::write,
-            json ->
-                window
-                    .background()
-                    .file(
-                        () -> write(folder.resolve(name + ENDING), json),
-                        written -> list(),
-                        window.status()::showProblem));
+    chain.read(
+        ChainFile::write,
+        json ->
+            window
+                .background()
+                .file(
+                    () -> write(folder.resolve(name + ENDING), json),
+                    written -> list(),
+                    window.status()::showProblem));
   }
 
   private static Path write(Path file, String json) throws IOException {
@@ -90,18 +96,27 @@ final class PresetFeature implements ViewerFeature {
   }
 
   private void offer(List<Path> files) {
-    window.actions().removeAll(offered);
-    List<String> ids = new ArrayList<>();
-    for (Path file : files) {
-      String name = file.getFileName().toString();
-      String words = name.substring(0, name.length() - ENDING.length());
-      ids.add("preset-" + words);
-      window.actions().add(ViewerAction.of("preset-" + words, words, MENU, () -> load(file)));
+    window.actions().removeAll(names.stream().map(PresetFeature::id).toList());
+    names = files.stream().map(PresetFeature::name).toList();
+    for (String name : names) {
+      window
+          .actions()
+          .add(ViewerAction.of(id(name), name, MENU, () -> load(name, window.editor())));
     }
-    offered = ids;
   }
 
-  private void load(Path file) {
+  private static String id(String name) {
+    return "preset-" + name;
+  }
+
+  private static String name(Path file) {
+    String name = file.getFileName().toString();
+    return name.substring(0, name.length() - ENDING.length());
+  }
+
+  @Override
+  public void load(String name, ChainEditor chain) {
+    Path file = folder.resolve(name + ENDING);
     window
         .sessions()
         .session()
@@ -111,7 +126,7 @@ final class PresetFeature implements ViewerFeature {
                     .background()
                     .file(
                         () -> ChainFile.read(file, open.chain().geometry()),
-                        window.editor()::replaceAll,
+                        chain::replaceAll,
                         window.status()::showProblem));
   }
 }

@@ -6,7 +6,6 @@ import haltere.core.sink.LineOutputs;
 import java.time.Clock;
 import java.util.Optional;
 import javafx.beans.property.ReadOnlyBooleanWrapper;
-import javafx.scene.control.TextInputDialog;
 
 /**
  * Sends what the filters publish to other programs while they run.
@@ -42,12 +41,12 @@ final class PublishFeature implements ViewerFeature {
       stop();
       return;
     }
-    TextInputDialog dialog = new TextInputDialog(address);
-    dialog.initOwner(window.stage());
-    dialog.setTitle("Send results");
-    dialog.setHeaderText("tcp://HOST:PORT listens, udp://HOST:PORT sends, zmq://HOST:PORT binds");
-    dialog.setContentText("Address");
-    dialog.showAndWait().ifPresent(this::start);
+    Questions.ask(
+        window.stage(),
+        "Send results",
+        "tcp://HOST:PORT listens, udp://HOST:PORT sends, zmq://HOST:PORT binds",
+        address,
+        this::start);
   }
 
   /** Begins to send. */

@@ -1,7 +1,5 @@
 package haltere.ui.viewer;
 
-import haltere.core.overlay.MarkStyle;
-import haltere.core.overlay.MarkStyle.Role;
 import haltere.core.overlay.OverlayCanvas;
 import haltere.ui.measure.PixelRegion;
 import haltere.ui.measure.RegionReading;
@@ -31,26 +29,14 @@ final class RegionLayer {
 
   /** What the region is doing, in words. */
   String words() {
-    String rate = Texts.quantity(reading.rateEps()) + " ev/s";
-    return Double.isNaN(reading.frequencyHz())
-        ? rate
-        : rate + "   " + Texts.digits(reading.frequencyHz()) + " Hz";
+    return marks().map(RegionMarks::words).orElse("");
   }
 
   void draw(OverlayCanvas canvas) {
-    region.ifPresent(
-        drawn -> {
-          canvas.rectangle(
-              drawn.left() - 0.5,
-              drawn.bottom() - 0.5,
-              drawn.width(),
-              drawn.height(),
-              MarkStyle.of(Role.REGION));
-          canvas.text(
-              drawn.left(),
-              drawn.bottom() + drawn.height() + 1.0,
-              words(),
-              MarkStyle.of(Role.LABEL));
-        });
+    marks().ifPresent(marks -> marks.draw(canvas));
+  }
+
+  private Optional<RegionMarks> marks() {
+    return region.map(pixels -> new RegionMarks(pixels, reading));
   }
 }

@@ -38,10 +38,11 @@ final class Saving {
     editor.read(ChainFile::write, json -> later(() -> text(file, json)));
   }
 
-  /** Saves what a session shows, with its marks. */
-  void picture(Path file, ViewerSession open) {
+  /** Saves what a session shows, with what lies over it. */
+  void picture(Path file, ViewerSession open, Overlays overlays) {
     editor.read(
-        chain -> open.display().picture(), image -> later(() -> Pictures.write(file, image)));
+        chain -> open.display().picture(overlays),
+        image -> later(() -> Pictures.write(file, image)));
   }
 
   /** Saves what the plots show as numbers. */

@@ -78,7 +78,8 @@ final class SavingFeature implements ViewerFeature {
 
   /** Saves what is shown as a picture. */
   void savePicture(Path file) {
-    window.sessions().session().ifPresent(open -> saving.picture(file, open));
+    Overlays overlays = window.display().overlays();
+    window.sessions().session().ifPresent(open -> saving.picture(file, open, overlays));
   }
 
   /** Stops the recording that is under way, or asks where the next one goes. */

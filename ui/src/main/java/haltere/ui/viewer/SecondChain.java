@@ -20,7 +20,7 @@ final class SecondChain implements SliceSink {
 
   SecondChain(FilterChain chain, DisplayOptions options) {
     this.chain = chain;
-    display = new DisplaySink(chain.geometry(), chain, options);
+    display = DisplaySink.direct(chain.geometry(), chain, options);
   }
 
   FilterChain chain() {

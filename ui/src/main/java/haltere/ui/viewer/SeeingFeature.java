@@ -17,14 +17,15 @@ final class SeeingFeature implements ViewerFeature {
   private static final double PAN_STEP = 0.1;
 
   private final RegionLayer layer = new RegionLayer();
-  private final MeasuringTape tape = new MeasuringTape();
   private final BooleanProperty measuring = new SimpleBooleanProperty();
   private final BooleanProperty drawingRegion = new SimpleBooleanProperty();
   private ViewerContext window;
+  private MeasuringTape tape;
 
   @Override
   public void install(ViewerContext installed) {
     window = installed;
+    tape = new MeasuringTape(window.display().tapeProperty());
     EventView view = window.panels().view();
     view.setPointerListener(
         (x, y, over) ->
@@ -99,6 +100,7 @@ final class SeeingFeature implements ViewerFeature {
   /** Watches a region, or none. */
   void setRegion(Optional<PixelRegion> region) {
     layer.setRegion(region);
+    window.display().regionProperty().set(region);
     window.sessions().session().ifPresent(open -> open.display().setRegion(region));
     window.panels().view().redrawMarks();
   }

@@ -88,6 +88,9 @@ final class StageCard extends VBox {
       more.getItems().add(item("out-", "Move out of its chain", () -> editor.moveOut(stage)));
     }
     more.getItems().add(item("remove-", "Remove", () -> editor.remove(stage)));
+    if (stage.filter() instanceof FilterChain) {
+      more.getItems().add(new PresetMenu("presets-" + id, editor.inside(stage)));
+    }
     more.setId("more-" + id);
     more.setAccessibleText("Move or remove " + title);
     Controls.help(more, "Move or remove");

@@ -99,6 +99,16 @@ final class ViewProbes {
             around.spanUs() > 0 ? around.rateEps() : Double.NaN));
   }
 
+  /** What the region of interest is doing, with its frequency however lately that was found. */
+  RegionReading regionNow(long nowUs) {
+    follow();
+    if (region == null) {
+      return RegionReading.NOTHING;
+    }
+    region.advanceTo(nowUs);
+    return region.reading(true);
+  }
+
   /** What the region of interest is doing. */
   Optional<RegionReading> region(long nowUs) {
     follow();

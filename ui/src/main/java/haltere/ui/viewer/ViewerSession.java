@@ -39,7 +39,7 @@ final class ViewerSession implements AutoCloseable {
     this.chain = chain;
     this.start = start;
     this.firstStages = StageState.of(chain);
-    this.display = new DisplaySink(playable.geometry(), chain, displayOptions);
+    this.display = DisplaySink.apart(playable.geometry(), chain, displayOptions);
     this.player = new Player(playable, chain, playerOptions);
     player.addSink(display);
   }

@@ -231,6 +231,10 @@ public final class ViewerWindow implements SessionHost {
     return playback;
   }
 
+  ChainEditor editor() {
+    return editor;
+  }
+
   EventView view() {
     return panels.view();
   }

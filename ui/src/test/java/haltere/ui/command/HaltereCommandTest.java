@@ -75,10 +75,19 @@ class HaltereCommandTest {
   @Test
   void viewComplainsOfABadRecordingBeforeItOpensAWindow() throws IOException {
     Path empty = Files.createFile(folder.resolve("empty.aedat"));
-    CommandRun run = CommandRun.on(CommandRun.Machine.BARE.withDisplay(), "view", empty);
+    CommandRun.Machine desk = CommandRun.Machine.BARE.withDisplay().withTerminal();
+    CommandRun run = CommandRun.on(desk, "view", empty);
     assertEquals(1, run.status());
     assertEquals(1, run.errorLines().size(), run.err());
     assertEquals(List.of(), run.windows());
+  }
+
+  @Test
+  void withoutATerminalABadRecordingIsForTheWindowToComplainOf() throws IOException {
+    Path empty = Files.createFile(folder.resolve("empty.aedat"));
+    CommandRun run = CommandRun.on(CommandRun.Machine.BARE.withDisplay(), "view", empty);
+    assertEquals(0, run.status(), run.err());
+    assertEquals(List.of(Optional.of(empty)), run.windows());
   }
 
   @Test

@@ -1,6 +1,7 @@
 package haltere.ui.viewer;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.chain.ChainStage;
@@ -11,6 +12,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import javafx.scene.control.Menu;
+import javafx.scene.control.MenuButton;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -69,12 +73,57 @@ class CompareTest {
     assertEquals("", ComparisonTable.lines(Map.of(y, 3.0), Map.of(z, 3.0)).get(0).difference());
   }
 
+  private PresetFeature presets() {
+    return viewer.window.feature(PresetFeature.class);
+  }
+
+  @Test
+  void aChainInsideTheChainIsKeptAndFilledByItself() {
+    viewer = new ViewerHarness(UserSettings.load(folder));
+    viewer.open(() -> new ScenePlayable(() -> new BlobSource(Long.MAX_VALUE), "blob"));
+    viewer.run(() -> viewer.window.editor().addChain());
+    viewer.waitFor("its card", () -> viewer.isThere("stage-chain"));
+    FilterChain inside = (FilterChain) viewer.session().chain().stage("chain").filter();
+    ChainEditor editor =
+        viewer.onFx(() -> viewer.window.editor().inside(viewer.session().chain().stage("chain")));
+    viewer.run(() -> editor.moveHere("hot-pixels", Optional.empty()));
+    viewer.waitFor("a filter inside", () -> names(inside).equals(List.of("hot-pixels")));
+    viewer.run(() -> presets().save("inner", editor));
+    viewer.waitFor("the offer", () -> presets().names().equals(List.of("inner")));
+    viewer.run(() -> editor.remove(inside.stages().get(0)));
+    viewer.waitFor("none inside", () -> inside.stages().isEmpty());
+    MenuButton more = viewer.node("more-chain", MenuButton.class);
+    Menu menu =
+        (Menu)
+            more.getItems().stream()
+                .filter(item -> "presets-chain".equals(item.getId()))
+                .findFirst()
+                .orElseThrow();
+    viewer.run(more::show);
+    viewer.run(menu::show);
+    viewer.run(
+        () ->
+            menu.getItems().stream()
+                .filter(item -> "presets-chain-inner".equals(item.getId()))
+                .findFirst()
+                .orElseThrow()
+                .fire());
+    viewer.waitFor("it is back", () -> names(inside).equals(List.of("hot-pixels")));
+    assertFalse(names(viewer.session().chain()).contains("hot-pixels"));
+    viewer.run(() -> viewer.window.actions().run("undo"));
+    viewer.waitFor("that is taken back", () -> insideNow().isEmpty());
+  }
+
+  private List<String> insideNow() {
+    return names((FilterChain) viewer.session().chain().stage("chain").filter());
+  }
+
   @Test
   void aPresetIsKeptAndOffered() {
     UserSettings settings = UserSettings.load(folder);
     viewer = new ViewerHarness(settings);
     viewer.open(() -> new ScenePlayable(() -> new BlobSource(Long.MAX_VALUE), "blob"));
-    viewer.run(() -> viewer.window.feature(PresetFeature.class).save("usual"));
+    viewer.run(() -> presets().save("usual", viewer.window.editor()));
     viewer.waitFor("the file", () -> Files.exists(folder.resolve("presets").resolve("usual.json")));
     viewer.waitFor("the offer", () -> viewer.window.actions().find("preset-usual").isPresent());
     ChainStage last = viewer.session().chain().stages().get(2);
@@ -82,7 +131,7 @@ class CompareTest {
     viewer.waitFor("a shorter chain", () -> viewer.session().chain().stages().size() == 2);
     viewer.run(() -> viewer.window.actions().run("preset-usual"));
     viewer.waitFor("the preset", () -> viewer.session().chain().stages().size() == 3);
-    viewer.run(() -> viewer.window.feature(PresetFeature.class).save("a/b"));
+    viewer.run(() -> presets().save("a/b", viewer.window.editor()));
     viewer.waitFor(
         "what is wrong", () -> viewer.text("status-message").contains("cannot be named"));
   }

@@ -2,6 +2,7 @@ package haltere.ui.viewer;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
@@ -11,11 +12,13 @@ import haltere.core.format.RecordingSummary;
 import haltere.core.format.Recordings;
 import haltere.core.playback.Loop;
 import haltere.ui.export.Mp4Writer;
+import haltere.ui.measure.PixelRegion;
 import java.awt.image.BufferedImage;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import javafx.scene.control.TextField;
@@ -162,6 +165,118 @@ class ExportTest {
     assertTrue(bytes / (768L * 768 * 3) >= 12);
     assertTrue(lines.get(1).contains("-video_size 768x768"), lines.get(1));
     assertFalse(Files.exists(folder.resolve(".part.mp4.part")));
+  }
+
+  @Test
+  void aProgramThatHangsIsEndedWithTheExport() throws IOException {
+    assumeTrue(File.separatorChar == '/', "the stand-in for ffmpeg is a shell script");
+    Path number = hangingProgram();
+    Path file = folder.resolve("part.mp4");
+    viewer.run(() -> export().exportFilm(file));
+    viewer.waitFor("it hangs", () -> Files.exists(number));
+    viewer.run(() -> viewer.window.actions().run("stop-export"));
+    viewer.waitFor("it was stopped", () -> said().equals("Exports were stopped"));
+    viewer.waitFor("the program is gone", () -> !isAlive(number));
+    viewer.run(() -> export().exportData(folder.resolve("next.aedat4")));
+    viewer.waitFor("the next one", () -> said().startsWith("Exported next.aedat4"));
+    assertFalse(Files.exists(file));
+  }
+
+  @Test
+  void aProgramThatTakesNoPicturesIsGivenUp() throws IOException {
+    assumeTrue(File.separatorChar == '/', "the stand-in for ffmpeg is a shell script");
+    Path number = hangingProgram();
+    BufferedImage picture = new BufferedImage(640, 480, BufferedImage.TYPE_INT_RGB);
+    Path file = folder.resolve("part.mp4");
+    try (Mp4Writer film = new Mp4Writer(file, 25, Duration.ofMillis(300))) {
+      IOException problem =
+          assertThrows(
+              IOException.class,
+              () -> {
+                for (int i = 0; i < 10; i++) {
+                  film.add(picture);
+                }
+              });
+      assertTrue(problem.getMessage().startsWith("ffmpeg has taken no picture"));
+    }
+    viewer.waitFor("the program is gone", () -> !isAlive(number));
+    assertFalse(Files.exists(folder.resolve(".part.mp4.part")));
+  }
+
+  /** Makes a program that takes nothing and never ends; the file that its number will be in. */
+  private Path hangingProgram() throws IOException {
+    Path program = folder.resolve("ffmpeg");
+    Path number = folder.resolve("number");
+    Files.writeString(
+        program,
+        "#!/bin/sh\necho $$ > '"
+            + number
+            + ".new'\nmv '"
+            + number
+            + ".new' '"
+            + number
+            + "'\n"
+            + "exec sleep 1000\n");
+    assertTrue(program.toFile().setExecutable(true));
+    System.setProperty(Mp4Writer.PROPERTY, program.toString());
+    return number;
+  }
+
+  private static boolean isAlive(Path number) {
+    try {
+      return ProcessHandle.of(Long.parseLong(Files.readString(number).strip()))
+          .map(ProcessHandle::isAlive)
+          .orElse(false);
+    } catch (IOException notYet) {
+      return true;
+    }
+  }
+
+  @Test
+  void tapeAndRegionAreInTheFilmAndInThePicture() throws IOException {
+    Path bare = folder.resolve("bare.png");
+    Path marked = folder.resolve("marked.png");
+    savePicture(bare);
+    viewer.run(
+        () -> {
+          viewer.window.feature(SeeingFeature.class).setRegion(Optional.of(REGION));
+          viewer.window.display().tapeProperty().set(Optional.of(TAPE));
+        });
+    savePicture(marked);
+    Path film = folder.resolve("part.gif");
+    viewer.run(() -> export().exportFilm(film));
+    viewer.waitFor("it says so", () -> said().startsWith("Exported part.gif"));
+    BufferedImage before = ImageIO.read(bare.toFile());
+    for (BufferedImage image :
+        List.of(ImageIO.read(marked.toFile()), ImageIO.read(film.toFile()))) {
+      assertTrue(differs(before, image, 6 * 20, 6 * (127 - 100)), "the tape");
+      assertTrue(differs(before, image, 6 * 90 - 3, 6 * (127 - 15)), "the region's left edge");
+      assertFalse(differs(before, image, 6 * 60, 6 * (127 - 110)), "nothing elsewhere");
+    }
+  }
+
+  private static final PixelRegion REGION = PixelRegion.between(90, 10, 110, 20);
+  private static final MeasuredLine TAPE = new MeasuredLine(10, 100, 40, 100);
+
+  private void savePicture(Path file) {
+    viewer.run(() -> viewer.window.feature(SavingFeature.class).savePicture(file));
+    viewer.waitFor("the picture", () -> Files.exists(file));
+  }
+
+  /** Whether two pictures differ clearly within three pixels of a place. */
+  private static boolean differs(BufferedImage one, BufferedImage other, int x, int y) {
+    for (int dy = -3; dy <= 3; dy++) {
+      for (int dx = -3; dx <= 3; dx++) {
+        int a = one.getRGB(x + dx, y + dy);
+        int b = other.getRGB(x + dx, y + dy);
+        for (int shift = 0; shift <= 16; shift += 8) {
+          if (Math.abs((a >> shift & 0xFF) - (b >> shift & 0xFF)) > 60) {
+            return true;
+          }
+        }
+      }
+    }
+    return false;
   }
 
   @Test

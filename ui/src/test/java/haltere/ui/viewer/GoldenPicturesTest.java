@@ -26,6 +26,7 @@ import java.io.IOException;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
+import javafx.beans.property.SimpleObjectProperty;
 import org.junit.jupiter.api.Test;
 
 /** What is drawn over and of events, against pictures that a person has looked at. */
@@ -36,7 +37,7 @@ class GoldenPicturesTest {
   private static BufferedImage picture(
       EventSource source, FilterChain chain, DisplayOptions options, long untilUs)
       throws IOException {
-    DisplaySink display = new DisplaySink(source.geometry(), chain, options);
+    DisplaySink display = DisplaySink.direct(source.geometry(), chain, options);
     long[] nowUs = {0};
     StreamHandler handler =
         new StreamHandler() {
@@ -57,7 +58,7 @@ class GoldenPicturesTest {
     while (nowUs[0] < untilUs && source.next(handler)) {
       // the handler counts
     }
-    BufferedImage image = display.picture();
+    BufferedImage image = display.picture(Overlays.MARKS);
     display.close();
     chain.close();
     source.close();
@@ -129,7 +130,7 @@ class GoldenPicturesTest {
 
   @Test
   void tapeAndRegion() throws IOException {
-    MeasuringTape tape = new MeasuringTape();
+    MeasuringTape tape = new MeasuringTape(new SimpleObjectProperty<>(Optional.empty()));
     tape.pressed(10, 20);
     tape.dragged(70, 60);
     RegionLayer region = new RegionLayer();

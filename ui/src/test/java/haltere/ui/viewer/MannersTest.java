@@ -14,6 +14,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.FutureTask;
 import javafx.event.ActionEvent;
 import javafx.scene.Node;
 import javafx.scene.Parent;
@@ -162,6 +163,18 @@ class MannersTest {
     TextInputControl details = viewer.node("problem-details", TextInputControl.class);
     assertTrue(viewer.onFx(details::getText).contains("RecordingProblem"));
     viewer.run(() -> details.getScene().getWindow().hide());
+  }
+
+  @Test
+  void aBadRecordingIsToldOfByTheWindowThatWasOpenedForIt() throws IOException {
+    Path empty = Files.createFile(folder.resolve("empty.aedat"));
+    FutureTask<ViewerSession> first =
+        new FutureTask<>(() -> SessionRequest.recording(empty, ReadOptions.DEFAULT).firstSession());
+    first.run();
+    viewer = new ViewerHarness();
+    viewer.run(() -> viewer.window.open(first, empty.toString(), ReadOptions.DEFAULT));
+    viewer.waitFor(
+        "the line", () -> viewer.text("status-message").startsWith(empty + ": the file is empty"));
   }
 
   @Test
