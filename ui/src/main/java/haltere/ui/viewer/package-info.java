@@ -9,9 +9,8 @@
  * thread never reads a file, never runs a filter and never waits for another thread. The player's
  * processing thread hands copies of what comes out of the chain to a thread that paints them into
  * one of three preallocated frames ({@code DisplaySink}, {@code PictureThread}); at each pulse of
- * JavaFX the window fetches the newest finished one. What the window wants of the
- * player or the chain it asks for by a command; what came of it comes back by {@code
- * Platform.runLater}. Files are opened, scanned and closed on background threads ({@code
- * BackgroundWork}).
+ * JavaFX the window fetches the newest finished one. What the window wants of the player or the
+ * chain it asks for by a command; what came of it comes back by {@code Platform.runLater}. Files
+ * are opened, scanned and closed on background threads ({@code BackgroundWork}).
  */
 package haltere.ui.viewer;
