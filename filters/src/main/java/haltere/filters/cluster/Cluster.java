@@ -175,6 +175,9 @@ final class Cluster {
 
   long batchFromUs;
 
+  /** Events until one of them is for the outline. */
+  int untilOutline;
+
   /** Centre where the index knows it, and how far it may go from there, pixels. */
   double indexX;
 
@@ -189,11 +192,19 @@ final class Cluster {
     return id > 0;
   }
 
+  /** How far the velocity carries the centre until a time, in its own measure of time. */
+  double carried(long timeUs) {
+    return (timeUs - atUs) * carry;
+  }
+
   /** Squared distance of a place from the centre, 1 at the outline of what is taken. */
   double distance(double placeX, double placeY, long timeUs, boolean box) {
-    double dt = (timeUs - atUs) * carry;
-    double dx = placeX - x - vx * dt;
-    double dy = placeY - y - vy * dt;
+    double dt = carried(timeUs);
+    return distance(placeX - (x + vx * dt), placeY - (y + vy * dt), box);
+  }
+
+  /** The same of an offset from the centre. */
+  double distance(double dx, double dy, boolean box) {
     double u = m11 * dx + m12 * dy;
     double w = m21 * dx + m22 * dy;
     u *= u;
@@ -215,11 +226,14 @@ final class Cluster {
 
   /** Takes an event that is nobody else's. */
   void take(int eventX, int eventY, int sign, long timeUs) {
+    double dt = carried(timeUs);
+    take(eventX, eventY, sign, timeUs, x + vx * dt, y + vy * dt);
+  }
+
+  /** The same, where the centre at the time of the event has been worked out. */
+  void take(int eventX, int eventY, int sign, long timeUs, double px, double py) {
     double ownX = eventX - sign * leadX;
     double ownY = eventY - sign * leadY;
-    double dt = (timeUs - atUs) * carry;
-    double px = x + vx * dt;
-    double py = y + vy * dt;
     double ex = ownX - px;
     double ey = ownY - py;
     if (gainByWeights) {
@@ -233,20 +247,6 @@ final class Cluster {
     vy += velocityGain * ey;
     atUs = timeUs;
     lastUs = timeUs;
-    driftX += driftGain * (ex - driftX);
-    driftY += driftGain * (ey - driftY);
-    double lean = leadGain * sign;
-    leadX += lean * ex;
-    leadY += lean * ey;
-    cxx += formGain * (ex * ex - cxx);
-    cxy += formGain * (ex * ey - cxy);
-    cyy += formGain * (ey * ey - cyy);
-    balance += formGain * (sign - balance);
-    double along = ex * cos + ey * sin;
-    double alongSquared = along * along;
-    square += formGain * (alongSquared - square);
-    cube += formGain * (alongSquared * along - cube);
-    fourth += formGain * (alongSquared * alongSquared - fourth);
     mass++;
     fresh++;
     events++;
@@ -254,9 +254,29 @@ final class Cluster {
     batchX += ownX;
     batchY += ownY;
     batchTimes += timeUs - batchFromUs;
-    if (contour.on && --contour.skip <= 0) {
+    learn(ex, ey, sign);
+    if (--untilOutline <= 0) {
       contour.take(this, eventX, eventY, px, py, 1);
     }
+  }
+
+  /** Learns from what is left of an event how the events lie about the centre. */
+  private void learn(double ex, double ey, int sign) {
+    driftX += driftGain * (ex - driftX);
+    driftY += driftGain * (ey - driftY);
+    double lean = leadGain * sign;
+    leadX += lean * ex;
+    leadY += lean * ey;
+    double share = formGain;
+    cxx += share * (ex * ex - cxx);
+    cxy += share * (ex * ey - cxy);
+    cyy += share * (ey * ey - cyy);
+    balance += share * (sign - balance);
+    double along = ex * cos + ey * sin;
+    double alongSquared = along * along;
+    square += share * (alongSquared - square);
+    cube += share * (alongSquared * along - cube);
+    fourth += share * (alongSquared * alongSquared - fourth);
   }
 
   /**
@@ -290,7 +310,7 @@ final class Cluster {
     batchX += share * ownX;
     batchY += share * ownY;
     batchTimes += share * (timeUs - batchFromUs);
-    if (contour.on && --contour.skip <= 0) {
+    if (--untilOutline <= 0) {
       contour.take(this, eventX, eventY, px, py, share);
     }
   }

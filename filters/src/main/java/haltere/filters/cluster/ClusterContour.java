@@ -62,14 +62,20 @@ final class ClusterContour {
   /** Share of the way to the middle that a centre goes at an upkeep. */
   private static final double CENTRING = 0.1;
 
+  /** Numbers of an event that waits, and how many of these there may be. */
+  private static final int NUMBERS = 5;
+
+  private static final int ROOM = 32;
+
   private static final double LEAST_DISTANCE = 0.5;
   private static final double PLACE_VARIANCE = 9;
 
-  /** Whether the events of the cluster are looked at; counts those that are passed over. */
-  boolean on;
+  /** Whether the events of the cluster are looked at. */
+  private boolean on;
 
-  int skip;
+  /** Of how many events one is taken. */
   private int stride;
+
   private double radius;
   private double radiusVariance;
   private double scatter;
@@ -80,6 +86,11 @@ final class ClusterContour {
   private double baseX;
   private double baseY;
   private long fromUs;
+
+  // Events that wait to be fitted: offset from the reference, offset of the reference from where it
+  // was expected, weight.
+  private final double[] events = new double[NUMBERS * ROOM];
+  private int waiting;
 
   // Sums over the events since the last reading of (n, 1)(n, 1)ᵀ, (n, 1) m and m².
   private double count;
@@ -107,41 +118,64 @@ final class ClusterContour {
   /** Knows nothing, and looks at no event. */
   void end() {
     on = false;
+    waiting = 0;
     informationXx = 0;
     informationXy = 0;
     informationYy = 0;
   }
 
-  /** Takes an event, and the centre expected at its time, into the fit. */
+  /** Takes an event, and the centre expected at its time, for the fit. */
   void take(Cluster cluster, double eventX, double eventY, double px, double py, double weight) {
-    skip = stride;
+    if (!on) {
+      cluster.untilOutline = Integer.MAX_VALUE;
+      return;
+    }
+    cluster.untilOutline = stride;
+    if (waiting == ROOM) {
+      fit();
+    }
     double qx = px + offsetX;
     double qy = py + offsetY;
-    double dx = eventX - qx;
-    double dy = eventY - qy;
-    double distance = Math.sqrt(dx * dx + dy * dy);
-    if (distance < LEAST_DISTANCE) {
-      return;
-    }
-    double off = distance - radius;
-    if (off * off > GATE * (scatter + REFERENCE_VARIANCE + radiusVariance)) {
-      return;
-    }
-    double nx = dx / distance;
-    double ny = dy / distance;
     double seconds = (cluster.atUs - fromUs) * US;
-    double m =
-        off + nx * (qx - cluster.vx * seconds - baseX) + ny * (qy - cluster.vy * seconds - baseY);
-    count += weight;
-    ixx += weight * nx * nx;
-    ixy += weight * nx * ny;
-    ixr += weight * nx;
-    iyy += weight * ny * ny;
-    iyr += weight * ny;
-    bx += weight * nx * m;
-    by += weight * ny * m;
-    br += weight * m;
-    squares += weight * m * m;
+    int at = NUMBERS * waiting++;
+    events[at] = eventX - qx;
+    events[at + 1] = eventY - qy;
+    events[at + 2] = qx - cluster.vx * seconds - baseX;
+    events[at + 3] = qy - cluster.vy * seconds - baseY;
+    events[at + 4] = weight;
+  }
+
+  /** Takes the events that wait into the sums, all together, which is faster than one by one. */
+  private void fit() {
+    double gate = GATE * (scatter + REFERENCE_VARIANCE + radiusVariance);
+    int end = NUMBERS * waiting;
+    waiting = 0;
+    for (int at = 0; at < end; at += NUMBERS) {
+      double dx = events[at];
+      double dy = events[at + 1];
+      double distance = Math.sqrt(dx * dx + dy * dy);
+      double off = distance - radius;
+      if (distance < LEAST_DISTANCE || off * off > gate) {
+        continue;
+      }
+      double perDistance = 1 / distance;
+      double nx = dx * perDistance;
+      double ny = dy * perDistance;
+      double m = off + nx * events[at + 2] + ny * events[at + 3];
+      double weight = events[at + 4];
+      double wx = weight * nx;
+      double wy = weight * ny;
+      count += weight;
+      ixx += wx * nx;
+      ixy += wx * ny;
+      ixr += wx;
+      iyy += wy * ny;
+      iyr += wy;
+      bx += wx * m;
+      by += wy * m;
+      br += weight * m;
+      squares += weight * m * m;
+    }
   }
 
   /** Works out what a reading says, and learns from it. */
@@ -149,6 +183,7 @@ final class ClusterContour {
     informationXx = 0;
     informationXy = 0;
     informationYy = 0;
+    fit();
     if (!on || count <= 0) {
       return;
     }
@@ -243,7 +278,7 @@ final class ClusterContour {
       radiusVariance += RADIUS_WANDERS * seconds;
       offsetVariance += REFERENCE_WANDERS * seconds;
     }
-    skip = 1;
+    cluster.untilOutline = 1;
     fromUs = timeUs;
     baseX = cluster.x + offsetX;
     baseY = cluster.y + offsetY;

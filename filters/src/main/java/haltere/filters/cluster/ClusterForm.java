@@ -56,6 +56,9 @@ final class ClusterForm {
   /** Share of the spread along the two places that is the distance between them. */
   static final double WITHIN = 0.85;
 
+  /** Share of the spread in one direction, given that in the other, that may be between parts. */
+  private static final double MOST_BETWEEN = 0.97;
+
   private static final long SETTLED_US = 80_000;
 
   private final ClusterFormSettings form;
@@ -214,7 +217,7 @@ final class ClusterForm {
 
   /** Gives both parts of a cluster what is left of its spread once that between them is gone. */
   void part(Cluster cluster, Cluster born, long timeUs) {
-    double between = cluster.square * WITHIN;
+    double between = Math.min(cluster.square * WITHIN, greatestBetween(cluster));
     double c = cluster.cos;
     double s = cluster.sin;
     cluster.cxx -= between * c * c;
@@ -236,6 +239,13 @@ final class ClusterForm {
     upkeep(born, timeUs, 0);
     cluster.usualSquare = cluster.square;
     born.usualSquare = born.square;
+  }
+
+  /** What may be taken along the first half axis so that what is left is a covariance. */
+  private static double greatestBetween(Cluster cluster) {
+    double c = cluster.cos;
+    double s = cluster.sin;
+    return MOST_BETWEEN / (c * c * cluster.ixx + 2 * c * s * cluster.ixy + s * s * cluster.iyy);
   }
 
   /** Takes what is left along the first half axis as Gaussian, as long as nothing else is known. */

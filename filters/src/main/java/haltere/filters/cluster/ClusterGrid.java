@@ -17,6 +17,9 @@ final class ClusterGrid {
   /** What {@link #count} says of a cell that more clusters reach than it can name. */
   static final int ALL = NAMED + 1;
 
+  /** How far a cluster may move beside its velocity before its cells are looked for again. */
+  private static final double SLACK_PX = 2;
+
   private final int shift;
   private final int columns;
   private final int rows;
@@ -50,20 +53,19 @@ final class ClusterGrid {
   }
 
   /**
-   * Learns anew where all clusters are. Each may move by half a cell, and by its velocity, until
-   * the next time.
+   * Learns anew where all clusters are. Each may move by two pixels, and by its velocity, until the
+   * next time.
    */
   void index(Cluster[] clusters, int count, double seconds) {
     Arrays.fill(counts, (byte) 0);
-    double slack = 0.5 * (1 << shift);
     for (int i = 0; i < count; i++) {
       Cluster cluster = clusters[i];
       double speed = Math.abs(cluster.vx) + Math.abs(cluster.vy);
       cluster.indexX = cluster.x;
       cluster.indexY = cluster.y;
-      cluster.indexSlack = slack + speed * seconds;
+      cluster.indexSlack = SLACK_PX + speed * seconds;
       // A pixel more, for a velocity that changes on the way.
-      double margin = slack + 2 * speed * seconds + 1;
+      double margin = SLACK_PX + 2 * speed * seconds + 1;
       int left = cell(cluster.x - cluster.extentX - margin, columns);
       int right = cell(cluster.x + cluster.extentX + margin, columns);
       int bottom = cell(cluster.y - cluster.extentY - margin, rows);

@@ -87,6 +87,16 @@ final class ClusterMerging {
     return Math.min(first, second) * slots + Math.max(first, second);
   }
 
+  /** Whether two are known to be two and are so far from each other that nothing changes. */
+  boolean areFarApart(Cluster first, Cluster second) {
+    if (Math.abs(second.x - first.x) > EDGES_APART * (first.extentX + second.extentX)
+        || Math.abs(second.y - first.y) > EDGES_APART * (first.extentY + second.extentY)) {
+      int pair = pair(first.slot, second.slot);
+      return apartUs[pair] >= SEEN_APART_US && togetherUs[pair] == 0;
+    }
+    return false;
+  }
+
   /**
    * Looks at two clusters at an upkeep, and notes where their regions overlap.
    *

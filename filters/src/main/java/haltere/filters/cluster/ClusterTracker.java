@@ -205,17 +205,23 @@ public final class ClusterTracker {
     int sign = 2 * (address & EventAddress.ON_BIT) - 1;
     int cell = grid.cellOf(x, y);
     int candidates = grid.count(cell);
-    if (candidates == 1) {
-      Cluster cluster = clusters.all[grid.name(cell, 0)];
-      double distance = cluster.distance(x, y, timeUs, box);
-      if (distance < 1) {
-        give(cluster, x, y, sign, timeUs, distance);
-        return cluster.isVisible();
-      }
-    } else if (candidates > 1) {
-      Cluster taker = contest(cell, candidates, x, y, sign, timeUs);
-      if (taker != null) {
-        return taker.isVisible();
+    if (candidates > 0) {
+      Cluster cluster = onlyTaker(cell, candidates, x, y, timeUs);
+      if (cluster == null) {
+        cluster = contest(cell, candidates, x, y, sign, timeUs);
+        if (cluster != null) {
+          return cluster.isVisible();
+        }
+      } else {
+        double carried = cluster.carried(timeUs);
+        double px = cluster.x + cluster.vx * carried;
+        double py = cluster.y + cluster.vy * carried;
+        double distance = cluster.distance(x - px, y - py, box);
+        if (distance < 1) {
+          cluster.take(x, y, sign, timeUs, px, py);
+          taken(cluster, distance);
+          return cluster.isVisible();
+        }
       }
     }
     if (places.add(x, y, timeUs)) {
@@ -224,8 +230,29 @@ public final class ClusterTracker {
     return false;
   }
 
+  /** The only one of the clusters of a cell that may take an event, or null if that is in doubt. */
+  private Cluster onlyTaker(int cell, int candidates, int x, int y, long timeUs) {
+    Cluster first = clusters.all[grid.name(cell, 0)];
+    if (candidates == 1) {
+      return first;
+    }
+    if (candidates > 2) {
+      return null;
+    }
+    Cluster second = clusters.all[grid.name(cell, 1)];
+    double toFirst = first.distance(x, y, timeUs, box);
+    double toSecond = second.distance(x, y, timeUs, box);
+    Cluster nearer = toFirst < toSecond ? first : second;
+    return Math.max(toFirst, toSecond) < 1 ? null : nearer;
+  }
+
   private void give(Cluster cluster, int x, int y, int sign, long timeUs, double distance) {
     cluster.take(x, y, sign, timeUs);
+    taken(cluster, distance);
+  }
+
+  /** Looks after a cluster that has just taken an event that far from its centre. */
+  private void taken(Cluster cluster, double distance) {
     if (inhibition > 0 && distance > cluster.surroundFrom) {
       cluster.mass = Math.max(0, cluster.mass - 1 - inhibition);
     }
@@ -239,31 +266,44 @@ public final class ClusterTracker {
     Cluster first = null;
     Cluster second = null;
     double firstDistance = 0;
-    double best = 0;
+    // Not worked out as long as there is only one.
+    double best = Double.NaN;
     double next = 0;
     int most = candidates == ClusterGrid.ALL ? clusters.count : candidates;
     for (int i = 0; i < most; i++) {
       Cluster cluster = clusters.all[candidates == ClusterGrid.ALL ? i : grid.name(cell, i)];
       double distance = cluster.distance(x, y, timeUs, box);
-      if (distance < 1) {
-        double likelihood = cluster.likelihood(x, y, sign, timeUs);
-        if (likelihood > best) {
-          second = first;
-          next = best;
-          first = cluster;
-          best = likelihood;
-          firstDistance = distance;
-        } else if (likelihood > next) {
-          second = cluster;
-          next = likelihood;
-        }
+      if (!(distance < 1)) {
+        continue;
+      }
+      if (first == null) {
+        first = cluster;
+        firstDistance = distance;
+        continue;
+      }
+      if (second == null) {
+        best = first.likelihood(x, y, sign, timeUs);
+      }
+      double likelihood = cluster.likelihood(x, y, sign, timeUs);
+      if (likelihood > best) {
+        second = first;
+        next = best;
+        first = cluster;
+        best = likelihood;
+        firstDistance = distance;
+      } else if (second == null || likelihood > next) {
+        second = cluster;
+        next = likelihood;
       }
     }
-    if (first == null) {
-      return null;
+    if (second == null) {
+      if (first != null) {
+        give(first, x, y, sign, timeUs, firstDistance);
+      }
+      return first;
     }
     double share = next / (best + next);
-    if (second == null || share < LEAST_SHARE) {
+    if (!(share >= LEAST_SHARE)) {
       give(first, x, y, sign, timeUs, firstDistance);
     } else {
       first.take(x, y, sign, timeUs, 1 - share);
@@ -360,6 +400,9 @@ public final class ClusterTracker {
     }
     for (int i = 0; i < clusters.count; i++) {
       for (int j = i + 1; j < clusters.count; j++) {
+        if (merging.areFarApart(clusters.all[i], clusters.all[j])) {
+          continue;
+        }
         if (merging.unite(clusters.all[i], clusters.all[j], timeUs, (int) upkeepUs)) {
           boolean firstStays = ClusterMerging.isStronger(clusters.all[i], clusters.all[j]);
           mergeInto(firstStays ? i : j, firstStays ? j : i, timeUs);
