@@ -11,10 +11,9 @@ import java.util.Objects;
  * // the edge of a wing: centre a, amplitude M, phase ξ, angular frequency ω
  * ekf.predict(0, 0, 0, 0, 0, dtS);                              // ξ ← ξ + ω Δt
  * ekf.addNoise(qa * dtS, qm * dtS, qx * dtS, qw * dtS);
- * double sin = Math.sin(ekf.x2());
- * double cos = Math.cos(ekf.x2());
- * double y = Angles.wrapPi(angle - (ekf.x0() + ekf.x1() * sin));
- * ekf.update(y, 1, sin, ekf.x1() * cos, 0, r);
+ * wave.of(ekf.x2());                                             // a SineCosine
+ * double y = Angles.wrapPi(angle - (ekf.x0() + ekf.x1() * wave.sine()));
+ * ekf.update(y, 1, wave.sine(), ekf.x1() * wave.cosine(), 0, r);
  * }</pre>
  *
  * <p>The update is Joseph's form, multiplied out for a scalar: with g = P h, S = hᵀ g + r, K = g/S

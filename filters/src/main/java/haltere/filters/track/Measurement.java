@@ -67,4 +67,9 @@ final class Measurement {
   boolean map(MeasurementPlane plane) {
     return plane.map(x, y, xx, xy, yy);
   }
+
+  /** The same where a track is expected at a place. */
+  boolean map(MeasurementPlane plane, MotionModes expected) {
+    return plane.map(expected, x, y, xx, xy, yy);
+  }
 }

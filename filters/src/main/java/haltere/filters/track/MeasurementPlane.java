@@ -58,8 +58,7 @@ final class MeasurementPlane {
 
   /** Maps a measurement that was expected at a place of the plane; false if it is not on it. */
   boolean map(
-      double expectedX,
-      double expectedY,
+      MotionModes expected,
       double zX,
       double zY,
       double varianceX,
@@ -69,6 +68,8 @@ final class MeasurementPlane {
       set(zX, zY, varianceX, covariance, varianceY);
       return true;
     }
+    double expectedX = expected.x();
+    double expectedY = expected.y();
     if (!road.onRoad(zY) || !(expectedY > 0)) {
       return false;
     }

@@ -27,27 +27,27 @@ final class MotionModes {
   private final MotionNoise noise;
   private final int modes;
   private final PlaneFilter[] filters;
-  private final PlaneFilter[] mixed;
   private final double[] probability;
   private final double[] next;
   private final double[] leave;
   private final double[] weights;
+
+  // Mean and covariance of all modes, as soon as somebody asks for them.
   private final double[] state = new double[N];
-  private final double[] covariance = new double[N * N];
+  private final double[] covariance = new double[PlaneFilter.ENTRIES];
+  private boolean combined;
 
   MotionModes(MotionNoise noise) {
     this.noise = noise;
     modes = noise.modes();
     filters = new PlaneFilter[modes];
-    mixed = new PlaneFilter[modes];
     for (int j = 0; j < modes; j++) {
       filters[j] = new PlaneFilter();
-      mixed[j] = new PlaneFilter();
     }
     probability = new double[modes];
     next = new double[modes];
     leave = new double[modes];
-    weights = new double[modes * modes];
+    weights = new double[modes];
   }
 
   /** Begins at a place, with a velocity of 0 that is unknown. */
@@ -57,21 +57,20 @@ final class MotionModes {
 
   /** Begins again at a place, with a velocity that is hardly larger than it was. */
   void relaunch(double atX, double atY, double xx, double xy, double yy) {
-    double speed = Math.hypot(state[2], state[3]) + RELAUNCH_SHARE * noise.launchSpeed();
+    double speed = Math.hypot(vx(), vy()) + RELAUNCH_SHARE * noise.launchSpeed();
     launch(atX, atY, xx, xy, yy, speed * speed);
   }
 
   /** Goes on at a place where it was not expected, with about the velocity that it has. */
   void displace(double atX, double atY, double xx, double xy, double yy) {
-    double vx = state[2];
-    double vy = state[3];
+    double vx = vx();
+    double vy = vy();
     double unsure = DISPLACED_SHARE * noise.launchSpeed();
     launch(atX, atY, xx, xy, yy, unsure * unsure);
     for (int j = 0; j < modes; j++) {
       filters[j].x[2] = vx;
       filters[j].x[3] = vy;
     }
-    combine();
   }
 
   private void launch(
@@ -81,33 +80,39 @@ final class MotionModes {
           atX, atY, xx, xy, yy, velocityVariance, noise.turns(j) ? noise.turnRateVariance() : 0);
       probability[j] = 1.0 / modes;
     }
-    combine();
+    combined = false;
   }
 
   void copyFrom(MotionModes other) {
     for (int j = 0; j < modes; j++) {
       filters[j].copyFrom(other.filters[j]);
+      probability[j] = other.probability[j];
     }
-    System.arraycopy(other.probability, 0, probability, 0, modes);
-    System.arraycopy(other.state, 0, state, 0, N);
-    System.arraycopy(other.covariance, 0, covariance, 0, N * N);
+    combined = false;
   }
 
   /**
-   * Predicts.
+   * Takes over what another one predicts.
    *
+   * @param other stays as it is
    * @param dtS seconds, not negative
    * @param noiseFactor the process noise is this many times the usual one
    */
-  void predict(double dtS, double noiseFactor) {
+  void predictFrom(MotionModes other, double dtS, double noiseFactor) {
     if (modes > 1 && dtS > 0) {
-      mix(dtS);
+      mixFrom(other, dtS);
+      combined = false;
+    } else {
+      copyFrom(other);
     }
     coast(dtS, noiseFactor);
   }
 
   /** Predicts without a thought that the target may change its way of moving. */
   void coast(double dtS, double noiseFactor) {
+    if (!(dtS > 0)) {
+      return;
+    }
     for (int j = 0; j < modes; j++) {
       filters[j].evolve(dtS);
       if (noise.perStep()) {
@@ -117,7 +122,7 @@ final class MotionModes {
             dtS, noise.acceleration(j) * noiseFactor, noise.turns(j) ? noise.turn() : 0);
       }
     }
-    combine();
+    combined = false;
   }
 
   /** Compares a measurement with all modes; gives back the least normalised innovation squared. */
@@ -140,8 +145,7 @@ final class MotionModes {
     }
     double sum = 0;
     for (int j = 0; j < modes; j++) {
-      next[j] = probability[j] * Math.exp(filters[j].logLikelihood() - greatest);
-      sum += next[j];
+      sum += probability[j] * Math.exp(filters[j].logLikelihood() - greatest);
     }
     return greatest + Math.log(sum);
   }
@@ -149,24 +153,35 @@ final class MotionModes {
   /** Takes in what {@link #innovate} has compared. */
   void correct() {
     if (modes > 1) {
-      logLikelihood();
-      double sum = 0;
-      for (int j = 0; j < modes; j++) {
-        sum += next[j];
-      }
-      double kept = 0;
-      for (int j = 0; j < modes; j++) {
-        probability[j] = Math.max(LEAST_PROBABILITY, next[j] / sum);
-        kept += probability[j];
-      }
-      for (int j = 0; j < modes; j++) {
-        probability[j] /= kept;
-      }
+      weigh();
     }
     for (int j = 0; j < modes; j++) {
       filters[j].correct();
     }
-    combine();
+    combined = false;
+  }
+
+  /** Gives each mode the probability that it has once a measurement is known. */
+  private void weigh() {
+    double least = Double.POSITIVE_INFINITY;
+    for (int j = 0; j < modes; j++) {
+      least = Math.min(least, filters[j].nis());
+    }
+    double sum = 0;
+    for (int j = 0; j < modes; j++) {
+      PlaneFilter filter = filters[j];
+      next[j] =
+          probability[j] * Math.exp(0.5 * (least - filter.nis())) / Math.sqrt(filter.determinant());
+      sum += next[j];
+    }
+    double kept = 0;
+    for (int j = 0; j < modes; j++) {
+      probability[j] = Math.max(LEAST_PROBABILITY, next[j] / sum);
+      kept += probability[j];
+    }
+    for (int j = 0; j < modes; j++) {
+      probability[j] /= kept;
+    }
   }
 
   /** The mode that is the most probable. */
@@ -183,91 +198,120 @@ final class MotionModes {
   }
 
   double x() {
+    combine();
     return state[0];
   }
 
   double y() {
+    combine();
     return state[1];
   }
 
   double vx() {
+    combine();
     return state[2];
   }
 
   double vy() {
+    combine();
     return state[3];
   }
 
   double covariance(int row, int column) {
-    return covariance[row * N + column];
+    combine();
+    return covariance[PlaneFilter.place(row, column)];
   }
 
-  private void mix(double dtS) {
+  private void mixFrom(MotionModes other, double dtS) {
+    // All but the last are left at the same rate.
+    double usual = noise.leave(0, dtS);
     for (int i = 0; i < modes; i++) {
-      leave[i] = noise.leave(i, dtS);
+      leave[i] = i < modes - 1 ? usual : noise.leave(i, dtS);
     }
     for (int j = 0; j < modes; j++) {
       double sum = 0;
       for (int i = 0; i < modes; i++) {
-        double weight = probability[i] * noise.transition(i, j, leave[i]);
-        weights[j * modes + i] = weight;
-        sum += weight;
+        weights[i] = other.probability[i] * noise.transition(i, j, leave[i]);
+        sum += weights[i];
+      }
+      for (int i = 0; i < modes; i++) {
+        weights[i] /= sum;
       }
       next[j] = sum;
-      for (int i = 0; i < modes; i++) {
-        weights[j * modes + i] /= sum;
-      }
-      mixture(j * modes, mixed[j].x, mixed[j].p, noise.turns(j) ? noise.turnRateVariance() : -1);
+      mixture(
+          other.filters,
+          filters[j].x,
+          filters[j].p,
+          noise.turns(j) ? noise.turnRateVariance() : -1);
     }
-    for (int j = 0; j < modes; j++) {
-      filters[j].copyFrom(mixed[j]);
-      probability[j] = next[j];
-    }
+    System.arraycopy(next, 0, probability, 0, modes);
   }
 
   private void combine() {
+    if (combined) {
+      return;
+    }
+    combined = true;
     if (modes == 1) {
       System.arraycopy(filters[0].x, 0, state, 0, N);
-      System.arraycopy(filters[0].p, 0, covariance, 0, N * N);
+      System.arraycopy(filters[0].p, 0, covariance, 0, PlaneFilter.ENTRIES);
       return;
     }
     System.arraycopy(probability, 0, weights, 0, modes);
-    mixture(0, state, covariance, -1);
+    mixture(filters, state, covariance, -1);
   }
 
   /**
    * Mean and covariance of the modes. A turn rate is mixed only where one is wanted: the variance
    * of an unknown one, or less than 0 for none.
    */
-  private void mixture(int from, double[] mean, double[] spread, double unknownTurnRate) {
+  private void mixture(PlaneFilter[] of, double[] mean, double[] spread, double unknownTurnRate) {
+    boolean turns = unknownTurnRate >= 0;
     Arrays.fill(mean, 0);
     Arrays.fill(spread, 0);
-    boolean turns = unknownTurnRate >= 0;
-    int size = turns ? N : N - 1;
     for (int i = 0; i < modes; i++) {
-      double w = weights[from + i];
-      for (int a = 0; a < size; a++) {
-        mean[a] += w * filters[i].x[a];
-      }
+      double w = weights[i];
+      double[] x = of[i].x;
+      mean[0] += w * x[0];
+      mean[1] += w * x[1];
+      mean[2] += w * x[2];
+      mean[3] += w * x[3];
+      mean[4] += turns ? w * x[4] : 0;
     }
     for (int i = 0; i < modes; i++) {
-      double w = weights[from + i];
-      double[] x = filters[i].x;
-      double[] p = filters[i].p;
-      for (int a = 0; a < size; a++) {
-        double apart = w * (x[a] - mean[a]);
-        for (int b = a; b < size; b++) {
-          spread[a * N + b] += w * p[a * N + b] + apart * (x[b] - mean[b]);
-        }
-      }
+      addSpread(of[i], mean, weights[i], spread, turns);
       if (turns && !noise.turns(i)) {
-        spread[N * N - 1] += w * unknownTurnRate;
+        spread[PlaneFilter.ENTRIES - 1] += weights[i] * unknownTurnRate;
       }
     }
-    for (int a = 1; a < size; a++) {
-      for (int b = 0; b < a; b++) {
-        spread[a * N + b] = spread[b * N + a];
-      }
+  }
+
+  /** Adds the weight times P + (x - mean) (x - mean)ᵀ; in the order of the entries of P. */
+  private static void addSpread(
+      PlaneFilter of, double[] mean, double weight, double[] spread, boolean turns) {
+    double[] x = of.x;
+    double[] p = of.p;
+    double d0 = x[0] - mean[0];
+    double d1 = x[1] - mean[1];
+    double d2 = x[2] - mean[2];
+    double d3 = x[3] - mean[3];
+    spread[0] += weight * (p[0] + d0 * d0);
+    spread[1] += weight * (p[1] + d0 * d1);
+    spread[2] += weight * (p[2] + d0 * d2);
+    spread[3] += weight * (p[3] + d0 * d3);
+    spread[4] += weight * (p[4] + d1 * d1);
+    spread[5] += weight * (p[5] + d1 * d2);
+    spread[6] += weight * (p[6] + d1 * d3);
+    spread[7] += weight * (p[7] + d2 * d2);
+    spread[8] += weight * (p[8] + d2 * d3);
+    spread[9] += weight * (p[9] + d3 * d3);
+    if (turns) {
+      double d4 = x[4] - mean[4];
+      spread[10] += weight * (p[10] + d0 * d4);
+      spread[11] += weight * (p[11] + d1 * d4);
+      spread[12] += weight * (p[12] + d2 * d4);
+      spread[13] += weight * (p[13] + d3 * d4);
+      spread[14] += weight * (p[14] + d4 * d4);
     }
   }
 }

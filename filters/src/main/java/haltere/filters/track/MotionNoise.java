@@ -94,7 +94,7 @@ final class MotionNoise {
   /** Probability that a target has left a mode after a time. */
   double leave(int mode, double dtS) {
     boolean agile = mode > 0 && mode == acceleration.length - 1;
-    return -Math.expm1(-dtS / (agile ? stayS * AGILE_STAY : stayS));
+    return 1 - Math.exp(-dtS / (agile ? stayS * AGILE_STAY : stayS));
   }
 
   /**

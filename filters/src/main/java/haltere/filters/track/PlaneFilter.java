@@ -1,11 +1,12 @@
 package haltere.filters.track;
 
+import haltere.filters.estimation.SineCosine;
 import java.util.Arrays;
 
 /**
  * An extended Kalman filter of a point in a plane that goes straight or on a circle: state (x, y,
- * vx, vy, ω), with ω the rate at which the velocity turns. Written out on arrays; allocates nothing
- * after its construction.
+ * vx, vy, ω), with ω the rate at which the velocity turns. Written out; allocates nothing after its
+ * construction.
  *
  * <p>Evolution: the coordinated turn (Bar-Shalom, Li and Kirubarajan 2001, section 11.7.1),
  *
@@ -18,11 +19,26 @@ import java.util.Arrays;
  * <p>and, where ω is 0 and stays 0, constant velocity. The process noise is white acceleration of a
  * density per axis, integrated over Δt, and a random walk of ω. The update is Joseph's form.
  *
+ * <p>Of the covariance the upper triangle is kept, so it is symmetric by construction; first the
+ * entries of place and velocity, then those of ω, which are 0 and are left alone as long as ω is
+ * known to be 0.
+ *
  * <p>Units are those of the plane: pixels or metres, with seconds and radians. Thread rule: not
  * safe for use by two threads at a time.
  */
 final class PlaneFilter {
   static final int STATES = 5;
+
+  /** Entries of the upper triangle. */
+  static final int ENTRIES = 15;
+
+  private static final int[] PLACE = {
+    0, 1, 2, 3, 10,
+    1, 4, 5, 6, 11,
+    2, 5, 7, 8, 12,
+    3, 6, 8, 9, 13,
+    10, 11, 12, 13, 14
+  };
 
   private static final double SMALL_ANGLE = 1e-4;
   private static final double LOG_TWO_PI = Math.log(2 * Math.PI);
@@ -30,9 +46,10 @@ final class PlaneFilter {
   /** State. */
   final double[] x = new double[STATES];
 
-  /** Covariance, all 25 entries, symmetric. */
-  final double[] p = new double[STATES * STATES];
+  /** Covariance: entries 00 01 02 03 11 12 13 22 23 33, then 04 14 24 34 44. */
+  final double[] p = new double[ENTRIES];
 
+  private final SineCosine turned = new SineCosine();
   private final double[] gain = new double[STATES * 2];
   private double yX;
   private double yY;
@@ -42,8 +59,13 @@ final class PlaneFilter {
   private double rXx;
   private double rXy;
   private double rYy;
+  private double determinant = Double.NaN;
   private double nis = Double.NaN;
-  private double logLikelihood = Double.NaN;
+
+  /** Where an entry of a covariance is among those that are kept. */
+  static int place(int row, int column) {
+    return PLACE[STATES * row + column];
+  }
 
   /** Begins with a place of known uncertainty, a velocity of 0 that is unknown, and a turn rate. */
   void launch(
@@ -54,30 +76,56 @@ final class PlaneFilter {
     x[1] = atY;
     p[0] = xx;
     p[1] = xy;
-    p[STATES] = xy;
-    p[STATES + 1] = yy;
-    p[12] = velocity;
-    p[18] = velocity;
-    p[24] = turnRate;
+    p[4] = yy;
+    p[7] = velocity;
+    p[9] = velocity;
+    p[14] = turnRate;
   }
 
   void copyFrom(PlaneFilter other) {
     System.arraycopy(other.x, 0, x, 0, STATES);
-    System.arraycopy(other.p, 0, p, 0, STATES * STATES);
+    System.arraycopy(other.p, 0, p, 0, ENTRIES);
+  }
+
+  double covariance(int row, int column) {
+    return p[place(row, column)];
+  }
+
+  private boolean turns() {
+    return x[4] != 0 || p[14] != 0;
   }
 
   /** Evolves without noise; with a turn rate that is known to be 0, in a straight line. */
   void evolve(double dtS) {
-    double w = x[4];
-    if (w == 0 && p[24] == 0) {
-      x[0] += dtS * x[2];
-      x[1] += dtS * x[3];
-      transform(dtS, 0, 1, 0, 0, 0, 0, 0);
-      return;
+    if (turns()) {
+      turn(dtS);
+    } else {
+      goStraight(dtS);
     }
+  }
+
+  private void goStraight(double dtS) {
+    x[0] += dtS * x[2];
+    x[1] += dtS * x[3];
+    double p02 = p[2] + dtS * p[7];
+    double p03 = p[3] + dtS * p[8];
+    double p12 = p[5] + dtS * p[8];
+    double p13 = p[6] + dtS * p[9];
+    p[0] += dtS * (p[2] + p02);
+    p[1] += dtS * (p[5] + p03);
+    p[4] += dtS * (p[6] + p13);
+    p[2] = p02;
+    p[3] = p03;
+    p[5] = p12;
+    p[6] = p13;
+  }
+
+  private void turn(double dtS) {
+    double w = x[4];
     double angle = w * dtS;
-    double sin = Math.sin(angle);
-    double cos = Math.cos(angle);
+    turned.of(angle);
+    double sin = turned.sine();
+    double cos = turned.cosine();
     double a;
     double b;
     double aByW;
@@ -89,10 +137,11 @@ final class PlaneFilter {
       aByW = -dtS * dtS * angle / 3;
       bByW = dtS * dtS / 2;
     } else {
-      a = sin / w;
-      b = (1 - cos) / w;
-      aByW = (dtS * cos - a) / w;
-      bByW = (dtS * sin - b) / w;
+      double perW = 1 / w;
+      a = sin * perW;
+      b = (1 - cos) * perW;
+      aByW = (dtS * cos - a) * perW;
+      bByW = (dtS * sin - b) * perW;
     }
     double vx = x[2];
     double vy = x[3];
@@ -104,28 +153,44 @@ final class PlaneFilter {
         a, b, cos, sin, aByW * vx - bByW * vy, bByW * vx + aByW * vy, -dtS * x[3], dtS * x[2]);
   }
 
-  /** P ← F P Fᵀ with F = [1 0 a −b e; 0 1 b a f; 0 0 c −s g; 0 0 s c h; 0 0 0 0 1], rows first. */
+  /** P ← F P Fᵀ with F = [1 0 a −b e; 0 1 b a f; 0 0 c −s g; 0 0 s c h; 0 0 0 0 1]. */
   private void transform(
       double a, double b, double c, double s, double e, double f, double g, double h) {
-    for (int j = 0; j < STATES; j++) {
-      double p2 = p[10 + j];
-      double p3 = p[15 + j];
-      double p4 = p[20 + j];
-      p[j] += a * p2 - b * p3 + e * p4;
-      p[5 + j] += b * p2 + a * p3 + f * p4;
-      p[10 + j] = c * p2 - s * p3 + g * p4;
-      p[15 + j] = s * p2 + c * p3 + h * p4;
-    }
-    for (int i = 0; i < STATES * STATES; i += STATES) {
-      double p2 = p[i + 2];
-      double p3 = p[i + 3];
-      double p4 = p[i + 4];
-      p[i] += a * p2 - b * p3 + e * p4;
-      p[i + 1] += b * p2 + a * p3 + f * p4;
-      p[i + 2] = c * p2 - s * p3 + g * p4;
-      p[i + 3] = s * p2 + c * p3 + h * p4;
-    }
-    symmetrise();
+    double p04 = p[10];
+    double p14 = p[11];
+    double p24 = p[12];
+    double p34 = p[13];
+    double p44 = p[14];
+    // M = F P, as far as it is needed.
+    double m00 = p[0] + a * p[2] - b * p[3] + e * p04;
+    double m01 = p[1] + a * p[5] - b * p[6] + e * p14;
+    double m02 = p[2] + a * p[7] - b * p[8] + e * p24;
+    double m03 = p[3] + a * p[8] - b * p[9] + e * p34;
+    double m04 = p04 + a * p24 - b * p34 + e * p44;
+    double m11 = p[4] + b * p[5] + a * p[6] + f * p14;
+    double m12 = p[5] + b * p[7] + a * p[8] + f * p24;
+    double m13 = p[6] + b * p[8] + a * p[9] + f * p34;
+    double m14 = p14 + b * p24 + a * p34 + f * p44;
+    double m22 = c * p[7] - s * p[8] + g * p24;
+    double m23 = c * p[8] - s * p[9] + g * p34;
+    double m24 = c * p24 - s * p34 + g * p44;
+    double m32 = s * p[7] + c * p[8] + h * p24;
+    double m33 = s * p[8] + c * p[9] + h * p34;
+    double m34 = s * p24 + c * p34 + h * p44;
+    p[0] = m00 + a * m02 - b * m03 + e * m04;
+    p[1] = m01 + b * m02 + a * m03 + f * m04;
+    p[2] = c * m02 - s * m03 + g * m04;
+    p[3] = s * m02 + c * m03 + h * m04;
+    p[4] = m11 + b * m12 + a * m13 + f * m14;
+    p[5] = c * m12 - s * m13 + g * m14;
+    p[6] = s * m12 + c * m13 + h * m14;
+    p[7] = c * m22 - s * m23 + g * m24;
+    p[8] = s * m22 + c * m23 + h * m24;
+    p[9] = s * m32 + c * m33 + h * m34;
+    p[10] = m04;
+    p[11] = m14;
+    p[12] = m24;
+    p[13] = m34;
   }
 
   /** Adds what white acceleration and a random walk of the turn rate do in a time. */
@@ -134,22 +199,20 @@ final class PlaneFilter {
     double half = q * dtS / 2;
     double third = q * dtS * dtS / 3;
     p[0] += third;
-    p[6] += third;
+    p[4] += third;
     p[2] += half;
-    p[10] += half;
-    p[8] += half;
-    p[16] += half;
-    p[12] += q;
-    p[18] += q;
-    p[24] += turn * dtS;
+    p[6] += half;
+    p[7] += q;
+    p[9] += q;
+    p[14] += turn * dtS;
   }
 
   /** Adds the same variance to place and velocity, the original's noise of each step. */
   void addStepNoise(double variance) {
     p[0] += variance;
-    p[6] += variance;
-    p[12] += variance;
-    p[18] += variance;
+    p[4] += variance;
+    p[7] += variance;
+    p[9] += variance;
   }
 
   /**
@@ -165,64 +228,116 @@ final class PlaneFilter {
     yY = zY - x[1];
     sXx = p[0] + xx;
     sXy = p[1] + xy;
-    sYy = p[6] + yy;
-    double determinant = sXx * sYy - sXy * sXy;
+    sYy = p[4] + yy;
+    determinant = sXx * sYy - sXy * sXy;
     nis = (sYy * yX * yX - 2 * sXy * yX * yY + sXx * yY * yY) / determinant;
-    logLikelihood = -0.5 * (nis + Math.log(determinant)) - LOG_TWO_PI;
-    return sXx > 0 && determinant > 0 && nis >= 0 && logLikelihood > Double.NEGATIVE_INFINITY;
+    return sXx > 0
+        && determinant > 0
+        && determinant < Double.POSITIVE_INFINITY
+        && nis >= 0
+        && nis < Double.POSITIVE_INFINITY;
   }
 
   /** Takes in what {@link #innovate} has compared. */
   void correct() {
-    double inverse = 1 / (sXx * sYy - sXy * sXy);
+    double inverse = 1 / determinant;
     double iXx = sYy * inverse;
     double iXy = -sXy * inverse;
     double iYy = sXx * inverse;
-    for (int i = 0; i < STATES; i++) {
-      double a = p[5 * i];
-      double b = p[5 * i + 1];
-      double k = a * iXx + b * iXy;
-      double l = a * iXy + b * iYy;
-      gain[2 * i] = k;
-      gain[2 * i + 1] = l;
-      x[i] += k * yX + l * yY;
+    boolean turns = turns();
+    for (int i = 0; i < 4; i++) {
+      setGain(i, p[i], i == 0 ? p[1] : p[3 + i], iXx, iXy, iYy);
     }
-    // A = (I − K H) P, then P = A (I − K H)ᵀ + K R Kᵀ
-    for (int j = 0; j < STATES; j++) {
-      double a = p[j];
-      double b = p[5 + j];
-      for (int i = 0; i < STATES; i++) {
-        p[5 * i + j] -= gain[2 * i] * a + gain[2 * i + 1] * b;
-      }
+    setGain(4, turns ? p[10] : 0, turns ? p[11] : 0, iXx, iXy, iYy);
+    if (turns) {
+      correctTurnRate();
     }
+    correctPlaceAndVelocity();
+  }
+
+  private void setGain(int row, double toX, double toY, double iXx, double iXy, double iYy) {
+    double k = toX * iXx + toY * iXy;
+    double l = toX * iXy + toY * iYy;
+    gain[2 * row] = k;
+    gain[2 * row + 1] = l;
+    x[row] += k * yX + l * yY;
+  }
+
+  /**
+   * The column of ω, as {@link #correctPlaceAndVelocity}, before it: it needs the other entries as
+   * they were.
+   */
+  private void correctTurnRate() {
+    double f4 = p[10];
+    double s4 = p[11];
+    double k4 = gain[8];
+    double l4 = gain[9];
     for (int i = 0; i < STATES; i++) {
       double k = gain[2 * i];
       double l = gain[2 * i + 1];
-      double u = k * rXx + l * rXy - p[5 * i];
-      double v = k * rXy + l * rYy - p[5 * i + 1];
-      for (int j = 0; j < STATES; j++) {
-        p[5 * i + j] += u * gain[2 * j] + v * gain[2 * j + 1];
-      }
+      double first = i < 4 ? p[i] : f4;
+      double second = i == 0 ? p[1] : i < 4 ? p[3 + i] : s4;
+      double u = k * rXx + l * rXy - (first - k * p[0] - l * p[1]);
+      double v = k * rXy + l * rYy - (second - k * p[1] - l * p[4]);
+      p[10 + i] = p[10 + i] - k * f4 - l * s4 + u * k4 + v * l4;
     }
-    symmetrise();
   }
 
-  private void symmetrise() {
-    for (int i = 0; i < STATES; i++) {
-      for (int j = i + 1; j < STATES; j++) {
-        double mean = 0.5 * (p[5 * i + j] + p[5 * j + i]);
-        p[5 * i + j] = mean;
-        p[5 * j + i] = mean;
-      }
-    }
+  /**
+   * Joseph's form: with A = (I − K H) P it is A (I − K H)ᵀ + K R Kᵀ = A + (K R − A Hᵀ) Kᵀ. In exact
+   * arithmetic the bracket (u, v) is zero; here it is the rounding error of A that is taken back.
+   */
+  private void correctPlaceAndVelocity() {
+    double k0 = gain[0];
+    double l0 = gain[1];
+    double k1 = gain[2];
+    double l1 = gain[3];
+    double k2 = gain[4];
+    double l2 = gain[5];
+    double k3 = gain[6];
+    double l3 = gain[7];
+    double p00 = p[0];
+    double p01 = p[1];
+    double p02 = p[2];
+    double p03 = p[3];
+    double p11 = p[4];
+    double p12 = p[5];
+    double p13 = p[6];
+    double a00 = p00 - k0 * p00 - l0 * p01;
+    double a01 = p01 - k0 * p01 - l0 * p11;
+    double a10 = p01 - k1 * p00 - l1 * p01;
+    double a11 = p11 - k1 * p01 - l1 * p11;
+    double u0 = k0 * rXx + l0 * rXy - a00;
+    double v0 = k0 * rXy + l0 * rYy - a01;
+    double u1 = k1 * rXx + l1 * rXy - a10;
+    double v1 = k1 * rXy + l1 * rYy - a11;
+    double u2 = k2 * rXx + l2 * rXy - (p02 - k2 * p00 - l2 * p01);
+    double v2 = k2 * rXy + l2 * rYy - (p12 - k2 * p01 - l2 * p11);
+    double u3 = k3 * rXx + l3 * rXy - (p03 - k3 * p00 - l3 * p01);
+    double v3 = k3 * rXy + l3 * rYy - (p13 - k3 * p01 - l3 * p11);
+    p[0] = a00 + u0 * k0 + v0 * l0;
+    p[1] = a01 + u0 * k1 + v0 * l1;
+    p[2] = p02 - k0 * p02 - l0 * p12 + u0 * k2 + v0 * l2;
+    p[3] = p03 - k0 * p03 - l0 * p13 + u0 * k3 + v0 * l3;
+    p[4] = a11 + u1 * k1 + v1 * l1;
+    p[5] = p12 - k1 * p02 - l1 * p12 + u1 * k2 + v1 * l2;
+    p[6] = p13 - k1 * p03 - l1 * p13 + u1 * k3 + v1 * l3;
+    p[7] = p[7] - k2 * p02 - l2 * p12 + u2 * k2 + v2 * l2;
+    p[8] = p[8] - k2 * p03 - l2 * p13 + u2 * k3 + v2 * l3;
+    p[9] = p[9] - k3 * p03 - l3 * p13 + u3 * k3 + v3 * l3;
   }
 
   double nis() {
     return nis;
   }
 
+  /** Determinant of the covariance of the innovation. */
+  double determinant() {
+    return determinant;
+  }
+
   double logLikelihood() {
-    return logLikelihood;
+    return -0.5 * (nis + Math.log(determinant)) - LOG_TWO_PI;
   }
 
   double innovationX() {

@@ -183,13 +183,9 @@ final class Track {
    * @return the normalised innovation squared, NaN if it cannot be compared
    */
   double compare(Measurement measured) {
-    ahead.copyFrom(motion);
-    double dtS = (measured.timeUs - stateUs) * US;
-    if (dtS > 0) {
-      ahead.predict(dtS, noiseFactor(measured.timeUs));
-    }
-    if (!plane.map(
-        ahead.x(), ahead.y(), measured.x, measured.y, measured.xx, measured.xy, measured.yy)) {
+    double dtS = Math.max(0, (measured.timeUs - stateUs) * US);
+    ahead.predictFrom(motion, dtS, noiseFactor(measured.timeUs));
+    if (!measured.map(plane, ahead)) {
       return Double.NaN;
     }
     return ahead.innovate(plane.x, plane.y, plane.xx, plane.xy, plane.yy);

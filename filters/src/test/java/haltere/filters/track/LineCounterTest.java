@@ -33,7 +33,7 @@ class LineCounterTest {
       if (k == 0) {
         track.motion.launch(xM, fromM, 1e-4, 0, 1e-4);
       } else {
-        track.motion.predict(0.1, 1);
+        track.motion.coast(0.1, 1);
         track.motion.innovate(xM, fromM + mS * 0.1 * k, 1e-4, 0, 1e-4);
         track.motion.correct();
       }

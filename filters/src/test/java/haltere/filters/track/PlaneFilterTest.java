@@ -49,7 +49,8 @@ class PlaneFilterTest {
         assertEquals(clear.state(GENERAL[i]), fast.x[i], 1e-7 * (1 + Math.abs(fast.x[i])));
         for (int j = 0; j < 4; j++) {
           double expected = clear.covariance(GENERAL[i], GENERAL[j]);
-          assertEquals(expected, fast.p[5 * i + j], 1e-7 * (1 + Math.abs(expected)), i + " " + j);
+          assertEquals(
+              expected, fast.covariance(i, j), 1e-7 * (1 + Math.abs(expected)), i + " " + j);
         }
       }
     }
@@ -83,14 +84,66 @@ class PlaneFilterTest {
     }
     PlaneFilter filter = new PlaneFilter();
     filter.launch(0, 0, 2, 0.3, 1, 9, 4);
-    DMatrixRMaj before = new DMatrixRMaj(5, 5, true, filter.p.clone());
+    DMatrixRMaj before = covariance(filter);
     System.arraycopy(start, 0, filter.x, 0, 5);
     filter.evolve(dt);
     DMatrixRMaj half = new DMatrixRMaj(5, 5);
     DMatrixRMaj expected = new DMatrixRMaj(5, 5);
     CommonOps_DDRM.mult(jacobian, before, half);
     CommonOps_DDRM.multTransB(half, jacobian, expected);
-    assertArrayEquals(expected.data, filter.p, 1e-5);
+    assertArrayEquals(expected.data, covariance(filter).data, 1e-5);
+  }
+
+  private static DMatrixRMaj covariance(PlaneFilter filter) {
+    DMatrixRMaj p = new DMatrixRMaj(5, 5);
+    for (int i = 0; i < 5; i++) {
+      for (int j = 0; j < 5; j++) {
+        p.set(i, j, filter.covariance(i, j));
+      }
+    }
+    return p;
+  }
+
+  /** Joseph's form on whole matrices is the reference. */
+  @Test
+  void aTurningTargetIsCorrectedByJosephsForm() {
+    SplittableRandom random = new SplittableRandom(3);
+    for (int run = 0; run < 50; run++) {
+      PlaneFilter filter = new PlaneFilter();
+      filter.launch(0, 0, 2, 0.3, 1, 900, 4);
+      filter.x[3] = 100;
+      filter.x[4] = random.nextDouble(-3, 3);
+      for (int k = 0; k < 20; k++) {
+        filter.evolve(0.02);
+        filter.addNoise(0.02, 100, 1);
+        DMatrixRMaj before = covariance(filter);
+        double rxx = random.nextDouble(0.1, 2);
+        double ryy = random.nextDouble(0.1, 2);
+        assertTrue(filter.innovate(filter.x[0] + 0.5, filter.x[1] - 0.2, rxx, 0.05, ryy));
+        filter.correct();
+        assertArrayEquals(
+            joseph(before, filter, rxx, ryy).data, covariance(filter).data, 1e-9 * 900);
+      }
+    }
+  }
+
+  private static DMatrixRMaj joseph(DMatrixRMaj p, PlaneFilter filter, double rxx, double ryy) {
+    DMatrixRMaj gain = new DMatrixRMaj(5, 2);
+    DMatrixRMaj left = CommonOps_DDRM.identity(5);
+    for (int i = 0; i < 5; i++) {
+      for (int j = 0; j < 2; j++) {
+        gain.set(i, j, filter.gain(i, j));
+        left.add(i, j, -gain.get(i, j));
+      }
+    }
+    DMatrixRMaj r = new DMatrixRMaj(new double[][] {{rxx, 0.05}, {0.05, ryy}});
+    return CommonOps_DDRM.add(turned(left, p), turned(gain, r), null);
+  }
+
+  /** A B Aᵀ. */
+  private static DMatrixRMaj turned(DMatrixRMaj a, DMatrixRMaj b) {
+    DMatrixRMaj half = CommonOps_DDRM.mult(a, b, null);
+    return CommonOps_DDRM.multTransB(half, a, null);
   }
 
   private static double[] evolved(double[] start, int index, double step, double dt) {
@@ -113,7 +166,7 @@ class PlaneFilterTest {
       filter.innovate(0, 0, 1, 0.3, 2);
       filter.correct();
     }
-    DMatrixRMaj p = new DMatrixRMaj(5, 5, true, filter.p.clone());
+    DMatrixRMaj p = covariance(filter);
     assertTrue(DecompositionFactory_DDRM.chol(5, true).decompose(p), "P is not positive: " + p);
   }
 

@@ -12,6 +12,7 @@ import haltere.filters.estimation.KalmanFilter;
 import haltere.filters.estimation.LinearMeasurement;
 import haltere.filters.estimation.LinearProcessModel;
 import haltere.filters.estimation.MeasurementModel;
+import haltere.filters.estimation.SineCosine;
 import haltere.filters.estimation.UpdateOutcome;
 import java.util.Random;
 import java.util.concurrent.TimeUnit;
@@ -57,6 +58,7 @@ public class EstimationBenchmark {
   private final DMatrixRMaj pair = new DMatrixRMaj(2, 1);
   private final LinearMeasurement place = LinearMeasurement.ofEntries(4, 2, 0, 2);
   private final Wing wing = new Wing();
+  private final SineCosine wave = new SineCosine();
   private ConstantVelocityPlane plane;
   private KalmanFilter planeClear;
   private FourStateEkf edge;
@@ -133,10 +135,10 @@ public class EstimationBenchmark {
   public UpdateOutcome edgeWrittenOut() {
     edge.predict(0, 0, 0, 0, 0, DT_S);
     edge.addNoise(Q_CENTRE, Q_AMPLITUDE, Q_PHASE, Q_FREQUENCY);
-    double sin = Math.sin(edge.x2());
-    double cos = Math.cos(edge.x2());
+    wave.of(edge.x2());
+    double sin = wave.sine();
     double y = Angles.wrapPi(angle() - (edge.x0() + edge.x1() * sin));
-    return edge.update(y, 1, sin, edge.x1() * cos, 0, R);
+    return edge.update(y, 1, sin, edge.x1() * wave.cosine(), 0, R);
   }
 
   /**
@@ -160,7 +162,8 @@ public class EstimationBenchmark {
   @Benchmark
   public double waveAlone() {
     phase = Angles.wrapPi(phase + 1250 * DT_S);
-    return Math.sin(phase) + Math.cos(phase);
+    wave.of(phase);
+    return wave.sine() + wave.cosine();
   }
 
   /**
