@@ -46,6 +46,9 @@ final class AxisHypothesis {
   /** Probability that the body is in a saccade, if this guess is right. */
   double saccadeShare;
 
+  /** Logarithm of how likely its angle to the flight was when that was last taken in. */
+  private double leanLog;
+
   /** Lines that are not yet decided upon, and what became of the others. */
   int undecided;
 
@@ -83,6 +86,7 @@ final class AxisHypothesis {
     System.arraycopy(other.used, 0, used, 0, lines);
     System.arraycopy(other.nis, 0, nis, 0, lines);
     System.arraycopy(other.own, 0, own, 0, lines);
+    leanLog = other.leanLog;
     step = other.step;
     predicted = other.predicted;
   }
@@ -105,6 +109,7 @@ final class AxisHypothesis {
     error.setCovariance(buffer);
     error.setState(0, 0, 0, 0);
     stay();
+    leanLog = 0;
     step = null;
     predicted = null;
   }
@@ -222,17 +227,24 @@ final class AxisHypothesis {
     error.update(seen.innovation, seen.ha, 0, seen.hb, 0, seen.noise);
   }
 
-  /** Takes in a direction that the axis has but for a variance; leaves how likely that was. */
-  void lean(double[] direction, double variance) {
+  /**
+   * Takes in a direction that the axis has but for an angle, of which a share is fresh; leaves how
+   * likely that angle is. An angle that wanders (first-order Gauss-Markov) is as likely as its
+   * distribution says, over that of the part that has been counted before: a guess that turns away
+   * from the flight loses at once, one that stays loses no more.
+   */
+  void lean(double[] direction, double variance, double fresh) {
     double a = Vectors.dot(direction, e1);
     double b = Vectors.dot(direction, e2);
     double sin = Math.sqrt(a * a + b * b);
     double angle = Math.atan2(sin, Vectors.dot(direction, u));
     double scale = sin < 1e-7 ? 1 : angle / sin;
     error.setState(0, va, 0, vb);
-    logWeight = -0.5 * angle * angle / variance;
-    error.update(scale * a, 1, 0, 0, 0, variance);
-    error.update(scale * b - error.x2(), 0, 0, 1, 0, variance);
+    double log = -0.5 * angle * angle / variance;
+    logWeight = log - (1 - fresh) * leanLog;
+    leanLog = log;
+    error.update(scale * a, 1, 0, 0, 0, variance / fresh);
+    error.update(scale * b - error.x2(), 0, 0, 1, 0, variance / fresh);
     settle();
   }
 

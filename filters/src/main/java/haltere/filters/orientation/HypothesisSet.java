@@ -208,7 +208,7 @@ final class HypothesisSet {
     for (int i = 0; i < size; i++) {
       for (int j = i + 1; j < size; j++) {
         double share = now[j].weight / (now[i].weight + now[j].weight);
-        difference.between(now[i], now[j]);
+        difference.betweenLines(now[i], now[j]);
         double distance = distance(now[i], now[j]);
         if ((now[i].saccadeShare < 0.5) != (now[j].saccadeShare < 0.5)) {
           continue;

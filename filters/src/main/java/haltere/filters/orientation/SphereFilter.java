@@ -279,9 +279,9 @@ final class SphereFilter implements AxisFilter {
   }
 
   @Override
-  public void lean(double[] direction, double variance) {
+  public void lean(double[] direction, double variance, double fresh) {
     for (int i = 0; i < guesses.size(); i++) {
-      guesses.get(i).lean(direction, variance);
+      guesses.get(i).lean(direction, variance, fresh);
     }
     guesses.weigh();
     changed();
@@ -304,6 +304,11 @@ final class SphereFilter implements AxisFilter {
     unknown = guesses.include(guess, chance, rest, 1 - unknown);
     changed();
     return guesses.get(0) == guess;
+  }
+
+  @Override
+  public double agreement() {
+    return summary().agreement(guesses) * (1 - unknown) + 0.5 * unknown;
   }
 
   @Override
