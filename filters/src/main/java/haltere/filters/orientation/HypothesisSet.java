@@ -151,10 +151,19 @@ final class HypothesisSet {
     sort();
   }
 
-  /** Multiplies each probability by e to its logarithm of a weight. */
-  void weigh() {
+  /**
+   * Takes in a direction that the axis has but for an angle ({@link AxisHypothesis#lean}).
+   *
+   * @param vague whether heads that are far off it may have come round to the tail
+   */
+  void lean(double[] direction, double variance, double fresh, boolean vague) {
     for (int i = 0; i < size; i++) {
-      now[i].weight *= Math.exp(now[i].logWeight);
+      AxisHypothesis each = now[i];
+      if (vague) {
+        each.face(direction, variance);
+      }
+      each.lean(direction, variance, fresh);
+      each.weight *= Math.exp(each.logWeight);
     }
     sort();
     normalise();

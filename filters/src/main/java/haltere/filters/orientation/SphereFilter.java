@@ -36,6 +36,9 @@ final class SphereFilter implements AxisFilter {
   /** Variance of an expected line at which the gate is half as wide again. */
   private static final double VAGUE_LINE = Math.toRadians(15) * Math.toRadians(15);
 
+  /** Variance of the axis beyond which a guess may have come round to the wrong end. */
+  private static final double VAGUE_VARIANCE = Math.toRadians(15) * Math.toRadians(15);
+
   /** Mean of the squared angle to a random line, per direction beside the axis. */
   private static final double UNKNOWN_VARIANCE = (Math.PI - 2) / 2;
 
@@ -280,10 +283,7 @@ final class SphereFilter implements AxisFilter {
 
   @Override
   public void lean(double[] direction, double variance, double fresh) {
-    for (int i = 0; i < guesses.size(); i++) {
-      guesses.get(i).lean(direction, variance, fresh);
-    }
-    guesses.weigh();
+    guesses.lean(direction, variance, fresh, summary().axisVariance() > VAGUE_VARIANCE);
     changed();
   }
 

@@ -105,6 +105,29 @@ class BodyOrientationEstimatorTest {
   }
 
   @Test
+  void aGuessThatCameRoundToTheTailIsTurnedAndStaysTheSameLine() {
+    AxisHypothesis guess = new AxisHypothesis();
+    double[] covariance = {0.04, 0.01, 0, 0.01, 0.02, 0, 0, 0, 0.01};
+    guess.launch(new double[] {0.1, -0.2, 1}, covariance, 2);
+    guess.move(new double[] {0, 0.5, 0, -0.7});
+    AxisState before = guess.state();
+    guess.face(before.u(), 1);
+    assertEquals(0, Vectors.angle(before.u(), guess.u), 1e-12, "a head that is ahead stays");
+    guess.face(new double[] {-before.u()[0], -before.u()[1], -before.u()[2]}, 1);
+    AxisState turned = guess.state();
+    assertEquals(Math.PI, Vectors.angle(before.u(), turned.u()), 1e-7);
+    double[] expected = before.p();
+    for (int k = 0; k < 3; k++) {
+      double velocity = before.va() * before.e1()[k] + before.vb() * before.e2()[k];
+      double tail = turned.va() * turned.e1()[k] + turned.vb() * turned.e2()[k];
+      assertEquals(-velocity, tail, 1e-12);
+    }
+    assertEquals(expected[0], turned.p()[0], 1e-12);
+    assertEquals(-expected[2], turned.p()[2], 1e-12);
+    assertEquals(expected[10], turned.p()[10], 1e-12);
+  }
+
+  @Test
   void theOriginalsFormFollowsAFlightToo() {
     FlightScores scores = FlightScores.of(Flights.scene(3, 5), OrientationSettings.original(), 2);
     double median = FlightScores.quantile(scores.axisDeg, 0.5);
