@@ -33,9 +33,10 @@ public interface ClusterObserver {
    * Whether readings go on while there is no visible cluster. Until it says no, the times do not
    * jump, so an observer that waits for long has to say no some time.
    *
+   * @param timeUs the time of the reading in question, microseconds
    * @return false unless overridden
    */
-  default boolean isWaiting() {
+  default boolean isWaiting(long timeUs) {
     return false;
   }
 }

@@ -357,7 +357,7 @@ public final class ClusterTracker {
         && !reports.isShowing()
         && !observedSomething
         && places.areForgotten()
-        && (observer == null || !observer.isWaiting());
+        && (observer == null || !observer.isWaiting(times.nextUs()));
   }
 
   private void upkeep(long timeUs) {
@@ -427,7 +427,7 @@ public final class ClusterTracker {
   private void observation(long timeUs) {
     reader.open(clusters.all, clusters.count, timeUs, geometry.width(), geometry.height());
     boolean something = reader.count() > 0;
-    if (something || observedSomething || observer.isWaiting()) {
+    if (something || observedSomething || observer.isWaiting(timeUs)) {
       observedSomething = something;
       observer.clustersRead(timeUs, reader);
     }

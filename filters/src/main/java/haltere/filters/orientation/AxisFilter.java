@@ -28,10 +28,10 @@ sealed interface AxisFilter permits SphereFilter, QuaternionFilter {
    * Takes in that a body flies more or less where its head points.
    *
    * @param direction unit vector, of the flight
-   * @param variance of the angle between axis and flight in each direction, squared radians
-   * @param fresh share of that angle that is another than an instant ago, greater than 0, at most 1
+   * @param variance of the angle between axis and flight in each direction, squared radians, for
+   *     this instant alone
    */
-  void lean(double[] direction, double variance, double fresh);
+  void lean(double[] direction, double variance);
 
   /**
    * Whether the axis had better be looked for anew, after these lines were taken in.
@@ -46,9 +46,6 @@ sealed interface AxisFilter permits SphereFilter, QuaternionFilter {
    * axis.
    */
   boolean offer(AxisLaunch found);
-
-  /** Probability that the axis is nearer to the estimate than to its opposite. */
-  double agreement();
 
   /** Whether the axis is not in doubt, so that it tells where the head is. */
   boolean isSettled();

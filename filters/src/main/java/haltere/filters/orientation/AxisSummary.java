@@ -4,8 +4,7 @@ import java.util.Arrays;
 
 /**
  * What several guesses of an axis say together: their mean, in the tangent plane of the likeliest,
- * and their second moment about it. Each guess points the way that it has been followed, so guesses
- * more than 90 degrees apart have a mean between them, not one beside the line of both. Reused.
+ * and their second moment about it. Reused.
  */
 final class AxisSummary {
   private final AxisHypothesis mean = new AxisHypothesis();
@@ -53,7 +52,7 @@ final class AxisSummary {
 
   private void add(AxisHypothesis best, AxisHypothesis other) {
     double w = other.weight;
-    difference.betweenHeads(best, other);
+    difference.between(best, other);
     difference.carryCovariance(other);
     double[] d = difference.d;
     for (int i = 0; i < 4; i++) {
@@ -76,16 +75,6 @@ final class AxisSummary {
 
   double axisVariance() {
     return p[0] + p[10];
-  }
-
-  /** Probability of the guesses that are nearer to the mean than to its opposite. */
-  double agreement(HypothesisSet guesses) {
-    double sum = 0;
-    for (int g = 0; g < guesses.size(); g++) {
-      AxisHypothesis guess = guesses.get(g);
-      sum += Vectors.dot(guess.u, mean.u) > 0 ? guess.weight : 0;
-    }
-    return Math.min(1, sum);
   }
 
   AxisState state() {

@@ -256,7 +256,7 @@ final class QuaternionFilter implements AxisFilter {
 
   /** The source does not. */
   @Override
-  public void lean(double[] direction, double variance, double fresh) {}
+  public void lean(double[] direction, double variance) {}
 
   @Override
   public boolean doubts(LineMeasurement[] lines, int count) {
@@ -273,11 +273,6 @@ final class QuaternionFilter implements AxisFilter {
     launch(found.axis(), found.covariance());
     doubt.reset(found.lines() > 2 || replaces);
     return true;
-  }
-
-  @Override
-  public double agreement() {
-    return 1;
   }
 
   @Override

@@ -90,6 +90,15 @@ public final class KalmanTracksFilter extends PublishingFilter<KalmanTracksSetti
     return updates;
   }
 
+  /**
+   * Where vehicles that cross counting lines come out.
+   *
+   * @return a result for each vehicle at each line; nothing without a road or without lines
+   */
+  public Outlet<LineCrossing> crossings() {
+    return crossings;
+  }
+
   @Override
   public KalmanTracksSettings settings() {
     return estimator.settings();
@@ -128,7 +137,7 @@ public final class KalmanTracksFilter extends PublishingFilter<KalmanTracksSetti
                 new TrackSnapshot.Shown(
                     List.copyOf(path(point)),
                     estimator.plane().covarianceXyPx2,
-                    track.batch == null || track.contested,
+                    track.isUnseen(timeUs) || track.contested,
                     onRoad ? RoadSpeed.kmH(motion) : Double.NaN));
           }
         }

@@ -73,6 +73,23 @@ final class MotionModes {
     }
   }
 
+  /** Begins with a line across the road whose place and speed along it are known. */
+  void launchLine(LineSearch found, double varianceX, double varianceVx) {
+    launch(found.xM, found.yM, varianceX, 0, found.varianceY, varianceVx);
+    for (int j = 0; j < modes; j++) {
+      filters[j].setAlong(found.vyMS, found.covarianceYvy, found.varianceVy);
+    }
+    combined = false;
+  }
+
+  /** Moves the place along the road, by what is known with a variance. */
+  void shift(double byY, double variance) {
+    for (int j = 0; j < modes; j++) {
+      filters[j].shift(byY, variance);
+    }
+    combined = false;
+  }
+
   private void launch(
       double atX, double atY, double xx, double xy, double yy, double velocityVariance) {
     for (int j = 0; j < modes; j++) {

@@ -6,12 +6,15 @@ final class MotionNoise {
   private static final double TURN_RATE_VARIANCE = 64;
 
   /** Share of a track's way of moving on a road that brakes or changes lanes: m²/s³. */
-  private static final double ROAD_AGILE_FACTOR = 200;
+  private static final double ROAD_AGILE_FACTOR = 300;
 
   private static final double ROAD_LAUNCH_SPEED_M_S = 40;
 
   /** How long a target does anything, as a share of how long it goes on in another way. */
   private static final double AGILE_STAY = 0.1;
+
+  /** The same on a road, where braking takes seconds. */
+  private static final double ROAD_AGILE_STAY = 1;
 
   /** Share of the changes between more than two modes that lead to doing anything. */
   private static final double AGILE_ENTRY = 0.1;
@@ -21,16 +24,22 @@ final class MotionNoise {
   private final boolean[] turns;
   private final double turn;
   private final double launchSpeed;
+  private final double agileStay;
   private final double stayS;
 
   private MotionNoise(
-      MotionSettings settings, double[] acceleration, boolean[] turns, double launchSpeed) {
+      MotionSettings settings,
+      double[] acceleration,
+      boolean[] turns,
+      double launchSpeed,
+      double agileStay) {
     perStep = settings.noise() == ProcessNoise.PER_UPDATE;
     turn = settings.turnVariance();
     stayS = settings.meanStayS();
     this.acceleration = acceleration;
     this.turns = turns;
     this.launchSpeed = launchSpeed;
+    this.agileStay = agileStay;
   }
 
   /** Of tracks in pixels. */
@@ -38,7 +47,11 @@ final class MotionNoise {
     double launch = settings.launchSpeedPxS();
     if (settings.model() == MotionModel.STRAIGHT) {
       return new MotionNoise(
-          settings, new double[] {settings.minProcessVariance()}, new boolean[1], launch);
+          settings,
+          new double[] {settings.minProcessVariance()},
+          new boolean[1],
+          launch,
+          AGILE_STAY);
     }
     return new MotionNoise(
         settings,
@@ -46,7 +59,8 @@ final class MotionNoise {
           settings.minProcessVariance(), settings.turningVariance(), settings.agileVariance()
         },
         new boolean[] {false, true, false},
-        launch);
+        launch,
+        AGILE_STAY);
   }
 
   /** Of tracks in metres: a vehicle goes straight on, or brakes and steers. */
@@ -55,7 +69,7 @@ final class MotionNoise {
     double[] two = {processVariance, ROAD_AGILE_FACTOR * processVariance};
     double[] densities = settings.model() == MotionModel.STRAIGHT ? one : two;
     return new MotionNoise(
-        settings, densities, new boolean[densities.length], ROAD_LAUNCH_SPEED_M_S);
+        settings, densities, new boolean[densities.length], ROAD_LAUNCH_SPEED_M_S, ROAD_AGILE_STAY);
   }
 
   int modes() {
@@ -94,7 +108,7 @@ final class MotionNoise {
   /** Probability that a target has left a mode after a time. */
   double leave(int mode, double dtS) {
     boolean agile = mode > 0 && mode == acceleration.length - 1;
-    return 1 - Math.exp(-dtS / (agile ? stayS * AGILE_STAY : stayS));
+    return 1 - Math.exp(-dtS / (agile ? stayS * agileStay : stayS));
   }
 
   /**

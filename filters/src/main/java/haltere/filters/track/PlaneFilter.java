@@ -82,6 +82,19 @@ final class PlaneFilter {
     p[14] = turnRate;
   }
 
+  /** Sets what is known of the second velocity. */
+  void setAlong(double velocity, double covarianceYvy, double variance) {
+    x[3] = velocity;
+    p[6] = covarianceYvy;
+    p[9] = variance;
+  }
+
+  /** Moves the second coordinate. */
+  void shift(double byY, double variance) {
+    x[1] += byY;
+    p[4] += variance;
+  }
+
   void copyFrom(PlaneFilter other) {
     System.arraycopy(other.x, 0, x, 0, STATES);
     System.arraycopy(other.p, 0, p, 0, ENTRIES);

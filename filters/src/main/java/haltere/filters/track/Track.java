@@ -82,6 +82,15 @@ final class Track {
   boolean inView;
   private byte[] sides = new byte[0];
 
+  /** The edge of a vehicle that it follows. */
+  final RoadLine line = new RoadLine();
+
+  /** Of a vehicle, until when it is shown. */
+  long shownUntilUs;
+
+  /** Whether it is a vehicle that has stopped. */
+  boolean stands;
+
   Track(MotionNoise noise, MeasurementPlane plane, MeasurementSettings settings) {
     this.plane = plane;
     this.settings = settings;
@@ -91,6 +100,11 @@ final class Track {
 
   /** Begins with the measurement that the plane has mapped. */
   void launch(long timeUs, long stepUs) {
+    begin(timeUs, stepUs);
+    motion.launch(plane.x, plane.y, plane.xx, plane.xy, plane.yy);
+  }
+
+  private void begin(long timeUs, long stepUs) {
     id = 0;
     bornUs = timeUs;
     stateUs = timeUs;
@@ -105,8 +119,30 @@ final class Track {
     nearOther = false;
     nearUnlike = false;
     hidden = false;
+    shownUntilUs = Long.MIN_VALUE;
+    stands = false;
     Arrays.fill(sides, (byte) 0);
-    motion.launch(plane.x, plane.y, plane.xx, plane.xy, plane.yy);
+  }
+
+  /** Begins with a line that was found, whose speed is known. */
+  void launchLine(LineSearch found, double varianceX, double varianceVx, long stepUs) {
+    begin(stepUs, stepUs);
+    motion.launchLine(found, varianceX, varianceVx);
+  }
+
+  /** Goes on with a line that was found, as the same track. */
+  void moveOn(LineSearch found, double varianceX, double varianceVx, long stepUs) {
+    stateUs = stepUs;
+    heardUs = stepUs;
+    gatedInARow = 0;
+    motion.launchLine(found, varianceX, varianceVx);
+  }
+
+  /** Takes in what {@link #compare} has compared, which was not heard but silence. */
+  void rest(long timeUs) {
+    correct();
+    stateUs = Math.max(stateUs, timeUs);
+    gatedInARow = 0;
   }
 
   /** Begins again where the plane has mapped a measurement to, as the same track. */
@@ -151,6 +187,14 @@ final class Track {
   /** Whether it has been seen by itself: what has not may be a part of another. */
   boolean wasFree() {
     return freeUpdates >= LEAST_FREE_UPDATES;
+  }
+
+  /** Whether it goes on as predicted, for nothing is seen of it. */
+  boolean isUnseen(long timeUs) {
+    boolean isVehicle = shownUntilUs > Long.MIN_VALUE;
+    return isVehicle
+        ? !stands && timeUs - heardUs > TrackReports.SHOWN_WITHOUT_CLUSTER_US
+        : batch == null;
   }
 
   double ageS(long timeUs) {
@@ -198,15 +242,19 @@ final class Track {
 
   /** Takes in what {@link #compare} has compared. */
   void take(long timeUs, long stepUs) {
-    ahead.correct();
-    MotionModes before = motion;
-    motion = ahead;
-    ahead = before;
+    correct();
     stateUs = Math.max(stateUs, timeUs);
     heardUs = stepUs;
     updates++;
     freeUpdates += contested ? 0 : 1;
     gatedInARow = 0;
+  }
+
+  private void correct() {
+    ahead.correct();
+    MotionModes before = motion;
+    motion = ahead;
+    ahead = before;
   }
 
   /** Works out about where it is in the picture at the time of a step: straight on from here. */

@@ -48,7 +48,9 @@ public final class TrackEstimator implements ClusterObserver {
   private TrackPairs pairs;
   private Measurement measurement;
 
-  private int lastId;
+  /** On a road, what follows vehicles there; else null. */
+  private RoadVehicles vehicles;
+
   private boolean started;
   private long lastStepUs;
 
@@ -118,6 +120,8 @@ public final class TrackEstimator implements ClusterObserver {
             ? MotionNoise.inPixels(settings.motion())
             : MotionNoise.onRoad(settings.motion(), settings.road().processVariance());
     tracks.setModel(noise, plane, settings.measurement());
+    boolean byLines = road != null && settings.measurement().source() == MeasurementSource.OUTLINE;
+    vehicles = byLines ? new RoadVehicles(road, geometry, tracks, plane, listener) : null;
   }
 
   private void prepare() {
@@ -126,6 +130,9 @@ public final class TrackEstimator implements ClusterObserver {
     measurement = new Measurement(settings.measurement(), road != null);
     pairs = new TrackPairs(settings.life());
     reports.apply(settings, plane);
+    if (vehicles != null) {
+      vehicles.apply(settings, pairs.threshold());
+    }
     tracker.observe(this, settings.updateIntervalUs());
   }
 
@@ -134,6 +141,9 @@ public final class TrackEstimator implements ClusterObserver {
     tracker.reset();
     tracks.dropAll();
     batches.clear();
+    if (vehicles != null) {
+      vehicles.reset();
+    }
     started = false;
     reports.reset();
   }
@@ -144,6 +154,9 @@ public final class TrackEstimator implements ClusterObserver {
    * @param packet only read
    */
   public void track(EventPacket packet) {
+    if (vehicles != null) {
+      vehicles.add(packet);
+    }
     tracker.track(packet);
   }
 
@@ -181,15 +194,15 @@ public final class TrackEstimator implements ClusterObserver {
   }
 
   @Override
-  public boolean isWaiting() {
-    return tracks.count() > 0;
+  public boolean isWaiting(long timeUs) {
+    return tracks.count() > 0 || vehicles != null && vehicles.isWaiting(timeUs);
   }
 
   @Override
   public void clustersMerged(long timeUs, int keptId, int lostId) {
     EventBatch kept = batches.find(keptId);
     EventBatch lost = batches.find(lostId);
-    if (lost == null || lost.track == null) {
+    if (vehicles != null || lost == null || lost.track == null) {
       return;
     }
     Track track = lost.track;
@@ -224,6 +237,16 @@ public final class TrackEstimator implements ClusterObserver {
       reports.skipTo(timeUs);
     }
     reports.reportUntil(timeUs - 1, lastStepUs);
+    if (vehicles != null) {
+      vehicles.step(timeUs);
+    } else {
+      followClusters(timeUs, readings);
+    }
+    lastStepUs = timeUs;
+    reports.reportUntil(timeUs, lastStepUs);
+  }
+
+  private void followClusters(long timeUs, ClusterReadings readings) {
     batches.gather(timeUs, readings);
     for (int i = 0; i < tracks.count(); i++) {
       tracks.get(i).look(timeUs);
@@ -233,8 +256,6 @@ public final class TrackEstimator implements ClusterObserver {
     updateAll(timeUs, readings);
     ends.dropThoseThatEnd(timeUs, settings.life());
     ClusterFeedback.give(tracks, settings, timeUs, readings);
-    lastStepUs = timeUs;
-    reports.reportUntil(timeUs, lastStepUs);
   }
 
   private void updateAll(long timeUs, ClusterReadings readings) {
@@ -269,7 +290,7 @@ public final class TrackEstimator implements ClusterObserver {
     track.take(measurement.timeUs, timeUs);
     track.spreadPx = batch.spreadPx();
     if (track.id == 0 && track.updates >= settings.life().updatesTillShown()) {
-      track.id = ++lastId;
+      track.id = tracks.nextId();
     }
     batch.clear(timeUs);
     if (track.id > 0) {
@@ -351,7 +372,7 @@ public final class TrackEstimator implements ClusterObserver {
       track.events = batch.events;
       track.hold(batch);
       if (settings.life().updatesTillShown() <= 1) {
-        track.id = ++lastId;
+        track.id = tracks.nextId();
       }
     }
     batch.clear(timeUs);

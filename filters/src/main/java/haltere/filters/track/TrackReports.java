@@ -75,7 +75,9 @@ final class TrackReports {
     if (track.id == 0) {
       return null;
     }
-    if (track.batch == null && !track.hidden && timeUs - track.heardUs > SHOWN_WITHOUT_CLUSTER_US) {
+    if (track.batch == null
+        && !track.hidden
+        && timeUs > Math.max(track.heardUs + SHOWN_WITHOUT_CLUSTER_US, track.shownUntilUs)) {
       return null;
     }
     return plane.toPixels(track.at(timeUs))
@@ -89,6 +91,7 @@ final class TrackReports {
   private boolean isSure(Track track) {
     double most = SURE_SPREADS * track.spreadPx;
     return track.hidden
+        || track.stands
         || track.contested && track.wasFree()
         || settings.measurement().source() == MeasurementSource.CENTRE
         || plane.varianceXPx2 + plane.varianceYPx2 < 2 * most * most;

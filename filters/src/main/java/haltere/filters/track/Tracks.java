@@ -13,6 +13,7 @@ final class Tracks {
   private Track[] tracks = new Track[0];
 
   private int count;
+  private int lastId;
 
   Tracks(TrackListener listener) {
     this.listener = listener;
@@ -29,6 +30,11 @@ final class Tracks {
   /** Changes how many there may be, which is no less than there are. */
   void setMost(int most) {
     tracks = Arrays.copyOf(tracks, most);
+  }
+
+  /** An identity that was never given out before. */
+  int nextId() {
+    return ++lastId;
   }
 
   int count() {

@@ -7,7 +7,7 @@ import haltere.core.event.SensorGeometry;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
-/** Speeds of vehicles whose places in the picture are measured without bias. */
+/** Speeds of vehicles from clusters whose places in the picture are measured without bias. */
 class RoadTracksTest {
   private static final SensorGeometry SENSOR = new SensorGeometry(128, 128);
   private static final RoadSettings VIEW = new RoadSettings(5, 6, 300, VanishingPoint.defaults());
@@ -48,7 +48,10 @@ class RoadTracksTest {
   private void follow(double speed, double startM, double lateralM) {
     RoadTracksSettings tracks = RoadTracksSettings.defaults().seenAs(VIEW);
     TrackEstimator estimator =
-        new TrackEstimator(SENSOR, KalmanTracksSettings.defaults().onRoad(tracks), new Silent());
+        new TrackEstimator(
+            SENSOR,
+            KalmanTracksSettings.defaults().with("measurement.source=events").onRoad(tracks),
+            new Silent());
     GivenClusters clusters = new GivenClusters();
     GivenClusters.Given cluster = clusters.add(1);
     cluster.radius = 6;

@@ -203,7 +203,7 @@ class TrackEstimatorTest {
     assertNull(only(), "shown though nothing is seen of it");
     step(40);
     assertEquals(List.of(1), ended);
-    assertFalse(estimator.isWaiting());
+    assertFalse(estimator.isWaiting(STEP_US));
   }
 
   @Test

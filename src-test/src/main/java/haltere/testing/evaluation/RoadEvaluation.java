@@ -25,9 +25,9 @@ import java.util.TreeMap;
 
 /**
  * Speeds of simulated vehicles as Kalman tracks on a road find them, and how many tracks a vehicle
- * has: {@code ./gradlew :src-test:evaluateRoad}. The vehicles are flat, so that a place in the
- * picture is a place on the road; everything else is as by default, behind background activity and
- * hot pixels.
+ * has: {@code ./gradlew :src-test:evaluateRoad}. Everything is as by default, but for what the
+ * arguments say, behind background activity and hot pixels. An estimate is compared with the speed
+ * of the vehicle itself.
  */
 public final class RoadEvaluation {
   private static final long EACH_US = 50_000;
@@ -35,14 +35,15 @@ public final class RoadEvaluation {
   private static final double SEEN_SHARE = 0.95;
   private static final double LEAST_M_S = 3;
   private static final double LEAST_BOX_PX = 8;
-  private static final double NEAR_BOXES = 0.4;
   private static final double NEAR_PX = 3;
   private static final int ENOUGH_MOMENTS = 10;
 
   private final Spread singles = new Spread();
   private final List<Spread> passages = new ArrayList<>();
   private final Spread weighted = new Spread();
+  private final List<Double> weightedRatios = new ArrayList<>();
   private final Map<String, int[]> momentsOf = new TreeMap<>();
+  private int astray;
 
   /** A track in the picture and on the road. */
   private record At(TrackPoint picture, RoadTrackPoint road) {}
@@ -94,7 +95,6 @@ public final class RoadEvaluation {
     RoadEvaluation evaluation = new RoadEvaluation();
     for (long seed = firstSeed; seed < firstSeed + scenes; seed++) {
       List<String> settings = new ArrayList<>();
-      settings.add("vehicles.heightShare=0");
       settings.add("run.seed=" + seed);
       settings.add("run.durationS=" + arguments[2]);
       settings.addAll(List.of(arguments).subList(3, arguments.length));
@@ -119,11 +119,12 @@ public final class RoadEvaluation {
       for (At at : moment.getValue()) {
         RoadTruth vehicle = nearest(at.picture(), vehicles);
         if (vehicle == null) {
+          astray++;
           continue;
         }
         held.merge(vehicle.id(), 1, Integer::sum);
         boolean old = timeUs - begun.get(at.picture().id()) >= OLD_ENOUGH_US;
-        double speed = Math.hypot(vehicle.spotVxMS(), vehicle.spotVyMS());
+        double speed = Math.hypot(vehicle.vxMS(), vehicle.vyMS());
         if (old && vehicle.visibleShare() >= SEEN_SHARE && speed > LEAST_M_S) {
           double ratio = Math.hypot(at.road().vxMS(), at.road().vyMS()) / speed;
           singles.add(ratio);
@@ -135,7 +136,12 @@ public final class RoadEvaluation {
     }
     certain.values().stream()
         .filter(passage -> passage.moments >= ENOUGH_MOMENTS)
-        .forEach(passage -> weighted.add(passage.estimated / passage.truth));
+        .map(passage -> passage.estimated / passage.truth)
+        .forEach(
+            ratio -> {
+              weighted.add(ratio);
+              weightedRatios.add(ratio);
+            });
     passages.addAll(
         ratios.values().stream().filter(spread -> spread.count >= ENOUGH_MOMENTS).toList());
   }
@@ -176,18 +182,23 @@ public final class RoadEvaluation {
     return tracks;
   }
 
-  /** The vehicle whose centre is nearest, or null if none is near for its size. */
+  /** The vehicle in whose box a track is, by its lower edge if there are several, or null. */
   private static RoadTruth nearest(TrackPoint track, List<RoadTruth> vehicles) {
     RoadTruth best = null;
     double least = Double.POSITIVE_INFINITY;
     for (RoadTruth vehicle : vehicles) {
-      double distance = Math.hypot(vehicle.xPx() - track.xPx(), vehicle.yPx() - track.yPx());
-      if (distance < least) {
+      double aside = Math.abs(vehicle.xPx() - track.xPx());
+      double above = Math.abs(vehicle.yPx() - track.yPx());
+      double fromEdge = track.yPx() - vehicle.yPx() + vehicle.heightPx() / 2;
+      double distance = Math.hypot(aside, fromEdge);
+      if (aside < vehicle.widthPx() / 2 + NEAR_PX
+          && above < vehicle.heightPx() / 2 + NEAR_PX
+          && distance < least) {
         least = distance;
         best = vehicle;
       }
     }
-    return best == null || least > Math.max(NEAR_PX, NEAR_BOXES * longerSide(best)) ? null : best;
+    return best;
   }
 
   private static double longerSide(RoadTruth vehicle) {
@@ -198,6 +209,9 @@ public final class RoadEvaluation {
     if (vehicle.visibleShare() >= SEEN_SHARE && longerSide(vehicle) >= LEAST_BOX_PX) {
       String kind = vehicle.kind().name().toLowerCase(Locale.ROOT);
       momentsOf.computeIfAbsent(kind, name -> new int[3])[Math.min(2, tracks)]++;
+      if (Math.hypot(vehicle.vxMS(), vehicle.vyMS()) <= LEAST_M_S) {
+        momentsOf.computeIfAbsent("standing", name -> new int[3])[Math.min(2, tracks)]++;
+      }
     }
   }
 
@@ -221,6 +235,12 @@ public final class RoadEvaluation {
         "mean over a passage weighted by 1/variance: bias %.2f %%, standard deviation %.1f %%",
         100 * (weighted.mean() - 1),
         100 * weighted.sd());
+    weightedRatios.sort(null);
+    line(
+        text,
+        "half of these are between %.1f and %.1f %%",
+        100 * (quantile(0.25) - 1),
+        100 * (quantile(0.75) - 1));
     momentsOf.forEach(
         (kind, moments) ->
             line(
@@ -231,7 +251,14 @@ public final class RoadEvaluation {
                 share(moments, 0),
                 share(moments, 1),
                 share(moments, 2)));
+    line(text, "moments of tracks that are on no vehicle: %d", astray);
     return text.toString();
+  }
+
+  private double quantile(double share) {
+    return weightedRatios.isEmpty()
+        ? Double.NaN
+        : weightedRatios.get((int) (share * (weightedRatios.size() - 1)));
   }
 
   private static double share(int[] moments, int which) {
