@@ -37,7 +37,7 @@ final class LatencyMeasurement implements StreamHandler {
   private static final int BATCH_US = 1000;
   private static final int BATCHES = 1000;
   private static final int KEPT = 1 << 16;
-  private static final int WARM_UP_BLOCKS = 20;
+  private static final int WARM_UP_BLOCKS = 40;
   private static final int MEAN_OF = 256;
   private static final double[] SHARES = {0.5, 0.9, 0.99, 0.999};
 
