@@ -2,10 +2,12 @@ package haltere.filters.orientation;
 
 /**
  * How one guess of an axis differs from another: the difference of the states and the covariance,
- * carried along the great circle between them into the other's frame. An axis and its opposite are
- * the same line. Reused.
+ * carried along the great circle between them into the other's frame. Reused.
  */
 final class AxisDifference {
+  /** Cosine of an angle so near to 180 degrees that any great circle leads there. */
+  private static final double OPPOSITE = -1 + 1e-9;
+
   /** (a, ȧ, b, ḃ) in the other's frame. */
   final double[] d = new double[4];
 
@@ -16,11 +18,20 @@ final class AxisDifference {
   private final double[] half = new double[16];
   private final double[] carry = new double[16];
 
-  /** Works out the difference; the covariance is left for {@link #carryCovariance}. */
-  void between(AxisHypothesis from, AxisHypothesis to) {
+  /** Works out the difference of two lines, whichever ends are heads. */
+  void betweenLines(AxisHypothesis from, AxisHypothesis to) {
+    between(from, to, Vectors.dot(from.u, to.u) < 0 ? -1 : 1);
+  }
+
+  /** Works out the difference of two axes with a head, which may be any angle apart. */
+  void betweenHeads(AxisHypothesis from, AxisHypothesis to) {
+    between(from, to, 1);
+  }
+
+  /** The covariance is left for {@link #carryCovariance}. */
+  private void between(AxisHypothesis from, AxisHypothesis to, double side) {
     double[] u = from.u;
-    double side = Vectors.dot(u, to.u) < 0 ? -1 : 1;
-    double cos = Math.min(1, side * Vectors.dot(u, to.u));
+    double cos = Math.max(OPPOSITE, Math.min(1, side * Vectors.dot(u, to.u)));
     double a = side * Vectors.dot(to.u, from.e1);
     double b = side * Vectors.dot(to.u, from.e2);
     double sin = Math.sqrt(a * a + b * b);

@@ -28,10 +28,10 @@ sealed interface AxisFilter permits SphereFilter, QuaternionFilter {
    * Takes in that a body flies more or less where its head points.
    *
    * @param direction unit vector, of the flight
-   * @param variance of the angle between axis and flight in each direction, squared radians, for
-   *     this instant alone
+   * @param variance of the angle between axis and flight in each direction, squared radians
+   * @param fresh share of that angle that is another than an instant ago, greater than 0, at most 1
    */
-  void lean(double[] direction, double variance);
+  void lean(double[] direction, double variance, double fresh);
 
   /**
    * Whether the axis had better be looked for anew, after these lines were taken in.
@@ -46,6 +46,9 @@ sealed interface AxisFilter permits SphereFilter, QuaternionFilter {
    * axis.
    */
   boolean offer(AxisLaunch found);
+
+  /** Probability that the axis is nearer to the estimate than to its opposite. */
+  double agreement();
 
   /** Whether the axis is not in doubt, so that it tells where the head is. */
   boolean isSettled();

@@ -29,6 +29,9 @@ final class AxisHypothesis {
   /** Standard deviation of each of three guesses over that of the one they stand for. */
   private static final double NARROWER = 0.6;
 
+  /** Logarithm of the odds at which a body does not fly backwards but is taken for its tail. */
+  private static final double FLIES_BACKWARDS = 2;
+
   final double[] u = new double[3];
   final double[] e1 = new double[3];
   final double[] e2 = new double[3];
@@ -45,6 +48,9 @@ final class AxisHypothesis {
 
   /** Probability that the body is in a saccade, if this guess is right. */
   double saccadeShare;
+
+  /** Logarithm of how likely its angle to the flight was when that was last taken in. */
+  private double leanLog;
 
   /** Lines that are not yet decided upon, and what became of the others. */
   int undecided;
@@ -83,6 +89,7 @@ final class AxisHypothesis {
     System.arraycopy(other.used, 0, used, 0, lines);
     System.arraycopy(other.nis, 0, nis, 0, lines);
     System.arraycopy(other.own, 0, own, 0, lines);
+    leanLog = other.leanLog;
     step = other.step;
     predicted = other.predicted;
   }
@@ -105,6 +112,7 @@ final class AxisHypothesis {
     error.setCovariance(buffer);
     error.setState(0, 0, 0, 0);
     stay();
+    leanLog = 0;
     step = null;
     predicted = null;
   }
@@ -222,18 +230,60 @@ final class AxisHypothesis {
     error.update(seen.innovation, seen.ha, 0, seen.hb, 0, seen.noise);
   }
 
-  /** Takes in a direction that the axis has but for a variance; leaves how likely that was. */
-  void lean(double[] direction, double variance) {
+  /** Turns round if its head is so far off a direction that its tail is much likelier the head. */
+  void face(double[] direction, double variance) {
+    double angle = Vectors.angle(u, direction);
+    double opposite = logOf(Math.PI - angle, variance);
+    if (opposite - logOf(angle, variance) > FLIES_BACKWARDS) {
+      turnRound();
+      leanLog = opposite;
+    }
+  }
+
+  private static double logOf(double angle, double variance) {
+    return -0.5 * angle * angle / variance;
+  }
+
+  /**
+   * Takes in a direction that the axis has but for an angle, of which a share is fresh; leaves how
+   * likely that angle is. An angle that wanders (first-order Gauss-Markov) is as likely as its
+   * distribution says, over that of the part that has been counted before: a guess that turns away
+   * from the flight loses at once, one that stays loses no more.
+   */
+  void lean(double[] direction, double variance, double fresh) {
     double a = Vectors.dot(direction, e1);
     double b = Vectors.dot(direction, e2);
     double sin = Math.sqrt(a * a + b * b);
     double angle = Math.atan2(sin, Vectors.dot(direction, u));
     double scale = sin < 1e-7 ? 1 : angle / sin;
     error.setState(0, va, 0, vb);
-    logWeight = -0.5 * angle * angle / variance;
-    error.update(scale * a, 1, 0, 0, 0, variance);
-    error.update(scale * b - error.x2(), 0, 0, 1, 0, variance);
+    double log = logOf(angle, variance);
+    logWeight = log - (1 - fresh) * leanLog;
+    leanLog = log;
+    error.update(scale * a, 1, 0, 0, 0, variance / fresh);
+    error.update(scale * b - error.x2(), 0, 0, 1, 0, variance / fresh);
     settle();
+  }
+
+  /** Follows the line by its other end from now on, as another one than that of before. */
+  void turnRound() {
+    for (int k = 0; k < 3; k++) {
+      u[k] = -u[k];
+      e1[k] = -e1[k];
+    }
+    vb = -vb;
+    covariance(buffer);
+    for (int i = 0; i < 2; i++) {
+      for (int j = 2; j < 4; j++) {
+        buffer[4 * i + j] = -buffer[4 * i + j];
+        buffer[4 * j + i] = -buffer[4 * j + i];
+      }
+    }
+    error.setCovariance(buffer);
+    error.setState(0, va, 0, vb);
+    if (step != null) {
+      step = new AxisStep(null, null, state(), step.before());
+    }
   }
 
   /** Takes the error into the state, once all lines are decided upon. */

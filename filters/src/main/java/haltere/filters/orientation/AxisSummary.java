@@ -4,7 +4,8 @@ import java.util.Arrays;
 
 /**
  * What several guesses of an axis say together: their mean, in the tangent plane of the likeliest,
- * and their second moment about it. Reused.
+ * and their second moment about it. Each guess points the way that it has been followed, so guesses
+ * more than 90 degrees apart have a mean between them, not one beside the line of both. Reused.
  */
 final class AxisSummary {
   private final AxisHypothesis mean = new AxisHypothesis();
@@ -52,7 +53,7 @@ final class AxisSummary {
 
   private void add(AxisHypothesis best, AxisHypothesis other) {
     double w = other.weight;
-    difference.between(best, other);
+    difference.betweenHeads(best, other);
     difference.carryCovariance(other);
     double[] d = difference.d;
     for (int i = 0; i < 4; i++) {
@@ -75,6 +76,16 @@ final class AxisSummary {
 
   double axisVariance() {
     return p[0] + p[10];
+  }
+
+  /** Probability of the guesses that are nearer to the mean than to its opposite. */
+  double agreement(HypothesisSet guesses) {
+    double sum = 0;
+    for (int g = 0; g < guesses.size(); g++) {
+      AxisHypothesis guess = guesses.get(g);
+      sum += Vectors.dot(guess.u, mean.u) > 0 ? guess.weight : 0;
+    }
+    return Math.min(1, sum);
   }
 
   AxisState state() {

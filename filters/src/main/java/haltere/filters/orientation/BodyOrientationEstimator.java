@@ -30,13 +30,13 @@ public final class BodyOrientationEstimator {
   /** Variance of the axis beyond which it is as good as unknown. */
   private static final double LOST_VARIANCE = Math.toRadians(50) * Math.toRadians(50);
 
-  /** Variance of the axis beyond which the way flown along it tells nothing of the head. */
+  /** Variance of the axis up to which it is the same one as an instant ago. */
   private static final double VAGUE_VARIANCE = Math.toRadians(15) * Math.toRadians(15);
 
   /** Squared angle up to which the direction of flight is known. */
   private static final double CLEAR_COURSE = 0.1;
 
-  /** How long an axis stays off the direction of flight. */
+  /** How long an axis stays off the direction of flight by the same angle. */
   private static final double SLIP_LASTS_S = 0.1;
 
   private final List<CameraModel> cameras;
@@ -159,7 +159,8 @@ public final class BodyOrientationEstimator {
     int skipped = 0;
     int count = 0;
     for (LineObservation observation : intake.usable()) {
-      Optional<OrientationCount> why = prepare(observation, lines[count]);
+      Optional<OrientationCount> why =
+          gate.prepare(observation, cameras.get(observation.camera()), place, lines[count]);
       if (why.isEmpty()) {
         count++;
       } else {
@@ -202,21 +203,17 @@ public final class BodyOrientationEstimator {
         for (int k = 0; k < 3; k++) {
           tip[k] *= sign;
         }
-        // how far the axis is off does not change from one instant to the next
-        axis.lean(tip, (slip * slip + noise) * Math.max(1, SLIP_LASTS_S / dtS));
+        axis.lean(tip, slip * slip + noise, Math.min(1, dtS / SLIP_LASTS_S));
       }
     }
-  }
-
-  private Optional<OrientationCount> prepare(LineObservation seen, LineMeasurement into) {
-    return gate.prepare(seen, cameras.get(seen.camera()), place, into);
   }
 
   /** Looks for an axis in what goes together; its head is where the body's was or flies to. */
   private boolean finds(long timeUs) {
     int count = 0;
     for (LineObservation observation : intake.recent(timeUs)) {
-      if (prepare(observation, views[count]).isEmpty()) {
+      if (gate.prepare(observation, cameras.get(observation.camera()), place, views[count])
+          .isEmpty()) {
         count++;
       }
     }
@@ -285,9 +282,6 @@ public final class BodyOrientationEstimator {
     }
     wasClear = clear;
     System.arraycopy(u, 0, uBefore, 0, 3);
-    if (!clear) {
-      head.restart(course.along(u));
-    }
     if (hasPlaceBefore && hadAxis) {
       double along = 0;
       for (int k = 0; k < 3; k++) {
@@ -317,9 +311,15 @@ public final class BodyOrientationEstimator {
         axis.rollRate(),
         rates[0],
         rates[1],
-        head.probability(),
+        headProbability(),
         taken,
         rejected);
+  }
+
+  /** That the true axis is on this side and its head ahead, or neither. */
+  private double headProbability() {
+    double near = axis.agreement();
+    return near * head.probability() + (1 - near) * (1 - head.probability());
   }
 
   /** From now on keeps each step of the axis and hands out those of the place; this allocates. */

@@ -28,9 +28,4 @@ final class Course {
   double lengthM() {
     return Vectors.length(wayM);
   }
-
-  /** How far along a unit vector, metres. */
-  double along(double[] unit) {
-    return Vectors.dot(wayM, unit);
-  }
 }

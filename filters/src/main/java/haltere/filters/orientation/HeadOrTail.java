@@ -23,14 +23,6 @@ final class HeadOrTail {
     this.settings = settings;
   }
 
-  /** Knows nothing. */
-  void reset() {
-    wayM = 0;
-    sigmas = 0;
-    decided = false;
-    flipped = false;
-  }
-
   /** The axis was lost and found: what was flown before tells no more, the decision stays. */
   void doubt() {
     wayM = 0;
@@ -42,13 +34,6 @@ final class HeadOrTail {
     wayM = -wayM;
     sigmas = -sigmas;
     flipped = !flipped;
-  }
-
-  /** The axis is vague: the head is where the body flies now, until the way tells. */
-  void restart(double alongM) {
-    doubt();
-    decided = false;
-    flipped = alongM < 0;
   }
 
   /**

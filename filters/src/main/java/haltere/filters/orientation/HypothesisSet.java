@@ -151,10 +151,19 @@ final class HypothesisSet {
     sort();
   }
 
-  /** Multiplies each probability by e to its logarithm of a weight. */
-  void weigh() {
+  /**
+   * Takes in a direction that the axis has but for an angle ({@link AxisHypothesis#lean}).
+   *
+   * @param vague whether heads that are far off it may have come round to the tail
+   */
+  void lean(double[] direction, double variance, double fresh, boolean vague) {
     for (int i = 0; i < size; i++) {
-      now[i].weight *= Math.exp(now[i].logWeight);
+      AxisHypothesis each = now[i];
+      if (vague) {
+        each.face(direction, variance);
+      }
+      each.lean(direction, variance, fresh);
+      each.weight *= Math.exp(each.logWeight);
     }
     sort();
     normalise();
@@ -208,7 +217,7 @@ final class HypothesisSet {
     for (int i = 0; i < size; i++) {
       for (int j = i + 1; j < size; j++) {
         double share = now[j].weight / (now[i].weight + now[j].weight);
-        difference.between(now[i], now[j]);
+        difference.betweenLines(now[i], now[j]);
         double distance = distance(now[i], now[j]);
         if ((now[i].saccadeShare < 0.5) != (now[j].saccadeShare < 0.5)) {
           continue;

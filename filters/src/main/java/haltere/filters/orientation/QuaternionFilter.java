@@ -256,7 +256,7 @@ final class QuaternionFilter implements AxisFilter {
 
   /** The source does not. */
   @Override
-  public void lean(double[] direction, double variance) {}
+  public void lean(double[] direction, double variance, double fresh) {}
 
   @Override
   public boolean doubts(LineMeasurement[] lines, int count) {
@@ -273,6 +273,11 @@ final class QuaternionFilter implements AxisFilter {
     launch(found.axis(), found.covariance());
     doubt.reset(found.lines() > 2 || replaces);
     return true;
+  }
+
+  @Override
+  public double agreement() {
+    return 1;
   }
 
   @Override

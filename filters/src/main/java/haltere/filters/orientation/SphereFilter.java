@@ -36,6 +36,9 @@ final class SphereFilter implements AxisFilter {
   /** Variance of an expected line at which the gate is half as wide again. */
   private static final double VAGUE_LINE = Math.toRadians(15) * Math.toRadians(15);
 
+  /** Variance of the axis beyond which a guess may have come round to the wrong end. */
+  private static final double VAGUE_VARIANCE = Math.toRadians(15) * Math.toRadians(15);
+
   /** Mean of the squared angle to a random line, per direction beside the axis. */
   private static final double UNKNOWN_VARIANCE = (Math.PI - 2) / 2;
 
@@ -279,11 +282,8 @@ final class SphereFilter implements AxisFilter {
   }
 
   @Override
-  public void lean(double[] direction, double variance) {
-    for (int i = 0; i < guesses.size(); i++) {
-      guesses.get(i).lean(direction, variance);
-    }
-    guesses.weigh();
+  public void lean(double[] direction, double variance, double fresh) {
+    guesses.lean(direction, variance, fresh, summary().axisVariance() > VAGUE_VARIANCE);
     changed();
   }
 
@@ -304,6 +304,11 @@ final class SphereFilter implements AxisFilter {
     unknown = guesses.include(guess, chance, rest, 1 - unknown);
     changed();
     return guesses.get(0) == guess;
+  }
+
+  @Override
+  public double agreement() {
+    return summary().agreement(guesses) * (1 - unknown) + 0.5 * unknown;
   }
 
   @Override

@@ -34,6 +34,9 @@ final class FlightScores {
   long inliersUsed;
   double worstLength;
 
+  /** Largest standard deviation of the axis that was told. */
+  double widestRad;
+
   /** Follows a flight online. */
   static FlightScores of(FlightScene scene, OrientationSettings settings, double seconds) {
     FlightScores scores = new FlightScores();
@@ -100,6 +103,7 @@ final class FlightScores {
                 Math.pow(now.xM() - truth.xM(), 2)
                     + Math.pow(now.yM() - truth.yM(), 2)
                     + Math.pow(now.zM() - truth.zM(), 2)));
+    widestRad = Math.max(widestRad, now.sdAxisRad());
     worstLength = Math.max(worstLength, Math.abs(Vectors.length(u) - 1));
     if (isFast) {
       fast++;

@@ -1,5 +1,9 @@
 package haltere.ui.space;
 
+import haltere.core.camera.CameraOptions;
+import haltere.core.camera.Cameras;
+import haltere.core.event.SensorGeometry;
+import haltere.core.playback.CameraPlayable;
 import haltere.core.playback.Playable;
 import haltere.core.playback.ScenePlayable;
 import haltere.core.simulation.FlightCamera;
@@ -50,6 +54,82 @@ public record CameraRig(List<CameraModel> cameras, Playable first, List<Playable
           CameraModel.of(each.id(), matrix, new double[0], each.widthPx(), each.heightPx()));
     }
     return new CameraRig(cameras, scenes.get(0), scenes.subList(1, scenes.size()));
+  }
+
+  /**
+   * The cameras themselves, by their ids in the calibration; they go on when they are plugged in
+   * again. Their clocks are related by this computer's, to about a millisecond.
+   *
+   * @param calibrated the cameras
+   * @param cameras where they are looked for
+   * @return cameras that are open
+   * @throws IOException if one is not there or of another sensor, or if the cameras are too few
+   */
+  public static CameraRig live(List<CameraModel> calibrated, Cameras cameras) throws IOException {
+    CameraOptions options =
+        CameraOptions.DEFAULT.withReconnect(true).withWhenFull(CameraOptions.WhenFull.DROP_OLDEST);
+    return open(
+        calibrated,
+        number -> new CameraPlayable(cameras.open(calibrated.get(number).id(), options), true));
+  }
+
+  /** Opens the events of a camera. */
+  @FunctionalInterface
+  public interface Opening {
+    /**
+     * Opens them.
+     *
+     * @param number of the camera, from 0
+     * @return at its start
+     * @throws IOException if it cannot be opened
+     */
+    Playable open(int number) throws IOException;
+  }
+
+  /**
+   * The events of each camera, on one clock.
+   *
+   * @param calibrated the cameras
+   * @param opening opens the events of one after the other
+   * @return all of them; none is left open if one cannot be opened
+   * @throws IOException if that is so, if one is of another sensor, or if the cameras are too few
+   */
+  public static CameraRig open(List<CameraModel> calibrated, Opening opening) throws IOException {
+    long usable = calibrated.stream().filter(camera -> camera.problem().isEmpty()).count();
+    if (usable < 2) {
+      throw new IOException(
+          "an orientation needs two cameras, the calibration has " + usable + " that can be used");
+    }
+    List<Playable> opened = new ArrayList<>();
+    try {
+      for (CameraModel camera : calibrated) {
+        opened.add(opening.open(opened.size()));
+        checkSize(camera, opened.get(opened.size() - 1));
+      }
+      return new CameraRig(calibrated, opened.get(0), opened.subList(1, opened.size()));
+    } catch (IOException | RuntimeException problem) {
+      for (Playable each : opened) {
+        each.close();
+      }
+      throw problem;
+    }
+  }
+
+  private static void checkSize(CameraModel camera, Playable events) throws IOException {
+    SensorGeometry geometry = events.geometry();
+    boolean isKnown = camera.widthPx() > 0 && camera.heightPx() > 0;
+    if (isKnown
+        && (camera.widthPx() != geometry.width() || camera.heightPx() != geometry.height())) {
+      throw new IOException(
+          "camera "
+              + camera.id()
+              + " is calibrated for "
+              + new SensorGeometry(camera.widthPx(), camera.heightPx())
+              + ", but the events of "
+              + events.name()
+              + " are of "
+              + geometry);
+    }
   }
 
   /** Closes the others; the first belongs to its player. */

@@ -1,10 +1,8 @@
 package haltere.ui.space;
 
 import haltere.core.event.EventPacket;
-import haltere.core.playback.Playable;
 import haltere.core.playback.SliceSink;
 import haltere.core.sink.Mailbox;
-import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import haltere.filters.orientation.BodyLineSettings;
 import haltere.filters.orientation.BodyLineTracker;
@@ -12,7 +10,6 @@ import haltere.filters.orientation.BodyOrientationEstimator;
 import haltere.filters.orientation.LiveOrientation;
 import haltere.filters.orientation.OrientationEstimate;
 import haltere.filters.orientation.OrientationSettings;
-import java.io.IOException;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
@@ -28,16 +25,13 @@ import java.util.List;
 public final class LiveFlight implements SliceSink {
   private static final long WAIT_US = 50_000;
 
-  /** How far before a time the other cameras begin when the player goes back to it. */
-  private static final long RUN_UP_US = 50_000;
-
   /** Moments that are shown. */
   private static final int MOST_MOMENTS = 400;
 
   private final CameraRig rig;
   private final LiveOrientation orientation;
-  private final List<BodyLineTracker> trackers = new ArrayList<>();
-  private final List<Pull> pulls = new ArrayList<>();
+  private final BodyLineTracker tracker;
+  private final List<FollowedCamera> others = new ArrayList<>();
   private final Deque<BodyFlight.Moment> moments = new ArrayDeque<>();
   private final Mailbox<BodyFlight> latest = new Mailbox<>();
   private long playedUs = Long.MIN_VALUE;
@@ -52,25 +46,18 @@ public final class LiveFlight implements SliceSink {
     this.rig = rig;
     orientation =
         new LiveOrientation(rig.cameras(), OrientationSettings.defaults(), WAIT_US, this::oriented);
-    addTracker(rig.first());
-    for (Playable other : rig.others()) {
-      pulls.add(new Pull(other, addTracker(other), trackers.size() - 1));
-    }
-  }
-
-  private BodyLineTracker addTracker(Playable of) {
-    int camera = trackers.size();
-    BodyLineTracker tracker =
+    tracker =
         new BodyLineTracker(
-            of.geometry(), BodyLineSettings.defaults(), line -> orientation.line(camera, line));
-    trackers.add(tracker);
-    return tracker;
+            rig.first().geometry(), BodyLineSettings.defaults(), line -> orientation.line(0, line));
+    for (int number = 1; number < rig.cameras().size(); number++) {
+      others.add(new FollowedCamera(rig, number, orientation));
+    }
   }
 
   private void oriented(OrientationEstimate now, BodyOrientationEstimator body) {
     List<Double> residuals = new ArrayList<>();
     List<Boolean> used = new ArrayList<>();
-    for (int i = 0; i < trackers.size(); i++) {
+    for (int i = 0; i < rig.cameras().size(); i++) {
       residuals.add(Math.toDegrees(body.residualRad(i)));
       used.add(body.used(i));
     }
@@ -83,20 +70,19 @@ public final class LiveFlight implements SliceSink {
 
   @Override
   public void packet(EventPacket packet) {
-    if (packet.isEmpty()) {
-      return;
+    if (!packet.isEmpty()) {
+      if (packet.firstTimeUs() < playedUs) {
+        forget();
+        long fromUs = packet.firstTimeUs();
+        others.forEach(other -> other.goBack(fromUs));
+      }
+      tracker.track(packet);
+      playedUs = packet.lastTimeUs();
     }
-    if (packet.firstTimeUs() < playedUs) {
-      forget();
-      long fromUs = packet.firstTimeUs();
-      pulls.forEach(pull -> pull.goBack(fromUs));
+    if (playedUs != Long.MIN_VALUE) {
+      others.forEach(other -> other.to(playedUs));
+      orientation.reached(0, playedUs);
     }
-    trackers.get(0).track(packet);
-    playedUs = packet.lastTimeUs();
-    for (Pull pull : pulls) {
-      pull.to(playedUs);
-    }
-    orientation.reached(0, playedUs);
   }
 
   @Override
@@ -108,7 +94,7 @@ public final class LiveFlight implements SliceSink {
 
   private void forget() {
     orientation.reset();
-    trackers.forEach(BodyLineTracker::reset);
+    tracker.reset();
     moments.clear();
     changed = true;
   }
@@ -128,59 +114,5 @@ public final class LiveFlight implements SliceSink {
    */
   public BodyFlight latest() {
     return latest.poll();
-  }
-
-  /** One of the other cameras. */
-  private final class Pull implements StreamHandler {
-    private final Playable source;
-    private final BodyLineTracker tracker;
-    private final int camera;
-    private long reachedUs = Long.MIN_VALUE;
-    private boolean ended;
-
-    Pull(Playable source, BodyLineTracker tracker, int camera) {
-      this.source = source;
-      this.tracker = tracker;
-      this.camera = camera;
-    }
-
-    /** Goes on to a time; a source that cannot be read any more has ended. */
-    void to(long timeUs) {
-      try {
-        while (reachedUs < timeUs && !ended) {
-          ended = !source.next(this);
-        }
-      } catch (IOException unreadable) {
-        ended = true;
-      }
-      orientation.reached(camera, ended ? timeUs : Math.min(reachedUs, timeUs));
-    }
-
-    /** Goes back to before a time; to the start where there is no other place to go to. */
-    void goBack(long timeUs) {
-      reachedUs = Long.MIN_VALUE;
-      long elapsedUs = source.elapsedUs(timeUs) - RUN_UP_US;
-      try {
-        source.seek(source.seekable() ? Math.max(0, elapsedUs) : 0);
-        ended = false;
-      } catch (IOException unreadable) {
-        ended = true;
-      }
-    }
-
-    @Override
-    public void packet(EventPacket packet) {
-      if (!packet.isEmpty()) {
-        tracker.track(packet);
-        reachedUs = packet.lastTimeUs();
-      }
-    }
-
-    @Override
-    public void notified(StreamNotification notification) {
-      if (notification.endsContinuity()) {
-        tracker.reset();
-      }
-    }
   }
 }

@@ -1,23 +1,23 @@
 package haltere.ui.viewer;
 
+import haltere.core.camera.Cameras;
 import haltere.core.format.ReadOptions;
-import haltere.core.playback.Playable;
 import haltere.core.simulation.FlightSettings;
 import haltere.filters.orientation.CameraFile;
 import haltere.filters.orientation.CameraModel;
 import haltere.ui.space.CameraRig;
 import haltere.ui.space.LiveFlight;
-import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.function.Consumer;
 import javafx.beans.property.BooleanProperty;
 
 /**
  * Where a body is and which way it points while the events of several cameras play: of a simulated
- * flight, or of one recording for each calibrated camera.
+ * flight, of one recording for each calibrated camera, or of the cameras themselves.
  *
  * <p>Thread rule: JavaFX thread only.
  */
@@ -43,10 +43,20 @@ final class LiveFlightFeature implements ViewerFeature {
                     "open-camera-recordings",
                     "Recordings of several cameras\u2026",
                     "File",
-                    this::chooseRecordings)
+                    () -> chooseCalibration(this::chooseRecordings))
                 .withHelp(
                     "Asks for the calibrated cameras and for one recording of each, in the same"
-                        + " order, on one clock."));
+                        + " order, on one clock."),
+            ViewerAction.of(
+                    "open-calibrated-cameras",
+                    "Several cameras at once\u2026",
+                    "Camera",
+                    () ->
+                        chooseCalibration(
+                            calibrated -> openCameras(calibrated, Cameras.installed())))
+                .withHelp(
+                    "Asks for calibrated cameras, each with the id under which it is plugged in,"
+                        + " and finds a body's axis from all of them live."));
     window.sessions().sessionProperty().addListener((property, was, is) -> follow(was, is));
     window.panels().onPulse(() -> flight.ifPresent(live -> pane.update(live.latest())));
   }
@@ -56,16 +66,19 @@ final class LiveFlightFeature implements ViewerFeature {
     open(() -> CameraRig.simulated(FlightSettings.defaults()), "Flight");
   }
 
-  private void chooseRecordings() {
-    Optional<Path> calibration = window.dialogs().cameras();
-    calibration.ifPresent(
-        file ->
-            window
-                .background()
-                .file(
-                    () -> CameraFile.read(file).cameras(),
-                    this::chooseRecordings,
-                    window.status()::showProblem));
+  /** Asks for the calibrated cameras. */
+  private void chooseCalibration(Consumer<List<CameraModel>> chosen) {
+    window
+        .dialogs()
+        .cameras()
+        .ifPresent(
+            file ->
+                window
+                    .background()
+                    .file(
+                        () -> CameraFile.read(file).cameras(),
+                        chosen,
+                        window.status()::showProblem));
   }
 
   private void chooseRecordings(List<CameraModel> cameras) {
@@ -73,29 +86,27 @@ final class LiveFlightFeature implements ViewerFeature {
     for (CameraModel camera : cameras) {
       window.status().setActivity("The recording of camera " + camera.id() + " \u2026");
       Optional<Path> file = window.dialogs().recording();
+      window.status().setActivity("");
       if (file.isEmpty()) {
-        window.status().setActivity("");
         return;
       }
       files.add(file.get());
     }
-    open(() -> recorded(cameras, files), files.get(0).toString());
+    openRecordings(cameras, files);
   }
 
-  /** Opens a recording for each camera; background thread. */
-  static CameraRig recorded(List<CameraModel> cameras, List<Path> files) throws IOException {
-    List<Playable> opened = new ArrayList<>();
-    try {
-      for (Path file : files) {
-        opened.add(Sources.recording(file, ReadOptions.DEFAULT));
-      }
-      return new CameraRig(cameras, opened.get(0), opened.subList(1, opened.size()));
-    } catch (IOException | RuntimeException problem) {
-      for (Playable each : opened) {
-        each.close();
-      }
-      throw problem;
-    }
+  /** Opens a recording for each camera. */
+  void openRecordings(List<CameraModel> cameras, List<Path> files) {
+    open(
+        () ->
+            CameraRig.open(
+                cameras, number -> Sources.recording(files.get(number), ReadOptions.DEFAULT)),
+        files.get(0).toString());
+  }
+
+  /** Opens the cameras themselves. */
+  void openCameras(List<CameraModel> calibrated, Cameras cameras) {
+    open(() -> CameraRig.live(calibrated, cameras), "cameras");
   }
 
   /** Opens several cameras in place of what is open. */

@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.fail;
 
 import haltere.core.event.EventPacket;
-import haltere.core.event.SensorGeometry;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.Recordings;
 import haltere.core.format.WriteOptions;
@@ -12,6 +11,7 @@ import haltere.core.playback.Playable;
 import haltere.core.playback.PlayerStatus;
 import haltere.core.playback.PlayerStatus.State;
 import haltere.core.playback.ScenePlayable;
+import haltere.core.stream.EventSource;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import java.io.IOException;
@@ -109,11 +109,18 @@ final class ViewerHarness implements AutoCloseable {
 
   /** Writes the blob as AEDAT-2. */
   static void writeRecording(Path file, long lengthUs) throws IOException {
-    SensorGeometry geometry = BlobSource.GEOMETRY;
-    try (BlobSource blob = new BlobSource(lengthUs);
-        var writer =
-            Recordings.forWriting(file).create(file, WriteOptions.of(geometry)).orElseThrow()) {
-      blob.drainTo(
+    try (BlobSource blob = new BlobSource(lengthUs)) {
+      writeRecording(file, blob);
+    }
+  }
+
+  /** Writes the events of a source as the file's name says. */
+  static void writeRecording(Path file, EventSource source) throws IOException {
+    try (var writer =
+        Recordings.forWriting(file)
+            .create(file, WriteOptions.of(source.geometry()))
+            .orElseThrow()) {
+      source.drainTo(
           new StreamHandler() {
             @Override
             public void packet(EventPacket packet) {

@@ -1,0 +1,148 @@
+package haltere.ui.space;
+
+import haltere.core.camera.ClockRelation;
+import haltere.core.event.EventPacket;
+import haltere.core.playback.CameraPlayable;
+import haltere.core.playback.Playable;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import haltere.filters.orientation.BodyLineSettings;
+import haltere.filters.orientation.BodyLineTracker;
+import haltere.filters.orientation.LiveOrientation;
+import java.io.IOException;
+import java.util.Optional;
+
+/**
+ * One of the cameras of a rig beside the first: pulled along to the first one's time, while the
+ * body's line is followed in its events. What a camera that is open now sees is taken as it comes,
+ * with its times on the first one's clock; what a recording or a scene has for later waits.
+ *
+ * <p>Thread rule: the player's processing thread.
+ */
+final class FollowedCamera implements StreamHandler {
+  /** How far before a time it begins when the player goes back to it. */
+  private static final long RUN_UP_US = 50_000;
+
+  private final Playable source;
+  private final Playable first;
+  private final int number;
+  private final LiveOrientation orientation;
+  private final BodyLineTracker tracker;
+  private final EventPacket waiting = new EventPacket(1024);
+  private final EventPacket part = new EventPacket(1024);
+  private int given;
+  private long lastUs = Long.MIN_VALUE;
+  private boolean ended;
+
+  /**
+   * Nothing has been pulled yet.
+   *
+   * @param rig the cameras
+   * @param number which one, from 1
+   * @param orientation gets the body's lines
+   */
+  FollowedCamera(CameraRig rig, int number, LiveOrientation orientation) {
+    this.source = rig.others().get(number - 1);
+    this.first = rig.first();
+    this.number = number;
+    this.orientation = orientation;
+    tracker =
+        new BodyLineTracker(
+            source.geometry(), BodyLineSettings.defaults(), line -> orientation.line(number, line));
+  }
+
+  /** Goes on to a time; a source that cannot be read any more has ended. */
+  void to(long timeUs) {
+    long untilUs = source.isLive() ? Long.MAX_VALUE : timeUs;
+    try {
+      giveUntil(untilUs);
+      while (given == waiting.size() && !ended && isThereMore()) {
+        ended = !source.next(this);
+        giveUntil(untilUs);
+      }
+    } catch (IOException unreadable) {
+      ended = true;
+    }
+    boolean isComplete = ended || given < waiting.size();
+    orientation.reached(number, isComplete ? timeUs : Math.min(lastUs, timeUs));
+  }
+
+  private boolean isThereMore() throws IOException {
+    return !(source instanceof CameraPlayable live) || live.camera().await(0);
+  }
+
+  private void giveUntil(long untilUs) {
+    int to =
+        untilUs == Long.MAX_VALUE ? waiting.size() : waiting.indexAtOrAfter(untilUs + 1, given);
+    if (to > given) {
+      part.clear();
+      part.append(waiting, given, to);
+      given = to;
+      tracker.track(part);
+    }
+  }
+
+  /** Goes back to before a time; to the start where there is no other place, and a camera never. */
+  void goBack(long timeUs) {
+    if (source.isLive()) {
+      return;
+    }
+    forget();
+    long elapsedUs = source.elapsedUs(timeUs) - RUN_UP_US;
+    try {
+      source.seek(source.seekable() ? Math.max(0, elapsedUs) : 0);
+      ended = false;
+    } catch (IOException unreadable) {
+      ended = true;
+    }
+  }
+
+  /** Forgets the body and what waits. */
+  void forget() {
+    tracker.reset();
+    waiting.clear();
+    given = 0;
+    lastUs = Long.MIN_VALUE;
+  }
+
+  @Override
+  public void packet(EventPacket packet) {
+    waiting.clear();
+    given = 0;
+    if (packet.isEmpty()) {
+      return;
+    }
+    if (source.isLive()) {
+      takeOnFirstClock(packet);
+    } else {
+      waiting.append(packet, 0, packet.size());
+      lastUs = packet.lastTimeUs();
+    }
+  }
+
+  /** Times do not go back where more has become known of how the clocks relate. */
+  private void takeOnFirstClock(EventPacket packet) {
+    Optional<ClockRelation> own = relation(source);
+    Optional<ClockRelation> firsts = relation(first);
+    if (own.isEmpty() || firsts.isEmpty()) {
+      return;
+    }
+    long offsetUs = own.get().onClockOf(firsts.get(), 0);
+    for (int i = 0; i < packet.size(); i++) {
+      lastUs = Math.max(lastUs, packet.timeUs(i) + offsetUs);
+      waiting.append(lastUs, packet.address(i));
+    }
+  }
+
+  private static Optional<ClockRelation> relation(Playable of) {
+    return of instanceof CameraPlayable live ? live.camera().clockRelation() : Optional.empty();
+  }
+
+  @Override
+  public void notified(StreamNotification notification) {
+    if (notification.endsContinuity()) {
+      tracker.reset();
+      lastUs = Long.MIN_VALUE;
+    }
+  }
+}
