@@ -30,9 +30,8 @@ final class WingsSummary implements StreamHandler {
   private final double[] frequencySquares = new double[2];
   private final double[] amplitude = new double[2];
   private final double[] amplitudeSquares = new double[2];
-  private long firstUs;
-  private long lastUs;
-  private boolean any;
+  private long lastUs = Long.MAX_VALUE;
+  private long spannedUs;
   private long bothTicks;
   private long oneTicks;
   private int losses;
@@ -116,9 +115,10 @@ final class WingsSummary implements StreamHandler {
   @Override
   public void packet(EventPacket packet) {
     if (!packet.isEmpty()) {
-      firstUs = any ? firstUs : packet.firstTimeUs();
-      any = true;
+      // a clock that restarts begins a stretch of its own
+      long fromUs = Math.min(lastUs, packet.firstTimeUs());
       lastUs = packet.lastTimeUs();
+      spannedUs += lastUs - fromUs;
     }
   }
 
@@ -181,7 +181,7 @@ final class WingsSummary implements StreamHandler {
                   amplitude[side] / n * DEGREES,
                   sd(amplitude[side], amplitudeSquares[side], n) * DEGREES));
     }
-    double ticks = Math.max(1, (lastUs - firstUs) * 1e-6 * rateHz);
+    double ticks = Math.max(1, spannedUs * 1e-6 * rateHz);
     lines.add(
         String.format(
             Locale.ROOT,

@@ -3,6 +3,7 @@ package haltere.ui.wing;
 import haltere.core.chain.EventFilter;
 import haltere.core.chain.Outlet;
 import haltere.core.format.AtomicFile;
+import haltere.core.settings.Parameter;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.sink.CsvSink;
 import haltere.filters.wing.WingBeat;
@@ -27,8 +28,8 @@ import java.util.function.LongSupplier;
 
 /**
  * A readable log of tracked wings. Its first lines, which begin with #, say what the recording and
- * the program's version are, what the columns mean in which units, and which settings differ from
- * the defaults. The file appears when it is finished.
+ * the program's version are, what the columns mean in which units, and the settings. The file
+ * appears when it is finished.
  *
  * <p>Thread rule: opened, finished and closed on the processing thread, or while it does not run.
  */
@@ -97,8 +98,15 @@ public final class WingLog implements Closeable {
     comment("haltere " + (version == null ? "(not from a jar)" : version) + ", wings of " + source);
     WingTrackerSettings settings = filter.settings();
     SettingsSchema<WingTrackerSettings> schema = SettingsSchema.of(WingTrackerSettings.class);
-    for (String name : schema.changed(settings)) {
-      comment("setting: " + name + "=" + schema.get(settings, name));
+    List<String> changed = schema.changed(settings);
+    for (Parameter parameter : schema.parameters()) {
+      String name = parameter.name();
+      comment(
+          "setting: "
+              + name
+              + "="
+              + schema.get(settings, name)
+              + (changed.contains(name) ? "" : " (default)"));
     }
     if (format.layout() == WingLogFormat.Layout.ORIGINAL) {
       original(filter, format.rows());
