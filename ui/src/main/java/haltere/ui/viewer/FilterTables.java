@@ -4,6 +4,8 @@ import atlantafx.base.theme.Styles;
 import haltere.filters.wing.WingFilterEdit;
 import haltere.filters.wing.WingFilterEdit.Table;
 import haltere.filters.wing.WingFilterState;
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -14,6 +16,7 @@ import javafx.scene.control.ScrollPane;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import javafx.scene.layout.GridPane;
+import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 
 /**
@@ -24,6 +27,10 @@ import javafx.scene.layout.VBox;
  * <p>Thread rule: JavaFX thread only.
  */
 final class FilterTables extends VBox {
+  private static final MathContext FOUR_DIGITS = new MathContext(4);
+  private static final double LEAST_PLAIN = 1e-3;
+  private static final double MOST_PLAIN = 1e6;
+
   /** An entry and the number that it shows. */
   private record Cell(TextField entry, Table table, int row, int column) {}
 
@@ -66,6 +73,7 @@ final class FilterTables extends VBox {
       name.getStyleClass().add(Styles.TEXT_SMALL);
       Label sd = new Label();
       sd.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
+      sd.setMinWidth(Region.USE_PREF_SIZE);
       deviations.add(sd);
       grid.addRow(i + 1, name, cell(Table.STATE, i, 0), sd, cell(Table.PROCESS_NOISE, i, 0));
     }
@@ -143,7 +151,14 @@ final class FilterTables extends VBox {
             + (now.learnsR() ? "   R is learnt" : "   R is set"));
   }
 
+  /** Four digits at most, so that the columns of the panel hold them. */
   static String text(double value) {
-    return String.format(Locale.ROOT, "%.4g", value);
+    if (!Double.isFinite(value)) {
+      return String.valueOf(value);
+    }
+    double size = Math.abs(value);
+    return size > 0 && size < LEAST_PLAIN || size >= MOST_PLAIN
+        ? String.format(Locale.ROOT, "%.2e", value)
+        : new BigDecimal(value).round(FOUR_DIGITS).stripTrailingZeros().toPlainString();
   }
 }

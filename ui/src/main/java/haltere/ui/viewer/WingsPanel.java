@@ -41,6 +41,8 @@ final class WingsPanel extends ScrollPane {
           WingPart.RIGHT_LEADING,
           WingPart.RIGHT_TRAILING);
 
+  private static final double CHOICE_WIDTH = 130;
+
   private final Actions actions;
   private final ChoiceBox<WingPart> choice = new ChoiceBox<>();
   private final List<CheckBox> edges = EDGES.stream().map(this::edge).toList();
@@ -61,6 +63,7 @@ final class WingsPanel extends ScrollPane {
     setFitToWidth(true);
     choice.setId("wings-filter");
     choice.setAccessibleText("Which filter is shown");
+    choice.setMinWidth(CHOICE_WIDTH);
     choice.setOnAction(event -> tables.ifPresent(shown -> rebuild()));
     Button restart = new Button("Reset filter");
     restart.setId("wings-restart");
