@@ -28,6 +28,7 @@ import javafx.scene.layout.VBox;
  */
 final class FilterTables extends VBox {
   private static final MathContext FOUR_DIGITS = new MathContext(4);
+  private static final MathContext TWO_DIGITS = new MathContext(2);
   private static final double LEAST_PLAIN = 1e-3;
   private static final double MOST_PLAIN = 1e6;
 
@@ -142,7 +143,8 @@ final class FilterTables extends VBox {
       }
     }
     for (int i = 0; i < deviations.size(); i++) {
-      deviations.get(i).setText(text(Math.sqrt(Math.max(0, now.value(Table.COVARIANCE, i, i)))));
+      double variance = now.value(Table.COVARIANCE, i, i);
+      deviations.get(i).setText(text(Math.sqrt(Math.max(0, variance)), TWO_DIGITS));
     }
     summary.setText(
         Texts.count(now.events())
@@ -151,14 +153,18 @@ final class FilterTables extends VBox {
             + (now.learnsR() ? "   R is learnt" : "   R is set"));
   }
 
-  /** Four digits at most, so that the columns of the panel hold them. */
-  static String text(double value) {
+  private static String text(double value) {
+    return text(value, FOUR_DIGITS);
+  }
+
+  /** Few digits, so that the columns of the panel hold them. */
+  private static String text(double value, MathContext digits) {
     if (!Double.isFinite(value)) {
       return String.valueOf(value);
     }
     double size = Math.abs(value);
     return size > 0 && size < LEAST_PLAIN || size >= MOST_PLAIN
-        ? String.format(Locale.ROOT, "%.2e", value)
-        : new BigDecimal(value).round(FOUR_DIGITS).stripTrailingZeros().toPlainString();
+        ? String.format(Locale.ROOT, "%." + digits.getPrecision() / 2 + "e", value)
+        : new BigDecimal(value).round(digits).stripTrailingZeros().toPlainString();
   }
 }
