@@ -16,6 +16,12 @@ final class EventNoise {
   private static final double LEARN = 0.004;
   private static final double FOLLOW = 0.002;
   private static final double SCALE_SHARE = 0.3;
+  private static final double LEAST_SCALE = 0.02;
+  private static final double MOST_SCALE = 4;
+
+  /** Of the mean NIS, slow enough that a beat of few or of many events is one of many. */
+  private static final double NIS_SHARE = 0.125;
+
   private static final double FAR_FROM = 0.45;
   private static final double FAR_TO = 1.25;
   private static final double FAR_WIDTH = 2 * (FAR_TO - FAR_FROM);
@@ -89,8 +95,9 @@ final class EventNoise {
     double belief =
         1 / (1 + (strays + 1e-3) * Math.sqrt(2 * Math.PI * variance) * Math.exp(normalised / 2));
     double step = LEARN * belief;
-    nis += step * (normalised - nis);
-    scale = Math.max(0.02, Math.min(2, scale + SCALE_SHARE * step * (normalised - 1)));
+    nis += NIS_SHARE * step * (normalised - nis);
+    double changed = scale + SCALE_SHARE * step * (normalised - 1);
+    scale = Math.max(LEAST_SCALE, Math.min(MOST_SCALE, changed));
     double share = speed * speed / (fullSpeed * fullSpeed);
     if (share > 0.4) {
       timing += step * (square - variance) / (speed * speed);

@@ -32,8 +32,8 @@ public final class WingScores implements WingListener {
   /** Cosine of the phase within which a wing is at its reversal. */
   private static final double REVERSAL = 0.2;
 
-  private final FlyScene scene;
-  private final WingTracker tracker;
+  private FlyScene scene;
+  private WingTracker tracker;
   private final long tickUs;
   private long foundAtUs = -1;
   private long events;
@@ -71,7 +71,7 @@ public final class WingScores implements WingListener {
   }
 
   /**
-   * Runs for a time of the scene.
+   * Runs for a time of the scene, once.
    *
    * @param seconds from the beginning of the scene
    * @return these scores
@@ -82,7 +82,8 @@ public final class WingScores implements WingListener {
   }
 
   /**
-   * Runs several trackers on the same events.
+   * Runs several trackers on the same events, once. Scene and trackers are let go afterwards, so
+   * that thousands of scores fit into memory.
    *
    * @param scene of all of them
    * @param seconds from the beginning of the scene
@@ -112,6 +113,10 @@ public final class WingScores implements WingListener {
         };
     while (!ended[0] && scene.next(handler)) {
       // goes on until the end
+    }
+    for (WingScores scores : all) {
+      scores.scene = null;
+      scores.tracker = null;
     }
   }
 
