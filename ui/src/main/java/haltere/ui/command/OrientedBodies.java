@@ -103,27 +103,29 @@ final class OrientedBodies {
         lines.add(String.format(Locale.ROOT, "%12s %s", Quantities.count(sum), count.words()));
       }
     }
-    for (Map.Entry<String, BodyOrientationEstimator> body : bodies.entrySet()) {
-      List<String> noise = new ArrayList<>();
-      for (int i = 0; i < cameras.size(); i++) {
-        if (cameras.get(i).problem().isEmpty()) {
-          noise.add(
-              String.format(
-                  Locale.ROOT,
-                  "%s %.1f",
-                  cameras.get(i).id(),
-                  Math.toDegrees(body.getValue().lineSdRad(i))));
-        }
-      }
-      lines.add(
-          String.format(
-              Locale.ROOT,
-              "body %s: mean NIS %.2f, noise of the angles (deg) %s",
-              body.getKey(),
-              body.getValue().meanNis(),
-              String.join(", ", noise)));
+    bodies.forEach((object, body) -> lines.add("body " + object + ": " + noise(body)));
+    if (table.rows() > 0) {
+      lines.add("roll is not seen by any camera: its standard deviation is 104 deg throughout");
     }
-    lines.add("roll is not seen by any camera: its standard deviation is 104 deg throughout");
     return lines;
+  }
+
+  /** How noisy a body's lines are, and whether that is what was expected. */
+  private String noise(BodyOrientationEstimator body) {
+    if (Double.isNaN(body.meanNis())) {
+      return "no line was compared with an axis";
+    }
+    List<String> noise = new ArrayList<>();
+    for (int i = 0; i < cameras.size(); i++) {
+      if (cameras.get(i).problem().isEmpty()) {
+        double sdDeg = Math.toDegrees(body.lineSdRad(i));
+        noise.add(String.format(Locale.ROOT, "%s %.1f", cameras.get(i).id(), sdDeg));
+      }
+    }
+    return String.format(
+        Locale.ROOT,
+        "mean NIS %.2f, noise of the angles (deg) %s",
+        body.meanNis(),
+        String.join(", ", noise));
   }
 }

@@ -273,6 +273,8 @@ class OrientCommandTest {
     assertTrue(run.err().contains("camera camera-1 is left out"), run.err());
     assertTrue(run.err().contains("one camera"), run.err());
     assertTrue(run.out().contains("cannot be used"), run.out());
+    assertTrue(run.out().contains("body 0: no line was compared with an axis"), run.out());
+    assertFalse(run.out().contains("NaN") || run.out().contains("roll"), run.out());
     assertEquals(List.of(COLUMNS), Files.readAllLines(out));
   }
 }
