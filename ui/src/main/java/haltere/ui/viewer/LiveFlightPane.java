@@ -20,6 +20,8 @@ final class LiveFlightPane extends BorderPane {
     setId("live-flight");
     setCenter(canvas);
     words.setId("live-flight-words");
+    words.setWrapText(true);
+    words.setMinHeight(USE_PREF_SIZE);
     words.getStyleClass().add("flight-controls");
     setBottom(words);
   }
