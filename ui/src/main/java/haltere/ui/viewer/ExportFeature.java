@@ -136,7 +136,8 @@ final class ExportFeature implements ViewerFeature {
                     part.fromUs(),
                     part.toUs(),
                     pictureUs);
-            return clip.run(progress) + " pictures";
+            long pictures = clip.run(progress);
+            return pictures + (pictures == 1 ? " picture" : " pictures");
           }
         });
   }

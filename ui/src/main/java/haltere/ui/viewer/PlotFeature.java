@@ -12,6 +12,9 @@ final class PlotFeature implements ViewerFeature {
         window.addPanel("plots", "Plots", "Shortcut+G", PanelPlace.BELOW, () -> plots);
     window.onSession(
         made -> {
+          if (plots.dropFirst(made.chain())) {
+            shown.set(false);
+          }
           if (plots.beginWith(made.start().plots())) {
             shown.set(true);
           }

@@ -1,5 +1,6 @@
 package haltere.ui.viewer;
 
+import haltere.core.chain.FilterChain;
 import haltere.core.playback.PlayerStatus;
 import haltere.ui.plot.Lane;
 import haltere.ui.plot.PlotField;
@@ -40,6 +41,7 @@ final class PlotPanel extends BorderPane {
   private final TimeWindow window = new TimeWindow();
   private final PlotFeeds feeds;
   private final List<PlotLane> lanes = new ArrayList<>();
+  private List<PlotField> first = List.of();
   private final VBox laneBox = new VBox();
   private final PlotTimeAxis axis = new PlotTimeAxis(window);
   private final MenuButton add = new MenuButton("Add plot");
@@ -173,7 +175,31 @@ final class PlotPanel extends BorderPane {
       return false;
     }
     fields.forEach(this::addLane);
+    first = fields;
     zoom((double) FIRST_SPAN_US / window.spanUs(), 1);
+    return true;
+  }
+
+  /**
+   * Takes away the plots that were begun with, where nobody has changed them and another chain
+   * publishes nothing for them.
+   *
+   * @return whether they were taken away
+   */
+  boolean dropFirst(FilterChain chain) {
+    boolean asBegun =
+        !first.isEmpty()
+            && lanes().stream().flatMap(lane -> lane.fields().stream()).toList().equals(first);
+    boolean published =
+        first.stream()
+            .anyMatch(
+                field ->
+                    chain.stages().stream().anyMatch(stage -> stage.name().equals(field.stage())));
+    if (!asBegun || published) {
+      return false;
+    }
+    List.copyOf(lanes).forEach(this::remove);
+    first = List.of();
     return true;
   }
 

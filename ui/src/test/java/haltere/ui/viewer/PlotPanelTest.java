@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import haltere.core.format.ReadOptions;
 import haltere.ui.plot.Curve;
 import haltere.ui.plot.PlotField;
 import java.io.IOException;
@@ -53,6 +54,25 @@ class PlotPanelTest {
     viewer.waitFor("a curve on the screen", () -> hasCurve(PlotInk.DARK));
     viewer.run(() -> viewer.window.display().themeProperty().set(Theme.LIGHT));
     viewer.waitFor("the curve in the colours of the light theme", () -> hasCurve(PlotInk.LIGHT));
+  }
+
+  @Test
+  void plotsThatASceneBeganWithGoWithItUnlessThereAreOthers() throws IOException {
+    viewer = new ViewerHarness();
+    Path recording = folder.resolve("blob.aedat");
+    ViewerHarness.writeRecording(recording, 200_000);
+    viewer.run(() -> viewer.window.open(SessionRequest.scene()));
+    viewer.waitFor("its plots", () -> plots().lanes().size() == 2);
+    viewer.run(() -> viewer.window.open(recording, ReadOptions.DEFAULT));
+    viewer.waitUntilOpen("blob.aedat");
+    viewer.waitFor("no plots", () -> plots().lanes().isEmpty());
+    viewer.waitFor("no panel", () -> !viewer.isThere("plots"));
+    viewer.run(() -> viewer.window.open(SessionRequest.scene()));
+    viewer.waitFor("its plots again", () -> plots().lanes().size() == 2);
+    viewer.run(() -> plots().addLane(X));
+    viewer.run(() -> viewer.window.open(recording, ReadOptions.DEFAULT));
+    viewer.waitUntilOpen("blob.aedat");
+    assertEquals(3, viewer.onFx(() -> plots().lanes().size()));
   }
 
   @Test
