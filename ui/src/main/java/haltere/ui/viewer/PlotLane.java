@@ -157,7 +157,8 @@ final class PlotLane extends BorderPane {
       values.getChildren().remove(values.getChildren().size() - 1);
     }
     for (int i = 0; i < shown; i++) {
-      Curve curve = curves.get(i);
+      // The latest: tracks of before playback went back have not ended within the window either.
+      Curve curve = curves.get(curves.size() - shown + i);
       if (values.getChildren().size() <= i) {
         Label label = new Label();
         label.setGraphic(new Circle(4));
