@@ -30,7 +30,7 @@ final class ClusterContour {
   /** Scatter of events that mark an outline as well as pixels can, pixels squared. */
   private static final double FIRST_SCATTER = 0.14;
 
-  private static final double LEAST_SCATTER = 0.09;
+  private static final double LEAST_SCATTER = 1.0 / 12;
 
   /** What the reference may be off by, added to the scatter for the gate, pixels squared. */
   private static final double REFERENCE_VARIANCE = 0.15;

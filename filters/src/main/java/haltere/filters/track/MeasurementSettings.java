@@ -69,6 +69,6 @@ public record MeasurementSettings(
    */
   public static MeasurementSettings defaults() {
     return new MeasurementSettings(
-        MeasurementSource.OUTLINE, 6, EventCount.EACH_CLUSTER, false, 8, 0.5, 1, 0.05);
+        MeasurementSource.OUTLINE, 6, EventCount.EACH_CLUSTER, false, 8, 0.5, 1, 0.03);
   }
 }
