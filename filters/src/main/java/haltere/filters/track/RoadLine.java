@@ -34,6 +34,8 @@ final class RoadLine {
   private static final double GAP_PX = 2;
 
   private static final double GAP_SHARE = 0.15;
+  private static final double REACH_SHARE = 1.3;
+  private static final double REACH_PX = 3;
   private static final double GROWTH = 0.3;
   private static final double SHRINKAGE = 1e-3;
   private static final double WIDTH_GAIN = 0.05;
@@ -184,6 +186,11 @@ final class RoadLine {
     extentPx = Math.max(extentPx, abovePx);
   }
 
+  /** Whether there is something of the vehicle on most of the way to a line so far above. */
+  boolean mayReach(double abovePx) {
+    return abovePx < REACH_SHARE * extentPx + REACH_PX;
+  }
+
   /** Whether the vehicle moves, but its line has not been seen for much too long. */
   boolean isLost() {
     return recent > MOVING_EVENTS && Math.abs(rowPerUs) * (nowUs - lastRowUs) > LOST_ROWS;
@@ -266,6 +273,10 @@ final class RoadLine {
 
   double halfPx() {
     return halfPx;
+  }
+
+  double rowNow() {
+    return rowNow;
   }
 
   double rowPerS() {

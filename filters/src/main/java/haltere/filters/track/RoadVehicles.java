@@ -43,6 +43,8 @@ final class RoadVehicles {
   private final LineSearch search;
   private final RowPassing passing;
   private final VehicleEnds ends;
+  private final LineInSpace upper = new LineInSpace();
+  private final LineInSpace lower = new LineInSpace();
   private KalmanTracksSettings settings;
 
   RoadVehicles(
@@ -96,6 +98,7 @@ final class RoadVehicles {
     for (int i = 0; i < tracks.count(); i++) {
       passing.measure(tracks.get(i), timeUs);
     }
+    unite(timeUs);
     for (int i = tracks.count() - 1; i >= 0; i--) {
       if (ends.isOver(tracks.get(i), timeUs)) {
         tracks.drop(i);
@@ -168,6 +171,9 @@ final class RoadVehicles {
   private boolean isPartOf(Track track, long timeUs) {
     MotionModes motion = track.at(timeUs);
     RoadLine line = track.line;
+    if (isPartOfTall(track, motion, timeUs)) {
+      return true;
+    }
     double wide = Math.max(search.halfWidthM, line.halfWidthM) + SIDE_M;
     if (Math.abs(search.xM - motion.x()) > wide) {
       return false;
@@ -198,6 +204,45 @@ final class RoadVehicles {
       line.reachTo(higherM / perRow);
     }
     return true;
+  }
+
+  /** Whether the line is as much farther, faster and wider as a higher one of a vehicle is. */
+  private boolean isPartOfTall(Track track, MotionModes motion, long timeUs) {
+    upper.set(search.xM, search.yM, search.vyMS, search.varianceVy, search.halfWidthM);
+    lower.set(track, motion);
+    RoadLine line = track.line;
+    double gapPx = road.rowOf(search.yM) - road.rowOf(motion.y());
+    if (line.mayReach(gapPx) && upper.isAbove(lower, gapPx / line.halfPx())) {
+      line.reachTo(gapPx);
+      return true;
+    }
+    if (lower.isAbove(upper, -gapPx / line.halfPx())) {
+      line.change(search, -gapPx, timeUs);
+      track.moveOn(search, VARIANCE_X, LATERAL_SD_M_S * LATERAL_SD_M_S, timeUs);
+      return true;
+    }
+    return false;
+  }
+
+  /** Of two tracks on two edges of one tall vehicle, the lower one stays, under the older name. */
+  private void unite(long timeUs) {
+    for (int i = tracks.count() - 1; i >= 0; i--) {
+      Track track = tracks.get(i);
+      upper.set(track, track.at(timeUs));
+      for (int k = 0; k < tracks.count(); k++) {
+        Track other = tracks.get(k);
+        lower.set(other, other.at(timeUs));
+        double gapPx = track.line.rowNow() - other.line.rowNow();
+        if (k != i
+            && other.line.mayReach(gapPx)
+            && upper.isAbove(lower, gapPx / other.line.halfPx())) {
+          other.line.reachTo(gapPx);
+          other.nameAfter(track);
+          tracks.drop(i);
+          break;
+        }
+      }
+    }
   }
 
   private void launch(long timeUs) {

@@ -130,6 +130,16 @@ final class Track {
     motion.launchLine(found, varianceX, varianceVx);
   }
 
+  /** Takes over the identity of another track of the same thing, if that has the older one. */
+  void nameAfter(Track other) {
+    if (other.id > 0 && (id == 0 || other.bornUs < bornUs)) {
+      int own = id;
+      id = other.id;
+      other.id = own;
+      bornUs = other.bornUs;
+    }
+  }
+
   /** Goes on with a line that was found, as the same track. */
   void moveOn(LineSearch found, double varianceX, double varianceVx, long stepUs) {
     stateUs = stepUs;

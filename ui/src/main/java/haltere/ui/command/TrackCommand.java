@@ -14,6 +14,7 @@ import haltere.core.sink.CsvSink;
 import haltere.filters.cluster.ClusterTrackerFilter;
 import haltere.filters.track.KalmanTracksFilter;
 import haltere.filters.track.KalmanTracksSettings;
+import haltere.filters.track.LineCrossing;
 import haltere.filters.track.RoadTracksSettings;
 import haltere.filters.track.TrackPoint;
 import java.io.IOException;
@@ -83,6 +84,14 @@ final class TrackCommand extends Subcommand {
       })
   Path roadFile;
 
+  @Option(
+      names = "--crossings",
+      paramLabel = "CROSSINGS.csv",
+      description =
+          "Where goes who crossed which counting line of the road (--road), when, in which lane and"
+              + " direction, how fast, and how many had by then.")
+  Path crossings;
+
   @Mixin CameraOptionsGroup cameras;
   @Mixin PublishingOptions publishing;
   @Mixin ReadingOptions reading;
@@ -100,8 +109,18 @@ final class TrackCommand extends Subcommand {
     cameras.checkOneSource(file);
     publishing.check();
     writing.check(out);
+    if (crossings != null) {
+      if (roadFile == null) {
+        throw wrongArguments("--crossings needs a road with counting lines, see --road");
+      }
+      writing.check(crossings);
+      WritingOptions.checkDifferent(out, crossings);
+    }
     for (Path input : inputs()) {
       WritingOptions.checkDifferent(input, out);
+      if (crossings != null) {
+        WritingOptions.checkDifferent(input, crossings);
+      }
     }
     if (cameras.given()) {
       trackCamera();
@@ -200,7 +219,8 @@ final class TrackCommand extends Subcommand {
       }
     } else {
       try (CsvSink<RoadTrackRow> table =
-          CsvSink.create(out, RoadTrackRow.class, writing.overwrite)) {
+              CsvSink.create(out, RoadTrackRow.class, writing.overwrite);
+          CsvSink<LineCrossing> counts = counts(tracks)) {
         // A track's place in the picture is published before its place on the road.
         TrackPoint[] inPicture = new TrackPoint[1];
         tracks.points().subscribe(point -> inPicture[0] = point);
@@ -208,9 +228,30 @@ final class TrackCommand extends Subcommand {
             .roadPoints()
             .subscribe(onRoad -> table.accept(RoadTrackRow.of(inPicture[0], onRoad)));
         rows = run(feed, chain, table);
+        finish(counts);
       }
     }
     message("wrote " + out + " (" + Quantities.count(rows) + " rows)");
+  }
+
+  /** The table of crossings, or null if none is wanted. */
+  private CsvSink<LineCrossing> counts(KalmanTracksFilter tracks) throws IOException {
+    if (crossings == null) {
+      return null;
+    }
+    if (tracks.settings().road().countingLines().lines() == 0) {
+      throw wrongArguments("--crossings needs counting lines, and " + roadFile + " has none");
+    }
+    CsvSink<LineCrossing> counts = CsvSink.create(crossings, LineCrossing.class, writing.overwrite);
+    tracks.crossings().subscribe(counts);
+    return counts;
+  }
+
+  private void finish(CsvSink<LineCrossing> counts) throws IOException {
+    if (counts != null) {
+      counts.finish();
+      message("wrote " + crossings + " (" + Quantities.count(counts.rows()) + " rows)");
+    }
   }
 
   private static long run(Feed feed, FilterChain chain, CsvSink<?> table) throws IOException {

@@ -118,8 +118,15 @@ class TrackCommandTest {
          "vanishingPoint": {"xPx": 63.5, "yPx": 127},
          "lanes": {"lanes": 4, "leftEdgeM": -7, "widthM": 3.5}, "countingLines": {"lines": 2}}
         """);
-    CommandRun run = CommandRun.of("track", cars, "--out", out, "--road", road);
+    Path crossings = folder.resolve("crossings.csv");
+    CommandRun run =
+        CommandRun.of("track", cars, "--out", out, "--road", road, "--crossings", crossings);
     assertEquals(0, run.status(), run.err());
+    List<String> crossed = Files.readAllLines(crossings);
+    assertEquals(
+        "t_us,id,line_m,direction,lane,speed_km_h,sd_speed_km_h,count_away,count_towards",
+        crossed.get(0));
+    assertTrue(crossed.size() > 1, "nobody crossed a line");
     assertEquals(COLUMNS + ",x_m,y_m,vx_m_s,vy_m_s", Files.readAllLines(out).get(0));
     List<String[]> rows = rows(out);
     assertTrue(rows.size() > 100, rows.size() + " rows");
@@ -210,6 +217,8 @@ class TrackCommandTest {
     assertFails(1, "none.json", "track", in, "--out", out, "--chain", none);
     assertFails(1, "none.json", "track", none, "--out", out);
     assertFails(1, "same file", "track", in, "--out", in, "--overwrite");
+    Path counts = folder.resolve("counts.csv");
+    assertFails(2, "--road", "track", in, "--out", out, "--crossings", counts);
     try (Stream<Path> files = Files.list(folder)) {
       assertEquals(
           List.of("dots.aedat", "x.json"),
