@@ -14,8 +14,8 @@ import java.util.Optional;
 
 /**
  * One of the cameras of a rig beside the first: pulled along to the first one's time, while the
- * body's line is followed in its events. What a camera that is open now sees is taken as it comes,
- * with its times on the first one's clock; what a recording or a scene has for later waits.
+ * body's line is followed in its events. What it has for later waits. The times of a camera that is
+ * open now are brought onto the first one's clock.
  *
  * <p>Thread rule: the player's processing thread.
  */
@@ -53,12 +53,11 @@ final class FollowedCamera implements StreamHandler {
 
   /** Goes on to a time; a source that cannot be read any more has ended. */
   void to(long timeUs) {
-    long untilUs = source.isLive() ? Long.MAX_VALUE : timeUs;
     try {
-      giveUntil(untilUs);
+      giveUntil(timeUs);
       while (given == waiting.size() && !ended && isThereMore()) {
         ended = !source.next(this);
-        giveUntil(untilUs);
+        giveUntil(timeUs);
       }
     } catch (IOException unreadable) {
       ended = true;
@@ -72,8 +71,7 @@ final class FollowedCamera implements StreamHandler {
   }
 
   private void giveUntil(long untilUs) {
-    int to =
-        untilUs == Long.MAX_VALUE ? waiting.size() : waiting.indexAtOrAfter(untilUs + 1, given);
+    int to = waiting.indexAtOrAfter(untilUs + 1, given);
     if (to > given) {
       part.clear();
       part.append(waiting, given, to);

@@ -24,6 +24,7 @@ import java.util.List;
  */
 public final class LiveFlight implements SliceSink {
   private static final long WAIT_US = 50_000;
+  private static final long STEP_US = 10_000;
 
   /** Moments that are shown. */
   private static final int MOST_MOMENTS = 400;
@@ -34,6 +35,7 @@ public final class LiveFlight implements SliceSink {
   private final List<FollowedCamera> others = new ArrayList<>();
   private final Deque<BodyFlight.Moment> moments = new ArrayDeque<>();
   private final Mailbox<BodyFlight> latest = new Mailbox<>();
+  private final EventPacket step = new EventPacket(1024);
   private long playedUs = Long.MIN_VALUE;
   private boolean changed;
 
@@ -76,13 +78,23 @@ public final class LiveFlight implements SliceSink {
         long fromUs = packet.firstTimeUs();
         others.forEach(other -> other.goBack(fromUs));
       }
-      tracker.track(packet);
-      playedUs = packet.lastTimeUs();
+      int from = 0;
+      while (from < packet.size()) {
+        int to = packet.indexAtOrAfter(packet.timeUs(from) + STEP_US, from);
+        step.clear();
+        step.append(packet, from, to);
+        step(step);
+        from = to;
+      }
     }
-    if (playedUs != Long.MIN_VALUE) {
-      others.forEach(other -> other.to(playedUs));
-      orientation.reached(0, playedUs);
-    }
+  }
+
+  /** Goes on by so little that no camera's lines have to wait for those of another. */
+  private void step(EventPacket events) {
+    tracker.track(events);
+    playedUs = events.lastTimeUs();
+    others.forEach(other -> other.to(playedUs));
+    orientation.reached(0, playedUs);
   }
 
   @Override

@@ -98,6 +98,11 @@ class LiveFlightTest {
             cameras, number -> Sources.recording(files.get(number), ReadOptions.DEFAULT))) {
       LiveFlight live = new LiveFlight(rig);
       assertNear(play(rig, live));
+      rig.first().seek(100_000);
+      BodyFlight again = play(rig, live);
+      assertNear(again);
+      long earliestUs = again.moments().get(0).estimate().timeUs();
+      assertTrue(earliestUs > 100_000 && earliestUs < 500_000, "from " + earliestUs + " us on");
       rig.first().close();
     }
     try (ViewerHarness viewer = new ViewerHarness()) {
