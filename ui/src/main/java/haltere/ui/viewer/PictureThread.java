@@ -17,7 +17,7 @@ import java.util.function.Consumer;
  * #close} by any.
  */
 final class PictureThread implements AutoCloseable {
-  private static final int PACKETS = 16;
+  private static final int PACKETS = 64;
   private static final int PACKET_EVENTS = 4096;
 
   private final PacketPool pool = new PacketPool(PACKETS, PACKET_EVENTS);
