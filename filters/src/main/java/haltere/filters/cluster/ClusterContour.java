@@ -51,7 +51,7 @@ final class ClusterContour {
   private static final double LEAST_EVENTS = 15;
 
   /** Events taken between two readings where there are very many. */
-  private static final double ENOUGH = 16;
+  private static final double ENOUGH = 12;
 
   /** Up to the root of this and some more, all events are taken; above, fewer of more. */
   private static final double MANY = 1000;
