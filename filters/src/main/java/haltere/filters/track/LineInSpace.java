@@ -8,7 +8,7 @@ package haltere.filters.track;
  */
 final class LineInSpace {
   /** A lorry of 3.6 m seen from 5 m. */
-  private static final double MOST_SCALE = 3.6;
+  private static final double MOST_SCALE = 4.5;
 
   private static final double LEAST_SCALE = 1.07;
   private static final double SIGMAS = 2;

@@ -34,8 +34,8 @@ final class RoadLine {
   private static final double GAP_PX = 2;
 
   private static final double GAP_SHARE = 0.15;
-  private static final double REACH_SHARE = 1.3;
-  private static final double REACH_PX = 3;
+  private static final double REACH_SHARE = 2;
+  private static final double REACH_PX = 6;
   private static final double GROWTH = 0.3;
   private static final double SHRINKAGE = 1e-3;
   private static final double WIDTH_GAIN = 0.05;

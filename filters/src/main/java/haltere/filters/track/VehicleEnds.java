@@ -7,8 +7,8 @@ final class VehicleEnds {
   /** What is slower may stand. */
   static final double STANDING_M_S = 2;
 
-  /** Where a row sees more of the road than a vehicle is long, silence says nothing. */
-  private static final double TELLING_M = 4;
+  /** Where a row sees more of the road than this, silence says nothing. */
+  private static final double TELLING_M = 3;
 
   /** A vehicle that stands is remembered for this many times the usual. */
   private static final double STANDING_FACTOR = 5;
