@@ -42,13 +42,13 @@ public final class ClusterTracker {
   private final ClusterReports reports;
   private final ClusterGrid grid;
   private final ClusterMerging merging = new ClusterMerging();
+  private final ClusterUpkeep upkeep = new ClusterUpkeep(clusters, merging);
   private final ClusterReader reader = new ClusterReader(merging);
   private ClusterTrackerSettings settings;
   private ClusterMotion motion;
   private ClusterForm form;
   private ClusterLife life;
   private BirthPlaces places;
-  private int lastId;
   private ClusterObserver observer;
 
   // Derived from the settings.
@@ -116,6 +116,7 @@ public final class ClusterTracker {
     places = new BirthPlaces(geometry, form.startRadius());
     places.apply(settings);
     life = new ClusterLife(geometry, settings, places);
+    upkeep.apply(motion, form, life, (int) upkeepUs);
     merging.apply(settings.merging(), settings.output().mostClusters());
     clusters.setMost(settings.output().mostClusters());
     for (Cluster cluster : clusters.all) {
@@ -342,7 +343,8 @@ public final class ClusterTracker {
         return;
       }
       if (times.isUpkeepNext()) {
-        upkeep(times.takeUpkeep());
+        upkeep.run(times.takeUpkeep(), observer);
+        index();
       } else if (times.isObservationNext()) {
         observation(times.takeObservation());
       } else {
@@ -358,70 +360,6 @@ public final class ClusterTracker {
         && !observedSomething
         && places.areForgotten()
         && (observer == null || !observer.isWaiting(times.nextUs()));
-  }
-
-  private void upkeep(long timeUs) {
-    life.measureNoise(clusters.all, clusters.count);
-    for (int i = clusters.count - 1; i >= 0; i--) {
-      Cluster cluster = clusters.all[i];
-      cluster.moveTo(timeUs);
-      if (life.isOver(cluster, timeUs)) {
-        clusters.remove(i);
-      } else {
-        motion.upkeep(cluster, timeUs);
-        form.upkeep(cluster, timeUs, life.noiseShare(cluster));
-        if (!clusters.isFull() && form.isParting(cluster, timeUs)) {
-          part(cluster, timeUs);
-        }
-      }
-    }
-    merge(timeUs);
-    for (int i = 0; i < clusters.count; i++) {
-      Cluster cluster = clusters.all[i];
-      if (!cluster.isVisible() && life.isToBeSeen(cluster, timeUs)) {
-        cluster.id = ++lastId;
-      }
-    }
-    index();
-  }
-
-  private void part(Cluster cluster, long timeUs) {
-    Cluster born = clusters.add();
-    merging.forget(born);
-    life.part(cluster, born, timeUs);
-    form.part(cluster, born, timeUs);
-    motion.part(cluster, born);
-    merging.parted(cluster, born);
-  }
-
-  private void merge(long timeUs) {
-    for (int i = 0; i < clusters.count; i++) {
-      clusters.all[i].overlapped = false;
-    }
-    for (int i = 0; i < clusters.count; i++) {
-      for (int j = i + 1; j < clusters.count; j++) {
-        if (merging.areFarApart(clusters.all[i], clusters.all[j])) {
-          continue;
-        }
-        if (merging.unite(clusters.all[i], clusters.all[j], timeUs, (int) upkeepUs)) {
-          boolean firstStays = ClusterMerging.isStronger(clusters.all[i], clusters.all[j]);
-          mergeInto(firstStays ? i : j, firstStays ? j : i, timeUs);
-          // The others are looked at in the next upkeep.
-          return;
-        }
-      }
-    }
-  }
-
-  private void mergeInto(int keptIndex, int lostIndex, long timeUs) {
-    Cluster kept = clusters.all[keptIndex];
-    Cluster lost = clusters.all[lostIndex];
-    merging.absorb(kept, lost);
-    form.settle(kept, timeUs);
-    if (observer != null && kept.isVisible() && lost.isVisible()) {
-      observer.clustersMerged(timeUs, kept.id, lost.id);
-    }
-    clusters.remove(lostIndex);
   }
 
   private void observation(long timeUs) {

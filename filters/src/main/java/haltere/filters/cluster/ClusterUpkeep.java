@@ -1,0 +1,95 @@
+package haltere.filters.cluster;
+
+/**
+ * What happens to the clusters of a {@link ClusterTracker} at each upkeep: they die, take on
+ * another size and motion, part, merge and become visible. Thread rule: that of its owner.
+ */
+final class ClusterUpkeep {
+  private final Clusters clusters;
+  private final ClusterMerging merging;
+  private ClusterMotion motion;
+  private ClusterForm form;
+  private ClusterLife life;
+  private int upkeepUs;
+
+  /** The last identity that was given out; none is given out twice. */
+  private int lastId;
+
+  ClusterUpkeep(Clusters clusters, ClusterMerging merging) {
+    this.clusters = clusters;
+    this.merging = merging;
+  }
+
+  /** Goes on by other rules. */
+  void apply(ClusterMotion newMotion, ClusterForm newForm, ClusterLife newLife, int newUpkeepUs) {
+    motion = newMotion;
+    form = newForm;
+    life = newLife;
+    upkeepUs = newUpkeepUs;
+  }
+
+  /**
+   * Does what is due at a time.
+   *
+   * @param observer hears of visible clusters that become one; null for nobody
+   */
+  void run(long timeUs, ClusterObserver observer) {
+    life.measureNoise(clusters.all, clusters.count);
+    for (int i = clusters.count - 1; i >= 0; i--) {
+      Cluster cluster = clusters.all[i];
+      cluster.moveTo(timeUs);
+      if (life.isOver(cluster, timeUs)) {
+        clusters.remove(i);
+      } else {
+        motion.upkeep(cluster, timeUs);
+        form.upkeep(cluster, timeUs, life.noiseShare(cluster));
+        if (!clusters.isFull() && form.isParting(cluster, timeUs)) {
+          part(cluster, timeUs);
+        }
+      }
+    }
+    merge(timeUs, observer);
+    for (int i = 0; i < clusters.count; i++) {
+      Cluster cluster = clusters.all[i];
+      if (!cluster.isVisible() && life.isToBeSeen(cluster, timeUs)) {
+        cluster.id = ++lastId;
+      }
+    }
+  }
+
+  private void part(Cluster cluster, long timeUs) {
+    Cluster born = clusters.add();
+    merging.forget(born);
+    life.part(cluster, born, timeUs);
+    form.part(cluster, born, timeUs);
+    motion.part(cluster, born);
+    merging.parted(cluster, born);
+  }
+
+  private void merge(long timeUs, ClusterObserver observer) {
+    for (int i = 0; i < clusters.count; i++) {
+      clusters.all[i].overlapped = false;
+    }
+    for (int i = 0; i < clusters.count; i++) {
+      for (int j = i + 1; j < clusters.count; j++) {
+        Cluster first = clusters.all[i];
+        Cluster second = clusters.all[j];
+        if (!merging.areFarApart(first, second) && merging.unite(first, second, timeUs, upkeepUs)) {
+          boolean firstStays = ClusterMerging.isStronger(first, second);
+          mergeInto(firstStays ? first : second, firstStays ? second : first, timeUs, observer);
+          clusters.remove(firstStays ? j : i);
+          // The others are looked at in the next upkeep.
+          return;
+        }
+      }
+    }
+  }
+
+  private void mergeInto(Cluster kept, Cluster lost, long timeUs, ClusterObserver observer) {
+    merging.absorb(kept, lost);
+    form.settle(kept, timeUs);
+    if (observer != null && kept.isVisible() && lost.isVisible()) {
+      observer.clustersMerged(timeUs, kept.id, lost.id);
+    }
+  }
+}
