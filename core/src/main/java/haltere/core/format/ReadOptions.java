@@ -1,5 +1,6 @@
 package haltere.core.format;
 
+import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
 import java.util.Objects;
 import java.util.Optional;
@@ -10,6 +11,8 @@ import java.util.Optional;
  * @param sensor the sensor's size where the file does not state it; the file's own word wins
  * @param format name of the format to read it as, whatever its content looks like
  * @param topic which of several streams of events is read; the name of a bag's topic
+ * @param origin where rows count from in plain tables of events (text, NumPy, HDF5) that do not say
+ *     it; where nobody does, from the top
  * @param packetEvents events per packet at the most, 1 to 1,048,576
  * @param readings whether frames, inertial samples and triggers are wanted too
  * @param keepIndex whether the index that seeking needs is kept in a file beside the recording; one
@@ -19,38 +22,31 @@ public record ReadOptions(
     Optional<SensorGeometry> sensor,
     Optional<String> format,
     Optional<String> topic,
+    Optional<Origin> origin,
     int packetEvents,
     boolean readings,
     boolean keepIndex) {
   /** What everybody starts with. */
   public static final ReadOptions DEFAULT =
-      new ReadOptions(Optional.empty(), Optional.empty(), Optional.empty(), 8192, false, false);
+      new ReadOptions(
+          Optional.empty(),
+          Optional.empty(),
+          Optional.empty(),
+          Optional.empty(),
+          8192,
+          false,
+          false);
 
   /** Checks the values. */
   public ReadOptions {
     Objects.requireNonNull(sensor, "sensor");
     Objects.requireNonNull(format, "format");
     Objects.requireNonNull(topic, "topic");
+    Objects.requireNonNull(origin, "origin");
     if (packetEvents < 1 || packetEvents > 1 << 20) {
       throw new IllegalArgumentException(
           "packets hold 1 to " + (1 << 20) + " events, not " + packetEvents);
     }
-  }
-
-  /**
-   * Options of one who wants events only.
-   *
-   * @param sensor the sensor's size where the file does not state it
-   * @param format name of the format to read it as
-   * @param topic which of several streams of events is read
-   * @param packetEvents events per packet at the most, 1 to 1,048,576
-   */
-  public ReadOptions(
-      Optional<SensorGeometry> sensor,
-      Optional<String> format,
-      Optional<String> topic,
-      int packetEvents) {
-    this(sensor, format, topic, packetEvents, false, false);
   }
 
   /**
@@ -60,7 +56,8 @@ public record ReadOptions(
    * @return new options
    */
   public ReadOptions withSensor(SensorGeometry geometry) {
-    return new ReadOptions(Optional.of(geometry), format, topic, packetEvents, readings, keepIndex);
+    return new ReadOptions(
+        Optional.of(geometry), format, topic, origin, packetEvents, readings, keepIndex);
   }
 
   /**
@@ -70,7 +67,8 @@ public record ReadOptions(
    * @return new options
    */
   public ReadOptions withFormat(String name) {
-    return new ReadOptions(sensor, Optional.of(name), topic, packetEvents, readings, keepIndex);
+    return new ReadOptions(
+        sensor, Optional.of(name), topic, origin, packetEvents, readings, keepIndex);
   }
 
   /**
@@ -80,7 +78,19 @@ public record ReadOptions(
    * @return new options
    */
   public ReadOptions withTopic(String name) {
-    return new ReadOptions(sensor, format, Optional.of(name), packetEvents, readings, keepIndex);
+    return new ReadOptions(
+        sensor, format, Optional.of(name), origin, packetEvents, readings, keepIndex);
+  }
+
+  /**
+   * The same options but for where rows count from.
+   *
+   * @param from in plain tables that do not say it
+   * @return new options
+   */
+  public ReadOptions withOrigin(Origin from) {
+    return new ReadOptions(
+        sensor, format, topic, Optional.of(from), packetEvents, readings, keepIndex);
   }
 
   /**
@@ -90,7 +100,7 @@ public record ReadOptions(
    * @return new options
    */
   public ReadOptions withPacketEvents(int events) {
-    return new ReadOptions(sensor, format, topic, events, readings, keepIndex);
+    return new ReadOptions(sensor, format, topic, origin, events, readings, keepIndex);
   }
 
   /**
@@ -100,7 +110,7 @@ public record ReadOptions(
    * @return new options
    */
   public ReadOptions withReadings(boolean wanted) {
-    return new ReadOptions(sensor, format, topic, packetEvents, wanted, keepIndex);
+    return new ReadOptions(sensor, format, topic, origin, packetEvents, wanted, keepIndex);
   }
 
   /**
@@ -110,6 +120,6 @@ public record ReadOptions(
    * @return new options
    */
   public ReadOptions withKeptIndex(boolean kept) {
-    return new ReadOptions(sensor, format, topic, packetEvents, readings, kept);
+    return new ReadOptions(sensor, format, topic, origin, packetEvents, readings, kept);
   }
 }

@@ -23,6 +23,10 @@ public final class SensorGuess {
           top(640, 480),
           top(1280, 720));
 
+  /** What a user should know of a plain table that does not say where its rows count from. */
+  public static final String ROWS_FROM_TOP =
+      "rows are taken to count from the top (--rows bottom says otherwise)";
+
   private SensorGuess() {}
 
   /** The pixels that the first events need: right - 1 is the rightmost column, and so on. */

@@ -1,5 +1,6 @@
 package haltere.ui.command;
 
+import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingProblem;
@@ -34,6 +35,14 @@ final class ReadingOptions {
   SensorGeometry sensor;
 
   @Option(
+      names = "--rows",
+      paramLabel = "top|bottom",
+      description =
+          "Where rows count from in a text, NumPy or HDF5 recording that does not say it; top if"
+              + " not given.")
+  Origin rows;
+
+  @Option(
       names = "--topic",
       paramLabel = "NAME",
       description = "Which of several topics of events in a bag is read, such as /dvs/events.")
@@ -66,13 +75,14 @@ final class ReadingOptions {
               + "; there are "
               + String.join(", ", Recordings.formats().keySet()));
     }
-    ReadOptions said =
-        new ReadOptions(
-            Optional.ofNullable(sensor),
-            Optional.ofNullable(format),
-            Optional.ofNullable(topic),
-            ReadOptions.DEFAULT.packetEvents());
-    return said.withKeptIndex(index);
+    return new ReadOptions(
+        Optional.ofNullable(sensor),
+        Optional.ofNullable(format),
+        Optional.ofNullable(topic),
+        Optional.ofNullable(rows),
+        ReadOptions.DEFAULT.packetEvents(),
+        false,
+        index);
   }
 
   RecordingReader open(Path file) throws IOException {

@@ -58,6 +58,29 @@ class ConvertCommandTest {
   }
 
   @Test
+  void aTextWhoseRowsCountFromTheBottomComesBackAsItWas() throws IOException {
+    Path text = folder.resolve("bottom.csv");
+    assertEquals(0, CommandRun.of("convert", in, text).status());
+    Path back = folder.resolve("back.aedat");
+    CommandRun run =
+        CommandRun.of("convert", text, back, "--rows", "bottom", "--sensor", "128x128");
+    assertEquals(0, run.status(), run.err());
+    assertEquals("", run.err().replaceFirst("wrote .*\n", ""));
+    assertEquals(Files.readAllLines(text), converted(back));
+    Path mirrored = folder.resolve("mirrored.aedat");
+    CommandRun silent = CommandRun.of("convert", text, mirrored, "--sensor", "128x128");
+    assertTrue(silent.err().contains("--rows bottom says otherwise"), silent.err());
+    assertEquals("5000000,0,127,0", converted(mirrored).get(1));
+  }
+
+  private List<String> converted(Path recording) throws IOException {
+    Path table = folder.resolve("read-back.csv");
+    CommandRun run = CommandRun.of("convert", recording, table, "--overwrite");
+    assertEquals(0, run.status(), run.err());
+    return Files.readAllLines(table);
+  }
+
+  @Test
   void theStretchOfTimeIsHalfOpen() throws IOException {
     List<String> lines = converted("--from", 5_010_000, "--to", 5_020_000);
     assertEquals(11, lines.size());

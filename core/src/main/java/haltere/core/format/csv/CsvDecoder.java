@@ -12,7 +12,7 @@ import java.nio.ByteBuffer;
 
 /**
  * Turns rows of numbers into packets. Numbers are taken exactly as they are written; a time between
- * two microseconds goes to the nearer one. Rows are taken to count from the top.
+ * two microseconds goes to the nearer one. Rows count from where the geometry says.
  *
  * <p>Thread rule: one thread.
  */

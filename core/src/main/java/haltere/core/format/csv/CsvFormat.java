@@ -29,7 +29,8 @@ import java.util.Set;
 /**
  * Events as text. Written: a header row {@code t_us,x,y,on}, then a row per event, with the rows
  * counted from the corner that the events' source counts from unless the user says otherwise. Read:
- * any columns in any order, see {@link CsvLayout}; rows are taken to count from the top.
+ * any columns in any order, see {@link CsvLayout}; rows are taken to count from the top, unless the
+ * user says otherwise.
  */
 public final class CsvFormat implements RecordingFormat {
   private static final int MAX_SIDE = 1 << 15;
@@ -86,8 +87,12 @@ public final class CsvFormat implements RecordingFormat {
     if (!layout.named()) {
       remarks.add("nothing names the columns; they are taken for " + layout.roles());
     }
-    remarks.add("rows are taken to count from the top");
-    SensorGeometry geometry = geometry(file, layout, options, remarks);
+    if (options.origin().isEmpty()) {
+      remarks.add(SensorGuess.ROWS_FROM_TOP);
+    }
+    SensorGeometry size = size(file, layout, options, remarks);
+    Origin origin = options.origin().orElse(Origin.TOP);
+    SensorGeometry geometry = new SensorGeometry(size.width(), size.height(), origin);
     return new DecodingReader(
         name(),
         file,
@@ -98,15 +103,14 @@ public final class CsvFormat implements RecordingFormat {
         violations -> cursor(file, layout, geometry, violations));
   }
 
-  private static SensorGeometry geometry(
+  private static SensorGeometry size(
       RecordingFile file, CsvLayout layout, ReadOptions options, List<String> remarks)
       throws IOException {
     if (layout.width() > 0) {
       return SensorGuess.top(layout.width(), layout.height());
     }
     if (options.sensor().isPresent()) {
-      SensorGeometry asked = options.sensor().get();
-      return new SensorGeometry(asked.width(), asked.height(), Origin.TOP);
+      return options.sensor().get();
     }
     SensorGeometry guess =
         SensorGuess.smallest(

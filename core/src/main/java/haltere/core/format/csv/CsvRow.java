@@ -1,6 +1,7 @@
 package haltere.core.format.csv;
 
 import haltere.core.event.EventAddress;
+import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.EventColumn;
 import java.math.BigDecimal;
@@ -24,6 +25,7 @@ final class CsvRow {
   private final boolean marked;
   private final int width;
   private final int top;
+  private final boolean fromTop;
   private byte[] piece;
 
   /** Whether the number that was read last is none. */
@@ -44,6 +46,7 @@ final class CsvRow {
     marked = layout.marked();
     width = geometry.width();
     top = geometry.height() - 1;
+    fromTop = geometry.origin() == Origin.TOP;
   }
 
   /** Reads the row that starts somewhere and ends in a line feed; false if it is none of events. */
@@ -118,9 +121,9 @@ final class CsvRow {
       cursor++;
     }
     cursor++;
-    long up = top - y;
+    long up = fromTop ? top - y : y;
     address =
-        x < 0 || x >= width || y < 0 || up < 0
+        x < 0 || x >= width || y < 0 || y > top
             ? -1
             : (int) up << EventAddress.Y_SHIFT | (int) x << EventAddress.X_SHIFT | on;
     return true;

@@ -2,6 +2,7 @@ package haltere.core.format.csv;
 
 import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
+import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.EventColumn;
 import java.util.List;
@@ -32,6 +33,7 @@ final class PlainRows {
   private final boolean marked;
   private final int width;
   private final int top;
+  private final boolean fromTop;
 
   PlainRows(CsvLayout layout, SensorGeometry geometry) {
     List<EventColumn> roles = layout.roles();
@@ -48,6 +50,7 @@ final class PlainRows {
     marked = layout.marked();
     width = geometry.width();
     top = geometry.height() - 1;
+    fromTop = geometry.origin() == Origin.TOP;
   }
 
   /**
@@ -62,6 +65,7 @@ final class PlainRows {
     long previousUs = lastUs;
     int right = width - 1;
     int topRow = top;
+    boolean fromTop = this.fromTop;
     int timeColumn = this.timeColumn;
     int xColumn = this.xColumn;
     int yColumn = this.yColumn;
@@ -128,7 +132,7 @@ final class PlainRows {
       previousUs = time;
       times[size] = time;
       addresses[size++] =
-          (int) (topRow - y) << EventAddress.Y_SHIFT
+          (int) (fromTop ? topRow - y : y) << EventAddress.Y_SHIFT
               | (int) x << EventAddress.X_SHIFT
               | (values[onColumn] > 0 ? EventAddress.ON_BIT : 0);
       row = at;

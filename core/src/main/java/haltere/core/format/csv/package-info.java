@@ -13,7 +13,7 @@
  * falls, the column comes before the row. A first line of two numbers is the sensor's width and
  * height. Without a column of polarities all events are ON.
  *
- * <p><b>Pixels.</b> Rows are taken to count from the top. The size is that of the first line or the
- * user's, else the smallest usual one that holds the first events.
+ * <p><b>Pixels.</b> Rows are taken to count from the top, unless the user says otherwise. The size
+ * is that of the first line or the user's, else the smallest usual one that holds the first events.
  */
 package haltere.core.format.csv;

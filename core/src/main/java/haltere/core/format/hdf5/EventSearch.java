@@ -60,8 +60,10 @@ final class EventSearch {
             0,
             0,
             sensor(),
-            whole(EventTable.ROWS_UP).orElse(0) == 1 ? Origin.BOTTOM : Origin.TOP,
-            ours ? List.of() : List.of("rows are taken to count from the top"),
+            ours
+                ? Optional.of(whole(EventTable.ROWS_UP).orElse(0) == 1 ? Origin.BOTTOM : Origin.TOP)
+                : Optional.empty(),
+            List.of(),
             otherRows());
     found.check();
     int scale = ours ? 0 : timeScale(columns.get(EventColumn.TIME));

@@ -23,7 +23,7 @@ import java.util.Set;
  * @param timeScale power of ten that makes microseconds of the times
  * @param timeOffsetUs what is added to the times
  * @param sensor its size, if the file states it
- * @param origin where rows count from
+ * @param origin where rows count from, if the file says it
  * @param remarks what a user should know
  * @param otherRows rows of triggers, that are not read
  */
@@ -35,7 +35,7 @@ record EventTable(
     int timeScale,
     long timeOffsetUs,
     Optional<SensorGeometry> sensor,
-    Origin origin,
+    Optional<Origin> origin,
     List<String> remarks,
     long otherRows) {
   /** Names of attributes of our own files, and of others. */

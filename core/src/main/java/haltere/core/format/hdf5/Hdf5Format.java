@@ -1,5 +1,6 @@
 package haltere.core.format.hdf5;
 
+import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.DecodingReader;
 import haltere.core.format.FileHead;
@@ -67,6 +68,9 @@ public final class Hdf5Format implements RecordingFormat {
   private RecordingReader open(RecordingFile file, ReadOptions options) throws IOException {
     EventTable table = EventTable.of(file);
     List<String> remarks = new ArrayList<>(table.remarks());
+    if (table.origin().or(options::origin).isEmpty()) {
+      remarks.add(SensorGuess.ROWS_FROM_TOP);
+    }
     ViolationCounts found = new ViolationCounts();
     if (table.lying()) {
       found.add(Violation.LYING_LENGTH, 0);
@@ -86,7 +90,8 @@ public final class Hdf5Format implements RecordingFormat {
               .orElse(SensorGuess.top(1, 1));
       remarks.add(SensorGuess.remark(geometry));
     }
-    SensorGeometry sensor = new SensorGeometry(geometry.width(), geometry.height(), table.origin());
+    Origin origin = table.origin().or(options::origin).orElse(Origin.TOP);
+    SensorGeometry sensor = new SensorGeometry(geometry.width(), geometry.height(), origin);
     return new DecodingReader(
         name(),
         file,

@@ -82,10 +82,12 @@ public final class NpzFormat implements RecordingFormat {
       found.add(Violation.CUT_OFF, file.size());
     }
     SensorGeometry geometry;
+    if (layout.origin().or(options::origin).isEmpty()) {
+      remarks.add(SensorGuess.ROWS_FROM_TOP);
+    }
     if (layout.sensor().isPresent()) {
       geometry = layout.sensor().get();
     } else {
-      remarks.add("rows are taken to count from the top");
       geometry =
           options
               .sensor()
@@ -102,7 +104,7 @@ public final class NpzFormat implements RecordingFormat {
         remarks.add(SensorGuess.remark(geometry));
       }
     }
-    Origin origin = layout.origin();
+    Origin origin = layout.origin().or(options::origin).orElse(Origin.TOP);
     SensorGeometry sensor = new SensorGeometry(geometry.width(), geometry.height(), origin);
     return new DecodingReader(
         name(),

@@ -23,7 +23,7 @@ import java.util.Optional;
  * @param cutOff whether the file has lost its end
  * @param timeScale power of ten that makes microseconds of the times
  * @param sensor its size, if the file states it
- * @param origin where rows count from
+ * @param origin where rows count from, if the file says it
  */
 record NpzLayout(
     Map<EventColumn, Column> columns,
@@ -32,7 +32,7 @@ record NpzLayout(
     boolean cutOff,
     int timeScale,
     Optional<SensorGeometry> sensor,
-    Origin origin) {
+    Optional<Origin> origin) {
   static final String WIDTH = "width";
   static final String HEIGHT = "height";
   static final String ROWS_UP = "rows_up";
@@ -122,7 +122,7 @@ record NpzLayout(
         listed.isEmpty(),
         rowsUp.isPresent() ? 0 : timeScale(file, columns.get(EventColumn.TIME)),
         sensor(file, arrays),
-        rowsUp.orElse(0L) == 1 ? Origin.BOTTOM : Origin.TOP);
+        rowsUp.map(up -> up == 1 ? Origin.BOTTOM : Origin.TOP));
   }
 
   private static List<Array> arrays(RecordingFile file, List<ZipDirectory.Entry> entries)
