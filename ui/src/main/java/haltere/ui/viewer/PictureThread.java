@@ -58,6 +58,9 @@ final class PictureThread implements AutoCloseable {
       step.run();
     } catch (RuntimeException thrown) {
       failure = thrown;
+    } catch (Error thrown) {
+      // A thread that died of it would let the chain's thread wait for ever.
+      failure = new IllegalStateException("no picture: " + thrown, thrown);
     }
   }
 
@@ -67,6 +70,7 @@ final class PictureThread implements AutoCloseable {
    * @throws RuntimeException what was thrown on the other thread since the last call
    */
   void packet(EventPacket packet) {
+    tellFailure();
     if (!packet.isEmpty()) {
       hand(packet);
     }
@@ -74,16 +78,20 @@ final class PictureThread implements AutoCloseable {
 
   /** Does something behind the packets that were handed over, and does not wait for it. */
   void later(Runnable step) {
+    tellFailure();
     steps.add(step);
     hand(null);
   }
 
-  private void hand(EventPacket source) {
+  private void tellFailure() {
     RuntimeException thrown = failure;
     if (thrown != null) {
       failure = null;
       throw thrown;
     }
+  }
+
+  private void hand(EventPacket source) {
     try {
       EventPacket copy = pool.take();
       if (source != null) {
@@ -102,7 +110,7 @@ final class PictureThread implements AutoCloseable {
         () -> {
           try {
             result.complete(step.call());
-          } catch (Exception thrown) {
+          } catch (Exception | Error thrown) {
             result.completeExceptionally(thrown);
           }
         });
