@@ -23,10 +23,6 @@ public final class SensorGuess {
           top(640, 480),
           top(1280, 720));
 
-  /** What a user should know of a plain table that does not say where its rows count from. */
-  public static final String ROWS_FROM_TOP =
-      "rows are taken to count from the top (--rows bottom says otherwise)";
-
   private SensorGuess() {}
 
   /** The pixels that the first events need: right - 1 is the rightmost column, and so on. */
@@ -66,6 +62,23 @@ public final class SensorGuess {
   public static SensorGeometry of(EventCursor cursor, Origin origin) throws IOException {
     Extent extent = extent(cursor);
     return new SensorGeometry(Math.max(1, extent.right()), Math.max(1, extent.highest()), origin);
+  }
+
+  /**
+   * Where rows count from in a plain table of events: as it says itself, else as the user says,
+   * else from the top.
+   *
+   * @param stated what the file says
+   * @param options what the user says
+   * @param remarks gets what the user should know if nobody says it
+   * @return one of the two
+   */
+  public static Origin origin(Optional<Origin> stated, ReadOptions options, List<String> remarks) {
+    Optional<Origin> known = stated.or(options::origin);
+    if (known.isEmpty()) {
+      remarks.add("rows are taken to count from the top (--rows bottom says otherwise)");
+    }
+    return known.orElse(Origin.TOP);
   }
 
   /**

@@ -1,5 +1,6 @@
 package haltere.ui.command;
 
+import haltere.core.chain.ChainProblem;
 import haltere.core.chain.FilterChain;
 import haltere.core.chain.FilterProvider;
 import haltere.core.chain.Filters;
@@ -104,14 +105,10 @@ final class ConvertCommand extends Subcommand {
       throw wrongArguments("--from " + fromUs + " must be before --to " + toUs);
     }
     checkEncoding();
-    for (String name : filters) {
-      if (!Filters.all().containsKey(name)) {
-        throw wrongArguments(
-            "there is no filter named "
-                + name
-                + "; there are "
-                + String.join(", ", Filters.all().keySet()));
-      }
+    try {
+      filters.forEach(Filters::named);
+    } catch (ChainProblem problem) {
+      throw wrongArguments(problem.getMessage());
     }
   }
 

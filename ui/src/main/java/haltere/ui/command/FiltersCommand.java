@@ -1,5 +1,6 @@
 package haltere.ui.command;
 
+import haltere.core.chain.ChainProblem;
 import haltere.core.chain.FilterProvider;
 import haltere.core.chain.Filters;
 import java.util.List;
@@ -20,14 +21,10 @@ final class FiltersCommand extends Subcommand {
 
   @Override
   public Integer call() {
-    for (String name : names) {
-      if (!Filters.all().containsKey(name)) {
-        throw wrongArguments(
-            "there is no filter named "
-                + name
-                + "; there are "
-                + String.join(", ", Filters.all().keySet()));
-      }
+    try {
+      names.forEach(Filters::named);
+    } catch (ChainProblem problem) {
+      throw wrongArguments(problem.getMessage());
     }
     SettingsListing listing = new SettingsListing(this::result);
     for (FilterProvider<?> provider : Filters.all().values()) {

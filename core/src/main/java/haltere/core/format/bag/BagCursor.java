@@ -161,7 +161,7 @@ final class BagCursor implements EventCursor {
   }
 
   private ByteBuffer in(int from, int to) {
-    byte[] data = body.data();
+    byte[] data = body.bytes();
     if (buffer.array() != data) {
       buffer = ByteBuffer.wrap(data);
     }

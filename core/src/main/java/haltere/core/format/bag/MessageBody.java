@@ -1,5 +1,6 @@
 package haltere.core.format.bag;
 
+import haltere.core.format.packed.ByteSource;
 import haltere.core.format.packed.DamagedPacketException;
 import haltere.core.format.packed.LittleEndian;
 import haltere.core.format.packed.Payload;
@@ -7,11 +8,11 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 
 /**
- * The bytes of one message, read from its start.
+ * The bytes of one message, read from its start; also as a source of packed ones.
  *
  * <p>Thread rule: one thread.
  */
-final class MessageBody {
+final class MessageBody implements ByteSource {
   private static final int LONGEST_TEXT = 4096;
 
   private Payload payload;
@@ -40,7 +41,8 @@ final class MessageBody {
     size = used + Math.min(left(), bytesLeft);
   }
 
-  byte[] data() {
+  @Override
+  public byte[] bytes() {
     return payload.data();
   }
 
@@ -69,6 +71,16 @@ final class MessageBody {
     return true;
   }
 
+  @Override
+  public int require(long offset, int count) throws IOException, DamagedPacketException {
+    long passed = offset - used;
+    if (passed + count > left()) {
+      return -1;
+    }
+    skip(passed);
+    return payload.gather(count) ? from() : -1;
+  }
+
   void skip(long bytes) throws IOException, DamagedPacketException {
     if (bytes > left()) {
       throw new DamagedPacketException("a message that ends too early");
@@ -93,12 +105,12 @@ final class MessageBody {
 
   int takeByte() throws IOException, DamagedPacketException {
     int at = take(1);
-    return data()[at];
+    return bytes()[at];
   }
 
   int takeInt() throws IOException, DamagedPacketException {
     int at = take(4);
-    return LittleEndian.getInt(data(), at);
+    return LittleEndian.getInt(bytes(), at);
   }
 
   long takeUnsignedInt() throws IOException, DamagedPacketException {
@@ -107,7 +119,7 @@ final class MessageBody {
 
   long takeLong() throws IOException, DamagedPacketException {
     int at = take(8);
-    return LittleEndian.getLong(data(), at);
+    return LittleEndian.getLong(bytes(), at);
   }
 
   /** A text with its length before it. */
@@ -118,9 +130,9 @@ final class MessageBody {
     }
     int at = take((int) length);
     int end = at + (int) length;
-    if (end > at && data()[end - 1] == 0) {
+    if (end > at && bytes()[end - 1] == 0) {
       end--;
     }
-    return new String(data(), at, end - at, StandardCharsets.UTF_8);
+    return new String(bytes(), at, end - at, StandardCharsets.UTF_8);
   }
 }

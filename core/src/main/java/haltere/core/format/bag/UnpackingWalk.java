@@ -19,7 +19,7 @@ final class UnpackingWalk implements MessageWalk {
   private static final long ANY_SIZE = Long.MAX_VALUE / 2;
 
   private final MessageWalk walk;
-  private final MessageBytes packed = new MessageBytes();
+  private final MessageBody packed = new MessageBody();
   private ZstdPayload frame;
   private boolean unpacking;
 

@@ -87,11 +87,8 @@ public final class CsvFormat implements RecordingFormat {
     if (!layout.named()) {
       remarks.add("nothing names the columns; they are taken for " + layout.roles());
     }
-    if (options.origin().isEmpty()) {
-      remarks.add(SensorGuess.ROWS_FROM_TOP);
-    }
+    Origin origin = SensorGuess.origin(Optional.empty(), options, remarks);
     SensorGeometry size = size(file, layout, options, remarks);
-    Origin origin = options.origin().orElse(Origin.TOP);
     SensorGeometry geometry = new SensorGeometry(size.width(), size.height(), origin);
     return new DecodingReader(
         name(),

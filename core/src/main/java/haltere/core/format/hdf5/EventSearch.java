@@ -63,7 +63,6 @@ final class EventSearch {
             ours
                 ? Optional.of(whole(EventTable.ROWS_UP).orElse(0) == 1 ? Origin.BOTTOM : Origin.TOP)
                 : Optional.empty(),
-            List.of(),
             otherRows());
     found.check();
     int scale = ours ? 0 : timeScale(columns.get(EventColumn.TIME));
@@ -76,7 +75,6 @@ final class EventSearch {
         timeOffset(scale),
         found.sensor(),
         found.origin(),
-        found.remarks(),
         found.otherRows());
   }
 

@@ -8,7 +8,6 @@ import haltere.core.format.RecordingProblem;
 import java.io.IOException;
 import java.util.EnumMap;
 import java.util.LinkedHashSet;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -24,7 +23,6 @@ import java.util.Set;
  * @param timeOffsetUs what is added to the times
  * @param sensor its size, if the file states it
  * @param origin where rows count from, if the file says it
- * @param remarks what a user should know
  * @param otherRows rows of triggers, that are not read
  */
 record EventTable(
@@ -36,7 +34,6 @@ record EventTable(
     long timeOffsetUs,
     Optional<SensorGeometry> sensor,
     Optional<Origin> origin,
-    List<String> remarks,
     long otherRows) {
   /** Names of attributes of our own files, and of others. */
   static final String WIDTH = "width";

@@ -67,10 +67,8 @@ public final class Hdf5Format implements RecordingFormat {
 
   private RecordingReader open(RecordingFile file, ReadOptions options) throws IOException {
     EventTable table = EventTable.of(file);
-    List<String> remarks = new ArrayList<>(table.remarks());
-    if (table.origin().or(options::origin).isEmpty()) {
-      remarks.add(SensorGuess.ROWS_FROM_TOP);
-    }
+    List<String> remarks = new ArrayList<>();
+    Origin origin = SensorGuess.origin(table.origin(), options, remarks);
     ViolationCounts found = new ViolationCounts();
     if (table.lying()) {
       found.add(Violation.LYING_LENGTH, 0);
@@ -90,7 +88,6 @@ public final class Hdf5Format implements RecordingFormat {
               .orElse(SensorGuess.top(1, 1));
       remarks.add(SensorGuess.remark(geometry));
     }
-    Origin origin = table.origin().or(options::origin).orElse(Origin.TOP);
     SensorGeometry sensor = new SensorGeometry(geometry.width(), geometry.height(), origin);
     return new DecodingReader(
         name(),

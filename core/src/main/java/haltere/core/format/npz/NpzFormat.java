@@ -82,9 +82,7 @@ public final class NpzFormat implements RecordingFormat {
       found.add(Violation.CUT_OFF, file.size());
     }
     SensorGeometry geometry;
-    if (layout.origin().or(options::origin).isEmpty()) {
-      remarks.add(SensorGuess.ROWS_FROM_TOP);
-    }
+    Origin origin = SensorGuess.origin(layout.origin(), options, remarks);
     if (layout.sensor().isPresent()) {
       geometry = layout.sensor().get();
     } else {
@@ -104,7 +102,6 @@ public final class NpzFormat implements RecordingFormat {
         remarks.add(SensorGuess.remark(geometry));
       }
     }
-    Origin origin = layout.origin().or(options::origin).orElse(Origin.TOP);
     SensorGeometry sensor = new SensorGeometry(geometry.width(), geometry.height(), origin);
     return new DecodingReader(
         name(),
