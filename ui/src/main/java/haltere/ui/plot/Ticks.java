@@ -47,6 +47,23 @@ public record Ticks(double step, List<Double> values) {
   }
 
   /**
+   * Ticks of a range that tell its scale, for which one alone is too few.
+   *
+   * @param from lower end
+   * @param to upper end, above it
+   * @param most how many ticks there is room for
+   * @return at most that many where these are two or more; otherwise the coarsest that are two or
+   *     more, which are at most five; none where the range is empty or not finite
+   */
+  public static Ticks atLeastTwo(double from, double to, int most) {
+    Ticks ticks = of(from, to, Math.max(2, most));
+    for (int more = Math.max(2, most) + 1; ticks.values().size() < 2 && more <= 5; more++) {
+      ticks = of(from, to, more);
+    }
+    return ticks;
+  }
+
+  /**
    * A tick in words, with as many digits as tell it from its neighbours.
    *
    * @param value one of the values

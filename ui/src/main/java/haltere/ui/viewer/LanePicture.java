@@ -25,6 +25,11 @@ final class LanePicture {
   private static final double BOTTOM = 4;
   private static final Font FONT = Font.font(10.5);
 
+  /** Height of a label. */
+  private static final double LINE = 12;
+
+  private static final double TICK_DISTANCE = 26;
+
   private final Lane lane;
   private final TimeWindow window;
   private final Columns columns = new Columns();
@@ -108,12 +113,16 @@ final class LanePicture {
     graphics.setLineWidth(1);
     graphics.setTextAlign(TextAlignment.RIGHT);
     graphics.setTextBaseline(VPos.CENTER);
-    Ticks values = Ticks.of(lowest, highest, (int) Math.max(2, height / 26));
+    Ticks values = Ticks.atLeastTwo(lowest, highest, (int) (height / TICK_DISTANCE));
+    double labelled = Double.POSITIVE_INFINITY;
     for (double value : values.values()) {
       double y = Math.rint(y(value, height)) + 0.5;
       graphics.strokeLine(LEFT, y, width - RIGHT, y);
-      if (y > 7 && y < height - 7) {
-        graphics.fillText(values.label(value), LEFT - 6, y);
+      // whole, and clear of the one below
+      double middle = Math.max(LINE / 2, Math.min(height - LINE / 2, y));
+      if (middle <= labelled - LINE) {
+        graphics.fillText(values.label(value), LEFT - 6, middle);
+        labelled = middle;
       }
     }
     for (double seconds : PlotTimeAxis.ticks(window, startUs, width).values()) {

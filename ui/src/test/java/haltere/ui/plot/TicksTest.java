@@ -41,6 +41,19 @@ class TicksTest {
   }
 
   @Test
+  void aLowAxisStillHasTwoTicksAndNoMoreThanItMust() {
+    SplittableRandom random = new SplittableRandom(4);
+    for (int i = 0; i < 2000; i++) {
+      double from = (random.nextDouble() - 0.5) * 1000;
+      double to = from + Math.pow(10, random.nextDouble(-3, 4));
+      int most = random.nextInt(1, 8);
+      int ticks = Ticks.atLeastTwo(from, to, most).values().size();
+      assertTrue(ticks >= 2 && ticks <= Math.max(5, most), ticks + " from " + from + " to " + to);
+    }
+    assertTrue(Ticks.atLeastTwo(1, 1, 3).values().isEmpty());
+  }
+
+  @Test
   void anEmptyOrEndlessRangeHasNone() {
     assertTrue(Ticks.of(1, 1, 5).values().isEmpty());
     assertTrue(Ticks.of(0, Double.POSITIVE_INFINITY, 5).values().isEmpty());
