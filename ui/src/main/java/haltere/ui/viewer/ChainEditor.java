@@ -301,6 +301,28 @@ final class ChainEditor {
         .thenRun(() -> Platform.runLater(() -> taker.accept(result.get())));
   }
 
+  /**
+   * The same, where it matters that nothing could be read, because what was open has been closed.
+   *
+   * @param refused called with one line then
+   */
+  <T> void read(Function<FilterChain, T> reading, Consumer<T> taker, Consumer<String> refused) {
+    AtomicReference<T> result = new AtomicReference<>();
+    player.ifPresent(
+        open ->
+            open.edit(chain -> result.set(reading.apply(chain)))
+                .whenComplete(
+                    (done, problem) ->
+                        Platform.runLater(
+                            () -> {
+                              if (problem == null) {
+                                taker.accept(result.get());
+                              } else {
+                                refused.accept(Texts.oneLine(problem));
+                              }
+                            })));
+  }
+
   /** Changes the order or the number of the filters, so that it can be taken back. */
   private void restructure(String words, Consumer<FilterChain> change) {
     AtomicReference<String> before = new AtomicReference<>();
@@ -345,10 +367,17 @@ final class ChainEditor {
     if (player.isEmpty()) {
       return new CompletableFuture<>();
     }
+    Optional<ChainAccess> edited = player;
     CompletableFuture<Void> done = player.get().edit(change);
     done.exceptionally(
         problem -> {
-          Platform.runLater(() -> problems.accept(Texts.oneLine(problem)));
+          Platform.runLater(
+              () -> {
+                // what could not be done with a chain that is no longer open is nobody's loss
+                if (player.equals(edited)) {
+                  problems.accept(Texts.oneLine(problem));
+                }
+              });
           return null;
         });
     return done;

@@ -175,11 +175,16 @@ final class ExportFeature implements ViewerFeature {
     }
     StatusLine status = window.status();
     String name = file.getFileName().toString();
+    // an older problem would hide how far it is
+    status.clearError();
     status.setActivity(exporting(name));
     Loop loop = window.playback().loopProperty().get();
     window
         .editor()
-        .read(chain -> part(session.get(), loop, chain), part -> begin(name, part, exporter));
+        .read(
+            chain -> part(session.get(), loop, chain),
+            part -> begin(name, part, exporter),
+            problem -> status.showError(name + " was not exported: " + problem));
   }
 
   private void begin(String name, Part part, Exporter exporter) {

@@ -4,6 +4,7 @@ import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.stream.StreamNotification;
 import haltere.ui.measure.PixelRegion;
+import haltere.ui.rendering.ColourScale;
 import haltere.ui.rendering.EventPicture;
 import haltere.ui.rendering.FrameExchange;
 import haltere.ui.rendering.FramePainter;
@@ -137,18 +138,24 @@ final class PictureMaker {
         overlays
             .region()
             .map(pixels -> new RegionMarks(pixels, probes.regionNow(events.frame().nowUs())));
-    return Pictures.draw(
-        geometry,
-        argb,
-        events.style().dark(),
-        Pictures.usualScale(geometry),
-        canvas -> {
-          if (overlays.marks()) {
-            marks.forEach(snapshot -> snapshot.draw(canvas));
-          }
-          region.ifPresent(drawn -> drawn.draw(canvas));
-          overlays.tape().ifPresent(line -> line.draw(canvas));
-        });
+    boolean dark = events.style().dark();
+    BufferedImage picture =
+        Pictures.draw(
+            geometry,
+            argb,
+            dark,
+            Pictures.usualScale(geometry),
+            canvas -> {
+              if (overlays.marks()) {
+                marks.forEach(snapshot -> snapshot.draw(canvas));
+              }
+              region.ifPresent(drawn -> drawn.draw(canvas));
+              overlays.tape().ifPresent(line -> line.draw(canvas));
+            });
+    PictureStyle style = events.style();
+    ColourScale.of(style.mode(), style.gradient(), scale())
+        .ifPresent(legend -> legend.draw(picture, dark));
+    return picture;
   }
 
   private PictureStyle style() {

@@ -1,7 +1,9 @@
 package haltere.ui.viewer;
 
+import haltere.ui.rendering.ColourScale;
 import haltere.ui.rendering.DisplayMode;
 import haltere.ui.rendering.Gradient;
+import java.util.Optional;
 import java.util.StringJoiner;
 import javafx.geometry.Pos;
 import javafx.scene.control.Label;
@@ -18,6 +20,7 @@ final class ScaleLegend extends HBox {
   private final Region strip = new Region();
   private final Label last = new Label();
   private DisplayMode mode = DisplayMode.POLARITY;
+  private Gradient gradient = Gradient.CIVIDIS;
 
   ScaleLegend() {
     super(6);
@@ -32,8 +35,9 @@ final class ScaleLegend extends HBox {
   }
 
   /** Takes the colours of a mode. */
-  void configure(DisplayMode newMode, Gradient gradient) {
+  void configure(DisplayMode newMode, Gradient newGradient) {
     mode = newMode;
+    gradient = newGradient;
     StringJoiner stops = new StringJoiner(", ");
     for (int anchor : gradient.anchors()) {
       stops.add(String.format("#%06x", anchor & 0xFFFFFF));
@@ -43,16 +47,17 @@ final class ScaleLegend extends HBox {
 
   /** Shows what the far end stands for; nothing hides the legend. */
   void show(String farEnd) {
-    boolean ages = mode == DisplayMode.TIME_SURFACE;
-    String left = ages ? farEnd : "0";
-    String right = ages ? "now" : farEnd;
-    boolean shown = !farEnd.isEmpty() && (ages || mode == DisplayMode.COUNTS);
-    if (isVisible() != shown) {
-      setVisible(shown);
+    Optional<ColourScale> scale = ColourScale.of(mode, gradient, farEnd);
+    if (isVisible() != scale.isPresent()) {
+      setVisible(scale.isPresent());
     }
-    if (shown && !(left.equals(first.getText()) && right.equals(last.getText()))) {
-      first.setText(left);
-      last.setText(right);
+    scale.ifPresent(this::show);
+  }
+
+  private void show(ColourScale scale) {
+    if (!(scale.first().equals(first.getText()) && scale.last().equals(last.getText()))) {
+      first.setText(scale.first());
+      last.setText(scale.last());
       getParent().requestLayout();
     }
   }

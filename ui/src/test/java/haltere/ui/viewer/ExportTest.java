@@ -7,12 +7,15 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import haltere.core.format.ProgressListener;
+import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.RecordingSummary;
 import haltere.core.format.Recordings;
 import haltere.core.playback.Loop;
 import haltere.ui.export.Mp4Writer;
 import haltere.ui.measure.PixelRegion;
+import haltere.ui.rendering.DisplayMode;
+import haltere.ui.rendering.Gradient;
 import java.awt.image.BufferedImage;
 import java.io.File;
 import java.io.IOException;
@@ -277,6 +280,39 @@ class ExportTest {
       }
     }
     return false;
+  }
+
+  @Test
+  void whatColoursStandForIsInPicturesAndFilms() throws IOException {
+    viewer.run(() -> viewer.window.display().modeProperty().set(DisplayMode.TIME_SURFACE));
+    Path picture = folder.resolve("picture.png");
+    savePicture(picture);
+    assertEquals(Gradient.CIVIDIS.colour(1), lastOfScale(ImageIO.read(picture.toFile())));
+    Path film = folder.resolve("part.gif");
+    viewer.run(() -> export().exportFilm(film));
+    viewer.waitFor("it says so", () -> said().startsWith("Exported part.gif"));
+    int seen = lastOfScale(ImageIO.read(film.toFile()));
+    assertTrue((seen >> 16 & 0xFF) > 230 && (seen & 0xFF) < 100, Integer.toHexString(seen));
+  }
+
+  /** The last colour of the strip in the lower right corner, before the word "now". */
+  private static int lastOfScale(BufferedImage image) {
+    return image.getRGB(image.getWidth() - 1 - 6 - 6 - 34 - 6, image.getHeight() - 6 - 6 - 7);
+  }
+
+  @Test
+  void anOldProblemDoesNotHideAnExport() {
+    viewer.run(() -> viewer.window.open(folder.resolve("missing.aedat"), ReadOptions.DEFAULT));
+    viewer.waitFor("a problem", () -> said().contains("there is no such file"));
+    viewer.run(() -> export().exportData(folder.resolve("part.aedat4")));
+    viewer.waitFor("it says so", () -> said().startsWith("Exported part.aedat4"));
+  }
+
+  @Test
+  void anExportWhoseRecordingWasClosedMeanwhileSaysSo() {
+    viewer.session().player().close();
+    viewer.run(() -> export().exportData(folder.resolve("part.aedat4")));
+    viewer.waitFor("it says so", () -> said().startsWith("part.aedat4 was not exported"));
   }
 
   @Test

@@ -25,6 +25,14 @@ class TextsTest {
   }
 
   @Test
+  void speedsAreSharesOfRealTime() {
+    assertEquals("1/1000\u00d7", Texts.speed(1e-3));
+    assertEquals("16\u00d7", Texts.speed(16));
+    assertEquals("0\u00d7", Texts.speed(0));
+    assertEquals("max", Texts.speed(Double.POSITIVE_INFINITY));
+  }
+
+  @Test
   void timesAreReadAsAPersonWritesThem() {
     assertEquals(OptionalLong.of(62_345_000), Texts.parseTime("1:02.345"));
     assertEquals(OptionalLong.of(3_723_500_000L), Texts.parseTime("1:02:03.5"));

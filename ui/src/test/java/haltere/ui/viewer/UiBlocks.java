@@ -1,6 +1,5 @@
 package haltere.ui.viewer;
 
-import haltere.core.format.ReadOptions;
 import haltere.core.playback.Loop;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
@@ -65,8 +64,7 @@ final class UiBlocks implements AutoCloseable {
 
   /** Opens, seeks and exports, and waits until all of that is done. */
   static void work(ViewerHarness viewer, Path recording, Path target) {
-    viewer.run(() -> viewer.window.open(recording, ReadOptions.DEFAULT));
-    viewer.waitUntilOpen(recording.getFileName().toString());
+    viewer.openRecording(recording);
     long durationUs = viewer.status().durationUs();
     for (int i = 1; i <= 10; i++) {
       long placeUs = durationUs * (i * 7 % 11) / 11;

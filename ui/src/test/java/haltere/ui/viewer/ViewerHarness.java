@@ -18,6 +18,8 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -30,6 +32,7 @@ import javafx.geometry.Bounds;
 import javafx.geometry.Point2D;
 import javafx.scene.Node;
 import javafx.scene.Parent;
+import javafx.scene.control.ButtonBase;
 import javafx.scene.control.Labeled;
 import javafx.scene.image.WritableImage;
 import javafx.scene.input.KeyCode;
@@ -102,8 +105,7 @@ final class ViewerHarness implements AutoCloseable {
     Path file = folder.resolve("blob.aedat");
     writeRecording(file, lengthUs);
     ViewerHarness harness = new ViewerHarness();
-    harness.run(() -> harness.window.open(file, ReadOptions.DEFAULT));
-    harness.waitUntilOpen("blob.aedat");
+    harness.openRecording(file);
     return harness;
   }
 
@@ -144,6 +146,15 @@ final class ViewerHarness implements AutoCloseable {
     waitFor("frames", () -> window.framesShown() > 0);
   }
 
+  /** Opens a recording, also the one that is open already, and waits until it plays. */
+  void openRecording(Path file) {
+    Optional<ViewerSession> before = onFx(() -> window.session());
+    run(() -> window.open(file, ReadOptions.DEFAULT));
+    waitFor("another session", () -> !window.session().equals(before));
+    waitUntilOpen(file.getFileName().toString());
+  }
+
+  /** Waits until something of a name is open, be it opened now or long ago. */
   void waitUntilOpen(String name) {
     waitFor(
         name + " is open",
@@ -204,10 +215,15 @@ final class ViewerHarness implements AutoCloseable {
     long start = System.nanoTime();
     while (!onFx(condition)) {
       if (System.nanoTime() - start > PATIENCE_NANOS) {
-        fail("waited in vain for: " + what);
+        fail("waited in vain for: " + what + "; the status line says: " + onFx(this::said));
       }
       LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(4));
     }
+  }
+
+  /** What stands in the status line. */
+  private String said() {
+    return find("status-message") instanceof Labeled line ? line.getText() : "";
   }
 
   static <T> T join(CompletableFuture<T> future) {
@@ -366,12 +382,12 @@ final class ViewerHarness implements AutoCloseable {
   }
 
   /**
-   * Presses keys together, once a window has the focus; those with Control once a menu has them,
-   * which is when the window was first laid out.
+   * Presses keys together, once a window has the focus; those with Control, but for arrows, once a
+   * menu has them, which is when the window was first laid out.
    */
   void press(KeyCode... keys) {
     waitFor("the focus", () -> Window.getWindows().stream().anyMatch(Window::isFocused));
-    if (keys[0] == KeyCode.CONTROL) {
+    if (keys[0] == KeyCode.CONTROL && !keys[keys.length - 1].isArrowKey()) {
       waitFor("the key of a menu", () -> isKeyOfMenu(keys[keys.length - 1]));
     }
     run(
@@ -383,6 +399,19 @@ final class ViewerHarness implements AutoCloseable {
             robot.keyRelease(keys[i]);
           }
         });
+  }
+
+  /** Presses a button wherever it is, also behind another tab. */
+  void fire(String id) {
+    ButtonBase button = node(id, ButtonBase.class);
+    run(button::fire);
+  }
+
+  /** Types small letters. */
+  void type(String letters) {
+    for (char letter : letters.toCharArray()) {
+      press(KeyCode.valueOf(String.valueOf(letter).toUpperCase(Locale.ROOT)));
+    }
   }
 
   @Override

@@ -1,0 +1,54 @@
+package haltere.ui.rendering;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.image.BufferedImage;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+
+/** What the ends of a gradient stand for, on pictures. */
+class ColourScaleTest {
+  @Test
+  void agesEndNowAndCountsBeginAtNothing() {
+    assertEquals(
+        Optional.of(new ColourScale(Gradient.GREY, "20 ms ago", "now")),
+        ColourScale.of(DisplayMode.TIME_SURFACE, Gradient.GREY, "20 ms ago"));
+    assertEquals(
+        Optional.of(new ColourScale(Gradient.GREY, "0", "7 events")),
+        ColourScale.of(DisplayMode.COUNTS, Gradient.GREY, "7 events"));
+    assertEquals(Optional.empty(), ColourScale.of(DisplayMode.POLARITY, Gradient.GREY, "7 events"));
+    assertEquals(Optional.empty(), ColourScale.of(DisplayMode.COUNTS, Gradient.GREY, ""));
+  }
+
+  @Test
+  void theStripRunsFromTheFirstColourToTheLastInTheCorner() {
+    BufferedImage image = new BufferedImage(400, 300, BufferedImage.TYPE_INT_RGB);
+    new ColourScale(Gradient.GREY, "0", "9").draw(image, true);
+    int row = 300 - 6 - 6 - 7;
+    int first = -1;
+    int last = -1;
+    int before = 0;
+    for (int x = 400 - 6 - 6 - 10 - 6 - 90; x < 400 - 6 - 6 - 10 - 6; x++) {
+      int grey = image.getRGB(x, row) & 0xFF;
+      assertTrue(grey >= before, "lighter and lighter");
+      before = grey;
+      first = first < 0 ? grey : first;
+      last = grey;
+    }
+    assertEquals(0, first);
+    assertEquals(0xFF, last);
+    assertEquals(0xFF000000, image.getRGB(100, row), "nothing elsewhere");
+  }
+
+  @Test
+  void aPictureWithoutRoomIsLeftAsItIs() {
+    BufferedImage image = new BufferedImage(60, 60, BufferedImage.TYPE_INT_RGB);
+    new ColourScale(Gradient.GREY, "0", "9").draw(image, true);
+    for (int y = 0; y < 60; y++) {
+      for (int x = 0; x < 60; x++) {
+        assertEquals(0xFF000000, image.getRGB(x, y));
+      }
+    }
+  }
+}
