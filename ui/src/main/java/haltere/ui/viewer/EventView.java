@@ -13,6 +13,7 @@ import javafx.application.Platform;
 import javafx.scene.AccessibleRole;
 import javafx.scene.Cursor;
 import javafx.scene.control.Label;
+import javafx.scene.input.KeyEvent;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.input.ScrollEvent;
@@ -21,11 +22,12 @@ import javafx.scene.shape.Rectangle;
 
 /**
  * Shows frames: the events as square pixels, the marks over them, the pixel under the mouse in
- * words. The wheel zooms where the mouse is, dragging moves, a double click shows all again.
+ * words. The wheel zooms where the mouse is, dragging moves, a double click shows all again. While
+ * a tool is in the hand the arrow keys and Enter work with it as the mouse does.
  *
  * <p>Thread rule: JavaFX thread only.
  */
-final class EventView extends Region {
+final class EventView extends Region implements ArrowKeys {
   /** Told which pixel is under the mouse. */
   interface PointerListener {
     /** The mouse is over a pixel, or over none. */
@@ -49,6 +51,7 @@ final class EventView extends Region {
   private double dragX;
   private double dragY;
   private Optional<ViewTool> tool = Optional.empty();
+  private final KeyPointer keys = new KeyPointer();
   private final List<Consumer<OverlayCanvas>> layers = new ArrayList<>();
   private final List<Consumer<Optional<ViewTool>>> toolListeners = new ArrayList<>();
   private final List<Consumer<DisplayFrame>> frameListeners = new ArrayList<>();
@@ -87,11 +90,8 @@ final class EventView extends Region {
           }
         });
     setOnMouseMoved(this::pointed);
-    setOnMouseExited(
-        event -> {
-          readout.setVisible(false);
-          pointer.pointed(0, 0, false);
-        });
+    setOnMouseExited(event -> pointNowhere());
+    setOnKeyPressed(this::keyPressed);
   }
 
   /** Prepares for frames of another sensor. */
@@ -167,6 +167,13 @@ final class EventView extends Region {
   void setTool(Optional<ViewTool> newTool) {
     tool.ifPresent(ViewTool::putAside);
     tool = newTool;
+    if (keys.isShown()) {
+      keys.end();
+      pointNowhere();
+    }
+    if (tool.isPresent()) {
+      requestFocus();
+    }
     setCursor(tool.isPresent() ? Cursor.CROSSHAIR : Cursor.DEFAULT);
     toolListeners.forEach(listener -> listener.accept(tool));
     redraw();
@@ -248,6 +255,7 @@ final class EventView extends Region {
     }
     layers.forEach(layer -> layer.accept(canvas));
     tool.ifPresent(held -> held.draw(canvas));
+    keys.draw(canvas);
   }
 
   private void scrolled(ScrollEvent event) {
@@ -307,9 +315,42 @@ final class EventView extends Region {
     pointed(event);
   }
 
+  @Override
+  public boolean keepsArrows() {
+    return tool.isPresent();
+  }
+
+  private void keyPressed(KeyEvent event) {
+    if (tool.isEmpty() || !KeyPointer.takes(event.getCode())) {
+      return;
+    }
+    keys.begin(
+        pixel(viewpoint.sensorX(getWidth() / 2), geometry.width()),
+        pixel(viewpoint.sensorY(getHeight() / 2), geometry.height()));
+    keys.press(event.getCode(), event.isShiftDown(), tool.get(), geometry);
+    viewpoint.keepInSight(keys.x(), keys.y());
+    point(keys.x(), keys.y());
+    requestLayout();
+    event.consume();
+  }
+
+  private static int pixel(double place, int size) {
+    return (int) Math.max(0, Math.min(size - 1, Math.rint(place)));
+  }
+
   private void pointed(MouseEvent event) {
-    int x = (int) Math.floor(sensorX(event) + 0.5);
-    int y = (int) Math.floor(sensorY(event) + 0.5);
+    keys.end();
+    point((int) Math.floor(sensorX(event) + 0.5), (int) Math.floor(sensorY(event) + 0.5));
+  }
+
+  private void pointNowhere() {
+    readout.setVisible(keys.isShown());
+    if (!keys.isShown()) {
+      pointer.pointed(0, 0, false);
+    }
+  }
+
+  private void point(int x, int y) {
     boolean inside = geometry.contains(x, y);
     readout.setVisible(inside);
     pointer.pointed(x, y, inside);

@@ -51,6 +51,7 @@ final class FilterTables extends VBox {
     this.edited = edited;
     setSpacing(6);
     getStyleClass().add("filter-tables");
+    setAccessibleText("State and noise of the filter");
     summary.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
     summary.setId("filter-summary");
     shown = first;
@@ -103,7 +104,7 @@ final class FilterTables extends VBox {
     entry.setPrefColumnCount(6);
     entry.getStyleClass().add(Styles.SMALL);
     entry.setId(table.name().toLowerCase(Locale.ROOT).replace('_', '-') + "-" + row + "-" + column);
-    entry.setAccessibleText(entry.getId());
+    entry.setAccessibleText(name(table, row, column));
     Cell cell = new Cell(entry, table, row, column);
     entry.setOnAction(event -> take(cell));
     entry.setOnKeyPressed(
@@ -115,6 +116,16 @@ final class FilterTables extends VBox {
         });
     cells.add(cell);
     return entry;
+  }
+
+  private String name(Table table, int row, int column) {
+    String state = table == Table.MEASUREMENT_NOISE ? "" : shown.names().get(row);
+    return switch (table) {
+      case STATE -> "State: " + state;
+      case PROCESS_NOISE -> "Process noise of " + state;
+      case COVARIANCE -> "Covariance of " + state + " and " + shown.names().get(column);
+      case MEASUREMENT_NOISE -> "Measurement noise";
+    };
   }
 
   private void take(Cell cell) {

@@ -37,11 +37,27 @@ final class KeysDialog {
       }
       row = add(grid, row, ViewerKeys.words(action.key()), action.words());
     }
-    row = add(grid, row, "Enter", "Press the button that has the focus");
+    row = add(grid, row, "Tab, Enter", "To the next control; press it, or open its list");
+    row =
+        add(grid, row, "Arrows, Enter", "With a tool in the hand: move it, hold it and let it go");
+    row =
+        add(
+            grid,
+            row,
+            "Arrows, +, \u2212, End",
+            "In plots and in space: move, more or less, newest");
+    row =
+        add(
+            grid,
+            row,
+            "Ctrl+Shift+\u2191, \u2193",
+            "Move the filter that has the focus up or down");
     add(grid, row, "Wheel, drag", "Zoom, move; a double click shows all");
     ScrollPane scroll = new ScrollPane(grid);
     scroll.setPrefViewportHeight(520);
     scroll.setFitToWidth(true);
+    scroll.setFocusTraversable(true);
+    scroll.setAccessibleText("Keys and what they do");
     Alert alert = new Alert(Alert.AlertType.NONE, "", ButtonType.CLOSE);
     alert.setTitle("Keys");
     alert.getDialogPane().setContent(scroll);

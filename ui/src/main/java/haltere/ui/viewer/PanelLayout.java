@@ -48,6 +48,7 @@ final class PanelLayout {
     SplitPane.setResizableWithParent(chain, false);
     SplitPane.setResizableWithParent(tabs, false);
     tabs.setId("side-tabs");
+    tabs.setAccessibleText("Panels at the side");
   }
 
   SplitPane node() {
@@ -80,6 +81,30 @@ final class PanelLayout {
         };
     pane.getDividers().addListener((ListChangeListener<SplitPane.Divider>) change -> follow.run());
     follow.run();
+  }
+
+  /** What is shown, from the events on. */
+  List<Node> shown() {
+    List<Node> shown = new ArrayList<>();
+    shown.add(events);
+    row.getItems().stream().filter(node -> node != events).forEach(shown::add);
+    left.getItems().stream().filter(node -> node != events && node != row).forEach(shown::add);
+    shown.add(middle.getItems().get(1));
+    return shown;
+  }
+
+  /** Gives what stands at a place more room than it has, or less. */
+  void enlarge(PanelPlace place, double share) {
+    SplitPane pane =
+        switch (place) {
+          case SIDE -> middle;
+          case BELOW -> left;
+          case BESIDE -> row;
+        };
+    if (!pane.getDividers().isEmpty()) {
+      double before = pane.getDividerPositions()[0];
+      pane.setDividerPosition(0, Math.max(0, Math.min(1, before - share)));
+    }
   }
 
   /** Offers a panel; the property that comes back shows and hides it. */

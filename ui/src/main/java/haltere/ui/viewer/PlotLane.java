@@ -35,7 +35,7 @@ final class PlotLane extends BorderPane {
   private final Canvas canvas = new Canvas();
   private final Line cursor = new Line();
   private final Line now = new Line();
-  private final Pane stack = new Pane(canvas, now, cursor);
+  private final KeyPane stack = new KeyPane(canvas, now, cursor);
   private final HBox values = new HBox(10);
   private final Label title = new Label();
   private final Label more = new Label();
@@ -88,7 +88,7 @@ final class PlotLane extends BorderPane {
     return lane;
   }
 
-  /** The part of the lane that the mouse moves in. */
+  /** The part of the lane that mouse and keys work on. */
   Pane plot() {
     return stack;
   }
@@ -115,7 +115,7 @@ final class PlotLane extends BorderPane {
     title.setText(words);
     Controls.help(
         title, lane.fields().stream().map(PlotField::toString).collect(Collectors.joining("\n")));
-    setAccessibleText("Plot of " + words);
+    stack.setAccessibleText("Plot of " + words);
   }
 
   private static String words(PlotField field) {

@@ -16,9 +16,6 @@ import javafx.scene.control.Label;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.control.ToggleButton;
-import javafx.scene.input.MouseButton;
-import javafx.scene.input.MouseEvent;
-import javafx.scene.input.ScrollEvent;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
@@ -26,9 +23,7 @@ import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 
 /**
- * Plots of what filters publish, one above the other with one axis of time. The wheel shows more or
- * less time, a drag goes back, a double click follows again, a click with Ctrl takes playback
- * there.
+ * Plots of what filters publish, one above the other with one axis of time.
  *
  * <p>Thread rule: JavaFX thread only.
  */
@@ -41,6 +36,7 @@ final class PlotPanel extends BorderPane {
   private final TimeWindow window = new TimeWindow();
   private final PlotFeeds feeds;
   private final List<PlotLane> lanes = new ArrayList<>();
+  private final Hands hands = new Hands();
   private List<PlotField> first = List.of();
   private final VBox laneBox = new VBox();
   private final PlotTimeAxis axis = new PlotTimeAxis(window);
@@ -52,7 +48,6 @@ final class PlotPanel extends BorderPane {
   private List<PlotField> offered = List.of();
   private PlotInk ink = PlotInk.DARK;
   private double pointed = Double.NaN;
-  private double dragX;
   private long startUs;
   private long nowUs;
   private long drawnNanos;
@@ -155,11 +150,7 @@ final class PlotPanel extends BorderPane {
     PlotLane lane = new PlotLane(new Lane(field), window, List.of(another, remove));
     made[0] = lane;
     VBox.setVgrow(lane, Priority.ALWAYS);
-    lane.plot().setOnMouseMoved(event -> point(lane, event));
-    lane.plot().setOnMouseExited(event -> pointed = Double.NaN);
-    lane.plot().setOnMousePressed(event -> press(lane, event));
-    lane.plot().setOnMouseDragged(event -> drag(lane, event));
-    lane.plot().setOnScroll(event -> scroll(lane, event));
+    PlotHands.on(lane.plot(), hands);
     lanes.add(lane);
     laneBox.getChildren().add(lane);
     changed();
@@ -226,39 +217,40 @@ final class PlotPanel extends BorderPane {
     dirty = true;
   }
 
-  private void point(PlotLane lane, MouseEvent event) {
-    pointed = LanePicture.place(event.getX(), lane.plot().getWidth());
-    valuesNanos = 0;
-    dirty = true;
-  }
-
-  private void press(PlotLane lane, MouseEvent event) {
-    dragX = event.getX();
-    if (event.getButton() != MouseButton.PRIMARY) {
-      return;
+  /** What mouse and keys do on any of the lanes. */
+  private final class Hands implements PlotHands.Plots {
+    @Override
+    public void point(double place) {
+      pointed = place;
+      valuesNanos = 0;
+      dirty = true;
     }
-    if (event.isShortcutDown()) {
-      double place = LanePicture.place(event.getX(), lane.plot().getWidth());
-      playback.seek(Math.max(0, window.timeAt(place) - startUs));
-    } else if (event.getClickCount() == 2) {
+
+    @Override
+    public double pointed() {
+      return pointed;
+    }
+
+    @Override
+    public void scroll(double share) {
+      window.scroll(Math.round(share * window.spanUs()));
+      follow.setSelected(window.isFollowing());
+      dirty = true;
+    }
+
+    @Override
+    public void zoom(double factor, double place) {
+      PlotPanel.this.zoom(factor, place);
+    }
+
+    @Override
+    public void follow() {
       setFollowing(true);
     }
-  }
 
-  private void drag(PlotLane lane, MouseEvent event) {
-    double width = lane.plot().getWidth();
-    double moved = LanePicture.place(event.getX(), width) - LanePicture.place(dragX, width);
-    dragX = event.getX();
-    window.scroll(Math.round(-moved * window.spanUs()));
-    follow.setSelected(window.isFollowing());
-    point(lane, event);
-  }
-
-  private void scroll(PlotLane lane, ScrollEvent event) {
-    if (event.getDeltaY() != 0) {
-      double place = LanePicture.place(event.getX(), lane.plot().getWidth());
-      zoom(Math.pow(2, -event.getDeltaY() / 80), place);
-      event.consume();
+    @Override
+    public void goTo(double place) {
+      playback.seek(Math.max(0, window.timeAt(place) - startUs));
     }
   }
 

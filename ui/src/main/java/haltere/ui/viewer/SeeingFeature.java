@@ -19,6 +19,7 @@ final class SeeingFeature implements ViewerFeature {
   private final RegionLayer layer = new RegionLayer();
   private final BooleanProperty measuring = new SimpleBooleanProperty();
   private final BooleanProperty drawingRegion = new SimpleBooleanProperty();
+  private final BooleanProperty pointing = new SimpleBooleanProperty();
   private ViewerContext window;
   private MeasuringTape tape;
 
@@ -37,6 +38,7 @@ final class SeeingFeature implements ViewerFeature {
     RegionTool regionTool = new RegionTool(this::sensor, this::setRegion);
     window.bindTool(measuring, tape);
     window.bindTool(drawingRegion, regionTool);
+    window.bindTool(pointing, new PointTool());
     window
         .actions()
         .add(
@@ -46,6 +48,12 @@ final class SeeingFeature implements ViewerFeature {
             ViewerAction.toggle("region", "Region of interest", MENU, drawingRegion)
                 .withKey("G")
                 .withHelp("Its event rate and dominant frequency are shown beside it."),
+            ViewerAction.toggle("point", "Point with the keys", MENU, pointing)
+                .withKey("C")
+                .withHelp(
+                    "Arrow keys move a cross; its pixel is described as one under the mouse."),
+            ViewerAction.of("put-aside", "Put the tool or the message aside", MENU, this::putAside)
+                .withKey("Esc"),
             ViewerAction.of(
                 "clear-region",
                 "Clear the region of interest",
@@ -58,6 +66,15 @@ final class SeeingFeature implements ViewerFeature {
                 () -> layer.region().ifPresent(view::zoomTo)));
     addZoom(view);
     window.panels().viewBar().addTools(measuring, drawingRegion);
+  }
+
+  private void putAside() {
+    EventView view = window.panels().view();
+    if (view.tool().isPresent()) {
+      view.setTool(Optional.empty());
+    } else {
+      window.status().clearError();
+    }
   }
 
   private void addZoom(EventView view) {

@@ -7,6 +7,8 @@ import haltere.core.playback.PlayerStatus;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import javafx.geometry.Orientation;
+import javafx.scene.AccessibleAttribute;
 import javafx.scene.AccessibleRole;
 import javafx.scene.Cursor;
 import javafx.scene.canvas.Canvas;
@@ -81,6 +83,7 @@ final class SeekBar extends Region {
     setId("seek-bar");
     setAccessibleRole(AccessibleRole.SLIDER);
     setAccessibleText("Place in the recording");
+    setFocusTraversable(true);
     setMinHeight(44);
     setPrefHeight(44);
     needle.getStyleClass().add("needle");
@@ -158,6 +161,17 @@ final class SeekBar extends Region {
       dirty = false;
       draw();
     }
+  }
+
+  @Override
+  public Object queryAccessibleAttribute(AccessibleAttribute attribute, Object... parameters) {
+    return switch (attribute) {
+      case VALUE -> status == null ? 0.0 : status.elapsedUs() * 1e-6;
+      case MIN_VALUE -> fromUs * 1e-6;
+      case MAX_VALUE -> (fromUs + spanUs) * 1e-6;
+      case ORIENTATION -> Orientation.HORIZONTAL;
+      default -> super.queryAccessibleAttribute(attribute, parameters);
+    };
   }
 
   @Override

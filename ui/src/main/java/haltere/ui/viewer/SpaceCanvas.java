@@ -6,17 +6,19 @@ import haltere.ui.space.BodyFlightDrawing;
 import haltere.ui.space.SpaceView;
 import java.util.Locale;
 import javafx.scene.canvas.Canvas;
-import javafx.scene.layout.Pane;
+import javafx.scene.input.KeyEvent;
 import javafx.scene.paint.Color;
 
 /**
- * A body in space and the cameras that see it, at one time. Dragging turns the view, the wheel
- * comes nearer.
+ * A body in space and the cameras that see it, at one time. Dragging or arrow keys turn the view,
+ * the wheel, plus and minus come nearer.
  *
  * <p>Thread rule: JavaFX thread only.
  */
-final class SpaceCanvas extends Pane {
+final class SpaceCanvas extends KeyPane {
   private static final double RADIANS_PER_PIXEL = 0.01;
+  private static final double RADIANS_PER_KEY = Math.toRadians(5);
+  private static final double ZOOM_PER_KEY = 1.2;
 
   private final SpaceView view = new SpaceView();
   private final Canvas canvas = new Canvas();
@@ -33,13 +35,15 @@ final class SpaceCanvas extends Pane {
     canvas.heightProperty().bind(heightProperty());
     canvas.widthProperty().addListener((property, was, is) -> redraw());
     canvas.heightProperty().addListener((property, was, is) -> redraw());
-    canvas.setAccessibleText("The body and the cameras in space");
+    setAccessibleText("The body and the cameras in space");
     setMinSize(0, 0);
     canvas.setOnMousePressed(
         event -> {
+          requestFocus();
           pressedX = event.getX();
           pressedY = event.getY();
         });
+    setOnKeyPressed(this::keyPressed);
     canvas.setOnMouseDragged(
         event -> {
           view.turn(
@@ -54,6 +58,23 @@ final class SpaceCanvas extends Pane {
           view.zoom(Math.exp(event.getDeltaY() * 0.002));
           redraw();
         });
+  }
+
+  private void keyPressed(KeyEvent event) {
+    switch (event.getCode()) {
+      case LEFT, KP_LEFT -> view.turn(RADIANS_PER_KEY, 0);
+      case RIGHT, KP_RIGHT -> view.turn(-RADIANS_PER_KEY, 0);
+      case UP, KP_UP -> view.turn(0, -RADIANS_PER_KEY);
+      case DOWN, KP_DOWN -> view.turn(0, RADIANS_PER_KEY);
+      case PLUS, ADD, EQUALS -> view.zoom(ZOOM_PER_KEY);
+      case MINUS, SUBTRACT -> view.zoom(1 / ZOOM_PER_KEY);
+      case HOME -> fitted = false;
+      default -> {
+        return;
+      }
+    }
+    redraw();
+    event.consume();
   }
 
   /** Shows a moment of a flight; the view stays as it was turned. */

@@ -9,7 +9,6 @@ import haltere.ui.rendering.SpaceTimeView;
 import java.nio.IntBuffer;
 import java.util.function.DoubleConsumer;
 import javafx.geometry.Pos;
-import javafx.scene.AccessibleRole;
 import javafx.scene.Node;
 import javafx.scene.control.Label;
 import javafx.scene.control.Slider;
@@ -17,28 +16,31 @@ import javafx.scene.image.ImageView;
 import javafx.scene.image.PixelBuffer;
 import javafx.scene.image.PixelFormat;
 import javafx.scene.image.WritableImage;
+import javafx.scene.input.KeyEvent;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.FlowPane;
 import javafx.scene.layout.HBox;
-import javafx.scene.layout.Pane;
 import javafx.scene.shape.Rectangle;
 
 /**
  * Events in space and time. A drag turns, the wheel enlarges, a double click goes back to the first
- * view; sliders do the same from the keyboard and choose the part of the time that stands out.
+ * view; arrow keys, plus, minus and Home do the same, and sliders, which also choose the part of
+ * the time that stands out.
  *
  * <p>Thread rule: JavaFX thread only.
  */
 final class SpaceTimePanel extends BorderPane {
   private static final double RAD_PER_UNIT = 0.008;
-  private static final double ZOOM_PER_NOTCH = 1.15;
+  private static final double DOUBLINGS_PER_NOTCH = 0.2;
+  private static final double DEGREES_PER_KEY = 5;
 
   private final SpaceTimePainter painter = new SpaceTimePainter();
   private final ImageView image = new ImageView();
-  private final Pane picture = new Pane(image);
+  private final KeyPane picture = new KeyPane(image);
   private final Slider turn = slider("space-time-turn", "Turn, degrees", -180, 180);
   private final Slider tilt = slider("space-time-tilt", "Tilt, degrees", -90, 90);
+  private final Slider size = slider("space-time-size", "Size, in doublings", -2, 4.5);
   private final Slider span = slider("space-time-span", "Time shown, as a power of ten", 3, 7);
   private final Slider slice = slider("space-time-slice", "Where the slice begins", 0, 1);
   private final Slider thickness = slider("space-time-thickness", "How thick the slice is", 0, 1);
@@ -47,7 +49,6 @@ final class SpaceTimePanel extends BorderPane {
   private SpaceTimeCloud.Points points = new SpaceTimeCloud.Points(1);
   private SensorGeometry sensor = new SensorGeometry(128, 128);
   private ColourMap colours = ColourMap.DARK;
-  private double zoom = 1;
   private double dragX;
   private double dragY;
   private boolean dirty = true;
@@ -56,7 +57,6 @@ final class SpaceTimePanel extends BorderPane {
     setId("space-time");
     getStyleClass().add("space-time");
     picture.setId("space-time-picture");
-    picture.setAccessibleRole(AccessibleRole.IMAGE_VIEW);
     picture.setAccessibleText("Events in space and time");
     picture.setMinSize(120, 120);
     image.setManaged(false);
@@ -70,11 +70,10 @@ final class SpaceTimePanel extends BorderPane {
     picture.setOnMouseDragged(this::dragged);
     picture.setOnScroll(
         event -> {
-          zoom *= Math.pow(ZOOM_PER_NOTCH, Math.signum(event.getDeltaY()));
-          zoom = Math.max(0.2, Math.min(20, zoom));
-          dirty = true;
+          enlarge(Math.signum(event.getDeltaY()));
           event.consume();
         });
+    picture.setOnKeyPressed(this::keyPressed);
     setCenter(picture);
     words.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
     FlowPane controls =
@@ -83,6 +82,7 @@ final class SpaceTimePanel extends BorderPane {
             2,
             named("Turn", turn),
             named("Tilt", tilt),
+            named("Size", size),
             named("Time", span),
             named("Slice", slice),
             named("Thick", thickness),
@@ -110,7 +110,7 @@ final class SpaceTimePanel extends BorderPane {
     return new SpaceTimeView(
         Math.toRadians(turn.getValue()),
         Math.toRadians(tilt.getValue()),
-        zoom,
+        Math.pow(2, size.getValue()),
         Math.round(Math.pow(10, span.getValue())),
         from,
         Math.min(1, from + thickness.getValue()));
@@ -158,11 +158,38 @@ final class SpaceTimePanel extends BorderPane {
     span.setValue(Math.log10(first.spanUs()));
     slice.setValue(first.sliceFrom());
     thickness.setValue(first.sliceTo());
-    zoom = first.zoom();
+    size.setValue(Math.log(first.zoom()) / Math.log(2));
     dirty = true;
   }
 
+  private void enlarge(double notches) {
+    size.setValue(size.getValue() + notches * DOUBLINGS_PER_NOTCH);
+  }
+
+  private void keyPressed(KeyEvent event) {
+    switch (event.getCode()) {
+      case LEFT, KP_LEFT -> turnBy(-DEGREES_PER_KEY, 0);
+      case RIGHT, KP_RIGHT -> turnBy(DEGREES_PER_KEY, 0);
+      case UP, KP_UP -> turnBy(0, -DEGREES_PER_KEY);
+      case DOWN, KP_DOWN -> turnBy(0, DEGREES_PER_KEY);
+      case PLUS, ADD, EQUALS -> enlarge(1);
+      case MINUS, SUBTRACT -> enlarge(-1);
+      case HOME -> goBack();
+      default -> {
+        return;
+      }
+    }
+    event.consume();
+  }
+
+  private void turnBy(double turnDegrees, double tiltDegrees) {
+    double turned = turn.getValue() + turnDegrees;
+    turn.setValue(turned > 180 ? turned - 360 : turned < -180 ? turned + 360 : turned);
+    tilt.setValue(tilt.getValue() + tiltDegrees);
+  }
+
   private void pressed(MouseEvent event) {
+    picture.requestFocus();
     dragX = event.getX();
     dragY = event.getY();
     if (event.getClickCount() == 2) {
@@ -172,9 +199,7 @@ final class SpaceTimePanel extends BorderPane {
 
   private void dragged(MouseEvent event) {
     double degrees = Math.toDegrees(RAD_PER_UNIT);
-    double turned = turn.getValue() + (event.getX() - dragX) * degrees;
-    turn.setValue(turned > 180 ? turned - 360 : turned < -180 ? turned + 360 : turned);
-    tilt.setValue(tilt.getValue() + (event.getY() - dragY) * degrees);
+    turnBy((event.getX() - dragX) * degrees, (event.getY() - dragY) * degrees);
     dragX = event.getX();
     dragY = event.getY();
   }

@@ -10,6 +10,7 @@ import haltere.core.chain.Filters;
 import java.util.Optional;
 import javafx.css.PseudoClass;
 import javafx.geometry.Pos;
+import javafx.scene.AccessibleRole;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.Label;
@@ -17,6 +18,8 @@ import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import javafx.scene.input.ClipboardContent;
 import javafx.scene.input.DragEvent;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
 import javafx.scene.input.TransferMode;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
@@ -69,6 +72,7 @@ final class StageCard extends VBox {
     HBox.setHgrow(name, Priority.ALWAYS);
     power.setId("power-" + id);
     power.setAccessibleText(title + " on or off");
+    power.setAccessibleRole(AccessibleRole.TOGGLE_BUTTON);
     power.setSelected(stage.isEnabled());
     power
         .selectedProperty()
@@ -80,8 +84,8 @@ final class StageCard extends VBox {
               }
             });
     pseudoClassStateChanged(OFF, !stage.isEnabled());
-    up = item("up-", "Move up", () -> editor.move(stage, -1));
-    down = item("down-", "Move down", () -> editor.move(stage, 1));
+    up = item("up-", "Move up   (Ctrl+Shift+\u2191)", () -> editor.move(stage, -1));
+    down = item("down-", "Move down   (Ctrl+Shift+\u2193)", () -> editor.move(stage, 1));
     into = item("into-", "Move into the chain above", this::moveIntoNeighbour);
     MenuButton more = new MenuButton("", Icons.MORE.node(), up, down, into);
     if (editor.isInside()) {
@@ -105,6 +109,7 @@ final class StageCard extends VBox {
     takePart(head);
     head.setAlignment(Pos.CENTER_LEFT);
     head.getStyleClass().add("stage-head");
+    setOnKeyPressed(this::moveByKey);
     counts.setId("counts-" + id);
     counts.getStyleClass().addAll(Styles.TEXT_SMALL, "stage-counts");
     Controls.help(
@@ -151,6 +156,16 @@ final class StageCard extends VBox {
     down.setDisable(lastOne);
     chainAbove = before.flatMap(card -> card.inside);
     into.setDisable(chainAbove.isEmpty());
+  }
+
+  private void moveByKey(KeyEvent event) {
+    boolean isUp = event.getCode() == KeyCode.UP;
+    if (event.isShortcutDown()
+        && event.isShiftDown()
+        && (isUp || event.getCode() == KeyCode.DOWN)) {
+      editor.move(stage, isUp ? -1 : 1);
+      event.consume();
+    }
   }
 
   private void moveIntoNeighbour() {

@@ -95,7 +95,15 @@ final class StageList extends VBox {
           .setPlace(
               i == 0 ? Optional.empty() : Optional.of(order.get(i - 1)), i == order.size() - 1);
     }
-    getChildren().setAll(order.isEmpty() ? List.of(empty) : order);
+    List<? extends Node> shown = order.isEmpty() ? List.of(empty) : order;
+    if (!getChildren().equals(shown)) {
+      Node focus = getScene() == null ? null : getScene().getFocusOwner();
+      getChildren().setAll(shown);
+      // a card that is put elsewhere keeps the focus
+      if (focus != null && focus.getScene() != null) {
+        focus.requestFocus();
+      }
+    }
   }
 
   /** Shows settings that a filter was given other than by a card. */

@@ -84,6 +84,6 @@ record ViewerAction(
         && !key.contains("Shortcut+")
         && !key.contains("Ctrl+")
         && !key.contains("Alt+")
-        && !key.matches("F\\d+");
+        && !key.matches("(Shift\\+)?F\\d+");
   }
 }

@@ -36,6 +36,8 @@ record ViewerContext(
     ViewerPanels panels,
     DisplayControl display,
     UserSettings settings) {
+  private static final String BY_KEYS = " By keys: arrows, Enter, Esc.";
+
   /**
    * Offers a panel that can be shown and hidden, with an action for it in the View menu.
    *
@@ -69,7 +71,7 @@ record ViewerContext(
         (property, was, is) -> {
           if (is) {
             view.setTool(Optional.of(tool));
-            status.setActivity(tool.hint());
+            status.setActivity(tool.hint() + BY_KEYS);
           } else if (view.tool().filter(held -> held == tool).isPresent()) {
             view.setTool(Optional.empty());
             status.setActivity("");

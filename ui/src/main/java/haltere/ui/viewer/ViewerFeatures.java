@@ -21,6 +21,7 @@ final class ViewerFeatures {
         new VanishingPointFeature(),
         new SpaceTimeFeature(),
         new PlotFeature(),
+        new PanelFeature(),
         new WingsFeature(),
         new PlaybackFeature(),
         new CameraFeature(),

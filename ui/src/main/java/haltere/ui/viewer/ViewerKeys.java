@@ -1,5 +1,6 @@
 package haltere.ui.viewer;
 
+import atlantafx.base.controls.ToggleSwitch;
 import java.util.Map;
 import java.util.Optional;
 import javafx.scene.Node;
@@ -8,15 +9,17 @@ import javafx.scene.control.ButtonBase;
 import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.ComboBoxBase;
 import javafx.scene.control.ListView;
+import javafx.scene.control.MenuButton;
 import javafx.scene.control.Slider;
+import javafx.scene.control.TabPane;
 import javafx.scene.control.TextInputControl;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 
 /**
  * The actions' keys without Ctrl or Alt. They work wherever the focus is, but for entries of text;
- * arrow keys also belong to sliders and lists. Since Space is pause, Enter presses the button that
- * has the focus.
+ * arrow keys also belong to sliders, lists and what else moves. Since Space is pause, Enter presses
+ * the button that has the focus, turns the switch over or opens the list.
  *
  * <p>Thread rule: JavaFX thread only.
  */
@@ -80,8 +83,7 @@ final class ViewerKeys {
     if (focus instanceof TextInputControl) {
       return false;
     }
-    if (event.getCode() == KeyCode.ENTER && focus instanceof ButtonBase button) {
-      button.fire();
+    if (event.getCode() == KeyCode.ENTER && press(focus)) {
       return true;
     }
     if (isMove(event.getCode()) && ownsMoves(focus)) {
@@ -90,6 +92,22 @@ final class ViewerKeys {
     Optional<ViewerAction> wanted = action(event);
     wanted.ifPresent(action -> action.work().run());
     return wanted.isPresent();
+  }
+
+  /** Does what a click on the node in the focus would do, if that is one to be pressed. */
+  private static boolean press(Node focus) {
+    if (focus instanceof MenuButton menu) {
+      menu.show();
+    } else if (focus instanceof ButtonBase button) {
+      button.fire();
+    } else if (focus instanceof ToggleSwitch power) {
+      power.fire();
+    } else if (focus instanceof ChoiceBox<?> choice) {
+      choice.show();
+    } else {
+      return false;
+    }
+    return true;
   }
 
   private Optional<ViewerAction> action(KeyEvent event) {
@@ -108,6 +126,8 @@ final class ViewerKeys {
     return focus instanceof Slider
         || focus instanceof ChoiceBox<?>
         || focus instanceof ComboBoxBase<?>
-        || focus instanceof ListView<?>;
+        || focus instanceof ListView<?>
+        || focus instanceof TabPane
+        || focus instanceof ArrowKeys own && own.keepsArrows();
   }
 }

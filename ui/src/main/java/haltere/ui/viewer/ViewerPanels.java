@@ -25,6 +25,9 @@ final class ViewerPanels extends BorderPane {
   /** How often words and numbers are brought up to date while playing. */
   private static final long NUMBERS_NANOS = 125_000_000;
 
+  /** How much a panel grows at a time, as a share of the window. */
+  private static final double PANEL_STEP = 0.05;
+
   private final PlaybackController playback;
   private final ChainEditor editor;
   private final StatusLine statusLine;
@@ -114,6 +117,20 @@ final class ViewerPanels extends BorderPane {
   BooleanProperty offer(
       String id, String title, PanelPlace place, Supplier<? extends Node> content) {
     return layout.offer(id, title, place, content);
+  }
+
+  /** What F6 goes through: the panels that are shown, and the bars below them. */
+  List<Node> areas() {
+    List<Node> areas = new ArrayList<>(layout.shown());
+    areas.set(0, view);
+    areas.add(seekBar);
+    areas.add(transport);
+    return areas;
+  }
+
+  /** Gives what stands at a place a step more room, or less. */
+  void enlarge(PanelPlace place, int steps) {
+    layout.enlarge(place, steps * PANEL_STEP);
   }
 
   /** Gives the panels the sizes that were kept, and keeps those that they get. */

@@ -86,6 +86,13 @@ final class Viewpoint {
     keepInside();
   }
 
+  /** Moves what is seen just as far as it takes to show a place on the sensor. */
+  void keepInSight(double sensorX, double sensorY) {
+    double x = viewX(sensorX);
+    double y = viewY(sensorY);
+    move(x - Math.max(0, Math.min(width, x)), Math.max(0, Math.min(height, y)) - y);
+  }
+
   private void keepInside() {
     centreX = Math.max(0, Math.min(sensor.width(), centreX));
     centreY = Math.max(0, Math.min(sensor.height(), centreY));

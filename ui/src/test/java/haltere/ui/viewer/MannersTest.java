@@ -11,14 +11,11 @@ import haltere.ui.rendering.DisplayMode;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.FutureTask;
 import javafx.event.ActionEvent;
 import javafx.scene.Node;
-import javafx.scene.Parent;
-import javafx.scene.control.Labeled;
 import javafx.scene.control.TextField;
 import javafx.scene.control.TextInputControl;
 import javafx.scene.control.ToggleButton;
@@ -175,40 +172,6 @@ class MannersTest {
     viewer.run(() -> viewer.window.open(first, empty.toString(), ReadOptions.DEFAULT));
     viewer.waitFor(
         "the line", () -> viewer.text("status-message").startsWith(empty + ": the file is empty"));
-  }
-
-  @Test
-  void everyControlHasAName() {
-    viewer = ViewerHarness.withBlob();
-    viewer.run(
-        () -> {
-          viewer.window.actions().run("show-plots");
-          viewer.window.actions().run("show-space-time");
-        });
-    viewer.click("expand-" + NOISE);
-    viewer.click("expand-cluster-tracker");
-    viewer.waitFor("the settings", () -> isSeen("entry-" + NOISE + "-neighbours"));
-    List<String> nameless = new ArrayList<>();
-    viewer.run(() -> findNameless(viewer.stage.getScene().getRoot(), nameless));
-    assertEquals(List.of(), nameless);
-  }
-
-  /** Nodes that the Tab key reaches and that a screen reader could say nothing of. */
-  private static void findNameless(Node node, List<String> nameless) {
-    boolean named =
-        node.getAccessibleText() != null && !node.getAccessibleText().isBlank()
-            || node instanceof Labeled labeled
-                && labeled.getText() != null
-                && !labeled.getText().isBlank()
-            || node instanceof TextInputControl input
-                && input.getPromptText() != null
-                && !input.getPromptText().isBlank();
-    if (node.isFocusTraversable() && node.isVisible() && !named) {
-      nameless.add(node.getClass().getSimpleName() + " #" + node.getId());
-    }
-    if (node instanceof Parent parent) {
-      parent.getChildrenUnmodifiable().forEach(child -> findNameless(child, nameless));
-    }
   }
 
   private boolean isSeen(String id) {

@@ -1,0 +1,230 @@
+package haltere.ui.viewer;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.core.chain.ChainStage;
+import haltere.ui.measure.PixelRegion;
+import haltere.ui.plot.PlotField;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import javafx.scene.Node;
+import javafx.scene.control.Label;
+import javafx.scene.control.TabPane;
+import javafx.scene.input.KeyCode;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The real window by keyboard only: nothing here touches a mouse. */
+class KeyboardTest {
+  @TempDir Path folder;
+  private ViewerHarness viewer;
+
+  @AfterEach
+  void close() {
+    viewer.close();
+  }
+
+  private Node focus() {
+    return viewer.onFx(() -> viewer.stage.getScene().getFocusOwner());
+  }
+
+  /** As Tab would, only sooner. */
+  private void goTo(String id) {
+    viewer.waitFor("#" + id, () -> viewer.isThere(id));
+    Node node = viewer.node(id, Node.class);
+    viewer.run(node::requestFocus);
+    viewer.waitFor("the focus on #" + id, node::isFocused);
+  }
+
+  private List<String> names() {
+    return viewer.session().chain().stages().stream().map(ChainStage::name).toList();
+  }
+
+  private void openPanels(String... panels) {
+    for (String panel : panels) {
+      viewer.run(() -> viewer.window.actions().run(panel));
+    }
+  }
+
+  @Test
+  void tabComesToEveryControlOfAllPanelsAndNothingKeepsIt() {
+    viewer = ViewerHarness.withBlob();
+    openPanels("show-plots", "show-space-time", "show-live-flight", "compare", "show-camera");
+    openPanels("show-wings");
+    viewer.run(() -> viewer.window.plots().addLane(PlotField.EVENT_RATE));
+    walkWithTab();
+    // another tab of the side
+    goTo("side-tabs");
+    TabPane tabs = viewer.node("side-tabs", TabPane.class);
+    int before = viewer.onFx(() -> tabs.getSelectionModel().getSelectedIndex());
+    viewer.press(KeyCode.LEFT);
+    viewer.waitFor("another tab", () -> tabs.getSelectionModel().getSelectedIndex() == before - 1);
+    walkWithTab();
+  }
+
+  private void walkWithTab() {
+    viewer.pause();
+    goTo("event-view");
+    Set<Node> wanted =
+        new LinkedHashSet<>(viewer.onFx(() -> FocusOrder.of(viewer.stage.getScene().getRoot())));
+    assertTrue(wanted.size() > 30, wanted.size() + " controls");
+    Node first = focus();
+    Set<Node> seen = new LinkedHashSet<>();
+    for (int i = 0; i < 2 * wanted.size() && seen.add(focus()); i++) {
+      viewer.press(KeyCode.TAB);
+    }
+    assertEquals(first, focus(), "Tab comes back to where it began");
+    wanted.removeAll(seen);
+    assertEquals(Set.of(), wanted, "what Tab leaves out");
+  }
+
+  @Test
+  void theFocusIsSeen() {
+    viewer = ViewerHarness.withBlob();
+    for (String id : List.of("play", "expand-hot-pixels", "power-hot-pixels", "more-hot-pixels")) {
+      goTo("mark");
+      viewer.pause();
+      Node node = viewer.node(id, Node.class);
+      int without = viewer.onFx(() -> hash(node));
+      goTo(id);
+      viewer.press(KeyCode.SHIFT, KeyCode.TAB);
+      viewer.press(KeyCode.TAB);
+      viewer.waitFor("a ring around #" + id, () -> node.isFocused() && hash(node) != without);
+    }
+  }
+
+  /** Of a control and a little around it. */
+  private int hash(Node node) {
+    var bounds = node.localToScene(node.getBoundsInLocal());
+    var pixels = viewer.stage.getScene().snapshot(null).getPixelReader();
+    int hash = 1;
+    for (int y = (int) bounds.getMinY() - 3; y < bounds.getMaxY() + 3; y++) {
+      for (int x = (int) bounds.getMinX() - 3; x < bounds.getMaxX() + 3; x++) {
+        hash = 31 * hash + pixels.getArgb(x, y);
+      }
+    }
+    return hash;
+  }
+
+  @Test
+  void aFilterIsSearchedAddedMovedSwitchedOffAndRemoved() {
+    viewer = ViewerHarness.withBlob();
+    List<String> before = names();
+    double speed = viewer.onFx(() -> viewer.window.playback().speedProperty().get());
+    goTo("add-filter");
+    viewer.press(KeyCode.ENTER);
+    viewer.waitFor("the search", () -> viewer.isThere("add-filter-search"));
+    Node search = viewer.node("add-filter-search", Node.class);
+    viewer.waitFor("its focus", search::isFocused);
+    viewer.type("refractory");
+    viewer.press(KeyCode.ENTER);
+    viewer.waitFor("it is added", () -> names().contains("refractory"));
+    assertEquals(
+        speed,
+        viewer.onFx(() -> viewer.window.playback().speedProperty().get()),
+        "what is typed into a menu does nothing in the window");
+
+    goTo("expand-refractory");
+    viewer.press(KeyCode.CONTROL, KeyCode.SHIFT, KeyCode.UP);
+    viewer.waitFor("one up", () -> names().indexOf("refractory") == before.size() - 1);
+    viewer.waitFor("the focus goes along", () -> focus().getId().equals("expand-refractory"));
+    viewer.press(KeyCode.CONTROL, KeyCode.SHIFT, KeyCode.DOWN);
+    viewer.waitFor("one down", () -> names().indexOf("refractory") == before.size());
+
+    goTo("power-refractory");
+    viewer.press(KeyCode.ENTER);
+    viewer.waitFor("off", () -> !viewer.session().chain().stage("refractory").isEnabled());
+
+    goTo("more-refractory");
+    viewer.press(KeyCode.ENTER);
+    viewer.waitFor("its menu", () -> viewer.isThere("remove-refractory"));
+    viewer.press(KeyCode.UP);
+    viewer.press(KeyCode.ENTER);
+    viewer.waitFor("it is gone", () -> names().equals(before));
+  }
+
+  @Test
+  void theTapeTheRegionAndTheReadOutAreWorkedByArrowsAndEnter() {
+    viewer = ViewerHarness.withBlob();
+    SeeingFeature seeing = viewer.window.feature(SeeingFeature.class);
+    goTo("event-view");
+    viewer.press(KeyCode.T);
+    drawToTheRight(3);
+    viewer.waitFor("a length", () -> seeing.tape().words().startsWith("3.0 px   0.0\u00b0"));
+    viewer.press(KeyCode.G);
+    drawToTheRight(4);
+    viewer.waitFor(
+        "a region of five pixels",
+        () -> seeing.region().region().filter(KeyboardTest::isFiveWide).isPresent());
+    viewer.press(KeyCode.ESCAPE);
+    viewer.waitFor("no tool", () -> viewer.window.view().tool().isEmpty());
+    viewer.press(KeyCode.C);
+    viewer.press(KeyCode.SHIFT, KeyCode.LEFT);
+    viewer.waitFor(
+        "the pixel at the cross",
+        () ->
+            viewer.node("cursor-readout", Label.class).isVisible()
+                && viewer.text("cursor-readout").matches("x 5[34]   y 6[34].*"));
+    viewer.press(KeyCode.C);
+    viewer.waitFor("none", () -> !viewer.node("cursor-readout", Label.class).isVisible());
+  }
+
+  private static boolean isFiveWide(PixelRegion region) {
+    return region.width() == 5 && region.height() == 1;
+  }
+
+  private void drawToTheRight(int pixels) {
+    viewer.waitFor("a tool", () -> viewer.window.view().tool().isPresent());
+    viewer.press(KeyCode.ENTER);
+    for (int i = 0; i < pixels; i++) {
+      viewer.press(KeyCode.RIGHT);
+    }
+    viewer.press(KeyCode.ENTER);
+  }
+
+  @Test
+  void aLaneIsReadScrolledFollowedAndTakesPlaybackToATime() throws IOException {
+    viewer = ViewerHarness.withRecording(folder, 3_000_000);
+    openPanels("show-plots");
+    viewer.run(() -> viewer.window.plots().addLane(PlotField.EVENT_RATE));
+    viewer.waitFor("a second", () -> viewer.status().elapsedUs() > 1_000_000);
+    viewer.pause();
+    Node lane = viewer.onFx(() -> viewer.window.plots().lookup(".key-pane"));
+    viewer.run(lane::requestFocus);
+    PlotPanel plots = viewer.window.plots();
+    long spanUs = viewer.onFx(() -> plots.window().spanUs());
+    viewer.press(KeyCode.EQUALS);
+    viewer.waitFor("less time", () -> plots.window().spanUs() < spanUs);
+    viewer.press(KeyCode.PAGE_UP);
+    viewer.waitFor("earlier", () -> !plots.window().isFollowing());
+    viewer.press(KeyCode.END);
+    viewer.waitFor("the newest", () -> plots.window().isFollowing());
+    long atUs = viewer.status().elapsedUs();
+    viewer.press(KeyCode.SHIFT, KeyCode.LEFT);
+    viewer.press(KeyCode.ENTER);
+    viewer.waitFor("playback there", () -> viewer.status().elapsedUs() < atUs);
+  }
+
+  @Test
+  void panelsAreGoneThroughByF6AndMadeLarger() {
+    viewer = ViewerHarness.withBlob();
+    openPanels("show-plots");
+    goTo("event-view");
+    viewer.press(KeyCode.F6);
+    viewer.waitFor("the plots", () -> "add-plot".equals(focus().getId()));
+    viewer.press(KeyCode.F6);
+    viewer.waitFor("the chain", () -> "add-filter".equals(focus().getId()));
+    viewer.press(KeyCode.SHIFT, KeyCode.F6);
+    viewer.waitFor("the plots again", () -> "add-plot".equals(focus().getId()));
+    double before = viewer.onFx(() -> viewer.window.plots().getHeight());
+    viewer.run(() -> viewer.window.actions().run("below-higher"));
+    viewer.waitFor("higher", () -> viewer.window.plots().getHeight() > before + 10);
+    assertFalse(viewer.onFx(() -> viewer.window.plots().isFocused()));
+  }
+}
