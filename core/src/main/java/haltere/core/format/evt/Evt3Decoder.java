@@ -13,6 +13,7 @@ import java.nio.ByteBuffer;
  */
 public final class Evt3Decoder extends EvtDecoder {
   private static final int WORD_BYTES = 2;
+  private static final int WORD_BITS = 16;
   private static final int ADDR_Y = 0;
   private static final int OTHER_ROW = 1;
   private static final int ADDR_X = 2;
@@ -55,6 +56,20 @@ public final class Evt3Decoder extends EvtDecoder {
   private static final long BASE_12_12_8 = 0x5000400040003000L;
   private static final long LOW_ROW_COLUMN_TYPES = 0x0000f000f000f000L;
   private static final long LOW_ROW_COLUMN = 0x0000200000006000L;
+  private static final long ROW_COLUMN_TYPES = 0x00000000f000f000L;
+  private static final long ROW_COLUMN = 0x0000000020000000L;
+
+  /** The last row and column that a word can say. */
+  private static final int LAST = 0x7ff;
+
+  /** Coordinates of a row word and of the column word after it. */
+  private static final long ROW_AND_COLUMN = 0x000007ff07ff0000L;
+
+  /** Bits that are left above both differences where a row and a column are on the sensor. */
+  private static final long FITS = 0x0000080008000000L;
+
+  /** Four words of a camera's counts, as it sends them. */
+  private static final long COUNTS = 0x7000f000f000e000L;
 
   /** Row of {@link #row} before the first row word and for data that are no pixel events. */
   private static final int NO_ROW = 1 << 31;
@@ -108,7 +123,7 @@ public final class Evt3Decoder extends EvtDecoder {
   private int decodeStage(int bytes, boolean last, long offset, EventPacket out, int maxEvents) {
     int at = 0;
     while (at < bytes && out.size() < maxEvents && !times.restarted()) {
-      if (handedOver == 0 && clock.high() >= 0 && timeUs >= times.lastUs()) {
+      if (handedOver == 0 && clock.high() >= 0 && timeUs >= times.lastUs() && top <= LAST) {
         at = decodeRun(at, bytes, offset, out, maxEvents);
         if (bytes - at < GROUP_BYTES && !last) {
           return at;
@@ -123,10 +138,11 @@ public final class Evt3Decoder extends EvtDecoder {
   }
 
   /**
-   * Decodes until a word needs care, the packet is full or fewer than four words are left; returns
-   * where that is. Four words are looked at together, since what follows a word can be foretold
-   * only for the usual sequences; high parts that say nothing new are passed over without asking
-   * how many there are.
+   * Decodes until a word needs care, the packet could be full or fewer than four words are left;
+   * returns where that is. Four words are looked at together, since what follows a word can be
+   * foretold only for the usual sequences; high parts that say nothing new are passed over without
+   * asking how many there are. Room is asked for by words, which leaves the compiler one value less
+   * to keep in the loop.
    */
   private int decodeRun(int from, int end, long offset, EventPacket out, int maxEvents) {
     byte[] words = stage;
@@ -134,8 +150,7 @@ public final class Evt3Decoder extends EvtDecoder {
     int[] addresses = out.addresses();
     int before = out.size();
     int size = before;
-    int right = width - 1;
-    int topRow = top;
+    long corner = FITS | (long) Math.min(width - 1, LAST) << 32 | (long) top << 16;
     int rowBits = row;
     long startUs = clock.startUs();
     long sameHighs = (TIME_HIGH << 12 | clock.high()) * EACH_WORD;
@@ -144,43 +159,60 @@ public final class Evt3Decoder extends EvtDecoder {
     long others = 0;
     boolean careForOthers =
         violations.reached() > offset + from || violations.count(Violation.OTHER_DATA) == 0;
-    int stop = end - GROUP_BYTES;
+    int stop = lastWithRoom(from, end, maxEvents - size);
     int at = from;
-    while (at <= stop && size < maxEvents) {
+    while (at <= stop) {
       long ahead = Stage.eightBytes(words, at);
+      int passed = 0;
       if (passOver) {
-        at += Long.numberOfTrailingZeros(ahead ^ sameHighs) >>> 4 << 1;
-        if (at > stop) {
-          break;
+        passed = Long.numberOfTrailingZeros(ahead ^ sameHighs) >>> 4;
+        at += passed * WORD_BYTES;
+        if (passed > 1) {
+          continue;
         }
-        ahead = Stage.eightBytes(words, at);
+        ahead >>>= passed * WORD_BITS;
       }
-      int value = (int) ahead & 0x7ff;
-      int type = (int) ahead >>> 12 & 0xf;
       if ((ahead & LOW_ROW_COLUMN_TYPES) == LOW_ROW_COLUMN) {
         int newLow = (int) ahead & 0xfff;
-        int y = topRow - ((int) (ahead >>> 16) & 0x7ff);
-        int x = (int) (ahead >>> 32) & 0x7ff;
-        if ((newLow - low | y | right - x) < 0) {
+        long left = corner - (ahead & ROW_AND_COLUMN);
+        if (newLow < low || (left & FITS) != FITS) {
           break;
         }
         low = newLow;
-        rowBits = y << EventAddress.Y_SHIFT;
+        rowBits = row(left) << EventAddress.Y_SHIFT;
         timesUs[size] = startUs + low;
-        addresses[size++] = rowBits | x << EventAddress.X_SHIFT | (int) (ahead >>> 43) & 1;
+        addresses[size++] =
+            rowBits | column(ahead) << EventAddress.X_SHIFT | (int) (ahead >>> 43) & 1;
         at += 3 * WORD_BYTES;
-      } else if (type == ADDR_X) {
-        if ((rowBits | right - value) < 0) {
+        continue;
+      }
+      if ((ahead & ROW_COLUMN_TYPES) == ROW_COLUMN) {
+        long moved = ahead << WORD_BITS;
+        long left = corner - (moved & ROW_AND_COLUMN);
+        if ((left & FITS) != FITS) {
+          break;
+        }
+        rowBits = row(left) << EventAddress.Y_SHIFT;
+        timesUs[size] = startUs + low;
+        addresses[size++] =
+            rowBits | column(moved) << EventAddress.X_SHIFT | (int) (moved >>> 43) & 1;
+        at += 2 * WORD_BYTES;
+        continue;
+      }
+      int value = (int) ahead & 0x7ff;
+      int type = (int) ahead >>> 12 & 0xf;
+      if (type == ADDR_X) {
+        if ((rowBits | column(corner) - value) < 0) {
           break;
         }
         timesUs[size] = startUs + low;
         addresses[size++] = rowBits | value << EventAddress.X_SHIFT | (int) ahead >>> 11 & 1;
         at += WORD_BYTES;
       } else if (type == ADDR_Y) {
-        rowBits = topRow - value << EventAddress.Y_SHIFT;
+        rowBits = row(corner) - value << EventAddress.Y_SHIFT;
         at += WORD_BYTES;
       } else if ((ahead & GROUP_TYPES) == BASE_12_12_8) {
-        if ((rowBits | right + 1 - GROUP - value | maxEvents - GROUP - size) < 0) {
+        if ((rowBits | column(corner) + 1 - GROUP - value | maxEvents - GROUP - size) < 0) {
           break;
         }
         vectorX = value + GROUP;
@@ -195,6 +227,12 @@ public final class Evt3Decoder extends EvtDecoder {
                 (int) (ahead >>> 16) & 0xfff
                     | ((int) (ahead >>> 32) & 0xfff) << 12
                     | (int) (ahead >>> 48) << 24);
+        at += GROUP_BYTES;
+        stop = lastWithRoom(at, end, maxEvents - size);
+      } else if (type == VECT_BASE_X && passed > 0) {
+        continue; // its group is whole when it is read from here
+      } else if (!careForOthers && (ahead & GROUP_TYPES) == COUNTS) {
+        others += GROUP_BYTES / WORD_BYTES;
         at += GROUP_BYTES;
       } else if (type == TIME_LOW && ((int) ahead & 0xfff) >= low) {
         low = (int) ahead & 0xfff;
@@ -214,6 +252,24 @@ public final class Evt3Decoder extends EvtDecoder {
       times.advance(timesUs[size - 1]);
     }
     return at;
+  }
+
+  /** Row of a row word that is the second of four words. */
+  private static int row(long words) {
+    return (int) (words >>> WORD_BITS) & LAST;
+  }
+
+  /** Column of a column word that is the third of four words. */
+  private static int column(long words) {
+    return (int) (words >>> 2 * WORD_BITS) & LAST;
+  }
+
+  /**
+   * Where the last four words begin that may be looked at if each word but those of a group made an
+   * event.
+   */
+  private static int lastWithRoom(int from, int end, int events) {
+    return Math.min(end - GROUP_BYTES, from + (events - 1) * WORD_BYTES);
   }
 
   /**

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingFormat;
 import haltere.core.format.Recordings;
@@ -145,6 +146,81 @@ class Evt3FormatTest extends EvtContract {
         assertEquals(expected, columns(all), "cut at word " + cut + ", packets of " + maxEvents);
         assertTrue(all.isOn(0));
       }
+    }
+  }
+
+  /** Words in the sequences in which a camera sends them, and some that no camera sends. */
+  private static ByteBuffer sequences(SplittableRandom random, SensorGeometry sensor) {
+    ByteBuffer words = ByteBuffer.allocate(40_000).order(ByteOrder.LITTLE_ENDIAN);
+    int timeUs = random.nextInt(1 << 24);
+    while (words.remaining() > 40) {
+      timeUs += random.nextInt(40);
+      int high = 0x8000 | timeUs >>> 12 & 0xfff;
+      int low = 0x6000 | (random.nextInt(300) == 0 ? random.nextInt(4096) : timeUs & 0xfff);
+      int on = random.nextInt(2) << 11;
+      int row = random.nextInt(random.nextInt(50) == 0 ? 2048 : Math.min(2048, sensor.height()));
+      int column = random.nextInt(random.nextInt(50) == 0 ? 2048 : Math.min(2048, sensor.width()));
+      for (int repeated = random.nextInt(7); repeated > 3; repeated--) {
+        words.putShort((short) high);
+      }
+      int[] sequence =
+          switch (random.nextInt(8)) {
+            case 0, 1, 2 -> new int[] {low, row, 0x2000 | on | column};
+            case 3 -> new int[] {row, 0x2000 | on | column};
+            case 4 -> new int[] {0x2000 | on | column};
+            case 5 ->
+                new int[] {
+                  low,
+                  row,
+                  0x3000 | on | column,
+                  0x4000 | random.nextInt(4096),
+                  0x4000 | random.nextInt(4096),
+                  0x5000 | random.nextInt(256)
+                };
+            case 6 -> new int[] {0xe014, 0xf001, 0xf000, 0x7000, 0xe016, 0xf001, 0xf000, 0x7000};
+            default -> new int[] {high, random.nextInt(20) == 0 ? random.nextInt(65536) : low};
+          };
+      for (int word : sequence) {
+        words.putShort((short) word);
+      }
+    }
+    return words.flip();
+  }
+
+  private static EventPacket decoded(
+      ByteBuffer words, SensorGeometry sensor, int atOnceBytes, ViolationCounts violations) {
+    Evt3Decoder decoder = new Evt3Decoder(sensor, 0, violations);
+    EventPacket all = new EventPacket(0);
+    words.position(0);
+    int last = words.limit();
+    while (words.position() < last) {
+      words.limit(Math.min(last, words.position() + atOnceBytes));
+      EventPacket packet = new EventPacket(0);
+      if (decoder.decode(words, words.position(), packet, 50)) {
+        decoder.times().acceptRestart();
+      }
+      all.append(packet, 0, packet.size());
+      words.limit(last);
+    }
+    return all;
+  }
+
+  @Test
+  void wordsMeanTheSameTogetherAsOneByOneOnSensorsOfAnySize() {
+    List<SensorGeometry> sensors =
+        List.of(GEN3, GEN4, new SensorGeometry(100, 30), new SensorGeometry(3000, 4000));
+    SplittableRandom random = new SplittableRandom(6);
+    for (int i = 0; i < 80; i++) {
+      SensorGeometry sensor = sensors.get(i % sensors.size());
+      ByteBuffer words = sequences(random, sensor);
+      ViolationCounts together = new ViolationCounts();
+      ViolationCounts oneByOne = new ViolationCounts();
+
+      EventPacket all = decoded(words, sensor, 1 << 16, together);
+
+      assertEquals(decoded(words, sensor, 2, oneByOne), all, "stream " + i);
+      assertEquals(oneByOne.describe(), together.describe(), "stream " + i);
+      assertTrue(all.size() > 5_000, all.size() + " events");
     }
   }
 
