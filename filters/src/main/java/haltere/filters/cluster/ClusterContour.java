@@ -37,6 +37,9 @@ final class ClusterContour {
 
   private static final double GATE = 9;
 
+  /** Radius of a cluster over that of the ring that it is: see {@link ClusterForm}. */
+  private static final double RING_RADII = 1.2;
+
   /** How far the first radius may be wrong, as a share of it. */
   private static final double FIRST_RADIUS_SHARE = 0.4;
 
@@ -58,6 +61,15 @@ final class ClusterContour {
 
   /** Variance of the middle from which on it is known, pixels squared. */
   private static final double SURE_VARIANCE = 1;
+
+  /** Balance up to which a cluster has both polarities. */
+  private static final double TWO_SIDED = 0.5;
+
+  /** Share of the radius by which the events' middle may be off: that of half a ring is by 0.64. */
+  private static final double MOST_OFFSET = 0.75;
+
+  /** Radius up to which a ring can be the cluster's, over the cluster's own. */
+  private static final double MOST_RADIUS = 1.2;
 
   /** Share of the way to the middle that a centre goes at an upkeep. */
   private static final double CENTRING = 0.1;
@@ -202,7 +214,9 @@ final class ClusterContour {
       vectorX = ux * perVariance + informationXx * baseX + informationXy * baseY;
       vectorY = uy * perVariance + informationXy * baseX + informationYy * baseY;
     }
-    learn(cluster, jxx, jxy, jyy, ux, uy);
+    if (!learn(cluster, jxx, jxy, jyy, ux, uy)) {
+      end();
+    }
   }
 
   /** What is known of the radius from before, in units of an event. */
@@ -210,7 +224,8 @@ final class ClusterContour {
     return scatter / radiusVariance;
   }
 
-  private void learn(Cluster cluster, double jxx, double jxy, double jyy, double ux, double uy) {
+  /** Learns from the sums, and says whether they can be of the outline of the cluster's events. */
+  private boolean learn(Cluster cluster, double jxx, double jxy, double jyy, double ux, double uy) {
     // The centre, if it is where it was expected give or take a few pixels.
     double loose = scatter / PLACE_VARIANCE;
     double determinant = (jxx + loose) * (jyy + loose) - jxy * jxy;
@@ -226,7 +241,21 @@ final class ClusterContour {
         (kyy * ixr * ixr - 2 * ixy * ixr * iyr + kxx * iyr * iyr) / (kxx * kyy - ixy * ixy);
     radiusVariance = scatter / (known + Math.max(0, count - taken));
     radius = Math.min(2 * cluster.radius(), Math.max(1, radius + radiusMoves));
+    boolean isThere = !isElsewhere(cluster, offsetX + cx, offsetY + cy);
     moveReference(cluster, jxx, jxy, jyy, ux, uy);
+    return isThere && !isElsewhere(cluster, offsetX, offsetY);
+  }
+
+  /**
+   * Whether a middle that far from the cluster's centre is not that of its events: ON and OFF
+   * events are on both sides of a thing's middle, and where they are few, those of a small thing
+   * fit a part of a large ring beside it as well.
+   */
+  private boolean isElsewhere(Cluster cluster, double middleX, double middleY) {
+    double most = MOST_OFFSET * radius;
+    return Math.abs(cluster.balance) < TWO_SIDED
+        && (radius > MOST_RADIUS * cluster.radius()
+            || middleX * middleX + middleY * middleY > most * most);
   }
 
   /** Takes the mean square of what is left over, per degree of freedom. */
@@ -297,13 +326,7 @@ final class ClusterContour {
   private void begin(Cluster cluster) {
     on = true;
     stride = 1;
-    // The mean square of the distance from the middle of a whole ring is the square of its radius.
-    radius =
-        Math.sqrt(
-            cluster.cxx
-                + cluster.cyy
-                + cluster.leadX * cluster.leadX
-                + cluster.leadY * cluster.leadY);
+    radius = cluster.radius() / RING_RADII;
     radius = Math.max(1, radius);
     radiusVariance = FIRST_RADIUS_SHARE * radius * FIRST_RADIUS_SHARE * radius;
     scatter = FIRST_SCATTER;

@@ -107,6 +107,7 @@ final class ClusterLife {
     born.clearBatch(timeUs);
     born.usualMass = share * cluster.usualMass;
     cluster.contour.end();
+    cluster.clearBatch(timeUs);
     cluster.x -= root / ahead * cluster.cos;
     cluster.y -= root / ahead * cluster.sin;
     cluster.mass *= 1 - share;

@@ -30,6 +30,17 @@ public interface ClusterObserver {
   }
 
   /**
+   * Called when a visible cluster turns out to be two things and goes on as one of them, so it is
+   * elsewhere at once; the other gets its identity when it becomes visible.
+   *
+   * @param timeUs when, microseconds
+   * @param id identity of the cluster
+   */
+  default void clusterParted(long timeUs, int id) {
+    // Whoever does not care sees the cluster jump.
+  }
+
+  /**
    * Whether readings go on while there is no visible cluster. Until it says no, the times do not
    * jump, so an observer that waits for long has to say no some time.
    *

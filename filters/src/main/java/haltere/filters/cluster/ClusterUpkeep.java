@@ -31,7 +31,7 @@ final class ClusterUpkeep {
   /**
    * Does what is due at a time.
    *
-   * @param observer hears of visible clusters that become one; null for nobody
+   * @param observer hears of visible clusters that become one or two; null for nobody
    */
   void run(long timeUs, ClusterObserver observer) {
     life.measureNoise(clusters.all, clusters.count);
@@ -44,7 +44,7 @@ final class ClusterUpkeep {
         motion.upkeep(cluster, timeUs);
         form.upkeep(cluster, timeUs, life.noiseShare(cluster));
         if (!clusters.isFull() && form.isParting(cluster, timeUs)) {
-          part(cluster, timeUs);
+          part(cluster, timeUs, observer);
         }
       }
     }
@@ -57,13 +57,16 @@ final class ClusterUpkeep {
     }
   }
 
-  private void part(Cluster cluster, long timeUs) {
+  private void part(Cluster cluster, long timeUs, ClusterObserver observer) {
     Cluster born = clusters.add();
     merging.forget(born);
     life.part(cluster, born, timeUs);
     form.part(cluster, born, timeUs);
     motion.part(cluster, born);
     merging.parted(cluster, born);
+    if (observer != null && cluster.isVisible()) {
+      observer.clusterParted(timeUs, cluster.id);
+    }
   }
 
   private void merge(long timeUs, ClusterObserver observer) {

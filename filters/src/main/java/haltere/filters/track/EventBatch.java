@@ -20,7 +20,10 @@ final class EventBatch {
   double events;
 
   double radiusPx;
-  boolean overlapped;
+
+  /** Whether its cluster has just turned out to be one of two, and is elsewhere. */
+  boolean parted;
+
   private double sumX;
   private double sumY;
   private double sumAgeUs;
@@ -55,6 +58,7 @@ final class EventBatch {
     sumXy = 0;
     sumYy = 0;
     baseUs = timeUs;
+    parted = false;
     outlineXx = 0;
     outlineXy = 0;
     outlineYy = 0;
@@ -66,7 +70,6 @@ final class EventBatch {
     index = i;
     seen = true;
     radiusPx = readings.radiusPx(i);
-    overlapped = readings.overlapped(i);
     double n = readings.newEvents(i);
     if (!(n > 0)) {
       return;

@@ -9,19 +9,36 @@ final class TrackEnds {
 
   private final Picture picture;
   private final Tracks tracks;
+  private final Departures departures = new Departures();
 
   TrackEnds(Picture picture, Tracks tracks) {
     this.picture = picture;
     this.tracks = tracks;
   }
 
+  void reset() {
+    departures.clear();
+  }
+
+  /** Whether what appears at a place is no new thing. */
+  boolean isRest(Measurement measurement, long timeUs) {
+    return departures.isRest(measurement.x, measurement.y, timeUs);
+  }
+
   /** What has left takes no cluster of what is at the border after it. */
-  void dropThoseThatLeft() {
+  void dropThoseThatLeft(long timeUs) {
     for (int i = tracks.count() - 1; i >= 0; i--) {
       if (tracks.get(i).batch == null && isLeaving(tracks.get(i))) {
-        tracks.drop(i);
+        leave(i, timeUs);
       }
     }
+  }
+
+  private void leave(int index, long timeUs) {
+    if (tracks.get(index).id > 0) {
+      departures.add(tracks.get(index), timeUs);
+    }
+    tracks.drop(index);
   }
 
   /** Drops what is out of the picture, and what has been without its cluster for too long. */
@@ -31,12 +48,16 @@ final class TrackEnds {
       track.look(timeUs);
       if (track.batch != null) {
         if (!track.inView) {
-          tracks.drop(i);
+          leave(i, timeUs);
         }
         continue;
       }
+      if (isLeaving(track)) {
+        leave(i, timeUs);
+        continue;
+      }
       double silentS = (timeUs - track.heardUs) * US;
-      boolean coasts = track.inView && !isLeaving(track) && silentS <= settings.coastTimeS();
+      boolean coasts = track.inView && silentS <= settings.coastTimeS();
       boolean rests = track.mayRest() && silentS <= settings.restTimeS();
       if (track.id == 0 || !coasts && !rests) {
         tracks.drop(i);

@@ -141,6 +141,7 @@ public final class TrackEstimator implements ClusterObserver {
     tracker.reset();
     tracks.dropAll();
     batches.clear();
+    ends.reset();
     if (vehicles != null) {
       vehicles.reset();
     }
@@ -231,6 +232,15 @@ public final class TrackEstimator implements ClusterObserver {
   }
 
   @Override
+  public void clusterParted(long timeUs, int id) {
+    EventBatch batch = batches.find(id);
+    if (batch != null) {
+      batch.clear(timeUs);
+      batch.parted = true;
+    }
+  }
+
+  @Override
   public void clustersRead(long timeUs, ClusterReadings readings) {
     if (!started || timeUs <= lastStepUs) {
       started = true;
@@ -251,7 +261,7 @@ public final class TrackEstimator implements ClusterObserver {
     for (int i = 0; i < tracks.count(); i++) {
       tracks.get(i).look(timeUs);
     }
-    ends.dropThoseThatLeft();
+    ends.dropThoseThatLeft(timeUs);
     TrackPairs.markContested(tracks);
     updateAll(timeUs, readings);
     ends.dropThoseThatEnd(timeUs, settings.life());
@@ -271,6 +281,11 @@ public final class TrackEstimator implements ClusterObserver {
         pairs.addBatch(batch);
       } else {
         measurement.of(batch, track, readings, timeUs);
+        if (batch.parted && !track.nearOther && measurement.map(plane)) {
+          track.follow(measurement.timeUs, timeUs);
+          batch.clear(timeUs);
+          continue;
+        }
         double nis = track.compare(measurement);
         double expected = track.nearOther ? EXPECTED_NIS : gate;
         if (nis <= expected && !track.contested) {
@@ -356,7 +371,7 @@ public final class TrackEstimator implements ClusterObserver {
 
   private void launch(EventBatch batch, ClusterReadings readings, long timeUs) {
     measurement.of(batch, null, readings, timeUs);
-    if (!measurement.map(plane)) {
+    if (!measurement.map(plane) || ends.isRest(measurement, timeUs)) {
       batch.clear(timeUs);
       return;
     }

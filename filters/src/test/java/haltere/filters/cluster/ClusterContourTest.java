@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.LongToDoubleFunction;
 import org.junit.jupiter.api.Test;
@@ -110,5 +112,64 @@ class ClusterContourTest {
     read(events, x, 100_000, 600_000);
     assertTrue(readings > 40, "readings " + readings);
     assertEquals(0, outlines);
+  }
+
+  @Test
+  void ofASmallThingInNoiseThereIsHardlyEverALargeRingBesideIt() {
+    int found = 0;
+    int beside = 0;
+    for (long seed = 0; seed < 30; seed++) {
+      for (double[] off : outlinesOfASmallThing(seed)) {
+        found++;
+        beside += Math.hypot(off[0], off[1]) > 6 ? 1 : 0;
+      }
+    }
+    assertTrue(found > 150, "outlines " + found);
+    assertTrue(beside < 0.03 * found, beside + " of " + found);
+  }
+
+  /** How far sure outlines are off, of a disc of 3 px in as many events of noise as its own. */
+  private static List<double[]> outlinesOfASmallThing(long seed) {
+    SensorGeometry sensor = new SensorGeometry(240, 240);
+    LongToDoubleFunction way = timeUs -> 60 + 40e-6 * timeUs;
+    SplittableRandom random = new SplittableRandom(seed);
+    EventPacket events = new EventPacket(65_536);
+    double ownHz = 400;
+    double hz = ownHz + 0.3 * sensor.pixels();
+    for (double s = 0; s < 1.5; s -= Math.log(1 - random.nextDouble()) / hz) {
+      long timeUs = (long) (s * 1e6);
+      boolean on = random.nextBoolean();
+      if (random.nextDouble() * hz < ownHz) {
+        double across = random.nextDouble(-3, 3);
+        double ahead = Math.sqrt(9 - across * across);
+        double atX = way.applyAsDouble(timeUs) + (on ? -ahead : ahead);
+        add(events, timeUs, atX, 60 + across, on);
+      } else {
+        events.append(timeUs, random.nextInt(240), random.nextInt(240), on);
+      }
+    }
+    ClusterTracker tracker =
+        new ClusterTracker(sensor, ClusterTrackerSettings.defaults(), timeUs -> {});
+    List<double[]> offs = new ArrayList<>();
+    tracker.observe(
+        (timeUs, at) -> {
+          for (int i = 0; i < at.count(); i++) {
+            double a = at.outlineXx(i);
+            double b = at.outlineXy(i);
+            double c = at.outlineYy(i);
+            double determinant = a * c - b * b;
+            if (a + c < 2 * determinant) {
+              double truth = way.applyAsDouble(timeUs - Math.round(at.measuredAgeUs(i)));
+              offs.add(
+                  new double[] {
+                    (c * at.outlineX(i) - b * at.outlineY(i)) / determinant - truth,
+                    (a * at.outlineY(i) - b * at.outlineX(i)) / determinant - 60
+                  });
+            }
+          }
+        },
+        20_000);
+    tracker.track(events);
+    return offs;
   }
 }
