@@ -43,6 +43,19 @@ public record ReadingCounts(long frames, long inertialSamples, long triggers) {
   }
 
   /**
+   * These and others together.
+   *
+   * @param others what is added
+   * @return the sum
+   */
+  public ReadingCounts plus(ReadingCounts others) {
+    return new ReadingCounts(
+        frames + others.frames,
+        inertialSamples + others.inertialSamples,
+        triggers + others.triggers);
+  }
+
+  /**
    * What is left of these without others that are among them.
    *
    * @param others at most as many of each kind

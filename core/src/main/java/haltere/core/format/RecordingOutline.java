@@ -22,4 +22,19 @@ public record RecordingOutline(long events, long firstUs, long lastUs) {
       throw new IllegalArgumentException(events + " events");
     }
   }
+
+  /**
+   * Of this recording and one that goes on where it ends.
+   *
+   * @param next what follows
+   * @return of both together
+   */
+  public RecordingOutline and(RecordingOutline next) {
+    if (events == 0) {
+      return next;
+    }
+    return next.events == 0
+        ? this
+        : new RecordingOutline(Math.addExact(events, next.events), firstUs, next.lastUs);
+  }
 }

@@ -9,10 +9,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.ServiceLoader;
-import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 
 /**
  * The way into every recording: the content decides which format reads it.
@@ -32,9 +30,6 @@ public final class Recordings {
     }
   }
 
-  /** Files of a folder that a message names. */
-  private static final int NAMED_FILES = 3;
-
   private Recordings() {}
 
   /**
@@ -49,7 +44,8 @@ public final class Recordings {
   /**
    * Opens a recording.
    *
-   * @param file any file
+   * @param file any file, or a folder with one recording in it, in parts as ROS 2 makes them or
+   *     whole
    * @param options what the user says about it
    * @return a reader at its start
    * @throws RecordingProblem if it is not a readable file, or of no known format; the message says
@@ -57,17 +53,29 @@ public final class Recordings {
    * @throws IOException if reading fails
    */
   public static RecordingReader open(Path file, ReadOptions options) throws IOException {
-    checkReadable(file);
-    if (options.format().isPresent()) {
-      return named(file, options.format().get()).open(file, options);
+    List<Path> parts = parts(file);
+    if (parts.size() == 1) {
+      return openPart(parts.get(0), options);
     }
-    return detect(file).open(file, options);
+    List<RecordingReader> readers = new ArrayList<>();
+    try {
+      for (Path part : parts) {
+        readers.add(openPart(part, options));
+      }
+      return new PartsReader(file, readers);
+    } catch (IOException | RuntimeException | Error problem) {
+      for (RecordingReader reader : readers) {
+        reader.close();
+      }
+      throw problem;
+    }
   }
 
   /**
    * Opens a recording whose file says everything.
    *
-   * @param file any file
+   * @param file any file, or a folder with one recording in it, in parts as ROS 2 makes them or
+   *     whole
    * @return a reader at its start
    * @throws IOException as {@link #open(Path, ReadOptions)}
    */
@@ -78,12 +86,24 @@ public final class Recordings {
   /**
    * Tells which format a file has.
    *
-   * @param file a readable file
+   * @param file a readable file, or a folder with one recording in it, in parts as ROS 2 makes them
+   *     or whole
    * @return the one format that is surest
    * @throws RecordingProblem if none is, or several are equally sure
    * @throws IOException if reading fails
    */
   public static RecordingFormat detect(Path file) throws IOException {
+    return formatOf(parts(file).get(0));
+  }
+
+  private static RecordingReader openPart(Path file, ReadOptions options) throws IOException {
+    checkReadable(file);
+    return options.format().isPresent()
+        ? named(file, options.format().get()).open(file, options)
+        : formatOf(file).open(file, options);
+  }
+
+  private static RecordingFormat formatOf(Path file) throws IOException {
     checkReadable(file);
     FileHead head = FileHead.read(file);
     if (head.size() == 0) {
@@ -163,35 +183,17 @@ public final class Recordings {
     return format;
   }
 
+  /** The files of which a recording is made. */
+  private static List<Path> parts(Path named) throws RecordingProblem {
+    return Files.isDirectory(named) ? RecordingFolder.parts(named) : List.of(named);
+  }
+
   private static void checkReadable(Path file) throws RecordingProblem {
     if (!Files.exists(file)) {
       throw new RecordingProblem(file, "there is no such file");
     }
-    if (Files.isDirectory(file)) {
-      throw new RecordingProblem(
-          file, "this is a folder; name a recording in it" + recordingsIn(file));
-    }
     if (!Files.isReadable(file)) {
       throw new RecordingProblem(file, "no permission to read it; change its mode or owner");
-    }
-  }
-
-  private static String recordingsIn(Path folder) {
-    Set<String> endings =
-        formats().values().stream()
-            .flatMap(format -> format.extensions().stream())
-            .collect(Collectors.toSet());
-    try (Stream<Path> files = Files.list(folder)) {
-      List<String> names =
-          files
-              .filter(file -> endings.contains(FileHead.extension(file)))
-              .map(file -> file.getFileName().toString())
-              .sorted()
-              .limit(NAMED_FILES)
-              .toList();
-      return names.isEmpty() ? "" : ", such as " + String.join(", ", names);
-    } catch (IOException unreadable) {
-      return "";
     }
   }
 }

@@ -78,15 +78,6 @@ class BadInputTest {
   }
 
   @Test
-  void aFolderIsRefused() throws IOException {
-    Path bag = Files.createDirectory(folder.resolve("folder.aedat"));
-    assertSays("folder", refused(bag));
-    Files.createFile(bag.resolve("metadata.yaml"));
-    Files.createFile(bag.resolve("bag_0.db3"));
-    assertSays("name a recording in it, such as bag_0.db3", refused(bag));
-  }
-
-  @Test
   void aMissingFileIsRefused() {
     assertSays("no such file", refused(folder.resolve("missing.aedat")));
   }

@@ -1,0 +1,364 @@
+package haltere.core.format;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.event.SensorReading;
+import haltere.core.stream.EndOfStream;
+import haltere.core.stream.Reset;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import haltere.core.stream.StreamStarted;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * A recording that was cut into parts, as one: the stream goes on from part to part, and a segment
+ * does too where the clock does not go back.
+ *
+ * <p>Thread rule: one thread at a time.
+ */
+final class PartsReader implements RecordingReader {
+  /** A stretch of a segment that lies in one part. */
+  private record Piece(int part, int segment, TimeSegment times) {}
+
+  /** How far the stream of a part is. */
+  private enum State {
+    FRESH,
+    RUNNING,
+    ENDED
+  }
+
+  private static final Piece START = new Piece(0, 0, new TimeSegment(0, 0));
+
+  private static final StreamHandler PASSED_OVER =
+      new StreamHandler() {
+        @Override
+        public void packet(EventPacket packet) {
+          throw new IllegalStateException("a stream begins with its start");
+        }
+
+        @Override
+        public void notified(StreamNotification notification) {
+          // The whole has its own start.
+        }
+      };
+
+  private final Path folder;
+  private final List<RecordingReader> parts;
+  private final Relay relay = new Relay();
+  private final State[] states;
+  private List<List<Piece>> segments;
+  private int current;
+  private boolean started;
+  private boolean ended;
+
+  /** Whether nothing of the part has been read yet that the stream came to from the one before. */
+  private boolean entering;
+
+  private long lastUs = StreamNotification.NO_TIME_US;
+
+  /** What waits behind a notice that the clock started anew; null if nothing does. */
+  private EventPacket heldPacket;
+
+  private SensorReading heldReading;
+
+  /**
+   * Joins parts.
+   *
+   * @param folder what stands for the whole
+   * @param parts at least one, in order, each at its start
+   * @throws RecordingProblem if they are of sensors of different size
+   */
+  PartsReader(Path folder, List<RecordingReader> parts) throws IOException {
+    this.folder = folder;
+    this.parts = List.copyOf(parts);
+    states = new State[parts.size()];
+    Arrays.fill(states, State.FRESH);
+    SensorGeometry first = geometry();
+    for (RecordingReader part : parts) {
+      if (!part.geometry().equals(first)) {
+        throw new RecordingProblem(
+            folder,
+            "its parts are of different sensors ("
+                + first
+                + " and "
+                + part.geometry()
+                + "); read them one by one");
+      }
+    }
+  }
+
+  /** Takes what a part gives, and passes on what belongs to the whole. */
+  private final class Relay implements StreamHandler {
+    private StreamHandler out;
+    private boolean given;
+
+    @Override
+    public void packet(EventPacket packet) {
+      given = true;
+      if (isBack(packet.firstTimeUs())) {
+        heldPacket = new EventPacket(packet.size());
+        heldPacket.append(packet, 0, packet.size());
+      } else {
+        out.packet(packet);
+      }
+      entering = false;
+      lastUs = packet.lastTimeUs();
+    }
+
+    @Override
+    public void reading(SensorReading reading) {
+      given = true;
+      if (isBack(reading.timeUs())) {
+        heldReading = reading;
+      } else {
+        out.reading(reading);
+      }
+      entering = false;
+      lastUs = Math.max(lastUs, reading.timeUs());
+    }
+
+    /** Tells that the clock started anew if the first thing of a part is before the last one. */
+    private boolean isBack(long timeUs) {
+      boolean back = entering && timeUs < lastUs;
+      if (back) {
+        out.notified(new Reset(Reset.Cause.CLOCK_RESTARTED, lastUs, timeUs));
+      }
+      return back;
+    }
+
+    @Override
+    public void notified(StreamNotification notification) {
+      if (notification instanceof EndOfStream) {
+        states[current] = State.ENDED;
+        if (current == parts.size() - 1) {
+          ended = true;
+          give(new EndOfStream(lastUs));
+        }
+      } else if (!started) {
+        started = true;
+        give(new StreamStarted(geometry(), folder.toString()));
+      } else {
+        give(notification);
+      }
+    }
+
+    private void give(StreamNotification notification) {
+      given = true;
+      out.notified(notification);
+    }
+  }
+
+  @Override
+  public boolean next(StreamHandler handler) throws IOException {
+    if (heldPacket != null) {
+      EventPacket packet = heldPacket;
+      heldPacket = null;
+      handler.packet(packet);
+      return true;
+    }
+    if (heldReading != null) {
+      SensorReading reading = heldReading;
+      heldReading = null;
+      handler.reading(reading);
+      return true;
+    }
+    relay.out = handler;
+    relay.given = false;
+    while (!relay.given && !ended) {
+      states[current] = State.RUNNING;
+      parts.get(current).next(relay);
+      if (states[current] == State.ENDED && !ended) {
+        enter(current + 1);
+      }
+    }
+    return relay.given;
+  }
+
+  /** Goes to the start of a part, of which the stream is not told. */
+  private void enter(int part) throws IOException {
+    current = part;
+    entering = true;
+    if (states[part] != State.FRESH) {
+      parts.get(part).seek(0, Long.MIN_VALUE);
+    }
+    parts.get(part).next(PASSED_OVER);
+    states[part] = State.RUNNING;
+  }
+
+  @Override
+  public List<TimeSegment> segments() throws IOException {
+    return pieces().stream().map(PartsReader::span).toList();
+  }
+
+  private static TimeSegment span(List<Piece> pieces) {
+    return new TimeSegment(
+        pieces.get(0).times.firstUs(), pieces.get(pieces.size() - 1).times.lastUs());
+  }
+
+  private List<List<Piece>> pieces() throws IOException {
+    if (segments == null) {
+      List<List<Piece>> joined = new ArrayList<>();
+      for (int part = 0; part < parts.size(); part++) {
+        List<TimeSegment> stretches = parts.get(part).segments();
+        for (int segment = 0; segment < stretches.size(); segment++) {
+          TimeSegment times = stretches.get(segment);
+          boolean goesOn =
+              segment == 0
+                  && !joined.isEmpty()
+                  && times.firstUs() >= span(joined.get(joined.size() - 1)).lastUs();
+          if (!goesOn) {
+            joined.add(new ArrayList<>());
+          }
+          joined.get(joined.size() - 1).add(new Piece(part, segment, times));
+        }
+      }
+      segments = joined;
+    }
+    return segments;
+  }
+
+  @Override
+  public void seek(int segment, long timeUs) throws IOException {
+    List<List<Piece>> all = pieces();
+    Piece place = START;
+    long fromUs = timeUs;
+    if (!all.isEmpty()) {
+      boolean behind = span(all.get(segment)).lastUs() < timeUs && segment < all.size() - 1;
+      place = behind ? all.get(segment + 1).get(0) : place(all.get(segment), timeUs);
+      fromUs = behind ? Long.MIN_VALUE : timeUs;
+    }
+    current = place.part;
+    entering = false;
+    heldPacket = null;
+    heldReading = null;
+    if (ended) {
+      ended = false;
+      started = false;
+      lastUs = StreamNotification.NO_TIME_US;
+    }
+    parts.get(current).seek(place.segment, fromUs);
+    if (started && states[current] != State.RUNNING) {
+      parts.get(current).next(PASSED_OVER);
+      parts.get(current).seek(place.segment, fromUs);
+      states[current] = State.RUNNING;
+    }
+  }
+
+  /** The piece that reaches a time, or the last one. */
+  private static Piece place(List<Piece> pieces, long timeUs) {
+    for (Piece piece : pieces) {
+      if (piece.times.lastUs() >= timeUs) {
+        return piece;
+      }
+    }
+    return pieces.get(pieces.size() - 1);
+  }
+
+  @Override
+  public SensorGeometry geometry() {
+    return parts.get(0).geometry();
+  }
+
+  @Override
+  public String formatName() {
+    return parts.get(0).formatName();
+  }
+
+  @Override
+  public Path path() {
+    return folder;
+  }
+
+  @Override
+  public long positionBytes() {
+    long bytes = parts.get(current).positionBytes();
+    for (RecordingReader part : parts.subList(0, current)) {
+      bytes += part.sizeBytes();
+    }
+    return bytes;
+  }
+
+  @Override
+  public long sizeBytes() {
+    return parts.stream().mapToLong(RecordingReader::sizeBytes).sum();
+  }
+
+  @Override
+  public ViolationCounts violations() {
+    ViolationCounts all = new ViolationCounts();
+    long before = 0;
+    for (RecordingReader part : parts) {
+      for (Violation kind : Violation.values()) {
+        all.add(kind, before + part.violations().firstOffset(kind), part.violations().count(kind));
+      }
+      before += part.sizeBytes();
+    }
+    return all;
+  }
+
+  @Override
+  public List<String> remarks() {
+    List<String> all = new ArrayList<>();
+    all.add("read as one recording of " + parts.size() + " parts");
+    parts.forEach(part -> part.remarks().stream().filter(r -> !all.contains(r)).forEach(all::add));
+    return all;
+  }
+
+  @Override
+  public RecordingClock clock() {
+    return parts.get(0).clock();
+  }
+
+  @Override
+  public Map<String, String> metadata() {
+    return parts.get(0).metadata();
+  }
+
+  @Override
+  public Optional<RecordingOutline> outline() throws IOException {
+    RecordingOutline whole = RecordingOutline.NOTHING;
+    for (RecordingReader part : parts) {
+      Optional<RecordingOutline> outline = part.outline();
+      if (outline.isEmpty()) {
+        return Optional.empty();
+      }
+      whole = whole.and(outline.get());
+    }
+    return Optional.of(whole);
+  }
+
+  @Override
+  public ReadingCounts countReadings() throws IOException {
+    ReadingCounts counts = ReadingCounts.NONE;
+    for (RecordingReader part : parts) {
+      counts = counts.plus(part.countReadings());
+    }
+    return counts;
+  }
+
+  @Override
+  public void close() throws IOException {
+    IOException broken = null;
+    for (RecordingReader part : parts) {
+      try {
+        part.close();
+      } catch (IOException problem) {
+        broken = problem;
+      }
+    }
+    if (broken != null) {
+      throw broken;
+    }
+  }
+
+  @Override
+  public String toString() {
+    return folder.toString();
+  }
+}
