@@ -3,8 +3,9 @@ package haltere.filters.wing;
 /**
  * Time from an edge's passage to the time stamp of its OFF event: a constant delay, which no event
  * tells, and what the photoreceptor adds. A pixel answers, if at all, while the wing is over it;
- * how late, ON events tell by how far they lag behind OFF events, measured by the time that the
- * wing is over a pixel. A pixel without a lag is taken for ideal.
+ * how late, ON events tell by how far they lag behind OFF events. A pixel without a lag is taken
+ * for ideal. A fast wing makes ON events late for another reason: it has left the pixel before that
+ * can make its next event.
  */
 final class CameraLatency {
   /** Constant delay that is taken where nobody says it: no camera is without one. */
@@ -16,8 +17,14 @@ final class CameraLatency {
   /** A slow pixel's delay as a share of the time that the wing is over it. */
   private static final double SLOW_SHARE = 0.42;
 
-  /** Lag of ON events, in the same measure, at which a pixel begins to be slow. */
-  private static final double SLOW_LAG = 0.35;
+  /** Lag of ON events at which a pixel begins to be slow. */
+  private static final double SLOW_LAG_S = 18e-6;
+
+  /**
+   * Lag of ON events, times the time that the wing is over a pixel, for which it is enough that a
+   * pixel is blind for some tens of microseconds after an event; as found on simulated flies.
+   */
+  private static final double BLIND_S2 = 320e-12;
 
   /**
    * What is usually left of the delay, with what the stroke's shape is off by as the wing moves, as
@@ -62,10 +69,10 @@ final class CameraLatency {
    * @return seconds
    */
   static double seconds(double knownUs, double lagS, double fullSpeed) {
-    double lag = Math.max(0, lagS);
     double over = overPixelS(fullSpeed);
+    double slow = Math.max(0, lagS - BLIND_S2 / over);
     double constant = knownUs >= 0 ? knownUs * 1e-6 : USUAL_S;
-    return constant + SLOW_SHARE * over * (1 - Math.exp(-lag / (SLOW_LAG * over)));
+    return constant + SLOW_SHARE * over * (1 - Math.exp(-slow / SLOW_LAG_S));
   }
 
   /**

@@ -13,7 +13,7 @@ package haltere.filters.wing;
  */
 final class FrequencyHindsight {
   /** Looks of about a millisecond before and after the one that is judged. */
-  private static final int HALF = 30;
+  private static final int HALF = 25;
 
   private static final int LOOKS = 2 * HALF + 1;
 
@@ -24,7 +24,7 @@ final class FrequencyHindsight {
   private static final double FIRST_SHARE = 0.2;
 
   private static final double FIRST_WEIGHT = 30;
-  private static final double MOST_WEIGHT = 300;
+  private static final double MOST_WEIGHT = 120;
 
   private final double[] timeS = new double[LOOKS];
   private final double[] phase = new double[LOOKS];

@@ -4,15 +4,25 @@ package haltere.filters.wing;
  * The noise of a wing's frequency: how much process noise the filter gets, more in a manoeuvre
  * ({@link RunAway}), and how sure the frequency really is, which the filter, ready for manoeuvres,
  * puts too low in steady flight ({@link FrequencyHindsight}) and too high just before a manoeuvre
- * is noticed ({@link FrequencySurprise}).
+ * is noticed ({@link FrequencyChange}, {@link FrequencySurprise}).
  *
  * <p>Thread rule: one thread at a time.
  */
 final class FrequencyNoise {
   private static final double CALM_SHARE = 0.02;
 
+  /** What hindsight is off by as the filter is cannot be seen in what both differ by. */
+  private static final double UNSEEN = 1.05;
+
+  /** What is right of the variance that the filter gains in a manoeuvre: it is ready for more. */
+  private static final double MANOEUVRE_SHARE = 0.35;
+
+  /** What is added for each square of what the frequency has changed by more than usual. */
+  private static final double CHANGE_SHARE = 0.75;
+
   private final RunAway runAway = new RunAway();
   private final FrequencySurprise surprise = new FrequencySurprise();
+  private final FrequencyChange change = new FrequencyChange();
   private final FrequencyHindsight hindsight = new FrequencyHindsight();
   private FrequencyNoise other;
 
@@ -22,6 +32,7 @@ final class FrequencyNoise {
   void launch() {
     runAway.launch();
     surprise.launch();
+    change.launch();
     hindsight.launch();
     calmVariance = Double.MAX_VALUE;
   }
@@ -30,6 +41,7 @@ final class FrequencyNoise {
   void besides(FrequencyNoise wing) {
     other = wing;
     runAway.besides(wing == null ? null : wing.runAway);
+    change.besides(wing == null ? null : wing.change);
   }
 
   /** Takes a residual, its weight times the slope, and the slope. */
@@ -51,6 +63,7 @@ final class FrequencyNoise {
     surprise.look(dtS, omega, filter.x[StrokeEkf.RATE], calm);
     hindsight.look(dtS, filter, calm);
     double p = filter.covariance(StrokeEkf.OMEGA, StrokeEkf.OMEGA);
+    change.look(dtS, filter, calm && (other == null || other.isCalm()));
     if (p < calmVariance) {
       calmVariance = p;
     } else if (calm) {
@@ -71,7 +84,10 @@ final class FrequencyNoise {
   /** Variance of the angular frequency, from what the filter thinks it is. */
   double variance(double p) {
     double manoeuvre = isCalm() ? 0 : Math.max(0, p - calmVariance);
-    double share = hindsight.share(other == null ? null : other.hindsight);
-    return share * (p - manoeuvre) + manoeuvre + surprise.variance();
+    double share = UNSEEN * hindsight.share(other == null ? null : other.hindsight);
+    return share * (p - manoeuvre)
+        + MANOEUVRE_SHARE * manoeuvre
+        + surprise.variance()
+        + CHANGE_SHARE * change.excess();
   }
 }

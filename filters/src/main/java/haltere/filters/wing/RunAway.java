@@ -1,9 +1,9 @@
 package haltere.filters.wing;
 
 /**
- * Notices a manoeuvre: the phase runs away from what is expected by more than noise explains. The
- * frequency's process noise is then raised, by as much as the phase is off, and falls back slowly,
- * because a manoeuvre that has begun goes on.
+ * Notices a manoeuvre: the phase runs away from what is expected by more than it usually does
+ * ({@link UsualPhase}). The frequency's process noise is then raised, by as much as the phase is
+ * off, and falls back slowly, because a manoeuvre that has begun goes on.
  *
  * <p>A fly's wings are driven as one: what both phases are off by together tells of a manoeuvre
  * sooner, and noise is less often taken for one, than each does alone. A wing that runs away alone
@@ -15,17 +15,11 @@ final class RunAway {
   /** Density of the frequency's noise for each squared radian by which the phase runs away. */
   private static final double DENSITY = 4e8;
 
-  /** Events of one beat repeat each other's errors: so many of them count for one. */
-  private static final double REPEATING = 3;
-
-  /** Both phases are off if their square is so many times its variance; one alone, so many. */
-  private static final double CLEARLY = 6;
-
-  private static final double CLEARLY_ALONE = 12;
-
   private static final double HOLD_S = 0.03;
   private static final double LEAST_DENSITY = 1;
 
+  private final UsualPhase together = new UsualPhase(20, 1.5, 6);
+  private final UsualPhase alone = new UsualPhase(26, 6, 12);
   private double y;
   private double w;
   private double density;
@@ -35,6 +29,8 @@ final class RunAway {
     y = 0;
     w = 0;
     density = 0;
+    together.launch();
+    alone.launch();
   }
 
   /** Says which wing is driven together with this one; null if none is known. */
@@ -63,10 +59,7 @@ final class RunAway {
    */
   void look(double dtS, double omega, double most) {
     if (w > 0) {
-      double excess = excess(y, w, other == null ? CLEARLY : CLEARLY_ALONE);
-      if (other != null) {
-        excess = Math.max(excess, excess(y + other.y, w + other.w, CLEARLY));
-      }
+      double excess = excess();
       density = Math.max(density * Math.exp(-dtS / HOLD_S), Math.min(most, DENSITY * excess));
       if (density < LEAST_DENSITY) {
         density = 0;
@@ -77,10 +70,14 @@ final class RunAway {
     w *= fade;
   }
 
-  /** Square of what a phase is off by beyond what noise explains; 0 where that explains it. */
-  private static double excess(double y, double w, double clearly) {
-    double off = y / w;
-    return Math.max(0, off * off - clearly * REPEATING / w);
+  private double excess() {
+    boolean calm = density == 0;
+    if (other == null) {
+      return together.excess(y, w, calm);
+    }
+    return Math.max(
+        alone.excess(y, w, calm),
+        together.excess(y + other.y, w + other.w, calm && other.density == 0));
   }
 
   /** What is to be added to the density of the angular frequency's noise; 0 in steady flight. */
