@@ -17,7 +17,9 @@
  *                  kernel-style uevent ("add@/devices/...\0KEY=VALUE\0...").
  *   stamps         if $USBEMU_DIR/stamps is there (65537 words of 64 bits), word 0 counts the
  *                  bulk transfers that came with data, and word 1 + n % 65536 is the time at
- *                  which the n-th was handed over, nanoseconds of CLOCK_MONOTONIC.
+ *                  which the n-th was handed over, nanoseconds of CLOCK_MONOTONIC. Before that the
+ *                  thread of the camera's firmware may end what it does, on whose processor this one
+ *                  mostly runs: a camera has a processor of its own.
  *   forbidden      a node whose $USBEMU_DIR/BBB-DDD.forbidden is there gives EACCES.
  *
  * Build: cc -O2 -Wall -Wextra -shared -fPIC -o libusbemu.so usbemu.c -ldl -lpthread
@@ -34,6 +36,7 @@
 #include <linux/usbdevice_fs.h>
 #include <poll.h>
 #include <pthread.h>
+#include <sched.h>
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -159,6 +162,7 @@ static void *reader_main(void *arg) {
         char *data = m.len ? malloc(m.len) : NULL;
         if (m.len && (!data || read_all(h->sock, data, m.len))) { free(data); break; }
         if (m.type == M_GONE) { free(data); break; }
+        if (stamps) sched_yield();      /* see above */
         pthread_mutex_lock(&h->lock);
         if (m.type == M_CALL && m.id == h->call_id) { h->call_a = m.a; h->call_b = m.b; h->call_done = 1; pthread_cond_broadcast(&h->cond); }
         if (m.type == M_SUBMIT) {

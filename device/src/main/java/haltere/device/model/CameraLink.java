@@ -46,7 +46,13 @@ final class CameraLink {
       driver.connect(transport);
       decoder = driver.newDecoder(options.readings());
       buffers =
-          new ReceivedBuffers(transfers, waiting, bytes, options.whenFull(), decoder::droppedWords);
+          new ReceivedBuffers(
+              transfers,
+              waiting,
+              bytes,
+              options.whenFull(),
+              decoder::droppedWords,
+              transport.work());
       ring = new TransferRing(transport, from.address(), transfers, buffers);
     } catch (CameraProblem | RuntimeException problem) {
       driver.disconnect();

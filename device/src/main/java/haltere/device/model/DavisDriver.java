@@ -21,7 +21,7 @@ import java.util.function.LongConsumer;
 /** What a DAVIS240 or DAVIS346 with logic version 18 is told, by module and parameter. */
 final class DavisDriver
     implements CameraDriver, TimestampReset, RegionOfInterest, ClockSync, EarlyTransfer {
-  private static final DataEndpoint ENDPOINT = new DataEndpoint(0x82, 8, 8192);
+  private static final DataEndpoint ENDPOINT = new DataEndpoint(0x82, 32, 8192);
 
   private static final int RUN = 0;
   private static final int RUN_CLOCK = 1;

@@ -33,7 +33,7 @@ final class Dvs128Driver
   private static final int ASK_MASTER = 0xcb;
   private static final int LED = 0xcd;
 
-  private static final DataEndpoint ENDPOINT = new DataEndpoint(0x86, 8, 4096);
+  private static final DataEndpoint ENDPOINT = new DataEndpoint(0x86, 16, 4096);
 
   /** The first firmware that sends what it has after one millisecond rather than four. */
   private static final int FIRMWARE_OF_EARLY_TIMER = 10;

@@ -12,8 +12,8 @@ import org.usb4java.LibUsb;
  * macOS, not on Windows. One callback for the program, which is never taken back: usb4java forgets
  * a callback that is taken back while libusb may be on its way to call it.
  *
- * <p>Thread rule: all methods may be called from any thread; whoever watches is told by the thread
- * of {@link LibusbEvents}.
+ * <p>Thread rule: all methods may be called from any thread; whoever watches is told by a thread
+ * that works in {@link LibusbEvents}.
  */
 final class LibusbChanges {
   private static final int GO_ON = 0;

@@ -1,26 +1,41 @@
 package haltere.device.usb;
 
+import java.nio.IntBuffer;
+import java.util.concurrent.TimeUnit;
 import org.usb4java.Context;
 import org.usb4java.LibUsb;
 
 /**
- * The thread of the bus: calls the listeners of transfers that have ended, while a device is open.
+ * Calls the listeners of transfers that have ended, while a device is open: on the threads of
+ * consumers that wait for something, and on a thread of its own while they are busy. libusb lets
+ * one of them do so at a time; the others wait for what that one brings.
  *
- * <p>Thread rule: all methods may be called from any thread but its own.
+ * <p>Thread rule: all methods may be called from any thread that is not within a listener.
  */
-final class LibusbEvents {
-  private static final long WAIT_US = 100_000;
+final class LibusbEvents implements BusWork {
+  private static final long LONGEST_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
+
+  /** A consumer that has been away for so long is busy. */
+  private static final long BUSY_MS = 4;
+
+  private static final long BUSY_NANOS = TimeUnit.MILLISECONDS.toNanos(BUSY_MS);
+
+  /** Not oftener than this does a consumer look that has something else to do. */
+  private static final long LOOK_NANOS = TimeUnit.MICROSECONDS.toNanos(250);
 
   private final Context context;
   private int users;
   private int pauses;
+  private int consumers;
+  private long consumedNanos = System.nanoTime() - BUSY_NANOS;
+  private boolean threadWorks;
   private Thread thread;
 
   LibusbEvents(Context context) {
     this.context = context;
   }
 
-  /** Keeps the thread running until {@link #leave}. */
+  /** Has events handled until {@link #leave}. */
   synchronized void join() {
     users++;
     if (thread == null) {
@@ -34,31 +49,94 @@ final class LibusbEvents {
   void leave() {
     synchronized (this) {
       users--;
+      notifyAll();
     }
+    interrupt();
+  }
+
+  @Override
+  public void interrupt() {
     LibUsb.interruptEventHandler(context);
   }
 
+  // ---- On the thread of its own
+
   private void run() {
     while (mayGoOn()) {
-      LibUsb.handleEventsTimeout(context, WAIT_US);
+      handleFor(LONGEST_NANOS, null);
     }
   }
 
   private synchronized boolean mayGoOn() {
-    while (pauses > 0) {
-      try {
-        wait();
-      } catch (InterruptedException nobodyDoes) {
-        Thread.currentThread().interrupt();
-        break;
-      }
+    threadWorks = false;
+    long ms = untilConsumersAreBusyMs();
+    while ((pauses > 0 || (users > 0 && ms > 0)) && await(Math.max(1, ms))) {
+      ms = untilConsumersAreBusyMs();
     }
     if (users > 0) {
+      threadWorks = true;
       return true;
     }
     thread = null;
     return false;
   }
+
+  /** In what time they may be called busy at the earliest; 0 if they are, or if there is none. */
+  private long untilConsumersAreBusyMs() {
+    if (consumers > 0) {
+      return BUSY_MS;
+    }
+    long left = BUSY_NANOS - (System.nanoTime() - consumedNanos);
+    return left > 0 ? TimeUnit.NANOSECONDS.toMillis(left) + 1 : 0;
+  }
+
+  /** Waits; false if the thread was interrupted. The caller holds the monitor. */
+  private boolean await(long ms) {
+    try {
+      wait(ms);
+      return true;
+    } catch (InterruptedException interrupted) {
+      Thread.currentThread().interrupt();
+      return false;
+    }
+  }
+
+  private void handleFor(long nanos, IntBuffer noMore) {
+    LibUsb.handleEventsTimeoutCompleted(context, TimeUnit.NANOSECONDS.toMicros(nanos), noMore);
+  }
+
+  // ---- On a consumer's thread
+
+  @Override
+  public boolean doFor(long nanos, IntBuffer noMore) {
+    boolean takeOver;
+    synchronized (this) {
+      if (nanos <= 0
+          && (threadWorks || pauses > 0 || System.nanoTime() - consumedNanos < LOOK_NANOS)) {
+        return true;
+      }
+      if (pauses > 0) {
+        await(1);
+        return true;
+      }
+      consumers++;
+      takeOver = threadWorks;
+    }
+    if (takeOver) {
+      interrupt();
+    }
+    try {
+      handleFor(Math.min(nanos, LONGEST_NANOS), noMore);
+    } finally {
+      synchronized (this) {
+        consumers--;
+        consumedNanos = System.nanoTime();
+      }
+    }
+    return true;
+  }
+
+  // ---- On any
 
   /**
    * Does something while no thread is within a listener, nor on its way out of one: after a
@@ -68,7 +146,7 @@ final class LibusbEvents {
     synchronized (this) {
       pauses++;
     }
-    LibUsb.interruptEventHandler(context);
+    interrupt();
     LibUsb.lockEvents(context);
     try {
       action.run();

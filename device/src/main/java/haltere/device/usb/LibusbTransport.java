@@ -36,6 +36,11 @@ final class LibusbTransport implements UsbTransport {
   }
 
   @Override
+  public BusWork work() {
+    return events;
+  }
+
+  @Override
   public synchronized String serialNumber() throws CameraProblem {
     requireOpen();
     if (serialIndex == 0) {

@@ -6,17 +6,16 @@ import java.io.InterruptedIOException;
 import java.nio.ByteBuffer;
 import java.util.ArrayDeque;
 import java.util.Objects;
-import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Supplier;
 
 /**
- * The hand-over from the thread of the bus to the consumer's. All buffers are made at the start; if
- * too many wait for the consumer, whole transfers are dropped, and what must be known of them stays
- * in the queue at their place.
+ * What has come and waits for the consumer. All buffers are made at the start; if too many wait,
+ * whole transfers are dropped, and what must be known of them stays in the queue at their place.
  *
- * <p>Thread rule: one thread of the bus ({@link #arrived}, {@link #endOfDeviceWithin}), one
- * consumer ({@link #take}, {@link #release}); the rest from any thread.
+ * <p>Thread rule: one thread at a time works for the bus ({@link #arrived}, {@link
+ * #endOfDeviceWithin}); it may be the consumer's, of which there is one ({@link #take}, {@link
+ * #release}). The rest from any thread.
  */
 public final class ReceivedBuffers {
   private static final int ALIGNMENT = 64;
@@ -24,7 +23,7 @@ public final class ReceivedBuffers {
 
   private final WhenFull whenFull;
   private final ReentrantLock lock = new ReentrantLock();
-  private final Condition changed = lock.newCondition();
+  private final ArrivalWait change;
   private final ArrayDeque<Received> free = new ArrayDeque<>();
   private final ArrayDeque<Received> waiting = new ArrayDeque<>();
 
@@ -53,6 +52,7 @@ public final class ReceivedBuffers {
    * @param bufferBytes size of each
    * @param whenFull which are dropped if more would have to wait
    * @param notes makes empty notes of what is dropped
+   * @param work of the bus, for a consumer that waits
    * @throws IllegalArgumentException if there are none, or if all would need more than 1 GiB
    */
   public ReceivedBuffers(
@@ -60,7 +60,9 @@ public final class ReceivedBuffers {
       int waiting,
       int bufferBytes,
       WhenFull whenFull,
-      Supplier<DroppedWords> notes) {
+      Supplier<DroppedWords> notes,
+      BusWork work) {
+    change = new ArrivalWait(lock, work);
     if (transfers < 1 || waiting < 1 || bufferBytes < 1) {
       throw new IllegalArgumentException(
           transfers + " and " + waiting + " buffers of " + bufferBytes + " bytes");
@@ -130,7 +132,7 @@ public final class ReceivedBuffers {
       }
       waiting.add(received);
       mostWaiting = Math.max(mostWaiting, waiting.size());
-      changed.signalAll();
+      change.changed();
       return next;
     } finally {
       lock.unlock();
@@ -195,7 +197,7 @@ public final class ReceivedBuffers {
       }
       leaving = true;
       gone |= nanos == 0;
-      changed.signalAll();
+      change.changed();
     } finally {
       lock.unlock();
     }
@@ -214,6 +216,9 @@ public final class ReceivedBuffers {
     lock.lock();
     try {
       long left = nanos;
+      if (!waiting.isEmpty()) {
+        change.look();
+      }
       while (waiting.isEmpty() && !ended && !gone && left > 0) {
         left -= awaitChange(left);
       }
@@ -231,7 +236,7 @@ public final class ReceivedBuffers {
    */
   private long awaitChange(long nanos) throws InterruptedException {
     long start = System.nanoTime();
-    changed.awaitNanos(leaving ? Math.min(nanos, goneNanos - start) : nanos);
+    change.await(leaving ? Math.min(nanos, goneNanos - start) : nanos);
     long now = System.nanoTime();
     gone |= leaving && now - goneNanos >= 0;
     return now - start;
@@ -297,17 +302,18 @@ public final class ReceivedBuffers {
     lock.lock();
     try {
       ended = true;
-      changed.signalAll();
+      change.changed();
     } finally {
       lock.unlock();
     }
+    change.interrupt();
   }
 
   /** Ends, and counts what waits as lost too. */
   public void close() {
+    end();
     lock.lock();
     try {
-      end();
       waiting.forEach(this::abandon);
       waiting.clear();
     } finally {

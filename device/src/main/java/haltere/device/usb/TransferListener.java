@@ -1,6 +1,8 @@
 package haltere.device.usb;
 
-/** Told of the end of a transfer, on the thread of the bus, which must not be kept waiting. */
+/**
+ * Told of the end of a transfer, on a thread that works for the bus and must not be kept waiting.
+ */
 @FunctionalInterface
 public interface TransferListener {
   /**

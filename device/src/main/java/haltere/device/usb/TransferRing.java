@@ -10,14 +10,14 @@ import java.util.concurrent.locks.ReentrantLock;
 /**
  * Keeps a number of transfers under way: takes each that ends, stamps it with {@link
  * System#nanoTime}, hands its buffer over, and starts it again with another one. Does nothing else
- * on the thread of the bus.
+ * within a listener.
  *
  * <p>A transfer is started in one place only, under the lock and while the ring is {@link
  * State#RUNNING}; the ring leaves this state, and cancels what is under way, under the same lock.
  * So no transfer can start after all were cancelled, and transfers are freed only once each has
  * ended.
  *
- * <p>Thread rule: all methods may be called from any thread but that of the bus.
+ * <p>Thread rule: all methods may be called from any thread that is not within a listener.
  */
 public final class TransferRing {
   private enum State {

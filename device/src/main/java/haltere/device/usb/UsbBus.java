@@ -20,7 +20,8 @@ public interface UsbBus {
   /**
    * Has somebody told each time that a device was plugged in or pulled out.
    *
-   * @param changed called on a thread of the bus: returns at once and asks nothing of the bus
+   * @param changed called on a thread that works for the bus: returns at once and asks nothing of
+   *     the bus
    * @return a watch that the caller closes, or empty where the bus cannot tell, so that {@link
    *     #devices()} has to be asked every now and then
    * @throws CameraProblem if USB cannot be used on this computer

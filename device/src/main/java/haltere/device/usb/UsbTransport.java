@@ -6,8 +6,8 @@ import java.io.Closeable;
 /**
  * An open USB device.
  *
- * <p>Thread rule: all methods may be called from any thread but that which calls {@link
- * TransferListener}s. No call takes much longer than {@link #TIMEOUT_MS}.
+ * <p>Thread rule: all methods may be called from any thread that is not within a {@link
+ * TransferListener}. No call takes much longer than {@link #TIMEOUT_MS}.
  */
 public interface UsbTransport extends Closeable {
   /** Milliseconds after which a request is given up. */
@@ -19,6 +19,15 @@ public interface UsbTransport extends Closeable {
    * @return as it was seen
    */
   UsbDevice device();
+
+  /**
+   * The work of its bus.
+   *
+   * @return what a consumer may do while it waits
+   */
+  default BusWork work() {
+    return BusWork.ELSEWHERE;
+  }
 
   /**
    * The serial number that the device tells.

@@ -4,26 +4,20 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.Pipe;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.LockSupport;
-import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.LongSupplier;
 
 /**
  * What the machine itself takes to hand something over in the way of a camera on emulated USB:
- * bytes by a pipe to a thread that stands for the emulated kernel, from there by a pipe to one that
- * stands for that of the bus, from there by a lock to the consumer's, which then counts for as long
- * as the camera's works.
+ * bytes by a pipe to a thread that stands for the emulated kernel, from there by a pipe to the
+ * consumer's, which then counts for as long as the camera's works.
  */
 final class BareHandOver {
   private static final int BYTES = 4000;
 
   private final Pipe toKernel = Pipe.open();
-  private final Pipe toBus = Pipe.open();
+  private final Pipe toConsumer = Pipe.open();
   private final LongSupplier workNanos;
-  private final ReentrantLock lock = new ReentrantLock();
-  private final Condition arrived = lock.newCondition();
-  private long handedOverNanos;
   private volatile LatencyHistogram histogram;
 
   /**
@@ -34,12 +28,11 @@ final class BareHandOver {
   BareHandOver(LongSupplier workNanos) throws IOException {
     this.workNanos = workNanos;
     start("bare-kernel", this::kernel);
-    start("bare-bus", this::bus);
     start("bare-consumer", this::consume);
   }
 
   private interface Body {
-    void run() throws IOException, InterruptedException;
+    void run() throws IOException;
   }
 
   private static void start(String name, Body body) {
@@ -50,7 +43,7 @@ final class BareHandOver {
                 while (true) {
                   body.run();
                 }
-              } catch (IOException | InterruptedException ended) {
+              } catch (IOException ended) {
                 // the end of the measurement
               }
             },
@@ -61,41 +54,21 @@ final class BareHandOver {
 
   private final ByteBuffer kernelsBytes = ByteBuffer.allocateDirect(BYTES);
   private final ByteBuffer kernelsTime = ByteBuffer.allocateDirect(Long.BYTES);
-  private final ByteBuffer busTime = ByteBuffer.allocateDirect(Long.BYTES);
+  private final ByteBuffer consumersTime = ByteBuffer.allocateDirect(Long.BYTES);
 
   private void kernel() throws IOException {
     read(toKernel, kernelsBytes);
-    write(toBus, kernelsTime.clear().putLong(0, System.nanoTime()));
+    Thread.yield(); // as the emulated kernel does
+    write(toConsumer, kernelsTime.clear().putLong(0, System.nanoTime()));
   }
 
-  private void bus() throws IOException {
-    read(toBus, busTime);
-    lock.lock();
-    try {
-      handedOverNanos = busTime.getLong(0);
-      arrived.signalAll();
-    } finally {
-      lock.unlock();
-    }
-  }
-
-  private void consume() throws InterruptedException {
-    long handedOver;
-    lock.lock();
-    try {
-      while (handedOverNanos == 0) {
-        arrived.await();
-      }
-      handedOver = handedOverNanos;
-      handedOverNanos = 0;
-    } finally {
-      lock.unlock();
-    }
+  private void consume() throws IOException {
+    read(toConsumer, consumersTime);
     long end = System.nanoTime() + workNanos.getAsLong();
     while (System.nanoTime() < end) {
       Thread.onSpinWait();
     }
-    histogram.add(System.nanoTime() - handedOver);
+    histogram.add(System.nanoTime() - consumersTime.getLong(0));
   }
 
   private static void read(Pipe from, ByteBuffer into) throws IOException {

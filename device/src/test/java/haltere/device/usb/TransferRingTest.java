@@ -24,7 +24,12 @@ class TransferRingTest {
   private final TransfersByHand device = new TransfersByHand();
   private final ReceivedBuffers buffers =
       new ReceivedBuffers(
-          TRANSFERS, WAITING, BYTES, WhenFull.DROP_NEWEST, new Dvs128Decoder(false)::droppedWords);
+          TRANSFERS,
+          WAITING,
+          BYTES,
+          WhenFull.DROP_NEWEST,
+          new Dvs128Decoder(false)::droppedWords,
+          BusWork.ELSEWHERE);
   private final TransferRing ring = new TransferRing(device, 0x86, TRANSFERS, buffers);
 
   private int takenEvents() throws InterruptedIOException {

@@ -1,0 +1,65 @@
+package haltere.device.usb;
+
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.IntBuffer;
+import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.ReentrantLock;
+
+/**
+ * How the consumer waits for something to change: at work for the bus where that lets it, else
+ * asleep.
+ *
+ * <p>Thread rule: the lock is held, but for {@link #interrupt}.
+ */
+final class ArrivalWait {
+  private final ReentrantLock lock;
+  private final Condition changed;
+  private final BusWork work;
+
+  /** 1 once something has changed since the consumer last looked; libusb reads it. */
+  private final IntBuffer change =
+      ByteBuffer.allocateDirect(Integer.BYTES).order(ByteOrder.nativeOrder()).asIntBuffer();
+
+  ArrivalWait(ReentrantLock lock, BusWork work) {
+    this.lock = lock;
+    this.work = work;
+    changed = lock.newCondition();
+  }
+
+  /** Something has changed. Whoever is not within a listener calls {@link #interrupt} after it. */
+  void changed() {
+    change.put(0, 1);
+    changed.signalAll();
+  }
+
+  /** Has a consumer that works for the bus see what has changed; without the lock. */
+  void interrupt() {
+    work.interrupt();
+  }
+
+  /** Does what there is to do for the bus. */
+  void look() {
+    work(0);
+  }
+
+  /** Waits until something changes, or not; without the lock meanwhile. */
+  void await(long nanos) throws InterruptedException {
+    if (Thread.interrupted()) {
+      throw new InterruptedException();
+    }
+    if (nanos > 0 && !work(nanos) && change.get(0) == 0) {
+      changed.awaitNanos(nanos);
+    }
+  }
+
+  private boolean work(long nanos) {
+    change.put(0, 0);
+    lock.unlock();
+    try {
+      return work.doFor(nanos, change);
+    } finally {
+      lock.lock();
+    }
+  }
+}
