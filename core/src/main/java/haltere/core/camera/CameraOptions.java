@@ -35,7 +35,10 @@ public record CameraOptions(
   public enum WhenFull {
     /** Those that come; what is processed stays whole as long as possible. For recordings. */
     DROP_NEWEST,
-    /** Those that have waited longest. For what must be up to date. */
+    /**
+     * Those that have waited longest, and whatever a USB camera sent that has waited for half a
+     * second. For what must be up to date.
+     */
     DROP_OLDEST
   }
 

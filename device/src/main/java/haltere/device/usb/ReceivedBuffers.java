@@ -6,6 +6,7 @@ import java.io.InterruptedIOException;
 import java.nio.ByteBuffer;
 import java.util.ArrayDeque;
 import java.util.Objects;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Supplier;
 
@@ -20,6 +21,9 @@ import java.util.function.Supplier;
 public final class ReceivedBuffers {
   private static final int ALIGNMENT = 64;
   private static final long MOST_BYTES = 1L << 30;
+
+  /** The oldest may wait for so long where what is up to date is wanted. */
+  private static final long UP_TO_DATE_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
 
   private final WhenFull whenFull;
   private final ReentrantLock lock = new ReentrantLock();
@@ -50,7 +54,8 @@ public final class ReceivedBuffers {
    * @param transfers how many the device may fill at a time, at least 1
    * @param waiting how many may wait for the consumer, at least 1
    * @param bufferBytes size of each
-   * @param whenFull which are dropped if more would have to wait
+   * @param whenFull which are dropped if more would have to wait; where it is the oldest, also what
+   *     waited for half a second when something newer comes
    * @param notes makes empty notes of what is dropped
    * @param work of the bus, for a consumer that waits
    * @throws IllegalArgumentException if there are none, or if all would need more than 1 GiB
@@ -119,6 +124,9 @@ public final class ReceivedBuffers {
       if (whole && received.length() == 0) {
         return received;
       }
+      if (whenFull == WhenFull.DROP_OLDEST) {
+        dropOutdated(received.arrivedNanos());
+      }
       Received next = free.poll();
       if (next == null && whenFull == WhenFull.DROP_OLDEST) {
         next = dropOldest();
@@ -144,6 +152,12 @@ public final class ReceivedBuffers {
     note(droppedLast, received);
     lostTransfers++;
     lostEvents += droppedLast.events() - before;
+  }
+
+  private void dropOutdated(long nanos) {
+    while (!waiting.isEmpty() && nanos - waiting.peek().arrivedNanos() > UP_TO_DATE_NANOS) {
+      free.add(dropOldest());
+    }
   }
 
   private Received dropOldest() {

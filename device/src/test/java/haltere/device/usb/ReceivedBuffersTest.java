@@ -3,6 +3,7 @@ package haltere.device.usb;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertSame;
 
 import haltere.core.camera.CameraOptions.WhenFull;
 import haltere.device.protocol.Dvs128Decoder;
@@ -15,7 +16,7 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Who does the work of the bus while a consumer waits. */
+/** What waits for a consumer, for how long, and who does the work of the bus meanwhile. */
 @Timeout(60)
 class ReceivedBuffersTest {
   private static final int WAITING = 64;
@@ -36,6 +37,41 @@ class ReceivedBuffersTest {
       filling = buffers.arrived(filling);
     }
     return filling;
+  }
+
+  @Test
+  void whatMustBeUpToDateWaitsForHalfASecondAndIsCountedThen() throws Exception {
+    ReceivedBuffers buffers = buffers(WhenFull.DROP_OLDEST, BusWork.ELSEWHERE);
+    fill(buffers, 60);
+
+    assertEquals(51, buffers.counts().waiting());
+    assertEquals(9 * EVENTS, buffers.counts().lostEvents());
+    Received oldest = buffers.take(0);
+    assertEquals(90 * MS, oldest.arrivedNanos());
+    assertEquals(9, oldest.before().transfers());
+    assertEquals(9 * EVENTS, oldest.before().events());
+  }
+
+  @Test
+  void afterALongPauseOnlyWhatIsNewIsLeftWithANoteOfAllThatWas() throws Exception {
+    ReceivedBuffers buffers = buffers(WhenFull.DROP_OLDEST, BusWork.ELSEWHERE);
+    Received filling = fill(buffers, 5);
+    filling.filled(TransferEnd.COMPLETED, EVENTS * Integer.BYTES, 10_000 * MS);
+    buffers.arrived(filling);
+
+    Received only = buffers.take(0);
+    assertSame(filling, only);
+    assertEquals(5 * EVENTS, only.before().events());
+    assertNull(buffers.take(0));
+  }
+
+  @Test
+  void whatIsToBeWholeWaitsHoweverLongItTakes() {
+    ReceivedBuffers buffers = buffers(WhenFull.DROP_NEWEST, BusWork.ELSEWHERE);
+    fill(buffers, 60);
+
+    assertEquals(60, buffers.counts().waiting());
+    assertEquals(0, buffers.counts().lostEvents());
   }
 
   /** A bus on which nothing happens but what a consumer does. */
