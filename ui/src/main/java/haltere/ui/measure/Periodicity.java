@@ -25,6 +25,9 @@ final class Periodicity {
   /** Means over so small a part of the period take the noise out of long ones. */
   private static final int SMOOTHING = 16;
 
+  /** A multiple says the period more exactly than the one before: it changes it by no more. */
+  private static final double MOST_CHANGE = 0.1;
+
   private final double[] correlation;
   private final float[] centred;
 
@@ -80,6 +83,10 @@ final class Periodicity {
     while (lag <= lags && correlation[lag] > FALLEN * Math.max(correlation[1], 0)) {
       lag++;
     }
+    // what still falls is no peak, however high it is
+    while (lag <= lags && correlation[lag] <= correlation[lag - 1]) {
+      lag++;
+    }
     return lag;
   }
 
@@ -131,7 +138,12 @@ final class Periodicity {
       int near = (int) Math.rint(multiple * period);
       int around = 1 + reach / 2;
       int best = highestNear(near - around, near + around, lags, reach);
-      period = top(best, reach) / multiple;
+      double exact = top(best, reach) / multiple;
+      if (!(Math.abs(exact - period) <= MOST_CHANGE * period)) {
+        // not a multiple: what repeats does not do so for long
+        break;
+      }
+      period = exact;
     }
     return period;
   }

@@ -1,11 +1,13 @@
 package haltere.ui.measure;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.stream.Reset;
+import java.time.Duration;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
@@ -53,6 +55,38 @@ class RegionMeterTest {
     RegionMeter meter = new RegionMeter(REGION);
     meter.packet(passing(200, 1, 3));
     assertTrue(Double.isNaN(meter.reading(true).frequencyHz()));
+  }
+
+  @Test
+  void burstsAtRandomTimesAreReadSoonWhateverTheirLength() {
+    assertTimeoutPreemptively(
+        Duration.ofSeconds(30),
+        () -> {
+          for (int seed = 0; seed < 100; seed++) {
+            RegionMeter meter = new RegionMeter(REGION);
+            meter.packet(bursts(seed));
+            double frequencyHz = meter.reading(true).frequencyHz();
+            assertTrue(
+                Double.isNaN(frequencyHz) || frequencyHz >= 4 && frequencyHz <= 2500,
+                frequencyHz + " Hz of bursts " + seed);
+          }
+        });
+  }
+
+  /** Events that come in bursts, between which nothing is regular, for a second. */
+  private static EventPacket bursts(long seed) {
+    SplittableRandom random = new SplittableRandom(seed);
+    EventPacket packet = new EventPacket(1);
+    long longestUs = random.nextLong(50, 5_000);
+    long timeUs = 0;
+    while (timeUs < 1_000_000) {
+      timeUs += random.nextLong(1, 3 * longestUs);
+      long endUs = timeUs + random.nextLong(1, longestUs);
+      for (; timeUs < endUs; timeUs += random.nextLong(1, 40)) {
+        packet.append(timeUs, EventAddress.pack(15, 15, true));
+      }
+    }
+    return packet;
   }
 
   @Test
