@@ -145,8 +145,15 @@ public final class Curve {
     pending[level]++;
   }
 
-  /** Playback went back: what lies before a time stays, the rest comes anew. */
-  private void forgetFrom(long timeUs) {
+  /**
+   * Playback went back: what lies before a time stays, the rest comes anew.
+   *
+   * @param timeUs microseconds; has no effect where nothing lies there or later
+   */
+  void forgetFrom(long timeUs) {
+    if (lastUs < timeUs) {
+      return;
+    }
     for (SummaryRing ring : levels) {
       ring.truncate(timeUs);
     }

@@ -130,6 +130,20 @@ public final class Lane {
     return "";
   }
 
+  /**
+   * Playback went back: of all curves what lies before a time stays. Those that have nothing there
+   * are forgotten; a track that is found once more is another one.
+   *
+   * @param timeUs microseconds on the recording's clock
+   */
+  public void forgetFrom(long timeUs) {
+    all.forEach(curve -> curve.forgetFrom(timeUs));
+    all.removeIf(curve -> curve.lastUs() == Long.MIN_VALUE);
+    curves
+        .values()
+        .forEach(ofField -> ofField.values().removeIf(curve -> curve.lastUs() == Long.MIN_VALUE));
+  }
+
   /** Forgets all curves. */
   public void clear() {
     curves.values().forEach(Map::clear);

@@ -275,6 +275,10 @@ final class PlotPanel extends BorderPane {
     List<Lane> plotted = lanes();
     boolean came = feeds.drainTo(plotted);
     if (nowUs != status.timeUs()) {
+      if (status.timeUs() < nowUs) {
+        // curves of tracks that do not come again would stand there as if they did
+        plotted.forEach(lane -> lane.forgetFrom(status.timeUs()));
+      }
       nowUs = status.timeUs();
       startUs = status.timeUs() - status.elapsedUs();
       came = true;

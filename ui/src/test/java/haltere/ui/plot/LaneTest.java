@@ -133,4 +133,19 @@ class LaneTest {
     }
     assertEquals(TimeWindow.MIN_SPAN_US, window.spanUs());
   }
+
+  @Test
+  void tracksOfALaterTimeMakeRoomWherePlaybackGoesBack() {
+    Lane lane = new Lane(PlotField.EVENT_RATE);
+    for (int track = 0; track < Lane.MAX_CURVES; track++) {
+      lane.take(PlotField.EVENT_RATE, 1000 * track, "old " + track, 1);
+    }
+    lane.forgetFrom(3000);
+    assertEquals(
+        List.of("old 0", "old 1", "old 2"), lane.curves().stream().map(Curve::key).toList());
+    lane.take(PlotField.EVENT_RATE, 3000, "new", 2);
+    lane.take(PlotField.EVENT_RATE, 3001, "newer", 2);
+    assertEquals(5, lane.curves().size());
+    assertEquals(5, lane.curves(PlotField.EVENT_RATE).size());
+  }
 }
