@@ -50,7 +50,9 @@ final class BodyFlightFeature implements ViewerFeature {
     Stage stage = new Stage();
     stage.initOwner(window.stage());
     stage.setTitle("Orientation in space");
-    Scene scene = new Scene(new BodyFlightPane(flight), 800, 600);
+    BodyFlightPane pane = new BodyFlightPane(flight);
+    pane.setTheme(window.display().themeProperty().get());
+    Scene scene = new Scene(pane, 800, 600);
     scene.getStylesheets().setAll(window.stage().getScene().getStylesheets());
     stage.setScene(scene);
     stage.show();

@@ -42,4 +42,9 @@ final class BodyFlightPane extends BorderPane {
             ? SpaceCanvas.words(flight.moments().get(index))
             : "no orientation was found");
   }
+
+  /** Draws as a theme wants it. */
+  void setTheme(Theme theme) {
+    canvas.setTheme(theme);
+  }
 }

@@ -15,7 +15,9 @@ import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
+import javafx.scene.layout.ColumnConstraints;
 import javafx.scene.layout.GridPane;
+import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 
@@ -30,6 +32,11 @@ final class FilterTables extends VBox {
   private static final MathContext FOUR_DIGITS = new MathContext(4);
   private static final MathContext TWO_DIGITS = new MathContext(2);
   private static final double LEAST_PLAIN = 1e-3;
+
+  /** Room for "-0.001234" and "-1.23e-05". */
+  private static final double NUMBER_WIDTH = 74;
+
+  private static final double NAME_WIDTH = 80;
   private static final double MOST_PLAIN = 1e6;
 
   /** An entry and the number that it shows. */
@@ -69,10 +76,16 @@ final class FilterTables extends VBox {
 
   private Node states(WingFilterState f) {
     GridPane grid = new GridPane(6, 3);
+    ColumnConstraints names = new ColumnConstraints();
+    names.setHgrow(Priority.ALWAYS);
+    names.setMinWidth(NAME_WIDTH);
+    ColumnConstraints numbers = new ColumnConstraints(NUMBER_WIDTH);
+    grid.getColumnConstraints().addAll(names, numbers, new ColumnConstraints(), numbers);
     grid.addRow(0, heading("State"), heading("x"), heading("\u00b1 SD"), heading("Q"));
     for (int i = 0; i < f.names().size(); i++) {
       Label name = new Label(f.names().get(i) + ", " + f.units().get(i));
       name.getStyleClass().add(Styles.TEXT_SMALL);
+      name.setWrapText(true);
       Label sd = new Label();
       sd.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
       sd.setMinWidth(Region.USE_PREF_SIZE);
@@ -81,6 +94,7 @@ final class FilterTables extends VBox {
     }
     Label name = new Label("measurement R, rad\u00b2");
     name.getStyleClass().add(Styles.TEXT_SMALL);
+    name.setWrapText(true);
     TextField r = cell(Table.MEASUREMENT_NOISE, 0, 0);
     Controls.help(r, "Variance of a measurement. 0 learns it from the events.");
     grid.addRow(f.names().size() + 1, name, r);

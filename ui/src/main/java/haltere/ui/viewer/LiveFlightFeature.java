@@ -58,6 +58,7 @@ final class LiveFlightFeature implements ViewerFeature {
                     "Asks for calibrated cameras, each with the id under which it is plugged in,"
                         + " and finds a body's axis from all of them live."));
     window.sessions().sessionProperty().addListener((property, was, is) -> follow(was, is));
+    window.display().themeProperty().addListener((property, was, is) -> pane.setTheme(is));
     window.panels().onPulse(() -> flight.ifPresent(live -> pane.update(live.latest())));
   }
 
@@ -136,6 +137,7 @@ final class LiveFlightFeature implements ViewerFeature {
       } else {
         window.background().close(rig.get());
         rig = Optional.empty();
+        pane.clear();
       }
     }
   }

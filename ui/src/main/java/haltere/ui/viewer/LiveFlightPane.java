@@ -36,9 +36,20 @@ final class LiveFlightPane extends BorderPane {
     }
   }
 
+  /** Something else is open. */
+  void clear() {
+    canvas.clear();
+    words.setText(NOTHING);
+  }
+
   /** Begins with other cameras. */
   void startAnew() {
     canvas.lookAnew();
     words.setText("no orientation yet");
+  }
+
+  /** Draws as a theme wants it. */
+  void setTheme(Theme theme) {
+    canvas.setTheme(theme);
   }
 }

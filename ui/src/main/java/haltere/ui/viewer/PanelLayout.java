@@ -23,6 +23,9 @@ final class PanelLayout {
   private static final double BELOW_SHARE = 0.6;
   private static final double BESIDE_SHARE = 0.55;
 
+  /** Of the events, where much stands beside them. */
+  private static final double LEAST_SHARE = 0.34;
+
   private final Node events;
   private final Node chain;
 
@@ -176,6 +179,16 @@ final class PanelLayout {
     }
   }
 
+  /** Where the dividers go when several panels stand beside the events: all of them get alike. */
+  private static double[] shares(int panels) {
+    double first = Math.max(LEAST_SHARE, BESIDE_SHARE - 0.1 * (panels - 1));
+    double[] places = new double[panels];
+    for (int i = 0; i < panels; i++) {
+      places[i] = first + (1 - first) * i / panels;
+    }
+    return places;
+  }
+
   private void showBeside(Node panel, boolean show) {
     if (show && row.getItems().isEmpty()) {
       left.getItems().remove(events);
@@ -186,7 +199,7 @@ final class PanelLayout {
       row.getItems().remove(panel);
     } else if (!row.getItems().contains(panel)) {
       row.getItems().add(panel);
-      row.setDividerPositions(BESIDE_SHARE);
+      row.setDividerPositions(shares(row.getItems().size() - 1));
     }
     if (row.getItems().size() == 1) {
       row.getItems().clear();

@@ -1,6 +1,7 @@
 package haltere.ui.viewer;
 
 import haltere.ui.overlay.JavaFxOverlayCanvas;
+import haltere.ui.rendering.ColourMap;
 import haltere.ui.space.BodyFlight;
 import haltere.ui.space.BodyFlightDrawing;
 import haltere.ui.space.SpaceView;
@@ -23,6 +24,7 @@ final class SpaceCanvas extends KeyPane {
   private final SpaceView view = new SpaceView();
   private final Canvas canvas = new Canvas();
   private final JavaFxOverlayCanvas marks = new JavaFxOverlayCanvas(canvas.getGraphicsContext2D());
+  private Color background = JavaFxOverlayCanvas.colour(ColourMap.DARK.background());
   private BodyFlightDrawing drawing;
   private int index;
   private double pressedX;
@@ -84,6 +86,19 @@ final class SpaceCanvas extends KeyPane {
     redraw();
   }
 
+  /** Draws on the background of a theme. */
+  void setTheme(Theme theme) {
+    background = JavaFxOverlayCanvas.colour(theme.colours().background());
+    marks.setDark(theme == Theme.DARK);
+    redraw();
+  }
+
+  /** Shows nothing. */
+  void clear() {
+    drawing = null;
+    lookAnew();
+  }
+
   /** Looks at what is shown as if nothing had been shown before. */
   void lookAnew() {
     fitted = false;
@@ -92,7 +107,7 @@ final class SpaceCanvas extends KeyPane {
 
   private void redraw() {
     var graphics = canvas.getGraphicsContext2D();
-    graphics.setFill(Color.rgb(20, 22, 26));
+    graphics.setFill(background);
     graphics.fillRect(0, 0, canvas.getWidth(), canvas.getHeight());
     if (drawing == null) {
       return;

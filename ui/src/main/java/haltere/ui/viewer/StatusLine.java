@@ -112,6 +112,13 @@ final class StatusLine extends HBox {
     showMessage();
   }
 
+  /** What was being done has come to an end, if it is that which is said. */
+  void endActivity(String words) {
+    if (activity.equals(words)) {
+      setActivity("");
+    }
+  }
+
   /** Shows what the player is doing; called a few times a second. */
   void update(PlayerStatus newStatus, double framesPerSecond, long conflatedFrames) {
     status = newStatus;
@@ -155,7 +162,7 @@ final class StatusLine extends HBox {
     message.setText(text);
     Controls.help(message, text);
     message.pseudoClassStateChanged(ERROR, isError);
-    message.pseudoClassStateChanged(WARNING, late && !isError);
+    message.pseudoClassStateChanged(WARNING, late && !isError && activity.isEmpty());
     dismiss.setVisible(isError);
     dismiss.setManaged(isError);
     more.setVisible(isError && !details.isEmpty());

@@ -67,14 +67,17 @@ record ViewerContext(
    */
   void bindTool(BooleanProperty on, ViewTool tool) {
     EventView view = panels.view();
+    String hint = tool.hint() + BY_KEYS;
     on.addListener(
         (property, was, is) -> {
           if (is) {
             view.setTool(Optional.of(tool));
-            status.setActivity(tool.hint() + BY_KEYS);
-          } else if (view.tool().filter(held -> held == tool).isPresent()) {
-            view.setTool(Optional.empty());
-            status.setActivity("");
+            status.setActivity(hint);
+          } else {
+            if (view.tool().filter(held -> held == tool).isPresent()) {
+              view.setTool(Optional.empty());
+            }
+            status.endActivity(hint);
           }
         });
     view.onToolChange(held -> on.set(held.filter(other -> other == tool).isPresent()));

@@ -1,6 +1,7 @@
 package haltere.ui.viewer;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.playback.Slicing;
@@ -103,8 +104,9 @@ class SeeingTest {
     viewer.press(KeyCode.G);
     viewer.waitFor("the other tool", () -> view.tool().orElseThrow() instanceof RegionTool);
     assertEquals("", viewer.onFx(seeing().tape()::words));
-    viewer.press(KeyCode.G);
+    viewer.press(KeyCode.ESCAPE);
     viewer.waitFor("none", () -> view.tool().isEmpty());
+    assertFalse(viewer.text("status-message").contains("Esc"), "and no hint");
   }
 
   @Test
