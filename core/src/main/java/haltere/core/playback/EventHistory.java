@@ -50,6 +50,28 @@ final class EventHistory {
           && timeUs >= firstTimeUs;
     }
 
+    /** Keeps events, the first of which it takes, as far as they fit; index behind the last. */
+    int append(EventPacket packet, int from) {
+      int to = Math.min(packet.size(), from + CHUNK_EVENTS - count);
+      if (packet.timeUs(to - 1) - firstTimeUs > Integer.MAX_VALUE) {
+        to = packet.indexAtOrAfter(firstTimeUs + Integer.MAX_VALUE + 1L, from);
+      }
+      copyTimes(packet.timesUs(), from, to);
+      System.arraycopy(packet.addresses(), from, addresses, count, to - from);
+      count += to - from;
+      return to;
+    }
+
+    /** By itself, the compiler makes vectors of this loop. */
+    private void copyTimes(long[] timesUs, int from, int to) {
+      int[] target = sinceFirstUs;
+      int shift = count - from;
+      long first = firstTimeUs;
+      for (int i = from; i < to; i++) {
+        target[shift + i] = (int) (timesUs[i] - first);
+      }
+    }
+
     int indexAtOrAfter(long elapsedUs) {
       int low = 0;
       int high = count;
@@ -132,15 +154,15 @@ final class EventHistory {
   /** Keeps events; reading must be at the end. */
   void append(EventPacket packet, long offsetUs) {
     long[] times = packet.timesUs();
-    int[] addresses = packet.addresses();
     Chunk last = pending == null && !isEmpty() ? chunks.get(chunks.size() - 1) : null;
-    for (int i = 0; i < packet.size(); i++) {
-      if (last == null || !last.takes(times[i], offsetUs)) {
-        last = begin(times[i], offsetUs);
+    int from = 0;
+    while (from < packet.size()) {
+      if (last == null || !last.takes(times[from], offsetUs)) {
+        last = begin(times[from], offsetUs);
       }
-      last.sinceFirstUs[last.count] = (int) (times[i] - last.firstTimeUs);
-      last.addresses[last.count++] = addresses[i];
-      events++;
+      int to = last.append(packet, from);
+      events += to - from;
+      from = to;
     }
     toEnd();
   }

@@ -227,14 +227,15 @@ class KeptPlayableTest {
   @Test
   void whatIsKeptIsTheSameHoweverTheSourceCutsItsPackets() throws IOException {
     SplittableRandom random = new SplittableRandom(5);
-    EventHistory history = new EventHistory(ROOM);
+    EventHistory history = new EventHistory(16 * ROOM);
     List<Long> expected = new ArrayList<>();
     long timeUs = 40;
     while (expected.size() < 3 * EventHistory.CHUNK_EVENTS) {
       EventPacket packet = new EventPacket(16);
       int size = random.nextInt(4000);
       for (int i = 0; i < size; i++) {
-        timeUs += random.nextInt(5);
+        // now and then a silence that is too long for one stretch
+        timeUs += random.nextInt(4000) == 0 ? 3_000_000_000L : random.nextInt(5);
         packet.append(timeUs, i % 16, 3, (i & 1) == 0);
         expected.add(timeUs);
       }

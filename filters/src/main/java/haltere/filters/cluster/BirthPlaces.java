@@ -180,29 +180,42 @@ final class BirthPlaces {
   }
 
   private boolean isBirth(int column, int row) {
+    int left = Math.max(0, column - 1);
+    int right = Math.min(columns - 1, column + 1);
+    int bottom = Math.max(0, row - 1);
+    int top = Math.min(rows - 1, row + 1);
     double events = 0;
-    double x = 0;
-    double y = 0;
-    double squares = 0;
-    long first = Long.MAX_VALUE;
-    for (int r = Math.max(0, row - 1); r <= Math.min(rows - 1, row + 1); r++) {
-      for (int c = Math.max(0, column - 1); c <= Math.min(columns - 1, column + 1); c++) {
-        int cell = r * columns + c;
+    for (int r = bottom; r <= top; r++) {
+      for (int cell = r * columns + left; cell <= r * columns + right; cell++) {
         double recent = recent(cell);
-        if (recent > 0.5) {
-          double share = recent / count[cell];
-          events += recent;
-          x += share * sumX[cell];
-          y += share * sumY[cell];
-          squares += share * sumSquares[cell];
-          first = Math.min(first, firstUs[cell]);
-        }
+        events += recent > 0.5 ? recent : 0;
       }
     }
     // What came since the last upkeep is not in the mean yet, at the beginning nothing is.
     double noise = CONTRAST * sinceUpkeep * Math.min(1, 9.0 * (1 << 2 * shift) / area);
     if (events < needed || events < noise) {
       return false;
+    }
+    return isSpread(events, left, right, bottom, top);
+  }
+
+  /** Whether recent events of some cells are not one flickering pixel's; where they are. */
+  private boolean isSpread(double events, int left, int right, int bottom, int top) {
+    double x = 0;
+    double y = 0;
+    double squares = 0;
+    long first = Long.MAX_VALUE;
+    for (int r = bottom; r <= top; r++) {
+      for (int cell = r * columns + left; cell <= r * columns + right; cell++) {
+        double recent = recent(cell);
+        if (recent > 0.5) {
+          double share = recent / count[cell];
+          x += share * sumX[cell];
+          y += share * sumY[cell];
+          squares += share * sumSquares[cell];
+          first = Math.min(first, firstUs[cell]);
+        }
+      }
     }
     bornX = x / events;
     bornY = y / events;

@@ -227,11 +227,8 @@ final class Cluster {
   /** Takes an event that is nobody else's. */
   void take(int eventX, int eventY, int sign, long timeUs) {
     double dt = carried(timeUs);
-    take(eventX, eventY, sign, timeUs, x + vx * dt, y + vy * dt);
-  }
-
-  /** The same, where the centre at the time of the event has been worked out. */
-  void take(int eventX, int eventY, int sign, long timeUs, double px, double py) {
+    double px = x + vx * dt;
+    double py = y + vy * dt;
     double ownX = eventX - sign * leadX;
     double ownY = eventY - sign * leadY;
     double ex = ownX - px;

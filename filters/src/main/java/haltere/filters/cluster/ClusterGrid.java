@@ -9,7 +9,7 @@ import java.util.Arrays;
  */
 final class ClusterGrid {
   /** Cells along the longer side, about. */
-  private static final int CELLS = 48;
+  private static final int CELLS = 96;
 
   /** Clusters that a cell names; where there are more, all have to be looked at. */
   private static final int NAMED = 4;

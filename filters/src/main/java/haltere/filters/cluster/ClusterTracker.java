@@ -207,22 +207,15 @@ public final class ClusterTracker {
     int cell = grid.cellOf(x, y);
     int candidates = grid.count(cell);
     if (candidates > 0) {
-      Cluster cluster = onlyTaker(cell, candidates, x, y, timeUs);
-      if (cluster == null) {
-        cluster = contest(cell, candidates, x, y, sign, timeUs);
-        if (cluster != null) {
-          return cluster.isVisible();
-        }
-      } else {
-        double carried = cluster.carried(timeUs);
-        double px = cluster.x + cluster.vx * carried;
-        double py = cluster.y + cluster.vy * carried;
-        double distance = cluster.distance(x - px, y - py, box);
-        if (distance < 1) {
-          cluster.take(x, y, sign, timeUs, px, py);
-          taken(cluster, distance);
-          return cluster.isVisible();
-        }
+      Cluster first = clusters.all[grid.name(cell, 0)];
+      Cluster taker =
+          switch (candidates) {
+            case 1 -> takeAlone(first, x, y, sign, timeUs);
+            case 2 -> takeOfTwo(first, clusters.all[grid.name(cell, 1)], x, y, sign, timeUs);
+            default -> takeOfMany(cell, candidates, x, y, sign, timeUs);
+          };
+      if (taker != null) {
+        return taker.isVisible();
       }
     }
     if (places.add(x, y, timeUs)) {
@@ -231,39 +224,39 @@ public final class ClusterTracker {
     return false;
   }
 
-  /** The only one of the clusters of a cell that may take an event, or null if that is in doubt. */
-  private Cluster onlyTaker(int cell, int candidates, int x, int y, long timeUs) {
-    Cluster first = clusters.all[grid.name(cell, 0)];
-    if (candidates == 1) {
-      return first;
-    }
-    if (candidates > 2) {
+  /** Gives an event to a cluster if it is in its region, else to none, which is null. */
+  private Cluster takeAlone(Cluster only, int x, int y, int sign, long timeUs) {
+    double distance = only.distance(x, y, timeUs, box);
+    if (!(distance < 1)) {
       return null;
     }
-    Cluster second = clusters.all[grid.name(cell, 1)];
-    double toFirst = first.distance(x, y, timeUs, box);
-    double toSecond = second.distance(x, y, timeUs, box);
-    Cluster nearer = toFirst < toSecond ? first : second;
-    return Math.max(toFirst, toSecond) < 1 ? null : nearer;
+    give(only, x, y, sign, timeUs, distance);
+    return only;
   }
 
-  private void give(Cluster cluster, int x, int y, int sign, long timeUs, double distance) {
-    cluster.take(x, y, sign, timeUs);
-    taken(cluster, distance);
-  }
-
-  /** Looks after a cluster that has just taken an event that far from its centre. */
-  private void taken(Cluster cluster, double distance) {
-    if (inhibition > 0 && distance > cluster.surroundFrom) {
-      cluster.mass = Math.max(0, cluster.mass - 1 - inhibition);
+  /** Gives an event to one of two clusters, or to both; to the one that is more likely its own. */
+  private Cluster takeOfTwo(Cluster first, Cluster second, int x, int y, int sign, long timeUs) {
+    double distance = first.distance(x, y, timeUs, box);
+    if (!(distance < 1)) {
+      return takeAlone(second, x, y, sign, timeUs);
     }
-    if (cluster.hasLeftIndex()) {
-      index();
+    double other = second.distance(x, y, timeUs, box);
+    if (!(other < 1)) {
+      give(first, x, y, sign, timeUs, distance);
+      return first;
     }
+    double likelihood = first.likelihood(x, y, sign, timeUs);
+    double otherLikelihood = second.likelihood(x, y, sign, timeUs);
+    if (otherLikelihood > likelihood) {
+      share(second, first, x, y, sign, timeUs, otherLikelihood, likelihood, other);
+      return second;
+    }
+    share(first, second, x, y, sign, timeUs, likelihood, otherLikelihood, distance);
+    return first;
   }
 
   /** Shares an event among the two clusters that it is most likely to belong to. */
-  private Cluster contest(int cell, int candidates, int x, int y, int sign, long timeUs) {
+  private Cluster takeOfMany(int cell, int candidates, int x, int y, int sign, long timeUs) {
     Cluster first = null;
     Cluster second = null;
     double firstDistance = 0;
@@ -297,23 +290,47 @@ public final class ClusterTracker {
         next = likelihood;
       }
     }
-    if (second == null) {
-      if (first != null) {
-        give(first, x, y, sign, timeUs, firstDistance);
-      }
-      return first;
+    if (second != null) {
+      share(first, second, x, y, sign, timeUs, best, next, firstDistance);
+    } else if (first != null) {
+      give(first, x, y, sign, timeUs, firstDistance);
     }
+    return first;
+  }
+
+  /**
+   * Shares an event among two by how likely it is each one's, unless the second is too unlikely.
+   */
+  private void share(
+      Cluster first,
+      Cluster second,
+      int x,
+      int y,
+      int sign,
+      long timeUs,
+      double best,
+      double next,
+      double firstDistance) {
     double share = next / (best + next);
     if (!(share >= LEAST_SHARE)) {
       give(first, x, y, sign, timeUs, firstDistance);
-    } else {
-      first.take(x, y, sign, timeUs, 1 - share);
-      second.take(x, y, sign, timeUs, share);
-      if (first.hasLeftIndex() || second.hasLeftIndex()) {
-        index();
-      }
+      return;
     }
-    return first;
+    first.take(x, y, sign, timeUs, 1 - share);
+    second.take(x, y, sign, timeUs, share);
+    if (first.hasLeftIndex() || second.hasLeftIndex()) {
+      index();
+    }
+  }
+
+  private void give(Cluster cluster, int x, int y, int sign, long timeUs, double distance) {
+    cluster.take(x, y, sign, timeUs);
+    if (inhibition > 0 && distance > cluster.surroundFrom) {
+      cluster.mass = Math.max(0, cluster.mass - 1 - inhibition);
+    }
+    if (cluster.hasLeftIndex()) {
+      index();
+    }
   }
 
   private void birth(int x, int y, long timeUs) {
