@@ -7,14 +7,18 @@ import java.util.concurrent.TimeUnit;
 /**
  * The only way for packets from one thread to another: a fixed number of packets that go round,
  * free ones to the producer, filled ones to the consumer. All are made at the start, so memory is
- * bounded.
+ * bounded. Of the free ones the one that was released last is given out first, because it is still
+ * in the processors' caches.
  *
  * <p>Thread rule: one producer ({@link #take}, {@link #poll}, {@link #hand}) and one consumer
  * ({@link #receive}, {@link #tryReceive}, {@link #release}); each owns a packet between getting it
  * and giving it away.
  */
 public final class PacketPool {
-  private final ArrayBlockingQueue<EventPacket> free;
+  /** The first {@link #freeCount} of these are free; also the lock of both. */
+  private final EventPacket[] free;
+
+  private int freeCount;
   private final ArrayBlockingQueue<EventPacket> filled;
 
   /**
@@ -27,10 +31,10 @@ public final class PacketPool {
     if (packets < 2) {
       throw new IllegalArgumentException("a pool has at least 2 packets, not " + packets);
     }
-    free = new ArrayBlockingQueue<>(packets);
+    free = new EventPacket[packets];
     filled = new ArrayBlockingQueue<>(packets);
-    for (int i = 0; i < packets; i++) {
-      free.add(new EventPacket(capacity));
+    while (freeCount < packets) {
+      free[freeCount++] = new EventPacket(capacity);
     }
   }
 
@@ -41,7 +45,12 @@ public final class PacketPool {
    * @throws InterruptedException if the thread is interrupted
    */
   public EventPacket take() throws InterruptedException {
-    return free.take();
+    synchronized (free) {
+      while (freeCount == 0) {
+        free.wait();
+      }
+      return free[--freeCount];
+    }
   }
 
   /**
@@ -50,7 +59,9 @@ public final class PacketPool {
    * @return an empty packet, or null
    */
   public EventPacket poll() {
-    return free.poll();
+    synchronized (free) {
+      return freeCount == 0 ? null : free[--freeCount];
+    }
   }
 
   /**
@@ -101,7 +112,13 @@ public final class PacketPool {
    */
   public void release(EventPacket packet) {
     packet.clear();
-    free.add(packet);
+    synchronized (free) {
+      if (freeCount == free.length) {
+        throw new IllegalStateException("the pool is full");
+      }
+      free[freeCount++] = packet;
+      free.notify();
+    }
   }
 
   /**
