@@ -19,7 +19,7 @@ import javafx.scene.transform.Scale;
  * The letters of the window's font, drawn by JavaFX once, all together, when the first words come,
  * and copied from then on. What is in no word of the program is drawn as a question mark.
  *
- * <p>Thread rule: JavaFX thread only.
+ * <p>Thread rule: JavaFX thread only until {@link #isLoaded() they are loaded}.
  */
 public final class FontLetters implements Letters {
   private static final String MORE = "\u00b0\u00b1\u00b2\u00b3\u00b5\u00b7\u00d7\u2013\u2026\u2212";
@@ -102,7 +102,17 @@ public final class FontLetters implements Letters {
     return known != null ? known : letters.get('?');
   }
 
-  private void load() {
+  /**
+   * Whether the letters have been drawn; from then on any thread may copy them.
+   *
+   * @return false before the first words, or {@link #load()}
+   */
+  public boolean isLoaded() {
+    return !letters.isEmpty();
+  }
+
+  /** Draws the letters if that has not been done. */
+  public void load() {
     if (!letters.isEmpty()) {
       return;
     }

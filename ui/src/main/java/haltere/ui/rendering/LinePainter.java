@@ -46,40 +46,69 @@ final class LinePainter {
     }
     dx /= length;
     dy /= length;
-    boolean steep = Math.abs(dy) > Math.abs(dx);
-    double reach = half + 1;
-    // how far the line reaches across, on the axis that it is not mostly along
-    double across = reach / (steep ? Math.abs(dy) : Math.abs(dx));
-    double from = (steep ? Math.min(y1, y2) : Math.min(x1, x2)) - reach;
-    double to = (steep ? Math.max(y1, y2) : Math.max(x1, x2)) + reach;
-    int first = Math.max(0, (int) from);
-    int last = Math.min((steep ? height : width) - 1, (int) to + 1);
-    double slope = steep ? dx / dy : dy / dx;
-    for (int along = first; along <= last; along++) {
-      double middle = steep ? x1 + (along + 0.5 - y1) * slope : y1 + (along + 0.5 - x1) * slope;
-      int low = Math.max(0, (int) (middle - across));
-      int high = Math.min((steep ? width : height) - 1, (int) (middle + across));
-      for (int beside = low; beside <= high; beside++) {
-        double px = (steep ? beside : along) + 0.5 - x1;
-        double py = (steep ? along : beside) + 0.5 - y1;
-        double forward = px * dx + py * dy;
-        double aside = Math.abs(px * dy - py * dx);
-        double share = covered(aside, Math.max(-forward, forward - length), half, round);
-        if (share > 0) {
-          blend(steep ? along * width + beside : beside * width + along, argb, share);
-        }
-      }
+    if (Math.abs(dy) > Math.abs(dx)) {
+      stroke(y1, x1, dy, dx, length, half, argb, round, height, width, width, 1);
+    } else {
+      stroke(x1, y1, dx, dy, length, half, argb, round, width, height, 1, width);
     }
   }
 
-  /** Share of a pixel that lies so far aside of a line and beyond its ends. */
-  private static double covered(double aside, double beyond, double half, boolean round) {
-    if (beyond <= 0) {
-      return Math.min(1, half + 0.5 - aside);
+  /**
+   * A line that is mostly along the first of two axes.
+   *
+   * @param a1 where it begins on the first axis
+   * @param b1 where it begins on the second axis
+   * @param da its direction, of length 1
+   * @param limitA pixels on the first axis
+   * @param limitB pixels on the second axis
+   * @param stepA from a pixel to the next on the first axis
+   * @param stepB from a pixel to the next on the second axis
+   */
+  private void stroke(
+      double a1,
+      double b1,
+      double da,
+      double db,
+      double length,
+      double half,
+      int argb,
+      boolean round,
+      int limitA,
+      int limitB,
+      int stepA,
+      int stepB) {
+    double reach = half + 0.5;
+    // how far the line reaches across, on the second axis
+    double across = reach / Math.abs(da);
+    double slope = db / da;
+    double a2 = a1 + length * da;
+    int first = Math.max(0, (int) (Math.min(a1, a2) - reach));
+    int last = Math.min(limitA - 1, (int) (Math.max(a1, a2) + reach));
+    for (int along = first; along <= last; along++) {
+      double pa = along + 0.5 - a1;
+      double middle = b1 + pa * slope;
+      int low = Math.max(0, (int) Math.ceil(middle - across - 0.5));
+      int high = Math.min(limitB - 1, (int) Math.floor(middle + across - 0.5));
+      double forward = pa * da + (low + 0.5 - b1) * db;
+      double aside = pa * db - (low + 0.5 - b1) * da;
+      int index = along * stepA + low * stepB;
+      for (int beside = low; beside <= high; beside++) {
+        double beyond = Math.max(-forward, forward - length);
+        double share = Math.min(1, reach - Math.abs(aside));
+        if (beyond > 0) {
+          share =
+              round
+                  ? Math.min(1, reach - Math.sqrt(aside * aside + beyond * beyond))
+                  : share * (0.5 - beyond);
+        }
+        if (share > 0) {
+          blend(index, argb, share);
+        }
+        forward += db;
+        aside -= da;
+        index += stepB;
+      }
     }
-    return round
-        ? Math.min(1, half + 0.5 - Math.sqrt(aside * aside + beyond * beyond))
-        : Math.min(1, half + 0.5 - aside) * Math.max(0, 0.5 - beyond);
   }
 
   private boolean isOutside(double x1, double y1, double x2, double y2, double reach) {

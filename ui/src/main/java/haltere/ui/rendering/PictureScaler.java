@@ -24,7 +24,15 @@ public final class PictureScaler {
 
   private int widest;
   private int sourceWidth;
+
+  /**
+   * Of each source column the highest of the rows that make one of the target; behind them, of each
+   * the higher of that and the next column's.
+   */
   private int[] combined = new int[0];
+
+  /** Where in {@link #combined} each column of the target is found, if none takes more than two. */
+  private int[] places = {};
 
   /**
    * Says which part is shown and how large.
@@ -49,12 +57,14 @@ public final class PictureScaler {
     columns = edges(fromX, scale, width, newSourceWidth);
     rows = edges(fromY, scale, height, sourceHeight);
     lastColumns = new int[width];
+    places = new int[width];
     widest = 0;
     for (int x = 0; x < width; x++) {
       lastColumns[x] = Math.max(columns[x], columns[x + 1] - 1);
+      places[x] = columns[x] + (lastColumns[x] > columns[x] ? newSourceWidth : 0);
       widest = Math.max(widest, columns[x + 1] - columns[x]);
     }
-    combined = new int[newSourceWidth];
+    combined = new int[2 * newSourceWidth];
   }
 
   private static int[] edges(double from, double scale, int count, int limit) {
@@ -107,21 +117,28 @@ public final class PictureScaler {
   }
 
   private void reduceRow(int[] ranked, int fromRow, int toRow, int[] target, int to) {
-    int[] line = ranked;
-    int start = fromRow * sourceWidth;
-    if (toRow - fromRow > 1) {
-      combine(ranked, fromRow, toRow);
-      line = combined;
-      start = 0;
-    }
+    combine(ranked, fromRow, toRow);
     int width = columns.length - 1;
+    if (widest <= 2) {
+      combineColumns();
+      for (int x = 0; x < width; x++) {
+        target[to + x] = combined[places[x]] | OPAQUE;
+      }
+      return;
+    }
     for (int x = 0; x < width; x++) {
-      int colour = Math.max(line[start + columns[x]], line[start + lastColumns[x]]);
+      int colour = Math.max(combined[columns[x]], combined[lastColumns[x]]);
       for (int column = columns[x] + 1; column < lastColumns[x]; column++) {
-        colour = Math.max(colour, line[start + column]);
+        colour = Math.max(colour, combined[column]);
       }
       target[to + x] = colour | OPAQUE;
     }
+  }
+
+  private void combineColumns() {
+    int first = columns[0];
+    int count = lastColumns[lastColumns.length - 1] - first;
+    highest(combined, first, combined, first + 1, combined, sourceWidth + first, count);
   }
 
   /** Of each column in sight the colour of the highest rank. */
@@ -130,14 +147,15 @@ public final class PictureScaler {
     int count = lastColumns[lastColumns.length - 1] + 1 - first;
     System.arraycopy(ranked, fromRow * sourceWidth + first, combined, first, count);
     for (int row = fromRow + 1; row < toRow; row++) {
-      highest(ranked, row * sourceWidth + first, combined, first, count);
+      highest(ranked, row * sourceWidth + first, combined, first, combined, first, count);
     }
   }
 
   /** By itself, the compiler makes vectors of this loop. */
-  private static void highest(int[] ranked, int from, int[] combined, int to, int count) {
+  private static void highest(
+      int[] one, int fromOne, int[] other, int fromOther, int[] target, int to, int count) {
     for (int i = 0; i < count; i++) {
-      combined[to + i] = Math.max(combined[to + i], ranked[from + i]);
+      target[to + i] = Math.max(one[fromOne + i], other[fromOther + i]);
     }
   }
 }

@@ -10,7 +10,14 @@ import haltere.core.overlay.OverlayCanvas;
  * <p>Thread rule: one thread at a time.
  */
 public final class PixelOverlayCanvas implements OverlayCanvas {
+  /** Most corners of an ellipse. */
   private static final int CORNERS = 64;
+
+  /** Corners for each root of a pixel of the radius, which are off by a tenth of a pixel. */
+  private static final double CORNERS_PER_ROOT = 7;
+
+  /** Points of a path that are nearer to the one before, in pixels, are left out. */
+  private static final double LEAST_STEP = 1;
 
   /** Room around words, units of the view. */
   private static final double MARGIN = 3;
@@ -86,8 +93,17 @@ public final class PixelOverlayCanvas implements OverlayCanvas {
 
   @Override
   public void polyline(double[] x, double[] y, int points, MarkStyle style) {
+    double fromX = points > 0 ? pixelX(x[0]) : 0;
+    double fromY = points > 0 ? pixelY(y[0]) : 0;
     for (int i = 1; i < points; i++) {
-      segment(pixelX(x[i - 1]), pixelY(y[i - 1]), pixelX(x[i]), pixelY(y[i]), style);
+      double toX = pixelX(x[i]);
+      double toY = pixelY(y[i]);
+      // a path of something slow has many points in a pixel
+      if (i == points - 1 || Math.abs(toX - fromX) + Math.abs(toY - fromY) >= LEAST_STEP) {
+        segment(fromX, fromY, toX, toY, style);
+        fromX = toX;
+        fromY = toY;
+      }
     }
   }
 
@@ -99,16 +115,26 @@ public final class PixelOverlayCanvas implements OverlayCanvas {
   @Override
   public void ellipse(
       double x, double y, double radiusA, double radiusB, double angleRad, MarkStyle style) {
+    double larger = Math.max(radiusA, radiusB) * scale;
+    int corners = (int) Math.max(8, Math.min(CORNERS, CORNERS_PER_ROOT * Math.sqrt(larger)));
     double cos = Math.cos(angleRad);
     double sin = Math.sin(angleRad);
-    for (int i = 0; i <= CORNERS; i++) {
-      double turn = 2 * Math.PI * (i % CORNERS) / CORNERS;
-      double a = radiusA * Math.cos(turn);
-      double b = radiusB * Math.sin(turn);
+    double stepCos = Math.cos(2 * Math.PI / corners);
+    double stepSin = Math.sin(2 * Math.PI / corners);
+    double turnCos = 1;
+    double turnSin = 0;
+    for (int i = 0; i < corners; i++) {
+      double a = radiusA * turnCos;
+      double b = radiusB * turnSin;
       ellipseX[i] = x + a * cos - b * sin;
       ellipseY[i] = y + a * sin + b * cos;
+      double before = turnCos;
+      turnCos = turnCos * stepCos - turnSin * stepSin;
+      turnSin = turnSin * stepCos + before * stepSin;
     }
-    polyline(ellipseX, ellipseY, CORNERS + 1, style);
+    ellipseX[corners] = ellipseX[0];
+    ellipseY[corners] = ellipseY[0];
+    polyline(ellipseX, ellipseY, corners + 1, style);
   }
 
   @Override

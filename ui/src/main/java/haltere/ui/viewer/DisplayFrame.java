@@ -9,8 +9,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * A finished picture: the pixels and the marks of the same moment. Filled by the processing thread,
- * shown by the JavaFX thread, handed over by a {@link haltere.ui.rendering.FrameExchange}.
+ * A finished picture: the pixels and the marks of the same moment. Filled by the thread that
+ * paints, shown by the JavaFX thread, handed over by a {@link haltere.ui.rendering.FrameExchange}.
  */
 final class DisplayFrame {
   /** A snapshot of results with what draws it. */
@@ -24,6 +24,12 @@ final class DisplayFrame {
 
   /** One for each of the sensor's, row by row from the top, with its rank for the scaler. */
   final int[] pixels;
+
+  /** The same as it is on the screen, with the marks; of use if there is a place. */
+  int[] screen = {};
+
+  /** What part of the sensor the screen's pixels show. */
+  Optional<ScreenPlace> screenPlace = Optional.empty();
 
   List<Marks<?>> marks = List.of();
 

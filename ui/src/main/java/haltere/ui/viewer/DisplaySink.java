@@ -17,8 +17,9 @@ import java.util.Optional;
  * events are gathered and painted by a {@link PictureMaker}, on a {@link PictureThread} of its own
  * or at once.
  *
- * <p>Thread rule: {@link #setOptions}, {@link #point}, {@link #setRegion}, {@link #isStale()} and
- * the exchange's showing side are for the JavaFX thread, all else for the processing thread.
+ * <p>Thread rule: {@link #setOptions}, {@link #setScreenPlace}, {@link #point}, {@link #setRegion},
+ * {@link #isStale()} and the exchange's showing side are for the JavaFX thread, all else for the
+ * processing thread.
  */
 final class DisplaySink implements SliceSink {
   private final LayerTaps taps;
@@ -28,7 +29,7 @@ final class DisplaySink implements SliceSink {
   private DisplaySink(
       SensorGeometry geometry, FilterChain chain, DisplayOptions options, boolean apart) {
     taps = new LayerTaps(chain);
-    maker = new PictureMaker(geometry, options);
+    maker = new PictureMaker(geometry, options, apart);
     thread = apart ? Optional.of(new PictureThread(maker::packet)) : Optional.empty();
   }
 
@@ -48,6 +49,11 @@ final class DisplaySink implements SliceSink {
 
   void setOptions(DisplayOptions newOptions) {
     maker.setOptions(newOptions);
+  }
+
+  /** Where frames are drawn as they are on the screen, or nowhere. */
+  void setScreenPlace(Optional<ScreenPlace> place) {
+    maker.setScreenPlace(place);
   }
 
   /** The mouse is over a pixel, or over none. */

@@ -45,9 +45,6 @@ final class EventView extends Region implements ArrowKeys {
   private int pointedY;
 
   private SensorGeometry geometry = new SensorGeometry(1, 1);
-  private List<DisplayFrame.Marks<?>> shownMarks = List.of();
-  private boolean dark = true;
-  private boolean marksVisible = true;
   private double dragX;
   private double dragY;
   private Optional<ViewTool> tool = Optional.empty();
@@ -96,10 +93,9 @@ final class EventView extends Region implements ArrowKeys {
 
   /** Prepares for frames of another sensor. */
   void setGeometry(SensorGeometry newGeometry, ColourMap colours) {
-    dark = colours.dark();
     if (!newGeometry.equals(geometry)) {
       geometry = newGeometry;
-      picture.setGeometry(geometry, colours.background());
+      picture.setGeometry(geometry, colours);
       viewpoint.setSensor(geometry);
       requestLayout();
     }
@@ -110,9 +106,7 @@ final class EventView extends Region implements ArrowKeys {
     if (!frame.geometry.equals(geometry)) {
       return;
     }
-    picture.setPixels(frame.pixels);
-    shownMarks = frame.marks;
-    dark = frame.dark;
+    picture.setFrame(frame);
     if (readout.isVisible()) {
       frame
           .pixel
@@ -126,8 +120,13 @@ final class EventView extends Region implements ArrowKeys {
 
   /** Shows or hides the marks. */
   void setMarksVisible(boolean visible) {
-    marksVisible = visible;
+    picture.setMarksVisible(visible);
     redraw();
+  }
+
+  /** Where another thread may draw frames as they are on the screen; empty where it need not. */
+  Optional<ScreenPlace> screenPlace() {
+    return picture.screenPlace();
   }
 
   /** Tells somebody which pixel is under the mouse. */
@@ -244,15 +243,10 @@ final class EventView extends Region implements ArrowKeys {
   }
 
   private void redraw() {
-    picture.draw(this::drawMarks, dark);
+    picture.draw(this::drawLayers);
   }
 
-  private void drawMarks(OverlayCanvas canvas) {
-    if (marksVisible) {
-      for (DisplayFrame.Marks<?> snapshot : shownMarks) {
-        snapshot.draw(canvas);
-      }
-    }
+  private void drawLayers(OverlayCanvas canvas) {
     layers.forEach(layer -> layer.accept(canvas));
     tool.ifPresent(held -> held.draw(canvas));
     keys.draw(canvas);

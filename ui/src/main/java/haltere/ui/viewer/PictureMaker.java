@@ -18,14 +18,22 @@ import java.util.Optional;
  * Gathers events, and at the end of a slice paints a frame for the window to fetch.
  *
  * <p>Where slices end faster than the window shows frames, some are not painted; {@link #isStale()}
- * then tells the window to ask for the last one.
+ * then tells the window to ask for the last one. While slices run on, and events fade, one is also
+ * painted in the midst of a slice where the window would have none for its next pulse.
  *
- * <p>Thread rule: {@link #setOptions}, {@link #point}, {@link #setRegion}, {@link #isStale()} and
- * the exchange's showing side from any thread, all else on the thread that paints.
+ * <p>Thread rule: {@link #setOptions}, {@link #setScreenPlace}, {@link #point}, {@link #setRegion},
+ * {@link #isStale()} and the exchange's showing side from any thread, all else on the thread that
+ * paints.
  */
 final class PictureMaker {
   /** No more than one frame in this time replaces another that nobody has seen. */
   private static final long MIN_FRAME_NANOS = 25_000_000;
+
+  /** Slices that follow each other within this time run on: nobody looks at single ones. */
+  private static final long RUNNING_NANOS = 20_000_000;
+
+  /** While slices run on, the window waits at most so long for one to end. */
+  private static final long LONGEST_WAIT_NANOS = 1_500_000;
 
   /** Decay that follows the slices: this many times their length, within these limits. */
   private static final double DECAY_PER_SLICE = 2.5;
@@ -37,14 +45,28 @@ final class PictureMaker {
   private final ViewProbes probes = new ViewProbes();
   private final FrameExchange<DisplayFrame> exchange;
   private volatile DisplayOptions options;
+  private final ScreenPainter painter = new ScreenPainter();
+  private volatile Optional<ScreenPlace> screenPlace = Optional.empty();
   private volatile boolean stale;
   private double sliceUs = 8_333;
   private long lastSliceUs = 8_333;
+  private final boolean betweenSlices;
+  private List<DisplayFrame.Marks<?>> lastMarks = List.of();
   private long paintedNanos;
+  private long sliceEndNanos;
+  private boolean runsOn;
+  private boolean waits;
+  private long waitsFromNanos;
   private boolean exposed;
 
-  PictureMaker(SensorGeometry geometry, DisplayOptions options) {
+  /**
+   * A maker without events.
+   *
+   * @param betweenSlices whether it may also paint in the midst of a slice, see the class comment
+   */
+  PictureMaker(SensorGeometry geometry, DisplayOptions options, boolean betweenSlices) {
     this.options = options;
+    this.betweenSlices = betweenSlices;
     events = new EventPicture(geometry, style());
     exchange = new FrameExchange<>(() -> new DisplayFrame(geometry));
   }
@@ -56,6 +78,11 @@ final class PictureMaker {
   void setOptions(DisplayOptions newOptions) {
     options = newOptions;
     stale = true;
+  }
+
+  /** Where frames are drawn as they are on the screen, or nowhere: they are drawn elsewhere. */
+  void setScreenPlace(Optional<ScreenPlace> place) {
+    screenPlace = place;
   }
 
   /** The mouse is over a pixel, or over none. */
@@ -87,11 +114,29 @@ final class PictureMaker {
     }
     events.packet(packet);
     probes.packet(packet);
+    if (betweenSlices && runsOn && !events.style().sharp() && isOverdue()) {
+      paint(lastMarks);
+    }
+  }
+
+  /** Whether the window has been without a new frame for too long. */
+  private boolean isOverdue() {
+    boolean waited = waits;
+    waits = !exchange.isPending();
+    if (!waits) {
+      return false;
+    }
+    long nanos = System.nanoTime();
+    if (!waited) {
+      waitsFromNanos = nanos;
+    }
+    return nanos - waitsFromNanos >= LONGEST_WAIT_NANOS;
   }
 
   void notified(StreamNotification notification) {
     events.notified(notification);
     probes.notified(notification);
+    runsOn = false;
   }
 
   /** A slice ends of which no frame is wanted now. */
@@ -105,7 +150,11 @@ final class PictureMaker {
   /** A slice ends; its frame is painted unless the window has no use for it. */
   void showSlice(long fromUs, long toUs, List<DisplayFrame.Marks<?>> marks) {
     endSlice(fromUs, toUs);
-    if (exchange.isPending() && System.nanoTime() - paintedNanos < MIN_FRAME_NANOS) {
+    lastMarks = marks;
+    long nanos = System.nanoTime();
+    runsOn = nanos - sliceEndNanos < RUNNING_NANOS;
+    sliceEndNanos = nanos;
+    if (exchange.isPending() && nanos - paintedNanos < MIN_FRAME_NANOS) {
       stale = true;
     } else {
       paint(marks);
@@ -124,8 +173,19 @@ final class PictureMaker {
     frame.timeUs = events.frame().nowUs();
     frame.dark = events.style().dark();
     frame.marks = marks;
+    frame.screenPlace = screenPlace;
+    frame.screenPlace.ifPresent(place -> paintScreen(frame, place));
     exchange.publish();
     paintedNanos = System.nanoTime();
+  }
+
+  private void paintScreen(DisplayFrame frame, ScreenPlace place) {
+    int size = place.columns() * place.rows();
+    if (frame.screen.length != size) {
+      frame.screen = new int[size];
+    }
+    painter.configure(frame.geometry, place);
+    painter.paint(frame.pixels, frame.marks, frame.dark, frame.screen);
   }
 
   /** A picture of the present moment of usual size, with what lies over it. */

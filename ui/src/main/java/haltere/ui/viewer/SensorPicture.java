@@ -4,11 +4,12 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.overlay.OverlayCanvas;
 import haltere.ui.overlay.FontLetters;
 import haltere.ui.overlay.JavaFxOverlayCanvas;
+import haltere.ui.rendering.ColourMap;
 import haltere.ui.rendering.PictureScaler;
-import haltere.ui.rendering.PixelOverlayCanvas;
 import java.nio.IntBuffer;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
 import javafx.geometry.Rectangle2D;
 import javafx.scene.Node;
@@ -21,23 +22,30 @@ import javafx.scene.text.Font;
 
 /**
  * The pixels of the sensor on the screen, and the marks over them. With a graphics card the card
- * enlarges the pixels and a canvas takes the marks; without one all of it is drawn here, because
- * JavaFX's own software takes several milliseconds for it.
+ * enlarges the pixels and a canvas takes the marks; without one all of it is drawn into pixels,
+ * because JavaFX's own software takes several milliseconds for it: by the thread that paints
+ * frames, once it has been told {@link #screenPlace where}, else here.
  *
  * <p>Thread rule: JavaFX thread only.
  */
 final class SensorPicture {
+  /** So many pictures are not kept waiting by the loading of letters that they may not need. */
+  private static final int FIRST_PICTURES = 10;
+
   private final ImageView image = new ImageView();
   private final boolean scaleHere;
-  private final PictureScaler scaler = new PictureScaler();
+  private final ScreenPainter painter = new ScreenPainter();
   private final Canvas canvas = new Canvas();
   private final JavaFxOverlayCanvas canvasMarks =
       new JavaFxOverlayCanvas(canvas.getGraphicsContext2D());
-  private PixelOverlayCanvas pixelMarks;
+  private FontLetters letters;
   private double density;
   private SensorGeometry geometry = new SensorGeometry(1, 1);
-  private int[] newest = new int[1];
+  private DisplayFrame newest = new DisplayFrame(geometry);
   private PixelBuffer<IntBuffer> pixels;
+  private Optional<ScreenPlace> place = Optional.empty();
+  private boolean marksVisible = true;
+  private int drawn;
 
   /**
    * An empty picture.
@@ -58,11 +66,13 @@ final class SensorPicture {
   }
 
   /** Prepares for another sensor. */
-  void setGeometry(SensorGeometry newGeometry, int background) {
+  void setGeometry(SensorGeometry newGeometry, ColourMap colours) {
     geometry = newGeometry;
-    newest = new int[geometry.pixels()];
-    Arrays.fill(newest, background & 0xFFFFFF);
+    newest = new DisplayFrame(geometry);
+    newest.dark = colours.dark();
+    Arrays.fill(newest.pixels, colours.background() & 0xFFFFFF);
     pixels = null;
+    place = Optional.empty();
   }
 
   /**
@@ -83,6 +93,7 @@ final class SensorPicture {
     double toX = Math.min(geometry.width(), (width - left) / scale);
     double toY = Math.min(geometry.height(), (height - top) / scale);
     image.setVisible(toX > fromX && toY > fromY);
+    place = Optional.empty();
     if (!image.isVisible()) {
       return;
     }
@@ -91,22 +102,30 @@ final class SensorPicture {
     double bottom = top + geometry.height() * scale;
     image.setX(imageX);
     image.setY(imageY);
-    if (scaleHere && density != newDensity) {
-      density = newDensity;
-      pixelMarks =
-          new PixelOverlayCanvas(
-              new FontLetters(Font.font(JavaFxOverlayCanvas.FONT_SIZE), density));
-    }
     if (scaleHere) {
+      if (density != newDensity) {
+        density = newDensity;
+        letters = new FontLetters(Font.font(JavaFxOverlayCanvas.FONT_SIZE), density);
+      }
       int columns = Math.max(1, (int) Math.ceil((toX - fromX) * scale * density - 1e-6));
       int rows = Math.max(1, (int) Math.ceil((toY - fromY) * scale * density - 1e-6));
       allocate(columns, rows);
-      scaler.configure(
-          geometry.width(), geometry.height(), fromX, fromY, scale * density, columns, rows);
       image.setSmooth(false);
       image.setFitWidth(columns / density);
       image.setFitHeight(rows / density);
-      pixelMarks.setView(scale, left - imageX, bottom - imageY, density);
+      place =
+          Optional.of(
+              new ScreenPlace(
+                  fromX,
+                  fromY,
+                  scale,
+                  density,
+                  columns,
+                  rows,
+                  left - imageX,
+                  bottom - imageY,
+                  letters,
+                  marksVisible));
     } else {
       allocate(geometry.width(), geometry.height());
       image.setSmooth(scale * newDensity < 1);
@@ -121,9 +140,26 @@ final class SensorPicture {
     }
   }
 
-  /** The pixels to be drawn next, which must stay as they are until there are others. */
-  void setPixels(int[] ranked) {
-    newest = ranked;
+  /**
+   * Where another thread may draw frames; empty where a graphics card does it, nothing is in sight,
+   * or letters are still to be loaded.
+   */
+  Optional<ScreenPlace> screenPlace() {
+    return letters != null && letters.isLoaded() ? place : Optional.empty();
+  }
+
+  /** The frame to be drawn next, which must stay as it is until there is another. */
+  void setFrame(DisplayFrame frame) {
+    newest = frame;
+    if (letters != null && drawn < FIRST_PICTURES && ++drawn == FIRST_PICTURES) {
+      letters.load();
+    }
+  }
+
+  /** Whether marks of filters are drawn. */
+  void setMarksVisible(boolean visible) {
+    marksVisible = visible;
+    place = place.map(now -> now.withMarks(visible));
   }
 
   private void allocate(int width, int height) {
@@ -141,33 +177,42 @@ final class SensorPicture {
   /**
    * Draws all anew.
    *
-   * @param marks draws what lies over the pixels
-   * @param dark whether the pixels are dark
+   * @param layers draws what lies over the frame and its marks
    */
-  void draw(Consumer<OverlayCanvas> marks, boolean dark) {
+  void draw(Consumer<OverlayCanvas> layers) {
     if (pixels == null || !image.isVisible()) {
       return;
     }
     int[] shown = pixels.getBuffer().array();
     if (scaleHere) {
-      scaler.scale(newest, shown);
-      pixelMarks.setTarget(shown, pixels.getWidth(), pixels.getHeight());
-      pixelMarks.setDark(dark);
-      marks.accept(pixelMarks);
+      drawPixels(place.orElseThrow(), shown, layers);
     } else {
-      PictureScaler.makeOpaque(newest, shown);
-      drawOnCanvas(marks, dark);
+      PictureScaler.makeOpaque(newest.pixels, shown);
+      drawOnCanvas(layers);
     }
     pixels.updateBuffer(all -> null);
   }
 
-  private void drawOnCanvas(Consumer<OverlayCanvas> marks, boolean dark) {
+  private void drawPixels(ScreenPlace there, int[] shown, Consumer<OverlayCanvas> layers) {
+    painter.configure(geometry, there);
+    if (newest.screenPlace.equals(place)) {
+      System.arraycopy(newest.screen, 0, shown, 0, shown.length);
+    } else {
+      painter.paint(newest.pixels, newest.marks, newest.dark, shown);
+    }
+    layers.accept(painter.over(shown, newest.dark));
+  }
+
+  private void drawOnCanvas(Consumer<OverlayCanvas> layers) {
     if (canvas.isVisible()) {
       canvas.getGraphicsContext2D().clearRect(0, 0, canvas.getWidth(), canvas.getHeight());
     }
-    canvasMarks.setDark(dark);
+    canvasMarks.setDark(newest.dark);
     long before = canvasMarks.marks();
-    marks.accept(canvasMarks);
+    if (marksVisible) {
+      newest.marks.forEach(snapshot -> snapshot.draw(canvasMarks));
+    }
+    layers.accept(canvasMarks);
     canvas.setVisible(canvasMarks.marks() != before);
   }
 }

@@ -151,6 +151,7 @@ final class ViewerPanels extends BorderPane {
 
   /** Brings all panels up to date with a session; called at each pulse of JavaFX. */
   void pulse(ViewerSession open, long nowNanos) {
+    open.display().setScreenPlace(view.screenPlace());
     DisplayFrame frame = open.display().exchange().fetch();
     if (frame != null) {
       view.show(frame);
