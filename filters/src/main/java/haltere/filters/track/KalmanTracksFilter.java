@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /**
  * {@link TrackEstimator} as a stage of a chain. Lets all events through. Publishes
@@ -143,8 +144,17 @@ public final class KalmanTracksFilter extends PublishingFilter<KalmanTracksSetti
         }
       }
       if (drawn) {
-        snapshots.publish(new TrackSnapshot(timeUs, shown));
+        snapshots.publish(new TrackSnapshot(timeUs, shown, marks()));
       }
+    }
+
+    private Optional<RoadMarks> marks() {
+      RoadMapping road = estimator.road();
+      return road == null
+          ? Optional.empty()
+          : Optional.of(
+              new RoadMarks(
+                  road, estimator.geometry(), settings().road().lanes(), counter.lines()));
     }
 
     private TrackPoint point(Track track, long timeUs) {
@@ -164,6 +174,7 @@ public final class KalmanTracksFilter extends PublishingFilter<KalmanTracksSetti
     }
 
     private RoadTrackPoint roadPoint(Track track, MotionModes motion, long timeUs) {
+      double unsure = track.line.grounding.speedShare();
       return new RoadTrackPoint(
           timeUs,
           track.id,
@@ -173,10 +184,10 @@ public final class KalmanTracksFilter extends PublishingFilter<KalmanTracksSetti
           motion.vy(),
           Math.sqrt(motion.covariance(0, 0)),
           Math.sqrt(motion.covariance(1, 1)),
-          Math.sqrt(motion.covariance(2, 2)),
-          Math.sqrt(motion.covariance(3, 3)),
+          Math.hypot(Math.sqrt(motion.covariance(2, 2)), unsure * motion.vx()),
+          Math.hypot(Math.sqrt(motion.covariance(3, 3)), unsure * motion.vy()),
           RoadSpeed.kmH(motion),
-          RoadSpeed.sdKmH(motion),
+          RoadSpeed.sdKmH(track, motion),
           settings().road().lanes().laneAt(motion.x()));
     }
 

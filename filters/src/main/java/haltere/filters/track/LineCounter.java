@@ -1,11 +1,15 @@
 package haltere.filters.track;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.Consumer;
 
 /**
  * Counts tracks on a road that cross lines. A track is on one side of a line once it is clear of it
  * by half a metre and twice its standard deviation, so that one that stands on a line is counted
- * once at most.
+ * once at most. It is counted where it goes to the other side on its way, and not again before it
+ * has come back: what is followed may turn out to be another part of the vehicle. A vehicle whose
+ * lower edge may be outside the picture is counted when it is known where it is.
  *
  * <p>Thread rule: that of its owner.
  */
@@ -26,23 +30,38 @@ final class LineCounter {
     counts = new long[lines.lines()][2 * (lanes.lanes() + 1)];
   }
 
+  /** The lines with how many have crossed them in all lanes. */
+  List<RoadMarks.Line> lines() {
+    List<RoadMarks.Line> all = new ArrayList<>(counts.length);
+    for (int line = 0; line < counts.length; line++) {
+      long away = 0;
+      long towards = 0;
+      for (int entry = 0; entry < counts[line].length; entry += 2) {
+        away += counts[line][entry];
+        towards += counts[line][entry + 1];
+      }
+      all.add(new RoadMarks.Line(lines.distanceM(line), away, towards));
+    }
+    return all;
+  }
+
   /** Looks at a track after an update. */
   void look(Track track) {
     if (lines.lines() == 0) {
       return;
     }
     MotionModes motion = track.motion;
-    byte[] sides = track.sides(lines.lines());
+    LineSides sides = track.sides;
+    sides.setLines(lines.lines());
+    boolean mayCount = !track.line.grounding.isHidden();
     double clear = Math.max(CLEAR_M, 2 * Math.sqrt(motion.covariance(1, 1)));
+    double vy = motion.vy();
+    int way = vy * vy < motion.covariance(3, 3) ? 0 : vy > 0 ? 1 : -1;
     for (int i = 0; i < lines.lines(); i++) {
       double beyond = motion.y() - lines.distanceM(i);
-      if (Math.abs(beyond) < clear) {
-        continue;
-      }
-      byte side = (byte) (beyond > 0 ? 1 : -1);
-      byte before = sides[i];
-      sides[i] = side;
-      if (before != 0 && before != side) {
+      if (Math.abs(beyond) >= clear
+          && (mayCount || sides.isNew(i))
+          && sides.cross(i, beyond > 0 ? 1 : -1, way)) {
         count(i, track, beyond);
       }
     }
@@ -67,7 +86,7 @@ final class LineCounter {
             away ? LineCrossing.Direction.AWAY : LineCrossing.Direction.TOWARDS,
             lane,
             RoadSpeed.kmH(motion),
-            RoadSpeed.sdKmH(motion),
+            RoadSpeed.sdKmH(track, motion),
             row[entry],
             row[entry + 1]));
   }

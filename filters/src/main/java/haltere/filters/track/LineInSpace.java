@@ -14,19 +14,37 @@ final class LineInSpace {
   private static final double SIGMAS = 2;
   private static final double ASIDE_SHARE = 0.6;
   private static final double ASIDE_M = 0.2;
+  private static final double ALIKE_SIGMAS = 3;
+  private static final double ALIKE_SHARE = 0.07;
   private static final double NEARER_M = 2.5;
 
-  /** Most vehicles are shorter. */
-  private static final double FARTHER_M = 7;
+  /** Most lorries are shorter. */
+  private static final double FARTHER_M = 12;
 
-  /** No vehicle is three times as high as it is wide. */
-  private static final double MOST_HALVES = 6;
+  /** As far above, in half widths, as the roof of a lorry or a helmet seems to be. */
+  private static final double MOST_HALVES = 12;
 
   private double xM;
   private double yM;
   private double vyMS;
   private double varianceVy;
   private double halfWidthM;
+
+  /** Whether this and the other move alike, one behind the other, at most so many metres apart. */
+  boolean isBehind(LineInSpace other, double mostM) {
+    double sd = Math.sqrt(varianceVy + other.varianceVy);
+    double unlike = Math.abs(vyMS - other.vyMS);
+    return vyMS * other.vyMS > 0
+        && unlike < Math.max(ALIKE_SIGMAS * sd, ALIKE_SHARE * Math.abs(other.vyMS))
+        && yM > other.yM
+        && yM < other.yM + mostM
+        && Math.abs(xM - other.xM) < halfWidthM + other.halfWidthM + ASIDE_M;
+  }
+
+  /** How far behind the other it is if it is above that one. */
+  double behindM(LineInSpace other) {
+    return yM * other.vyMS / vyMS - other.yM;
+  }
 
   void set(double x, double y, double vy, double variance, double halfWidth) {
     xM = x;
@@ -38,6 +56,22 @@ final class LineInSpace {
 
   void set(Track track, MotionModes motion) {
     set(motion.x(), motion.y(), motion.vy(), motion.covariance(3, 3), track.line.halfWidthM);
+  }
+
+  double xM() {
+    return xM;
+  }
+
+  double yM() {
+    return yM;
+  }
+
+  double vyMS() {
+    return vyMS;
+  }
+
+  double halfWidthM() {
+    return halfWidthM;
   }
 
   /**
@@ -56,9 +90,10 @@ final class LineInSpace {
     }
     double farther = yM / scale - other.yM;
     double wide = Math.max(halfWidthM / scale, other.halfWidthM);
+    double within = other.halfWidthM - halfWidthM / scale;
     return farther > -NEARER_M
         && farther < FARTHER_M
         && gapHalfWidths > 0
-        && Math.abs(xM / scale - other.xM) < ASIDE_SHARE * wide + ASIDE_M;
+        && Math.abs(xM / scale - other.xM) < Math.max(ASIDE_SHARE * wide, within) + ASIDE_M;
   }
 }

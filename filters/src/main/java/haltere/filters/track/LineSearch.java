@@ -18,6 +18,9 @@ final class LineSearch {
   /** Usual speed, for how long a line is looked back at. */
   private static final double USUAL_M_S = 16;
 
+  /** Slow lines are looked back at for longer by this. */
+  private static final double SLOW_FACTOR = 4;
+
   private static final double FASTEST_M_S = 70;
   private static final double ROWS_BACK = 5;
   private static final double SHORTEST_S = 0.08;
@@ -34,6 +37,12 @@ final class LineSearch {
 
   /** The best speed has to have this many times the events of any that is not next to it. */
   private static final double CLEAR = 1.25;
+
+  /**
+   * Square of what a row may be off the line by, in standard deviations, on average: rows of
+   * several lines that only look like one are off by more.
+   */
+  private static final double MOST_MISFIT = 6;
 
   /** Speeds that differ by less than this share are next to one another. */
   private static final double OTHER_SHARE = 0.2;
@@ -59,6 +68,10 @@ final class LineSearch {
   double covarianceYvy;
   double varianceVy;
   double halfWidthM;
+
+  /** Whether the side of the picture hides a part of it. */
+  boolean isCut;
+
   boolean on;
   int lastRow;
   double lastColumn;
@@ -77,12 +90,18 @@ final class LineSearch {
    * @return false if there is no line with a speed of its own
    */
   boolean find(LineSeed seed, long nowUs, double sdPx) {
+    double usualS = ROWS_BACK * events.metresPerRow(seed.row) / USUAL_M_S;
+    double backS = Math.max(SHORTEST_S, Math.min(LONGEST_S, usualS));
+    double slowBackS = Math.min(LONGEST_S, SLOW_FACTOR * usualS);
+    return find(seed, nowUs, sdPx, backS)
+        || slowBackS > backS && find(seed, nowUs, sdPx, slowBackS);
+  }
+
+  private boolean find(LineSeed seed, long nowUs, double sdPx, double backS) {
     int seedRow = seed.row;
     double seedM = events.distanceM(seedRow);
-    double perRow = events.metresPerRow(seedRow);
-    double backS = Math.max(SHORTEST_S, Math.min(LONGEST_S, ROWS_BACK * perRow / USUAL_M_S));
     gather(seed, nowUs, backS);
-    double stepMS = ON_LINE_PX * perRow / backS;
+    double stepMS = ON_LINE_PX * events.metresPerRow(seedRow) / backS;
     double speed = bestSpeed(seedM, seed.ageS, seedRow, stepMS);
     if (Double.isNaN(speed)) {
       return false;
@@ -204,7 +223,22 @@ final class LineSearch {
     varianceY = wtt / determinant;
     varianceVy = w / determinant;
     covarianceYvy = -wt / determinant;
-    return true;
+    return misfit(seedRow, sdPx) <= MOST_MISFIT * (rows - 2);
+  }
+
+  /** Squares of what the rows are off the line by, in standard deviations. */
+  private double misfit(int seedRow, double sdPx) {
+    double misfit = 0;
+    for (int k = 0; k < ROWS; k++) {
+      if (rowEvents[k] >= 2) {
+        int row = k + seedRow - ROWS / 2;
+        double ageS = rowAge[k] / rowEvents[k];
+        double off = events.distanceM(row) - yM - vyMS * ageS;
+        double sds = off / (sdPx * events.metresPerRow(row));
+        misfit += sds * sds;
+      }
+    }
+    return misfit;
   }
 
   private boolean measureAcross() {
@@ -226,12 +260,12 @@ final class LineSearch {
     halfWidthM = Math.sqrt(3 * Math.max(0, squares / n - xM * xM));
     double left = events.lateralM(1, lastRow);
     double right = events.lateralM(width - 2, lastRow);
+    boolean isCutLeft = xM - halfWidthM < left;
+    boolean isCutRight = xM + halfWidthM > right;
+    isCut = isCutLeft || isCutRight;
     double hidden = Math.max(0, USUAL_HALF_M - halfWidthM);
-    if (xM - halfWidthM < left && xM + halfWidthM < right) {
-      xM -= hidden;
-      halfWidthM += hidden;
-    } else if (xM + halfWidthM > right && xM - halfWidthM > left) {
-      xM += hidden;
+    if (isCutLeft != isCutRight) {
+      xM += isCutLeft ? -hidden : hidden;
       halfWidthM += hidden;
     }
     return halfWidthM > NARROWEST_M;

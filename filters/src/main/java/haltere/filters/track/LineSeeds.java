@@ -15,6 +15,11 @@ final class LineSeeds {
   private static final int WIDEST_GAP = 2;
   private static final double WIDEST_M = 4;
 
+  /** So far beside a piece of a line nothing else of its row is passed at the same time. */
+  private static final double BESIDE_M = 3;
+
+  private static final double PIECE_SHARE = 0.4;
+
   private final RoadEvents events;
   private final int[] inRow;
   private boolean[] columns;
@@ -84,9 +89,19 @@ final class LineSeeds {
         run = 0;
       }
     }
-    if (best >= LEAST_COLUMNS) {
+    if (best >= LEAST_COLUMNS && !isPiece(key / 2, bestFrom, bestTo, best)) {
       keep(key, bestFrom, bestTo, best, nowUs);
     }
+  }
+
+  /** Whether so much more of the row was passed at the same time that it is of something wider. */
+  private boolean isPiece(int row, int from, int to, int run) {
+    int beside = (int) Math.ceil(BESIDE_M / events.metresPerColumn(row));
+    int more = 0;
+    for (int c = Math.max(0, from - beside); c < Math.min(columns.length, to + beside + 1); c++) {
+      more += columns[c] && (c < from || c > to) ? 1 : 0;
+    }
+    return more > PIECE_SHARE * run;
   }
 
   private void keep(int key, int from, int to, int run, long nowUs) {

@@ -3,6 +3,7 @@ package haltere.filters.track;
 import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import java.util.Arrays;
 
 /**
  * The events of the last second on the road, each with the place of the road that its pixel sees.
@@ -16,6 +17,7 @@ final class RoadEvents {
   private static final int MOST_BACK = 1 << 14;
 
   private static final long LONGEST_BACK_US = 1_000_000;
+  private static final long FILLED_US = 100_000;
 
   private final RoadMapping road;
   private final double[] distanceM;
@@ -25,6 +27,7 @@ final class RoadEvents {
   private int[] addresses = new int[2 * MOST_BACK];
   private boolean[] taken = new boolean[2 * MOST_BACK];
   private int mask = 2 * MOST_BACK - 1;
+  private final boolean[] heard;
   private long added;
   private long from;
   private long to;
@@ -35,6 +38,7 @@ final class RoadEvents {
     distanceM = new double[rows];
     metresPerColumn = new double[rows];
     metresPerRow = new double[rows];
+    heard = new boolean[rows];
     for (int row = 0; row < rows; row++) {
       boolean seen = road.onRoad(row);
       distanceM[row] = seen ? road.distanceM(row) : Double.NaN;
@@ -136,6 +140,32 @@ final class RoadEvents {
 
   void take(long event) {
     taken[(int) event & mask] = true;
+  }
+
+  /**
+   * Share of the rows strictly between two in which there were events of late, in a band from the
+   * one row's columns to the other's.
+   */
+  double filledShare(int low, int high, double lowLateralM, double highLateralM, double halfM) {
+    int rows = high - low - 1;
+    if (rows <= 0) {
+      return 1;
+    }
+    Arrays.fill(heard, 0, rows, false);
+    int filled = 0;
+    long sinceUs = to > 0 ? timeUs(to - 1) - FILLED_US : 0;
+    for (long i = to - 1; isRemembered(i, sinceUs); i--) {
+      int row = row(i);
+      if (row > low && row < high && !heard[row - low - 1]) {
+        double share = (double) (row - low) / (high - low);
+        double middleM = lowLateralM + share * (highLateralM - lowLateralM);
+        if (Math.abs(lateralM(column(i), row) - middleM) < halfM) {
+          heard[row - low - 1] = true;
+          filled++;
+        }
+      }
+    }
+    return (double) filled / rows;
   }
 
   /** Metres to the right of the road that a pixel sees. */

@@ -25,6 +25,8 @@ final class RoadLine {
   private static final double STANDING_EVENTS = 2;
   private static final double LOST_ROWS = 2.5;
 
+  private static final double USUAL_LENGTH_M = 4.4;
+  private static final double LONGEST_M = 12;
   private static final double SIDE_PX = 2;
   private static final double LEAST_GATE_PX = 0.7;
   private static final double GATE_SIGMAS = 2.5;
@@ -41,10 +43,18 @@ final class RoadLine {
   private static final double WIDTH_GAIN = 0.05;
   private static final double COLUMN_VARIANCE = 0.1;
 
+  /** Whether it is sure to be on the road. */
+  final Grounding grounding = new Grounding();
+
   double halfWidthM;
+  private double lengthM;
   private boolean on;
   private double extentPx;
   private int lastRow;
+
+  /** Which way it goes: 1 to higher rows, -1 to lower ones. */
+  private int forward;
+
   private long lastRowUs;
   private double lastSpeedMS;
   private double lastColumn;
@@ -61,6 +71,7 @@ final class RoadLine {
   private double perColumnM;
   private double halfPx;
   private double visiblePx;
+  private double ownPx;
   private double gatePx;
   private boolean isCutLeft;
   private boolean isCutRight;
@@ -79,6 +90,7 @@ final class RoadLine {
   void begin(LineSearch found, long timeUs) {
     halfWidthM = found.halfWidthM;
     extentPx = 0;
+    lengthM = USUAL_LENGTH_M;
     recent = 0;
     bodyUs = timeUs;
     nowUs = timeUs;
@@ -95,6 +107,7 @@ final class RoadLine {
   private void turnTo(LineSearch found, long timeUs) {
     on = found.on;
     lastRow = found.lastRow;
+    forward = found.vyMS > 0 ? 1 : -1;
     lastColumn = found.lastColumn;
     lastSpeedMS = Math.abs(found.vyMS);
     lastRowUs = timeUs;
@@ -127,6 +140,18 @@ final class RoadLine {
     Arrays.fill(sumAgeUs, 0);
     Arrays.fill(leftmost, Double.POSITIVE_INFINITY);
     Arrays.fill(rightmost, Double.NEGATIVE_INFINITY);
+  }
+
+  /** Says how far above the line all that is seen is of the vehicle. */
+  void setOwn(double px) {
+    ownPx = px;
+  }
+
+  /**
+   * Up to so far above the line all that is seen is of the vehicle: what is higher may be another.
+   */
+  double ownPx() {
+    return ownPx;
   }
 
   /** How far above the line an event is, or NaN if it is beside the vehicle, flat or upright. */
@@ -186,6 +211,16 @@ final class RoadLine {
     extentPx = Math.max(extentPx, abovePx);
   }
 
+  /** Takes note of a part of the vehicle so far behind the line on the road. */
+  void stretchTo(double alongM) {
+    lengthM = Math.min(LONGEST_M, Math.max(lengthM, alongM));
+  }
+
+  /** How long the vehicle seems to be; at least as long as a car. */
+  double lengthM() {
+    return lengthM;
+  }
+
   /** Whether there is something of the vehicle on most of the way to a line so far above. */
   boolean mayReach(double abovePx) {
     return abovePx < REACH_SHARE * extentPx + REACH_PX;
@@ -194,6 +229,11 @@ final class RoadLine {
   /** Whether the vehicle moves, but its line has not been seen for much too long. */
   boolean isLost() {
     return recent > MOVING_EVENTS && Math.abs(rowPerUs) * (nowUs - lastRowUs) > LOST_ROWS;
+  }
+
+  /** Whether a speed along the road is on its way. */
+  boolean goes(double alongMS) {
+    return alongMS * forward > 0;
   }
 
   /** Whether nothing but noise is heard of the vehicle. */
@@ -209,10 +249,14 @@ final class RoadLine {
     return firstRow + k;
   }
 
-  /** Whether enough of the line was seen in the k-th row that is looked at. */
+  /**
+   * Whether enough of the line was seen in the k-th row that is looked at. A row that it has passed
+   * already is passed by another line.
+   */
   boolean isPassed(int k) {
     double wide = CELLS * Math.min(1, visiblePx / Math.max(CELLS, 2 * halfPx));
-    return Long.bitCount(cells[k]) >= Math.max(LEAST_CELLS, SEEN_SHARE * wide);
+    return (row(k) - lastRow) * forward > 0
+        && Long.bitCount(cells[k]) >= Math.max(LEAST_CELLS, SEEN_SHARE * wide);
   }
 
   /** Mean time at which a row was passed. */

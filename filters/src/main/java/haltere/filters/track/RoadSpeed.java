@@ -11,8 +11,11 @@ final class RoadSpeed {
     return KM_H * Math.hypot(motion.vx(), motion.vy());
   }
 
-  /** Standard deviation of the speed in kilometres an hour, to first order. */
-  static double sdKmH(MotionModes motion) {
+  /**
+   * Standard deviation of the speed in kilometres an hour, to first order, with that of a line that
+   * may be above the road.
+   */
+  static double sdKmH(Track track, MotionModes motion) {
     double vx = motion.vx();
     double vy = motion.vy();
     double square = vx * vx + vy * vy;
@@ -22,6 +25,7 @@ final class RoadSpeed {
         square > 0
             ? (vx * vx * xx + 2 * vx * vy * motion.covariance(2, 3) + vy * vy * yy) / square
             : Math.max(xx, yy);
-    return KM_H * Math.sqrt(variance);
+    double share = track.line.grounding.speedShare();
+    return KM_H * Math.sqrt(variance + share * share * square);
   }
 }

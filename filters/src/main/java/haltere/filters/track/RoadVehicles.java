@@ -15,24 +15,14 @@ import haltere.core.event.SensorGeometry;
  * <p>Thread rule: that of its owner.
  */
 final class RoadVehicles {
-  private static final double SIDE_M = 0.3;
+  /** What is farther behind a line than this may be another vehicle. */
+  private static final double OWN_M = 8;
 
-  /** Lines of one vehicle have speeds that differ by less than this share, and three sigmas. */
-  private static final double LIKE_SHARE = 0.15;
+  /** What is lost within so many metres of what the bottom row sees has left the picture there. */
+  private static final double LEAVING_M = 3;
 
-  /** Two edges of one vehicle that both become darker, or both brighter, are nearer than this. */
-  private static final double SAME_EDGE_M = 2.5;
-
-  /** Where one becomes darker and one brighter they may be its front and its rear. */
-  private static final double OTHER_EDGE_M = 5.2;
-
-  /** What a line has to have of the width of a vehicle that it is to stand for. */
-  private static final double WIDTH_SHARE = 0.5;
-
-  private static final double VARIANCE_X = 0.1;
-
-  /** How fast a vehicle may be across the road, standard deviation. */
-  private static final double LATERAL_SD_M_S = 1.5;
+  /** A track that is older is no roof of something that has just left. */
+  private static final long YOUNG_US = 700_000;
 
   private final RoadMapping road;
   private final SensorGeometry sensor;
@@ -43,8 +33,9 @@ final class RoadVehicles {
   private final LineSearch search;
   private final RowPassing passing;
   private final VehicleEnds ends;
-  private final LineInSpace upper = new LineInSpace();
-  private final LineInSpace lower = new LineInSpace();
+  private final DepartedVehicles departed = new DepartedVehicles();
+  private final VehicleParts parts;
+  private final double leavingM;
   private KalmanTracksSettings settings;
 
   RoadVehicles(
@@ -58,10 +49,12 @@ final class RoadVehicles {
     this.tracks = tracks;
     this.plane = plane;
     events = new RoadEvents(road, sensor);
+    leavingM = road.distanceM(0) + LEAVING_M;
     seeds = new LineSeeds(events, sensor.width());
     search = new LineSearch(events, sensor.width());
     passing = new RowPassing(road, sensor, tracks, plane, listener);
     ends = new VehicleEnds(road, sensor, plane);
+    parts = new VehicleParts(road, events, search);
   }
 
   /** Does something else from the next step on; a gate is a normalised innovation squared. */
@@ -73,6 +66,7 @@ final class RoadVehicles {
 
   void reset() {
     events.clear();
+    departed.clear();
   }
 
   /** Takes events for the steps to come. */
@@ -91,6 +85,7 @@ final class RoadVehicles {
     for (int i = 0; i < tracks.count(); i++) {
       Track track = tracks.get(i);
       track.line.expect(track, plane, timeUs, metresPerColumn(track), sensor.width());
+      track.line.setOwn(ownPx(track));
     }
     for (long i = events.from(); i < events.to(); i++) {
       give(i);
@@ -98,17 +93,44 @@ final class RoadVehicles {
     for (int i = 0; i < tracks.count(); i++) {
       passing.measure(tracks.get(i), timeUs);
     }
-    unite(timeUs);
+    parts.unite(tracks, timeUs);
     for (int i = tracks.count() - 1; i >= 0; i--) {
-      if (ends.isOver(tracks.get(i), timeUs)) {
-        tracks.drop(i);
-      }
+      end(i, timeUs);
     }
     int found = seeds.find(timeUs);
     for (int i = 0; i < found; i++) {
       if (search.find(seeds.get(i), timeUs, passing.rowSdPx()) && !isPartOfKnown(timeUs)) {
         launch(timeUs);
       }
+    }
+  }
+
+  /**
+   * Up to so far above its line all that is seen is of a vehicle. What is farther away may be of
+   * the next one, unless it is known that the vehicle is high.
+   */
+  private double ownPx(Track track) {
+    double yM = track.motion.y();
+    return track.line.grounding.hasUpper()
+        ? Double.POSITIVE_INFINITY
+        : road.rowOf(yM + OWN_M) - road.rowOf(yM);
+  }
+
+  /** Ends a track whose vehicle is gone, or that is on the roof of one that is. */
+  private void end(int index, long timeUs) {
+    Track track = tracks.get(index);
+    MotionModes motion = track.motion;
+    RoadLine line = track.line;
+    line.grounding.look(motion, line, road, sensor);
+    ends.look(track, timeUs);
+    if (ends.isOver(track, timeUs)) {
+      if (motion.vy() < -VehicleEnds.STANDING_M_S && (line.isCut() || motion.y() < leavingM)) {
+        departed.add(track.at(timeUs), line, timeUs);
+      }
+      tracks.drop(index);
+    } else if (timeUs - track.bornUs < YOUNG_US
+        && departed.own(motion.x(), motion.y(), motion.vy(), line.halfWidthM, timeUs)) {
+      tracks.drop(index);
     }
   }
 
@@ -152,15 +174,21 @@ final class RoadVehicles {
       if (!body.line.isLost()) {
         body.line.learnExtent(bodyAbove);
         body.events++;
-        events.take(event);
+        if (bodyAbove < body.line.ownPx()) {
+          events.take(event);
+        }
       }
     }
   }
 
   /** Whether the line that was found is of a vehicle that is known, which then knows of it. */
   private boolean isPartOfKnown(long timeUs) {
+    if (departed.own(search.xM, search.yM, search.vyMS, search.halfWidthM, timeUs)) {
+      search.take();
+      return true;
+    }
     for (int i = 0; i < tracks.count(); i++) {
-      if (isPartOf(tracks.get(i), timeUs)) {
+      if (parts.isPartOf(tracks.get(i), timeUs)) {
         search.take();
         return true;
       }
@@ -168,94 +196,18 @@ final class RoadVehicles {
     return false;
   }
 
-  private boolean isPartOf(Track track, long timeUs) {
-    MotionModes motion = track.at(timeUs);
-    RoadLine line = track.line;
-    if (isPartOfTall(track, motion, timeUs)) {
-      return true;
-    }
-    double wide = Math.max(search.halfWidthM, line.halfWidthM) + SIDE_M;
-    if (Math.abs(search.xM - motion.x()) > wide) {
-      return false;
-    }
-    double higherM = search.yM - motion.y();
-    double perRow = events.metresPerRow(search.lastRow);
-    double extentM = line.extentPx() * perRow;
-    boolean sameWay = search.vyMS * motion.vy() > 0;
-    if (line.isLost() && sameWay && Math.abs(higherM) < Math.max(OTHER_EDGE_M, extentM)) {
-      line.change(search, -higherM / perRow, timeUs);
-      track.moveOn(search, VARIANCE_X, LATERAL_SD_M_S * LATERAL_SD_M_S, timeUs);
-      return true;
-    }
-    double sd = Math.sqrt(motion.covariance(3, 3) + search.varianceVy);
-    double unlike = Math.abs(search.vyMS - motion.vy());
-    if (unlike > LIKE_SHARE * Math.abs(motion.vy()) + 3 * sd) {
-      return false;
-    }
-    double gapM = search.on == line.on() ? SAME_EDGE_M : OTHER_EDGE_M;
-    boolean below = higherM < 0 && search.halfWidthM > WIDTH_SHARE * line.halfWidthM;
-    if (higherM <= -gapM || higherM >= Math.max(gapM, extentM + SAME_EDGE_M)) {
-      return false;
-    }
-    if (below) {
-      line.change(search, -higherM / perRow, timeUs);
-      track.motion.shift(higherM, search.varianceY);
-    } else {
-      line.reachTo(higherM / perRow);
-    }
-    return true;
-  }
-
-  /** Whether the line is as much farther, faster and wider as a higher one of a vehicle is. */
-  private boolean isPartOfTall(Track track, MotionModes motion, long timeUs) {
-    upper.set(search.xM, search.yM, search.vyMS, search.varianceVy, search.halfWidthM);
-    lower.set(track, motion);
-    RoadLine line = track.line;
-    double gapPx = road.rowOf(search.yM) - road.rowOf(motion.y());
-    if (line.mayReach(gapPx) && upper.isAbove(lower, gapPx / line.halfPx())) {
-      line.reachTo(gapPx);
-      return true;
-    }
-    if (lower.isAbove(upper, -gapPx / line.halfPx())) {
-      line.change(search, -gapPx, timeUs);
-      track.moveOn(search, VARIANCE_X, LATERAL_SD_M_S * LATERAL_SD_M_S, timeUs);
-      return true;
-    }
-    return false;
-  }
-
-  /** Of two tracks on two edges of one tall vehicle, the lower one stays, under the older name. */
-  private void unite(long timeUs) {
-    for (int i = tracks.count() - 1; i >= 0; i--) {
-      Track track = tracks.get(i);
-      upper.set(track, track.at(timeUs));
-      for (int k = 0; k < tracks.count(); k++) {
-        Track other = tracks.get(k);
-        lower.set(other, other.at(timeUs));
-        double gapPx = track.line.rowNow() - other.line.rowNow();
-        if (k != i
-            && other.line.mayReach(gapPx)
-            && upper.isAbove(lower, gapPx / other.line.halfPx())) {
-          other.line.reachTo(gapPx);
-          other.nameAfter(track);
-          tracks.drop(i);
-          break;
-        }
-      }
-    }
-  }
-
   private void launch(long timeUs) {
-    if (tracks.isFull()) {
+    if (tracks.isFull() || search.isCut) {
       return;
     }
     Track track = tracks.add();
-    track.launchLine(search, VARIANCE_X, LATERAL_SD_M_S * LATERAL_SD_M_S, timeUs);
+    track.launchLine(search, timeUs);
     track.line.begin(search, timeUs);
+    track.line.grounding.begin(search.vyMS > 0);
     search.take();
     if (settings.life().updatesTillShown() <= 1) {
       track.id = tracks.nextId();
     }
-    ends.isOver(track, timeUs);
+    ends.look(track, timeUs);
   }
 }

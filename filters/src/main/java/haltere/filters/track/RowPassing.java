@@ -13,7 +13,7 @@ final class RowPassing {
    * Standard deviation of a row that is passed: a threshold that is reached sooner or later than in
    * other pixels, and the rest of the vehicle.
    */
-  private static final double ROW_SD_PX = 0.1;
+  private static final double ROW_SD_PX = 0.05;
 
   private static final double CUT_VARIANCE = 4;
 

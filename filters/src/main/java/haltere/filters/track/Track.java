@@ -1,7 +1,5 @@
 package haltere.filters.track;
 
-import java.util.Arrays;
-
 /**
  * One track: its filter, what it holds on to and since when. Its bookkeeping is that of {@link
  * TrackEstimator}.
@@ -13,6 +11,12 @@ final class Track {
 
   /** Within this time a track that may have stopped would still be at its cluster. */
   private static final double REST_S = 0.2;
+
+  /** How well it is known where the middle of a line is that was found. */
+  private static final double VARIANCE_X = 0.1;
+
+  /** How fast a vehicle may be across the road, standard deviation. */
+  private static final double LATERAL_SD_M_S = 1.5;
 
   private static final int LEAST_FREE_UPDATES = 10;
 
@@ -80,7 +84,9 @@ final class Track {
   double nowVarianceVx;
   double nowVarianceVy;
   boolean inView;
-  private byte[] sides = new byte[0];
+
+  /** Where it is among the counting lines. */
+  final LineSides sides = new LineSides();
 
   /** The edge of a vehicle that it follows. */
   final RoadLine line = new RoadLine();
@@ -121,17 +127,18 @@ final class Track {
     hidden = false;
     shownUntilUs = Long.MIN_VALUE;
     stands = false;
-    Arrays.fill(sides, (byte) 0);
+    sides.clear();
   }
 
   /** Begins with a line that was found, whose speed is known. */
-  void launchLine(LineSearch found, double varianceX, double varianceVx, long stepUs) {
+  void launchLine(LineSearch found, long stepUs) {
     begin(stepUs, stepUs);
-    motion.launchLine(found, varianceX, varianceVx);
+    motion.launchLine(found, VARIANCE_X, LATERAL_SD_M_S * LATERAL_SD_M_S);
   }
 
   /** Takes over the identity of another track of the same thing, if that has the older one. */
   void nameAfter(Track other) {
+    sides.join(other.sides, other.bornUs < bornUs);
     if (other.id > 0 && (id == 0 || other.bornUs < bornUs)) {
       int own = id;
       id = other.id;
@@ -141,11 +148,11 @@ final class Track {
   }
 
   /** Goes on with a line that was found, as the same track. */
-  void moveOn(LineSearch found, double varianceX, double varianceVx, long stepUs) {
+  void moveOn(LineSearch found, long stepUs) {
     stateUs = stepUs;
     heardUs = stepUs;
     gatedInARow = 0;
-    motion.launchLine(found, varianceX, varianceVx);
+    motion.launchLine(found, VARIANCE_X, LATERAL_SD_M_S * LATERAL_SD_M_S);
   }
 
   /** Takes in what {@link #compare} has compared, which was not heard but silence. */
@@ -301,14 +308,6 @@ final class Track {
         dx * dx / (nowVarianceVx + other.nowVarianceVx)
             + dy * dy / (nowVarianceVy + other.nowVarianceVy);
     return apart > 16 && dx * dx + dy * dy > 0.01 * speedPxS() * other.speedPxS();
-  }
-
-  /** On which side of each counting line it is: 0 as long as that is not known. */
-  byte[] sides(int lines) {
-    if (sides.length != lines) {
-      sides = new byte[lines];
-    }
-    return sides;
   }
 
   /** What the last comparison has come to, of the likeliest model. */

@@ -170,6 +170,11 @@ public final class TrackEstimator implements ClusterObserver {
     return tracker;
   }
 
+  /** The sensor whose events it sees. */
+  SensorGeometry geometry() {
+    return geometry;
+  }
+
   /** The map to the road, or null. */
   RoadMapping road() {
     return road;

@@ -10,7 +10,7 @@ import java.util.Locale;
 /**
  * Draws each track as the ellipse that it is in with 95 % probability, a cross in its middle, the
  * way that it has come, a line to where it would be in a tenth of a second, its identity and, on a
- * road, its speed.
+ * road, its speed; beneath them the marks of the road.
  */
 public final class TrackOverlay implements Overlay<TrackSnapshot> {
   private static final double VELOCITY_S = 0.1;
@@ -22,6 +22,7 @@ public final class TrackOverlay implements Overlay<TrackSnapshot> {
 
   @Override
   public void draw(TrackSnapshot snapshot, OverlayCanvas canvas) {
+    snapshot.road().ifPresent(road -> RoadDrawing.draw(road, canvas));
     for (TrackSnapshot.Shown track : snapshot.tracks()) {
       drawPath(track.path(), canvas);
       drawPlace(track, canvas);

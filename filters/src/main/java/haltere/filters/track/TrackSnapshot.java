@@ -1,17 +1,21 @@
 package haltere.filters.track;
 
 import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
 
 /**
- * All tracks that are shown at one time.
+ * All tracks that are shown at one time, and the road that they are on.
  *
  * @param timeUs time on the clock of the events, microseconds
  * @param tracks each track once
+ * @param road what is marked on the road; empty where there is none
  */
-public record TrackSnapshot(long timeUs, List<Shown> tracks) {
-  /** Copies the list. */
+public record TrackSnapshot(long timeUs, List<Shown> tracks, Optional<RoadMarks> road) {
+  /** Copies the list; nothing may be null. */
   public TrackSnapshot {
     tracks = List.copyOf(tracks);
+    Objects.requireNonNull(road, "road");
   }
 
   /**

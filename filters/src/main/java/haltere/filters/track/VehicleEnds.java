@@ -44,25 +44,36 @@ final class VehicleEnds {
     return plane.yPx > 3 && plane.xPx > 3 && plane.xPx < sensor.width() - 4;
   }
 
-  /** Whether a vehicle is gone; if not, notes until when it is shown. */
-  boolean isOver(Track track, long timeUs) {
+  /** Notes where a vehicle is, how large it is, whether it stands and until when it is shown. */
+  void look(Track track, long timeUs) {
     track.look(timeUs);
+    double speed = Math.hypot(track.motion.vx(), track.motion.vy());
+    track.stands = speed < STANDING_M_S && mayStand(road.distancePerY(plane.yPx));
+    double shownS = track.stands ? restS() : Math.min(restS(), SHOWN_S + rowsS());
+    track.shownUntilUs = track.heardUs + Math.round(shownS * 1e6);
+    track.radiusPx = track.line.halfPx();
+    track.spreadPx = Math.max(1, track.radiusPx / Math.sqrt(3));
+  }
+
+  /** Whether a vehicle is gone of which {@link #look} has just taken note. */
+  boolean isOver(Track track, long timeUs) {
     RoadLine line = track.line;
     if (!track.inView || plane.yPx + line.extentPx() < -1) {
       return true;
     }
-    double speed = Math.hypot(track.motion.vx(), track.motion.vy());
-    double rowsS = ROWS / Math.max(LEAST_ROWS_S, Math.abs(plane.vyPxS));
-    double restS = STANDING_FACTOR * life.restTimeS();
-    track.stands = speed < STANDING_M_S && mayStand(road.distancePerY(plane.yPx));
-    double shownS = track.stands ? restS : Math.min(restS, SHOWN_S + rowsS);
-    double mostS = track.stands ? restS : Math.min(restS, life.coastTimeS() + rowsS);
-    track.shownUntilUs = track.heardUs + Math.round(shownS * 1e6);
-    track.spreadPx = Math.max(1, line.halfPx() / Math.sqrt(3));
-    track.radiusPx = line.halfPx();
     if (!isInPicture(plane, sensor)) {
       return timeUs - Math.max(track.heardUs, line.bodyUs()) > LEAVING_S * 1e6;
     }
+    double mostS = track.stands ? restS() : Math.min(restS(), life.coastTimeS() + rowsS());
     return timeUs - track.heardUs > mostS * 1e6 || track.gatedInARow > MOST_GATED;
+  }
+
+  private double restS() {
+    return STANDING_FACTOR * life.restTimeS();
+  }
+
+  /** How long it takes to pass some rows. */
+  private double rowsS() {
+    return ROWS / Math.max(LEAST_ROWS_S, Math.abs(plane.vyPxS));
   }
 }

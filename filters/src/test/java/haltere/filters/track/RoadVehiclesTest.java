@@ -170,6 +170,32 @@ class RoadVehiclesTest {
   }
 
   @Test
+  void highLorriesThatDriveAwayAreCountedAtTheirOwnSpeedAndTheirRoofsAreNot() {
+    watch(
+        cars(
+            "vehicles.heightShare=1",
+            "vehicles.cars=0",
+            "vehicles.lorries=1",
+            "traffic.lanesAway=1",
+            "traffic.lanesTowards=0",
+            "traffic.encounters.stop=0",
+            "run.seed=21",
+            "run.durationS=14"),
+        4096);
+    // What was on the road before the scene began has an end that nobody has seen.
+    List<LineCrossing> seen = crossings.stream().filter(one -> one.timeUs() > 1_500_000).toList();
+    assertTrue(seen.size() > 1, "crossings: " + seen);
+    for (LineCrossing crossing : seen) {
+      List<RoadTruth> near =
+          scene.truthRows(crossing.timeUs()).stream()
+              .filter(lorry -> Math.abs(lorry.yM() - 4.5 - 25) < 3)
+              .toList();
+      assertEquals(1, near.size(), "nobody is at the line: " + crossing);
+      assertEquals(3.6 * Math.abs(near.get(0).vyMS()), crossing.speedKmH(), 5);
+    }
+  }
+
+  @Test
   void whereTheStreamIsCutDoesNotMatter() {
     RoadSceneSettings settings = cars("run.seed=5", "run.durationS=3");
     watch(settings, 4096);

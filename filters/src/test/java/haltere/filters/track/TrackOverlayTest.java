@@ -2,12 +2,14 @@ package haltere.filters.track;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import haltere.core.event.SensorGeometry;
 import haltere.core.overlay.MarkStyle;
 import haltere.core.overlay.OverlayCanvas;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
 class TrackOverlayTest {
@@ -41,9 +43,44 @@ class TrackOverlayTest {
     assertEquals("UNCERTAINTY 1: ellipse 0.0 0.0 axes 3.46 0.00 at -0.79", marks.get(3));
   }
 
+  @Test
+  void aRoadIsWhereItVanishesItsLanesAndItsLinesWithTheirCounts() {
+    SensorGeometry sensor = new SensorGeometry(128, 128);
+    RoadSettings view = new RoadSettings(5, 6, 300, VanishingPoint.at(63.5, 127));
+    RoadMapping mapping = new RoadMapping(view, sensor);
+    RoadMarks road =
+        new RoadMarks(
+            mapping,
+            sensor,
+            new LaneSettings(1, -1, 2),
+            List.of(new RoadMarks.Line(25, 3, 4), new RoadMarks.Line(5, 0, 0)));
+    List<String> marks = drawn(new TrackSnapshot(0, List.of(), Optional.of(road)));
+    assertEquals("REGION -1: line 59.5 127.0 to 67.5 127.0", marks.get(0));
+    assertEquals("REGION -1: line 63.5 123.0 to 63.5 131.0", marks.get(1));
+    double column = mapping.columnOf(-1, 25);
+    double row = mapping.rowOf(25);
+    assertEquals(
+        String.format(
+            Locale.ROOT,
+            "REGION -1: line %.1f %.1f to %.1f %.1f",
+            column,
+            row,
+            mapping.columnOf(1, 25),
+            row),
+        marks.get(4));
+    assertEquals(
+        String.format(Locale.ROOT, "REGION -1: 25 m \u21913 \u21934 at %.1f %.1f", column, row + 1),
+        marks.get(5));
+    assertEquals(6, marks.size(), "a line nearer than the bottom row is not in the picture");
+  }
+
   private static List<String> drawn(TrackSnapshot.Shown track) {
+    return drawn(new TrackSnapshot(10_000, List.of(track), Optional.empty()));
+  }
+
+  private static List<String> drawn(TrackSnapshot snapshot) {
     Notebook notebook = new Notebook();
-    new TrackOverlay().draw(new TrackSnapshot(10_000, List.of(track)), notebook);
+    new TrackOverlay().draw(snapshot, notebook);
     return notebook.marks;
   }
 

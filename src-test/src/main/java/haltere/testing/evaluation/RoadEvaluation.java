@@ -9,6 +9,7 @@ import haltere.core.simulation.RoadSceneSettings;
 import haltere.core.simulation.RoadTruth;
 import haltere.filters.track.KalmanTracksFilter;
 import haltere.filters.track.KalmanTracksSettings;
+import haltere.filters.track.RoadMapping;
 import haltere.filters.track.RoadSettings;
 import haltere.filters.track.RoadTrackPoint;
 import haltere.filters.track.RoadTracksSettings;
@@ -24,13 +25,14 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * Speeds of simulated vehicles as Kalman tracks on a road find them, and how many tracks a vehicle
- * has: {@code ./gradlew :src-test:evaluateRoad}. Everything is as by default, but for what the
- * arguments say, behind background activity and hot pixels. An estimate is compared with the speed
- * of the vehicle itself.
+ * Speeds of simulated vehicles as Kalman tracks on a road find them, how many tracks a vehicle has,
+ * and who is counted at counting lines: {@code ./gradlew :src-test:evaluateRoad}. Everything is as
+ * by default, but for what the arguments say, behind background activity and hot pixels. An
+ * estimate is compared with the speed of the vehicle itself.
  */
 public final class RoadEvaluation {
   private static final long EACH_US = 50_000;
+  private static final long COUNTED_EACH_US = 25_000;
   private static final long OLD_ENOUGH_US = 300_000;
   private static final double SEEN_SHARE = 0.95;
   private static final double LEAST_M_S = 3;
@@ -43,6 +45,8 @@ public final class RoadEvaluation {
   private final Spread weighted = new Spread();
   private final List<Double> weightedRatios = new ArrayList<>();
   private final Map<String, int[]> momentsOf = new TreeMap<>();
+  private final Spread normalized = new Spread();
+  private RoadCounts counts;
   private int astray;
 
   /** A track in the picture and on the road. */
@@ -105,10 +109,12 @@ public final class RoadEvaluation {
 
   private void add(RoadSceneSettings settings) {
     RoadScene scene = new RoadScene(settings);
+    Map<Long, List<At>> tracks = tracks(scene);
+    countCrossings(scene);
     Map<Integer, Spread> ratios = new HashMap<>();
     Map<Integer, Passage> certain = new HashMap<>();
     Map<Integer, Long> begun = new HashMap<>();
-    for (Map.Entry<Long, List<At>> moment : tracks(scene).entrySet()) {
+    for (Map.Entry<Long, List<At>> moment : tracks.entrySet()) {
       long timeUs = moment.getKey();
       moment.getValue().forEach(at -> begun.putIfAbsent(at.picture().id(), timeUs));
       if (timeUs % EACH_US != 0) {
@@ -128,6 +134,8 @@ public final class RoadEvaluation {
         if (old && vehicle.visibleShare() >= SEEN_SHARE && speed > LEAST_M_S) {
           double ratio = Math.hypot(at.road().vxMS(), at.road().vyMS()) / speed;
           singles.add(ratio);
+          double error = at.road().speedKmH() - 3.6 * speed;
+          normalized.add(error * error / (at.road().sdSpeedKmH() * at.road().sdSpeedKmH()));
           ratios.computeIfAbsent(vehicle.id(), id -> new Spread()).add(ratio);
           certain.computeIfAbsent(vehicle.id(), id -> new Passage()).add(at.road(), speed);
         }
@@ -146,7 +154,15 @@ public final class RoadEvaluation {
         ratios.values().stream().filter(spread -> spread.count >= ENOUGH_MOMENTS).toList());
   }
 
-  private static Map<Long, List<At>> tracks(RoadScene scene) {
+  private void countCrossings(RoadScene scene) {
+    long endUs = Math.round(scene.settings().run().durationS() * 1e6);
+    for (long timeUs = 0; timeUs < endUs; timeUs += COUNTED_EACH_US) {
+      counts.see(timeUs, scene.truthRows(timeUs));
+    }
+    counts.endScene();
+  }
+
+  private Map<Long, List<At>> tracks(RoadScene scene) {
     var camera = scene.settings().camera();
     RoadSettings view =
         new RoadSettings(
@@ -154,10 +170,19 @@ public final class RoadEvaluation {
             camera.bottomRowM(),
             camera.vanishingRowM(),
             VanishingPoint.at(scene.vanishingXPx(), scene.vanishingYPx()));
+    RoadTracksSettings road =
+        new RoadTracksSettings(
+            true,
+            view,
+            RoadTracksSettings.defaults().processVariance(),
+            RoadCounts.LANES,
+            RoadCounts.LINES);
     KalmanTracksFilter filter =
-        new KalmanTracksFilter(
-            scene.geometry(),
-            KalmanTracksSettings.defaults().onRoad(RoadTracksSettings.defaults().seenAs(view)));
+        new KalmanTracksFilter(scene.geometry(), KalmanTracksSettings.defaults().onRoad(road));
+    if (counts == null) {
+      counts = new RoadCounts(new RoadMapping(view, scene.geometry()));
+    }
+    filter.crossings().subscribe(counts::count);
     FilterChain chain = new FilterChain(scene.geometry());
     chain.add(Filters.named("background-activity"));
     chain.add(Filters.named("hot-pixels"));
@@ -252,7 +277,8 @@ public final class RoadEvaluation {
                 share(moments, 1),
                 share(moments, 2)));
     line(text, "moments of tracks that are on no vehicle: %d", astray);
-    return text.toString();
+    line(text, "mean squared error of single estimates over the stated: %.2f", normalized.mean());
+    return text.append(counts).toString();
   }
 
   private double quantile(double share) {

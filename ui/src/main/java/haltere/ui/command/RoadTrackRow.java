@@ -20,7 +20,14 @@ record RoadTrackRow(
     @Column(decimals = 4) double xM,
     @Column(decimals = 4) double yM,
     @Column(value = "vx_m_s", decimals = 4) double vxMS,
-    @Column(value = "vy_m_s", decimals = 4) double vyMS) {
+    @Column(value = "vy_m_s", decimals = 4) double vyMS,
+    @Column(decimals = 4) double sdXM,
+    @Column(decimals = 4) double sdYM,
+    @Column(value = "sd_vx_m_s", decimals = 4) double sdVxMS,
+    @Column(value = "sd_vy_m_s", decimals = 4) double sdVyMS,
+    @Column(decimals = 3) double speedKmH,
+    @Column(decimals = 3) double sdSpeedKmH,
+    int lane) {
   /** A track in the picture and on the road at one time. */
   static RoadTrackRow of(TrackPoint inPicture, RoadTrackPoint onRoad) {
     return new RoadTrackRow(
@@ -38,6 +45,13 @@ record RoadTrackRow(
         onRoad.xM(),
         onRoad.yM(),
         onRoad.vxMS(),
-        onRoad.vyMS());
+        onRoad.vyMS(),
+        onRoad.sdXM(),
+        onRoad.sdYM(),
+        onRoad.sdVxMS(),
+        onRoad.sdVyMS(),
+        onRoad.speedKmH(),
+        onRoad.sdSpeedKmH(),
+        onRoad.lane());
   }
 }

@@ -127,7 +127,10 @@ class TrackCommandTest {
         "t_us,id,line_m,direction,lane,speed_km_h,sd_speed_km_h,count_away,count_towards",
         crossed.get(0));
     assertTrue(crossed.size() > 1, "nobody crossed a line");
-    assertEquals(COLUMNS + ",x_m,y_m,vx_m_s,vy_m_s", Files.readAllLines(out).get(0));
+    assertEquals(
+        COLUMNS
+            + ",x_m,y_m,vx_m_s,vy_m_s,sd_x_m,sd_y_m,sd_vx_m_s,sd_vy_m_s,speed_km_h,sd_speed_km_h,lane",
+        Files.readAllLines(out).get(0));
     List<String[]> rows = rows(out);
     assertTrue(rows.size() > 100, rows.size() + " rows");
     long onTheRoad =
