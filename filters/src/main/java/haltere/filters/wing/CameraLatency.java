@@ -38,7 +38,7 @@ final class CameraLatency {
   private CameraLatency() {}
 
   /** Time for which the wing is over a pixel, by its root mean square speed. */
-  private static double overPixelS(double fullSpeed) {
+  static double overPixelS(double fullSpeed) {
     return WING_RAD * Math.sqrt(2) / Math.max(1, fullSpeed);
   }
 

@@ -14,19 +14,15 @@ import java.util.List;
 final class WingEstimator implements SideEstimator {
   private static final int SLOW_US = 1000;
   private static final int HINGE_US = 10_000;
-  private static final double FORGET_S = 1;
-  private static final double RATE_S = 0.2;
-  private static final double[] SERIES_SD = {0.08, 0.03, 0.012};
-  private static final double WIDTH_MEAN = 0.025;
-  private static final double WIDTH_SD = 0.02;
-  private static final double LAG_MEAN_S = 50e-6;
-  private static final double LAG_SD_S = 150e-6;
 
   /** Events of one beat repeat each other's errors: so many of them count for one. */
   private static final double REPEATING = 3;
 
   /** What a wing's estimate is usually wrong by from the heading that its angles refer to. */
   private static final double SYSTEMATIC_RAD = 0.0092;
+
+  /** And from the stroke's shape, where the pixels show reversals alone. */
+  private static final double UNSEEN_RAD = 0.05;
 
   final StrokeEkf filter;
   final EventNoise noise;
@@ -222,13 +218,7 @@ final class WingEstimator implements SideEstimator {
     slowUs = timeUs;
     frequencyNoise.look(dtS, filter, settings.manoeuvre());
     density[StrokeEkf.OMEGA] = steadyFrequency + frequencyNoise.added();
-    filter.forget(StrokeEkf.RATE, 0, 1 - Math.exp(-dtS / RATE_S), settings.rateSd());
-    double share = 1 - Math.exp(-dtS / FORGET_S);
-    filter.forget(StrokeEkf.WIDTH, WIDTH_MEAN, share, WIDTH_SD);
-    filter.forget(StrokeEkf.LAG, LAG_MEAN_S, share, LAG_SD_S);
-    for (int i = StrokeEkf.SERIES; i < filter.size; i++) {
-      filter.forget(i, 0, share, SERIES_SD[(i - StrokeEkf.SERIES) / 2]);
-    }
+    StrokeMemory.forget(filter, dtS, settings.rateSd(), reversalsAlone());
     judge.look(
         dtS,
         taken[0] + taken[1],
@@ -286,9 +276,16 @@ final class WingEstimator implements SideEstimator {
     return filter.x[StrokeEkf.AMPLITUDE] * filter.x[StrokeEkf.OMEGA];
   }
 
+  private double lagS() {
+    return CameraLatency.lagS(filter, other == null ? null : other.filter);
+  }
+
+  private double reversalsAlone() {
+    return StrokeMemory.reversalsAlone(lagS(), CameraLatency.overPixelS(fullSpeed()));
+  }
+
   private double ahead() {
-    double lagS = CameraLatency.lagS(filter, other == null ? null : other.filter);
-    return CameraLatency.seconds(options.latencyUs(), lagS, fullSpeed())
+    return CameraLatency.seconds(options.latencyUs(), lagS(), fullSpeed())
         * filter.x[StrokeEkf.OMEGA];
   }
 
@@ -337,8 +334,12 @@ final class WingEstimator implements SideEstimator {
     filter.look(filter.cos, filter.sin, 0);
     double speed = filter.slope(filter.cos, filter.sin) * filter.x[StrokeEkf.OMEGA];
     double late = CameraLatency.sdSeconds(options.latencyUs()) * speed;
+    double unseen = UNSEEN_RAD * reversalsAlone();
     return Math.sqrt(
-        Math.max(0, filter.expectedVariance()) + SYSTEMATIC_RAD * SYSTEMATIC_RAD + late * late);
+        Math.max(0, filter.expectedVariance())
+            + SYSTEMATIC_RAD * SYSTEMATIC_RAD
+            + late * late
+            + unseen * unseen);
   }
 
   @Override
