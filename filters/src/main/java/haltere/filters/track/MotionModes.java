@@ -28,6 +28,10 @@ final class MotionModes {
   private final int modes;
   private final PlaneFilter[] filters;
   private final double[] probability;
+
+  /** The probabilities before the last measurement. */
+  private final double[] prior;
+
   private final double[] next;
   private final double[] leave;
   private final double[] weights;
@@ -45,6 +49,7 @@ final class MotionModes {
       filters[j] = new PlaneFilter();
     }
     probability = new double[modes];
+    prior = new double[modes];
     next = new double[modes];
     leave = new double[modes];
     weights = new double[modes];
@@ -150,6 +155,7 @@ final class MotionModes {
         return Double.NaN;
       }
       least = Math.min(least, filters[j].nis());
+      prior[j] = probability[j];
     }
     return least;
   }
@@ -199,6 +205,11 @@ final class MotionModes {
     for (int j = 0; j < modes; j++) {
       probability[j] /= kept;
     }
+  }
+
+  /** What all modes together had expected of what {@link #innovate} has compared. */
+  void combineInnovations(CombinedInnovation into) {
+    into.of(filters, prior);
   }
 
   /** The mode that is the most probable. */

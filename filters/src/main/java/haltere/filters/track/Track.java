@@ -310,20 +310,23 @@ final class Track {
     return apart > 16 && dx * dx + dy * dy > 0.01 * speedPxS() * other.speedPxS();
   }
 
-  /** What the last comparison has come to, of the likeliest model. */
+  /** What the last comparison has come to; the gain is that of the likeliest model. */
   TrackUpdate lastUpdate(long timeUs, boolean accepted) {
-    PlaneFilter model = (accepted ? motion : ahead).likeliest();
+    MotionModes compared = accepted ? motion : ahead;
+    PlaneFilter model = compared.likeliest();
+    CombinedInnovation innovation = new CombinedInnovation();
+    compared.combineInnovations(innovation);
     return new TrackUpdate(
         timeUs,
         id,
         plane.x,
         plane.y,
-        model.innovationX(),
-        model.innovationY(),
-        model.innovationXx(),
-        model.innovationXy(),
-        model.innovationYy(),
-        model.nis(),
+        innovation.x,
+        innovation.y,
+        innovation.xx,
+        innovation.xy,
+        innovation.yy,
+        innovation.nis(),
         accepted ? model.gain(0, 0) : 0,
         accepted ? model.gain(1, 1) : 0,
         accepted ? model.gain(2, 0) : 0,
