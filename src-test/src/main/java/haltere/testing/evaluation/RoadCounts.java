@@ -46,9 +46,7 @@ final class RoadCounts {
   /** Takes the truth at a time, in the order of time. */
   void see(long timeUs, List<RoadTruth> vehicles) {
     for (RoadTruth vehicle : vehicles) {
-      double row = vehicle.yPx() - vehicle.heightPx() / 2;
-      boolean onRoad = row < mapping.vanishingY() - HORIZON_PX && mapping.onRoad(row);
-      double now = onRoad ? mapping.distanceM(row) : Double.MAX_VALUE;
+      double now = distanceM(vehicle.yPx() - vehicle.heightPx() / 2);
       Double before = nearEnds.put(vehicle.id(), now);
       for (int i = 0; before != null && timeUs >= FROM_US && i < LINES.lines(); i++) {
         double line = LINES.distanceM(i);
@@ -57,6 +55,14 @@ final class RoadCounts {
         }
       }
     }
+  }
+
+  /** Of a row at the horizon very far, of one that looks back from the camera none at all. */
+  private double distanceM(double row) {
+    if (row > mapping.vanishingY() - HORIZON_PX) {
+      return Double.MAX_VALUE;
+    }
+    return mapping.onRoad(row) ? mapping.distanceM(row) : 0;
   }
 
   /** Takes a crossing that was counted. */
