@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Set;
 import javafx.scene.Node;
 import javafx.scene.control.Label;
+import javafx.scene.control.MenuBar;
 import javafx.scene.control.TabPane;
 import javafx.scene.input.KeyCode;
 import org.junit.jupiter.api.AfterEach;
@@ -226,5 +227,21 @@ class KeyboardTest {
     viewer.run(() -> viewer.window.actions().run("below-higher"));
     viewer.waitFor("higher", () -> viewer.window.plots().getHeight() > before + 10);
     assertFalse(viewer.onFx(() -> viewer.window.plots().isFocused()));
+  }
+
+  @Test
+  void menusAreGoneThroughByF10AndArrows() {
+    viewer = ViewerHarness.withBlob();
+    viewer.pause();
+    goTo("event-view");
+    long atUs = viewer.status().elapsedUs();
+    MenuBar bar = viewer.node("menu", MenuBar.class);
+    viewer.press(KeyCode.F10);
+    viewer.press(KeyCode.RIGHT);
+    viewer.press(KeyCode.DOWN);
+    viewer.waitFor("the second menu", () -> bar.getMenus().get(1).isShowing());
+    viewer.press(KeyCode.RIGHT);
+    viewer.waitFor("the third menu", () -> bar.getMenus().get(2).isShowing());
+    assertEquals(atUs, viewer.status().elapsedUs(), 200_000, "playback does not jump by a second");
   }
 }
