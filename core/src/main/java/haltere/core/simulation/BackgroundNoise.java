@@ -9,7 +9,7 @@ import java.util.Arrays;
  *
  * <p>Thread rule: one thread at a time.
  */
-final class BackgroundNoise {
+public final class BackgroundNoise {
   private final int width;
   private final int pixels;
   private final SeededRandom random;
@@ -20,12 +20,26 @@ final class BackgroundNoise {
   private final int[] hot;
   private double nextUs;
 
-  BackgroundNoise(NoiseSettings settings, SensorSettings sensor, long seed) {
+  /**
+   * Noise from the beginning.
+   *
+   * @param settings its rates
+   * @param sensor its size
+   * @param seed of the scene
+   */
+  public BackgroundNoise(NoiseSettings settings, SensorSettings sensor, long seed) {
     this(settings, sensor, seed, 0);
   }
 
-  /** Noise from a time on, microseconds since the beginning; the same pixels are noisy. */
-  BackgroundNoise(NoiseSettings settings, SensorSettings sensor, long seed, long fromUs) {
+  /**
+   * Noise from a time on; the same pixels are noisy.
+   *
+   * @param settings its rates
+   * @param sensor its size
+   * @param seed of the scene
+   * @param fromUs microseconds since the beginning
+   */
+  public BackgroundNoise(NoiseSettings settings, SensorSettings sensor, long seed, long fromUs) {
     width = sensor.widthPx();
     pixels = width * sensor.heightPx();
     random = new SeededRandom(seed, fromUs == 0 ? "noise" : "noise from " + fromUs);
@@ -56,13 +70,22 @@ final class BackgroundNoise {
     return totalHz == 0 ? Double.POSITIVE_INFINITY : random.exponential() * 1e6 / totalHz;
   }
 
-  /** The hot pixels, row times width plus column. */
-  int[] hotPixels() {
+  /**
+   * The hot pixels.
+   *
+   * @return row times width plus column of each
+   */
+  public int[] hotPixels() {
     return hot.clone();
   }
 
-  /** Makes the events before a time, microseconds since the beginning. */
-  void addUntil(double untilUs, EventMerger merger) {
+  /**
+   * Makes the events before a time.
+   *
+   * @param untilUs microseconds since the beginning
+   * @param merger takes them
+   */
+  public void addUntil(double untilUs, EventMerger merger) {
     while (nextUs < untilUs) {
       double which = random.nextDouble() * totalHz;
       int pixel;

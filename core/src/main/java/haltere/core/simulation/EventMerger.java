@@ -15,7 +15,7 @@ import java.util.Arrays;
  *
  * <p>Thread rule: one thread at a time.
  */
-final class EventMerger {
+public final class EventMerger {
   /** Longest wait for the bus before an event is lost, microseconds. */
   static final double LONGEST_WAIT_US = 1000;
 
@@ -47,7 +47,7 @@ final class EventMerger {
    * @param sensor its size
    * @param run its start, length and seed
    */
-  EventMerger(PixelSettings pixel, SensorSettings sensor, RunSettings run) {
+  public EventMerger(PixelSettings pixel, SensorSettings sensor, RunSettings run) {
     random = new SeededRandom(run.seed(), "jitter");
     tune(pixel);
     width = sensor.widthPx();
@@ -57,16 +57,25 @@ final class EventMerger {
     Arrays.fill(lastOfPixel, NEVER);
   }
 
-  /** Changes latency, jitter, refractory period and bus for what is added or sent from now on. */
-  void tune(PixelSettings pixel) {
+  /**
+   * Changes latency, jitter, refractory period and bus for what is added or sent from now on.
+   *
+   * @param pixel the new ones
+   */
+  public void tune(PixelSettings pixel) {
     latencyUs = pixel.latencyUs();
     jitterUs = pixel.jitterUs();
     refractoryUs = (long) Math.floor(pixel.refractoryUs());
     busSlotUs = pixel.busLimitEps() == 0 ? 0 : 1e6 / pixel.busLimitEps();
   }
 
-  /** A change at a time (microseconds since the beginning) that the latency has still to delay. */
-  void add(double changeUs, int address) {
+  /**
+   * Takes an event that the latency has still to delay.
+   *
+   * @param changeUs when the level crossed the threshold, microseconds since the beginning
+   * @param address as in an event packet
+   */
+  public void add(double changeUs, int address) {
     double delay = latencyUs;
     if (jitterUs > 0) {
       delay = Math.max(0, delay + jitterUs * random.gaussian());
@@ -79,8 +88,12 @@ final class EventMerger {
     waitingAddress[waiting++] = address;
   }
 
-  /** Events that the bus did not carry. */
-  long lost() {
+  /**
+   * Events that the bus did not carry.
+   *
+   * @return so far
+   */
+  public long lost() {
     return lost;
   }
 
@@ -90,7 +103,7 @@ final class EventMerger {
    * @param untilUs microseconds since the beginning; no change before it comes any more
    * @param out gets them behind those it has
    */
-  void release(long untilUs, EventPacket out) {
+  public void release(long untilUs, EventPacket out) {
     int span = (int) (untilUs - releasedUs);
     if (places.length < span + 1) {
       places = new int[span + 1];

@@ -14,9 +14,9 @@ import haltere.core.stream.StreamStarted;
  *
  * <p>Thread rule: one thread at a time.
  */
-final class PacketCutter {
+public final class PacketCutter {
   /** Makes the events of a scene. */
-  interface Maker {
+  public interface Maker {
     /**
      * Makes those of the next interval.
      *
@@ -47,7 +47,16 @@ final class PacketCutter {
   private long madeUntilUs;
   private long lastUs = StreamNotification.NO_TIME_US;
 
-  PacketCutter(
+  /**
+   * A stream at its start.
+   *
+   * @param run start and length
+   * @param geometry the sensor
+   * @param source what the stream's start names
+   * @param mostEvents of a packet, above 0
+   * @param maker makes the events
+   */
+  public PacketCutter(
       RunSettings run, SensorGeometry geometry, String source, int mostEvents, Maker maker) {
     this.run = run;
     this.geometry = geometry;
@@ -57,7 +66,13 @@ final class PacketCutter {
     packet = new EventPacket(mostEvents);
   }
 
-  boolean next(StreamHandler handler) {
+  /**
+   * Hands over the next packet, or the start or the end.
+   *
+   * @param handler takes it
+   * @return false once the end has been handed over
+   */
+  public boolean next(StreamHandler handler) {
     switch (state) {
       case BEFORE -> {
         state = State.RUNNING;

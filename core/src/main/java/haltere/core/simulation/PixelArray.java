@@ -15,7 +15,7 @@ import haltere.core.event.EventAddress;
  * <p>Light is relative to the bright background, whose level is 0. Times are in microseconds since
  * the beginning. Thread rule: one thread at a time.
  */
-final class PixelArray {
+public final class PixelArray {
   private static final double LEAST_THRESHOLD_SHARE = 0.25;
 
   // what is known of a pixel lies together, a cache line each
@@ -46,7 +46,7 @@ final class PixelArray {
    * @param seed for the mismatch of the thresholds
    * @param merger takes the events
    */
-  PixelArray(PixelSettings settings, SensorSettings sensor, long seed, EventMerger merger) {
+  public PixelArray(PixelSettings settings, SensorSettings sensor, long seed, EventMerger merger) {
     this.merger = merger;
     width = sensor.widthPx();
     int pixels = width * sensor.heightPx();
@@ -83,7 +83,7 @@ final class PixelArray {
    * @param balance as {@link SensorTuning#balance()}
    * @param timeUs not before any change of the light so far
    */
-  void tune(PixelSettings settings, double balance, double timeUs) {
+  public void tune(PixelSettings settings, double balance, double timeUs) {
     advanceAll(timeUs);
     for (int pixel = 0; pixel < busy.length; pixel++) {
       advance(pixel, pixel * FIELDS, timeUs);
@@ -106,8 +106,13 @@ final class PixelArray {
     }
   }
 
-  /** Sets a pixel to a light it has had for long: no event. */
-  void settle(int pixel, double light) {
+  /**
+   * Sets a pixel to a light it has had for long: no event.
+   *
+   * @param pixel row times width plus column
+   * @param light natural logarithm, 0 of the background
+   */
+  public void settle(int pixel, double light) {
     int p = pixel * FIELDS;
     state[p + LEVEL] = light;
     state[p + TARGET] = light;
@@ -115,7 +120,7 @@ final class PixelArray {
   }
 
   /** Takes the light as it is for light that every pixel has had for long: no event. */
-  void settleAll() {
+  public void settleAll() {
     for (int pixel = 0; pixel < busy.length; pixel++) {
       settle(pixel, state[pixel * FIELDS + TARGET]);
       state[pixel * FIELDS + IS_BUSY] = 0;
@@ -123,8 +128,13 @@ final class PixelArray {
     busyCount = 0;
   }
 
-  /** The time up to which a pixel has been computed. */
-  double computedUntilUs(int pixel) {
+  /**
+   * The time up to which a pixel has been computed.
+   *
+   * @param pixel row times width plus column
+   * @return microseconds since the beginning
+   */
+  public double computedUntilUs(int pixel) {
     return state[pixel * FIELDS + AT_US];
   }
 
@@ -135,7 +145,7 @@ final class PixelArray {
    * @param timeUs when; not before the pixel's last change
    * @param change of the natural logarithm of the light
    */
-  void change(int pixel, double timeUs, double change) {
+  public void change(int pixel, double timeUs, double change) {
     int p = pixel * FIELDS;
     advance(pixel, p, timeUs);
     state[p + TARGET] += change;
@@ -145,8 +155,12 @@ final class PixelArray {
     }
   }
 
-  /** Makes all events before a time, so that none is added before it later on. */
-  void advanceAll(double timeUs) {
+  /**
+   * Makes all events before a time, so that none is added before it later on.
+   *
+   * @param timeUs microseconds since the beginning
+   */
+  public void advanceAll(double timeUs) {
     int kept = 0;
     for (int i = 0; i < busyCount; i++) {
       int pixel = busy[i];

@@ -7,7 +7,7 @@ package haltere.core.simulation;
  *
  * <p>Thread rule: one thread at a time.
  */
-final class SeededRandom {
+public final class SeededRandom {
   private static final long GOLDEN = 0x9e3779b97f4a7c15L;
   private static final int QUANTILES = 4096;
   private static final double[] GAUSSIAN = gaussianQuantiles();
@@ -20,7 +20,7 @@ final class SeededRandom {
    * @param seed of the scene
    * @param purpose what the numbers are for
    */
-  SeededRandom(long seed, String purpose) {
+  public SeededRandom(long seed, String purpose) {
     this(mix(mix(seed) ^ purpose.hashCode() * GOLDEN));
   }
 
@@ -31,8 +31,13 @@ final class SeededRandom {
   /**
    * A stream for the n-th item of a purpose: what happens in it does not depend on the items
    * before, so that it can be drawn at any time in any order.
+   *
+   * @param seed of the scene
+   * @param purpose what the numbers are for
+   * @param item which one
+   * @return its stream
    */
-  static SeededRandom of(long seed, String purpose, long item) {
+  public static SeededRandom of(long seed, String purpose, long item) {
     return new SeededRandom(mix(mix(mix(seed) ^ purpose.hashCode() * GOLDEN) ^ item * GOLDEN));
   }
 
@@ -42,33 +47,61 @@ final class SeededRandom {
     return b ^ (b >>> 31);
   }
 
-  long nextLong() {
+  /**
+   * All 64 bits.
+   *
+   * @return any number
+   */
+  public long nextLong() {
     state += GOLDEN;
     return mix(state);
   }
 
-  /** Evenly spread in [0, 1). */
-  double nextDouble() {
+  /**
+   * Evenly spread.
+   *
+   * @return at least 0, below 1
+   */
+  public double nextDouble() {
     return (nextLong() >>> 11) * 0x1.0p-53;
   }
 
-  /** Evenly spread in [min, max). */
-  double between(double min, double max) {
+  /**
+   * Evenly spread.
+   *
+   * @param min the least
+   * @param max never reached
+   * @return at least min, below max
+   */
+  public double between(double min, double max) {
     return min + (max - min) * nextDouble();
   }
 
-  /** Evenly spread in 0 to bound - 1. */
-  int below(int bound) {
+  /**
+   * Evenly spread whole numbers.
+   *
+   * @param bound never reached, above 0
+   * @return 0 to bound - 1
+   */
+  public int below(int bound) {
     return (int) (((nextLong() >>> 32) * bound) >>> 32);
   }
 
-  /** Waiting time of mean 1. */
-  double exponential() {
+  /**
+   * Waiting time of a Poisson process.
+   *
+   * @return at least 0, of mean 1
+   */
+  public double exponential() {
     return -Exponential.log(1 - nextDouble());
   }
 
-  /** Mean 0, standard deviation 1, never beyond 4. */
-  double gaussian() {
+  /**
+   * Normally distributed.
+   *
+   * @return of mean 0 and standard deviation 1, never beyond 4
+   */
+  public double gaussian() {
     double place = nextDouble() * QUANTILES;
     int below = (int) place;
     double low = GAUSSIAN[below];

@@ -7,7 +7,7 @@ package haltere.core.simulation;
  *
  * <p>Thread rule: immutable.
  */
-final class SlowProcess {
+public final class SlowProcess {
   private static final int TERMS = 8;
 
   private final double[] amplitude = new double[TERMS];
@@ -23,7 +23,7 @@ final class SlowProcess {
    * @param slowestHz lower end of its band
    * @param fastestHz upper end of its band
    */
-  SlowProcess(SeededRandom random, double sd, double slowestHz, double fastestHz) {
+  public SlowProcess(SeededRandom random, double sd, double slowestHz, double fastestHz) {
     still = sd == 0;
     for (int k = 0; k < TERMS; k++) {
       double place = (k + random.nextDouble()) / TERMS;
@@ -33,8 +33,13 @@ final class SlowProcess {
     }
   }
 
-  /** Value at a time in seconds. */
-  double at(double seconds) {
+  /**
+   * Its value.
+   *
+   * @param seconds any time
+   * @return in the unit of the standard deviation
+   */
+  public double at(double seconds) {
     double sum = 0;
     if (!still) {
       for (int k = 0; k < TERMS; k++) {
@@ -44,13 +49,22 @@ final class SlowProcess {
     return sum;
   }
 
-  /** No value is further from 0. */
-  double bound() {
+  /**
+   * How far it can go.
+   *
+   * @return no value is further from 0
+   */
+  public double bound() {
     return TERMS * amplitude[0];
   }
 
-  /** Integral from time 0 to a time in seconds. */
-  double integralTo(double seconds) {
+  /**
+   * Its integral from time 0.
+   *
+   * @param seconds to which time
+   * @return in the unit of the standard deviation times seconds
+   */
+  public double integralTo(double seconds) {
     double sum = 0;
     if (!still) {
       for (int k = 0; k < TERMS; k++) {

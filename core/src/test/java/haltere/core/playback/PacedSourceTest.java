@@ -5,8 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.core.simulation.FlyScene;
-import haltere.core.simulation.FlySceneSettings;
+import haltere.core.simulation.fly.FlyScene;
+import haltere.core.simulation.fly.FlySceneSettings;
 import haltere.core.stream.EventSource;
 import haltere.core.stream.Reset;
 import haltere.core.stream.StreamHandler;

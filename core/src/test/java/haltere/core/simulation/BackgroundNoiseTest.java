@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.EventPacket;
+import haltere.core.simulation.fly.FlySceneSettings;
 import org.junit.jupiter.api.Test;
 
 /** Noise has the rates of its settings, within what chance allows. */

@@ -1,6 +1,9 @@
 package haltere.core.simulation;
 
 import haltere.core.event.EventPacket;
+import haltere.core.simulation.fly.FlyScene;
+import haltere.core.simulation.fly.FlySceneSettings;
+import haltere.core.simulation.fly.FlyTruth;
 import haltere.core.stream.StreamGrammar;
 import haltere.testing.StreamRecorder;
 import java.io.IOException;
@@ -8,7 +11,7 @@ import java.io.UncheckedIOException;
 import java.util.function.IntPredicate;
 
 /** What the tests of scenes share: settings for pure geometry, and pulling a scene dry. */
-final class SceneRuns {
+public final class SceneRuns {
   /** No noise, no motion of the body, no manoeuvre, a pixel without delay or mismatch. */
   private static final String[] PURE = {
     "pixel.bandwidthHz=0",
@@ -31,20 +34,20 @@ final class SceneRuns {
 
   private SceneRuns() {}
 
-  static FlySceneSettings pure(String... assignments) {
+  public static FlySceneSettings pure(String... assignments) {
     return FlySceneSettings.defaults().with(PURE).with(assignments);
   }
 
-  static FlySceneSettings fly(String... assignments) {
+  public static FlySceneSettings fly(String... assignments) {
     return FlySceneSettings.defaults().with(assignments);
   }
 
   /** Noise alone: the wings are clear as glass and the body as bright as the background. */
-  static FlySceneSettings empty(String... assignments) {
+  public static FlySceneSettings empty(String... assignments) {
     return pure("fly.wing.visibleShare=0").with(assignments);
   }
 
-  static StreamRecorder record(Scene<?> scene) {
+  public static StreamRecorder record(Scene<?> scene) {
     StreamRecorder recorder = new StreamRecorder();
     try {
       scene.drainTo(new StreamGrammar(recorder));
@@ -54,15 +57,15 @@ final class SceneRuns {
     return recorder;
   }
 
-  static EventPacket events(Scene<?> scene) {
+  public static EventPacket events(Scene<?> scene) {
     return record(scene).events();
   }
 
-  static EventPacket events(FlySceneSettings settings, double seconds) {
+  public static EventPacket events(FlySceneSettings settings, double seconds) {
     return events(new FlyScene(settings.with("run.durationS=" + seconds)));
   }
 
-  static int count(EventPacket events, IntPredicate wanted) {
+  public static int count(EventPacket events, IntPredicate wanted) {
     int count = 0;
     for (int i = 0; i < events.size(); i++) {
       count += wanted.test(i) ? 1 : 0;
@@ -71,19 +74,19 @@ final class SceneRuns {
   }
 
   /** Difference of two angles in (-pi, pi]. */
-  static double turn(double from, double to) {
+  public static double turn(double from, double to) {
     return Math.IEEEremainder(to - from, 2 * Math.PI);
   }
 
   /** Whether an event lies to the left of the body axis. */
-  static boolean isLeft(FlyTruth truth, double x, double y) {
+  public static boolean isLeft(FlyTruth truth, double x, double y) {
     double dx = x - truth.centreXPx();
     double dy = y - truth.centreYPx();
     return dy * Math.cos(truth.headingRad()) - dx * Math.sin(truth.headingRad()) > 0;
   }
 
   /** Stroke angle of a place about the hinge of its side, in [0, 2 pi). */
-  static double strokeAngle(FlyTruth truth, boolean left, double x, double y) {
+  public static double strokeAngle(FlyTruth truth, boolean left, double x, double y) {
     double direction =
         left
             ? Math.atan2(y - truth.leftHingeYPx(), x - truth.leftHingeXPx())

@@ -1,5 +1,9 @@
 package haltere.core.simulation;
 
+import haltere.core.simulation.dots.MovingDotsSettings;
+import haltere.core.simulation.flight.FlightSettings;
+import haltere.core.simulation.fly.FlySceneSettings;
+import haltere.core.simulation.road.RoadSceneSettings;
 import haltere.testing.SettingsContract;
 import java.util.Collection;
 import java.util.List;

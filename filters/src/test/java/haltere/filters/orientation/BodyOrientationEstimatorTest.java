@@ -4,8 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import haltere.core.simulation.FlightScene;
-import haltere.core.simulation.FlightTruth;
+import haltere.core.simulation.flight.FlightScene;
+import haltere.core.simulation.flight.FlightTruth;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;

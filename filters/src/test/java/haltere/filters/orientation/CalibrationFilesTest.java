@@ -4,8 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import haltere.core.simulation.FlightDetection;
-import haltere.core.simulation.FlightScene;
+import haltere.core.simulation.flight.FlightDetection;
+import haltere.core.simulation.flight.FlightScene;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;

@@ -1,7 +1,7 @@
 package haltere.filters.orientation;
 
-import haltere.core.simulation.FlightScene;
-import haltere.core.simulation.FlightTruth;
+import haltere.core.simulation.flight.FlightScene;
+import haltere.core.simulation.flight.FlightTruth;
 import haltere.testing.SceneEvents;
 import java.util.ArrayList;
 import java.util.List;

@@ -1,8 +1,8 @@
 package haltere.filters.orientation;
 
-import haltere.core.simulation.FlightDetection;
-import haltere.core.simulation.FlightScene;
-import haltere.core.simulation.FlightTruth;
+import haltere.core.simulation.flight.FlightDetection;
+import haltere.core.simulation.flight.FlightScene;
+import haltere.core.simulation.flight.FlightTruth;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;

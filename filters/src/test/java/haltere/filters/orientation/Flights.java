@@ -1,9 +1,9 @@
 package haltere.filters.orientation;
 
-import haltere.core.simulation.FlightCamera;
-import haltere.core.simulation.FlightDetection;
-import haltere.core.simulation.FlightScene;
-import haltere.core.simulation.FlightSettings;
+import haltere.core.simulation.flight.FlightCamera;
+import haltere.core.simulation.flight.FlightDetection;
+import haltere.core.simulation.flight.FlightScene;
+import haltere.core.simulation.flight.FlightSettings;
 import java.util.ArrayList;
 import java.util.List;
 

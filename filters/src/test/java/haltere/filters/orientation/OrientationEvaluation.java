@@ -1,6 +1,6 @@
 package haltere.filters.orientation;
 
-import haltere.core.simulation.FlightScene;
+import haltere.core.simulation.flight.FlightScene;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;

@@ -2,8 +2,8 @@ package haltere.filters.orientation;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import haltere.core.simulation.FlightScene;
-import haltere.core.simulation.FlightTruth;
+import haltere.core.simulation.flight.FlightScene;
+import haltere.core.simulation.flight.FlightTruth;
 import haltere.filters.estimation.SvgPlot;
 import java.io.IOException;
 import java.nio.file.Files;

@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import haltere.core.simulation.FlightScene;
+import haltere.core.simulation.flight.FlightScene;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;

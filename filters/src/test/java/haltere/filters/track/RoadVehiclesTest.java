@@ -6,9 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.core.simulation.RoadScene;
-import haltere.core.simulation.RoadSceneSettings;
-import haltere.core.simulation.RoadTruth;
+import haltere.core.simulation.road.RoadScene;
+import haltere.core.simulation.road.RoadSceneSettings;
+import haltere.core.simulation.road.RoadTruth;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import java.util.ArrayList;

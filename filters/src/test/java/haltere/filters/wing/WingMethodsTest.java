@@ -5,8 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.EventPacket;
-import haltere.core.simulation.FlyScene;
-import haltere.core.simulation.FlyTruth;
+import haltere.core.simulation.fly.FlyScene;
+import haltere.core.simulation.fly.FlyTruth;
 import haltere.filters.estimation.Angles;
 import haltere.filters.wing.WingTrackerState.Phase;
 import haltere.testing.wings.WingScores;

@@ -1,9 +1,9 @@
 package haltere.filters.wing;
 
 import haltere.core.event.EventPacket;
-import haltere.core.simulation.FlyScene;
-import haltere.core.simulation.FlySceneSettings;
-import haltere.core.simulation.FlyTruth;
+import haltere.core.simulation.fly.FlyScene;
+import haltere.core.simulation.fly.FlySceneSettings;
+import haltere.core.simulation.fly.FlyTruth;
 import haltere.filters.estimation.SvgPlot;
 import java.io.IOException;
 import java.nio.file.Path;

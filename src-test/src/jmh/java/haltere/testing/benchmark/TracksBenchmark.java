@@ -2,8 +2,8 @@ package haltere.testing.benchmark;
 
 import haltere.core.chain.EventFilter;
 import haltere.core.event.EventPacket;
-import haltere.core.simulation.MovingDotsScene;
-import haltere.core.simulation.MovingDotsSettings;
+import haltere.core.simulation.dots.MovingDotsScene;
+import haltere.core.simulation.dots.MovingDotsSettings;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import haltere.filters.cluster.ClusterTrackerFilter;

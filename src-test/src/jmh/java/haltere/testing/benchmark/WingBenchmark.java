@@ -1,8 +1,8 @@
 package haltere.testing.benchmark;
 
 import haltere.core.event.EventPacket;
-import haltere.core.simulation.FlyScene;
-import haltere.core.simulation.FlySceneSettings;
+import haltere.core.simulation.fly.FlyScene;
+import haltere.core.simulation.fly.FlySceneSettings;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import haltere.filters.wing.WingListener;

@@ -1,6 +1,6 @@
 package haltere.testing.evaluation;
 
-import haltere.core.simulation.RoadTruth;
+import haltere.core.simulation.road.RoadTruth;
 import haltere.filters.track.CountingLineSettings;
 import haltere.filters.track.LaneSettings;
 import haltere.filters.track.LineCrossing;

@@ -1,6 +1,6 @@
 package haltere.testing.wings;
 
-import haltere.core.simulation.FlySceneSettings;
+import haltere.core.simulation.fly.FlySceneSettings;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;

@@ -1,7 +1,7 @@
 package haltere.testing.wings;
 
-import haltere.core.simulation.FlyScene;
-import haltere.core.simulation.FlySceneSettings;
+import haltere.core.simulation.fly.FlyScene;
+import haltere.core.simulation.fly.FlySceneSettings;
 import haltere.filters.wing.WingTrackerSettings;
 import java.io.IOException;
 import java.nio.file.Files;

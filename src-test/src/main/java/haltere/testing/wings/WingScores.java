@@ -1,8 +1,8 @@
 package haltere.testing.wings;
 
 import haltere.core.event.EventPacket;
-import haltere.core.simulation.FlyScene;
-import haltere.core.simulation.FlyTruth;
+import haltere.core.simulation.fly.FlyScene;
+import haltere.core.simulation.fly.FlyTruth;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import haltere.filters.estimation.Angles;

@@ -142,6 +142,33 @@ class ArchitectureTest {
   }
 
   @Test
+  void scenesDoNotKnowEachOtherAndWhatTheyShareKnowsNone() {
+    String simulation = "haltere.core.simulation";
+    String[] scenes = {"fly", "road", "dots", "flight"};
+    for (String scene : scenes) {
+      check(
+          classes()
+              .that()
+              .resideInAPackage(simulation + "." + scene + "..")
+              .should()
+              .onlyHaveDependentClassesThat()
+              .resideOutsideOfPackage(simulation)
+              .because("a scene is found as a service"));
+      for (String other : scenes) {
+        if (!scene.equals(other)) {
+          check(
+              noClasses()
+                  .that()
+                  .resideInAPackage(simulation + "." + scene + "..")
+                  .should()
+                  .dependOnClassesThat()
+                  .resideInAPackage(simulation + "." + other + ".."));
+        }
+      }
+    }
+  }
+
+  @Test
   void deviceAndFiltersDoNotKnowEachOtherNorTheWindow() {
     check(
         noClasses()

@@ -1,9 +1,9 @@
 package haltere.ui.command;
 
 import haltere.core.json.Json;
-import haltere.core.simulation.FlightCamera;
-import haltere.core.simulation.FlightDetection;
-import haltere.core.simulation.FlightScene;
+import haltere.core.simulation.flight.FlightCamera;
+import haltere.core.simulation.flight.FlightDetection;
+import haltere.core.simulation.flight.FlightScene;
 import haltere.core.sink.CsvSink;
 import java.io.IOException;
 import java.nio.file.Path;

@@ -2,9 +2,9 @@ package haltere.ui.command;
 
 import haltere.core.event.EventPacket;
 import haltere.core.format.RecordingWriter;
-import haltere.core.simulation.FlightScene;
 import haltere.core.simulation.Scene;
 import haltere.core.simulation.Scenes;
+import haltere.core.simulation.flight.FlightScene;
 import haltere.core.sink.CsvSink;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;

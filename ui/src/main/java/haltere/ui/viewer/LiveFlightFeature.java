@@ -2,7 +2,7 @@ package haltere.ui.viewer;
 
 import haltere.core.camera.Cameras;
 import haltere.core.format.ReadOptions;
-import haltere.core.simulation.FlightSettings;
+import haltere.core.simulation.flight.FlightSettings;
 import haltere.filters.orientation.CameraFile;
 import haltere.filters.orientation.CameraModel;
 import haltere.ui.space.CameraRig;

@@ -9,8 +9,8 @@ import haltere.core.playback.KeptPlayable;
 import haltere.core.playback.Playable;
 import haltere.core.playback.RecordingPlayable;
 import haltere.core.playback.ScenePlayable;
-import haltere.core.simulation.FlyScene;
-import haltere.core.simulation.FlySceneSettings;
+import haltere.core.simulation.fly.FlyScene;
+import haltere.core.simulation.fly.FlySceneSettings;
 import java.io.IOException;
 import java.nio.file.Path;
 

@@ -80,8 +80,9 @@ class BadInputTest {
   }
 
   @Test
-  void aFolderIsNoRecording() {
-    assertFails(CommandRun.of("info", folder), folder, "folder");
+  void aFolderOfSeveralRecordingsIsNone() throws IOException {
+    Files.copy(good, folder.resolve("copy-of-" + good.getFileName()));
+    assertFails(CommandRun.of("info", folder), folder, "folder with 2 recordings");
   }
 
   @Test

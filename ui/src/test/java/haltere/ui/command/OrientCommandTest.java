@@ -4,9 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import haltere.core.simulation.FlightScene;
-import haltere.core.simulation.FlightSettings;
-import haltere.core.simulation.FlightTruth;
+import haltere.core.simulation.flight.FlightScene;
+import haltere.core.simulation.flight.FlightSettings;
+import haltere.core.simulation.flight.FlightTruth;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -4,8 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.chain.FilterChain;
 import haltere.core.event.EventPacket;
-import haltere.core.simulation.FlyScene;
-import haltere.core.simulation.FlySceneSettings;
+import haltere.core.simulation.fly.FlyScene;
+import haltere.core.simulation.fly.FlySceneSettings;
 import haltere.core.stream.Reset;
 import haltere.filters.wing.WingTrackerFilter;
 import haltere.filters.wing.WingTrackerSettings;

@@ -4,8 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.playback.ScenePlayable;
-import haltere.core.simulation.FlyScene;
-import haltere.core.simulation.FlySceneSettings;
+import haltere.core.simulation.fly.FlyScene;
+import haltere.core.simulation.fly.FlySceneSettings;
 import haltere.filters.estimation.Angles;
 import haltere.filters.wing.FlyGeometry;
 import haltere.filters.wing.WingFilterEdit.Table;

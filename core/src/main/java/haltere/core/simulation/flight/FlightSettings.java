@@ -1,0 +1,56 @@
+package haltere.core.simulation.flight;
+
+import haltere.core.settings.SettingsSchema;
+import haltere.core.simulation.NoiseSettings;
+import haltere.core.simulation.RunSettings;
+import haltere.core.simulation.SensorSettings;
+import java.util.List;
+
+/**
+ * The free flight of {@link FlightScene}.
+ *
+ * @param sensor the sensor of each camera
+ * @param body the body and how it flies
+ * @param view the cameras around it
+ * @param detection what detectors make of the pictures
+ * @param noise events without a cause
+ * @param run seed, start and length
+ */
+public record FlightSettings(
+    SensorSettings sensor,
+    FlightBodySettings body,
+    FlightViewSettings view,
+    FlightDetectionSettings detection,
+    NoiseSettings noise,
+    RunSettings run) {
+  /** Checks the values. */
+  public FlightSettings {
+    SettingsSchema.validate(FlightSettings.class, sensor, body, view, detection, noise, run);
+  }
+
+  /**
+   * The default settings.
+   *
+   * @return a bumblebee before three cameras of 640 x 480 pixels
+   */
+  public static FlightSettings defaults() {
+    return new FlightSettings(
+        new SensorSettings(640, 480),
+        FlightBodySettings.defaults(),
+        FlightViewSettings.defaults(),
+        FlightDetectionSettings.defaults(),
+        new NoiseSettings(0.02, 0.1, 0.05, 3, 50),
+        new RunSettings(1, 0, 0, 100));
+  }
+
+  /**
+   * These settings but for some.
+   *
+   * @param assignments texts of the form {@code name=value}, such as {@code view.cameras=2}
+   * @return new settings
+   * @throws haltere.core.settings.SettingsProblem for a name or a value that is not valid
+   */
+  public FlightSettings with(String... assignments) {
+    return SettingsSchema.of(FlightSettings.class).withAssignments(this, List.of(assignments));
+  }
+}

@@ -1,0 +1,192 @@
+package haltere.core.simulation.fly;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.simulation.BackgroundNoise;
+import haltere.core.simulation.EventMerger;
+import haltere.core.simulation.PacketCutter;
+import haltere.core.simulation.PixelArray;
+import haltere.core.simulation.RunSettings;
+import haltere.core.simulation.SensorSettings;
+import haltere.core.simulation.SensorTuning;
+import haltere.core.simulation.TunableScene;
+import haltere.core.stream.StreamHandler;
+import java.util.List;
+
+/**
+ * A tethered fruit fly before a bright background as a dynamic vision sensor sees it: a test bed
+ * for wing trackers with ground truth.
+ *
+ * <p>Each wing is a dark sector about its hinge that beats with a published stroke waveform ({@link
+ * StrokeWaveform}); frequency and amplitude vary smoothly and at seeded times the fly manoeuvres.
+ * The edge in front takes light from the pixels (OFF), the edge behind gives it back (ON). The
+ * pixels ({@code PixelArray}) are solved exactly for every passage of an edge, so the photoreceptor
+ * thins out the events of fast edges in the middle of the stroke and crowds them at the reversals,
+ * and delays what is left. The body's outline flickers as the body sways. Latency, jitter,
+ * threshold mismatch, refractory period, noise, hot pixels and the limit of the bus are as the
+ * settings say.
+ *
+ * <p>The same settings make the same events, bit for bit, on every machine. The stream is made as
+ * it is pulled, in constant memory, and ends only if the settings give it a length. Truth is a pure
+ * function of time: {@link #truthAt}.
+ *
+ * <p>Thread rule: pulled by one thread at a time; {@link #truthAt} may be called by any thread.
+ */
+public final class FlyScene implements TunableScene<FlyTruth> {
+  private static final int MOST_EVENTS = 4096;
+
+  private static final double US = 1e-6;
+  private static final int STEP_US = 10;
+  private static final int STRETCH_US = 200;
+  private static final int INTERVAL_US = 1000;
+  private static final int LOOKS = 10;
+
+  private final FlySceneSettings settings;
+  private final SensorGeometry geometry;
+  private final FlyKinematics kinematics;
+  private final EventMerger merger;
+  private final PixelArray pixels;
+  private final WingSweep[] wings = new WingSweep[2];
+  private final BodyOutline outline;
+  private final PacketCutter cutter;
+  private FlyPose before = new FlyPose();
+  private FlyPose after = new FlyPose();
+  private BackgroundNoise noise;
+  private SensorTuning tuning;
+  private long doneUs;
+
+  /**
+   * A scene at its beginning.
+   *
+   * @param settings what is to be seen
+   */
+  public FlyScene(FlySceneSettings settings) {
+    this(settings, MOST_EVENTS);
+  }
+
+  /** A scene whose packets have at most so many events. */
+  FlyScene(FlySceneSettings settings, int mostEvents) {
+    this.settings = settings;
+    tuning = new SensorTuning(settings.pixel(), settings.noise(), 0);
+    SensorSettings sensor = settings.sensor();
+    long seed = settings.run().seed();
+    geometry = new SensorGeometry(sensor.widthPx(), sensor.heightPx());
+    kinematics = new FlyKinematics(settings);
+    merger = new EventMerger(settings.pixel(), sensor, settings.run());
+    pixels = new PixelArray(settings.pixel(), sensor, seed, merger);
+    WireMask wire = new WireMask(settings.disturbances().wire(), sensor);
+    BodyShape shape = new BodyShape(settings.fly().body().lengthPx());
+    outline = new BodyOutline(settings, shape, pixels, wire, kinematics, LOOKS);
+    noise = new BackgroundNoise(settings.noise(), sensor, seed);
+    kinematics.sample(0, before);
+    for (int side = 0; side < wings.length; side++) {
+      wings[side] = new WingSweep(side, settings, kinematics, pixels, shape, wire);
+      wings[side].place(before, angle(side, 0));
+    }
+    pixels.settleAll();
+    cutter = new PacketCutter(settings.run(), geometry, "fly", mostEvents, this::makeInterval);
+  }
+
+  /**
+   * What is to be seen.
+   *
+   * @return the settings of the scene
+   */
+  public FlySceneSettings settings() {
+    return settings;
+  }
+
+  @Override
+  public SensorGeometry geometry() {
+    return geometry;
+  }
+
+  @Override
+  public boolean next(StreamHandler handler) {
+    return cutter.next(handler);
+  }
+
+  /**
+   * Events that the bus did not carry, up to now.
+   *
+   * @return at least 0
+   */
+  public long lostOnBus() {
+    return merger.lost();
+  }
+
+  /**
+   * The truth at a time.
+   *
+   * @param timeUs microseconds on the clock of the events
+   * @return one row
+   */
+  public FlyTruth truthAt(long timeUs) {
+    FlyPose pose = new FlyPose();
+    kinematics.sample((timeUs - startUs()) * US, pose);
+    return FlyTruth.of(timeUs, pose, kinematics.waveform(), settings.fly().wing().widthRad());
+  }
+
+  @Override
+  public SensorTuning tuning() {
+    return tuning;
+  }
+
+  @Override
+  public void tune(SensorTuning newTuning) {
+    pixels.tune(newTuning.pixel(), newTuning.balance(), doneUs);
+    merger.tune(newTuning.pixel());
+    if (!newTuning.noise().equals(tuning.noise())) {
+      noise =
+          new BackgroundNoise(newTuning.noise(), settings.sensor(), settings.run().seed(), doneUs);
+    }
+    tuning = newTuning;
+  }
+
+  @Override
+  public Class<FlyTruth> truthType() {
+    return FlyTruth.class;
+  }
+
+  @Override
+  public List<FlyTruth> truthRows(long timeUs) {
+    return List.of(truthAt(timeUs));
+  }
+
+  @Override
+  public RunSettings run() {
+    return settings.run();
+  }
+
+  /** Adds the events of the next interval and tells where it ended. */
+  private long makeInterval(EventPacket out) {
+    for (long end = doneUs + INTERVAL_US; doneUs < end; ) {
+      long fromUs = doneUs;
+      doneUs += STRETCH_US;
+      kinematics.sample(doneUs * US, after);
+      for (int side = 0; side < wings.length; side++) {
+        for (int step = STEP_US; step <= STRETCH_US; step += STEP_US) {
+          double untilUs = fromUs + step;
+          wings[side].sweepTo(angle(side, (double) step / STRETCH_US), untilUs - STEP_US, untilUs);
+        }
+        wings[side].bodyMoved(after, doneUs);
+      }
+      outline.look((int) (fromUs / STRETCH_US % LOOKS), fromUs, STRETCH_US, after);
+      FlyPose swap = before;
+      before = after;
+      after = swap;
+    }
+    pixels.advanceAll(doneUs);
+    noise.addUntil(doneUs, merger);
+    merger.release(doneUs, out);
+    return doneUs;
+  }
+
+  /** Stroke angle at a share of the way from the pose before to the pose after. */
+  private double angle(int side, double share) {
+    return kinematics.angle(
+        before.centre[side] + share * (after.centre[side] - before.centre[side]),
+        before.amplitude[side] + share * (after.amplitude[side] - before.amplitude[side]),
+        before.cycles[side] + share * (after.cycles[side] - before.cycles[side]));
+  }
+}

@@ -1,0 +1,156 @@
+package haltere.core.simulation.road;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.simulation.BackgroundNoise;
+import haltere.core.simulation.EventMerger;
+import haltere.core.simulation.PacketCutter;
+import haltere.core.simulation.PixelArray;
+import haltere.core.simulation.RunSettings;
+import haltere.core.simulation.SensorSettings;
+import haltere.core.simulation.SensorTuning;
+import haltere.core.simulation.TunableScene;
+import haltere.core.stream.StreamHandler;
+import java.util.List;
+
+/**
+ * Traffic on a road as a dynamic vision sensor on a bridge sees it: a test bed for trackers and for
+ * maps from pixels to metres, with ground truth.
+ *
+ * <p>The camera's angle below the horizon is linear in the row, from the bottom row to that of the
+ * vanishing point, and a pixel subtends the same angle across. Vehicles are made of painted boxes
+ * that keep to their lanes, cruise, overtake, stop and start, slow down, or ride side by side, at
+ * exact speeds, and never touch. A nearer vehicle hides a farther one. Their edges and what is
+ * painted on them (windows, lamps, tyres) change the light of a pixel when they pass its middle;
+ * the pixels ({@code PixelArray}), latency, jitter, noise and rain are as the settings say.
+ *
+ * <p>The same settings make the same events, bit for bit, on every machine. The stream is made as
+ * it is pulled, in constant memory, and ends only if the settings give it a length. Truth is a pure
+ * function of time; see {@link RoadTruth}.
+ *
+ * <p>Thread rule: pulled by one thread at a time; the truth may be asked for by any thread.
+ */
+public final class RoadScene implements TunableScene<RoadTruth> {
+  private static final int MOST_EVENTS = 4096;
+  private static final int INTERVAL_US = 4000;
+
+  private final RoadSceneSettings settings;
+  private final SensorGeometry geometry;
+  private final RoadCamera camera;
+  private final RoadWitness witness;
+  private final EventMerger merger;
+  private final PixelArray pixels;
+  private final RoadPainter painter;
+  private final RainStreaks rain;
+  private final PacketCutter cutter;
+  private BackgroundNoise noise;
+  private SensorTuning tuning;
+  private long doneUs;
+
+  /**
+   * A scene at its beginning.
+   *
+   * @param settings what is to be seen
+   */
+  public RoadScene(RoadSceneSettings settings) {
+    this(settings, MOST_EVENTS);
+  }
+
+  /** A scene whose packets have at most so many events. */
+  RoadScene(RoadSceneSettings settings, int mostEvents) {
+    this.settings = settings;
+    tuning = new SensorTuning(settings.pixel(), settings.noise(), 0);
+    SensorSettings sensor = settings.sensor();
+    long seed = settings.run().seed();
+    geometry = new SensorGeometry(sensor.widthPx(), sensor.heightPx());
+    camera = new RoadCamera(settings.camera(), sensor);
+    TrafficPlan plan = new TrafficPlan(settings);
+    witness = new RoadWitness(settings, camera, plan);
+    merger = new EventMerger(settings.pixel(), sensor, settings.run());
+    pixels = new PixelArray(settings.pixel(), sensor, seed, merger);
+    painter = new RoadPainter(settings, camera, plan, pixels);
+    noise = new BackgroundNoise(settings.noise(), sensor, seed);
+    rain = new RainStreaks(settings.rain(), sensor, seed);
+    painter.begin();
+    cutter = new PacketCutter(settings.run(), geometry, "road", mostEvents, this::makeInterval);
+  }
+
+  /**
+   * What is to be seen.
+   *
+   * @return the settings of the scene
+   */
+  public RoadSceneSettings settings() {
+    return settings;
+  }
+
+  /**
+   * Column of the vanishing point.
+   *
+   * @return pixels to the right
+   */
+  public double vanishingXPx() {
+    return camera.vanishingXPx;
+  }
+
+  /**
+   * Row of the vanishing point.
+   *
+   * @return pixels up
+   */
+  public double vanishingYPx() {
+    return camera.vanishingYPx;
+  }
+
+  @Override
+  public SensorGeometry geometry() {
+    return geometry;
+  }
+
+  @Override
+  public boolean next(StreamHandler handler) {
+    return cutter.next(handler);
+  }
+
+  @Override
+  public SensorTuning tuning() {
+    return tuning;
+  }
+
+  @Override
+  public void tune(SensorTuning newTuning) {
+    pixels.tune(newTuning.pixel(), newTuning.balance(), doneUs);
+    merger.tune(newTuning.pixel());
+    if (!newTuning.noise().equals(tuning.noise())) {
+      noise =
+          new BackgroundNoise(newTuning.noise(), settings.sensor(), settings.run().seed(), doneUs);
+    }
+    tuning = newTuning;
+  }
+
+  @Override
+  public Class<RoadTruth> truthType() {
+    return RoadTruth.class;
+  }
+
+  @Override
+  public List<RoadTruth> truthRows(long timeUs) {
+    return witness.rows(timeUs);
+  }
+
+  @Override
+  public RunSettings run() {
+    return settings.run();
+  }
+
+  private long makeInterval(EventPacket out) {
+    long fromUs = doneUs;
+    doneUs += INTERVAL_US;
+    painter.paint(fromUs, doneUs);
+    pixels.advanceAll(doneUs);
+    noise.addUntil(doneUs, merger);
+    rain.addUntil(doneUs, merger);
+    merger.release(doneUs, out);
+    return doneUs;
+  }
+}
