@@ -148,8 +148,32 @@ public final class ViewerWindow implements SessionHost {
     panels.startAnew(made, display.options().colours());
     session.set(Optional.of(made));
     before.ifPresent(background::close);
-    made.play();
-    made.file().ifPresent(file -> scanRates(file, options, made));
+    afterLayout(() -> begin(made, options));
+  }
+
+  private void begin(ViewerSession made, ReadOptions options) {
+    if (session().equals(Optional.of(made))) {
+      made.play();
+      made.file().ifPresent(file -> scanRates(file, options, made));
+    }
+  }
+
+  /**
+   * Does something once the window has laid out what is new in it, for which it has the processors
+   * to itself until then.
+   */
+  private void afterLayout(Runnable action) {
+    Scene scene = stage.getScene();
+    Runnable once =
+        new Runnable() {
+          @Override
+          public void run() {
+            scene.removePostLayoutPulseListener(this);
+            action.run();
+          }
+        };
+    scene.addPostLayoutPulseListener(once);
+    Platform.requestNextPulse();
   }
 
   private void scanRates(Path file, ReadOptions options, ViewerSession scanned) {
