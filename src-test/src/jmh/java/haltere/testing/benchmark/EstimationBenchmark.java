@@ -138,7 +138,12 @@ public class EstimationBenchmark {
     wave.of(edge.x2());
     double sin = wave.sine();
     double y = Angles.wrapPi(angle() - (edge.x0() + edge.x1() * sin));
-    return edge.update(y, 1, sin, edge.x1() * wave.cosine(), 0, R);
+    UpdateOutcome outcome = edge.update(y, 1, sin, edge.x1() * wave.cosine(), 0, R);
+    if (edge.x2() > Math.PI) {
+      // As the wing tracker does; a phase of many turns would need the slower sine.
+      edge.setState(edge.x0(), edge.x1(), edge.x2() - 2 * Math.PI, edge.x3());
+    }
+    return outcome;
   }
 
   /**
