@@ -39,6 +39,8 @@ public final class RateProfile {
     }
     Scan scan = new Scan(reader.segments(), bins);
     while (reader.next(scan)) {
+      // beside a window that is to answer meanwhile
+      Thread.yield();
       if (Thread.currentThread().isInterrupted()) {
         throw new InterruptedIOException("interrupted while reading " + reader.path());
       }

@@ -54,6 +54,8 @@ final class TimeIndex {
       if (Thread.currentThread().isInterrupted()) {
         throw new InterruptedIOException("interrupted while indexing " + path);
       }
+      // beside a window that is to answer meanwhile
+      Thread.yield();
       cursor.save(state, 0);
       long lastUs = cursor.times().lastUs();
       long offset = cursor.positionBytes();
