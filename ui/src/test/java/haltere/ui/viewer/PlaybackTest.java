@@ -122,16 +122,13 @@ class PlaybackTest {
     assertTrue(before > 0);
     viewer.press(KeyCode.R);
     viewer.waitFor("the start", () -> viewer.status().elapsedUs() == 0);
-    assertTrue(
-        seen.stream()
-            .anyMatch(item -> item instanceof Reset reset && reset.cause() == Reset.Cause.REWIND));
+    viewer.waitFor("a rewind", () -> hasReset(seen, Reset.Cause.REWIND));
     viewer.press(KeyCode.Z);
-    viewer.waitFor(
-        "a user reset",
-        () ->
-            seen.stream()
-                .anyMatch(
-                    item -> item instanceof Reset reset && reset.cause() == Reset.Cause.USER));
+    viewer.waitFor("a user reset", () -> hasReset(seen, Reset.Cause.USER));
+  }
+
+  private static boolean hasReset(List<StreamNotification> seen, Reset.Cause cause) {
+    return seen.stream().anyMatch(item -> item instanceof Reset reset && reset.cause() == cause);
   }
 
   @Test

@@ -144,6 +144,7 @@ final class ViewerHarness implements AutoCloseable {
     run(() -> window.open(playable, "test"));
     waitFor("a session", () -> window.session().isPresent());
     waitFor("frames", () -> window.framesShown() > 0);
+    waitFor("what plays", () -> status().elapsedUs() > 0);
   }
 
   /** Opens a recording, also the one that is open already, and waits until it plays. */
