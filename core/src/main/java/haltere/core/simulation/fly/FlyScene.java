@@ -2,12 +2,10 @@ package haltere.core.simulation.fly;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.core.simulation.BackgroundNoise;
-import haltere.core.simulation.EventMerger;
 import haltere.core.simulation.PacketCutter;
 import haltere.core.simulation.PixelArray;
 import haltere.core.simulation.RunSettings;
-import haltere.core.simulation.SensorSettings;
+import haltere.core.simulation.SceneSensor;
 import haltere.core.simulation.SensorTuning;
 import haltere.core.simulation.TunableScene;
 import haltere.core.stream.StreamHandler;
@@ -42,17 +40,13 @@ public final class FlyScene implements TunableScene<FlyTruth> {
   private static final int LOOKS = 10;
 
   private final FlySceneSettings settings;
-  private final SensorGeometry geometry;
   private final FlyKinematics kinematics;
-  private final EventMerger merger;
-  private final PixelArray pixels;
+  private final SceneSensor sensor;
   private final WingSweep[] wings = new WingSweep[2];
   private final BodyOutline outline;
   private final PacketCutter cutter;
   private FlyPose before = new FlyPose();
   private FlyPose after = new FlyPose();
-  private BackgroundNoise noise;
-  private SensorTuning tuning;
   private long doneUs;
 
   /**
@@ -67,24 +61,20 @@ public final class FlyScene implements TunableScene<FlyTruth> {
   /** A scene whose packets have at most so many events. */
   FlyScene(FlySceneSettings settings, int mostEvents) {
     this.settings = settings;
-    tuning = new SensorTuning(settings.pixel(), settings.noise(), 0);
-    SensorSettings sensor = settings.sensor();
-    long seed = settings.run().seed();
-    geometry = new SensorGeometry(sensor.widthPx(), sensor.heightPx());
+    sensor = new SceneSensor(settings.pixel(), settings.noise(), settings.sensor(), settings.run());
     kinematics = new FlyKinematics(settings);
-    merger = new EventMerger(settings.pixel(), sensor, settings.run());
-    pixels = new PixelArray(settings.pixel(), sensor, seed, merger);
-    WireMask wire = new WireMask(settings.disturbances().wire(), sensor);
+    PixelArray pixels = sensor.pixels();
+    WireMask wire = new WireMask(settings.disturbances().wire(), settings.sensor());
     BodyShape shape = new BodyShape(settings.fly().body().lengthPx());
     outline = new BodyOutline(settings, shape, pixels, wire, kinematics, LOOKS);
-    noise = new BackgroundNoise(settings.noise(), sensor, seed);
     kinematics.sample(0, before);
     for (int side = 0; side < wings.length; side++) {
       wings[side] = new WingSweep(side, settings, kinematics, pixels, shape, wire);
       wings[side].place(before, angle(side, 0));
     }
     pixels.settleAll();
-    cutter = new PacketCutter(settings.run(), geometry, "fly", mostEvents, this::makeInterval);
+    cutter =
+        new PacketCutter(settings.run(), sensor.geometry(), "fly", mostEvents, this::makeInterval);
   }
 
   /**
@@ -98,7 +88,7 @@ public final class FlyScene implements TunableScene<FlyTruth> {
 
   @Override
   public SensorGeometry geometry() {
-    return geometry;
+    return sensor.geometry();
   }
 
   @Override
@@ -112,7 +102,7 @@ public final class FlyScene implements TunableScene<FlyTruth> {
    * @return at least 0
    */
   public long lostOnBus() {
-    return merger.lost();
+    return sensor.bus().lost();
   }
 
   /**
@@ -129,18 +119,12 @@ public final class FlyScene implements TunableScene<FlyTruth> {
 
   @Override
   public SensorTuning tuning() {
-    return tuning;
+    return sensor.tuning();
   }
 
   @Override
   public void tune(SensorTuning newTuning) {
-    pixels.tune(newTuning.pixel(), newTuning.balance(), doneUs);
-    merger.tune(newTuning.pixel());
-    if (!newTuning.noise().equals(tuning.noise())) {
-      noise =
-          new BackgroundNoise(newTuning.noise(), settings.sensor(), settings.run().seed(), doneUs);
-    }
-    tuning = newTuning;
+    sensor.tune(newTuning, doneUs);
   }
 
   @Override
@@ -176,9 +160,8 @@ public final class FlyScene implements TunableScene<FlyTruth> {
       before = after;
       after = swap;
     }
-    pixels.advanceAll(doneUs);
-    noise.addUntil(doneUs, merger);
-    merger.release(doneUs, out);
+    sensor.advance(doneUs);
+    sensor.release(doneUs, out);
     return doneUs;
   }
 

@@ -2,12 +2,9 @@ package haltere.core.simulation.road;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.core.simulation.BackgroundNoise;
-import haltere.core.simulation.EventMerger;
 import haltere.core.simulation.PacketCutter;
-import haltere.core.simulation.PixelArray;
 import haltere.core.simulation.RunSettings;
-import haltere.core.simulation.SensorSettings;
+import haltere.core.simulation.SceneSensor;
 import haltere.core.simulation.SensorTuning;
 import haltere.core.simulation.TunableScene;
 import haltere.core.stream.StreamHandler;
@@ -35,16 +32,12 @@ public final class RoadScene implements TunableScene<RoadTruth> {
   private static final int INTERVAL_US = 4000;
 
   private final RoadSceneSettings settings;
-  private final SensorGeometry geometry;
   private final RoadCamera camera;
   private final RoadWitness witness;
-  private final EventMerger merger;
-  private final PixelArray pixels;
+  private final SceneSensor sensor;
   private final RoadPainter painter;
   private final RainStreaks rain;
   private final PacketCutter cutter;
-  private BackgroundNoise noise;
-  private SensorTuning tuning;
   private long doneUs;
 
   /**
@@ -59,20 +52,15 @@ public final class RoadScene implements TunableScene<RoadTruth> {
   /** A scene whose packets have at most so many events. */
   RoadScene(RoadSceneSettings settings, int mostEvents) {
     this.settings = settings;
-    tuning = new SensorTuning(settings.pixel(), settings.noise(), 0);
-    SensorSettings sensor = settings.sensor();
-    long seed = settings.run().seed();
-    geometry = new SensorGeometry(sensor.widthPx(), sensor.heightPx());
-    camera = new RoadCamera(settings.camera(), sensor);
+    sensor = new SceneSensor(settings.pixel(), settings.noise(), settings.sensor(), settings.run());
+    camera = new RoadCamera(settings.camera(), settings.sensor());
     TrafficPlan plan = new TrafficPlan(settings);
     witness = new RoadWitness(settings, camera, plan);
-    merger = new EventMerger(settings.pixel(), sensor, settings.run());
-    pixels = new PixelArray(settings.pixel(), sensor, seed, merger);
-    painter = new RoadPainter(settings, camera, plan, pixels);
-    noise = new BackgroundNoise(settings.noise(), sensor, seed);
-    rain = new RainStreaks(settings.rain(), sensor, seed);
+    painter = new RoadPainter(settings, camera, plan, sensor.pixels());
+    rain = new RainStreaks(settings.rain(), settings.sensor(), settings.run().seed());
     painter.begin();
-    cutter = new PacketCutter(settings.run(), geometry, "road", mostEvents, this::makeInterval);
+    cutter =
+        new PacketCutter(settings.run(), sensor.geometry(), "road", mostEvents, this::makeInterval);
   }
 
   /**
@@ -104,7 +92,7 @@ public final class RoadScene implements TunableScene<RoadTruth> {
 
   @Override
   public SensorGeometry geometry() {
-    return geometry;
+    return sensor.geometry();
   }
 
   @Override
@@ -114,18 +102,12 @@ public final class RoadScene implements TunableScene<RoadTruth> {
 
   @Override
   public SensorTuning tuning() {
-    return tuning;
+    return sensor.tuning();
   }
 
   @Override
   public void tune(SensorTuning newTuning) {
-    pixels.tune(newTuning.pixel(), newTuning.balance(), doneUs);
-    merger.tune(newTuning.pixel());
-    if (!newTuning.noise().equals(tuning.noise())) {
-      noise =
-          new BackgroundNoise(newTuning.noise(), settings.sensor(), settings.run().seed(), doneUs);
-    }
-    tuning = newTuning;
+    sensor.tune(newTuning, doneUs);
   }
 
   @Override
@@ -147,10 +129,9 @@ public final class RoadScene implements TunableScene<RoadTruth> {
     long fromUs = doneUs;
     doneUs += INTERVAL_US;
     painter.paint(fromUs, doneUs);
-    pixels.advanceAll(doneUs);
-    noise.addUntil(doneUs, merger);
-    rain.addUntil(doneUs, merger);
-    merger.release(doneUs, out);
+    sensor.advance(doneUs);
+    rain.addUntil(doneUs, sensor.bus());
+    sensor.release(doneUs, out);
     return doneUs;
   }
 }
