@@ -4,6 +4,9 @@ import haltere.ui.measure.PixelRegion;
 import haltere.ui.rendering.ColourMap;
 import haltere.ui.rendering.DisplayMode;
 import haltere.ui.rendering.Gradient;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.Optional;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ObjectProperty;
@@ -16,6 +19,9 @@ import javafx.beans.property.SimpleObjectProperty;
  * <p>Thread rule: JavaFX thread only.
  */
 final class DisplayControl {
+  /** Time constants of the fading that are offered, and what a menu calls them. */
+  static final Map<Long, String> DECAYS = decays();
+
   private final ObjectProperty<Theme> theme = new SimpleObjectProperty<>(Theme.DARK);
   private final ObjectProperty<ColourMap> colours =
       new SimpleObjectProperty<>(DisplayOptions.DEFAULT.colours());
@@ -30,6 +36,16 @@ final class DisplayControl {
       new SimpleObjectProperty<>(Optional.empty());
   private final ObjectProperty<Optional<MeasuredLine>> tape =
       new SimpleObjectProperty<>(Optional.empty());
+
+  private static Map<Long, String> decays() {
+    Map<Long, String> decays = new LinkedHashMap<>();
+    decays.put(DisplayOptions.FOLLOW_SLICES, "Follows the speed");
+    decays.put(DisplayOptions.SLICE_ONLY, "The last slice only");
+    for (long us : new long[] {100, 300, 1000, 3000, 10_000, 30_000, 100_000, 300_000}) {
+      decays.put(us, Texts.duration(us));
+    }
+    return Collections.unmodifiableMap(decays);
+  }
 
   DisplayControl() {
     // a theme brings the colours that go with it

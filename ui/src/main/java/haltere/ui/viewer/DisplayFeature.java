@@ -3,24 +3,11 @@ package haltere.ui.viewer;
 import haltere.ui.rendering.ColourMap;
 import haltere.ui.rendering.DisplayMode;
 import haltere.ui.rendering.Gradient;
-import java.util.LinkedHashMap;
 import java.util.Locale;
-import java.util.Map;
 import javafx.stage.Stage;
 
 /** How window and events look. */
 final class DisplayFeature implements ViewerFeature {
-  /** Time constants of the fading and what a menu calls them. */
-  static final Map<Long, String> DECAYS = new LinkedHashMap<>();
-
-  static {
-    DECAYS.put(DisplayOptions.FOLLOW_SLICES, "Follows the speed");
-    DECAYS.put(DisplayOptions.SLICE_ONLY, "The last slice only");
-    for (long us : new long[] {100, 300, 1000, 3000, 10_000, 30_000, 100_000, 300_000}) {
-      DECAYS.put(us, Texts.duration(us));
-    }
-  }
-
   @Override
   public void install(ViewerContext window) {
     DisplayControl display = window.display();
@@ -64,7 +51,7 @@ final class DisplayFeature implements ViewerFeature {
               display.gradientProperty(),
               gradient));
     }
-    DECAYS.forEach(
+    DisplayControl.DECAYS.forEach(
         (us, words) ->
             actions.add(
                 ViewerAction.choice(

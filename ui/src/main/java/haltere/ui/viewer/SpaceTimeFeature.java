@@ -54,9 +54,4 @@ final class SpaceTimeFeature implements ViewerFeature {
     sink.ifPresent(session.player()::removeSink);
     sink = Optional.empty();
   }
-
-  /** What is shown. */
-  SpaceTimePanel panel() {
-    return panel;
-  }
 }

@@ -51,7 +51,7 @@ final class ViewBar extends HBox {
                 "fading",
                 "How fast events fade, or that only those of the last slice are shown",
                 display.decayUsProperty(),
-                DisplayFeature.DECAYS),
+                DisplayControl.DECAYS),
             space,
             tools);
   }

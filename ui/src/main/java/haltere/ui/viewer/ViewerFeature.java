@@ -2,7 +2,7 @@ package haltere.ui.viewer;
 
 /**
  * Something that the window offers: it adds its actions, panels and tools, and listens to what is
- * open. Features do not know each other; {@link ViewerFeatures} lists them.
+ * open. Features do not know each other; {@code ViewerFeatures} lists them.
  *
  * <p>Thread rule: JavaFX thread only.
  */

@@ -189,6 +189,16 @@ class ChainPanelTest {
     assertTrue(viewer.onFx(() -> inner.accepts("chain/polarity")));
   }
 
+  @Test
+  void aCardThatIsDroppedOnAnotherTakesItsPlace() {
+    List<String> before = names();
+    StageCard card = viewer.node("stage-" + before.get(0), StageCard.class);
+    viewer.run(() -> card.drop(before.get(2)));
+    viewer.waitFor(
+        "the last is the first",
+        () -> names().equals(List.of(before.get(2), before.get(0), before.get(1))));
+  }
+
   private FilterChain inside(String stage) {
     return (FilterChain) viewer.session().chain().stage(stage).filter();
   }

@@ -108,17 +108,6 @@ class MannersTest {
   }
 
   @Test
-  void aCardThatIsDroppedOnAnotherTakesItsPlace() {
-    viewer = ViewerHarness.withBlob();
-    List<String> before = names();
-    StageCard card = viewer.node("stage-" + before.get(0), StageCard.class);
-    viewer.run(() -> card.drop(before.get(2)));
-    viewer.waitFor(
-        "the last is the first",
-        () -> names().equals(List.of(before.get(2), before.get(0), before.get(1))));
-  }
-
-  @Test
   void settingsAreSearchedAndThoseChangedAreShownAlone() {
     viewer = ViewerHarness.withBlob();
     enter("settings-search", "same polarity");

@@ -10,6 +10,7 @@ import haltere.ui.rendering.DisplayMode;
 import java.util.HashSet;
 import java.util.Optional;
 import java.util.Set;
+import javafx.scene.Node;
 import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.Slider;
 import javafx.scene.image.WritableImage;
@@ -125,7 +126,8 @@ class SeeingTest {
   @Test
   void spaceAndTimeAreTurnedBySliders() {
     viewer.run(() -> viewer.window.actions().run("show-space-time"));
-    SpaceTimePanel panel = viewer.window.feature(SpaceTimeFeature.class).panel();
+    viewer.waitFor("the panel", () -> viewer.isThere("space-time"));
+    Node panel = viewer.node("space-time", Node.class);
     viewer.waitFor("events in it", () -> colours(panel.snapshot(null, null)) > 20);
     Slider turn = viewer.node("space-time-turn", Slider.class);
     viewer.pause();
