@@ -7,13 +7,19 @@ import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.fields;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.domain.JavaModifier;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.lang.ArchRule;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
@@ -166,6 +172,47 @@ class ArchitectureTest {
         }
       }
     }
+  }
+
+  @Test
+  void partsOfTheWindowKnowOnlyThoseBelowThemAndFeaturesDoNotKnowEachOther() {
+    String window = "haltere.ui.viewer";
+    List<String> parts =
+        List.of(
+            "controls", "action", "chain", "picture", "playback", "plots", "session", "feature");
+    List<String> features = List.of("wings", "space", "cameras", "compare", "saving", "road");
+    Set<String> all = new TreeSet<>();
+    parts.forEach(part -> all.add(window + "." + part));
+    features.forEach(feature -> all.add(window + "." + feature));
+    all.add(window);
+    assertEquals(
+        all,
+        product.stream()
+            .map(JavaClass::getPackageName)
+            .filter(name -> (name + ".").startsWith(window + "."))
+            .collect(Collectors.toCollection(TreeSet::new)),
+        "a new package of the window needs its place here");
+    Set<String> above = new TreeSet<>(all);
+    for (String part : parts) {
+      above.remove(window + "." + part);
+      knowsNoneOf(window + "." + part, above, "what is below can be read alone");
+    }
+    for (String feature : features) {
+      Set<String> others = new TreeSet<>(above);
+      others.remove(window + "." + feature);
+      knowsNoneOf(window + "." + feature, others, "a feature can be taken away");
+    }
+  }
+
+  private static void knowsNoneOf(String one, Set<String> others, String reason) {
+    check(
+        noClasses()
+            .that()
+            .resideInAPackage(one)
+            .should()
+            .dependOnClassesThat()
+            .resideInAnyPackage(others.toArray(String[]::new))
+            .because(reason));
   }
 
   @Test

@@ -4,6 +4,9 @@ import haltere.core.chain.FilterChain;
 import haltere.core.chain.Outlet;
 import haltere.core.playback.Slicing;
 import haltere.filters.wing.WingBeat;
+import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.feature.ViewerContext;
+import haltere.ui.viewer.feature.ViewerFeature;
 
 /**
  * Slices of one wing beat: while they are wanted, their length follows the beats that a wing

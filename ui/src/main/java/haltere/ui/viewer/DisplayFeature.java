@@ -3,6 +3,12 @@ package haltere.ui.viewer;
 import haltere.ui.rendering.ColourMap;
 import haltere.ui.rendering.DisplayMode;
 import haltere.ui.rendering.Gradient;
+import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.action.ViewerActions;
+import haltere.ui.viewer.controls.Theme;
+import haltere.ui.viewer.feature.DisplayControl;
+import haltere.ui.viewer.feature.ViewerContext;
+import haltere.ui.viewer.feature.ViewerFeature;
 import java.util.Locale;
 import javafx.stage.Stage;
 

@@ -1,5 +1,10 @@
 package haltere.ui.viewer;
 
+import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.chain.EditHistory;
+import haltere.ui.viewer.feature.ViewerContext;
+import haltere.ui.viewer.feature.ViewerFeature;
+
 /** Takes changes of the chain and of settings back, and makes them once more. */
 final class EditFeature implements ViewerFeature {
   @Override

@@ -1,6 +1,10 @@
 package haltere.ui.viewer;
 
 import haltere.core.format.ReadOptions;
+import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.feature.ViewerContext;
+import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.session.SessionRequest;
 
 /** Opens recordings and the built-in scene. */
 final class FileFeature implements ViewerFeature {

@@ -1,5 +1,11 @@
 package haltere.ui.viewer;
 
+import haltere.ui.viewer.action.CommandPalette;
+import haltere.ui.viewer.action.KeysDialog;
+import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.feature.ViewerContext;
+import haltere.ui.viewer.feature.ViewerFeature;
+
 /** The command palette and the list of keys. */
 final class HelpFeature implements ViewerFeature {
   @Override

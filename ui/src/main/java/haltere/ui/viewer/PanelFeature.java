@@ -1,5 +1,11 @@
 package haltere.ui.viewer;
 
+import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.controls.FocusOrder;
+import haltere.ui.viewer.feature.PanelPlace;
+import haltere.ui.viewer.feature.ViewerContext;
+import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.feature.ViewerPanels;
 import java.util.List;
 import javafx.scene.Node;
 

@@ -1,5 +1,12 @@
 package haltere.ui.viewer;
 
+import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.action.ViewerActions;
+import haltere.ui.viewer.controls.Questions;
+import haltere.ui.viewer.controls.Texts;
+import haltere.ui.viewer.feature.ViewerContext;
+import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.playback.PlaybackController;
 import java.util.OptionalLong;
 import javafx.beans.binding.Bindings;
 

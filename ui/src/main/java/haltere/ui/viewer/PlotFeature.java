@@ -1,5 +1,11 @@
 package haltere.ui.viewer;
 
+import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.feature.PanelPlace;
+import haltere.ui.viewer.feature.ViewerContext;
+import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.plots.PlotPanel;
+import haltere.ui.viewer.saving.Saving;
 import javafx.beans.property.BooleanProperty;
 
 /** Plots of what filters publish, below the events. */

@@ -2,6 +2,12 @@ package haltere.ui.viewer;
 
 import haltere.core.chain.ChainFile;
 import haltere.core.format.AtomicFile;
+import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.chain.ChainEditor;
+import haltere.ui.viewer.chain.ChainPresets;
+import haltere.ui.viewer.controls.Questions;
+import haltere.ui.viewer.feature.ViewerContext;
+import haltere.ui.viewer.feature.ViewerFeature;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -15,7 +21,7 @@ import java.util.stream.Stream;
  *
  * <p>Thread rule: JavaFX thread only.
  */
-final class PresetFeature implements ViewerFeature, ChainPresets {
+public final class PresetFeature implements ViewerFeature, ChainPresets {
   private static final String MENU = "Chain/Presets";
   private static final String ENDING = ".json";
 
@@ -57,7 +63,7 @@ final class PresetFeature implements ViewerFeature, ChainPresets {
   }
 
   /** Keeps a chain under a name. */
-  void save(String name, ChainEditor chain) {
+  public void save(String name, ChainEditor chain) {
     if (folder == null || name.matches(".*[/\\\\:].*")) {
       window.status().showError("A preset cannot be named " + name);
       return;

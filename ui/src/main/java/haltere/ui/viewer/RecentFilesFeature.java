@@ -1,6 +1,9 @@
 package haltere.ui.viewer;
 
 import haltere.core.format.ReadOptions;
+import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.feature.ViewerContext;
+import haltere.ui.viewer.feature.ViewerFeature;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;

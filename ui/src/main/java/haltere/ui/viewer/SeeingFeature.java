@@ -2,6 +2,15 @@ package haltere.ui.viewer;
 
 import haltere.core.event.SensorGeometry;
 import haltere.ui.measure.PixelRegion;
+import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.feature.DisplayControl;
+import haltere.ui.viewer.feature.ViewerContext;
+import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.picture.EventView;
+import haltere.ui.viewer.picture.MeasuringTape;
+import haltere.ui.viewer.picture.PointTool;
+import haltere.ui.viewer.picture.RegionLayer;
+import haltere.ui.viewer.picture.RegionTool;
 import java.util.Optional;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
@@ -11,7 +20,7 @@ import javafx.beans.property.SimpleBooleanProperty;
  *
  * <p>Thread rule: JavaFX thread only.
  */
-final class SeeingFeature implements ViewerFeature {
+public final class SeeingFeature implements ViewerFeature {
   private static final String MENU = "Tools";
   private static final double ZOOM_STEP = 1.5;
   private static final double PAN_STEP = 0.1;
@@ -32,7 +41,7 @@ final class SeeingFeature implements ViewerFeature {
         (x, y, over) ->
             window.sessions().session().ifPresent(open -> open.display().point(x, y, over)));
     view.addLayer(layer::draw);
-    view.onFrame(frame -> frame.region.ifPresent(layer::setReading));
+    view.onFrame(frame -> frame.region().ifPresent(layer::setReading));
     followLegend(view);
     window.onSession(made -> setRegion(Optional.empty()));
     RegionTool regionTool = new RegionTool(this::sensor, this::setRegion);
@@ -115,7 +124,7 @@ final class SeeingFeature implements ViewerFeature {
   }
 
   /** Watches a region, or none. */
-  void setRegion(Optional<PixelRegion> region) {
+  public void setRegion(Optional<PixelRegion> region) {
     layer.setRegion(region);
     window.display().regionProperty().set(region);
     window.sessions().session().ifPresent(open -> open.display().setRegion(region));

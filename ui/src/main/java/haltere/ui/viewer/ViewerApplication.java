@@ -1,6 +1,11 @@
 package haltere.ui.viewer;
 
 import haltere.core.format.ReadOptions;
+import haltere.ui.viewer.controls.Texts;
+import haltere.ui.viewer.controls.Theme;
+import haltere.ui.viewer.feature.UserSettings;
+import haltere.ui.viewer.session.SessionRequest;
+import haltere.ui.viewer.session.ViewerSession;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;

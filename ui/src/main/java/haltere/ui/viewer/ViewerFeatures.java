@@ -1,5 +1,18 @@
 package haltere.ui.viewer;
 
+import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.cameras.CameraFeature;
+import haltere.ui.viewer.compare.CompareFeature;
+import haltere.ui.viewer.feature.ViewerContext;
+import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.road.VanishingPointFeature;
+import haltere.ui.viewer.saving.ExportFeature;
+import haltere.ui.viewer.saving.PublishFeature;
+import haltere.ui.viewer.saving.SavingFeature;
+import haltere.ui.viewer.space.BodyFlightFeature;
+import haltere.ui.viewer.space.LiveFlightFeature;
+import haltere.ui.viewer.space.SpaceTimeFeature;
+import haltere.ui.viewer.wings.WingsFeature;
 import java.util.List;
 
 /** All features of the window; their order is that of the menus. */

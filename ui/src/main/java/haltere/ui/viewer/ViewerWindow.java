@@ -5,6 +5,27 @@ import haltere.core.format.ReadOptions;
 import haltere.core.format.Recordings;
 import haltere.ui.overlay.JavaFxOverlayCanvas;
 import haltere.ui.rendering.ColourMap;
+import haltere.ui.viewer.action.ViewerActions;
+import haltere.ui.viewer.action.ViewerKeys;
+import haltere.ui.viewer.action.ViewerMenu;
+import haltere.ui.viewer.chain.ChainEditor;
+import haltere.ui.viewer.chain.StageState;
+import haltere.ui.viewer.controls.FileDialogs;
+import haltere.ui.viewer.controls.Theme;
+import haltere.ui.viewer.feature.BackgroundWork;
+import haltere.ui.viewer.feature.DisplayControl;
+import haltere.ui.viewer.feature.StatusLine;
+import haltere.ui.viewer.feature.UserSettings;
+import haltere.ui.viewer.feature.ViewerContext;
+import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.feature.ViewerPanels;
+import haltere.ui.viewer.picture.EventView;
+import haltere.ui.viewer.playback.PlaybackController;
+import haltere.ui.viewer.playback.SeekBar;
+import haltere.ui.viewer.plots.PlotPanel;
+import haltere.ui.viewer.session.SessionHost;
+import haltere.ui.viewer.session.SessionRequest;
+import haltere.ui.viewer.session.ViewerSession;
 import java.io.File;
 import java.nio.file.Path;
 import java.util.List;
@@ -129,7 +150,7 @@ public final class ViewerWindow implements SessionHost {
   }
 
   /** Shows a session that is being made and whose player was started in pause. */
-  void open(Future<ViewerSession> making, String name, ReadOptions options) {
+  public void open(Future<ViewerSession> making, String name, ReadOptions options) {
     opener.open(making, name, options);
   }
 
@@ -209,7 +230,7 @@ public final class ViewerWindow implements SessionHost {
   }
 
   /** Opens the first of some files; false if there is none. */
-  boolean dropped(List<File> files) {
+  public boolean dropped(List<File> files) {
     if (files.isEmpty()) {
       return false;
     }
@@ -234,16 +255,18 @@ public final class ViewerWindow implements SessionHost {
     return session.getReadOnlyProperty();
   }
 
-  ViewerActions actions() {
+  /** All that a person can do in the window. */
+  public ViewerActions actions() {
     return actions;
   }
 
-  DisplayControl display() {
+  /** How window and events look. */
+  public DisplayControl display() {
     return display;
   }
 
   /** The feature of a class. */
-  <T extends ViewerFeature> T feature(Class<T> type) {
+  public <T extends ViewerFeature> T feature(Class<T> type) {
     return features.stream()
         .filter(type::isInstance)
         .map(type::cast)
@@ -251,19 +274,23 @@ public final class ViewerWindow implements SessionHost {
         .orElseThrow(() -> new IllegalArgumentException("no " + type.getSimpleName()));
   }
 
-  PlaybackController playback() {
+  /** The transport. */
+  public PlaybackController playback() {
     return playback;
   }
 
-  ChainEditor editor() {
+  /** Changes and reads the chain that is open. */
+  public ChainEditor editor() {
     return editor;
   }
 
-  EventView view() {
+  /** The picture of the events. */
+  public EventView view() {
     return panels.view();
   }
 
-  PlotPanel plots() {
+  /** The plots of what filters publish. */
+  public PlotPanel plots() {
     return panels.plots();
   }
 

@@ -1,11 +1,13 @@
 /**
- * The window. One class per panel; {@code ViewerPanels} lays them out and keeps them up to date,
- * {@code SessionOpener} opens what they show, {@code ViewerWindow} holds it together. What a person
- * can do is brought by {@code ViewerFeature}s, listed in {@code ViewerFeatures}: each adds its
- * {@code ViewerAction}s, from which menus, keys, command palette and the list of keys are made, and
- * its panels and mouse tools, by way of a {@code ViewerContext}.
+ * The window. {@code ViewerWindow} joins its parts, {@code SessionOpener} opens what they show.
+ * What a person can do is brought by features, listed in {@code ViewerFeatures}: each adds its
+ * actions, panels and mouse tools by way of a {@code ViewerContext}. Small features stand here,
+ * larger ones in packages of their own. From below: {@code controls}; {@code action}, {@code
+ * chain}, {@code picture} and {@code playback}; {@code plots} and {@code session}; {@code feature},
+ * which holds the panels and what features may use; the features {@code wings}, {@code space},
+ * {@code cameras}, {@code compare}, {@code saving} and {@code road}; this package.
  *
- * <p>Thread rule, for the whole package: nodes are touched on the JavaFX thread only, and that
+ * <p>Thread rule, for all of these packages: nodes are touched on the JavaFX thread only, and that
  * thread never reads a file, never runs a filter and never waits for another thread. The player's
  * processing thread hands copies of what comes out of the chain to a thread that paints them into
  * one of three preallocated frames ({@code DisplaySink}, {@code PictureThread}); at each pulse of

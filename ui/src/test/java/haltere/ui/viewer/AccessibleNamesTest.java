@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.format.ReadOptions;
 import haltere.ui.plot.PlotField;
+import haltere.ui.viewer.cameras.CameraFeature;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;

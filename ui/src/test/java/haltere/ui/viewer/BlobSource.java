@@ -12,8 +12,8 @@ import java.util.SplittableRandom;
  * A round blob of events that moves slowly to the right over an otherwise silent sensor: what every
  * tracker must find. An ON and an OFF event every 100 us.
  */
-final class BlobSource implements EventSource {
-  static final SensorGeometry GEOMETRY = new SensorGeometry(128, 128);
+public final class BlobSource implements EventSource {
+  public static final SensorGeometry GEOMETRY = new SensorGeometry(128, 128);
   static final double RADIUS = 4;
   static final double Y = 40;
   private static final double START_X = 30;
@@ -33,7 +33,7 @@ final class BlobSource implements EventSource {
    *
    * @param endUs time of its end, microseconds
    */
-  BlobSource(long endUs) {
+  public BlobSource(long endUs) {
     this.endUs = endUs;
   }
 

@@ -9,6 +9,9 @@ import haltere.core.playback.ScenePlayable;
 import haltere.core.stream.EventSource;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamStarted;
+import haltere.ui.viewer.controls.Theme;
+import haltere.ui.viewer.session.SessionRequest;
+import haltere.ui.viewer.session.ViewerSession;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadInfo;
@@ -117,7 +120,7 @@ public final class FrameBenchmark {
     onFx(
         () -> {
           window.session().orElseThrow().player().addRawSink(latency);
-          window.view().onFrame(frame -> latency.shown(frame.timeUs));
+          window.view().onFrame(frame -> latency.shown(frame.timeUs()));
           return null;
         });
     waitUntil(() -> status(window).elapsedUs() > WARM_UP_S * 1e6);

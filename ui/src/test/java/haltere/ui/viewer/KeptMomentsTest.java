@@ -9,6 +9,8 @@ import haltere.core.format.RecordingSummary;
 import haltere.core.format.Recordings;
 import haltere.core.playback.Loop;
 import haltere.core.playback.PlayerStatus.State;
+import haltere.ui.viewer.cameras.CameraFeature;
+import haltere.ui.viewer.saving.ExportFeature;
 import java.io.IOException;
 import java.nio.file.Path;
 import javafx.scene.input.KeyCode;

@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import haltere.core.chain.ChainStage;
 import haltere.ui.measure.PixelRegion;
 import haltere.ui.plot.PlotField;
+import haltere.ui.viewer.controls.FocusOrder;
+import haltere.ui.viewer.plots.PlotPanel;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.LinkedHashSet;

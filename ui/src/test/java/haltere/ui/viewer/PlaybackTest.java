@@ -12,6 +12,7 @@ import haltere.core.playback.Slicing;
 import haltere.core.stream.Reset;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
+import haltere.ui.viewer.playback.PlaybackController;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;

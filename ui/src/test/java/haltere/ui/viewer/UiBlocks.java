@@ -1,6 +1,7 @@
 package haltere.ui.viewer;
 
 import haltere.core.playback.Loop;
+import haltere.ui.viewer.saving.ExportFeature;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;

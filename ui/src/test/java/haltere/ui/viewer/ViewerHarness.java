@@ -14,6 +14,10 @@ import haltere.core.playback.ScenePlayable;
 import haltere.core.stream.EventSource;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
+import haltere.ui.viewer.controls.Theme;
+import haltere.ui.viewer.feature.UserSettings;
+import haltere.ui.viewer.picture.EventView;
+import haltere.ui.viewer.session.ViewerSession;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
@@ -49,7 +53,7 @@ import javafx.stage.Window;
  *
  * <p>Thread rule: the test's thread; what touches nodes it brings to the JavaFX thread.
  */
-final class ViewerHarness implements AutoCloseable {
+public final class ViewerHarness implements AutoCloseable {
   private static final long PATIENCE_NANOS = TimeUnit.SECONDS.toNanos(30);
   private static final CompletableFuture<Void> STARTED = new CompletableFuture<>();
 
@@ -58,18 +62,18 @@ final class ViewerHarness implements AutoCloseable {
     Platform.setImplicitExit(false);
   }
 
-  final Stage stage;
-  final ViewerWindow window;
+  public final Stage stage;
+  public final ViewerWindow window;
   private final Robot robot;
   private final List<Throwable> faults = new CopyOnWriteArrayList<>();
 
   /** An empty window. */
-  ViewerHarness() {
+  public ViewerHarness() {
     this(UserSettings.inMemory());
   }
 
   /** An empty window, set up as a user has left it. */
-  ViewerHarness(UserSettings settings) {
+  public ViewerHarness(UserSettings settings) {
     STARTED.join();
     Stage[] madeStage = new Stage[1];
     Robot[] madeRobot = new Robot[1];
@@ -94,14 +98,14 @@ final class ViewerHarness implements AutoCloseable {
   }
 
   /** A window in which the blob moves. */
-  static ViewerHarness withBlob() {
+  public static ViewerHarness withBlob() {
     ViewerHarness harness = new ViewerHarness();
     harness.open(() -> new ScenePlayable(() -> new BlobSource(Long.MAX_VALUE), "blob"));
     return harness;
   }
 
   /** A window that plays a recording of the blob. */
-  static ViewerHarness withRecording(Path folder, long lengthUs) throws IOException {
+  public static ViewerHarness withRecording(Path folder, long lengthUs) throws IOException {
     Path file = folder.resolve("blob.aedat");
     writeRecording(file, lengthUs);
     ViewerHarness harness = new ViewerHarness();
@@ -110,14 +114,14 @@ final class ViewerHarness implements AutoCloseable {
   }
 
   /** Writes the blob as AEDAT-2. */
-  static void writeRecording(Path file, long lengthUs) throws IOException {
+  public static void writeRecording(Path file, long lengthUs) throws IOException {
     try (BlobSource blob = new BlobSource(lengthUs)) {
       writeRecording(file, blob);
     }
   }
 
   /** Writes the events of a source as the file's name says. */
-  static void writeRecording(Path file, EventSource source) throws IOException {
+  public static void writeRecording(Path file, EventSource source) throws IOException {
     try (var writer =
         Recordings.forWriting(file)
             .create(file, WriteOptions.of(source.geometry()))
@@ -140,7 +144,7 @@ final class ViewerHarness implements AutoCloseable {
     }
   }
 
-  void open(Callable<Playable> playable) {
+  public void open(Callable<Playable> playable) {
     run(() -> window.open(playable, "test"));
     waitFor("a session", () -> window.session().isPresent());
     waitFor("frames", () -> window.framesShown() > 0);
@@ -156,7 +160,7 @@ final class ViewerHarness implements AutoCloseable {
   }
 
   /** Waits until something of a name is open, be it opened now or long ago. */
-  void waitUntilOpen(String name) {
+  public void waitUntilOpen(String name) {
     waitFor(
         name + " is open",
         () ->
@@ -165,16 +169,16 @@ final class ViewerHarness implements AutoCloseable {
                 && status().eventsIn() > 0);
   }
 
-  ViewerSession session() {
+  public ViewerSession session() {
     return window.session().orElseThrow();
   }
 
-  PlayerStatus status() {
+  public PlayerStatus status() {
     return session().player().status();
   }
 
   /** Pauses and waits until nothing moves any more. */
-  void pause() {
+  public void pause() {
     run(() -> join(session().player().pause()));
     waitFor("pause", () -> status().state() == State.PAUSED);
   }
@@ -182,7 +186,7 @@ final class ViewerHarness implements AutoCloseable {
   // ---- the JavaFX thread
 
   /** Calls something on the JavaFX thread. */
-  <T> T onFx(Callable<T> call) {
+  public <T> T onFx(Callable<T> call) {
     if (Platform.isFxApplicationThread()) {
       try {
         return call.call();
@@ -203,7 +207,7 @@ final class ViewerHarness implements AutoCloseable {
   }
 
   /** Runs something on the JavaFX thread. */
-  void run(Runnable action) {
+  public void run(Runnable action) {
     onFx(
         () -> {
           action.run();
@@ -212,7 +216,7 @@ final class ViewerHarness implements AutoCloseable {
   }
 
   /** Waits for a condition, which is asked on the JavaFX thread between pulses. */
-  void waitFor(String what, Callable<Boolean> condition) {
+  public void waitFor(String what, Callable<Boolean> condition) {
     long start = System.nanoTime();
     while (!onFx(condition)) {
       if (System.nanoTime() - start > PATIENCE_NANOS) {
@@ -243,13 +247,13 @@ final class ViewerHarness implements AutoCloseable {
   // ---- looking
 
   /** The node of an id, which must be there. */
-  <T extends Node> T node(String id, Class<T> type) {
+  public <T extends Node> T node(String id, Class<T> type) {
     Node found = onFx(() -> find(id));
     assertNotNull(found, "no node #" + id);
     return type.cast(found);
   }
 
-  boolean isThere(String id) {
+  public boolean isThere(String id) {
     return onFx(() -> find(id) != null);
   }
 
@@ -265,7 +269,7 @@ final class ViewerHarness implements AutoCloseable {
     return null;
   }
 
-  String text(String id) {
+  public String text(String id) {
     Labeled labeled = node(id, Labeled.class);
     return onFx(labeled::getText);
   }
@@ -286,12 +290,12 @@ final class ViewerHarness implements AutoCloseable {
   // ---- hands
 
   /** Clicks in the middle of a node. */
-  void click(String id) {
+  public void click(String id) {
     click(id, 0.5, 0.5);
   }
 
   /** Clicks at a place of a node, in shares of its width and height from its top left corner. */
-  void click(String id, double shareX, double shareY) {
+  public void click(String id, double shareX, double shareY) {
     Node node = node(id, Node.class);
     Callable<Point2D> place =
         () -> {
@@ -386,7 +390,7 @@ final class ViewerHarness implements AutoCloseable {
    * Presses keys together, once a window has the focus; those with Control, but for arrows, once a
    * menu has them, which is when the window was first laid out.
    */
-  void press(KeyCode... keys) {
+  public void press(KeyCode... keys) {
     waitFor("the focus", () -> Window.getWindows().stream().anyMatch(Window::isFocused));
     if (keys[0] == KeyCode.CONTROL && !keys[keys.length - 1].isArrowKey()) {
       waitFor("the key of a menu", () -> isKeyOfMenu(keys[keys.length - 1]));

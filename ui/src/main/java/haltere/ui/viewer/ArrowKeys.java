@@ -1,9 +1,0 @@
-package haltere.ui.viewer;
-
-/**
- * A node that may want the arrow keys, Home, End and the pages for itself while it has the focus.
- */
-interface ArrowKeys {
-  /** Whether it wants them now; otherwise they belong to playback. */
-  boolean keepsArrows();
-}

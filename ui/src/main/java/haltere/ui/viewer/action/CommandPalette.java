@@ -1,0 +1,157 @@
+package haltere.ui.viewer.action;
+
+import atlantafx.base.theme.Styles;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import javafx.geometry.Pos;
+import javafx.scene.control.Label;
+import javafx.scene.control.ListCell;
+import javafx.scene.control.ListView;
+import javafx.scene.control.TextField;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
+import javafx.scene.layout.VBox;
+import javafx.stage.Popup;
+import javafx.stage.Stage;
+
+/**
+ * All commands in one list that a few letters make short. Enter or a click does the chosen one,
+ * Escape does nothing.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+public final class CommandPalette {
+  private static final double WIDTH = 520;
+
+  private final Stage stage;
+  private final ViewerActions actions;
+  private final TextField search = new TextField();
+  private final ListView<ViewerAction> list = new ListView<>();
+  private final Popup popup = new Popup();
+
+  /**
+   * A palette that is not shown yet.
+   *
+   * @param stage the window over which it opens
+   * @param actions what can be chosen
+   */
+  public CommandPalette(Stage stage, ViewerActions actions) {
+    this.stage = stage;
+    this.actions = actions;
+  }
+
+  /** Opens it in the window's middle, with nothing searched for. */
+  public void show() {
+    if (popup.getContent().isEmpty()) {
+      build();
+    }
+    search.clear();
+    filter("");
+    popup.show(stage, stage.getX() + (stage.getWidth() - WIDTH) / 2, stage.getY() + 90);
+    search.requestFocus();
+  }
+
+  private void build() {
+    search.setId("palette-search");
+    search.setPromptText("What do you want to do?");
+    search.setAccessibleText("Search commands");
+    search.textProperty().addListener((property, was, is) -> filter(is));
+    list.setId("palette-list");
+    list.setAccessibleText("Commands");
+    list.setPrefSize(WIDTH, 380);
+    list.setFixedCellSize(34);
+    list.setFocusTraversable(false);
+    list.setCellFactory(view -> new Cell());
+    list.setOnMouseClicked(event -> choose());
+    VBox box = new VBox(6, search, list);
+    box.getStyleClass().add("palette");
+    box.getStylesheets().addAll(stage.getScene().getStylesheets());
+    box.addEventFilter(KeyEvent.KEY_PRESSED, this::pressed);
+    popup.getContent().add(box);
+    popup.setAutoHide(true);
+  }
+
+  private void pressed(KeyEvent event) {
+    KeyCode code = event.getCode();
+    if (code == KeyCode.ENTER) {
+      choose();
+    } else if (code == KeyCode.DOWN || code == KeyCode.UP) {
+      int last = list.getItems().size() - 1;
+      int next = list.getSelectionModel().getSelectedIndex() + (code == KeyCode.DOWN ? 1 : -1);
+      list.getSelectionModel().select(Math.max(0, Math.min(last, next)));
+      list.scrollTo(Math.max(0, list.getSelectionModel().getSelectedIndex() - 4));
+    } else if (code == KeyCode.ESCAPE) {
+      popup.hide();
+    } else {
+      return;
+    }
+    event.consume();
+  }
+
+  private void filter(String typed) {
+    list.getItems().setAll(matches(actions.all(), typed));
+    list.getSelectionModel().selectFirst();
+  }
+
+  /**
+   * The actions whose words hold all the words typed, in any order; those that begin with what was
+   * typed come first.
+   */
+  static List<ViewerAction> matches(List<ViewerAction> all, String typed) {
+    String wanted = typed.strip().toLowerCase(Locale.ROOT);
+    List<String> parts = List.of(wanted.split("\\s+"));
+    return all.stream()
+        .filter(action -> !action.id().equals("palette"))
+        .filter(action -> parts.stream().allMatch(searched(action)::contains))
+        .sorted(
+            Comparator.comparing(
+                action -> !action.words().toLowerCase(Locale.ROOT).startsWith(wanted)))
+        .toList();
+  }
+
+  private static String searched(ViewerAction action) {
+    return (action.menu() + " " + action.words() + " " + action.help()).toLowerCase(Locale.ROOT);
+  }
+
+  private void choose() {
+    ViewerAction chosen = list.getSelectionModel().getSelectedItem();
+    popup.hide();
+    if (chosen != null) {
+      chosen.work().run();
+    }
+  }
+
+  /** A line of the list: where the command stands, what it is called, its key. */
+  private static final class Cell extends ListCell<ViewerAction> {
+    private final Label menu = new Label();
+    private final Label words = new Label();
+    private final Label key = new Label();
+    private final HBox line;
+
+    Cell() {
+      menu.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
+      key.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
+      Region space = new Region();
+      HBox.setHgrow(space, Priority.ALWAYS);
+      line = new HBox(10, words, menu, space, key);
+      line.setAlignment(Pos.CENTER_LEFT);
+    }
+
+    @Override
+    protected void updateItem(ViewerAction action, boolean empty) {
+      super.updateItem(action, empty);
+      setText(null);
+      setGraphic(empty ? null : line);
+      if (!empty) {
+        boolean on = action.on().isPresent() && action.on().get().get();
+        words.setText((on ? "\u2713 " : "") + action.words());
+        menu.setText(action.menu().replace("/", " > "));
+        key.setText(ViewerKeys.words(action.key()));
+      }
+    }
+  }
+}

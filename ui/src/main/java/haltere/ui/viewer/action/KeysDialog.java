@@ -1,0 +1,81 @@
+package haltere.ui.viewer.action;
+
+import atlantafx.base.theme.Styles;
+import javafx.geometry.Insets;
+import javafx.scene.control.Alert;
+import javafx.scene.control.ButtonType;
+import javafx.scene.control.Label;
+import javafx.scene.control.ScrollPane;
+import javafx.scene.layout.GridPane;
+import javafx.stage.Window;
+
+/**
+ * Lists the keys.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+public final class KeysDialog {
+  private KeysDialog() {}
+
+  /**
+   * Opens the list and returns at once.
+   *
+   * @param owner the window that it belongs to
+   * @param actions whose keys are listed
+   */
+  public static void show(Window owner, ViewerActions actions) {
+    GridPane grid = new GridPane();
+    grid.setHgap(18);
+    grid.setVgap(4);
+    grid.setPadding(new Insets(12));
+    int row = 0;
+    String menu = "";
+    for (ViewerAction action : actions.all()) {
+      if (action.key().isEmpty()) {
+        continue;
+      }
+      String own = action.menu().isEmpty() ? "Other" : action.menu();
+      if (!own.equals(menu)) {
+        menu = own;
+        Label heading = new Label(menu.replace("/", " > "));
+        heading.getStyleClass().add(Styles.TEXT_MUTED);
+        grid.add(heading, 0, row++, 2, 1);
+      }
+      row = add(grid, row, ViewerKeys.words(action.key()), action.words());
+    }
+    row = add(grid, row, "Tab, Enter", "To the next control; press it, or open its list");
+    row =
+        add(grid, row, "Arrows, Enter", "With a tool in the hand: move it, hold it and let it go");
+    row =
+        add(
+            grid,
+            row,
+            "Arrows, +, \u2212, End",
+            "In plots and in space: move, more or less, newest");
+    row =
+        add(
+            grid,
+            row,
+            "Ctrl+Shift+\u2191, \u2193",
+            "Move the filter that has the focus up or down");
+    add(grid, row, "Wheel, drag", "Zoom, move; a double click shows all");
+    ScrollPane scroll = new ScrollPane(grid);
+    scroll.setPrefViewportHeight(520);
+    scroll.setFitToWidth(true);
+    scroll.setFocusTraversable(true);
+    scroll.setAccessibleText("Keys and what they do");
+    Alert alert = new Alert(Alert.AlertType.NONE, "", ButtonType.CLOSE);
+    alert.setTitle("Keys");
+    alert.getDialogPane().setContent(scroll);
+    alert.initOwner(owner);
+    alert.show();
+  }
+
+  private static int add(GridPane grid, int row, String key, String words) {
+    Label name = new Label(key);
+    name.getStyleClass().add(Styles.TEXT_BOLD);
+    name.setMinWidth(110);
+    grid.addRow(row, name, new Label(words));
+    return row + 1;
+  }
+}

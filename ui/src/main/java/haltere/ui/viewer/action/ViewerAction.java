@@ -1,0 +1,89 @@
+package haltere.ui.viewer.action;
+
+import java.util.Objects;
+import java.util.Optional;
+import java.util.function.Consumer;
+import javafx.beans.binding.Bindings;
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.ObjectProperty;
+import javafx.beans.value.ObservableBooleanValue;
+
+/**
+ * Something that a person can do, as menus, the command palette and the list of keys show it.
+ *
+ * @param id unique, lower case with hyphens
+ * @param words what a menu says; with a dot at its end it asks for more before anything happens
+ * @param menu where it stands, such as {@code View/Theme}; empty for one that only the palette has
+ * @param key such as {@code Shortcut+O}, {@code F11}, {@code Space} or {@code Shift+Comma}, or
+ *     empty. Keys without Ctrl or Alt do nothing while text is entered.
+ * @param help one sentence, or empty if the words say all
+ * @param work what is done
+ * @param on whether what it switches is on; empty for what is no switch
+ */
+public record ViewerAction(
+    String id,
+    String words,
+    String menu,
+    String key,
+    String help,
+    Runnable work,
+    Optional<ObservableBooleanValue> on) {
+  /** Checks that nothing is missing. */
+  public ViewerAction {
+    Objects.requireNonNull(id, "id");
+    Objects.requireNonNull(words, "words");
+    Objects.requireNonNull(menu, "menu");
+    Objects.requireNonNull(key, "key");
+    Objects.requireNonNull(help, "help");
+    Objects.requireNonNull(work, "work");
+    Objects.requireNonNull(on, "on");
+  }
+
+  /** Something to do, without a key. */
+  public static ViewerAction of(String id, String words, String menu, Runnable work) {
+    return new ViewerAction(id, words, menu, "", "", work, Optional.empty());
+  }
+
+  /** A switch: doing it turns a property over. */
+  public static ViewerAction toggle(String id, String words, String menu, BooleanProperty on) {
+    return new ViewerAction(id, words, menu, "", "", () -> on.set(!on.get()), Optional.of(on));
+  }
+
+  /** A switch whose state somebody else keeps. */
+  public static ViewerAction toggle(
+      String id, String words, String menu, ObservableBooleanValue on, Consumer<Boolean> set) {
+    return new ViewerAction(id, words, menu, "", "", () -> set.accept(!on.get()), Optional.of(on));
+  }
+
+  /** One of several choices: on while a property has its value. */
+  public static <T> ViewerAction choice(
+      String id, String words, String menu, ObjectProperty<T> property, T value) {
+    return new ViewerAction(
+        id,
+        words,
+        menu,
+        "",
+        "",
+        () -> property.set(value),
+        Optional.of(Bindings.createBooleanBinding(() -> value.equals(property.get()), property)));
+  }
+
+  /** The same, done by a key. */
+  public ViewerAction withKey(String newKey) {
+    return new ViewerAction(id, words, menu, newKey, help, work, on);
+  }
+
+  /** The same, explained by a sentence. */
+  public ViewerAction withHelp(String sentence) {
+    return new ViewerAction(id, words, menu, key, sentence, work, on);
+  }
+
+  /** Whether its key means nothing while text is entered. */
+  boolean hasPlainKey() {
+    return !key.isEmpty()
+        && !key.contains("Shortcut+")
+        && !key.contains("Ctrl+")
+        && !key.contains("Alt+")
+        && !key.matches("(Shift\\+)?F\\d+");
+  }
+}

@@ -1,0 +1,76 @@
+package haltere.ui.viewer.action;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * All that a person can do in the window. Whoever brings something adds it here once; menus, keys,
+ * the command palette and the list of keys are made from it.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+public final class ViewerActions {
+  private final Map<String, ViewerAction> actions = new LinkedHashMap<>();
+  private final List<Runnable> listeners = new ArrayList<>();
+
+  /**
+   * Adds actions, in the order of their menus.
+   *
+   * @throws IllegalArgumentException if an id or a key is taken
+   */
+  public void add(ViewerAction... added) {
+    put(added);
+    listeners.forEach(Runnable::run);
+  }
+
+  /** Puts actions in place of others; listeners are called once. */
+  public void replace(List<String> old, ViewerAction... added) {
+    old.forEach(actions::remove);
+    put(added);
+    listeners.forEach(Runnable::run);
+  }
+
+  private void put(ViewerAction... added) {
+    for (ViewerAction action : added) {
+      if (actions.containsKey(action.id())) {
+        throw new IllegalArgumentException("there is an action " + action.id() + " already");
+      }
+      for (ViewerAction other : actions.values()) {
+        if (!action.key().isEmpty() && other.key().equals(action.key())) {
+          throw new IllegalArgumentException(
+              action.key() + " is the key of " + other.id() + ", not of " + action.id());
+        }
+      }
+      actions.put(action.id(), action);
+    }
+  }
+
+  /** Takes actions away again; those that are not there are none. */
+  public void removeAll(List<String> ids) {
+    ids.forEach(actions::remove);
+    listeners.forEach(Runnable::run);
+  }
+
+  /** All of them, in the order in which they came. */
+  List<ViewerAction> all() {
+    return List.copyOf(actions.values());
+  }
+
+  /** The action of an id. */
+  public Optional<ViewerAction> find(String id) {
+    return Optional.ofNullable(actions.get(id));
+  }
+
+  /** Does what an id stands for. */
+  public void run(String id) {
+    find(id).orElseThrow(() -> new IllegalArgumentException("no action " + id)).work().run();
+  }
+
+  /** Calls something after every change of what there is. */
+  void onChange(Runnable listener) {
+    listeners.add(listener);
+  }
+}

@@ -1,0 +1,134 @@
+package haltere.ui.viewer.action;
+
+import atlantafx.base.controls.ToggleSwitch;
+import haltere.ui.viewer.controls.ArrowKeys;
+import java.util.Map;
+import java.util.Optional;
+import javafx.scene.Node;
+import javafx.scene.Scene;
+import javafx.scene.control.ButtonBase;
+import javafx.scene.control.ChoiceBox;
+import javafx.scene.control.ComboBoxBase;
+import javafx.scene.control.ListView;
+import javafx.scene.control.MenuButton;
+import javafx.scene.control.Slider;
+import javafx.scene.control.TabPane;
+import javafx.scene.control.TextInputControl;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
+
+/**
+ * The actions' keys without Ctrl or Alt. They work wherever the focus is, but for entries of text;
+ * arrow keys also belong to sliders, lists and what else moves. Since Space is pause, Enter presses
+ * the button that has the focus, turns the switch over or opens the list.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+public final class ViewerKeys {
+  /** What keyboards of some countries send in place of a key's usual code. */
+  private static final Map<KeyCode, KeyCode> SAME =
+      Map.of(KeyCode.GREATER, KeyCode.PERIOD, KeyCode.LESS, KeyCode.COMMA);
+
+  private static final Map<String, String> WORDS =
+      Map.of(
+          "Period", ".",
+          "Comma", ",",
+          "Left", "\u2190",
+          "Right", "\u2192",
+          "Up", "\u2191",
+          "Down", "\u2193",
+          "Plus", "+",
+          "Minus", "\u2212",
+          "Shortcut", "Ctrl");
+
+  private final ViewerActions actions;
+
+  private ViewerKeys(ViewerActions actions) {
+    this.actions = actions;
+  }
+
+  /** Listens to the keys of a window. */
+  public static void install(Scene scene, ViewerActions actions) {
+    ViewerKeys keys = new ViewerKeys(actions);
+    scene.addEventFilter(
+        KeyEvent.KEY_PRESSED,
+        event -> {
+          if (keys.handle(event, scene.getFocusOwner())) {
+            event.consume();
+          }
+        });
+    // a button fires when Space is released
+    scene.addEventFilter(
+        KeyEvent.KEY_RELEASED,
+        event -> {
+          if (event.getCode() == KeyCode.SPACE
+              && !(scene.getFocusOwner() instanceof TextInputControl)) {
+            event.consume();
+          }
+        });
+  }
+
+  /** A key as a person reads it. */
+  static String words(String key) {
+    StringBuilder words = new StringBuilder();
+    for (String part : key.split("\\+")) {
+      words.append(words.isEmpty() ? "" : "+").append(WORDS.getOrDefault(part, part));
+    }
+    return words.toString();
+  }
+
+  private boolean handle(KeyEvent event, Node focus) {
+    if (event.isControlDown() || event.isAltDown() || event.isMetaDown()) {
+      return false;
+    }
+    if (focus instanceof TextInputControl) {
+      return false;
+    }
+    if (event.getCode() == KeyCode.ENTER && press(focus)) {
+      return true;
+    }
+    if (isMove(event.getCode()) && ownsMoves(focus)) {
+      return false;
+    }
+    Optional<ViewerAction> wanted = action(event);
+    wanted.ifPresent(action -> action.work().run());
+    return wanted.isPresent();
+  }
+
+  /** Does what a click on the node in the focus would do, if that is one to be pressed. */
+  private static boolean press(Node focus) {
+    if (focus instanceof MenuButton menu) {
+      menu.show();
+    } else if (focus instanceof ButtonBase button) {
+      button.fire();
+    } else if (focus instanceof ToggleSwitch power) {
+      power.fire();
+    } else if (focus instanceof ChoiceBox<?> choice) {
+      choice.show();
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  private Optional<ViewerAction> action(KeyEvent event) {
+    KeyCode code = SAME.getOrDefault(event.getCode(), event.getCode());
+    String key = (event.isShiftDown() ? "Shift+" : "") + code.getName();
+    return actions.all().stream()
+        .filter(action -> action.hasPlainKey() && action.key().equals(key))
+        .findFirst();
+  }
+
+  private static boolean isMove(KeyCode code) {
+    return code.isNavigationKey();
+  }
+
+  private static boolean ownsMoves(Node focus) {
+    return focus instanceof Slider
+        || focus instanceof ChoiceBox<?>
+        || focus instanceof ComboBoxBase<?>
+        || focus instanceof ListView<?>
+        || focus instanceof TabPane
+        || focus instanceof ArrowKeys own && own.keepsArrows();
+  }
+}

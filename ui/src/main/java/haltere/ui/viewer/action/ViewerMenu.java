@@ -1,0 +1,149 @@
+package haltere.ui.viewer.action;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import javafx.beans.value.ChangeListener;
+import javafx.beans.value.ObservableBooleanValue;
+import javafx.beans.value.WeakChangeListener;
+import javafx.scene.control.CheckMenuItem;
+import javafx.scene.control.Menu;
+import javafx.scene.control.MenuBar;
+import javafx.scene.control.MenuItem;
+import javafx.scene.input.KeyCombination;
+
+/**
+ * The menus, made from the actions that there are.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+public final class ViewerMenu extends MenuBar {
+  private static final List<String> ORDER =
+      List.of("File", "Edit", "View", "Playback", "Chain", "Tools", "Camera");
+  private static final String LAST = "Help";
+
+  private final ViewerActions actions;
+  private final Map<String, Menu> menus = new HashMap<>();
+
+  /** For each path what its menu shows, in order: actions, and paths of menus below it. */
+  private Map<String, List<Object>> shown = Map.of();
+
+  /** A menu that is empty until it {@link #follow follows} the actions. */
+  public ViewerMenu(ViewerActions actions) {
+    this.actions = actions;
+    setId("menu");
+  }
+
+  /** Shows the actions that there are, and from now on every change of them. */
+  public void follow() {
+    actions.onChange(this::fill);
+    fill();
+  }
+
+  /** Makes anew those menus only whose actions have changed: making a menu takes milliseconds. */
+  private void fill() {
+    Map<String, List<Object>> contents = new LinkedHashMap<>();
+    ORDER.forEach(path -> contents.put(path, new ArrayList<>()));
+    for (ViewerAction action : actions.all()) {
+      if (!action.menu().isEmpty()) {
+        contents(contents, action.menu()).add(action);
+      }
+    }
+    boolean sameBar = contents.keySet().equals(shown.keySet());
+    menus.keySet().retainAll(contents.keySet());
+    contents.forEach(
+        (path, content) -> {
+          if (!content.equals(shown.get(path))) {
+            menu(path)
+                .getItems()
+                .setAll(
+                    content.stream()
+                        .map(one -> one instanceof ViewerAction action ? item(action) : menu(one))
+                        .toList());
+          }
+        });
+    boolean sameEmpty =
+        sameBar
+            && contents.entrySet().stream()
+                .allMatch(
+                    entry -> entry.getValue().isEmpty() == shown.get(entry.getKey()).isEmpty());
+    shown = contents;
+    if (!sameEmpty) {
+      fillBar(contents);
+    }
+  }
+
+  private void fillBar(Map<String, List<Object>> contents) {
+    List<Menu> bar = new ArrayList<>();
+    contents.forEach(
+        (path, content) -> {
+          if (!path.contains("/") && !path.equals(LAST) && !content.isEmpty()) {
+            bar.add(menu(path));
+          }
+        });
+    if (contents.containsKey(LAST)) {
+      bar.add(menu(LAST));
+    }
+    getMenus().setAll(bar);
+  }
+
+  /** What a menu holds: actions, and the paths of menus below it, which are made on the way. */
+  private static List<Object> contents(Map<String, List<Object>> contents, String path) {
+    List<Object> there = contents.get(path);
+    if (there != null) {
+      return there;
+    }
+    int slash = path.lastIndexOf('/');
+    if (slash >= 0) {
+      contents(contents, path.substring(0, slash)).add(path);
+    }
+    List<Object> made = new ArrayList<>();
+    contents.put(path, made);
+    return made;
+  }
+
+  private Menu menu(Object path) {
+    String whole = path.toString();
+    int slash = whole.lastIndexOf('/');
+    return menus.computeIfAbsent(
+        whole, made -> new Menu(slash < 0 ? "_" + whole : whole.substring(slash + 1)));
+  }
+
+  private static MenuItem item(ViewerAction action) {
+    MenuItem item =
+        action.on().<MenuItem>map(on -> check(action, on)).orElseGet(() -> plain(action));
+    item.setId(action.id());
+    if (action.hasPlainKey()) {
+      // no accelerator, which would fire while text is entered: ViewerKeys knows the key
+      item.setText(action.words() + "   (" + ViewerKeys.words(action.key()) + ")");
+    } else if (!action.key().isEmpty()) {
+      item.setAccelerator(KeyCombination.keyCombination(action.key()));
+    }
+    return item;
+  }
+
+  private static MenuItem plain(ViewerAction action) {
+    MenuItem item = new MenuItem(action.words());
+    item.setMnemonicParsing(false);
+    item.setOnAction(event -> action.work().run());
+    return item;
+  }
+
+  private static MenuItem check(ViewerAction action, ObservableBooleanValue on) {
+    CheckMenuItem item = new CheckMenuItem(action.words());
+    item.setMnemonicParsing(false);
+    item.setSelected(on.get());
+    ChangeListener<Boolean> shower = (property, was, is) -> item.setSelected(is);
+    // the listener lives as long as the item, which later ones replace
+    item.getProperties().put(ViewerMenu.class, shower);
+    on.addListener(new WeakChangeListener<>(shower));
+    item.setOnAction(
+        event -> {
+          action.work().run();
+          item.setSelected(on.get());
+        });
+    return item;
+  }
+}

@@ -1,0 +1,276 @@
+package haltere.ui.viewer.cameras;
+
+import haltere.core.camera.BiasSliders;
+import haltere.core.camera.Camera;
+import haltere.core.camera.CameraInfo;
+import haltere.core.camera.CameraOptions;
+import haltere.core.camera.CameraProvider;
+import haltere.core.camera.Cameras;
+import haltere.core.camera.RegionOfInterest;
+import haltere.core.camera.RegionOfInterest.Region;
+import haltere.core.camera.TimestampReset;
+import haltere.core.playback.CameraPlayable;
+import haltere.device.simulated.Plug;
+import haltere.ui.measure.PixelRegion;
+import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.controls.Texts;
+import haltere.ui.viewer.feature.PanelPlace;
+import haltere.ui.viewer.feature.ViewerContext;
+import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.picture.RegionTool;
+import haltere.ui.viewer.session.ViewerSession;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import javafx.animation.PauseTransition;
+import javafx.application.Platform;
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.SimpleBooleanProperty;
+import javafx.stage.WindowEvent;
+import javafx.util.Duration;
+
+/**
+ * Cameras: lists and opens them, shows a panel with their biases, their region and what came and
+ * was lost.
+ *
+ * <p>Thread rule: JavaFX thread only; what a camera is told, which may take a while, is told in the
+ * background.
+ */
+public final class CameraFeature implements ViewerFeature {
+  private static final String MENU = "Camera";
+  private static final String OPEN = MENU + "/Open";
+  private static final String ID = "open-camera-";
+  private static final long NUMBERS_NANOS = 250_000_000;
+
+  private final Cameras cameras;
+  private final BooleanProperty drawing = new SimpleBooleanProperty();
+  private ViewerContext window;
+  private CameraPanel panel;
+  private Optional<CameraPlayable> open = Optional.empty();
+  private List<String> listed = List.of();
+  private boolean everListed;
+  private boolean saidUnplugged;
+  private Optional<CameraProvider.Watch> watch = Optional.empty();
+  private boolean ended;
+  private long numbersNanos;
+
+  /** One that has just come may not be ours to open yet, and several may come at once. */
+  private final PauseTransition comingSoon = new PauseTransition(Duration.seconds(1));
+
+  /** Cameras of all providers that are installed. */
+  public CameraFeature() {
+    this(Cameras.installed());
+  }
+
+  private CameraFeature(Cameras cameras) {
+    this.cameras = cameras;
+  }
+
+  @Override
+  public void install(ViewerContext installed) {
+    window = installed;
+    panel = new CameraPanel(this::tell);
+    comingSoon.setOnFinished(over -> list());
+    BooleanProperty shown =
+        window.addPanel("camera", "Camera", "Shortcut+Shift+C", PanelPlace.SIDE, () -> panel);
+    window
+        .actions()
+        .add(
+            ViewerAction.of("list-cameras", "Look for cameras", MENU, this::list)
+                .withHelp("Lists the cameras that are plugged in now, and the simulated ones."),
+            ViewerAction.of("camera-reset-time", "Reset time stamps", MENU, this::resetTime)
+                .withHelp("Sets the camera's clock to 0; a recording goes on in a new part."),
+            ViewerAction.toggle("camera-region", "Draw the camera's region", MENU, drawing)
+                .withHelp("Only events of a part of the sensor are sent; a click takes it away."),
+            ViewerAction.of("camera-plug", "Unplug or plug in", MENU, this::togglePlug)
+                .withHelp("For simulated cameras: see what happens then."));
+    window.bindTool(
+        drawing, new RegionTool(() -> open.orElseThrow().geometry(), region -> setRegion(region)));
+    window.sessions().sessionProperty().addListener((property, was, is) -> follow(is, shown));
+    window.panels().onPulse(this::pulse);
+    window.stage().addEventHandler(WindowEvent.WINDOW_HIDDEN, event -> end());
+  }
+
+  private void follow(Optional<ViewerSession> session, BooleanProperty shown) {
+    open = session.flatMap(ViewerSession::camera);
+    saidUnplugged = false;
+    panel.setCamera(open.map(CameraPlayable::camera));
+    window.status().setLive("");
+    if (open.isPresent()) {
+      shown.set(true);
+    } else {
+      drawing.set(false);
+    }
+    if (!everListed && session.isPresent()) {
+      list();
+    }
+  }
+
+  // ---- Which cameras there are
+
+  /** Lists the cameras; asking USB takes its time. */
+  void list() {
+    boolean first = !everListed;
+    everListed = true;
+    Thread looking =
+        new Thread(
+            () -> {
+              if (first) {
+                CameraProvider.Watch begun =
+                    cameras.watch(() -> Platform.runLater(comingSoon::playFromStart));
+                Platform.runLater(() -> keep(begun));
+              }
+              List<CameraInfo> seen = cameras.list();
+              Platform.runLater(() -> show(seen));
+            },
+            "haltere-cameras");
+    looking.setDaemon(true);
+    looking.start();
+  }
+
+  /** Watches until the window is closed. */
+  private void keep(CameraProvider.Watch begun) {
+    if (ended) {
+      closeAside(begun);
+    } else {
+      watch = Optional.of(begun);
+    }
+  }
+
+  private void end() {
+    ended = true;
+    watch.ifPresent(CameraFeature::closeAside);
+    watch = Optional.empty();
+  }
+
+  /** Ending what listens to USB may take a moment. */
+  private static void closeAside(CameraProvider.Watch ended) {
+    Thread closing = new Thread(ended::close, "haltere-cameras");
+    closing.setDaemon(true);
+    closing.start();
+  }
+
+  private void show(List<CameraInfo> seen) {
+    window.actions().removeAll(listed);
+    List<String> ids = new ArrayList<>();
+    for (CameraInfo info : seen) {
+      String id = ID + info.id().replace(':', '-');
+      if (!ids.contains(id)) {
+        ids.add(id);
+        window
+            .actions()
+            .add(ViewerAction.of(id, words(info), OPEN, () -> choose(info)).withHelp(info.note()));
+      }
+    }
+    listed = ids;
+  }
+
+  private static String words(CameraInfo info) {
+    return info.id() + "   " + info.geometry() + (info.canOpen() ? "" : "   (cannot be opened)");
+  }
+
+  private void choose(CameraInfo info) {
+    if (info.canOpen()) {
+      open(info.id());
+    } else {
+      window.status().showError(info.id() + " cannot be opened: " + info.note());
+    }
+  }
+
+  /** Opens a camera in place of what is open. */
+  public void open(String id) {
+    window.sessions().open(() -> playable(id), id);
+  }
+
+  private CameraPlayable playable(String id) throws java.io.IOException {
+    CameraOptions options =
+        CameraOptions.DEFAULT.withReconnect(true).withWhenFull(CameraOptions.WhenFull.DROP_OLDEST);
+    return new CameraPlayable(cameras.open(id, options), true);
+  }
+
+  // ---- What a camera can be told
+
+  /** Tells the camera something in the background. */
+  private void tell(
+      Callable<?> telling, Runnable done, java.util.function.Consumer<String> refused) {
+    window
+        .background()
+        .file(telling, result -> done.run(), problem -> refused.accept(Texts.oneLine(problem)));
+  }
+
+  private <F> void tellFacet(Class<F> facet, String ability, Telling<F> telling) {
+    Optional<F> there = open.map(CameraPlayable::camera).flatMap(camera -> camera.facet(facet));
+    if (there.isEmpty()) {
+      window.status().showError("There is no camera open that " + ability);
+      return;
+    }
+    tell(
+        () -> {
+          telling.tell(there.get());
+          return telling;
+        },
+        panel::refresh,
+        window.status()::showError);
+  }
+
+  private interface Telling<F> {
+    void tell(F facet) throws Exception;
+  }
+
+  void resetTime() {
+    tellFacet(TimestampReset.class, "has a clock to be reset", TimestampReset::resetTimestamps);
+  }
+
+  void togglePlug() {
+    tellFacet(
+        Plug.class,
+        "is simulated",
+        plug -> {
+          if (plug.isPluggedIn()) {
+            plug.unplug();
+          } else {
+            plug.plugIn();
+          }
+        });
+  }
+
+  void setRegion(Optional<PixelRegion> region) {
+    Optional<Region> wanted =
+        region.map(part -> new Region(part.left(), part.bottom(), part.width(), part.height()));
+    tellFacet(
+        RegionOfInterest.class, "can send a part of its sensor", roi -> roi.setRegion(wanted));
+  }
+
+  /** Moves a slider of the camera's biases. */
+  void slide(BiasSliders.Slider slider, double value) {
+    tellFacet(BiasSliders.class, "has biases", sliders -> sliders.set(slider, value));
+  }
+
+  // ---- What it says
+
+  private void pulse() {
+    long now = System.nanoTime();
+    if (open.isEmpty() || now - numbersNanos < NUMBERS_NANOS) {
+      return;
+    }
+    numbersNanos = now;
+    Camera camera = open.get().camera();
+    panel.update(camera.statistics());
+    window.status().setLive(CameraPanel.line(camera.statistics()));
+    boolean gone = open.get().isUnplugged();
+    if (gone && !saidUnplugged) {
+      window
+          .status()
+          .showError(camera.info().id() + " was unplugged; it goes on when it is plugged in again");
+    } else if (!gone && saidUnplugged) {
+      window.status().clearError();
+    }
+    saidUnplugged = gone;
+  }
+
+  /** The camera that is open. */
+  Optional<CameraPlayable> camera() {
+    return open;
+  }
+}

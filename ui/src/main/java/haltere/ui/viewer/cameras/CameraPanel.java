@@ -1,0 +1,260 @@
+package haltere.ui.viewer.cameras;
+
+import atlantafx.base.theme.Styles;
+import haltere.core.camera.BiasSliders;
+import haltere.core.camera.Biases;
+import haltere.core.camera.Camera;
+import haltere.core.camera.CameraStatistics;
+import haltere.core.camera.RegionOfInterest;
+import haltere.core.settings.Parameter;
+import haltere.ui.viewer.controls.Controls;
+import haltere.ui.viewer.controls.SettingField;
+import haltere.ui.viewer.controls.Texts;
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.function.Consumer;
+import javafx.geometry.Pos;
+import javafx.scene.control.ChoiceBox;
+import javafx.scene.control.Label;
+import javafx.scene.control.ScrollPane;
+import javafx.scene.control.Slider;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.VBox;
+
+/**
+ * What a camera has to be set, and what came from it: four sliders for everybody, sets of biases,
+ * and each bias by itself.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+final class CameraPanel extends ScrollPane {
+  /** Tells a camera something in the background. */
+  interface Teller {
+    /** Does it, then calls the one or the other on the JavaFX thread. */
+    void tell(Callable<?> telling, Runnable done, Consumer<String> refused);
+  }
+
+  private static final Map<BiasSliders.Slider, String> WORDS =
+      Map.of(
+          BiasSliders.Slider.BANDWIDTH, "Bandwidth",
+          BiasSliders.Slider.THRESHOLD, "Threshold",
+          BiasSliders.Slider.REFRACTORY_PERIOD, "Refractory period",
+          BiasSliders.Slider.BALANCE, "Balance of ON and OFF");
+  private static final Map<BiasSliders.Slider, String> HELP =
+      Map.of(
+          BiasSliders.Slider.BANDWIDTH, "Right: pixels follow faster light, with more noise",
+          BiasSliders.Slider.THRESHOLD, "Right: the light must change more for an event",
+          BiasSliders.Slider.REFRACTORY_PERIOD, "Right: a pixel rests longer after an event",
+          BiasSliders.Slider.BALANCE, "Right: ON events come more easily, left: OFF events");
+
+  private final Teller teller;
+  private final VBox content = new VBox(10);
+  private final Label statistics = new Label();
+  private final Label region = new Label();
+  private final Label problem = new Label();
+  private final Map<BiasSliders.Slider, Slider> sliders = new EnumMap<>(BiasSliders.Slider.class);
+  private final List<SettingField> fields = new ArrayList<>();
+  private Optional<Camera> camera = Optional.empty();
+  private boolean showing;
+
+  CameraPanel(Teller teller) {
+    this.teller = teller;
+    setId("camera-panel");
+    setFitToWidth(true);
+    getStyleClass().add("settings");
+    content.setStyle("-fx-padding: 10;");
+    statistics.setId("camera-statistics");
+    statistics.setWrapText(true);
+    statistics.getStyleClass().add(Styles.TEXT_SMALL);
+    region.setId("camera-region-words");
+    problem.setId("camera-problem");
+    problem.setWrapText(true);
+    problem.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.DANGER);
+    setContent(content);
+    setCamera(Optional.empty());
+  }
+
+  /** Shows another camera, or that none is open. */
+  void setCamera(Optional<Camera> shown) {
+    camera = shown;
+    content.getChildren().clear();
+    sliders.clear();
+    fields.clear();
+    problem.setText("");
+    if (shown.isEmpty()) {
+      Label none = new Label("No camera is open. The menu Camera lists those that there are.");
+      none.setId("camera-none");
+      none.setWrapText(true);
+      content.getChildren().add(none);
+      return;
+    }
+    Label name = new Label(shown.get().info().id() + "   " + shown.get().info().model());
+    name.setId("camera-name");
+    name.getStyleClass().add(Styles.TEXT_BOLD);
+    content.getChildren().addAll(name, statistics, problem);
+    shown.get().facet(RegionOfInterest.class).ifPresent(roi -> content.getChildren().add(region));
+    shown.get().facet(BiasSliders.class).ifPresent(this::addSliders);
+    shown.get().facet(Biases.class).ifPresent(this::addBiases);
+    refresh();
+  }
+
+  private void addSliders(BiasSliders facet) {
+    for (BiasSliders.Slider which : BiasSliders.Slider.values()) {
+      Slider slider = new Slider(-1, 1, 0);
+      slider.setId("camera-slider-" + which.name().toLowerCase(Locale.ROOT).replace('_', '-'));
+      slider.setAccessibleText(WORDS.get(which));
+      slider.setBlockIncrement(0.05);
+      Controls.help(slider, HELP.get(which));
+      slider
+          .valueProperty()
+          .addListener(
+              (property, was, is) -> {
+                if (!showing) {
+                  double value = is.doubleValue();
+                  tell(
+                      () -> {
+                        facet.set(which, value);
+                        return facet;
+                      });
+                }
+              });
+      sliders.put(which, slider);
+      content.getChildren().add(new VBox(2, new Label(WORDS.get(which)), slider));
+    }
+  }
+
+  private void addBiases(Biases facet) {
+    ChoiceBox<String> sets = new ChoiceBox<>();
+    sets.setId("camera-bias-sets");
+    sets.setAccessibleText("Sets of biases");
+    sets.getItems().addAll(facet.sets());
+    sets.setMaxWidth(Double.MAX_VALUE);
+    sets.setOnAction(
+        event -> {
+          String chosen = sets.getValue();
+          if (chosen != null) {
+            tell(
+                () -> {
+                  facet.apply(chosen);
+                  return facet;
+                });
+          }
+        });
+    HBox.setHgrow(sets, Priority.ALWAYS);
+    HBox line = new HBox(6, new Label("Set"), sets);
+    line.setAlignment(Pos.CENTER_LEFT);
+    if (!sets.getItems().isEmpty()) {
+      content.getChildren().add(line);
+    }
+    for (Parameter parameter : facet.parameters()) {
+      SettingField field =
+          SettingField.of(
+              "camera",
+              parameter,
+              (value, refused) ->
+                  teller.tell(
+                      () -> {
+                        facet.set(
+                            parameter.name(), ((Number) parameter.convert(value)).doubleValue());
+                        return facet;
+                      },
+                      this::refresh,
+                      refused));
+      fields.add(field);
+      content.getChildren().add(field);
+    }
+  }
+
+  private void tell(Callable<?> telling) {
+    teller.tell(
+        telling,
+        () -> {
+          problem.setText("");
+          refresh();
+        },
+        problem::setText);
+  }
+
+  /** Shows the values in effect. */
+  void refresh() {
+    showing = true;
+    Optional<Biases> biases = camera.flatMap(open -> open.facet(Biases.class));
+    for (SettingField field : fields) {
+      double value = biases.orElseThrow().get(field.parameter().name());
+      Object shown =
+          field.parameter().type() == double.class ? (Object) value : (Object) (long) value;
+      boolean changed =
+          !(field.parameter().defaultValue() instanceof Number number)
+              || number.doubleValue() != value;
+      field.show(shown, changed);
+    }
+    camera
+        .flatMap(open -> open.facet(BiasSliders.class))
+        .ifPresent(
+            facet ->
+                sliders.forEach(
+                    (which, slider) -> {
+                      if (!slider.isValueChanging()) {
+                        slider.setValue(facet.get(which));
+                      }
+                    }));
+    camera
+        .flatMap(open -> open.facet(RegionOfInterest.class))
+        .ifPresent(
+            roi ->
+                region.setText(
+                    roi.region()
+                        .map(
+                            part ->
+                                "Region "
+                                    + part.width()
+                                    + " \u00d7 "
+                                    + part.height()
+                                    + " at "
+                                    + part.left()
+                                    + ", "
+                                    + part.bottom())
+                        .orElse("The whole sensor")));
+    showing = false;
+  }
+
+  /** Shows what came and what was lost. */
+  void update(CameraStatistics now) {
+    statistics.setText(
+        Texts.count(now.events())
+            + " events in "
+            + Texts.count(now.transfers())
+            + " transfers\nlost "
+            + Texts.count(now.lostEvents())
+            + " events in "
+            + Texts.count(now.lostTransfers())
+            + " transfers, "
+            + Texts.count(now.brokenTransfers())
+            + " broken\nwaiting "
+            + now.waiting()
+            + " transfers, at most "
+            + now.mostWaiting()
+            + "\nlatency "
+            + Texts.duration(now.medianLatencyUs())
+            + " (half), "
+            + Texts.duration(now.latency999Us())
+            + " (999 of 1,000), "
+            + Texts.duration(now.longestLatencyUs())
+            + " (longest)");
+  }
+
+  /** The same in a few words, for the bottom line. */
+  static String line(CameraStatistics now) {
+    return now.waiting()
+        + " waiting, "
+        + Texts.count(now.lostEvents())
+        + " lost, "
+        + Texts.duration(now.medianLatencyUs());
+  }
+}

@@ -1,0 +1,91 @@
+package haltere.ui.viewer.chain;
+
+import atlantafx.base.theme.Styles;
+import haltere.core.chain.Filters;
+import haltere.ui.viewer.controls.Controls;
+import haltere.ui.viewer.controls.Icons;
+import haltere.ui.viewer.controls.Texts;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import javafx.scene.control.CustomMenuItem;
+import javafx.scene.control.Label;
+import javafx.scene.control.MenuButton;
+import javafx.scene.control.MenuItem;
+import javafx.scene.control.TextField;
+import javafx.scene.layout.VBox;
+
+/**
+ * All filters that can be added to a chain, and a chain inside the chain, with a sentence each and
+ * a search.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+final class AddFilterMenu extends MenuButton {
+  /**
+   * A menu.
+   *
+   * @param id its own; that of its search adds "-search"
+   * @param help what it adds to
+   */
+  AddFilterMenu(String id, String help, ChainEditor editor) {
+    super("Add", Icons.ADD.node());
+    setId(id);
+    setAccessibleText(help);
+    Controls.help(this, help);
+    getStyleClass().addAll(Styles.SMALL, Styles.FLAT);
+    TextField wanted = new TextField();
+    wanted.setId(id + "-search");
+    wanted.setPromptText("Search filters");
+    wanted.setAccessibleText("Search filters");
+    List<Item> items = new ArrayList<>();
+    Filters.all()
+        .values()
+        .forEach(
+            found ->
+                items.add(new Item(found.name(), found.description(), () -> editor.add(found))));
+    items.add(
+        new Item(
+            "chain",
+            "Filters of its own, which are switched on and off and measured together.",
+            editor::addChain));
+    wanted
+        .textProperty()
+        .addListener((property, was, is) -> items.forEach(item -> item.narrow(is)));
+    wanted.setOnAction(
+        event -> {
+          // Enter adds the first that is left
+          items.stream().filter(MenuItem::isVisible).findFirst().ifPresent(MenuItem::fire);
+          hide();
+        });
+    setOnShown(
+        event -> {
+          wanted.clear();
+          wanted.requestFocus();
+        });
+    getItems().add(new CustomMenuItem(wanted, false));
+    getItems().addAll(items);
+  }
+
+  /** A filter to add, with what it does in a sentence. */
+  private static final class Item extends CustomMenuItem {
+    private final String words;
+
+    Item(String name, String description, Runnable add) {
+      words = (Texts.title(name) + " " + description).toLowerCase(Locale.ROOT);
+      Label title = new Label(Texts.title(name));
+      title.getStyleClass().add(Styles.TEXT_BOLD);
+      Label help = new Label(description);
+      help.setWrapText(true);
+      help.setMaxWidth(300);
+      help.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
+      setContent(new VBox(2, title, help));
+      setId("add-" + name);
+      setOnAction(event -> add.run());
+    }
+
+    void narrow(String wanted) {
+      setVisible(words.contains(wanted.strip().toLowerCase(Locale.ROOT)));
+    }
+  }
+}

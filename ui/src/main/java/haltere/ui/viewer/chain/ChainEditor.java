@@ -1,0 +1,389 @@
+package haltere.ui.viewer.chain;
+
+import haltere.core.chain.ChainFile;
+import haltere.core.chain.ChainStage;
+import haltere.core.chain.FilterChain;
+import haltere.core.chain.FilterProvider;
+import haltere.core.playback.Player;
+import haltere.ui.viewer.controls.Texts;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.BiConsumer;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import javafx.application.Platform;
+
+/**
+ * Changes of the chain as the panels ask for them. Each runs between two packets on the processing
+ * thread; what the chain is then comes back to the JavaFX thread.
+ *
+ * <p>Thread rule: JavaFX thread only; nothing here waits.
+ */
+public final class ChainEditor {
+  private final Consumer<String> problems;
+  private final Consumer<List<StageState>> changed;
+  private final List<BiConsumer<ChainStage, Record>> adopters;
+  private final List<Runnable> listeners = new ArrayList<>();
+  private final EditHistory history;
+  private final String prefix;
+  private final ChainEditor outermost;
+  private Optional<ChainAccess> player = Optional.empty();
+  private Optional<ChainPresets> presets = Optional.empty();
+
+  /**
+   * An editor without a chain.
+   *
+   * @param problems takes what went wrong, in one line
+   * @param changed takes the stages after every change of their order or number
+   */
+  public ChainEditor(Consumer<String> problems, Consumer<List<StageState>> changed) {
+    this(problems, changed, new ArrayList<>(), new EditHistory(), "", null);
+  }
+
+  private ChainEditor(
+      Consumer<String> problems,
+      Consumer<List<StageState>> changed,
+      List<BiConsumer<ChainStage, Record>> adopters,
+      EditHistory history,
+      String prefix,
+      ChainEditor outermost) {
+    this.problems = problems;
+    this.changed = changed;
+    this.adopters = adopters;
+    this.history = history;
+    this.prefix = prefix;
+    this.outermost = outermost == null ? this : outermost;
+  }
+
+  /**
+   * An editor of a chain inside this one, which is found by its stage's name at each change. What
+   * it changes is shown and taken back with all else.
+   */
+  public ChainEditor inside(ChainStage nested) {
+    String name = nested.name();
+    ChainEditor inner =
+        new ChainEditor(
+            problems,
+            stages -> change(chain -> {}),
+            adopters,
+            history,
+            path(nested) + "/",
+            outermost);
+    inner.player =
+        Optional.of(work -> edit(chain -> work.accept((FilterChain) chain.stage(name).filter())));
+    return inner;
+  }
+
+  /** The names of the chains that a stage is in, and its own. */
+  String path(ChainStage stage) {
+    return prefix + stage.name();
+  }
+
+  /** Goes over to the chain of another player, as {@link #setAccess}. */
+  public void setPlayer(Player newPlayer) {
+    setAccess(newPlayer::edit);
+  }
+
+  /** Goes over to another chain; what was changed in the one before can no longer be undone. */
+  public void setAccess(ChainAccess access) {
+    player = Optional.of(access);
+    history.clear();
+    listeners.forEach(Runnable::run);
+  }
+
+  /** Calls something whenever there is another chain, or other filters in it. */
+  public void onChange(Runnable listener) {
+    listeners.add(listener);
+  }
+
+  /** What can be taken back. */
+  public EditHistory history() {
+    return history;
+  }
+
+  /** Says where chains are kept under a name, for this one and those inside of it. */
+  public void setPresets(ChainPresets kept) {
+    presets = Optional.of(kept);
+  }
+
+  /** Where chains are kept under a name, if anywhere. */
+  public Optional<ChainPresets> presets() {
+    return outermost.presets;
+  }
+
+  /** Adds a filter with default settings at the end. */
+  void add(FilterProvider<?> provider) {
+    restructure("adding " + Texts.title(provider.name()), chain -> chain.add(provider));
+  }
+
+  /** Adds a chain without filters at the end. */
+  public void addChain() {
+    restructure("adding a chain", chain -> chain.add("chain", new FilterChain(chain.geometry())));
+  }
+
+  /** Removes a stage; may be taken back. */
+  public void remove(ChainStage stage) {
+    restructure("removing " + Texts.title(stage.name()), chain -> chain.remove(stage));
+  }
+
+  /** Moves a stage by places; beyond an end it stays at the end. */
+  void move(ChainStage stage, int places) {
+    restructure(
+        "moving " + Texts.title(stage.name()),
+        chain -> moveTo(chain, stage, chain.stages().indexOf(stage) + places));
+  }
+
+  /** Whether a stage may be moved into this chain, or is there already. */
+  boolean takes(String stagePath) {
+    return !StageMoves.isWithin(prefix, stagePath);
+  }
+
+  /**
+   * Moves a stage to a place of this chain, from wherever it is.
+   *
+   * @param stagePath its {@link #path}
+   * @param target the stage whose place it gets; empty for the end
+   */
+  public void moveHere(String stagePath, Optional<ChainStage> target) {
+    String name = StageMoves.name(stagePath);
+    if (!StageMoves.prefix(stagePath).equals(prefix)) {
+      String before = target.map(ChainStage::name).orElse("");
+      outermost.restructure(
+          "moving " + Texts.title(name),
+          chain -> StageMoves.move(chain, stagePath, prefix, before));
+    } else if (!target.map(ChainStage::name).equals(Optional.of(name))) {
+      restructure(
+          "moving " + Texts.title(name),
+          chain ->
+              moveTo(
+                  chain,
+                  chain.stage(name),
+                  target.map(chain.stages()::indexOf).orElse(chain.stages().size())));
+    }
+  }
+
+  /** Whether this chain is inside another one. */
+  boolean isInside() {
+    return this != outermost;
+  }
+
+  /** Moves a stage out of this chain, to the place before it. */
+  void moveOut(ChainStage stage) {
+    String chain = prefix.substring(0, prefix.length() - 1);
+    outermost.restructure(
+        "moving " + Texts.title(stage.name()),
+        all -> StageMoves.move(all, path(stage), StageMoves.prefix(chain), StageMoves.name(chain)));
+  }
+
+  private static void moveTo(FilterChain chain, ChainStage stage, int position) {
+    int last = chain.stages().size() - 1;
+    chain.move(stage, Math.max(0, Math.min(last, position)));
+  }
+
+  /** Puts the stages of another chain in place of all there are. */
+  public void replaceAll(FilterChain other) {
+    restructure("another chain", chain -> replaceAll(chain, other));
+  }
+
+  private static void replaceAll(FilterChain chain, FilterChain other) {
+    for (ChainStage stage : List.copyOf(chain.stages())) {
+      chain.remove(stage);
+    }
+    for (ChainStage stage : other.stages()) {
+      chain.add(stage.kind(), stage.filter(), stage.isEnabled(), chain.stages().size());
+    }
+  }
+
+  /** Makes the chain what it was when it was written down. */
+  private void restore(String json) {
+    change(
+        chain -> {
+          try {
+            replaceAll(chain, ChainFile.parse(json, "the chain before", chain.geometry()));
+          } catch (IOException impossible) {
+            throw new UncheckedIOException(impossible);
+          }
+        });
+  }
+
+  void setEnabled(ChainStage stage, boolean enabled) {
+    String name = stage.name();
+    edit(chain -> chain.setEnabled(stage, enabled));
+    made(
+        (enabled ? "switching on " : "switching off ") + Texts.title(name),
+        "switch " + prefix + name,
+        () -> edit(chain -> chain.setEnabled(chain.stage(name), !enabled)),
+        () -> edit(chain -> chain.setEnabled(chain.stage(name), enabled)));
+  }
+
+  private void made(String words, Object subject, Runnable undo, Runnable redo) {
+    history.made(words, subject, undo, redo, System.nanoTime());
+  }
+
+  /**
+   * Gives a filter new settings.
+   *
+   * @param before the settings that it has
+   * @param subject what is changed, so that changes of the same can be taken back as one
+   * @param refused called with one line if the filter does not take them
+   */
+  void apply(
+      ChainStage stage, Record before, Record settings, String subject, Consumer<String> refused) {
+    if (player.isEmpty()) {
+      return;
+    }
+    String name = stage.name();
+    player
+        .get()
+        .edit(chain -> chain.apply(stage, settings))
+        .exceptionally(
+            problem -> {
+              Platform.runLater(() -> refused.accept(Texts.oneLine(problem)));
+              return null;
+            });
+    made(
+        subject + " of " + Texts.title(name),
+        prefix + name + "/" + subject,
+        () -> reapply(name, before),
+        () -> reapply(name, settings));
+  }
+
+  /**
+   * Gives a filter new settings that do not come from its card, as {@link #apply} does; who shows
+   * them is told.
+   */
+  public void applyAndShow(
+      ChainStage stage, Record before, Record settings, String subject, Consumer<String> refused) {
+    apply(stage, before, settings, subject, refused);
+    adopters.forEach(adopter -> adopter.accept(stage, settings));
+  }
+
+  private void reapply(String stage, Record settings) {
+    edit(chain -> applyNow(chain, chain.stage(stage), settings));
+  }
+
+  /** Tells somebody of settings that a filter was given other than by {@link #apply}. */
+  public void onSettings(BiConsumer<ChainStage, Record> adopter) {
+    adopters.add(adopter);
+  }
+
+  /**
+   * Changes something inside the filters between two packets.
+   *
+   * @param refused called with one line if that cannot be
+   */
+  public void change(Consumer<FilterChain> work, Consumer<String> refused) {
+    player.ifPresent(
+        open ->
+            open.edit(work)
+                .exceptionally(
+                    problem -> {
+                      Platform.runLater(() -> refused.accept(Texts.oneLine(problem)));
+                      return null;
+                    }));
+  }
+
+  /**
+   * Gives a filter settings from within a {@link #change}, on the processing thread; who shows them
+   * is told.
+   */
+  public void applyNow(FilterChain chain, ChainStage stage, Record settings) {
+    chain.apply(stage, settings);
+    Platform.runLater(() -> adopters.forEach(adopter -> adopter.accept(stage, settings)));
+  }
+
+  /** Reads something off the chain between two packets and brings it to the JavaFX thread. */
+  public <T> void read(Function<FilterChain, T> reading, Consumer<T> taker) {
+    AtomicReference<T> result = new AtomicReference<>();
+    edit(chain -> result.set(reading.apply(chain)))
+        .thenRun(() -> Platform.runLater(() -> taker.accept(result.get())));
+  }
+
+  /**
+   * The same, where it matters that nothing could be read, because what was open has been closed.
+   *
+   * @param refused called with one line then
+   */
+  public <T> void read(
+      Function<FilterChain, T> reading, Consumer<T> taker, Consumer<String> refused) {
+    AtomicReference<T> result = new AtomicReference<>();
+    player.ifPresent(
+        open ->
+            open.edit(chain -> result.set(reading.apply(chain)))
+                .whenComplete(
+                    (done, problem) ->
+                        Platform.runLater(
+                            () -> {
+                              if (problem == null) {
+                                taker.accept(result.get());
+                              } else {
+                                refused.accept(Texts.oneLine(problem));
+                              }
+                            })));
+  }
+
+  /** Changes the order or the number of the filters, so that it can be taken back. */
+  private void restructure(String words, Consumer<FilterChain> change) {
+    AtomicReference<String> before = new AtomicReference<>();
+    AtomicReference<String> after = new AtomicReference<>();
+    Optional<ChainAccess> edited = player;
+    change(
+            chain -> {
+              before.set(ChainFile.write(chain));
+              change.accept(chain);
+              after.set(ChainFile.write(chain));
+            })
+        .thenRun(
+            () ->
+                Platform.runLater(
+                    () -> {
+                      if (player.equals(edited)) {
+                        made(
+                            words, before, () -> restore(before.get()), () -> restore(after.get()));
+                      }
+                    }));
+  }
+
+  private CompletableFuture<Void> change(Consumer<FilterChain> change) {
+    Optional<ChainAccess> edited = player;
+    AtomicReference<List<StageState>> after = new AtomicReference<>();
+    return edit(chain -> {
+          change.accept(chain);
+          after.set(StageState.of(chain));
+        })
+        .thenRun(
+            () ->
+                Platform.runLater(
+                    () -> {
+                      if (player.equals(edited)) {
+                        changed.accept(after.get());
+                        listeners.forEach(Runnable::run);
+                      }
+                    }));
+  }
+
+  private CompletableFuture<Void> edit(Consumer<FilterChain> change) {
+    if (player.isEmpty()) {
+      return new CompletableFuture<>();
+    }
+    Optional<ChainAccess> edited = player;
+    CompletableFuture<Void> done = player.get().edit(change);
+    done.exceptionally(
+        problem -> {
+          Platform.runLater(
+              () -> {
+                // what could not be done with a chain that is no longer open is nobody's loss
+                if (player.equals(edited)) {
+                  problems.accept(Texts.oneLine(problem));
+                }
+              });
+          return null;
+        });
+    return done;
+  }
+}

@@ -1,0 +1,65 @@
+package haltere.ui.viewer.chain;
+
+import atlantafx.base.theme.Styles;
+import java.util.List;
+import javafx.geometry.Pos;
+import javafx.scene.control.Label;
+import javafx.scene.control.ScrollPane;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
+import javafx.scene.layout.VBox;
+
+/**
+ * The chain: a card for each stage, in order, a search through their settings, and a menu to add
+ * one.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+public final class ChainPanel extends VBox {
+  private final StageList cards;
+  private final Label nothing = new Label("No setting of the chain is like that.");
+
+  /** A panel without stages, whose changes an editor makes. */
+  public ChainPanel(ChainEditor editor) {
+    getStyleClass().add("chain-panel");
+    setId("chain-panel");
+    Label title = new Label("Filter chain");
+    title.getStyleClass().add(Styles.TITLE_4);
+    Region space = new Region();
+    HBox.setHgrow(space, Priority.ALWAYS);
+    HBox head = new HBox(title, space, new AddFilterMenu("add-filter", "Add a filter", editor));
+    head.setAlignment(Pos.CENTER_LEFT);
+    head.getStyleClass().add("chain-head");
+    Label empty =
+        new Label("No filters: events are shown as they come. Add one with the button above.");
+    empty.setWrapText(true);
+    empty.getStyleClass().addAll(Styles.TEXT_MUTED, "chain-empty");
+    cards = new StageList(editor, empty);
+    nothing.setId("settings-none");
+    nothing.getStyleClass().addAll(Styles.TEXT_MUTED, "settings-none");
+    narrow(SettingsSearch.ALL);
+    editor.onSettings(cards::adopt);
+    ScrollPane scroll = new ScrollPane(cards);
+    scroll.setFitToWidth(true);
+    scroll.setHbarPolicy(ScrollPane.ScrollBarPolicy.NEVER);
+    VBox.setVgrow(scroll, Priority.ALWAYS);
+    getChildren().addAll(head, new SettingsSearchField(this::narrow), nothing, scroll);
+  }
+
+  private void narrow(SettingsSearch search) {
+    boolean any = cards.narrow(search) || !search.isActive();
+    nothing.setVisible(!any);
+    nothing.setManaged(!any);
+  }
+
+  /** Shows a chain, keeping the cards of stages that were there. */
+  public void show(List<StageState> stages) {
+    cards.show(stages);
+  }
+
+  /** Shows what the stages do now; called a few times a second. */
+  public void update(long elapsedNanos) {
+    cards.update(elapsedNanos);
+  }
+}

@@ -1,0 +1,72 @@
+package haltere.ui.viewer.chain;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+
+/**
+ * What a person has changed, to be taken back and done again. Changes of the same thing that follow
+ * each other closely, as when a slider is dragged, are one.
+ *
+ * <p>Thread rule: one thread at a time, in the viewer the JavaFX thread.
+ */
+public final class EditHistory {
+  /** A change. */
+  private record Step(String words, Object subject, Runnable undo, Runnable redo, long nanos) {}
+
+  private static final long TOGETHER_NANOS = 1_000_000_000;
+  private static final int MOST = 200;
+
+  private final Deque<Step> done = new ArrayDeque<>();
+  private final Deque<Step> undone = new ArrayDeque<>();
+
+  /**
+   * Remembers a change that has been made; what had been taken back before is forgotten.
+   *
+   * @param words what was changed
+   * @param subject equal for changes that may be taken as one
+   * @param undo takes it back
+   * @param redo makes it once more
+   * @param nanos when it was made
+   */
+  void made(String words, Object subject, Runnable undo, Runnable redo, long nanos) {
+    undone.clear();
+    Step last = done.peek();
+    boolean together =
+        last != null && last.subject().equals(subject) && nanos - last.nanos() < TOGETHER_NANOS;
+    if (together) {
+      done.pop();
+    }
+    done.push(new Step(words, subject, together ? last.undo() : undo, redo, nanos));
+    if (done.size() > MOST) {
+      done.removeLast();
+    }
+  }
+
+  /** Takes the last change back; what it was, or empty if there is none. */
+  public String undo() {
+    if (done.isEmpty()) {
+      return "";
+    }
+    Step step = done.pop();
+    undone.push(step);
+    step.undo().run();
+    return step.words();
+  }
+
+  /** Makes the change that was taken back last once more; what it was, or empty. */
+  public String redo() {
+    if (undone.isEmpty()) {
+      return "";
+    }
+    Step step = undone.pop();
+    done.push(step);
+    step.redo().run();
+    return step.words();
+  }
+
+  /** Forgets everything. */
+  void clear() {
+    done.clear();
+    undone.clear();
+  }
+}

@@ -1,0 +1,144 @@
+package haltere.ui.viewer.chain;
+
+import atlantafx.base.theme.Styles;
+import haltere.core.chain.ChainStage;
+import haltere.core.settings.Parameter;
+import haltere.core.settings.SettingsProblem;
+import haltere.core.settings.SettingsSchema;
+import haltere.ui.viewer.controls.SettingField;
+import haltere.ui.viewer.controls.Texts;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Consumer;
+import javafx.scene.control.Button;
+import javafx.scene.control.Label;
+import javafx.scene.layout.VBox;
+
+/**
+ * The settings of one filter, made from their schema: a field for each, under a heading for each
+ * group. A change makes a whole new record and sends it to the filter.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ *
+ * @param <S> the settings record
+ */
+final class SettingsPanel<S extends Record> extends VBox {
+  private final ChainStage stage;
+  private final ChainEditor editor;
+  private final SettingsSchema<S> schema;
+  private final List<SettingField> fields = new ArrayList<>();
+  private final Map<String, Label> headings = new LinkedHashMap<>();
+  private final Button resetAll = new Button("Reset all to defaults");
+
+  /** The record in force, as far as this panel knows. */
+  private S settings;
+
+  private SettingsPanel(
+      ChainStage stage, S settings, SettingsSchema<S> schema, ChainEditor editor) {
+    this.stage = stage;
+    this.settings = settings;
+    this.schema = schema;
+    this.editor = editor;
+    String id = editor.path(stage).replace('/', '-');
+    getStyleClass().add("settings");
+    String group = "";
+    for (Parameter parameter : schema.parameters()) {
+      if (!parameter.group().equals(group)) {
+        group = parameter.group();
+        Label heading = new Label(Texts.words(group, ""));
+        heading.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_BOLD, "settings-group");
+        headings.put(group, heading);
+        getChildren().add(heading);
+      }
+      SettingField field =
+          SettingField.of(id, parameter, (value, refused) -> set(parameter.name(), value, refused));
+      fields.add(field);
+      getChildren().add(field);
+    }
+    resetAll.setId("reset-all-" + id);
+    resetAll.getStyleClass().addAll(Styles.SMALL, Styles.FLAT);
+    resetAll.setOnAction(event -> send(schema.defaults(), "all settings", problem -> {}));
+    getChildren().add(resetAll);
+    show();
+  }
+
+  /**
+   * A panel for a record of any type.
+   *
+   * @param stage the stage whose filter takes the settings
+   * @param settings the settings in force
+   * @param editor sends new ones
+   * @return a panel
+   */
+  @SuppressWarnings("unchecked")
+  static <S extends Record> SettingsPanel<S> of(ChainStage stage, S settings, ChainEditor editor) {
+    SettingsSchema<S> schema = SettingsSchema.of((Class<S>) settings.getClass());
+    return new SettingsPanel<>(stage, settings, schema, editor);
+  }
+
+  private void set(String name, Object value, Consumer<String> refused) {
+    try {
+      S changed = schema.with(settings, name, value);
+      if (!changed.equals(settings)) {
+        Parameter parameter = schema.parameter(name);
+        send(changed, Texts.words(name, parameter.unit()).toLowerCase(Locale.ROOT), refused);
+      }
+    } catch (SettingsProblem problem) {
+      refused.accept(problem.getMessage());
+    }
+  }
+
+  private void send(S changed, String subject, Consumer<String> refused) {
+    S before = settings;
+    settings = changed;
+    editor.apply(stage, before, changed, subject, refused);
+    show();
+  }
+
+  /** Shows settings that somebody else has given the filter. */
+  void adopt(Record adopted) {
+    if (adopted.getClass() == settings.getClass()) {
+      @SuppressWarnings("unchecked")
+      S same = (S) adopted;
+      settings = same;
+      show();
+    }
+  }
+
+  /** Shows those settings only that match; how many there are. */
+  int narrow(SettingsSearch search) {
+    List<String> changed = schema.changed(settings);
+    Set<String> shownGroups = new HashSet<>();
+    int shown = 0;
+    for (SettingField field : fields) {
+      boolean matches =
+          search.matches(field.parameter(), changed.contains(field.parameter().name()));
+      field.setVisible(matches);
+      field.setManaged(matches);
+      if (matches) {
+        shown++;
+        shownGroups.add(field.parameter().group());
+      }
+    }
+    headings.forEach(
+        (group, heading) -> {
+          heading.setVisible(shownGroups.contains(group));
+          heading.setManaged(shownGroups.contains(group));
+        });
+    return shown;
+  }
+
+  private void show() {
+    List<String> changed = schema.changed(settings);
+    for (SettingField field : fields) {
+      String name = field.parameter().name();
+      field.show(schema.get(settings, name), changed.contains(name));
+    }
+    resetAll.setDisable(changed.isEmpty());
+  }
+}

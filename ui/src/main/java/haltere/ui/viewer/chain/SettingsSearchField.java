@@ -1,0 +1,47 @@
+package haltere.ui.viewer.chain;
+
+import atlantafx.base.theme.Styles;
+import haltere.ui.viewer.controls.Controls;
+import java.util.Locale;
+import java.util.function.Consumer;
+import javafx.geometry.Pos;
+import javafx.scene.control.TextField;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+
+/**
+ * Searches the settings of all filters, or shows only those that a person has changed.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+final class SettingsSearchField extends HBox {
+  private final TextField words = new TextField();
+  private final ToggleButton changedOnly = new ToggleButton("Changed");
+  private final Consumer<SettingsSearch> taker;
+
+  SettingsSearchField(Consumer<SettingsSearch> taker) {
+    super(6);
+    this.taker = taker;
+    getStyleClass().add("settings-search");
+    setAlignment(Pos.CENTER_LEFT);
+    words.setId("settings-search");
+    words.setPromptText("Search settings");
+    words.setAccessibleText("Search settings");
+    words.getStyleClass().add(Styles.SMALL);
+    HBox.setHgrow(words, Priority.ALWAYS);
+    words.textProperty().addListener((property, was, is) -> search());
+    changedOnly.setId("changed-only");
+    changedOnly.getStyleClass().add(Styles.SMALL);
+    changedOnly.setAccessibleText("Only the settings that I changed");
+    Controls.help(changedOnly, "Only the settings that are not at their defaults");
+    changedOnly.selectedProperty().addListener((property, was, is) -> search());
+    getChildren().addAll(words, changedOnly);
+  }
+
+  private void search() {
+    taker.accept(
+        new SettingsSearch(
+            words.getText().strip().toLowerCase(Locale.ROOT), changedOnly.isSelected()));
+  }
+}

@@ -1,0 +1,340 @@
+package haltere.ui.viewer.chain;
+
+import atlantafx.base.controls.ToggleSwitch;
+import atlantafx.base.theme.Styles;
+import atlantafx.base.theme.Tweaks;
+import haltere.core.chain.ChainStage;
+import haltere.core.chain.FilterChain;
+import haltere.core.chain.FilterTiming;
+import haltere.core.chain.Filters;
+import haltere.ui.viewer.controls.Controls;
+import haltere.ui.viewer.controls.Icons;
+import haltere.ui.viewer.controls.Texts;
+import java.util.Optional;
+import javafx.css.PseudoClass;
+import javafx.geometry.Pos;
+import javafx.scene.AccessibleRole;
+import javafx.scene.Node;
+import javafx.scene.control.Button;
+import javafx.scene.control.Label;
+import javafx.scene.control.MenuButton;
+import javafx.scene.control.MenuItem;
+import javafx.scene.input.ClipboardContent;
+import javafx.scene.input.DragEvent;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
+import javafx.scene.input.TransferMode;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.VBox;
+
+/**
+ * One stage of the chain: its switch, what it does to the stream, its place, its settings.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+final class StageCard extends VBox {
+  private static final PseudoClass TARGET = PseudoClass.getPseudoClass("target");
+  private static final PseudoClass OFF = PseudoClass.getPseudoClass("off");
+
+  private final ChainStage stage;
+  private final String id;
+  private final ToggleSwitch power = new ToggleSwitch();
+  private final Label counts = new Label();
+  private final MenuItem up;
+  private final MenuItem down;
+  private final MenuItem into;
+  private final Button expand;
+  private final Optional<Record> firstSettings;
+  private final Optional<StageList> inside;
+  private final ChainEditor editor;
+  private Optional<SettingsPanel<?>> settings = Optional.empty();
+  private Optional<Record> adopted = Optional.empty();
+  private SettingsSearch search = SettingsSearch.ALL;
+  private FilterTiming last;
+  private boolean followingStage;
+  private Optional<StageList> chainAbove = Optional.empty();
+
+  StageCard(StageState state, ChainEditor editor) {
+    this.editor = editor;
+    stage = state.stage();
+    last = stage.timing();
+    id = editor.path(stage).replace('/', '-');
+    String title = Texts.title(stage.name());
+    getStyleClass().add("stage");
+    setId("stage-" + id);
+    Optional<Record> record =
+        state.settings().filter(found -> found.getClass().getRecordComponents().length > 0);
+    firstSettings = record;
+    Label name = new Label(title);
+    name.getStyleClass().add(Styles.TEXT_BOLD);
+    name.setMaxWidth(Double.MAX_VALUE);
+    name.setMinWidth(0);
+    String help = description();
+    Controls.help(name, help);
+    HBox.setHgrow(name, Priority.ALWAYS);
+    power.setId("power-" + id);
+    power.setAccessibleText(title + " on or off");
+    power.setAccessibleRole(AccessibleRole.TOGGLE_BUTTON);
+    power.setSelected(stage.isEnabled());
+    power
+        .selectedProperty()
+        .addListener(
+            (property, was, is) -> {
+              pseudoClassStateChanged(OFF, !is);
+              if (!followingStage) {
+                editor.setEnabled(stage, is);
+              }
+            });
+    pseudoClassStateChanged(OFF, !stage.isEnabled());
+    up = item("up-", "Move up   (Ctrl+Shift+\u2191)", () -> editor.move(stage, -1));
+    down = item("down-", "Move down   (Ctrl+Shift+\u2193)", () -> editor.move(stage, 1));
+    into = item("into-", "Move into the chain above", this::moveIntoNeighbour);
+    MenuButton more = new MenuButton("", Icons.MORE.node(), up, down, into);
+    if (editor.isInside()) {
+      more.getItems().add(item("out-", "Move out of its chain", () -> editor.moveOut(stage)));
+    }
+    more.getItems().add(item("remove-", "Remove", () -> editor.remove(stage)));
+    if (stage.filter() instanceof FilterChain) {
+      more.getItems().add(new PresetMenu("presets-" + id, editor.inside(stage)));
+    }
+    more.setId("more-" + id);
+    more.setAccessibleText("Move or remove " + title);
+    Controls.help(more, "Move or remove");
+    more.getStyleClass().addAll(Styles.BUTTON_ICON, Styles.FLAT, Styles.SMALL, Tweaks.NO_ARROW);
+    expand =
+        Controls.button("expand-" + id, Icons.RIGHT, "Settings of " + title, this::toggleSettings);
+    expand.getStyleClass().add(Styles.SMALL);
+    inside =
+        stage.filter() instanceof FilterChain ? Optional.of(insideOf(state)) : Optional.empty();
+    expand.setVisible(record.isPresent() || inside.isPresent());
+    HBox head = new HBox(2, expand, name, more, power);
+    takePart(head);
+    head.setAlignment(Pos.CENTER_LEFT);
+    head.getStyleClass().add("stage-head");
+    setOnKeyPressed(this::moveByKey);
+    counts.setId("counts-" + id);
+    counts.getStyleClass().addAll(Styles.TEXT_SMALL, "stage-counts");
+    Controls.help(
+        counts,
+        "Events into and out of the filter per second of real time, the share that it lets"
+            + " through, and what a thousand events cost");
+    counts.setText("\u2013");
+    getChildren().addAll(head, counts);
+    inside.ifPresent(
+        list -> {
+          getChildren().add(list.getParent());
+          showInside(true);
+        });
+  }
+
+  /** The stages of a chain inside the chain, and a menu to add one. */
+  private StageList insideOf(StageState state) {
+    ChainEditor inner = editor.inside(stage);
+    Label empty = new Label("No filters yet.");
+    empty.getStyleClass().add(Styles.TEXT_MUTED);
+    StageList list = new StageList(inner, empty);
+    list.show(state.inside());
+    new VBox(
+            list,
+            new AddFilterMenu(
+                "add-filter-" + id, "Add a filter to " + Texts.title(stage.name()), inner))
+        .getStyleClass()
+        .add("stages-inside");
+    return list;
+  }
+
+  ChainStage stage() {
+    return stage;
+  }
+
+  /** Shows what a chain inside the chain consists of now. */
+  void followInside(StageState state) {
+    inside.ifPresent(list -> list.show(state.inside()));
+  }
+
+  /** Says which cards are before and behind this one, if any. */
+  void setPlace(Optional<StageCard> before, boolean lastOne) {
+    up.setDisable(before.isEmpty());
+    down.setDisable(lastOne);
+    chainAbove = before.flatMap(card -> card.inside);
+    into.setDisable(chainAbove.isEmpty());
+  }
+
+  private void moveByKey(KeyEvent event) {
+    boolean isUp = event.getCode() == KeyCode.UP;
+    if (event.isShortcutDown()
+        && event.isShiftDown()
+        && (isUp || event.getCode() == KeyCode.DOWN)) {
+      editor.move(stage, isUp ? -1 : 1);
+      event.consume();
+    }
+  }
+
+  private void moveIntoNeighbour() {
+    chainAbove.ifPresent(list -> list.drop(editor.path(stage)));
+  }
+
+  /** Shows what the stage did since the last call. */
+  void update(long elapsedNanos) {
+    inside.ifPresent(list -> list.update(elapsedNanos));
+    if (power.isSelected() != stage.isEnabled() && elapsedNanos > 0) {
+      followStage();
+    }
+    FilterTiming now = stage.timing();
+    FilterTiming since = now.since(last);
+    last = now;
+    if (!stage.isEnabled()) {
+      counts.setText("off");
+    } else if (since.eventsIn() == 0) {
+      counts.setText("no events");
+    } else {
+      double seconds = elapsedNanos / 1e9;
+      counts.setText(
+          Texts.quantity(since.eventsIn() / seconds)
+              + " \u2192 "
+              + Texts.quantity(since.eventsOut() / seconds)
+              + " ev/s  \u00b7  "
+              + Math.round(100.0 * since.eventsOut() / since.eventsIn())
+              + " %  \u00b7  "
+              + Texts.digits(since.microsPerThousandEvents())
+              + " \u00b5s/kev");
+    }
+  }
+
+  /** The player has switched a filter off that failed, or a switch is still under way. */
+  private void followStage() {
+    followingStage = true;
+    power.setSelected(stage.isEnabled());
+    followingStage = false;
+  }
+
+  private void toggleSettings() {
+    if (inside.isPresent()) {
+      showInside(!inside.get().getParent().isVisible());
+    } else {
+      showSettings(!settings.map(Node::isVisible).orElse(false));
+    }
+  }
+
+  private void showInside(boolean show) {
+    Node box = inside.orElseThrow().getParent();
+    box.setVisible(show);
+    box.setManaged(show);
+    expand.setRotate(show ? 90 : 0);
+  }
+
+  private void showSettings(boolean show) {
+    if (settings.isEmpty() && show && firstSettings.isPresent()) {
+      // not before they are asked for: styling some dozen controls takes time
+      SettingsPanel<?> made =
+          SettingsPanel.of(stage, adopted.or(() -> firstSettings).get(), editor);
+      made.narrow(search);
+      getChildren().add(made);
+      settings = Optional.of(made);
+    }
+    settings.ifPresent(
+        panel -> {
+          panel.setVisible(show);
+          panel.setManaged(show);
+        });
+    expand.setRotate(show ? 90 : 0);
+  }
+
+  /** Shows settings that a filter was given other than by a card, if it is this one's. */
+  void adopt(ChainStage of, Record newSettings) {
+    inside.ifPresent(list -> list.adopt(of, newSettings));
+    if (of == stage) {
+      adopted = Optional.of(newSettings);
+      settings.ifPresent(panel -> panel.adopt(newSettings));
+    }
+  }
+
+  /**
+   * Shows those settings only that are searched for; without a search as it was.
+   *
+   * @return whether anything of the card is shown
+   */
+  boolean narrow(SettingsSearch newSearch) {
+    boolean wasActive = search.isActive();
+    search = newSearch;
+    boolean any = true;
+    if (inside.isPresent()) {
+      any = inside.get().narrow(search) || !search.isActive();
+    } else if (search.isActive()) {
+      showSettings(true);
+      any = settings.map(panel -> panel.narrow(search) > 0).orElse(false);
+    } else if (wasActive) {
+      settings.ifPresent(panel -> panel.narrow(search));
+      showSettings(false);
+    }
+    setVisible(any);
+    setManaged(any);
+    return any;
+  }
+
+  /** Lets the card be dragged to the place of another one. */
+  private void takePart(Node handle) {
+    handle.setOnDragDetected(
+        event -> {
+          ClipboardContent content = new ClipboardContent();
+          content.put(StageList.STAGE, editor.path(stage));
+          handle.startDragAndDrop(TransferMode.MOVE).setContent(content);
+          event.consume();
+        });
+    setOnDragOver(
+        event -> {
+          if (dragged(event).isPresent()) {
+            event.acceptTransferModes(TransferMode.MOVE);
+            event.consume();
+          }
+        });
+    setOnDragEntered(event -> pseudoClassStateChanged(TARGET, dragged(event).isPresent()));
+    setOnDragExited(event -> pseudoClassStateChanged(TARGET, false));
+    setOnDragDropped(
+        event -> {
+          dragged(event)
+              .ifPresent(
+                  path -> {
+                    drop(path);
+                    event.setDropCompleted(true);
+                    event.consume();
+                  });
+        });
+  }
+
+  /** The path of the card that is dragged, if it may come here. */
+  private Optional<String> dragged(DragEvent event) {
+    return StageList.dragged(event).filter(this::accepts);
+  }
+
+  /** Whether the card of a path may be dropped on this one. */
+  boolean accepts(String path) {
+    return editor.takes(path);
+  }
+
+  /** The card of a path was dropped below the cards inside this one. */
+  void dropInside(String path) {
+    inside.orElseThrow().drop(path);
+  }
+
+  /** The card of a path was dropped on this one. */
+  void drop(String path) {
+    editor.moveHere(path, Optional.of(stage));
+  }
+
+  private String description() {
+    if (stage.filter() instanceof FilterChain) {
+      return "A chain inside the chain.";
+    }
+    var provider = Filters.all().get(stage.kind());
+    return provider == null ? stage.kind() : provider.description();
+  }
+
+  private MenuItem item(String action, String words, Runnable work) {
+    MenuItem item = new MenuItem(words);
+    item.setId(action + id);
+    item.setOnAction(event -> work.run());
+    return item;
+  }
+}

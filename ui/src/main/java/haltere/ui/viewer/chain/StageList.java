@@ -1,0 +1,130 @@
+package haltere.ui.viewer.chain;
+
+import haltere.core.chain.ChainStage;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import javafx.scene.Node;
+import javafx.scene.input.DataFormat;
+import javafx.scene.input.DragEvent;
+import javafx.scene.input.TransferMode;
+import javafx.scene.layout.VBox;
+
+/**
+ * A card for each stage of a chain, in order.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+final class StageList extends VBox {
+  /** What is carried while a card is dragged: the path of its stage. */
+  static final DataFormat STAGE = new DataFormat("application/x-haltere-stage");
+
+  private final ChainEditor editor;
+  private final Node empty;
+  private final Map<String, StageCard> cardOf = new HashMap<>();
+  private List<StageCard> cards = List.of();
+  private SettingsSearch search = SettingsSearch.ALL;
+
+  /**
+   * A list without stages.
+   *
+   * @param empty shown where there are none
+   */
+  StageList(ChainEditor editor, Node empty) {
+    this.editor = editor;
+    this.empty = empty;
+    getStyleClass().add("cards");
+    getChildren().add(empty);
+    takeDropped();
+  }
+
+  /** The path of the stage whose card is dragged. */
+  static Optional<String> dragged(DragEvent event) {
+    return event.getDragboard().getContent(STAGE) instanceof String path
+        ? Optional.of(path)
+        : Optional.empty();
+  }
+
+  /** Takes what is dropped between or below the cards. */
+  private void takeDropped() {
+    setOnDragOver(
+        event -> {
+          if (dragged(event).filter(editor::takes).isPresent()) {
+            event.acceptTransferModes(TransferMode.MOVE);
+            event.consume();
+          }
+        });
+    setOnDragDropped(
+        event ->
+            dragged(event)
+                .filter(editor::takes)
+                .ifPresent(
+                    path -> {
+                      drop(path);
+                      event.setDropCompleted(true);
+                      event.consume();
+                    }));
+  }
+
+  /** The card of a path was dropped below all others. */
+  void drop(String path) {
+    editor.moveHere(path, Optional.empty());
+  }
+
+  /** Shows a chain, keeping the cards of stages that were there. */
+  void show(List<StageState> stages) {
+    List<StageCard> order = new ArrayList<>();
+    for (StageState state : stages) {
+      StageCard card = cardOf.get(state.stage().name());
+      if (card == null || card.stage() != state.stage()) {
+        card = new StageCard(state, editor);
+        card.narrow(search);
+      } else {
+        card.followInside(state);
+      }
+      order.add(card);
+    }
+    cards = order;
+    cardOf.clear();
+    for (int i = 0; i < order.size(); i++) {
+      cardOf.put(order.get(i).stage().name(), order.get(i));
+      order
+          .get(i)
+          .setPlace(
+              i == 0 ? Optional.empty() : Optional.of(order.get(i - 1)), i == order.size() - 1);
+    }
+    List<? extends Node> shown = order.isEmpty() ? List.of(empty) : order;
+    if (!getChildren().equals(shown)) {
+      Node focus = getScene() == null ? null : getScene().getFocusOwner();
+      getChildren().setAll(shown);
+      // a card that is put elsewhere keeps the focus
+      if (focus != null && focus.getScene() != null) {
+        focus.requestFocus();
+      }
+    }
+  }
+
+  /** Shows settings that a filter was given other than by a card. */
+  void adopt(ChainStage of, Record settings) {
+    cards.forEach(card -> card.adopt(of, settings));
+  }
+
+  /** Shows those settings only that are searched for; whether there are any. */
+  boolean narrow(SettingsSearch newSearch) {
+    search = newSearch;
+    boolean any = false;
+    for (StageCard card : cards) {
+      any |= card.narrow(search);
+    }
+    return any;
+  }
+
+  /** Shows what the stages do now; called a few times a second. */
+  void update(long elapsedNanos) {
+    for (int i = 0; i < cards.size(); i++) {
+      cards.get(i).update(elapsedNanos);
+    }
+  }
+}

@@ -1,0 +1,75 @@
+package haltere.ui.viewer.chain;
+
+import haltere.core.chain.ChainFile;
+import haltere.core.chain.ChainStage;
+import haltere.core.chain.FilterChain;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+
+/**
+ * Moves stages from one chain to another inside of it, or out again. A path is the names of the
+ * chains that a stage is in, and its own, with slashes between them.
+ *
+ * <p>Thread rule: the processing thread only.
+ */
+final class StageMoves {
+  private StageMoves() {}
+
+  /** Whether a chain is a stage itself, or inside of it. */
+  static boolean isWithin(String chainPrefix, String stagePath) {
+    return chainPrefix.startsWith(stagePath + "/");
+  }
+
+  /** The path of the chain that a stage is in, with a slash at its end; empty for the outermost. */
+  static String prefix(String stagePath) {
+    return stagePath.substring(0, stagePath.lastIndexOf('/') + 1);
+  }
+
+  /** The name of a stage in its own chain. */
+  static String name(String stagePath) {
+    return stagePath.substring(stagePath.lastIndexOf('/') + 1);
+  }
+
+  /** The chain inside another one, or that itself. */
+  static FilterChain chain(FilterChain outermost, String prefix) {
+    FilterChain found = outermost;
+    for (String name : prefix.split("/")) {
+      if (!name.isEmpty()) {
+        found = (FilterChain) found.stage(name).filter();
+      }
+    }
+    return found;
+  }
+
+  /**
+   * Moves a stage to another chain. It is made anew with the same settings, because filters belong
+   * to one chain as long as they live.
+   *
+   * @param prefix of the chain that it goes to
+   * @param before the name of the stage there that it comes before; empty for the end
+   */
+  static void move(FilterChain outermost, String stagePath, String prefix, String before) {
+    if (isWithin(prefix, stagePath)) {
+      throw new IllegalArgumentException("a chain cannot be put into itself");
+    }
+    FilterChain from = chain(outermost, prefix(stagePath));
+    FilterChain to = chain(outermost, prefix);
+    ChainStage moved = from.stage(name(stagePath));
+    ChainStage again = copy(moved, to);
+    int place = before.isEmpty() ? to.stages().size() : to.stages().indexOf(to.stage(before));
+    to.add(again.kind(), again.filter(), again.isEnabled(), place);
+    from.remove(moved);
+  }
+
+  private static ChainStage copy(ChainStage stage, FilterChain target) {
+    FilterChain alone = new FilterChain(target.geometry());
+    alone.add(stage.kind(), stage.filter(), stage.isEnabled(), 0);
+    try {
+      return ChainFile.parse(ChainFile.write(alone), stage.name(), target.geometry())
+          .stages()
+          .get(0);
+    } catch (IOException impossible) {
+      throw new UncheckedIOException(impossible);
+    }
+  }
+}

@@ -1,0 +1,208 @@
+package haltere.ui.viewer.compare;
+
+import haltere.core.chain.ChainFile;
+import haltere.core.chain.FilterChain;
+import haltere.core.playback.Player;
+import haltere.ui.plot.PlotField;
+import haltere.ui.plot.PublishedMeans;
+import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.chain.ChainEditor;
+import haltere.ui.viewer.chain.ChainPanel;
+import haltere.ui.viewer.chain.StageState;
+import haltere.ui.viewer.controls.Icons;
+import haltere.ui.viewer.feature.PanelPlace;
+import haltere.ui.viewer.feature.ViewerContext;
+import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.picture.DisplayFrame;
+import haltere.ui.viewer.picture.DisplayOptions;
+import haltere.ui.viewer.picture.EventView;
+import haltere.ui.viewer.session.Sources;
+import haltere.ui.viewer.session.ViewerSession;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import javafx.beans.property.BooleanProperty;
+import javafx.geometry.Orientation;
+import javafx.scene.control.SplitPane;
+
+/**
+ * Two chains side by side on the same events: the second one begins as a copy of the first, has its
+ * own settings in a tab at the side, its own picture, and its published numbers beside those of the
+ * first.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+public final class CompareFeature implements ViewerFeature {
+  private static final long NUMBERS_NANOS = 1_000_000_000;
+
+  /** What is compared. */
+  private record Running(Player player, SecondChain second) {}
+
+  /** Both chains' means of the last while. */
+  private record Means(Map<PlotField, Double> first, Map<PlotField, Double> second) {}
+
+  private final EventView view = new EventView();
+  private final ComparisonTable table = new ComparisonTable();
+  private ViewerContext window;
+  private ChainEditor editor;
+  private ChainPanel chainPanel;
+  private BooleanProperty shown;
+  private BooleanProperty settingsShown;
+  private Optional<Running> running = Optional.empty();
+  private long numbersNanos;
+  private int starts;
+
+  // processing thread only
+  private PublishedMeans firstMeans;
+  private PublishedMeans secondMeans;
+
+  @Override
+  public void install(ViewerContext installed) {
+    window = installed;
+    editor = new ChainEditor(window.status()::showError, this::showStages);
+    chainPanel = new ChainPanel(editor);
+    chainPanel.setId("second-chain-panel");
+    view.setId("second-event-view");
+    view.setAccessibleText("Events behind the second chain");
+    SplitPane both = new SplitPane(view, table);
+    both.setOrientation(Orientation.VERTICAL);
+    both.setDividerPositions(0.65);
+    settingsShown =
+        window.panels().offer("second-chain", "Second chain", PanelPlace.SIDE, () -> chainPanel);
+    shown = window.panels().offer("compare", "Compare", PanelPlace.BESIDE, () -> both);
+    window
+        .actions()
+        .add(
+            ViewerAction.toggle("compare", "Compare with a second chain", "Chain", shown)
+                .withKey("Shortcut+D")
+                .withHelp("Both work on the same events; their numbers stand side by side."));
+    window
+        .panels()
+        .viewBar()
+        .tool("tool-compare", Icons.COMPARE, "Compare with a second chain (Ctrl+D)", shown);
+    shown.addListener(
+        (property, was, is) -> {
+          settingsShown.set(is);
+          follow(window.sessions().session());
+        });
+    window.sessions().sessionProperty().addListener((property, was, is) -> follow(is));
+    window.editor().onChange(() -> running.ifPresent(this::listen));
+    editor.onChange(() -> running.ifPresent(this::listen));
+    window
+        .display()
+        .onChange(
+            () ->
+                running.ifPresent(
+                    now -> now.second().display().setOptions(window.display().options())));
+    window.panels().onPulse(() -> running.ifPresent(this::pulse));
+  }
+
+  /** The second chain; empty while nothing is compared. */
+  Optional<FilterChain> secondChain() {
+    return running.map(now -> now.second().chain());
+  }
+
+  /** Changes the second chain. */
+  ChainEditor editor() {
+    return editor;
+  }
+
+  private void follow(Optional<ViewerSession> session) {
+    int start = ++starts;
+    running.ifPresent(this::stop);
+    running = Optional.empty();
+    if (shown.get() && session.isPresent()) {
+      window.editor().read(ChainFile::write, json -> begin(start, session.get(), json));
+    }
+  }
+
+  private void begin(int start, ViewerSession session, String json) {
+    DisplayOptions options = window.display().options();
+    window
+        .background()
+        .file(
+            () -> new SecondChain(Sources.chain(session.chain().geometry(), json), options),
+            made -> {
+              if (start == starts) {
+                begin(session, made);
+              }
+            },
+            window.status()::showProblem);
+  }
+
+  private void begin(ViewerSession session, SecondChain made) {
+    Player player = session.player();
+    running = Optional.of(new Running(player, made));
+    view.setGeometry(made.chain().geometry(), window.display().options().colours());
+    List<StageState> stages = StageState.of(made.chain());
+    player.addRawSink(made);
+    window.editor().presets().ifPresent(editor::setPresets);
+    editor.setAccess(change -> player.edit(first -> change.accept(made.chain())));
+    showStages(stages);
+  }
+
+  private void stop(Running ended) {
+    window
+        .background()
+        .close(
+            () -> {
+              // a player that has been closed hands over nothing more anyway
+              ended.player().removeSink(ended.second()).exceptionally(closed -> null).join();
+              ended.second().close();
+            });
+  }
+
+  private void showStages(List<StageState> stages) {
+    chainPanel.show(stages);
+  }
+
+  /** Both chains' numbers are taken from the chains as they are now. */
+  private void listen(Running now) {
+    editor.read(
+        second -> {
+          if (secondMeans != null) {
+            secondMeans.close();
+          }
+          secondMeans = new PublishedMeans(second);
+          return second;
+        },
+        done ->
+            window
+                .editor()
+                .read(
+                    first -> {
+                      if (firstMeans != null) {
+                        firstMeans.close();
+                      }
+                      firstMeans = new PublishedMeans(first);
+                      return first;
+                    },
+                    listening -> {}));
+  }
+
+  private void pulse(Running now) {
+    DisplayFrame frame = now.second().display().exchange().fetch();
+    if (frame != null) {
+      view.show(frame);
+    }
+    long nanos = System.nanoTime();
+    if (nanos - numbersNanos >= NUMBERS_NANOS) {
+      chainPanel.update(nanos - numbersNanos);
+      numbersNanos = nanos;
+      window
+          .editor()
+          .read(
+              first ->
+                  new Means(
+                      firstMeans == null ? Map.of() : firstMeans.take(),
+                      secondMeans == null ? Map.of() : secondMeans.take()),
+              means -> {
+                List<ComparisonTable.Line> lines =
+                    ComparisonTable.lines(means.first(), means.second());
+                if (!lines.isEmpty()) {
+                  table.show(lines);
+                }
+              });
+    }
+  }
+}

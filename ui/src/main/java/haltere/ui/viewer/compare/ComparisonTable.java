@@ -1,0 +1,109 @@
+package haltere.ui.viewer.compare;
+
+import atlantafx.base.theme.Styles;
+import haltere.ui.plot.PlotField;
+import haltere.ui.viewer.controls.Texts;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import javafx.geometry.HPos;
+import javafx.scene.control.Label;
+import javafx.scene.control.ScrollPane;
+import javafx.scene.layout.ColumnConstraints;
+import javafx.scene.layout.GridPane;
+import javafx.scene.layout.Priority;
+
+/**
+ * The numbers that two chains publish, side by side: means over the last second and how much the
+ * second one differs.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+final class ComparisonTable extends ScrollPane {
+  /** A line of the table, below the heading of what publishes it. */
+  record Line(String group, String field, String first, String second, String difference) {}
+
+  private final GridPane grid = new GridPane();
+
+  ComparisonTable() {
+    setId("comparison");
+    setAccessibleText("Published numbers of both chains");
+    setFitToWidth(true);
+    getStyleClass().add("comparison");
+    grid.setHgap(10);
+    ColumnConstraints names = new ColumnConstraints();
+    names.setHgrow(Priority.ALWAYS);
+    names.setMinWidth(70);
+    ColumnConstraints numbers = new ColumnConstraints(62);
+    numbers.setHalignment(HPos.RIGHT);
+    grid.getColumnConstraints().addAll(names, numbers, numbers, numbers);
+    setContent(grid);
+  }
+
+  /** The lines for two sets of means; what only one publishes has no difference. */
+  static List<Line> lines(Map<PlotField, Double> first, Map<PlotField, Double> second) {
+    Set<PlotField> fields = new LinkedHashSet<>(first.keySet());
+    fields.addAll(second.keySet());
+    List<Line> lines = new ArrayList<>();
+    for (PlotField field : fields) {
+      Double a = first.get(field);
+      Double b = second.get(field);
+      String group = Texts.title(field.stage()) + ": " + field.outlet().replace('-', ' ');
+      String unit = field.unit().isEmpty() ? "" : ", " + field.unit();
+      lines.add(new Line(group, field.words() + unit, number(a), number(b), difference(a, b)));
+    }
+    return lines;
+  }
+
+  private static String number(Double value) {
+    return value == null ? "\u2013" : Texts.number(value);
+  }
+
+  private static String difference(Double first, Double second) {
+    if (first == null || second == null) {
+      return "";
+    }
+    if (first.equals(second)) {
+      return "same";
+    }
+    return first == 0
+        ? Texts.number(second)
+        : String.format(Locale.ROOT, "%+.2f %%", 100 * (second - first) / Math.abs(first));
+  }
+
+  /** Shows lines in place of those that are shown. */
+  void show(List<Line> lines) {
+    grid.getChildren().clear();
+    grid.addRow(
+        0, heading("Mean of a second"), heading("first"), heading("second"), heading("differs"));
+    String group = "";
+    int row = 1;
+    for (Line line : lines) {
+      if (!line.group().equals(group)) {
+        group = line.group();
+        grid.add(heading(group), 0, row++, 4, 1);
+      }
+      grid.addRow(
+          row++,
+          small(line.field()),
+          small(line.first()),
+          small(line.second()),
+          small(line.difference()));
+    }
+  }
+
+  private static Label heading(String words) {
+    Label label = small(words);
+    label.getStyleClass().add(Styles.TEXT_BOLD);
+    return label;
+  }
+
+  private static Label small(String words) {
+    Label label = new Label(words);
+    label.getStyleClass().add(Styles.TEXT_SMALL);
+    return label;
+  }
+}

@@ -1,0 +1,67 @@
+package haltere.ui.viewer.compare;
+
+import haltere.core.chain.FilterChain;
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorReading;
+import haltere.core.playback.SliceSink;
+import haltere.core.stream.StreamNotification;
+import haltere.ui.viewer.picture.DisplayOptions;
+import haltere.ui.viewer.picture.DisplaySink;
+
+/**
+ * Another chain on the same stream: gets a copy of each packet before the first chain sees it, so
+ * both work on the very same events, whether of a recording, a scene or a camera.
+ *
+ * <p>Thread rule: processing thread, but for {@link #chain()} and {@link #display()}, which have
+ * rules of their own.
+ */
+final class SecondChain implements SliceSink {
+  private final FilterChain chain;
+  private final DisplaySink display;
+  private final EventPacket copy = new EventPacket(4096);
+
+  SecondChain(FilterChain chain, DisplayOptions options) {
+    this.chain = chain;
+    display = DisplaySink.direct(chain.geometry(), chain, options);
+  }
+
+  FilterChain chain() {
+    return chain;
+  }
+
+  DisplaySink display() {
+    return display;
+  }
+
+  @Override
+  public void packet(EventPacket packet) {
+    copy.clear();
+    for (int i = 0; i < packet.size(); i++) {
+      copy.append(packet.timesUs()[i], packet.addresses()[i]);
+    }
+    chain.process(copy);
+    display.packet(copy);
+  }
+
+  @Override
+  public void reading(SensorReading reading) {
+    chain.reading(reading);
+  }
+
+  @Override
+  public void notified(StreamNotification notification) {
+    chain.notified(notification);
+    display.notified(notification);
+  }
+
+  @Override
+  public void sliceEnd(long fromUs, long toUs) {
+    display.sliceEnd(fromUs, toUs);
+  }
+
+  /** Ends; nothing more is handed to it. */
+  void close() {
+    display.close();
+    chain.close();
+  }
+}

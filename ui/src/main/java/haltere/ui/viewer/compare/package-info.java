@@ -1,0 +1,2 @@
+/** Two chains side by side on the same events. */
+package haltere.ui.viewer.compare;

@@ -1,0 +1,78 @@
+package haltere.ui.viewer.controls;
+
+import atlantafx.base.theme.Styles;
+import haltere.core.settings.Parameter;
+import javafx.geometry.Pos;
+import javafx.scene.control.Label;
+import javafx.scene.control.Slider;
+import javafx.scene.control.TextField;
+import javafx.scene.input.KeyCode;
+import javafx.scene.layout.Region;
+
+/**
+ * A number: a slider for finding a value, an entry for an exact one.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+final class NumberField extends SettingField {
+  private final SliderScale scale;
+  private final Slider slider = new Slider(0, 1, 0);
+  private final TextField entry = new TextField();
+  private boolean showing;
+
+  NumberField(String stage, Parameter parameter, Change change) {
+    super(stage, parameter, change);
+    scale = SliderScale.of(parameter);
+    String words = Texts.words(parameter.name(), parameter.unit());
+    slider.setId("slider-" + controlId());
+    slider.setAccessibleText(words);
+    Controls.help(slider, help());
+    slider.setBlockIncrement(0.01);
+    slider.getStyleClass().add(Styles.SMALL);
+    slider
+        .valueProperty()
+        .addListener(
+            (property, old, now) -> {
+              if (!showing) {
+                set(scale.value(now.doubleValue()));
+              }
+            });
+    entry.setId("entry-" + controlId());
+    entry.setAccessibleText(words + " exactly");
+    entry.setPrefColumnCount(6);
+    entry.setAlignment(Pos.CENTER_RIGHT);
+    entry.getStyleClass().add(Styles.SMALL);
+    entry.setOnAction(event -> set(entry.getText()));
+    entry
+        .focusedProperty()
+        .addListener(
+            (property, was, is) -> {
+              if (!is) {
+                set(entry.getText());
+              }
+            });
+    entry.setOnKeyPressed(
+        event -> {
+          if (event.getCode() == KeyCode.UP || event.getCode() == KeyCode.DOWN) {
+            slider.setValue(slider.getValue() + (event.getCode() == KeyCode.UP ? 0.01 : -0.01));
+            event.consume();
+          }
+        });
+    Label unit = new Label(unit());
+    unit.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED, "unit");
+    unit.setMinWidth(Region.USE_PREF_SIZE);
+    slider.setMaxWidth(Double.MAX_VALUE);
+    layOutBelow(slider, entry, unit);
+  }
+
+  @Override
+  void showValue(Object value) {
+    showing = true;
+    double position = scale.position(((Number) value).doubleValue());
+    if (!slider.isValueChanging() || Math.abs(slider.getValue() - position) > 0.02) {
+      slider.setValue(position);
+    }
+    entry.setText(text(value));
+    showing = false;
+  }
+}

@@ -1,0 +1,150 @@
+package haltere.ui.viewer.controls;
+
+import atlantafx.base.theme.Styles;
+import haltere.core.settings.Parameter;
+import java.math.BigDecimal;
+import java.util.function.Consumer;
+import javafx.geometry.Pos;
+import javafx.scene.Node;
+import javafx.scene.control.Button;
+import javafx.scene.control.Label;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.VBox;
+
+/**
+ * One setting: its name, a control for its type, a button back to the default, and a line for what
+ * is wrong with an entry.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+public abstract class SettingField extends VBox {
+  /** Takes a value that a person has set. */
+  public interface Change {
+    /**
+     * Tries a value.
+     *
+     * @param value text or a value of the setting's type
+     * @param refused takes the line that says why it cannot be
+     */
+    void to(Object value, Consumer<String> refused);
+  }
+
+  private final Parameter parameter;
+  private final Change change;
+  private final Button reset;
+  private final Label problem = new Label();
+  private final Label name = new Label();
+  private final String id;
+
+  SettingField(String stage, Parameter parameter, Change change) {
+    this.parameter = parameter;
+    this.change = change;
+    this.id = stage + "-" + parameter.name().replace('.', '-');
+    getStyleClass().add("setting");
+    name.setText(Texts.words(parameter.name(), parameter.unit()));
+    Controls.help(name, help());
+    name.setMinWidth(0);
+    reset =
+        Controls.button(
+            "reset-" + id,
+            Icons.RESET,
+            "Back to the default, " + text(parameter.defaultValue()) + " " + unit(),
+            () -> set(parameter.defaultValue()));
+    reset.getStyleClass().addAll(Styles.SMALL, "reset-setting");
+    problem.setId("problem-" + id);
+    problem.setWrapText(true);
+    problem.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.DANGER, "problem");
+    showProblem("");
+  }
+
+  /** The field that suits a setting's type. */
+  public static SettingField of(String stage, Parameter parameter, Change change) {
+    if (parameter.isNumber()) {
+      return new NumberField(stage, parameter, change);
+    }
+    return parameter.type() == boolean.class
+        ? new FlagField(stage, parameter, change)
+        : parameter.type().isEnum()
+            ? new ChoiceField(stage, parameter, change)
+            : new TextSettingField(stage, parameter, change);
+  }
+
+  /** Which setting it is. */
+  public Parameter parameter() {
+    return parameter;
+  }
+
+  /** Shows the value in force. */
+  public final void show(Object value, boolean changed) {
+    reset.setVisible(changed);
+    showProblem("");
+    showValue(value);
+  }
+
+  /** Puts a value into the control; the control's own listeners must not take it for a change. */
+  abstract void showValue(Object value);
+
+  /** What can be set by. */
+  final String controlId() {
+    return id;
+  }
+
+  final String help() {
+    String range =
+        parameter.isNumber()
+            ? "\n" + text(parameter.min()) + " to " + text(parameter.max()) + " " + unit()
+            : "";
+    return parameter.help() + range;
+  }
+
+  final String unit() {
+    return Texts.unit(parameter.unit());
+  }
+
+  /** Name and a small control in one line. */
+  final void layOutBeside(Node control) {
+    getChildren().addAll(line(name, reset, control), problem);
+  }
+
+  /** The name, and below it controls that take the whole width. */
+  final void layOutBelow(Node... controls) {
+    HBox.setHgrow(controls[0], Priority.ALWAYS);
+    getChildren().addAll(line(name, reset), line(controls), problem);
+  }
+
+  private HBox line(Node... nodes) {
+    HBox.setHgrow(name, Priority.ALWAYS);
+    name.setMaxWidth(Double.MAX_VALUE);
+    HBox line = new HBox(6, nodes);
+    line.setAlignment(Pos.CENTER_LEFT);
+    return line;
+  }
+
+  /** A person has set a value. */
+  final void set(Object value) {
+    showProblem("");
+    change.to(value, this::showProblem);
+  }
+
+  private void showProblem(String line) {
+    problem.setText(line);
+    problem.setVisible(!line.isEmpty());
+    problem.setManaged(!line.isEmpty());
+  }
+
+  private static boolean isPlain(double size) {
+    return size >= 1e-6 && size < 1e15;
+  }
+
+  /** A value as it stands in an entry: numbers without a needless fraction or exponent. */
+  static String text(Object value) {
+    if (value instanceof Double number && (number == 0 || isPlain(Math.abs(number)))) {
+      return new BigDecimal(number.toString()).stripTrailingZeros().toPlainString();
+    }
+    if (value instanceof Enum<?> constant) {
+      return constant.name().toLowerCase(java.util.Locale.ROOT).replace('_', '-');
+    }
+    return String.valueOf(value);
+  }
+}

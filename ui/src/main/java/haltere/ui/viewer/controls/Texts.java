@@ -1,0 +1,195 @@
+package haltere.ui.viewer.controls;
+
+import haltere.core.playback.PlayerStatus;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.util.Locale;
+import java.util.OptionalLong;
+import java.util.concurrent.CompletionException;
+import java.util.concurrent.ExecutionException;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/** Numbers and problems as a person reads them. */
+public final class Texts {
+  private static final double MOST_SLOWDOWN = 1e6;
+  private static final Pattern TIME_WITH_UNIT =
+      Pattern.compile("(\\d+(?:\\.\\d*)?)\\s*(us|\u00b5s|ms|s)");
+  private static final Pattern CLOCK_TIME = Pattern.compile("(?:\\d+:){0,2}\\d+(?:\\.\\d*)?");
+
+  private Texts() {}
+
+  /**
+   * A place in a recording.
+   *
+   * @param us microseconds, may be negative
+   * @param withMicros whether microseconds matter, as in slow motion
+   * @return such as 1:02.345
+   */
+  public static String time(long us, boolean withMicros) {
+    long abs = Math.abs(us);
+    long seconds = abs / 1_000_000;
+    String whole =
+        seconds >= 3600
+            ? String.format(
+                Locale.ROOT, "%d:%02d:%02d", seconds / 3600, seconds / 60 % 60, seconds % 60)
+            : String.format(Locale.ROOT, "%d:%02d", seconds / 60, seconds % 60);
+    String part =
+        withMicros
+            ? String.format(Locale.ROOT, ".%06d", abs % 1_000_000)
+            : String.format(Locale.ROOT, ".%03d", abs % 1_000_000 / 1000);
+    return (us < 0 ? "\u2212" : "") + whole + part;
+  }
+
+  /**
+   * A time as a person writes it: 1:02:03.5, 62.345, 250 ms, 1500 us, 3 s.
+   *
+   * @return microseconds, empty if it is no time
+   */
+  public static OptionalLong parseTime(String words) {
+    Matcher unit = TIME_WITH_UNIT.matcher(words.strip());
+    if (unit.matches()) {
+      double factor =
+          switch (unit.group(2)) {
+            case "ms" -> 1e3;
+            case "us", "\u00b5s" -> 1;
+            default -> 1e6;
+          };
+      return OptionalLong.of(Math.round(Double.parseDouble(unit.group(1)) * factor));
+    }
+    if (!CLOCK_TIME.matcher(words.strip()).matches()) {
+      return OptionalLong.empty();
+    }
+    double seconds = 0;
+    for (String part : words.strip().split(":")) {
+      seconds = 60 * seconds + Double.parseDouble(part);
+    }
+    return OptionalLong.of(Math.round(seconds * 1e6));
+  }
+
+  /** By how much playback is late, and what takes the time. */
+  public static String late(PlayerStatus status) {
+    String behind = duration(status.lagUs()) + " behind";
+    if (status.sourceIsSlowest()) {
+      return "The source is " + behind + ": reading or simulating it takes most of the time";
+    }
+    String stage = status.slowestStage();
+    return "The chain is " + behind + (stage.isEmpty() ? "" : ": " + stage);
+  }
+
+  /** Three digits and a letter for thousands: 1.25 M, 34.2 k, 512. */
+  public static String quantity(double value) {
+    double abs = Math.abs(value);
+    if (abs >= 999.5e6) {
+      return digits(value / 1e9) + " G";
+    }
+    if (abs >= 999.5e3) {
+      return digits(value / 1e6) + " M";
+    }
+    if (abs >= 999.5) {
+      return digits(value / 1e3) + " k";
+    }
+    return digits(value);
+  }
+
+  /** A count: whole below a thousand. */
+  public static String count(long value) {
+    return Math.abs(value) < 1000 ? Long.toString(value) : quantity(value);
+  }
+
+  /** Three digits. */
+  public static String digits(double value) {
+    double abs = Math.abs(value);
+    int decimals = abs >= 99.95 || abs == 0 ? 0 : abs >= 9.995 ? 1 : 2;
+    return String.format(Locale.ROOT, "%." + decimals + "f", value);
+  }
+
+  /** A number of unknown size with about five digits that count. */
+  public static String number(double value) {
+    double abs = Math.abs(value);
+    if (abs != 0 && (abs < 1e-3 || abs >= 1e7)) {
+      return String.format(Locale.ROOT, "%.3e", value);
+    }
+    int decimals = abs >= 1000 ? 1 : abs >= 100 ? 2 : abs >= 10 ? 3 : 4;
+    return String.format(Locale.ROOT, "%." + decimals + "f", value);
+  }
+
+  /** A speed: 1\u00d7, 2.38\u00d7, 1/20\u00d7, max. */
+  public static String speed(double speed) {
+    if (Double.isInfinite(speed)) {
+      return "max";
+    }
+    if (speed >= 0.9995) {
+      return (speed == Math.rint(speed) ? Long.toString((long) speed) : digits(speed)) + "\u00d7";
+    }
+    double slowdown = 1 / speed;
+    if (slowdown > MOST_SLOWDOWN) {
+      return "0\u00d7"; // as good as standing still
+    }
+    return "1/" + (slowdown < 9.5 ? trim(digits(slowdown)) : Math.round(slowdown)) + "\u00d7";
+  }
+
+  private static String trim(String number) {
+    return number.contains(".") ? number.replaceAll("0+$", "").replaceAll("\\.$", "") : number;
+  }
+
+  /** A time of real life, in the unit that suits it. */
+  public static String duration(double us) {
+    if (us >= 1e6) {
+      return digits(us / 1e6) + " s";
+    }
+    if (us >= 1e3) {
+      return digits(us / 1e3) + " ms";
+    }
+    return digits(us) + " \u00b5s";
+  }
+
+  /** A name in a settings record as words, without the unit at its end. */
+  public static String words(String name, String unit) {
+    String own = name.substring(name.lastIndexOf('.') + 1);
+    String suffix = unit.replace("/", "Per").replaceAll("[^A-Za-z0-9]", "");
+    if (!suffix.isEmpty()
+        && own.length() > suffix.length()
+        && own.regionMatches(true, own.length() - suffix.length(), suffix, 0, suffix.length())
+        && Character.isUpperCase(own.charAt(own.length() - suffix.length()))) {
+      own = own.substring(0, own.length() - suffix.length());
+    }
+    String spaced = own.replaceAll("([a-z0-9])([A-Z])", "$1 $2").toLowerCase(Locale.ROOT);
+    return spaced.isEmpty() ? name : Character.toUpperCase(spaced.charAt(0)) + spaced.substring(1);
+  }
+
+  /** A filter's name as words. */
+  public static String title(String name) {
+    String spaced = name.replace('-', ' ');
+    return spaced.isEmpty() ? name : Character.toUpperCase(spaced.charAt(0)) + spaced.substring(1);
+  }
+
+  /** A unit as it is shown: no sign for a ratio, the Greek letter for micro, raised powers. */
+  static String unit(String unit) {
+    return switch (unit) {
+      case "1" -> "";
+      case "us" -> "\u00b5s";
+      case "deg" -> "\u00b0";
+      default -> unit.replace("^2", "\u00b2").replace("^3", "\u00b3");
+    };
+  }
+
+  /** What went wrong in one line, without the wrapping of futures. */
+  public static String oneLine(Throwable problem) {
+    Throwable cause = problem;
+    while ((cause instanceof CompletionException || cause instanceof ExecutionException)
+        && cause.getCause() != null) {
+      cause = cause.getCause();
+    }
+    String message = cause.getMessage();
+    String text = message == null || message.isBlank() ? cause.getClass().getSimpleName() : message;
+    return text.lines().findFirst().orElse(text).strip();
+  }
+
+  /** All that is known of what went wrong, for who reports it. */
+  public static String details(Throwable problem) {
+    StringWriter text = new StringWriter();
+    problem.printStackTrace(new PrintWriter(text));
+    return text.toString();
+  }
+}

@@ -1,0 +1,42 @@
+package haltere.ui.viewer.controls;
+
+import atlantafx.base.theme.PrimerDark;
+import atlantafx.base.theme.PrimerLight;
+import haltere.ui.rendering.ColourMap;
+import javafx.application.Application;
+
+/**
+ * How the window looks.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+public enum Theme {
+  DARK("Dark", ColourMap.DARK),
+  LIGHT("Light", ColourMap.LIGHT);
+
+  private final String words;
+  private final ColourMap colours;
+
+  Theme(String words, ColourMap colours) {
+    this.words = words;
+    this.colours = colours;
+  }
+
+  /** What a menu calls it. */
+  public String words() {
+    return words;
+  }
+
+  /** The colours of events that go with it. */
+  public ColourMap colours() {
+    return colours;
+  }
+
+  /** Makes it the style of all windows. */
+  public void apply() {
+    Application.setUserAgentStylesheet(
+        this == DARK
+            ? new PrimerDark().getUserAgentStylesheet()
+            : new PrimerLight().getUserAgentStylesheet());
+  }
+}

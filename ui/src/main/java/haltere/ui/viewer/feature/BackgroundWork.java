@@ -1,0 +1,88 @@
+package haltere.ui.viewer.feature;
+
+import java.util.concurrent.Callable;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Consumer;
+import javafx.application.Platform;
+
+/**
+ * Threads for what would make the window wait: one opens, saves and closes, one scans, one exports.
+ * Results come back on the JavaFX thread.
+ *
+ * <p>Thread rule: JavaFX thread only, but for the work itself.
+ */
+public final class BackgroundWork implements AutoCloseable {
+  private final ExecutorService files = thread("haltere-files");
+  private final ExecutorService exports = thread("haltere-export");
+  private final ExecutorService scans = thread("haltere-scan");
+  private final AtomicBoolean closed = new AtomicBoolean();
+  private Future<?> scan = CompletableFuture.completedFuture(null);
+
+  private static ExecutorService thread(String name) {
+    return Executors.newSingleThreadExecutor(
+        work -> {
+          Thread thread = new Thread(work, name);
+          thread.setDaemon(true);
+          return thread;
+        });
+  }
+
+  /** Opens or saves something. */
+  public <T> void file(Callable<T> work, Consumer<T> done, Consumer<Exception> failed) {
+    files.submit(() -> run(work, done, failed));
+  }
+
+  /** Closes something; what that throws has no one to tell. */
+  public void close(AutoCloseable something) {
+    file(
+        () -> {
+          something.close();
+          return something;
+        },
+        closed -> {},
+        failed -> {});
+  }
+
+  /**
+   * Exports something, which may take long; what was asked for before is done first.
+   *
+   * @return ends it when it is cancelled
+   */
+  public <T> Future<?> export(Callable<T> work, Consumer<T> done, Consumer<Exception> failed) {
+    return exports.submit(() -> run(work, done, failed));
+  }
+
+  /** Scans something, in place of what is being scanned. */
+  public <T> void scan(Callable<T> work, Consumer<T> done, Consumer<Exception> failed) {
+    scan.cancel(true);
+    scan = scans.submit(() -> run(work, done, failed));
+  }
+
+  private <T> void run(Callable<T> work, Consumer<T> done, Consumer<Exception> failed) {
+    try {
+      T result = work.call();
+      later(() -> done.accept(result));
+    } catch (Exception problem) {
+      later(() -> failed.accept(problem));
+    }
+  }
+
+  private void later(Runnable action) {
+    if (!closed.get()) {
+      Platform.runLater(action);
+    }
+  }
+
+  /** Finishes what was handed over and ends the threads; nothing more comes back. */
+  @Override
+  public void close() {
+    closed.set(true);
+    scans.shutdownNow();
+    exports.shutdownNow();
+    files.shutdown();
+  }
+}

@@ -1,0 +1,209 @@
+package haltere.ui.viewer.feature;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Supplier;
+import javafx.beans.InvalidationListener;
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.SimpleBooleanProperty;
+import javafx.collections.ListChangeListener;
+import javafx.geometry.Orientation;
+import javafx.scene.Node;
+import javafx.scene.control.SplitPane;
+import javafx.scene.control.Tab;
+import javafx.scene.control.TabPane;
+
+/**
+ * Panels that come and go around the events: tabs at the side, others below or beside. A panel is
+ * made when it is shown for the first time.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+final class PanelLayout {
+  private static final double BELOW_SHARE = 0.6;
+  private static final double BESIDE_SHARE = 0.55;
+
+  /** Of the events, where much stands beside them. */
+  private static final double LEAST_SHARE = 0.34;
+
+  private final Node events;
+  private final Node chain;
+
+  /** The events, and at their right what stands beside them. */
+  private final SplitPane row = new SplitPane();
+
+  /** The row, and below it what stands there. */
+  private final SplitPane left = new SplitPane();
+
+  /** All of that, and the column at the right. */
+  private final SplitPane middle = new SplitPane();
+
+  private final TabPane tabs = new TabPane();
+  private final List<Tab> shownTabs = new ArrayList<>();
+
+  PanelLayout(Node events, Node chain) {
+    this.events = events;
+    this.chain = chain;
+    left.setOrientation(Orientation.VERTICAL);
+    left.getItems().add(events);
+    middle.getItems().addAll(left, chain);
+    middle.setDividerPositions(0.72);
+    SplitPane.setResizableWithParent(chain, false);
+    SplitPane.setResizableWithParent(tabs, false);
+    tabs.setId("side-tabs");
+    tabs.setAccessibleText("Panels at the side");
+  }
+
+  SplitPane node() {
+    return middle;
+  }
+
+  /** Gives the panels the shares that were kept, and keeps those that they get. */
+  void keep(UserSettings settings) {
+    keep(settings, "share.side", middle);
+    keep(settings, "share.below", left);
+    keep(settings, "share.beside", row);
+  }
+
+  private static void keep(UserSettings settings, String name, SplitPane pane) {
+    InvalidationListener keeper =
+        observed -> {
+          if (!pane.getDividers().isEmpty() && pane.getWidth() > 0) {
+            settings.put(name, Math.rint(pane.getDividerPositions()[0] * 1000) / 1000);
+          }
+        };
+    Runnable follow =
+        () -> {
+          if (!pane.getDividers().isEmpty()) {
+            settings
+                .get(name)
+                .filter(Double.class::isInstance)
+                .ifPresent(share -> pane.setDividerPosition(0, (Double) share));
+            pane.getDividers().get(0).positionProperty().addListener(keeper);
+          }
+        };
+    pane.getDividers().addListener((ListChangeListener<SplitPane.Divider>) change -> follow.run());
+    follow.run();
+  }
+
+  /** What is shown, from the events on. */
+  List<Node> shown() {
+    List<Node> shown = new ArrayList<>();
+    shown.add(events);
+    row.getItems().stream().filter(node -> node != events).forEach(shown::add);
+    left.getItems().stream().filter(node -> node != events && node != row).forEach(shown::add);
+    shown.add(middle.getItems().get(1));
+    return shown;
+  }
+
+  /** Gives what stands at a place more room than it has, or less. */
+  void enlarge(PanelPlace place, double share) {
+    SplitPane pane =
+        switch (place) {
+          case SIDE -> middle;
+          case BELOW -> left;
+          case BESIDE -> row;
+        };
+    if (!pane.getDividers().isEmpty()) {
+      double before = pane.getDividerPositions()[0];
+      pane.setDividerPosition(0, Math.max(0, Math.min(1, before - share)));
+    }
+  }
+
+  /** Offers a panel; the property that comes back shows and hides it. */
+  BooleanProperty offer(
+      String id, String title, PanelPlace place, Supplier<? extends Node> content) {
+    BooleanProperty shown = new SimpleBooleanProperty();
+    if (place == PanelPlace.SIDE) {
+      Tab tab = new Tab(title);
+      tab.setId("tab-" + id);
+      tab.setOnClosed(event -> shown.set(false));
+      shown.addListener((property, was, is) -> showTab(tab, is, content));
+    } else {
+      Node[] made = new Node[1];
+      shown.addListener(
+          (property, was, is) -> {
+            if (made[0] == null) {
+              made[0] = content.get();
+            }
+            if (place == PanelPlace.BELOW) {
+              showBelow(made[0], is);
+            } else {
+              showBeside(made[0], is);
+            }
+          });
+    }
+    return shown;
+  }
+
+  private void showTab(Tab tab, boolean show, Supplier<? extends Node> content) {
+    if (tab.getContent() == null) {
+      tab.setContent(content.get());
+    }
+    if (!show) {
+      tabs.getTabs().remove(tab);
+      shownTabs.remove(tab);
+    } else if (!shownTabs.contains(tab)) {
+      shownTabs.add(tab);
+    }
+    double place = middle.getDividerPositions()[0];
+    if (shownTabs.isEmpty()) {
+      // the chain alone needs no tabs
+      tabs.getTabs().clear();
+      middle.getItems().set(1, chain);
+    } else if (show) {
+      if (tabs.getTabs().isEmpty()) {
+        middle.getItems().remove(chain);
+        Tab first = new Tab("Chain", chain);
+        first.setId("tab-chain");
+        first.setClosable(false);
+        tabs.getTabs().setAll(first);
+        middle.getItems().add(tabs);
+      }
+      if (!tabs.getTabs().contains(tab)) {
+        tabs.getTabs().add(tab);
+      }
+      tabs.getSelectionModel().select(tab);
+    }
+    middle.setDividerPositions(place);
+  }
+
+  private void showBelow(Node panel, boolean show) {
+    if (!show) {
+      left.getItems().remove(panel);
+    } else if (!left.getItems().contains(panel)) {
+      left.getItems().add(panel);
+      if (left.getItems().size() == 2) {
+        left.setDividerPositions(BELOW_SHARE);
+      }
+    }
+  }
+
+  /** Where the dividers go when several panels stand beside the events: all of them get alike. */
+  private static double[] shares(int panels) {
+    double first = Math.max(LEAST_SHARE, BESIDE_SHARE - 0.1 * (panels - 1));
+    double[] places = new double[panels];
+    for (int i = 0; i < panels; i++) {
+      places[i] = first + (1 - first) * i / panels;
+    }
+    return places;
+  }
+
+  private void showBeside(Node panel, boolean show) {
+    if (show && row.getItems().isEmpty()) {
+      left.getItems().remove(events);
+      row.getItems().add(events);
+      left.getItems().add(0, row);
+    }
+    if (!show) {
+      row.getItems().remove(panel);
+    } else if (!row.getItems().contains(panel)) {
+      row.getItems().add(panel);
+      row.setDividerPositions(shares(row.getItems().size() - 1));
+    }
+    if (row.getItems().size() == 1) {
+      row.getItems().clear();
+      left.getItems().set(0, events);
+    }
+  }
+}

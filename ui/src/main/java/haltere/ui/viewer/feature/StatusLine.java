@@ -1,0 +1,205 @@
+package haltere.ui.viewer.feature;
+
+import atlantafx.base.theme.Styles;
+import haltere.core.playback.PlayerStatus;
+import haltere.core.playback.PlayerStatus.State;
+import haltere.core.stream.StreamNotification;
+import haltere.ui.viewer.controls.Controls;
+import haltere.ui.viewer.controls.Icons;
+import haltere.ui.viewer.controls.Texts;
+import javafx.css.PseudoClass;
+import javafx.geometry.Pos;
+import javafx.scene.AccessibleRole;
+import javafx.scene.control.Alert;
+import javafx.scene.control.Button;
+import javafx.scene.control.ButtonType;
+import javafx.scene.control.Label;
+import javafx.scene.control.TextArea;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.stage.Modality;
+
+/**
+ * The bottom line: what is wrong or late, or what is open, at the left; time, rate, speed, frames
+ * and losses at the right.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+public final class StatusLine extends HBox {
+  private static final PseudoClass ERROR = PseudoClass.getPseudoClass("error");
+  private static final PseudoClass WARNING = PseudoClass.getPseudoClass("warning");
+
+  private final Label message = new Label();
+  private final Button dismiss;
+  private final Button more;
+  private final Label time = number("status-time", 150, "Time on the recording's own clock");
+  private final Label rate = number("status-rate", 90, "Events per second of recording time");
+  private final Label speed =
+      number("status-speed", 70, "Recording time per real time that playback really makes");
+  private final Label frames =
+      number("status-frames", 60, "Pictures shown per second of real time");
+  private final Label dropped =
+      number(
+          "status-dropped",
+          190,
+          "Events that were lost (off the sensor, by the source, or in a filter that failed), and"
+              + " pictures that a newer one replaced before the screen could show them");
+  private final Label live =
+      number(
+          "status-live",
+          0,
+          "Of the camera: transfers that wait for this program, events lost because it did not keep"
+              + " up, and the time from a transfer's arrival to the end of its work");
+  private String error = "";
+  private String details = "";
+  private String playerMessage = "";
+  private String source = "";
+  private String activity = "";
+  private PlayerStatus status;
+
+  /** A line that says nothing yet. */
+  public StatusLine() {
+    getStyleClass().add("status-line");
+    setId("status-line");
+    setAlignment(Pos.CENTER_LEFT);
+    message.setId("status-message");
+    message.setAccessibleRole(AccessibleRole.TEXT);
+    message.setMinWidth(0);
+    message.setMaxWidth(Double.MAX_VALUE);
+    HBox.setHgrow(message, Priority.ALWAYS);
+    dismiss = Controls.button("dismiss", Icons.REMOVE, "Dismiss the message", this::clearError);
+    dismiss.getStyleClass().add(Styles.SMALL);
+    more = Controls.button("details", Icons.MORE, "All that is known of this", this::showDetails);
+    more.getStyleClass().add(Styles.SMALL);
+    getChildren().addAll(message, more, dismiss, live, time, rate, speed, frames, dropped);
+    setLive("");
+    clearError();
+  }
+
+  /** Shows what went wrong in a line, and on request all that is known of it. */
+  public void showProblem(Throwable problem) {
+    showError(Texts.oneLine(problem));
+    details = Texts.details(problem);
+    showMessage();
+  }
+
+  /** Shows what went wrong until it is dismissed or something else is opened. */
+  public void showError(String line) {
+    error = line;
+    details = "";
+    showMessage();
+  }
+
+  /** Says how a camera's events come, or nothing where none is open. */
+  public void setLive(String words) {
+    live.setText(words);
+    live.setManaged(!words.isEmpty());
+  }
+
+  /** Takes away what was wrong. */
+  public void clearError() {
+    error = "";
+    showMessage();
+  }
+
+  /** Says what is open. */
+  void setSource(String words) {
+    source = words;
+    activity = "";
+    playerMessage = "";
+    status = null;
+    clearError();
+  }
+
+  /** Says what is being done, until {@link #setSource} or an error. */
+  public void setActivity(String words) {
+    activity = words;
+    showMessage();
+  }
+
+  /** What was being done has come to an end, if it is that which is said. */
+  void endActivity(String words) {
+    if (activity.equals(words)) {
+      setActivity("");
+    }
+  }
+
+  /** Shows what the player is doing; called a few times a second. */
+  void update(PlayerStatus newStatus, double framesPerSecond, long conflatedFrames) {
+    status = newStatus;
+    if (!status.message().equals(playerMessage)) {
+      playerMessage = status.message();
+      if (!playerMessage.isEmpty()) {
+        showError(playerMessage);
+      }
+    }
+    time.setText(
+        status.timeUs() == StreamNotification.NO_TIME_US
+            ? ""
+            : "t " + status.timeUs() + " \u00b5s");
+    rate.setText(Texts.quantity(status.eventRateEps()) + " ev/s");
+    speed.setText(
+        status.state() == State.PLAYING ? Texts.speed(rounded(status.achievedSpeed())) : "");
+    frames.setText(Math.round(framesPerSecond) + " fps");
+    dropped.setText(
+        Texts.count(status.droppedEvents())
+            + " dropped, "
+            + Texts.count(conflatedFrames)
+            + " not shown");
+    showMessage();
+  }
+
+  private void showMessage() {
+    boolean late = status != null && status.late() && status.state() == State.PLAYING;
+    boolean isError = !error.isEmpty();
+    String text = source;
+    if (isError) {
+      text = error;
+    } else if (!activity.isEmpty()) {
+      text = activity;
+    } else if (late) {
+      text = Texts.late(status);
+    } else if (status != null && status.state() == State.ENDED) {
+      text = source + " \u2013 end";
+    } else if (status != null && status.state() == State.PAUSED) {
+      text = source + " \u2013 paused";
+    }
+    message.setText(text);
+    Controls.help(message, text);
+    message.pseudoClassStateChanged(ERROR, isError);
+    message.pseudoClassStateChanged(WARNING, late && !isError && activity.isEmpty());
+    dismiss.setVisible(isError);
+    dismiss.setManaged(isError);
+    more.setVisible(isError && !details.isEmpty());
+    more.setManaged(isError && !details.isEmpty());
+  }
+
+  private void showDetails() {
+    TextArea text = new TextArea(details);
+    text.setId("problem-details");
+    text.setAccessibleText("Details of the problem");
+    text.setEditable(false);
+    text.setPrefSize(640, 300);
+    Alert alert = new Alert(Alert.AlertType.NONE, "", ButtonType.CLOSE);
+    alert.setTitle("Details");
+    alert.getDialogPane().setContent(text);
+    alert.initOwner(getScene().getWindow());
+    alert.initModality(Modality.NONE);
+    alert.show();
+  }
+
+  /** A measured speed jitters in its last digits. */
+  private static double rounded(double speed) {
+    return Math.abs(speed - 1) < 0.015 ? 1 : speed >= 1 ? Math.round(speed * 100) / 100.0 : speed;
+  }
+
+  private static Label number(String id, double width, String help) {
+    Label label = new Label();
+    label.setId(id);
+    label.setMinWidth(width);
+    label.setAlignment(Pos.CENTER_RIGHT);
+    Controls.help(label, help);
+    label.getStyleClass().add("status-number");
+    return label;
+  }
+}

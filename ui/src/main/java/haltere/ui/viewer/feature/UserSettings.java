@@ -1,0 +1,117 @@
+package haltere.ui.viewer.feature;
+
+import haltere.core.format.AtomicFile;
+import haltere.core.json.Json;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
+import javafx.beans.property.Property;
+
+/**
+ * What a user has chosen, kept from one start to the next in one JSON file that a person can read
+ * and change. What cannot be read is left out; what this version does not know is kept.
+ *
+ * <p>Thread rule: {@link #load} and {@link #save} on any thread but JavaFX's, the rest on the
+ * JavaFX thread. Saving sees a consistent copy.
+ */
+public final class UserSettings {
+  private final Optional<Path> file;
+  private final Map<String, Object> values;
+
+  /** What is to be written; empty if the file has it all. */
+  private volatile Optional<Map<String, Object>> unsaved = Optional.empty();
+
+  private UserSettings(Optional<Path> file, Map<String, Object> values) {
+    this.file = file;
+    this.values = values;
+  }
+
+  /** Settings that nobody keeps. */
+  public static UserSettings inMemory() {
+    return new UserSettings(Optional.empty(), new LinkedHashMap<>());
+  }
+
+  /** The settings in a folder; the usual ones if there are none or they cannot be read. */
+  public static UserSettings load(Path folder) {
+    Path file = folder.resolve("viewer.json");
+    Map<String, Object> values = new LinkedHashMap<>();
+    try {
+      if (Files.exists(file) && Json.read(file) instanceof Map<?, ?> found) {
+        found.forEach((name, value) -> values.put(name.toString(), value));
+      }
+    } catch (IOException unreadable) {
+      // the usual settings do; the file is kept until something is changed
+      values.clear();
+    }
+    return new UserSettings(Optional.of(file), values);
+  }
+
+  /** Where they are kept. */
+  public Optional<Path> file() {
+    return file;
+  }
+
+  /** A value as JSON has it: text, Long, Double, Boolean, List or Map. */
+  public Optional<Object> get(String name) {
+    return Optional.ofNullable(values.get(name));
+  }
+
+  /** Sets a value that JSON can hold. */
+  public void put(String name, Object value) {
+    if (!value.equals(values.put(name, value))) {
+      unsaved = Optional.of(new LinkedHashMap<>(values));
+    }
+  }
+
+  /**
+   * Gives a property the value that was kept, and keeps every value that it gets.
+   *
+   * @param write brings a value to what JSON can hold
+   * @param read brings it back; what it throws means that the value is of no use
+   */
+  public <T> void keep(
+      String name, Property<T> property, Function<T, Object> write, Function<Object, T> read) {
+    get(name)
+        .ifPresent(
+            kept -> {
+              try {
+                property.setValue(read.apply(kept));
+              } catch (RuntimeException ofNoUse) {
+                // written by a person or by another version: the usual value stays
+                values.remove(name);
+              }
+            });
+    property.addListener((observed, was, is) -> put(name, write.apply(is)));
+  }
+
+  /** Keeps a flag. */
+  public void keep(String name, Property<Boolean> property) {
+    keep(name, property, value -> value, Boolean.class::cast);
+  }
+
+  /** Writes the file if something has changed; its folder is made. */
+  public void save() throws IOException {
+    Optional<Map<String, Object>> changed = unsaved;
+    if (file.isEmpty() || changed.isEmpty()) {
+      return;
+    }
+    Files.createDirectories(file.get().toAbsolutePath().getParent());
+    try (AtomicFile output = AtomicFile.create(file.get(), true)) {
+      output.stream().write((Json.write(changed.get()) + "\n").getBytes(StandardCharsets.UTF_8));
+      output.commit();
+    }
+    if (unsaved.equals(changed)) {
+      unsaved = Optional.empty();
+    }
+  }
+
+  /** Whether there is something to save. */
+  public boolean hasChanged() {
+    return unsaved.isPresent();
+  }
+}

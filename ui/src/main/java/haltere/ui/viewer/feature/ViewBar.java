@@ -1,0 +1,110 @@
+package haltere.ui.viewer.feature;
+
+import atlantafx.base.theme.Styles;
+import haltere.ui.rendering.DisplayMode;
+import haltere.ui.viewer.controls.Controls;
+import haltere.ui.viewer.controls.Icons;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.Property;
+import javafx.geometry.Pos;
+import javafx.scene.Node;
+import javafx.scene.control.ChoiceBox;
+import javafx.scene.control.Label;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
+import javafx.util.StringConverter;
+
+/**
+ * Above the events: what their colours say, how they fade, and the tools.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+public final class ViewBar extends HBox {
+  private final HBox tools = new HBox(2);
+
+  ViewBar(DisplayControl display) {
+    super(6);
+    getStyleClass().add("view-bar");
+    setAlignment(Pos.CENTER_LEFT);
+    Map<DisplayMode, String> modes =
+        Arrays.stream(DisplayMode.values())
+            .collect(
+                Collectors.toMap(
+                    Function.identity(), DisplayMode::words, (a, b) -> a, LinkedHashMap::new));
+    Region space = new Region();
+    HBox.setHgrow(space, Priority.ALWAYS);
+    tools.setAlignment(Pos.CENTER_RIGHT);
+    getChildren()
+        .addAll(
+            choice(
+                "show-as",
+                "What the colour of a pixel says about its events",
+                display.modeProperty(),
+                modes),
+            muted("Fading"),
+            choice(
+                "fading",
+                "How fast events fade, or that only those of the last slice are shown",
+                display.decayUsProperty(),
+                DisplayControl.DECAYS),
+            space,
+            tools);
+  }
+
+  /** Adds the buttons of the measuring tape and of the region. */
+  public void addTools(BooleanProperty measuring, BooleanProperty drawingRegion) {
+    tool("tool-measure", Icons.TAPE, "Measure a length and an angle (T)", measuring);
+    tool("tool-region", Icons.REGION, "Draw the region of interest (G)", drawingRegion);
+  }
+
+  /** Adds the button of a tool or a panel. */
+  public void tool(String id, Icons icon, String help, BooleanProperty on) {
+    ToggleButton button = Controls.toggle(id, icon, help);
+    button.getStyleClass().add(Styles.SMALL);
+    button.selectedProperty().bindBidirectional(on);
+    tools.getChildren().add(button);
+  }
+
+  private static Label muted(String words) {
+    Label label = new Label(words);
+    label.getStyleClass().addAll(Styles.TEXT_MUTED, Styles.TEXT_SMALL);
+    label.setMinWidth(Region.USE_PREF_SIZE);
+    return label;
+  }
+
+  private static <T> Node choice(
+      String id, String help, Property<T> property, Map<T, String> words) {
+    ChoiceBox<T> box = new ChoiceBox<>();
+    box.setId(id);
+    box.setAccessibleText(help);
+    Controls.help(box, help);
+    box.getStyleClass().add(Styles.SMALL);
+    box.setMinWidth(90);
+    box.getItems().setAll(words.keySet());
+    box.setConverter(
+        new StringConverter<>() {
+          @Override
+          public String toString(T value) {
+            return words.getOrDefault(value, "");
+          }
+
+          @Override
+          public T fromString(String wanted) {
+            return words.entrySet().stream()
+                .filter(entry -> entry.getValue().equals(wanted))
+                .map(Map.Entry::getKey)
+                .findFirst()
+                .orElseThrow();
+          }
+        });
+    box.valueProperty().bindBidirectional(property);
+    return box;
+  }
+}

@@ -1,0 +1,94 @@
+package haltere.ui.viewer.feature;
+
+import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.action.ViewerActions;
+import haltere.ui.viewer.chain.ChainEditor;
+import haltere.ui.viewer.controls.FileDialogs;
+import haltere.ui.viewer.picture.EventView;
+import haltere.ui.viewer.picture.ViewTool;
+import haltere.ui.viewer.playback.PlaybackController;
+import haltere.ui.viewer.session.SessionHost;
+import haltere.ui.viewer.session.ViewerSession;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import javafx.beans.property.BooleanProperty;
+import javafx.scene.Node;
+import javafx.stage.Stage;
+
+/**
+ * What a {@link ViewerFeature} may use of the window.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ *
+ * @param stage the window itself
+ * @param sessions what is open
+ * @param actions where to add what a person can do
+ * @param playback the transport
+ * @param editor changes and reads the chain between two packets
+ * @param background threads for files
+ * @param dialogs asks for files
+ * @param status the bottom line
+ * @param panels where panels and tools are put
+ * @param display how events are shown
+ * @param settings what is kept from one start to the next
+ */
+public record ViewerContext(
+    Stage stage,
+    SessionHost sessions,
+    ViewerActions actions,
+    PlaybackController playback,
+    ChainEditor editor,
+    BackgroundWork background,
+    FileDialogs dialogs,
+    StatusLine status,
+    ViewerPanels panels,
+    DisplayControl display,
+    UserSettings settings) {
+  private static final String BY_KEYS = " By keys: arrows, Enter, Esc.";
+
+  /**
+   * Offers a panel that can be shown and hidden, with an action for it in the View menu.
+   *
+   * @param id of the panel and, with {@code show-} before it, of the action
+   * @param words its title
+   * @param key of the action, or empty
+   * @param place where it is shown
+   * @param content makes it when it is shown for the first time
+   * @return whether it is shown
+   */
+  public BooleanProperty addPanel(
+      String id, String words, String key, PanelPlace place, Supplier<? extends Node> content) {
+    BooleanProperty shown = panels.offer(id, words, place, content);
+    settings.keep("panel." + id, shown);
+    actions.add(ViewerAction.toggle("show-" + id, words, "View", shown).withKey(key));
+    return shown;
+  }
+
+  /** Calls something whenever another session is shown. */
+  public void onSession(Consumer<ViewerSession> listener) {
+    sessions.sessionProperty().addListener((property, was, is) -> is.ifPresent(listener));
+  }
+
+  /**
+   * Puts a tool into the hand of the event view while a switch is on. One tool is in the hand at a
+   * time, so the switches of the others go off.
+   */
+  public void bindTool(BooleanProperty on, ViewTool tool) {
+    EventView view = panels.view();
+    String hint = tool.hint() + BY_KEYS;
+    on.addListener(
+        (property, was, is) -> {
+          if (is) {
+            view.setTool(Optional.of(tool));
+            status.setActivity(hint);
+          } else {
+            if (view.tool().filter(held -> held == tool).isPresent()) {
+              view.setTool(Optional.empty());
+            }
+            status.endActivity(hint);
+          }
+        });
+    view.onToolChange(held -> on.set(held.filter(other -> other == tool).isPresent()));
+  }
+}

@@ -1,0 +1,17 @@
+package haltere.ui.viewer.feature;
+
+/**
+ * Something that the window offers: it adds its actions, panels and tools, and listens to what is
+ * open. Features do not know each other; {@code ViewerFeatures} lists them.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+@FunctionalInterface
+public interface ViewerFeature {
+  /**
+   * Adds what it offers; called once, before the window is shown.
+   *
+   * @param window what a feature may use of the window
+   */
+  void install(ViewerContext window);
+}

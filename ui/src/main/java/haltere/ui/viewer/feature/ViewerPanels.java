@@ -1,0 +1,211 @@
+package haltere.ui.viewer.feature;
+
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.RateProfile;
+import haltere.core.playback.PlayerStatus;
+import haltere.core.playback.PlayerStatus.State;
+import haltere.ui.rendering.ColourMap;
+import haltere.ui.viewer.chain.ChainEditor;
+import haltere.ui.viewer.chain.ChainPanel;
+import haltere.ui.viewer.chain.StageState;
+import haltere.ui.viewer.picture.DisplayFrame;
+import haltere.ui.viewer.picture.DisplayOptions;
+import haltere.ui.viewer.picture.EventView;
+import haltere.ui.viewer.playback.PlaybackController;
+import haltere.ui.viewer.playback.SeekBar;
+import haltere.ui.viewer.playback.TransportBar;
+import haltere.ui.viewer.plots.PlotPanel;
+import haltere.ui.viewer.session.ViewerSession;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Supplier;
+import javafx.beans.property.BooleanProperty;
+import javafx.scene.Node;
+import javafx.scene.control.MenuBar;
+import javafx.scene.layout.BorderPane;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.VBox;
+
+/**
+ * The panels of the window, laid out; at each pulse hands them the newest frame and what the player
+ * says of itself.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+public final class ViewerPanels extends BorderPane {
+  /** How often words and numbers are brought up to date while playing. */
+  private static final long NUMBERS_NANOS = 125_000_000;
+
+  /** How much a panel grows at a time, as a share of the window. */
+  private static final double PANEL_STEP = 0.05;
+
+  private final PlaybackController playback;
+  private final ChainEditor editor;
+  private final StatusLine statusLine;
+  private final EventView view = new EventView();
+  private final ViewBar viewBar;
+  private final ChainPanel chainPanel;
+  private final TransportBar transport;
+  private final SeekBar seekBar;
+  private final PlotPanel plots;
+  private final PanelLayout layout;
+  private final FrameMeter meter = new FrameMeter();
+  private final List<Runnable> pulseListeners = new ArrayList<>();
+  private PlayerStatus shownStatus;
+  private boolean repaintAsked;
+  private long numbersNanos;
+
+  /**
+   * Panels without anything to show.
+   *
+   * @param menu what stands above them
+   * @param playback the transport, which bars and plots ask
+   * @param editor changes the chain that is shown
+   * @param statusLine what stands below them
+   * @param display how events are shown
+   */
+  public ViewerPanels(
+      MenuBar menu,
+      PlaybackController playback,
+      ChainEditor editor,
+      StatusLine statusLine,
+      DisplayControl display) {
+    this.playback = playback;
+    this.editor = editor;
+    this.statusLine = statusLine;
+    chainPanel = new ChainPanel(editor);
+    transport = new TransportBar(playback);
+    seekBar = new SeekBar(playback);
+    plots = new PlotPanel(editor, playback);
+    viewBar = new ViewBar(display);
+    VBox.setVgrow(view, Priority.ALWAYS);
+    layout = new PanelLayout(new VBox(viewBar, view), chainPanel);
+    setCenter(layout.node());
+    setTop(menu);
+    setBottom(new VBox(seekBar, transport, statusLine));
+    getStyleClass().add("viewer");
+    view.setGeometry(new SensorGeometry(128, 128), DisplayOptions.DEFAULT.colours());
+  }
+
+  /** The picture of the events. */
+  public EventView view() {
+    return view;
+  }
+
+  /** Above the events. */
+  public ViewBar viewBar() {
+    return viewBar;
+  }
+
+  /** The plots of what filters publish. */
+  public PlotPanel plots() {
+    return plots;
+  }
+
+  /** The recording at a glance. */
+  public SeekBar seekBar() {
+    return seekBar;
+  }
+
+  /** Pictures shown so far. */
+  public long framesShown() {
+    return meter.total();
+  }
+
+  /** Begins to show a session that has not started, in place of another one. */
+  public void startAnew(ViewerSession made, ColourMap colours) {
+    String name = made.player().playable().name();
+    SensorGeometry geometry = made.player().playable().geometry();
+    statusLine.setSource(name + "   " + geometry.width() + " \u00d7 " + geometry.height());
+    view.setGeometry(geometry, colours);
+    showStages(made.firstStages());
+    plots.startAnew();
+    seekBar.clear();
+    repaintAsked = false;
+    shownStatus = null;
+  }
+
+  /** Shows how many events there are along the recording. */
+  public void setProfile(RateProfile profile) {
+    seekBar.setProfile(profile);
+  }
+
+  /** Shows what the chain consists of. */
+  public void showStages(List<StageState> stages) {
+    chainPanel.show(stages);
+    plots.followChain();
+  }
+
+  /** Offers a panel; the property that comes back shows and hides it. */
+  public BooleanProperty offer(
+      String id, String title, PanelPlace place, Supplier<? extends Node> content) {
+    return layout.offer(id, title, place, content);
+  }
+
+  /** What F6 goes through: the panels that are shown, and the bars below them. */
+  public List<Node> areas() {
+    List<Node> areas = new ArrayList<>(layout.shown());
+    areas.set(0, view);
+    areas.add(seekBar);
+    areas.add(transport);
+    return areas;
+  }
+
+  /** Gives what stands at a place a step more room, or less. */
+  public void enlarge(PanelPlace place, int steps) {
+    layout.enlarge(place, steps * PANEL_STEP);
+  }
+
+  /** Gives the panels the sizes that were kept, and keeps those that they get. */
+  public void keepLayout(UserSettings settings) {
+    layout.keep(settings);
+  }
+
+  /** Calls something at each pulse of JavaFX while something is open. */
+  public void onPulse(Runnable listener) {
+    pulseListeners.add(listener);
+  }
+
+  /** Draws what is painted here, and not by the style sheet, dark or light. */
+  public void setDark(boolean dark) {
+    seekBar.setDark(dark);
+    plots.setDark(dark);
+  }
+
+  /** Brings all panels up to date with a session; called at each pulse of JavaFX. */
+  public void pulse(ViewerSession open, long nowNanos) {
+    open.display().setScreenPlace(view.screenPlace());
+    DisplayFrame frame = open.display().exchange().fetch();
+    if (frame != null) {
+      view.show(frame);
+      meter.shown();
+    } else if (open.display().isStale() && !repaintAsked) {
+      repaintAsked = true;
+      editor.read(
+          chain -> {
+            open.display().paint();
+            return open;
+          },
+          painted -> repaintAsked = false);
+    }
+    pulseListeners.forEach(Runnable::run);
+    PlayerStatus now = open.player().status();
+    plots.update(now, nowNanos);
+    if (now == shownStatus && nowNanos - numbersNanos < NUMBERS_NANOS) {
+      return;
+    }
+    seekBar.update(now, playback.reach(), playback.marks());
+    boolean held = now.state() != State.PLAYING;
+    if (held || nowNanos - numbersNanos >= NUMBERS_NANOS) {
+      showNumbers(open, now, nowNanos);
+    }
+    shownStatus = now;
+  }
+
+  private void showNumbers(ViewerSession open, PlayerStatus now, long nowNanos) {
+    transport.update(now, playback.reach());
+    statusLine.update(now, meter.perSecond(nowNanos), open.display().exchange().conflated());
+    chainPanel.update(nowNanos - numbersNanos);
+    numbersNanos = nowNanos;
+  }
+}

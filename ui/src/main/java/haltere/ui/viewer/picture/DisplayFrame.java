@@ -1,0 +1,67 @@
+package haltere.ui.viewer.picture;
+
+import haltere.core.event.SensorGeometry;
+import haltere.core.overlay.Overlay;
+import haltere.core.overlay.OverlayCanvas;
+import haltere.core.stream.StreamNotification;
+import haltere.ui.measure.RegionReading;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * A finished picture: the pixels and the marks of the same moment. Filled by the thread that
+ * paints, shown by the JavaFX thread, handed over by a {@link haltere.ui.rendering.FrameExchange}.
+ */
+public final class DisplayFrame {
+  /** A snapshot of results with what draws it. */
+  record Marks<T>(T snapshot, Overlay<T> overlay) {
+    void draw(OverlayCanvas canvas) {
+      overlay.draw(snapshot, canvas);
+    }
+  }
+
+  final SensorGeometry geometry;
+
+  /** One for each of the sensor's, row by row from the top, with its rank for the scaler. */
+  final int[] pixels;
+
+  /** The same as it is on the screen, with the marks; of use if there is a place. */
+  int[] screen = {};
+
+  /** What part of the sensor the screen's pixels show. */
+  Optional<ScreenPlace> screenPlace = Optional.empty();
+
+  List<Marks<?>> marks = List.of();
+
+  /** What there is to say of the pixel under the mouse. */
+  Optional<PixelReading> pixel = Optional.empty();
+
+  /** What the region of interest is doing. */
+  Optional<RegionReading> region = Optional.empty();
+
+  /** What the ends of the colours mean, empty where colours stand for polarities. */
+  String scale = "";
+
+  long timeUs = StreamNotification.NO_TIME_US;
+  boolean dark = true;
+
+  DisplayFrame(SensorGeometry geometry) {
+    this.geometry = geometry;
+    this.pixels = new int[geometry.pixels()];
+  }
+
+  /** What the region of interest is doing; empty where there is none. */
+  public Optional<RegionReading> region() {
+    return region;
+  }
+
+  /**
+   * End of what is shown.
+   *
+   * @return microseconds of the stream; {@link StreamNotification#NO_TIME_US} before the first
+   *     events
+   */
+  public long timeUs() {
+    return timeUs;
+  }
+}

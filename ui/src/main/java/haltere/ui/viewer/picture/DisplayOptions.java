@@ -1,0 +1,26 @@
+package haltere.ui.viewer.picture;
+
+import haltere.ui.rendering.ColourMap;
+import haltere.ui.rendering.DisplayMode;
+import haltere.ui.rendering.Gradient;
+
+/**
+ * How events are shown.
+ *
+ * @param mode what the colour of a pixel says
+ * @param colours for polarities
+ * @param gradient for ages and counts
+ * @param decayUs time constant of the fading; or {@link #FOLLOW_SLICES}, so that slow motion shows
+ *     short moments; or {@link #SLICE_ONLY}
+ */
+public record DisplayOptions(DisplayMode mode, ColourMap colours, Gradient gradient, long decayUs) {
+  /** The fading follows the length of the slices. */
+  public static final long FOLLOW_SLICES = 0;
+
+  /** No fading: the events of the last slice and no others, as in a photograph of that exposure. */
+  public static final long SLICE_ONLY = -1;
+
+  /** Those of a new window: polarities in the dark, fading as fast as slices go by. */
+  public static final DisplayOptions DEFAULT =
+      new DisplayOptions(DisplayMode.POLARITY, ColourMap.DARK, Gradient.CIVIDIS, FOLLOW_SLICES);
+}

@@ -1,0 +1,137 @@
+package haltere.ui.viewer.picture;
+
+import haltere.core.chain.FilterChain;
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.playback.SliceSink;
+import haltere.core.stream.DataLost;
+import haltere.core.stream.StreamNotification;
+import haltere.ui.measure.PixelRegion;
+import haltere.ui.rendering.FrameExchange;
+import java.awt.image.BufferedImage;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * The end of the chain that makes pictures: the newest snapshot of each overlay is kept here,
+ * events are gathered and painted by a {@link PictureMaker}, on a {@link PictureThread} of its own
+ * or at once.
+ *
+ * <p>Thread rule: {@link #setOptions}, {@link #setScreenPlace}, {@link #point}, {@link #setRegion},
+ * {@link #isStale()} and the exchange's showing side are for the JavaFX thread, all else for the
+ * processing thread.
+ */
+public final class DisplaySink implements SliceSink {
+  private final LayerTaps taps;
+  private final PictureMaker maker;
+  private final Optional<PictureThread> thread;
+
+  private DisplaySink(
+      SensorGeometry geometry, FilterChain chain, DisplayOptions options, boolean apart) {
+    taps = new LayerTaps(chain);
+    maker = new PictureMaker(geometry, options, apart);
+    thread = apart ? Optional.of(new PictureThread(maker::packet)) : Optional.empty();
+  }
+
+  /** One that paints on the thread of the chain. */
+  public static DisplaySink direct(
+      SensorGeometry geometry, FilterChain chain, DisplayOptions options) {
+    return new DisplaySink(geometry, chain, options, false);
+  }
+
+  /** One that paints on a thread of its own. */
+  public static DisplaySink apart(
+      SensorGeometry geometry, FilterChain chain, DisplayOptions options) {
+    return new DisplaySink(geometry, chain, options, true);
+  }
+
+  /** Where finished frames are fetched. */
+  public FrameExchange<DisplayFrame> exchange() {
+    return maker.exchange();
+  }
+
+  /** Shows events in another way from the next frame on. */
+  public void setOptions(DisplayOptions newOptions) {
+    maker.setOptions(newOptions);
+  }
+
+  /** Where frames are drawn as they are on the screen, or nowhere. */
+  public void setScreenPlace(Optional<ScreenPlace> place) {
+    maker.setScreenPlace(place);
+  }
+
+  /** The mouse is over a pixel, or over none. */
+  public void point(int x, int y, boolean over) {
+    maker.point(x, y, over);
+  }
+
+  /** The region of interest, or none. */
+  public void setRegion(Optional<PixelRegion> region) {
+    maker.setRegion(region);
+  }
+
+  /** Whether there is something newer than the frame that was published last. */
+  public boolean isStale() {
+    return maker.isStale();
+  }
+
+  @Override
+  public void packet(EventPacket packet) {
+    if (thread.isPresent()) {
+      thread.get().packet(packet);
+    } else {
+      maker.packet(packet);
+    }
+  }
+
+  private void later(Runnable step) {
+    thread.ifPresentOrElse(apart -> apart.later(step), step);
+  }
+
+  @Override
+  public void notified(StreamNotification notification) {
+    boolean anew = notification.endsContinuity() && !(notification instanceof DataLost);
+    if (anew) {
+      taps.clear();
+    }
+    later(
+        () -> {
+          maker.notified(notification);
+          if (anew) {
+            maker.setStale(true);
+          }
+        });
+  }
+
+  /** A slice ends whose picture is asked for by {@link #picture}. */
+  public void endSlice(long fromUs, long toUs) {
+    later(() -> maker.endSlice(fromUs, toUs));
+  }
+
+  @Override
+  public void sliceEnd(long fromUs, long toUs) {
+    List<DisplayFrame.Marks<?>> marks = taps.marks();
+    later(() -> maker.showSlice(fromUs, toUs, marks));
+  }
+
+  /** Paints what there is and hands it over. */
+  public void paint() {
+    List<DisplayFrame.Marks<?>> marks = taps.marks();
+    maker.setStale(false);
+    later(() -> maker.paint(marks));
+  }
+
+  /** A picture of the present moment of usual size, with what lies over it. */
+  public BufferedImage picture(Overlays overlays) {
+    List<DisplayFrame.Marks<?>> marks = taps.marks();
+    return thread
+        .map(apart -> apart.now(() -> maker.picture(overlays, marks)))
+        .orElseGet(() -> maker.picture(overlays, marks));
+  }
+
+  /** Ends all subscriptions; the processing thread has ended or calls this. */
+  public void close() {
+    taps.close();
+    thread.ifPresent(PictureThread::close);
+  }
+}

@@ -1,0 +1,103 @@
+package haltere.ui.viewer.picture;
+
+import haltere.core.event.SensorGeometry;
+import haltere.core.overlay.MarkStyle;
+import haltere.core.overlay.MarkStyle.Role;
+import haltere.core.overlay.OverlayCanvas;
+import javafx.scene.input.KeyCode;
+
+/**
+ * Does with keys what the mouse does with a tool: arrow keys move a cross over the picture, by ten
+ * pixels with Shift; Enter presses the tool down where the cross is, and lets it go again.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+final class KeyPointer {
+  private static final int STRIDE = 10;
+  private static final double GAP_PX = 2;
+  private static final double ARM_PX = 6;
+
+  private boolean shown;
+  private boolean down;
+  private int x;
+  private int y;
+
+  /** Column of the cross. */
+  int x() {
+    return x;
+  }
+
+  /** Row of the cross, upwards. */
+  int y() {
+    return y;
+  }
+
+  /** Whether there is a cross. */
+  boolean isShown() {
+    return shown;
+  }
+
+  /** Puts the cross somewhere if there is none. */
+  void begin(int startX, int startY) {
+    if (!shown) {
+      shown = true;
+      x = startX;
+      y = startY;
+    }
+  }
+
+  /** The mouse has taken over, or the tool was put aside. */
+  void end() {
+    shown = false;
+    down = false;
+  }
+
+  /** Whether a key does something here. */
+  static boolean takes(KeyCode code) {
+    return code.isArrowKey() || code == KeyCode.ENTER;
+  }
+
+  /**
+   * Does what a key stands for.
+   *
+   * @param code a key that is {@link #takes taken}
+   * @param far whether the cross goes by more than one pixel
+   */
+  void press(KeyCode code, boolean far, ViewTool tool, SensorGeometry sensor) {
+    int step = far ? STRIDE : 1;
+    switch (code) {
+      case LEFT, KP_LEFT -> move(-step, 0, tool, sensor);
+      case RIGHT, KP_RIGHT -> move(step, 0, tool, sensor);
+      case UP, KP_UP -> move(0, step, tool, sensor);
+      case DOWN, KP_DOWN -> move(0, -step, tool, sensor);
+      default -> turnOver(tool);
+    }
+  }
+
+  private void move(int right, int up, ViewTool tool, SensorGeometry sensor) {
+    x = Math.max(0, Math.min(sensor.width() - 1, x + right));
+    y = Math.max(0, Math.min(sensor.height() - 1, y + up));
+    if (down) {
+      tool.dragged(x, y);
+    }
+  }
+
+  private void turnOver(ViewTool tool) {
+    down = !down;
+    if (down) {
+      tool.pressed(x, y);
+    } else {
+      tool.released(x, y);
+    }
+  }
+
+  void draw(OverlayCanvas canvas) {
+    if (shown) {
+      MarkStyle style = MarkStyle.of(Role.LABEL);
+      canvas.line(x - ARM_PX, y, x - GAP_PX, y, style);
+      canvas.line(x + GAP_PX, y, x + ARM_PX, y, style);
+      canvas.line(x, y - ARM_PX, x, y - GAP_PX, style);
+      canvas.line(x, y + GAP_PX, x, y + ARM_PX, style);
+    }
+  }
+}

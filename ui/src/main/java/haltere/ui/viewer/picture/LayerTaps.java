@@ -1,0 +1,93 @@
+package haltere.ui.viewer.picture;
+
+import haltere.core.chain.FilterChain;
+import haltere.core.overlay.OverlayLayer;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Listens to the overlays of the filters that are on, and keeps the newest snapshot of each.
+ *
+ * <p>Thread rule: the processing thread only.
+ */
+final class LayerTaps {
+  private final FilterChain chain;
+  private final List<LayerTap<?>> taps = new ArrayList<>();
+
+  LayerTaps(FilterChain chain) {
+    this.chain = chain;
+  }
+
+  /** The newest snapshots, of filters that are on now, whoever switched them. */
+  List<DisplayFrame.Marks<?>> marks() {
+    followChain();
+    List<DisplayFrame.Marks<?>> marks = new ArrayList<>(taps.size());
+    for (LayerTap<?> tap : taps) {
+      DisplayFrame.Marks<?> latest = tap.latest();
+      if (latest != null) {
+        marks.add(latest);
+      }
+    }
+    return marks;
+  }
+
+  private void followChain() {
+    List<OverlayLayer<?>> layers = chain.overlays();
+    taps.removeIf(
+        tap -> {
+          boolean gone = layers.stream().noneMatch(tap::isOf);
+          if (gone) {
+            tap.close();
+          }
+          return gone;
+        });
+    for (OverlayLayer<?> layer : layers) {
+      if (taps.stream().noneMatch(tap -> tap.isOf(layer))) {
+        taps.add(new LayerTap<>(layer));
+      }
+    }
+  }
+
+  /** Forgets all snapshots. */
+  void clear() {
+    taps.forEach(LayerTap::clear);
+  }
+
+  /** Ends all subscriptions; the processing thread has ended or calls this. */
+  void close() {
+    taps.forEach(LayerTap::close);
+    taps.clear();
+  }
+
+  /** Keeps the newest snapshot of one layer. */
+  private static final class LayerTap<T> {
+    private final OverlayLayer<T> layer;
+    private final AutoCloseable subscription;
+    private T latest;
+
+    LayerTap(OverlayLayer<T> layer) {
+      this.layer = layer;
+      this.subscription = layer.subscribe().apply(snapshot -> latest = snapshot);
+    }
+
+    boolean isOf(OverlayLayer<?> other) {
+      return layer == other;
+    }
+
+    void clear() {
+      latest = null;
+    }
+
+    DisplayFrame.Marks<T> latest() {
+      return latest == null ? null : new DisplayFrame.Marks<>(latest, layer.overlay());
+    }
+
+    void close() {
+      try {
+        subscription.close();
+      } catch (Exception broken) {
+        throw new IllegalStateException("layer " + layer.name() + " cannot be left", broken);
+      }
+    }
+  }
+}

@@ -1,0 +1,57 @@
+package haltere.ui.viewer.picture;
+
+import haltere.core.overlay.OverlayCanvas;
+import java.util.Optional;
+import javafx.beans.property.ObjectProperty;
+
+/**
+ * Measures lengths and angles: drag from one place to another.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+public final class MeasuringTape implements ViewTool {
+  private final ObjectProperty<Optional<MeasuredLine>> measured;
+  private double fromX;
+  private double fromY;
+
+  /**
+   * A tape.
+   *
+   * @param measured gets what is measured, and nothing when the tape is put aside
+   */
+  public MeasuringTape(ObjectProperty<Optional<MeasuredLine>> measured) {
+    this.measured = measured;
+  }
+
+  @Override
+  public String hint() {
+    return "Drag over the picture to measure a length and an angle.";
+  }
+
+  @Override
+  public void pressed(double x, double y) {
+    measured.set(Optional.empty());
+    fromX = x;
+    fromY = y;
+  }
+
+  @Override
+  public void dragged(double x, double y) {
+    measured.set(Optional.of(new MeasuredLine(fromX, fromY, x, y)));
+  }
+
+  @Override
+  public void putAside() {
+    measured.set(Optional.empty());
+  }
+
+  /** What was measured, in words; empty if nothing. */
+  public String words() {
+    return measured.get().map(MeasuredLine::words).orElse("");
+  }
+
+  @Override
+  public void draw(OverlayCanvas canvas) {
+    measured.get().ifPresent(line -> line.draw(canvas));
+  }
+}

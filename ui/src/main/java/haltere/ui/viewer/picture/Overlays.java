@@ -1,0 +1,16 @@
+package haltere.ui.viewer.picture;
+
+import haltere.ui.measure.PixelRegion;
+import java.util.Optional;
+
+/**
+ * What lies over the events of a picture or a film.
+ *
+ * @param marks whether the marks of the filters do
+ * @param region the region of interest, with its rate and frequency
+ * @param tape what was measured
+ */
+public record Overlays(boolean marks, Optional<PixelRegion> region, Optional<MeasuredLine> tape) {
+  /** The marks of the filters alone. */
+  static final Overlays MARKS = new Overlays(true, Optional.empty(), Optional.empty());
+}

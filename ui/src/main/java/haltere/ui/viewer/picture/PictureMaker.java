@@ -1,0 +1,249 @@
+package haltere.ui.viewer.picture;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.stream.StreamNotification;
+import haltere.ui.measure.PixelRegion;
+import haltere.ui.rendering.ColourScale;
+import haltere.ui.rendering.EventPicture;
+import haltere.ui.rendering.FrameExchange;
+import haltere.ui.rendering.FramePainter;
+import haltere.ui.rendering.PictureStyle;
+import haltere.ui.rendering.Pictures;
+import haltere.ui.viewer.controls.Texts;
+import java.awt.image.BufferedImage;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Gathers events, and at the end of a slice paints a frame for the window to fetch.
+ *
+ * <p>Where slices end faster than the window shows frames, some are not painted; {@link #isStale()}
+ * then tells the window to ask for the last one. While slices run on, and events fade, one is also
+ * painted in the midst of a slice where the window would have none for its next pulse.
+ *
+ * <p>Thread rule: {@link #setOptions}, {@link #setScreenPlace}, {@link #point}, {@link #setRegion},
+ * {@link #isStale()} and the exchange's showing side from any thread, all else on the thread that
+ * paints.
+ */
+final class PictureMaker {
+  /** No more than one frame in this time replaces another that nobody has seen. */
+  private static final long MIN_FRAME_NANOS = 25_000_000;
+
+  /** Slices that follow each other within this time run on: nobody looks at single ones. */
+  private static final long RUNNING_NANOS = 20_000_000;
+
+  /** While slices run on, the window waits at most so long for one to end. */
+  private static final long LONGEST_WAIT_NANOS = 1_500_000;
+
+  /** Decay that follows the slices: this many times their length, within these limits. */
+  private static final double DECAY_PER_SLICE = 2.5;
+
+  private static final double MIN_DECAY_US = 20;
+  private static final double MAX_DECAY_US = 1_000_000;
+
+  private final EventPicture events;
+  private final ViewProbes probes = new ViewProbes();
+  private final FrameExchange<DisplayFrame> exchange;
+  private volatile DisplayOptions options;
+  private final ScreenPainter painter = new ScreenPainter();
+  private volatile Optional<ScreenPlace> screenPlace = Optional.empty();
+  private volatile boolean stale;
+  private double sliceUs = 8_333;
+  private long lastSliceUs = 8_333;
+  private final boolean betweenSlices;
+  private List<DisplayFrame.Marks<?>> lastMarks = List.of();
+  private long paintedNanos;
+  private long sliceEndNanos;
+  private boolean runsOn;
+  private boolean waits;
+  private long waitsFromNanos;
+  private boolean exposed;
+
+  /**
+   * A maker without events.
+   *
+   * @param betweenSlices whether it may also paint in the midst of a slice, see the class comment
+   */
+  PictureMaker(SensorGeometry geometry, DisplayOptions options, boolean betweenSlices) {
+    this.options = options;
+    this.betweenSlices = betweenSlices;
+    events = new EventPicture(geometry, style());
+    exchange = new FrameExchange<>(() -> new DisplayFrame(geometry));
+  }
+
+  FrameExchange<DisplayFrame> exchange() {
+    return exchange;
+  }
+
+  void setOptions(DisplayOptions newOptions) {
+    options = newOptions;
+    stale = true;
+  }
+
+  /** Where frames are drawn as they are on the screen, or nowhere: they are drawn elsewhere. */
+  void setScreenPlace(Optional<ScreenPlace> place) {
+    screenPlace = place;
+  }
+
+  /** The mouse is over a pixel, or over none. */
+  void point(int x, int y, boolean over) {
+    probes.point(x, y, over);
+    stale = true;
+  }
+
+  /** The region of interest, or none. */
+  void setRegion(Optional<PixelRegion> region) {
+    probes.setRegion(region);
+    stale = true;
+  }
+
+  /** Whether there is something newer than the frame that was published last. */
+  boolean isStale() {
+    return stale;
+  }
+
+  /** Another frame is wanted, or about to come. */
+  void setStale(boolean isStale) {
+    stale = isStale;
+  }
+
+  void packet(EventPacket packet) {
+    if (exposed) {
+      events.beginExposure();
+      exposed = false;
+    }
+    events.packet(packet);
+    probes.packet(packet);
+    if (betweenSlices && runsOn && !events.style().sharp() && isOverdue()) {
+      paint(lastMarks);
+    }
+  }
+
+  /** Whether the window has been without a new frame for too long. */
+  private boolean isOverdue() {
+    boolean waited = waits;
+    waits = !exchange.isPending();
+    if (!waits) {
+      return false;
+    }
+    long nanos = System.nanoTime();
+    if (!waited) {
+      waitsFromNanos = nanos;
+    }
+    return nanos - waitsFromNanos >= LONGEST_WAIT_NANOS;
+  }
+
+  void notified(StreamNotification notification) {
+    events.notified(notification);
+    probes.notified(notification);
+    runsOn = false;
+  }
+
+  /** A slice ends of which no frame is wanted now. */
+  void endSlice(long fromUs, long toUs) {
+    events.advanceTo(toUs);
+    lastSliceUs = toUs - fromUs;
+    sliceUs += 0.25 * (lastSliceUs - sliceUs);
+    exposed = true;
+  }
+
+  /** A slice ends; its frame is painted unless the window has no use for it. */
+  void showSlice(long fromUs, long toUs, List<DisplayFrame.Marks<?>> marks) {
+    endSlice(fromUs, toUs);
+    lastMarks = marks;
+    long nanos = System.nanoTime();
+    runsOn = nanos - sliceEndNanos < RUNNING_NANOS;
+    sliceEndNanos = nanos;
+    if (exchange.isPending() && nanos - paintedNanos < MIN_FRAME_NANOS) {
+      stale = true;
+    } else {
+      paint(marks);
+    }
+  }
+
+  /** Paints what there is and hands it over. */
+  void paint(List<DisplayFrame.Marks<?>> marks) {
+    stale = false;
+    events.configure(style());
+    DisplayFrame frame = exchange.back();
+    events.paintRanked(frame.pixels);
+    frame.pixel = probes.pixel(events.frame());
+    frame.region = probes.region(events.frame().nowUs());
+    frame.scale = scale();
+    frame.timeUs = events.frame().nowUs();
+    frame.dark = events.style().dark();
+    frame.marks = marks;
+    frame.screenPlace = screenPlace;
+    frame.screenPlace.ifPresent(place -> paintScreen(frame, place));
+    exchange.publish();
+    paintedNanos = System.nanoTime();
+  }
+
+  private void paintScreen(DisplayFrame frame, ScreenPlace place) {
+    int size = place.columns() * place.rows();
+    if (frame.screen.length != size) {
+      frame.screen = new int[size];
+    }
+    painter.configure(frame.geometry, place);
+    painter.paint(frame.pixels, frame.marks, frame.dark, frame.screen);
+  }
+
+  /** A picture of the present moment of usual size, with what lies over it. */
+  BufferedImage picture(Overlays overlays, List<DisplayFrame.Marks<?>> marks) {
+    events.configure(style());
+    SensorGeometry geometry = events.frame().geometry();
+    int[] argb = new int[geometry.pixels()];
+    events.paint(argb);
+    Optional<RegionMarks> region =
+        overlays
+            .region()
+            .map(pixels -> new RegionMarks(pixels, probes.regionNow(events.frame().nowUs())));
+    boolean dark = events.style().dark();
+    BufferedImage picture =
+        Pictures.draw(
+            geometry,
+            argb,
+            dark,
+            Pictures.usualScale(geometry),
+            canvas -> {
+              if (overlays.marks()) {
+                marks.forEach(snapshot -> snapshot.draw(canvas));
+              }
+              region.ifPresent(drawn -> drawn.draw(canvas));
+              overlays.tape().ifPresent(line -> line.draw(canvas));
+            });
+    PictureStyle style = events.style();
+    ColourScale.of(style.mode(), style.gradient(), scale())
+        .ifPresent(legend -> legend.draw(picture, dark));
+    return picture;
+  }
+
+  private PictureStyle style() {
+    DisplayOptions now = options;
+    boolean sharp = now.decayUs() == DisplayOptions.SLICE_ONLY;
+    long us = sharp ? lastSliceUs : decayUs(now.decayUs());
+    return new PictureStyle(
+        now.mode(),
+        now.colours(),
+        now.gradient(),
+        Math.max(1, Math.min(FramePainter.LONGEST_TIME_CONSTANT_US, us)),
+        sharp);
+  }
+
+  /** What the ends of a gradient stand for. */
+  private String scale() {
+    PictureStyle style = events.style();
+    return switch (style.mode()) {
+      case COUNTS -> Texts.digits(events.fullCount()) + " events";
+      case TIME_SURFACE -> Texts.duration(FramePainter.oldestUs(style)) + " ago";
+      default -> "";
+    };
+  }
+
+  private long decayUs(long chosen) {
+    return chosen != DisplayOptions.FOLLOW_SLICES
+        ? chosen
+        : Math.round(Math.max(MIN_DECAY_US, Math.min(MAX_DECAY_US, sliceUs * DECAY_PER_SLICE)));
+  }
+}

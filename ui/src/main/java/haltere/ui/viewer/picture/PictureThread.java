@@ -1,0 +1,129 @@
+package haltere.ui.viewer.picture;
+
+import haltere.core.event.EventPacket;
+import haltere.core.pipeline.PacketPool;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.function.Consumer;
+
+/**
+ * A thread that gathers and paints, so that the thread of the chain need not. It gets copies of
+ * packets by way of a {@link PacketPool}, and steps to take between them, in order; an empty packet
+ * stands for each step. Where it falls behind by all packets of the pool, who hands one over waits.
+ *
+ * <p>Thread rule: {@link #packet}, {@link #later} and {@link #now} by one thread at a time, {@link
+ * #close} by any.
+ */
+final class PictureThread implements AutoCloseable {
+  private static final int PACKETS = 64;
+  private static final int PACKET_EVENTS = 4096;
+
+  private final PacketPool pool = new PacketPool(PACKETS, PACKET_EVENTS);
+  private final ConcurrentLinkedQueue<Runnable> steps = new ConcurrentLinkedQueue<>();
+  private final Consumer<EventPacket> taker;
+  private final Thread thread = new Thread(this::work, "haltere-picture");
+  private volatile RuntimeException failure;
+
+  /**
+   * Begins.
+   *
+   * @param taker takes packets, on the new thread
+   */
+  PictureThread(Consumer<EventPacket> taker) {
+    this.taker = taker;
+    thread.setDaemon(true);
+    thread.start();
+  }
+
+  private void work() {
+    try {
+      while (true) {
+        EventPacket packet = pool.receive();
+        if (packet.isEmpty()) {
+          guarded(steps.remove());
+        } else {
+          guarded(() -> taker.accept(packet));
+        }
+        pool.release(packet);
+      }
+    } catch (InterruptedException closed) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  private void guarded(Runnable step) {
+    try {
+      step.run();
+    } catch (RuntimeException thrown) {
+      failure = thrown;
+    } catch (Error thrown) {
+      // A thread that died of it would let the chain's thread wait for ever.
+      failure = new IllegalStateException("no picture: " + thrown, thrown);
+    }
+  }
+
+  /**
+   * Hands over a copy of a packet.
+   *
+   * @throws RuntimeException what was thrown on the other thread since the last call
+   */
+  void packet(EventPacket packet) {
+    tellFailure();
+    if (!packet.isEmpty()) {
+      hand(packet);
+    }
+  }
+
+  /** Does something behind the packets that were handed over, and does not wait for it. */
+  void later(Runnable step) {
+    tellFailure();
+    steps.add(step);
+    hand(null);
+  }
+
+  private void tellFailure() {
+    RuntimeException thrown = failure;
+    if (thrown != null) {
+      failure = null;
+      throw thrown;
+    }
+  }
+
+  private void hand(EventPacket source) {
+    try {
+      EventPacket copy = pool.take();
+      if (source != null) {
+        copy.append(source, 0, source.size());
+      }
+      pool.hand(copy);
+    } catch (InterruptedException ending) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  /** Does something behind the packets that were handed over, and waits for it. */
+  <T> T now(Callable<T> step) {
+    CompletableFuture<T> result = new CompletableFuture<>();
+    later(
+        () -> {
+          try {
+            result.complete(step.call());
+          } catch (Exception | Error thrown) {
+            result.completeExceptionally(thrown);
+          }
+        });
+    try {
+      return result.join();
+    } catch (CompletionException thrown) {
+      throw thrown.getCause() instanceof RuntimeException cause ? cause : thrown;
+    }
+  }
+
+  /** Ends the thread; what it has not come to is left out. */
+  @Override
+  public void close() {
+    thread.interrupt();
+  }
+}

@@ -1,0 +1,35 @@
+package haltere.ui.viewer.picture;
+
+import haltere.core.stream.StreamNotification;
+import haltere.ui.viewer.controls.Texts;
+
+/**
+ * What there is to say of the pixel under the mouse.
+ *
+ * @param x column
+ * @param y row, upwards
+ * @param lastUs time of its last event, or {@link StreamNotification#NO_TIME_US}
+ * @param on polarity of that event
+ * @param agoUs how old it is
+ * @param rateEps events per second of recording time in the {@link ViewProbes#NEAR} neighbours at
+ *     each side; NaN if not known yet
+ */
+record PixelReading(int x, int y, long lastUs, boolean on, long agoUs, double rateEps) {
+  /** One line for a person. */
+  String words() {
+    StringBuilder words = new StringBuilder("x " + x + "   y " + y);
+    if (lastUs != StreamNotification.NO_TIME_US) {
+      words
+          .append("   ")
+          .append(on ? "ON " : "OFF ")
+          .append(Texts.duration(agoUs))
+          .append(" ago   t ")
+          .append(lastUs)
+          .append(" \u00b5s");
+    }
+    if (!Double.isNaN(rateEps)) {
+      words.append("   ").append(Texts.quantity(rateEps)).append(" ev/s near");
+    }
+    return words.toString();
+  }
+}

@@ -1,0 +1,35 @@
+package haltere.ui.viewer.picture;
+
+import haltere.core.overlay.MarkStyle;
+import haltere.core.overlay.MarkStyle.Role;
+import haltere.core.overlay.OverlayCanvas;
+import haltere.ui.measure.PixelRegion;
+import haltere.ui.measure.RegionReading;
+import haltere.ui.viewer.controls.Texts;
+
+/**
+ * The region of interest as it is drawn over the events.
+ *
+ * @param region the pixels
+ * @param reading what it is doing
+ */
+record RegionMarks(PixelRegion region, RegionReading reading) {
+  /** What the region is doing, in words. */
+  String words() {
+    String rate = Texts.quantity(reading.rateEps()) + " ev/s";
+    return Double.isNaN(reading.frequencyHz())
+        ? rate
+        : rate + "   " + Texts.digits(reading.frequencyHz()) + " Hz";
+  }
+
+  void draw(OverlayCanvas canvas) {
+    canvas.rectangle(
+        region.left() - 0.5,
+        region.bottom() - 0.5,
+        region.width(),
+        region.height(),
+        MarkStyle.of(Role.REGION));
+    canvas.text(
+        region.left(), region.bottom() + region.height() + 1.0, words(), MarkStyle.of(Role.LABEL));
+  }
+}

@@ -1,0 +1,67 @@
+package haltere.ui.viewer.picture;
+
+import haltere.core.event.SensorGeometry;
+import haltere.ui.measure.PixelRegion;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+
+/**
+ * Draws the region of interest: drag from corner to corner; a click takes it away.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+public final class RegionTool implements ViewTool {
+  private final Supplier<SensorGeometry> sensor;
+  private final Consumer<Optional<PixelRegion>> taker;
+  private double fromX;
+  private double fromY;
+  private boolean drawn;
+
+  /**
+   * A tool for a picture.
+   *
+   * @param sensor its size, asked whenever a region is drawn
+   * @param taker takes a region that was drawn; empty where a click took it away
+   */
+  public RegionTool(Supplier<SensorGeometry> sensor, Consumer<Optional<PixelRegion>> taker) {
+    this.sensor = sensor;
+    this.taker = taker;
+  }
+
+  @Override
+  public String hint() {
+    return "Drag over the picture to draw the region of interest; a click takes it away.";
+  }
+
+  @Override
+  public void pressed(double x, double y) {
+    fromX = x;
+    fromY = y;
+    drawn = false;
+  }
+
+  @Override
+  public void dragged(double x, double y) {
+    SensorGeometry geometry = sensor.get();
+    drawn = true;
+    taker.accept(
+        Optional.of(
+            PixelRegion.between(
+                pixel(fromX, geometry.width()),
+                pixel(fromY, geometry.height()),
+                pixel(x, geometry.width()),
+                pixel(y, geometry.height()))));
+  }
+
+  @Override
+  public void released(double x, double y) {
+    if (!drawn) {
+      taker.accept(Optional.empty());
+    }
+  }
+
+  private static int pixel(double place, int size) {
+    return (int) Math.max(0, Math.min(size - 1, Math.rint(place)));
+  }
+}

@@ -1,0 +1,64 @@
+package haltere.ui.viewer.picture;
+
+import haltere.ui.rendering.ColourScale;
+import haltere.ui.rendering.DisplayMode;
+import haltere.ui.rendering.Gradient;
+import java.util.Optional;
+import java.util.StringJoiner;
+import javafx.geometry.Pos;
+import javafx.scene.control.Label;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Region;
+
+/**
+ * A strip of the colours and what their ends mean, where colours stand for ages or counts.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+public final class ScaleLegend extends HBox {
+  private final Label first = new Label();
+  private final Region strip = new Region();
+  private final Label last = new Label();
+  private DisplayMode mode = DisplayMode.POLARITY;
+  private Gradient gradient = Gradient.CIVIDIS;
+
+  ScaleLegend() {
+    super(6);
+    setId("scale-legend");
+    getStyleClass().addAll("readout", "scale-legend");
+    setAlignment(Pos.CENTER);
+    setManaged(false);
+    setMouseTransparent(true);
+    setVisible(false);
+    strip.setMinSize(90, 8);
+    getChildren().addAll(first, strip, last);
+  }
+
+  /** Takes the colours of a mode. */
+  public void configure(DisplayMode newMode, Gradient newGradient) {
+    mode = newMode;
+    gradient = newGradient;
+    StringJoiner stops = new StringJoiner(", ");
+    for (int anchor : gradient.anchors()) {
+      stops.add(String.format("#%06x", anchor & 0xFFFFFF));
+    }
+    strip.setStyle("-fx-background-color: linear-gradient(to right, " + stops + ");");
+  }
+
+  /** Shows what the far end stands for; nothing hides the legend. */
+  void show(String farEnd) {
+    Optional<ColourScale> scale = ColourScale.of(mode, gradient, farEnd);
+    if (isVisible() != scale.isPresent()) {
+      setVisible(scale.isPresent());
+    }
+    scale.ifPresent(this::show);
+  }
+
+  private void show(ColourScale scale) {
+    if (!(scale.first().equals(first.getText()) && scale.last().equals(last.getText()))) {
+      first.setText(scale.first());
+      last.setText(scale.last());
+      getParent().requestLayout();
+    }
+  }
+}

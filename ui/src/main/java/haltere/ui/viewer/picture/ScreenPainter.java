@@ -1,0 +1,63 @@
+package haltere.ui.viewer.picture;
+
+import haltere.core.event.SensorGeometry;
+import haltere.core.overlay.OverlayCanvas;
+import haltere.ui.rendering.PictureScaler;
+import haltere.ui.rendering.PixelOverlayCanvas;
+import java.util.List;
+
+/**
+ * Draws frames as they are on the screen, pixels and marks, where no graphics card does it.
+ *
+ * <p>Thread rule: one thread at a time; letters that are not loaded yet are for the JavaFX thread.
+ */
+final class ScreenPainter {
+  private final PictureScaler scaler = new PictureScaler();
+  private PixelOverlayCanvas canvas;
+  private ScreenPlace place;
+  private SensorGeometry geometry;
+
+  /** Says what is in sight. */
+  void configure(SensorGeometry newGeometry, ScreenPlace newPlace) {
+    if (newPlace.equals(place) && newGeometry.equals(geometry)) {
+      return;
+    }
+    if (place == null || newPlace.letters() != place.letters()) {
+      canvas = new PixelOverlayCanvas(newPlace.letters());
+    }
+    place = newPlace;
+    geometry = newGeometry;
+    scaler.configure(
+        geometry.width(),
+        geometry.height(),
+        place.fromX(),
+        place.fromY(),
+        place.scale() * place.density(),
+        place.columns(),
+        place.rows());
+    canvas.setView(place.scale(), place.left(), place.bottom(), place.density());
+  }
+
+  /**
+   * Draws all that belongs to a frame.
+   *
+   * @param ranked one for each of the sensor's pixels, with its rank
+   * @param target receives opaque pixels, as many as the place has
+   */
+  void paint(int[] ranked, List<DisplayFrame.Marks<?>> marks, boolean dark, int[] target) {
+    scaler.scale(ranked, target);
+    if (place.marks()) {
+      OverlayCanvas over = over(target, dark);
+      for (DisplayFrame.Marks<?> snapshot : marks) {
+        snapshot.draw(over);
+      }
+    }
+  }
+
+  /** A canvas over pixels that have been painted. */
+  OverlayCanvas over(int[] target, boolean dark) {
+    canvas.setTarget(target, place.columns(), place.rows());
+    canvas.setDark(dark);
+    return canvas;
+  }
+}

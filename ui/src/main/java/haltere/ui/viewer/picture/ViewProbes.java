@@ -1,0 +1,131 @@
+package haltere.ui.viewer.picture;
+
+import haltere.core.event.EventPacket;
+import haltere.core.stream.StreamNotification;
+import haltere.ui.measure.PixelRegion;
+import haltere.ui.measure.RegionMeter;
+import haltere.ui.measure.RegionReading;
+import haltere.ui.rendering.EventFrame;
+import java.util.Objects;
+import java.util.Optional;
+
+/**
+ * What the window wants to know of single places: the pixel under the mouse, and a region of
+ * interest. Costs nothing while it wants nothing.
+ *
+ * <p>Thread rule: {@link #point} and {@link #setRegion} on the JavaFX thread, all else on the
+ * processing thread.
+ */
+final class ViewProbes {
+  /** Neighbours at each side of the pixel under the mouse that its rate is made of. */
+  static final int NEAR = 2;
+
+  /** The rate near the mouse is that of the last tenth of a second. */
+  private static final int NEAR_BINS = 512;
+
+  /** How often the frequency is looked for. */
+  private static final long FREQUENCY_NANOS = 250_000_000;
+
+  private volatile Optional<PixelRegion> pointed = Optional.empty();
+  private volatile Optional<PixelRegion> wantedRegion = Optional.empty();
+  private RegionMeter near;
+  private RegionMeter region;
+  private RegionReading lastReading = RegionReading.NOTHING;
+  private long frequencyNanos;
+
+  /** The mouse is over a pixel, or over none. */
+  void point(int x, int y, boolean over) {
+    pointed = over ? Optional.of(PixelRegion.around(x, y, NEAR)) : Optional.empty();
+  }
+
+  /** The region of interest, or none. */
+  void setRegion(Optional<PixelRegion> newRegion) {
+    wantedRegion = newRegion;
+  }
+
+  void packet(EventPacket packet) {
+    follow();
+    if (near != null) {
+      near.packet(packet);
+    }
+    if (region != null) {
+      region.packet(packet);
+    }
+  }
+
+  void notified(StreamNotification notification) {
+    if (near != null) {
+      near.notified(notification);
+    }
+    if (region != null) {
+      region.notified(notification);
+    }
+  }
+
+  private void follow() {
+    near = meter(near, pointed, NEAR_BINS);
+    region = meter(region, wantedRegion, RegionMeter.BINS);
+  }
+
+  private static RegionMeter meter(RegionMeter old, Optional<PixelRegion> wanted, int bins) {
+    if (wanted.isEmpty()) {
+      return null;
+    }
+    return old != null && Objects.equals(old.region(), wanted.get())
+        ? old
+        : new RegionMeter(wanted.get(), bins);
+  }
+
+  /** What there is to say of the pixel under the mouse. */
+  Optional<PixelReading> pixel(EventFrame frame) {
+    follow();
+    if (near == null) {
+      return Optional.empty();
+    }
+    int x = near.region().left() + NEAR;
+    int y = near.region().bottom() + NEAR;
+    if (!frame.geometry().contains(x, y)) {
+      return Optional.empty();
+    }
+    RegionReading around = near.reading(false);
+    long lastUs = frame.lastUs(x, y);
+    return Optional.of(
+        new PixelReading(
+            x,
+            y,
+            lastUs,
+            frame.lastOn(x, y),
+            frame.nowUs() - lastUs,
+            around.spanUs() > 0 ? around.rateEps() : Double.NaN));
+  }
+
+  /** What the region of interest is doing, with its frequency however lately that was found. */
+  RegionReading regionNow(long nowUs) {
+    follow();
+    if (region == null) {
+      return RegionReading.NOTHING;
+    }
+    region.advanceTo(nowUs);
+    return region.reading(true);
+  }
+
+  /** What the region of interest is doing. */
+  Optional<RegionReading> region(long nowUs) {
+    follow();
+    if (region == null) {
+      return Optional.empty();
+    }
+    region.advanceTo(nowUs);
+    long nanos = System.nanoTime();
+    boolean look = nanos - frequencyNanos > FREQUENCY_NANOS;
+    RegionReading now = region.reading(look);
+    if (look) {
+      frequencyNanos = nanos;
+      lastReading = now;
+    } else {
+      now =
+          new RegionReading(now.rateEps(), now.onShare(), lastReading.frequencyHz(), now.spanUs());
+    }
+    return Optional.of(now);
+  }
+}

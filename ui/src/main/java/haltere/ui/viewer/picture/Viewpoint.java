@@ -1,0 +1,139 @@
+package haltere.ui.viewer.picture;
+
+import haltere.core.event.SensorGeometry;
+import haltere.ui.measure.PixelRegion;
+
+/**
+ * Which part of a sensor a view shows, and how large: from one to the other and back.
+ *
+ * <p>Places on the sensor are counted from the middle of its left bottom pixel, upwards; those in
+ * the view from its left top corner, downwards. Thread rule: JavaFX thread only.
+ */
+final class Viewpoint {
+  private static final double MAX_PIXEL = 64;
+  private static final double MAX_LOSS = 1.06;
+  private static final double ZOOM_PER_NOTCH = 1.2;
+  private static final double ZOOM_MARGIN = 0.9;
+
+  private SensorGeometry sensor = new SensorGeometry(1, 1);
+  private double width;
+  private double height;
+
+  /** 1 shows the whole sensor. */
+  private double zoom = 1;
+
+  /** Middle of the view, in pixels of the sensor from its left bottom corner. */
+  private double centreX;
+
+  private double centreY;
+
+  /** Another sensor, all of which is shown. */
+  void setSensor(SensorGeometry newSensor) {
+    sensor = newSensor;
+    showAll();
+  }
+
+  /** The view has another size. */
+  void setSize(double newWidth, double newHeight) {
+    width = newWidth;
+    height = newHeight;
+  }
+
+  /** Shows the whole sensor. */
+  void showAll() {
+    zoom = 1;
+    centreX = sensor.width() / 2.0;
+    centreY = sensor.height() / 2.0;
+  }
+
+  /** Whether less than the whole sensor is shown. */
+  boolean isClose() {
+    return zoom > 1;
+  }
+
+  /** Enlarges a region as far as the view has room. */
+  void zoomTo(PixelRegion region) {
+    double wanted = Math.min(width / region.width(), height / region.height()) * ZOOM_MARGIN;
+    zoom = Math.max(1, Math.min(MAX_PIXEL, wanted) / fit());
+    centreX = region.left() + region.width() / 2.0;
+    centreY = region.bottom() + region.height() / 2.0;
+  }
+
+  /** Makes the picture larger or smaller around its middle. */
+  void zoomBy(double factor) {
+    zoom = Math.max(1, Math.min(Math.max(1, MAX_PIXEL / fit()), zoom * factor));
+    if (zoom < 1.01) {
+      showAll();
+    }
+  }
+
+  /** Makes the picture larger or smaller; the place under the mouse stays there. */
+  void zoomAt(double viewX, double viewY, double notches) {
+    double sensorX = sensorX(viewX);
+    double sensorY = sensorY(viewY);
+    zoomBy(Math.pow(ZOOM_PER_NOTCH, notches));
+    if (isClose()) {
+      centreX += sensorX - sensorX(viewX);
+      centreY += sensorY - sensorY(viewY);
+      keepInside();
+    }
+  }
+
+  /** Moves what is seen, in units of the view to the right and up. */
+  void move(double right, double up) {
+    centreX += right / scale();
+    centreY += up / scale();
+    keepInside();
+  }
+
+  /** Moves what is seen just as far as it takes to show a place on the sensor. */
+  void keepInSight(double sensorX, double sensorY) {
+    double x = viewX(sensorX);
+    double y = viewY(sensorY);
+    move(x - Math.max(0, Math.min(width, x)), Math.max(0, Math.min(height, y)) - y);
+  }
+
+  private void keepInside() {
+    centreX = Math.max(0, Math.min(sensor.width(), centreX));
+    centreY = Math.max(0, Math.min(sensor.height(), centreY));
+  }
+
+  /** Units of the view per pixel of the sensor. */
+  double scale() {
+    double fit = fit() * zoom;
+    double whole = Math.floor(fit);
+    // whole numbers make all pixels alike, where they do not leave much room empty
+    return zoom == 1 && whole >= 1 && fit < whole * MAX_LOSS ? whole : fit;
+  }
+
+  /** Scale at which the whole sensor just fits. */
+  private double fit() {
+    return Math.min(width / sensor.width(), height / sensor.height());
+  }
+
+  /** The sensor's left edge in the view. */
+  double left() {
+    return Math.rint(width / 2 - centreX * scale());
+  }
+
+  /** The sensor's top edge in the view. */
+  double top() {
+    return Math.rint(height / 2 - (sensor.height() - centreY) * scale());
+  }
+
+  double viewX(double sensorX) {
+    return width / 2 + (sensorX + 0.5 - centreX) * scale();
+  }
+
+  double viewY(double sensorY) {
+    return height / 2 - (sensorY + 0.5 - centreY) * scale();
+  }
+
+  double sensorX(double viewX) {
+    return centreX + (viewX - width / 2) / scale() - 0.5;
+  }
+
+  double sensorY(double viewY) {
+    return centreY - (viewY - height / 2) / scale() - 0.5;
+  }
+}

@@ -1,0 +1,310 @@
+package haltere.ui.viewer.playback;
+
+import haltere.core.playback.Loop;
+import haltere.core.playback.Mark;
+import haltere.core.playback.Playable;
+import haltere.core.playback.PlaybackClock;
+import haltere.core.playback.Player;
+import haltere.core.playback.PlayerOptions;
+import haltere.core.playback.PlayerStatus;
+import haltere.core.playback.Slicing;
+import haltere.ui.viewer.controls.Texts;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalLong;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
+import javafx.application.Platform;
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.ReadOnlyObjectProperty;
+import javafx.beans.property.ReadOnlyObjectWrapper;
+import javafx.beans.property.SimpleBooleanProperty;
+
+/**
+ * The transport as buttons, keys and the seek bar use it: speed, slices and loop stay the same from
+ * one recording to the next, the rest goes to the player that is open.
+ *
+ * <p>Thread rule: JavaFX thread only; nothing here waits.
+ */
+public final class PlaybackController {
+  /** Fastest speed but unlimited. */
+  static final double MAX_SPEED = 16;
+
+  /**
+   * Slices that are finer than the pictures of a screen, so that there is a new picture at every
+   * pulse although the player's clock and the screen's do not beat together.
+   */
+  public static final Slicing SMOOTH = new Slicing.PerFrame(120);
+
+  /** A fruit fly's. */
+  private static final long USUAL_BEAT_US = 5_000;
+
+  private static final double SPEED_STEP = Math.pow(2, 0.25);
+
+  private final Consumer<String> problems;
+  private final ReadOnlyObjectWrapper<Double> speed = new ReadOnlyObjectWrapper<>(1.0);
+  private final ReadOnlyObjectWrapper<Slicing> slicing = new ReadOnlyObjectWrapper<>(SMOOTH);
+  private final ReadOnlyObjectWrapper<Loop> loop = new ReadOnlyObjectWrapper<>(Loop.ALL);
+  private final BooleanProperty beats = new SimpleBooleanProperty();
+  private Optional<Player> player = Optional.empty();
+  private boolean seeking;
+
+  /** Where the jump under way, or the one after it, goes to. */
+  private long aimUs;
+
+  private OptionalLong nextSeekUs = OptionalLong.empty();
+
+  /**
+   * A controller without a player.
+   *
+   * @param problems takes what went wrong, in one line
+   */
+  public PlaybackController(Consumer<String> problems) {
+    this.problems = problems;
+    beats.addListener(
+        (property, was, is) -> {
+          if (is) {
+            setBeat(USUAL_BEAT_US);
+          }
+        });
+  }
+
+  /** Options for the player of a new window. */
+  public static PlayerOptions firstOptions() {
+    return PlayerOptions.defaults().withSlicing(SMOOTH).withLoop(Loop.ALL);
+  }
+
+  /** Options for the next player: speed, slices and loop as they are set. */
+  public PlayerOptions options() {
+    return PlayerOptions.defaults()
+        .withSpeed(speed.get())
+        .withSlicing(slicing.get())
+        .withLoop(new Loop(loop.get().on(), OptionalLong.empty(), OptionalLong.empty()));
+  }
+
+  /** Goes over to another player, whose loop is that of {@link #options()}. */
+  public void setPlayer(Player newPlayer) {
+    player = Optional.of(newPlayer);
+    loop.set(new Loop(loop.get().on(), OptionalLong.empty(), OptionalLong.empty()));
+    seeking = false;
+    nextSeekUs = OptionalLong.empty();
+  }
+
+  /** What the player says of itself; empty before the first one. */
+  public Optional<PlayerStatus> status() {
+    return player.map(Player::status);
+  }
+
+  /** What can be gone to; empty where nothing can. */
+  public Optional<Reach> reach() {
+    return player.map(Player::playable).filter(Playable::seekable).map(Reach::of);
+  }
+
+  boolean seekable() {
+    return player.isPresent() && player.get().playable().seekable();
+  }
+
+  /** Recording time in a unit of real time; infinite for as fast as it goes. */
+  public ReadOnlyObjectProperty<Double> speedProperty() {
+    return speed.getReadOnlyProperty();
+  }
+
+  /** How the stream is cut into slices. */
+  public ReadOnlyObjectProperty<Slicing> slicingProperty() {
+    return slicing.getReadOnlyProperty();
+  }
+
+  /** What is played over and over. */
+  public ReadOnlyObjectProperty<Loop> loopProperty() {
+    return loop.getReadOnlyProperty();
+  }
+
+  /** Pauses, or goes on. */
+  public void togglePause() {
+    player.ifPresent(open -> report(open.togglePause()));
+  }
+
+  /** Goes on by slices, or back if there are fewer than 0, and pauses. */
+  public void step(int slices) {
+    player.ifPresent(open -> report(open.step(slices)));
+  }
+
+  /** Goes to the beginning. */
+  public void rewind() {
+    player.ifPresent(open -> report(open.rewind()));
+  }
+
+  /** Has all filters forget what they know. */
+  public void reset() {
+    player.ifPresent(open -> report(open.reset()));
+  }
+
+  /** Sets the speed, brought into range; more than {@link #MAX_SPEED} is unlimited. */
+  public void setSpeed(double wanted) {
+    double possible =
+        wanted > MAX_SPEED * 1.0001
+            ? Double.POSITIVE_INFINITY
+            : Math.max(PlaybackClock.MIN_SPEED, wanted);
+    // steps of a fourth root come back to exactly 1
+    speed.set(Math.abs(possible - Math.rint(possible)) < 1e-9 ? Math.rint(possible) : possible);
+    player.ifPresent(open -> report(open.setSpeed(speed.get())));
+  }
+
+  /** A fourth of an octave faster. */
+  public void faster() {
+    setSpeed(speed.get() * SPEED_STEP);
+  }
+
+  /** A fourth of an octave slower. */
+  public void slower() {
+    setSpeed(Double.isInfinite(speed.get()) ? MAX_SPEED : speed.get() / SPEED_STEP);
+  }
+
+  void setSlicing(Slicing wanted) {
+    beats.set(false);
+    cut(wanted);
+  }
+
+  private void cut(Slicing wanted) {
+    slicing.set(wanted);
+    player.ifPresent(open -> report(open.setSlicing(wanted)));
+  }
+
+  /** Whether each slice is one wing beat, whose length somebody else finds out. */
+  public BooleanProperty beatsProperty() {
+    return beats;
+  }
+
+  /** Says how long a wing beat is; of use while slices are beats. */
+  public void setBeat(long periodUs) {
+    cut(new Slicing.ByTime(Math.max(1, periodUs)));
+  }
+
+  /** Whether the end is followed by the beginning. */
+  public void setLooping(boolean on) {
+    setLoop(new Loop(on, loop.get().inUs(), loop.get().outUs()));
+  }
+
+  /** Puts the loop's start where playback is; an end before it is dropped. */
+  public void markIn() {
+    status()
+        .ifPresent(
+            now -> {
+              OptionalLong out = loop.get().outUs();
+              boolean fits = out.isPresent() && out.getAsLong() > now.elapsedUs();
+              setLoop(
+                  new Loop(
+                      true,
+                      OptionalLong.of(Math.max(0, now.elapsedUs())),
+                      fits ? out : OptionalLong.empty()));
+            });
+  }
+
+  /** Puts the loop's end behind what is shown; a start behind it is dropped. */
+  public void markOut() {
+    status()
+        .ifPresent(
+            now -> {
+              long outUs = Math.max(1, now.elapsedUs() + now.sliceUs());
+              OptionalLong in = loop.get().inUs();
+              boolean fits = in.isPresent() && in.getAsLong() < outUs;
+              setLoop(new Loop(true, fits ? in : OptionalLong.empty(), OptionalLong.of(outUs)));
+            });
+  }
+
+  /** Takes the ends of the loop away, so that it is all of the recording. */
+  public void clearInOut() {
+    setLoop(new Loop(loop.get().on(), OptionalLong.empty(), OptionalLong.empty()));
+  }
+
+  private void setLoop(Loop wanted) {
+    loop.set(wanted);
+    player.ifPresent(open -> report(open.setLoop(wanted)));
+  }
+
+  /** Sets a mark where playback is. */
+  public void mark() {
+    mark("Mark " + (marks().size() + 1));
+  }
+
+  /** Sets a mark of a name where playback is; one that is there already gets the name. */
+  public void mark(String name) {
+    player.ifPresent(
+        open -> {
+          long here = Math.max(0, open.status().elapsedUs());
+          open.marks().stream().filter(mark -> mark.elapsedUs() == here).forEach(open::removeMark);
+          open.addMark(new Mark(name, here));
+        });
+  }
+
+  /** Takes all marks away. */
+  public void clearMarks() {
+    player.ifPresent(open -> open.marks().forEach(open::removeMark));
+  }
+
+  /** The marks, in the order of their times. */
+  public List<Mark> marks() {
+    return player.map(Player::marks).orElse(List.of());
+  }
+
+  /** Goes to the next mark, or the one before. */
+  public void toMark(boolean next) {
+    if (player.isEmpty()) {
+      return;
+    }
+    long here = player.get().status().elapsedUs();
+    OptionalLong there =
+        next
+            ? marks().stream().mapToLong(Mark::elapsedUs).filter(us -> us > here).min()
+            : marks().stream().mapToLong(Mark::elapsedUs).filter(us -> us < here).max();
+    there.ifPresent(this::seek);
+  }
+
+  /** Jumps by a time from where playback is, or will be when it has done what it was asked. */
+  public void jump(long us) {
+    status().ifPresent(now -> seek((seeking ? aimUs : now.elapsedUs()) + us));
+  }
+
+  /** Goes to a place. While a jump is under way only the last wish is kept. */
+  public void seek(long elapsedUs) {
+    if (!seekable()) {
+      return;
+    }
+    Player open = player.get();
+    aimUs = open.playable().nearestUs(elapsedUs);
+    if (seeking) {
+      nextSeekUs = OptionalLong.of(aimUs);
+      return;
+    }
+    seeking = true;
+    CompletableFuture<Void> done = open.seek(aimUs);
+    report(done);
+    done.whenComplete(
+        (nothing, problem) ->
+            Platform.runLater(
+                () -> {
+                  if (player.get() != open) {
+                    return;
+                  }
+                  seeking = false;
+                  OptionalLong next = nextSeekUs;
+                  nextSeekUs = OptionalLong.empty();
+                  next.ifPresent(this::seek);
+                }));
+  }
+
+  private void report(CompletableFuture<Void> command) {
+    Player asked = player.get();
+    command.exceptionally(
+        problem -> {
+          Platform.runLater(
+              () -> {
+                // what a player that was closed could not do any more is nobody's loss
+                if (player.get() == asked) {
+                  problems.accept(Texts.oneLine(problem));
+                }
+              });
+          return null;
+        });
+  }
+}

@@ -1,0 +1,307 @@
+package haltere.ui.viewer.playback;
+
+import haltere.core.format.RateProfile;
+import haltere.core.playback.Loop;
+import haltere.core.playback.Mark;
+import haltere.core.playback.PlayerStatus;
+import haltere.ui.viewer.controls.Texts;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import javafx.geometry.Orientation;
+import javafx.scene.AccessibleAttribute;
+import javafx.scene.AccessibleRole;
+import javafx.scene.Cursor;
+import javafx.scene.canvas.Canvas;
+import javafx.scene.canvas.GraphicsContext;
+import javafx.scene.control.Label;
+import javafx.scene.layout.Region;
+import javafx.scene.paint.Color;
+import javafx.scene.shape.Rectangle;
+
+/**
+ * The whole recording at a glance: its event rate over time, the place that is shown, the loop and
+ * the marks. A click or a drag seeks. Of a camera or a scene it shows the moments that are kept.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+public final class SeekBar extends Region {
+  /** Colours that a canvas cannot take from the style sheet, for dark and light. */
+  private record Ink(Color rate, Color played, Color loop, Color mark, Color base) {
+    static final Ink DARK =
+        new Ink(
+            Color.web("#3d4654"),
+            Color.web("#4f8fe6"),
+            Color.web("#ffa630", 0.14),
+            Color.web("#2ed3a5"),
+            Color.web("#30363d"));
+    static final Ink LIGHT =
+        new Ink(
+            Color.web("#c4ccd6"),
+            Color.web("#4f8fe6"),
+            Color.web("#c2500a", 0.12),
+            Color.web("#00785a"),
+            Color.web("#d0d7de"));
+  }
+
+  private static final double MARK_NAME_WIDTH = 120;
+  private static final int COLUMN = 3;
+
+  /** At least so much of a camera or a scene is drawn, the right end of it empty at first. */
+  private static final long LEAST_SPAN_US = 5_000_000;
+
+  private static final long GROW_NANOS = 100_000_000;
+
+  private final PlaybackController playback;
+
+  /** The whole profile in the colour of what is to come; marks and loop. */
+  private final Canvas canvas = new Canvas();
+
+  /** The whole profile in the colour of what has been; cut off where playback is. */
+  private final Canvas played = new Canvas();
+
+  private final Rectangle playedClip = new Rectangle();
+  private final Region needle = new Region();
+  private final Label hover = new Label();
+  private Ink ink = Ink.DARK;
+  private Optional<RateProfile> profile = Optional.empty();
+  private final RateHistory history = new RateHistory();
+  private PlayerStatus status;
+  private Optional<Reach> reach = Optional.empty();
+
+  /** What the bar stands for, on the elapsed timeline. */
+  private long fromUs;
+
+  private long spanUs = 1;
+  private long grownNanos;
+  private List<Mark> marks = List.of();
+  private Loop loop = Loop.OFF;
+  private boolean dirty = true;
+
+  /** A bar without a recording, which seeks by a controller. */
+  public SeekBar(PlaybackController playback) {
+    this.playback = playback;
+    getStyleClass().add("seek-bar");
+    setId("seek-bar");
+    setAccessibleRole(AccessibleRole.SLIDER);
+    setAccessibleText("Place in the recording");
+    setFocusTraversable(true);
+    setMinHeight(44);
+    setPrefHeight(44);
+    needle.getStyleClass().add("needle");
+    needle.setMouseTransparent(true);
+    needle.setManaged(false);
+    hover.getStyleClass().add("readout");
+    hover.setMouseTransparent(true);
+    hover.setManaged(false);
+    hover.setVisible(false);
+    canvas.setManaged(false);
+    played.setManaged(false);
+    played.setClip(playedClip);
+    Rectangle clip = new Rectangle();
+    clip.widthProperty().bind(widthProperty());
+    clip.heightProperty().bind(heightProperty());
+    setClip(clip);
+    getChildren().addAll(canvas, played, needle, hover);
+    setOnMousePressed(event -> seek(event.getX()));
+    setOnMouseDragged(
+        event -> {
+          seek(event.getX());
+          showHover(event.getX());
+        });
+    setOnMouseMoved(event -> showHover(event.getX()));
+    setOnMouseExited(event -> hover.setVisible(false));
+    playback
+        .loopProperty()
+        .addListener(
+            (property, old, now) -> {
+              loop = now;
+              dirty = true;
+            });
+    loop = playback.loopProperty().get();
+  }
+
+  /** Forgets the recording that was shown. */
+  public void clear() {
+    profile = Optional.empty();
+    history.clear();
+    status = null;
+    reach = Optional.empty();
+    dirty = true;
+  }
+
+  /** Shows the rate over the whole recording. */
+  public void setProfile(RateProfile newProfile) {
+    profile = Optional.of(newProfile);
+    dirty = true;
+  }
+
+  /** Whether the rate over the whole recording is known. */
+  public boolean hasProfile() {
+    return profile.isPresent();
+  }
+
+  /** Draws for a dark window, or for a light one. */
+  public void setDark(boolean dark) {
+    ink = dark ? Ink.DARK : Ink.LIGHT;
+    dirty = true;
+  }
+
+  /** Shows where the player is. */
+  public void update(PlayerStatus newStatus, Optional<Reach> newReach, List<Mark> newMarks) {
+    status = newStatus;
+    reach = newReach;
+    if (!newMarks.equals(marks)) {
+      marks = newMarks;
+      dirty = true;
+    }
+    setCursor(canSeek() ? Cursor.HAND : Cursor.DEFAULT);
+    reach.ifPresent(this::follow);
+    double x = Math.rint(xOf(status.elapsedUs()));
+    needle.setVisible(canSeek());
+    needle.resizeRelocate(x - 1, 0, 2, getHeight());
+    playedClip.setWidth(x);
+    if (dirty) {
+      dirty = false;
+      draw();
+    }
+  }
+
+  @Override
+  public Object queryAccessibleAttribute(AccessibleAttribute attribute, Object... parameters) {
+    return switch (attribute) {
+      case VALUE -> status == null ? 0.0 : status.elapsedUs() * 1e-6;
+      case MIN_VALUE -> fromUs * 1e-6;
+      case MAX_VALUE -> (fromUs + spanUs) * 1e-6;
+      case ORIENTATION -> Orientation.HORIZONTAL;
+      default -> super.queryAccessibleAttribute(attribute, parameters);
+    };
+  }
+
+  @Override
+  protected void layoutChildren() {
+    if (canvas.getWidth() != getWidth() || canvas.getHeight() != getHeight()) {
+      canvas.setWidth(getWidth());
+      canvas.setHeight(getHeight());
+      played.setWidth(getWidth());
+      played.setHeight(getHeight());
+      playedClip.setHeight(getHeight());
+      dirty = true;
+    }
+  }
+
+  private boolean canSeek() {
+    return status != null && reach.isPresent() && !reach.get().isEmpty();
+  }
+
+  /** Goes along with what can be gone to. */
+  private void follow(Reach all) {
+    long newSpanUs = Math.max(all.grows() ? LEAST_SPAN_US : 1, all.toUs() - all.fromUs());
+    if (!all.grows()) {
+      dirty |= spanUs != newSpanUs;
+      fromUs = all.fromUs();
+      spanUs = newSpanUs;
+      return;
+    }
+    if (history.lastUs() > all.toUs()) {
+      history.clear();
+    }
+    long nanos = System.nanoTime();
+    if (history.add(status.elapsedUs(), status.eventRateEps(), newSpanUs)
+        && nanos - grownNanos > GROW_NANOS) {
+      // the picture moves with what is drawn on it
+      grownNanos = nanos;
+      fromUs = all.fromUs();
+      spanUs = newSpanUs;
+      dirty = true;
+    }
+  }
+
+  private void seek(double x) {
+    if (canSeek()) {
+      playback.seek(placeAt(x));
+    }
+  }
+
+  private void showHover(double x) {
+    hover.setVisible(canSeek());
+    if (canSeek()) {
+      hover.setText(Texts.time(placeAt(x), spanUs < 10_000_000));
+      hover.autosize();
+      hover.relocate(
+          Math.max(2, Math.min(getWidth() - hover.getWidth() - 2, x - hover.getWidth() / 2)), 3);
+    }
+  }
+
+  /** Elapsed time at a place on the bar. */
+  private long placeAt(double x) {
+    double share = Math.max(0, Math.min(1, x / Math.max(1, getWidth())));
+    return fromUs + Math.min(spanUs - 1, Math.round(share * spanUs));
+  }
+
+  private double xOf(long elapsedUs) {
+    return Math.max(0, Math.min(1, (elapsedUs - fromUs) / (double) spanUs)) * getWidth();
+  }
+
+  private void draw() {
+    GraphicsContext graphics = canvas.getGraphicsContext2D();
+    GraphicsContext over = played.getGraphicsContext2D();
+    double width = getWidth();
+    double height = getHeight();
+    graphics.clearRect(0, 0, width, height);
+    over.clearRect(0, 0, width, height);
+    graphics.setFill(ink.base());
+    graphics.fillRect(0, height - 1, width, 1);
+    if (loop.on() && (loop.inUs().isPresent() || loop.outUs().isPresent())) {
+      double from = xOf(loop.inUs().orElse(0));
+      double to = loop.outUs().isPresent() ? xOf(loop.outUs().getAsLong()) : width;
+      graphics.setFill(ink.loop());
+      graphics.fillRect(from, 0, to - from, height);
+      graphics.setFill(ink.mark());
+      graphics.fillRect(Math.rint(from), 0, 1.5, height);
+      graphics.fillRect(Math.rint(to) - 1.5, 0, 1.5, height);
+    }
+    double[] rates = rates((int) width / COLUMN);
+    drawRates(graphics, rates, ink.rate());
+    drawRates(over, rates, ink.played());
+    graphics.setFill(ink.mark());
+    for (Mark mark : marks) {
+      if (mark.elapsedUs() < fromUs) {
+        continue;
+      }
+      double x = Math.rint(xOf(mark.elapsedUs()));
+      graphics.fillPolygon(new double[] {x - 4, x + 4, x}, new double[] {0, 0, 7}, 3);
+      graphics.fillRect(x - 0.5, 0, 1, height);
+      graphics.fillText(mark.name(), x + 5, 11, MARK_NAME_WIDTH);
+    }
+  }
+
+  /** Events per second in each column. */
+  private double[] rates(int columns) {
+    if (profile.isEmpty()) {
+      return history.highest(fromUs, fromUs + spanUs, columns);
+    }
+    RateProfile whole = profile.get();
+    double[] rates = new double[columns];
+    for (int column = 0; column < columns; column++) {
+      int from = (int) ((long) column * whole.bins() / columns);
+      int to = Math.max(from + 1, (int) ((long) (column + 1) * whole.bins() / columns));
+      for (int bin = from; bin < Math.min(to, whole.bins()); bin++) {
+        rates[column] = Math.max(rates[column], whole.eventsPerSecond(bin));
+      }
+    }
+    return rates;
+  }
+
+  private void drawRates(GraphicsContext graphics, double[] rates, Color colour) {
+    double highest = Arrays.stream(rates).max().orElse(0);
+    double usable = getHeight() - 6;
+    graphics.setFill(colour);
+    for (int column = 0; column < rates.length; column++) {
+      if (rates[column] > 0) {
+        double bar = Math.max(1, Math.rint(rates[column] / highest * usable));
+        graphics.fillRect(column * COLUMN, getHeight() - bar, COLUMN - 1, bar);
+      }
+    }
+  }
+}

@@ -1,0 +1,136 @@
+package haltere.ui.viewer.playback;
+
+import atlantafx.base.theme.Styles;
+import haltere.core.playback.Slicing;
+import haltere.ui.viewer.controls.Controls;
+import java.util.List;
+import javafx.geometry.Pos;
+import javafx.scene.control.ChoiceBox;
+import javafx.scene.control.Label;
+import javafx.scene.control.TextField;
+import javafx.scene.layout.HBox;
+import javafx.util.StringConverter;
+
+/**
+ * How the stream is cut into slices: finer than the screen's pictures, or by time, or by number of
+ * events.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+final class SlicingField extends HBox {
+  private enum Mode {
+    SMOOTH("Smooth", "", 0),
+    TIME("By time", "\u00b5s", 20_000),
+    COUNT("By count", "events", 5_000),
+    BEAT("One wing beat", "", 0);
+
+    final String words;
+    final String unit;
+    final int usual;
+
+    Mode(String words, String unit, int usual) {
+      this.words = words;
+      this.unit = unit;
+      this.usual = usual;
+    }
+  }
+
+  private final PlaybackController playback;
+  private final ChoiceBox<Mode> mode = new ChoiceBox<>();
+  private final TextField size = new TextField();
+  private final Label unit = new Label();
+
+  SlicingField(PlaybackController playback) {
+    this.playback = playback;
+    setAlignment(Pos.CENTER_LEFT);
+    setSpacing(6);
+    mode.setId("slicing");
+    mode.getItems().setAll(Mode.values());
+    mode.setAccessibleText("Slices");
+    Controls.help(
+        mode,
+        "What one step holds: what passes in 1/120 s at the present speed, a fixed time, a fixed"
+            + " number of events, or one beat of the wings that are tracked.");
+    mode.setConverter(
+        new StringConverter<>() {
+          @Override
+          public String toString(Mode value) {
+            return value == null ? "" : value.words;
+          }
+
+          @Override
+          public Mode fromString(String words) {
+            return List.of(Mode.values()).stream()
+                .filter(value -> value.words.equals(words))
+                .findFirst()
+                .orElseThrow();
+          }
+        });
+    mode.setValue(Mode.SMOOTH);
+    size.setId("slice-size");
+    size.setPrefColumnCount(6);
+    size.setAccessibleText("Size of a slice");
+    size.getStyleClass().add(Styles.SMALL);
+    unit.getStyleClass().add(Styles.TEXT_MUTED);
+    showSize();
+    mode.valueProperty()
+        .addListener(
+            (property, old, now) -> {
+              size.setText(Integer.toString(now.usual));
+              showSize();
+              if (now == Mode.BEAT) {
+                playback.beatsProperty().set(true);
+              } else {
+                commit();
+              }
+            });
+    playback
+        .beatsProperty()
+        .addListener(
+            (property, was, is) -> {
+              if (is) {
+                mode.setValue(Mode.BEAT);
+              } else if (mode.getValue() == Mode.BEAT) {
+                mode.setValue(Mode.SMOOTH);
+              }
+            });
+    size.setOnAction(event -> commit());
+    size.focusedProperty()
+        .addListener(
+            (property, was, is) -> {
+              if (!is) {
+                commit();
+              }
+            });
+    getChildren().addAll(mode, size, unit);
+  }
+
+  private void showSize() {
+    boolean sized = mode.getValue().usual > 0;
+    size.setVisible(sized);
+    size.setManaged(sized);
+    unit.setVisible(sized);
+    unit.setManaged(sized);
+    unit.setText(mode.getValue().unit);
+  }
+
+  private void commit() {
+    Slicing wanted;
+    try {
+      wanted =
+          switch (mode.getValue()) {
+            case SMOOTH -> PlaybackController.SMOOTH;
+            case TIME -> new Slicing.ByTime(Long.parseLong(size.getText().strip()));
+            case BEAT -> playback.slicingProperty().get();
+            case COUNT -> new Slicing.ByCount(Integer.parseInt(size.getText().strip()));
+          };
+    } catch (IllegalArgumentException notASize) {
+      size.pseudoClassStateChanged(Styles.STATE_DANGER, true);
+      return;
+    }
+    size.pseudoClassStateChanged(Styles.STATE_DANGER, false);
+    if (!wanted.equals(playback.slicingProperty().get())) {
+      playback.setSlicing(wanted);
+    }
+  }
+}

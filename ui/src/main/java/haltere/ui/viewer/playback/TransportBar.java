@@ -1,0 +1,156 @@
+package haltere.ui.viewer.playback;
+
+import haltere.core.playback.Loop;
+import haltere.core.playback.PlayerStatus;
+import haltere.core.playback.PlayerStatus.State;
+import haltere.ui.viewer.controls.Controls;
+import haltere.ui.viewer.controls.Icons;
+import haltere.ui.viewer.controls.Texts;
+import java.util.List;
+import java.util.Optional;
+import javafx.geometry.Orientation;
+import javafx.geometry.Pos;
+import javafx.scene.Node;
+import javafx.scene.control.Button;
+import javafx.scene.control.Label;
+import javafx.scene.control.MenuButton;
+import javafx.scene.control.MenuItem;
+import javafx.scene.control.Separator;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
+
+/**
+ * Buttons of playback: transport, speed, slices, loop, marks, and the time.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+public final class TransportBar extends HBox {
+  private static final List<Double> SPEEDS =
+      List.of(
+          1e-4,
+          1e-3,
+          0.01,
+          0.02,
+          0.05,
+          0.1,
+          0.25,
+          0.5,
+          1.0,
+          2.0,
+          4.0,
+          8.0,
+          16.0,
+          Double.POSITIVE_INFINITY);
+
+  /** What is nearer to the newest events than this is shown as it comes. */
+  private static final long NOW_US = 100_000;
+
+  private final PlaybackController playback;
+  private final Button play;
+  private final Node playIcon = Icons.PLAY.node();
+  private final Node pauseIcon = Icons.PAUSE.node();
+  private final MenuButton speed = new MenuButton();
+  private final ToggleButton loop = Controls.toggle("loop", Icons.LOOP, "Repeat at the end (L)");
+  private final Button markIn;
+  private final Button markOut;
+  private final Label elapsed = new Label();
+  private final Label remaining = new Label();
+
+  /** The buttons of a controller. */
+  public TransportBar(PlaybackController playback) {
+    this.playback = playback;
+    getStyleClass().add("transport-bar");
+    setAlignment(Pos.CENTER_LEFT);
+    play = Controls.button("play", Icons.PAUSE, "Pause (Space)", playback::togglePause);
+    play.setGraphic(pauseIcon);
+    markIn = Controls.button("mark-in", Icons.MARK_IN, "Start the loop here (I)", playback::markIn);
+    markOut =
+        Controls.button("mark-out", Icons.MARK_OUT, "End the loop here (O)", playback::markOut);
+    speed.setId("speed");
+    speed.setAccessibleText("Speed");
+    Controls.help(speed, "Recording time per real time. F is faster, S is slower.");
+    for (double preset : SPEEDS) {
+      MenuItem item = new MenuItem(Texts.speed(preset));
+      item.setOnAction(event -> playback.setSpeed(preset));
+      speed.getItems().add(item);
+    }
+    playback.speedProperty().addListener((property, old, now) -> showSpeed(now));
+    showSpeed(playback.speedProperty().get());
+    for (Region kept : List.of(speed, elapsed, remaining)) {
+      kept.setMinWidth(Region.USE_PREF_SIZE);
+    }
+    loop.setOnAction(event -> playback.setLooping(loop.isSelected()));
+    playback.loopProperty().addListener((property, old, now) -> showLoop(now));
+    showLoop(playback.loopProperty().get());
+    elapsed.setId("elapsed");
+    elapsed.getStyleClass().add("time");
+    Controls.help(elapsed, "Time since the start");
+    remaining.setId("remaining");
+    remaining.getStyleClass().addAll("time", "time-remaining");
+    Controls.help(remaining, "Time until the end, or until what comes just now");
+    Region space = new Region();
+    HBox.setHgrow(space, Priority.ALWAYS);
+    getChildren()
+        .addAll(
+            Controls.button("rewind", Icons.REWIND, "Back to the start (R)", playback::rewind),
+            Controls.button(
+                "step-back", Icons.STEP_BACK, "One slice back (,)", () -> playback.step(-1)),
+            play,
+            Controls.button(
+                "step-forward", Icons.STEP_FORWARD, "One slice on (.)", () -> playback.step(1)),
+            separator(),
+            Controls.button("slower", Icons.SLOWER, "Slower (S)", playback::slower),
+            speed,
+            Controls.button("faster", Icons.FASTER, "Faster (F)", playback::faster),
+            separator(),
+            new SlicingField(playback),
+            separator(),
+            loop,
+            markIn,
+            markOut,
+            Controls.button("mark", Icons.MARK, "Set a mark here (M)", playback::mark),
+            separator(),
+            Controls.button(
+                "reset-filters",
+                Icons.RESET,
+                "Let all filters forget what they have seen (Z)",
+                playback::reset),
+            space,
+            elapsed,
+            remaining);
+  }
+
+  /** Shows what the player is doing. */
+  public void update(PlayerStatus status, Optional<Reach> reach) {
+    boolean playing = status.state() == State.PLAYING;
+    Node icon = playing ? pauseIcon : playIcon;
+    if (play.getGraphic() != icon) {
+      String help = playing ? "Pause (Space)" : "Play (Space)";
+      play.setGraphic(icon);
+      Controls.help(play, help);
+      play.setAccessibleText(help);
+    }
+    boolean fine = status.sliceUs() < 1000;
+    elapsed.setText(Texts.time(status.elapsedUs(), fine));
+    long behindUs = reach.map(all -> all.toUs() - status.elapsedUs()).orElse(0L);
+    boolean newest = reach.isEmpty() || reach.get().grows() && behindUs < status.sliceUs() + NOW_US;
+    remaining.setText(newest ? "" : "/ " + Texts.time(-behindUs, fine));
+    markIn.setDisable(reach.isEmpty());
+    markOut.setDisable(reach.isEmpty());
+    loop.setDisable(reach.isEmpty());
+  }
+
+  private void showSpeed(double value) {
+    speed.setText(Texts.speed(value));
+  }
+
+  private void showLoop(Loop value) {
+    loop.setSelected(value.on());
+  }
+
+  private static Separator separator() {
+    return new Separator(Orientation.VERTICAL);
+  }
+}

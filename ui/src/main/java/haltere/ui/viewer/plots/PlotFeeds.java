@@ -1,0 +1,90 @@
+package haltere.ui.viewer.plots;
+
+import haltere.core.chain.FilterChain;
+import haltere.ui.plot.Lane;
+import haltere.ui.plot.PlotFeed;
+import haltere.ui.plot.PlotField;
+import haltere.ui.viewer.chain.ChainEditor;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.function.Consumer;
+
+/**
+ * Keeps the plots listening to the chain that is open: after each change of the chain or of the
+ * lanes all subscriptions are made anew.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+final class PlotFeeds {
+  /** What a chain offers, and what of it is listened to. */
+  private record Opened(List<PlotField> offered, List<PlotFeed> feeds) {}
+
+  private final ChainEditor editor;
+  private final Consumer<List<PlotField>> offered;
+  private List<PlotFeed> feeds = List.of();
+  private int changes;
+
+  /**
+   * Listens to nothing yet.
+   *
+   * @param offered takes what can be plotted, whenever it may have changed
+   */
+  PlotFeeds(ChainEditor editor, Consumer<List<PlotField>> offered) {
+    this.editor = editor;
+    this.offered = offered;
+  }
+
+  /** Listens to what some lanes need. */
+  void follow(List<Lane> lanes) {
+    int change = ++changes;
+    close();
+    Set<PlotField> wanted = new LinkedHashSet<>();
+    lanes.forEach(lane -> wanted.addAll(lane.fields()));
+    editor.read(chain -> open(wanted, chain), opened -> take(change, opened));
+  }
+
+  /** On the processing thread. */
+  private static Opened open(Set<PlotField> wanted, FilterChain chain) {
+    List<PlotFeed> opened = new ArrayList<>();
+    wanted.forEach(field -> PlotFeed.open(field, chain).ifPresent(opened::add));
+    return new Opened(PlotField.of(chain), opened);
+  }
+
+  private void take(int change, Opened opened) {
+    if (change == changes) {
+      feeds = opened.feeds();
+      offered.accept(opened.offered());
+    } else {
+      opened.feeds().forEach(PlotFeed::close);
+    }
+  }
+
+  /** Brings the samples that have come to their lanes; true if there were any. */
+  boolean drainTo(List<Lane> lanes) {
+    boolean[] any = new boolean[1];
+    for (PlotFeed feed : feeds) {
+      feed.drainTo(
+          (timeUs, key, value) -> {
+            any[0] = true;
+            for (Lane lane : lanes) {
+              if (lane.has(feed.field())) {
+                lane.take(feed.field(), timeUs, key, value);
+              }
+            }
+          });
+    }
+    return any[0];
+  }
+
+  /** Samples that came too fast to be plotted. */
+  long lost() {
+    return feeds.stream().mapToLong(PlotFeed::lost).sum();
+  }
+
+  void close() {
+    feeds.forEach(PlotFeed::close);
+    feeds = List.of();
+  }
+}

@@ -1,0 +1,198 @@
+package haltere.ui.viewer.plots;
+
+import haltere.ui.plot.Curve;
+import haltere.ui.plot.Lane;
+import haltere.ui.plot.PlotField;
+import haltere.ui.plot.TimeWindow;
+import haltere.ui.viewer.controls.Controls;
+import haltere.ui.viewer.controls.KeyPane;
+import haltere.ui.viewer.controls.Texts;
+import java.util.List;
+import java.util.stream.Collectors;
+import javafx.geometry.Pos;
+import javafx.scene.canvas.Canvas;
+import javafx.scene.canvas.GraphicsContext;
+import javafx.scene.control.Button;
+import javafx.scene.control.Label;
+import javafx.scene.layout.BorderPane;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Pane;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
+import javafx.scene.paint.Color;
+import javafx.scene.shape.Circle;
+import javafx.scene.shape.Line;
+import javafx.scene.shape.Rectangle;
+
+/**
+ * A lane in the window: its name, the newest values or those under the mouse, and the plot.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+final class PlotLane extends BorderPane {
+  private static final int NAMED_CURVES = 8;
+
+  private final Lane lane;
+  private final TimeWindow window;
+  private final LanePicture picture;
+  private final Canvas canvas = new Canvas();
+  private final Line cursor = new Line();
+  private final Line now = new Line();
+  private final KeyPane stack = new KeyPane(canvas, now, cursor);
+  private final HBox values = new HBox(10);
+  private final Label title = new Label();
+  private final Label more = new Label();
+  private final Label note = new Label();
+
+  /**
+   * A lane without a plot yet.
+   *
+   * @param actions buttons at the right of its head: add a field, remove the lane
+   */
+  PlotLane(Lane lane, TimeWindow window, List<Button> actions) {
+    this.lane = lane;
+    this.window = window;
+    picture = new LanePicture(lane, window);
+    getStyleClass().add("plot-lane");
+    title.getStyleClass().add("plot-title");
+    title.setMinWidth(Region.USE_PREF_SIZE);
+    values.setAlignment(Pos.CENTER_LEFT);
+    values.setMinWidth(0);
+    values.setPrefWidth(0);
+    Rectangle clip = new Rectangle();
+    clip.widthProperty().bind(values.widthProperty());
+    clip.heightProperty().bind(values.heightProperty());
+    values.setClip(clip);
+    values.getStyleClass().add("plot-values");
+    HBox.setHgrow(values, Priority.ALWAYS);
+    HBox head = new HBox(8, title, values);
+    head.getChildren().addAll(actions);
+    head.setAlignment(Pos.CENTER_LEFT);
+    head.getStyleClass().add("plot-head");
+    setTop(head);
+    cursor.setVisible(false);
+    now.setVisible(false);
+    for (Line line : List.of(cursor, now)) {
+      line.setManaged(false);
+      line.setMouseTransparent(true);
+    }
+    canvas.setManaged(false);
+    note.setId("plot-note");
+    note.relocate(LanePicture.LEFT + 10, 8);
+    note.getStyleClass().add("plot-note");
+    note.setVisible(false);
+    stack.getChildren().add(note);
+    stack.setMinHeight(48);
+    setCenter(stack);
+    showTitle();
+  }
+
+  Lane lane() {
+    return lane;
+  }
+
+  /** The part of the lane that mouse and keys work on. */
+  Pane plot() {
+    return stack;
+  }
+
+  void add(PlotField field) {
+    lane.add(field);
+    showTitle();
+  }
+
+  /** Says so where nothing of the lane is published by a chain that publishes these fields. */
+  void followPublished(List<PlotField> published) {
+    boolean any =
+        lane.fields().stream()
+            .anyMatch(field -> field.equals(PlotField.EVENT_RATE) || published.contains(field));
+    note.setVisible(!any);
+    note.setText(
+        "Nothing in the chain publishes "
+            + lane.fields().stream().map(PlotField::toString).collect(Collectors.joining(", ")));
+  }
+
+  private void showTitle() {
+    String words =
+        lane.fields().stream().map(PlotLane::words).distinct().collect(Collectors.joining(", "));
+    title.setText(words);
+    Controls.help(
+        title, lane.fields().stream().map(PlotField::toString).collect(Collectors.joining("\n")));
+    stack.setAccessibleText("Plot of " + words);
+  }
+
+  private static String words(PlotField field) {
+    return field.equals(PlotField.EVENT_RATE)
+        ? "Event rate"
+        : Texts.title(field.outlet()) + ": " + field.words();
+  }
+
+  /** Draws all anew. */
+  void draw(PlotInk ink, long nowUs, long startUs) {
+    double width = stack.getWidth();
+    double height = stack.getHeight();
+    if (width < 2 || height < 2) {
+      return;
+    }
+    if (canvas.getWidth() != width || canvas.getHeight() != height) {
+      canvas.setWidth(width);
+      canvas.setHeight(height);
+    }
+    GraphicsContext graphics = canvas.getGraphicsContext2D();
+    picture.draw(graphics, width, height, ink, startUs);
+    double place = window.placeOf(nowUs);
+    place(now, !window.isFollowing() && place >= 0 && place <= 1, place, ink.now());
+  }
+
+  /**
+   * Shows the values at a time, which the mouse points at, or the newest.
+   *
+   * @param place of the mouse in the window; NaN where it is elsewhere
+   */
+  void showValues(double place, PlotInk ink) {
+    boolean pointed = place >= 0 && place <= 1;
+    place(cursor, pointed, place, ink.cursor());
+    List<Curve> curves =
+        lane.curves().stream().filter(curve -> curve.lastUs() >= window.fromUs()).toList();
+    long atUs = pointed ? window.timeAt(place) : 0;
+    int shown = Math.min(NAMED_CURVES, curves.size());
+    while (values.getChildren().size() > shown) {
+      values.getChildren().remove(values.getChildren().size() - 1);
+    }
+    for (int i = 0; i < shown; i++) {
+      // The latest: tracks of before playback went back have not ended within the window either.
+      Curve curve = curves.get(curves.size() - shown + i);
+      if (values.getChildren().size() <= i) {
+        Label label = new Label();
+        label.setGraphic(new Circle(4));
+        label.setMinWidth(Region.USE_PREF_SIZE);
+        values.getChildren().add(label);
+      }
+      Label label = (Label) values.getChildren().get(i);
+      ((Circle) label.getGraphic()).setFill(ink.curve(curve.number()));
+      double value = pointed ? curve.valueAt(atUs) : curve.last();
+      label.setText(curve.key() + " " + words(value, lane.unit(curve)));
+    }
+    if (curves.size() > NAMED_CURVES) {
+      more.setText("+" + (curves.size() - NAMED_CURVES));
+      values.getChildren().add(more);
+    }
+  }
+
+  private static String words(double value, String unit) {
+    return Double.isNaN(value)
+        ? "\u2013"
+        : Texts.number(value) + (unit.isEmpty() ? "" : " " + unit);
+  }
+
+  private void place(Line line, boolean visible, double place, Color colour) {
+    line.setVisible(visible);
+    if (visible) {
+      double x = Math.rint(LanePicture.x(place, stack.getWidth())) + 0.5;
+      line.setStartX(x);
+      line.setEndX(x);
+      line.setEndY(stack.getHeight());
+      line.setStroke(colour);
+    }
+  }
+}

@@ -1,0 +1,43 @@
+package haltere.ui.viewer.plots;
+
+import haltere.ui.plot.PlotField;
+import haltere.ui.viewer.controls.Texts;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import javafx.scene.control.Menu;
+import javafx.scene.control.MenuItem;
+
+/** Menus of what can be plotted: a menu for each stage and outlet, an item for each column. */
+final class PlotMenu {
+  private PlotMenu() {}
+
+  static List<MenuItem> items(List<PlotField> fields, Consumer<PlotField> chosen) {
+    List<MenuItem> items = new ArrayList<>();
+    items.add(item("Event rate", PlotField.EVENT_RATE, chosen));
+    Menu menu = null;
+    for (PlotField field : fields) {
+      String name = Texts.title(field.stage()) + ": " + field.outlet().replace('-', ' ');
+      if (menu == null || !menu.getText().equals(name)) {
+        menu = new Menu(name);
+        items.add(menu);
+      }
+      menu.getItems().add(item(words(field), field, chosen));
+    }
+    return items;
+  }
+
+  private static String words(PlotField field) {
+    String unit = field.unit();
+    return Texts.title(field.words()) + (unit.isEmpty() ? "" : " (" + unit + ")");
+  }
+
+  private static MenuItem item(String words, PlotField field, Consumer<PlotField> chosen) {
+    // a MenuItem takes an underscore for the mark of a mnemonic unless it is told not to
+    MenuItem item = new MenuItem(words);
+    item.setMnemonicParsing(false);
+    item.setId("plot-" + field.toString().replace(" / ", "-"));
+    item.setOnAction(event -> chosen.accept(field));
+    return item;
+  }
+}

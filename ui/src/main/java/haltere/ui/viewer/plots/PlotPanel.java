@@ -1,0 +1,331 @@
+package haltere.ui.viewer.plots;
+
+import haltere.core.chain.FilterChain;
+import haltere.core.playback.PlayerStatus;
+import haltere.ui.plot.Lane;
+import haltere.ui.plot.PlotField;
+import haltere.ui.plot.PlotTable;
+import haltere.ui.plot.TimeWindow;
+import haltere.ui.viewer.chain.ChainEditor;
+import haltere.ui.viewer.controls.Controls;
+import haltere.ui.viewer.controls.Icons;
+import haltere.ui.viewer.controls.Texts;
+import haltere.ui.viewer.playback.PlaybackController;
+import java.util.ArrayList;
+import java.util.List;
+import javafx.geometry.Pos;
+import javafx.geometry.Side;
+import javafx.scene.control.Button;
+import javafx.scene.control.ContextMenu;
+import javafx.scene.control.Label;
+import javafx.scene.control.MenuButton;
+import javafx.scene.control.ScrollPane;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.layout.BorderPane;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
+import javafx.scene.layout.VBox;
+
+/**
+ * Plots of what filters publish, one above the other with one axis of time.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+public final class PlotPanel extends BorderPane {
+  private static final long FRAME_NANOS = 30_000_000;
+  private static final long VALUES_NANOS = 100_000_000;
+  private static final long FIRST_SPAN_US = 500_000;
+
+  private final PlaybackController playback;
+  private final TimeWindow window = new TimeWindow();
+  private final PlotFeeds feeds;
+  private final List<PlotLane> lanes = new ArrayList<>();
+  private final Hands hands = new Hands();
+  private List<PlotField> first = List.of();
+  private final VBox laneBox = new VBox();
+  private final PlotTimeAxis axis = new PlotTimeAxis(window);
+  private final MenuButton add = new MenuButton("Add plot");
+  private final ToggleButton follow = Controls.toggle("plot-follow", Icons.PLAY, "");
+  private final Label span = new Label();
+  private final Label empty = new Label("Choose with \u201cAdd plot\u201d what to plot over time.");
+  private final Label lost = new Label();
+  private List<PlotField> offered = List.of();
+  private PlotInk ink = PlotInk.DARK;
+  private double pointed = Double.NaN;
+  private long startUs;
+  private long nowUs;
+  private long drawnNanos;
+  private long valuesNanos;
+  private boolean dirty = true;
+
+  /**
+   * A panel without lanes.
+   *
+   * @param editor of the chain whose numbers are plotted
+   * @param playback goes to a time that was chosen in a plot
+   */
+  public PlotPanel(ChainEditor editor, PlaybackController playback) {
+    this.playback = playback;
+    feeds = new PlotFeeds(editor, this::offer);
+    setId("plots");
+    getStyleClass().add("plots");
+    add.setId("add-plot");
+    Controls.help(add, "What filters publish, over time");
+    Controls.help(follow, "Follow the newest values");
+    follow.setAccessibleText("Follow the newest values");
+    follow.setSelected(true);
+    follow.setOnAction(event -> setFollowing(follow.isSelected()));
+    span.getStyleClass().add("status-number");
+    lost.getStyleClass().add("problem");
+    Region space = new Region();
+    HBox.setHgrow(space, Priority.ALWAYS);
+    HBox head =
+        new HBox(
+            6,
+            add,
+            follow,
+            Controls.button("plot-less-time", Icons.LESS, "Show less time", () -> zoom(0.5, 1)),
+            span,
+            Controls.button("plot-more-time", Icons.ADD, "Show more time", () -> zoom(2, 1)),
+            lost,
+            space,
+            Controls.button("plot-clear", Icons.RESET, "Forget what was plotted", this::clear));
+    head.setAlignment(Pos.CENTER_LEFT);
+    head.getStyleClass().add("plots-head");
+    laneBox.setFillWidth(true);
+    ScrollPane lanesView = new ScrollPane(laneBox);
+    lanesView.setFitToWidth(true);
+    lanesView.setFitToHeight(true);
+    lanesView.setHbarPolicy(ScrollPane.ScrollBarPolicy.NEVER);
+    lanesView.setFocusTraversable(false);
+    VBox.setVgrow(lanesView, Priority.ALWAYS);
+    empty.getStyleClass().add("chain-empty");
+    setTop(head);
+    setCenter(new VBox(empty, lanesView, axis));
+    setMinHeight(120);
+    offer(List.of());
+    showSpan();
+  }
+
+  /** Draws for a dark window, or for a light one. */
+  public void setDark(boolean dark) {
+    ink = dark ? PlotInk.DARK : PlotInk.LIGHT;
+    dirty = true;
+  }
+
+  /** The fields of each lane, to be found again. */
+  public List<Lane> lanes() {
+    return lanes.stream().map(PlotLane::lane).toList();
+  }
+
+  /** Which part of the time is seen. */
+  public TimeWindow window() {
+    return window;
+  }
+
+  /** Listens to the chain as it is now. */
+  public void followChain() {
+    feeds.follow(lanes());
+  }
+
+  /** Another recording: what was plotted is of no more use. */
+  public void startAnew() {
+    clear();
+    setFollowing(true);
+    followChain();
+  }
+
+  /** What is shown as a table. */
+  public PlotTable table() {
+    return PlotTable.of(lanes(), window);
+  }
+
+  private void offer(List<PlotField> fields) {
+    offered = fields;
+    add.getItems().setAll(PlotMenu.items(fields, this::addLane));
+    lanes.forEach(lane -> lane.followPublished(fields));
+  }
+
+  /** Adds a lane below the others. */
+  public void addLane(PlotField field) {
+    PlotLane[] made = new PlotLane[1];
+    Button another =
+        Controls.button("plot-add-here", Icons.ADD, "Plot something else in this lane", () -> {});
+    another.setOnAction(
+        event -> {
+          ContextMenu menu = new ContextMenu();
+          menu.getItems().setAll(PlotMenu.items(offered, chosen -> addTo(made[0], chosen)));
+          menu.show(another, Side.BOTTOM, 0, 0);
+        });
+    Button remove =
+        Controls.button("plot-remove", Icons.REMOVE, "Remove this plot", () -> remove(made[0]));
+    PlotLane lane = new PlotLane(new Lane(field), window, List.of(another, remove));
+    made[0] = lane;
+    VBox.setVgrow(lane, Priority.ALWAYS);
+    PlotHands.on(lane.plot(), hands);
+    lanes.add(lane);
+    laneBox.getChildren().add(lane);
+    changed();
+  }
+
+  /**
+   * Opens plots for a user who has none: of half a second, in which single wing beats are seen.
+   *
+   * @return whether there is something to show
+   */
+  public boolean beginWith(List<PlotField> fields) {
+    if (fields.isEmpty() || !lanes.isEmpty()) {
+      return false;
+    }
+    fields.forEach(this::addLane);
+    first = fields;
+    zoom((double) FIRST_SPAN_US / window.spanUs(), 1);
+    return true;
+  }
+
+  /**
+   * Takes away the plots that were begun with, where nobody has changed them and another chain
+   * publishes nothing for them.
+   *
+   * @return whether they were taken away
+   */
+  public boolean dropFirst(FilterChain chain) {
+    boolean asBegun =
+        !first.isEmpty()
+            && lanes().stream().flatMap(lane -> lane.fields().stream()).toList().equals(first);
+    boolean published =
+        first.stream()
+            .anyMatch(
+                field ->
+                    chain.stages().stream().anyMatch(stage -> stage.name().equals(field.stage())));
+    if (!asBegun || published) {
+      return false;
+    }
+    List.copyOf(lanes).forEach(this::remove);
+    first = List.of();
+    return true;
+  }
+
+  private void addTo(PlotLane lane, PlotField field) {
+    lane.add(field);
+    changed();
+  }
+
+  private void remove(PlotLane lane) {
+    lanes.remove(lane);
+    laneBox.getChildren().remove(lane);
+    changed();
+  }
+
+  private void changed() {
+    empty.setVisible(lanes.isEmpty());
+    empty.setManaged(lanes.isEmpty());
+    dirty = true;
+    followChain();
+  }
+
+  private void clear() {
+    lanes.forEach(lane -> lane.lane().clear());
+    dirty = true;
+  }
+
+  /** What mouse and keys do on any of the lanes. */
+  private final class Hands implements PlotHands.Plots {
+    @Override
+    public void point(double place) {
+      pointed = place;
+      valuesNanos = 0;
+      dirty = true;
+    }
+
+    @Override
+    public double pointed() {
+      return pointed;
+    }
+
+    @Override
+    public void scroll(double share) {
+      window.scroll(Math.round(share * window.spanUs()));
+      follow.setSelected(window.isFollowing());
+      dirty = true;
+    }
+
+    @Override
+    public void zoom(double factor, double place) {
+      PlotPanel.this.zoom(factor, place);
+    }
+
+    @Override
+    public void follow() {
+      setFollowing(true);
+    }
+
+    @Override
+    public void goTo(double place) {
+      playback.seek(Math.max(0, window.timeAt(place) - startUs));
+    }
+  }
+
+  private void zoom(double factor, double place) {
+    window.zoom(factor, place);
+    showSpan();
+    dirty = true;
+  }
+
+  private void showSpan() {
+    span.setText(Texts.duration(window.spanUs()));
+  }
+
+  private void setFollowing(boolean on) {
+    window.setFollowing(on);
+    follow.setSelected(on);
+    dirty = true;
+  }
+
+  /** Takes in what has come and draws it; at most some 30 times a second. */
+  public void update(PlayerStatus status, long nanos) {
+    List<Lane> plotted = lanes();
+    boolean came = feeds.drainTo(plotted);
+    if (nowUs != status.timeUs()) {
+      if (status.timeUs() < nowUs) {
+        // curves of tracks that do not come again would stand there as if they did
+        plotted.forEach(lane -> lane.forgetFrom(status.timeUs()));
+      }
+      nowUs = status.timeUs();
+      startUs = status.timeUs() - status.elapsedUs();
+      came = true;
+      for (Lane lane : plotted) {
+        if (lane.has(PlotField.EVENT_RATE)) {
+          lane.take(PlotField.EVENT_RATE, nowUs, "", status.eventRateEps());
+        }
+      }
+    }
+    window.advanceTo(nowUs);
+    if ((came || dirty) && isVisible() && nanos - drawnNanos >= FRAME_NANOS) {
+      drawnNanos = nanos;
+      dirty = false;
+      draw(nanos);
+    }
+  }
+
+  private void draw(long nanos) {
+    for (PlotLane lane : lanes) {
+      lane.draw(ink, nowUs, startUs);
+    }
+    axis.draw(ink, startUs);
+    if (nanos - valuesNanos >= VALUES_NANOS) {
+      valuesNanos = nanos;
+      for (PlotLane lane : lanes) {
+        lane.showValues(pointed, ink);
+      }
+      long gone = feeds.lost();
+      lost.setText(gone == 0 ? "" : Texts.count(gone) + " values came too fast to be plotted");
+    }
+  }
+
+  /** Listens to no chain any more. */
+  public void close() {
+    feeds.close();
+  }
+}

@@ -1,0 +1,117 @@
+package haltere.ui.viewer.road;
+
+import haltere.core.chain.ChainStage;
+import haltere.core.chain.FilterChain;
+import haltere.core.settings.SettingsProblem;
+import haltere.filters.track.KalmanTracksFilter;
+import haltere.filters.track.KalmanTracksSettings;
+import haltere.filters.track.RoadTracksSettings;
+import haltere.filters.track.VanishingPoint;
+import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.feature.ViewerContext;
+import haltere.ui.viewer.feature.ViewerFeature;
+import java.util.List;
+import java.util.Optional;
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.SimpleBooleanProperty;
+import javafx.geometry.Point2D;
+
+/**
+ * Says by a click where the road vanishes. Offered while there are Kalman tracks in the chain; the
+ * first of them get the point.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+public final class VanishingPointFeature implements ViewerFeature {
+  private static final String ID = "vanishing-point";
+  private static final double STEPS_PER_PX = 10;
+
+  private final BooleanProperty marking = new SimpleBooleanProperty();
+  private final VanishingPointTool tool = new VanishingPointTool(this::mark);
+  private ViewerContext window;
+
+  /** The tracks of a chain and their settings, read off on the processing thread. */
+  private record Tracks(ChainStage stage, KalmanTracksSettings settings) {
+    static Optional<Tracks> of(FilterChain chain) {
+      for (ChainStage stage : chain.stages()) {
+        if (stage.filter() instanceof KalmanTracksFilter filter) {
+          return Optional.of(new Tracks(stage, filter.settings()));
+        }
+      }
+      return Optional.empty();
+    }
+
+    VanishingPoint point() {
+      return settings.road().view().vanishingPoint();
+    }
+
+    KalmanTracksSettings vanishingAt(VanishingPoint point) {
+      RoadTracksSettings road = settings.road();
+      return settings.onRoad(road.seenAs(road.view().withVanishingPoint(point)));
+    }
+  }
+
+  @Override
+  public void install(ViewerContext installed) {
+    window = installed;
+    window.bindTool(marking, tool);
+    window.editor().onChange(this::look);
+    // Whoever takes the tool into the hand sees the mark as it is by then, however it was set.
+    marking.addListener((property, was, is) -> look());
+    window.editor().onSettings((stage, settings) -> look());
+  }
+
+  private void look() {
+    window.editor().read(Tracks::of, this::offer);
+  }
+
+  private void offer(Optional<Tracks> tracks) {
+    boolean offered = window.actions().find(ID).isPresent();
+    if (tracks.isPresent() && !offered) {
+      window
+          .actions()
+          .add(
+              ViewerAction.toggle(ID, "Set the vanishing point", "Tools", marking)
+                  .withHelp("A click marks where the road vanishes; tracks are on the road then."));
+    } else if (tracks.isEmpty() && offered) {
+      marking.set(false);
+      window.actions().removeAll(List.of(ID));
+    }
+    tool.show(
+        tracks
+            .map(Tracks::point)
+            .filter(VanishingPoint::marked)
+            .map(point -> new Point2D(point.xPx(), point.yPx())));
+    window.panels().view().redrawMarks();
+  }
+
+  private void mark(Point2D at) {
+    window.editor().read(Tracks::of, tracks -> tracks.ifPresent(found -> mark(found, at)));
+  }
+
+  private void mark(Tracks tracks, Point2D at) {
+    try {
+      VanishingPoint point = VanishingPoint.at(rounded(at.getX()), rounded(at.getY()));
+      window
+          .editor()
+          .applyAndShow(
+              tracks.stage(),
+              tracks.settings(),
+              tracks.vanishingAt(point),
+              "Vanishing point",
+              window.status()::showError);
+    } catch (SettingsProblem problem) {
+      window.status().showError(problem.getMessage());
+      look();
+    }
+  }
+
+  private static double rounded(double placePx) {
+    return Math.rint(placePx * STEPS_PER_PX) / STEPS_PER_PX;
+  }
+
+  /** What is in the hand while the point is set. */
+  VanishingPointTool tool() {
+    return tool;
+  }
+}

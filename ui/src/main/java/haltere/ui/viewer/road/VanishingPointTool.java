@@ -1,0 +1,73 @@
+package haltere.ui.viewer.road;
+
+import haltere.core.overlay.MarkStyle;
+import haltere.core.overlay.MarkStyle.Role;
+import haltere.core.overlay.OverlayCanvas;
+import haltere.ui.viewer.picture.ViewTool;
+import java.util.Optional;
+import java.util.function.Consumer;
+import javafx.geometry.Point2D;
+
+/**
+ * Marks where the road vanishes: by a click, or by a drag that ends there. While it is in the hand
+ * the mark is drawn.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+final class VanishingPointTool implements ViewTool {
+  private static final double RADIUS_PX = 3;
+  private static final double ARM_PX = 8;
+
+  private final Consumer<Point2D> taker;
+  private Optional<Point2D> mark = Optional.empty();
+
+  /**
+   * A tool.
+   *
+   * @param taker takes where the button came up, in sensor coordinates
+   */
+  VanishingPointTool(Consumer<Point2D> taker) {
+    this.taker = taker;
+  }
+
+  /** Draws another mark from now on, or none. */
+  void show(Optional<Point2D> newMark) {
+    mark = newMark;
+  }
+
+  /** The mark that is drawn. */
+  Optional<Point2D> mark() {
+    return mark;
+  }
+
+  @Override
+  public String hint() {
+    return "Click where the road vanishes; tracks are on the road from then on.";
+  }
+
+  @Override
+  public void pressed(double x, double y) {
+    mark = Optional.of(new Point2D(x, y));
+  }
+
+  @Override
+  public void dragged(double x, double y) {
+    pressed(x, y);
+  }
+
+  @Override
+  public void released(double x, double y) {
+    taker.accept(new Point2D(x, y));
+  }
+
+  @Override
+  public void draw(OverlayCanvas canvas) {
+    mark.ifPresent(
+        at -> {
+          MarkStyle style = MarkStyle.of(Role.REGION);
+          canvas.circle(at.getX(), at.getY(), RADIUS_PX, style);
+          canvas.line(at.getX() - ARM_PX, at.getY(), at.getX() + ARM_PX, at.getY(), style);
+          canvas.line(at.getX(), at.getY() - ARM_PX, at.getX(), at.getY(), style);
+        });
+  }
+}

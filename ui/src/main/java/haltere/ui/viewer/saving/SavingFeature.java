@@ -1,0 +1,109 @@
+package haltere.ui.viewer.saving;
+
+import haltere.core.chain.ChainFile;
+import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.controls.FileDialogs;
+import haltere.ui.viewer.feature.StatusLine;
+import haltere.ui.viewer.feature.ViewerContext;
+import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.picture.Overlays;
+import java.nio.file.Path;
+
+/**
+ * Saves and loads chains, saves pictures, records. A file that is there is replaced; the file
+ * dialog has asked.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+public final class SavingFeature implements ViewerFeature {
+  private static final String MENU = "File";
+
+  private ViewerContext window;
+  private Saving saving;
+  private RecordingControl recording;
+
+  @Override
+  public void install(ViewerContext installed) {
+    window = installed;
+    StatusLine status = window.status();
+    saving = new Saving(window.background(), window.editor(), status::showError);
+    recording = new RecordingControl(window.background(), status::showError, status::setActivity);
+    // what is open is about to be closed, or is closed with the window
+    window.sessions().sessionProperty().addListener((property, was, is) -> recording.stop());
+    FileDialogs dialogs = window.dialogs();
+    window
+        .actions()
+        .add(
+            ViewerAction.of(
+                    "load-chain",
+                    "Load chain\u2026",
+                    MENU,
+                    () -> dialogs.chainToLoad().ifPresent(this::loadChain))
+                .withKey("Shortcut+L"),
+            ViewerAction.of(
+                    "save-chain",
+                    "Save chain\u2026",
+                    MENU,
+                    () -> dialogs.chainToSave().ifPresent(this::saveChain))
+                .withKey("Shortcut+S"),
+            ViewerAction.toggle(
+                    "record",
+                    "Record\u2026",
+                    MENU,
+                    recording.recordingProperty(),
+                    on -> toggleRecording())
+                .withKey("Shortcut+E")
+                .withHelp("Writes what comes out of the chain to a file while it plays."),
+            ViewerAction.of(
+                    "save-picture",
+                    "Save picture\u2026",
+                    MENU,
+                    () -> dialogs.picture().ifPresent(this::savePicture))
+                .withKey("Shortcut+P"));
+  }
+
+  /** Puts a saved chain in place of the one that is open. */
+  public void loadChain(Path file) {
+    window
+        .sessions()
+        .session()
+        .ifPresent(
+            open ->
+                window
+                    .background()
+                    .file(
+                        () -> ChainFile.read(file, open.chain().geometry()),
+                        window.editor()::replaceAll,
+                        window.status()::showProblem));
+  }
+
+  /** Saves the chain that is open. */
+  public void saveChain(Path file) {
+    saving.chain(file);
+  }
+
+  /** Saves what is shown as a picture. */
+  public void savePicture(Path file) {
+    Overlays overlays = window.display().overlays();
+    window.sessions().session().ifPresent(open -> saving.picture(file, open, overlays));
+  }
+
+  /** Stops the recording that is under way, or asks where the next one goes. */
+  public void toggleRecording() {
+    if (recording.recordingProperty().get()) {
+      recording.stop();
+    } else if (window.sessions().session().isPresent()) {
+      window.dialogs().recordingToWrite().ifPresent(this::record);
+    }
+  }
+
+  /** Records what comes out of the chain. */
+  public void record(Path file) {
+    window.sessions().session().ifPresent(open -> recording.start(file, open));
+  }
+
+  /** Whether a recording is under way. */
+  boolean isRecording() {
+    return recording.recordingProperty().get();
+  }
+}

@@ -1,0 +1,61 @@
+package haltere.ui.viewer.session;
+
+import haltere.core.chain.ChainFile;
+import haltere.core.chain.FilterChain;
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.ReadOptions;
+import haltere.core.format.Recordings;
+import haltere.core.playback.KeptPlayable;
+import haltere.core.playback.Playable;
+import haltere.core.playback.RecordingPlayable;
+import haltere.core.playback.ScenePlayable;
+import haltere.core.simulation.fly.FlyScene;
+import haltere.core.simulation.fly.FlySceneSettings;
+import java.io.IOException;
+import java.nio.file.Path;
+
+/**
+ * What can be opened, and the chain that it goes through.
+ *
+ * <p>Thread rule: any thread but JavaFX's, because files are read.
+ */
+public final class Sources {
+  /** Events of a camera or a scene that are kept, in 48 MB. */
+  private static final int KEPT_EVENTS = 6_000_000;
+
+  private Sources() {}
+
+  /** The built-in scene. */
+  static Playable flyScene() {
+    return new ScenePlayable(() -> new FlyScene(FlySceneSettings.defaults()), "Fly scene");
+  }
+
+  /** A camera or a scene, so that one can go back to its last moments. */
+  static Playable kept(Playable source) {
+    return new KeptPlayable(source, KEPT_EVENTS);
+  }
+
+  /**
+   * A recording.
+   *
+   * @throws IOException with one line for a person if it cannot be read
+   */
+  public static Playable recording(Path file, ReadOptions options) throws IOException {
+    var reader = Recordings.open(file, options);
+    try {
+      return new RecordingPlayable(reader);
+    } catch (IOException | RuntimeException problem) {
+      reader.close();
+      throw problem;
+    }
+  }
+
+  /**
+   * A saved chain made anew for a sensor.
+   *
+   * @throws IOException if it does not fit
+   */
+  public static FilterChain chain(SensorGeometry geometry, String json) throws IOException {
+    return ChainFile.parse(json, "the chain", geometry);
+  }
+}

@@ -1,0 +1,117 @@
+package haltere.ui.viewer.session;
+
+import haltere.core.chain.FilterChain;
+import haltere.core.format.ReadOptions;
+import haltere.core.playback.CameraPlayable;
+import haltere.core.playback.KeptPlayable;
+import haltere.core.playback.Playable;
+import haltere.core.playback.Player;
+import haltere.core.playback.PlayerOptions;
+import haltere.ui.viewer.chain.StageState;
+import haltere.ui.viewer.picture.DisplayOptions;
+import haltere.ui.viewer.picture.DisplaySink;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * What is open: a playable, the chain it goes through, the player and the sink that makes pictures.
+ *
+ * <p>Thread rule: made, prepared and closed on any thread but JavaFX's, because that may wait.
+ */
+public final class ViewerSession implements AutoCloseable {
+  private final Optional<Path> file;
+  private final ReadOptions options;
+  private final FilterChain chain;
+  private final FirstView start;
+  private final List<StageState> firstStages;
+  private final DisplaySink display;
+  private final Player player;
+  private volatile boolean prepared;
+
+  ViewerSession(
+      Playable playable,
+      Optional<Path> file,
+      ReadOptions options,
+      FilterChain chain,
+      FirstView start,
+      PlayerOptions playerOptions,
+      DisplayOptions displayOptions) {
+    this.file = file;
+    this.options = options;
+    this.chain = chain;
+    this.start = start;
+    this.firstStages = StageState.of(chain);
+    this.display = DisplaySink.apart(playable.geometry(), chain, displayOptions);
+    this.player = new Player(playable, chain, playerOptions);
+    player.addSink(display);
+  }
+
+  /** Where the recording is, if it is one. */
+  public Optional<Path> file() {
+    return file;
+  }
+
+  /** What the user said of the file. */
+  public ReadOptions options() {
+    return options;
+  }
+
+  /** What was opened, whether its newest events are kept or not. */
+  public Playable source() {
+    Playable playing = player.playable();
+    return playing instanceof KeptPlayable kept ? kept.source() : playing;
+  }
+
+  /** The camera that is open, if it is one. */
+  public Optional<CameraPlayable> camera() {
+    return source() instanceof CameraPlayable live ? Optional.of(live) : Optional.empty();
+  }
+
+  /** The chain, which belongs to the thread that plays. */
+  public FilterChain chain() {
+    return chain;
+  }
+
+  /** The filters and plots that suit it, for a user who has not chosen any. */
+  public FirstView start() {
+    return start;
+  }
+
+  /** The stages before the player starts. */
+  public List<StageState> firstStages() {
+    return firstStages;
+  }
+
+  /** Where its pictures are made. */
+  public DisplaySink display() {
+    return display;
+  }
+
+  /** Plays it. */
+  public Player player() {
+    return player;
+  }
+
+  /** Starts a player whose options say that it begins in pause: it paints its first slice. */
+  void prepare() {
+    prepared = true;
+    player.start();
+  }
+
+  /** Starts the player, or lets it go on once it was {@link #prepare prepared}. */
+  public void play() {
+    if (prepared) {
+      player.play();
+    } else {
+      player.start();
+    }
+  }
+
+  @Override
+  public void close() {
+    player.close();
+    display.close();
+    chain.close();
+  }
+}

@@ -1,0 +1,67 @@
+package haltere.ui.viewer.space;
+
+import haltere.filters.orientation.BraidzFile;
+import haltere.ui.space.BodyFlight;
+import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.feature.ViewerContext;
+import haltere.ui.viewer.feature.ViewerFeature;
+import java.nio.file.Path;
+import java.util.Optional;
+import javafx.scene.Scene;
+import javafx.stage.Stage;
+
+/**
+ * A window that shows a body in space from what several cameras saw of it: the observations of
+ * {@code haltere orient} and its cameras are chosen one after the other.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+public final class BodyFlightFeature implements ViewerFeature {
+  private ViewerContext window;
+
+  @Override
+  public void install(ViewerContext installed) {
+    window = installed;
+    window
+        .actions()
+        .add(
+            ViewerAction.of("body-flight", "Orientation in space\u2026", "File", this::choose)
+                .withHelp(
+                    "Shows a body's axis in space, how sure it is, and the cameras; from a table"
+                        + " of observations and a file of cameras, or a .braidz file."));
+  }
+
+  private void choose() {
+    Optional<Path> observations = window.dialogs().observations();
+    observations.ifPresent(
+        file ->
+            window
+                .background()
+                .file(() -> BraidzFile.isZip(file), zip -> open(file, zip), this::failed));
+  }
+
+  private void open(Path observations, boolean hasCameras) {
+    Optional<Path> cameras = hasCameras ? Optional.empty() : window.dialogs().cameras();
+    if (hasCameras || cameras.isPresent()) {
+      window
+          .background()
+          .file(() -> BodyFlight.load(observations, cameras), this::show, this::failed);
+    }
+  }
+
+  private void show(BodyFlight flight) {
+    Stage stage = new Stage();
+    stage.initOwner(window.stage());
+    stage.setTitle("Orientation in space");
+    BodyFlightPane pane = new BodyFlightPane(flight);
+    pane.setTheme(window.display().themeProperty().get());
+    Scene scene = new Scene(pane, 800, 600);
+    scene.getStylesheets().setAll(window.stage().getScene().getStylesheets());
+    stage.setScene(scene);
+    stage.show();
+  }
+
+  private void failed(Exception problem) {
+    window.status().showProblem(problem);
+  }
+}

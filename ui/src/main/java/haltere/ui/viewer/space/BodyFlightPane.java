@@ -1,0 +1,51 @@
+package haltere.ui.viewer.space;
+
+import haltere.ui.space.BodyFlight;
+import haltere.ui.space.BodyFlightDrawing;
+import haltere.ui.viewer.controls.Theme;
+import javafx.scene.control.Label;
+import javafx.scene.control.Slider;
+import javafx.scene.layout.BorderPane;
+import javafx.scene.layout.VBox;
+
+/**
+ * A body in space and the cameras that see it, at a time that a slider chooses.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+final class BodyFlightPane extends BorderPane {
+  private final BodyFlight flight;
+  private final BodyFlightDrawing drawing;
+  private final SpaceCanvas canvas = new SpaceCanvas();
+  private final Slider slider = new Slider();
+  private final Label words = new Label();
+
+  BodyFlightPane(BodyFlight flight) {
+    this.flight = flight;
+    drawing = new BodyFlightDrawing(flight);
+    setCenter(canvas);
+    slider.setId("flight-time");
+    slider.setAccessibleText("Time of the flight");
+    slider.setMax(Math.max(0, flight.moments().size() - 1));
+    slider.valueProperty().addListener((property, was, is) -> show());
+    words.setId("flight-words");
+    VBox controls = new VBox(4, slider, words);
+    controls.getStyleClass().add("flight-controls");
+    setBottom(controls);
+    show();
+  }
+
+  private void show() {
+    int index = (int) Math.round(slider.getValue());
+    canvas.show(drawing, index);
+    words.setText(
+        index < flight.moments().size()
+            ? SpaceCanvas.words(flight.moments().get(index))
+            : "no orientation was found");
+  }
+
+  /** Draws as a theme wants it. */
+  void setTheme(Theme theme) {
+    canvas.setTheme(theme);
+  }
+}

@@ -1,0 +1,150 @@
+package haltere.ui.viewer.space;
+
+import haltere.core.camera.Cameras;
+import haltere.core.format.ReadOptions;
+import haltere.core.simulation.flight.FlightSettings;
+import haltere.filters.orientation.CameraFile;
+import haltere.filters.orientation.CameraModel;
+import haltere.ui.space.CameraRig;
+import haltere.ui.space.LiveFlight;
+import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.feature.PanelPlace;
+import haltere.ui.viewer.feature.ViewerContext;
+import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.session.Sources;
+import haltere.ui.viewer.session.ViewerSession;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.function.Consumer;
+import javafx.beans.property.BooleanProperty;
+
+/**
+ * Where a body is and which way it points while the events of several cameras play: of a simulated
+ * flight, of one recording for each calibrated camera, or of the cameras themselves.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+public final class LiveFlightFeature implements ViewerFeature {
+  private final LiveFlightPane pane = new LiveFlightPane();
+  private ViewerContext window;
+  private BooleanProperty shown;
+  private Optional<CameraRig> rig = Optional.empty();
+  private Optional<LiveFlight> flight = Optional.empty();
+
+  @Override
+  public void install(ViewerContext installed) {
+    window = installed;
+    shown =
+        window.addPanel(
+            "live-flight", "Orientation in space, live", "", PanelPlace.BESIDE, () -> pane);
+    window
+        .actions()
+        .add(
+            ViewerAction.of("open-flight", "Flight before several cameras", "File", this::openScene)
+                .withHelp("A simulated insect in free flight; its axis is found from all cameras."),
+            ViewerAction.of(
+                    "open-camera-recordings",
+                    "Recordings of several cameras\u2026",
+                    "File",
+                    () -> chooseCalibration(this::chooseRecordings))
+                .withHelp(
+                    "Asks for the calibrated cameras and for one recording of each, in the same"
+                        + " order, on one clock."),
+            ViewerAction.of(
+                    "open-calibrated-cameras",
+                    "Several cameras at once\u2026",
+                    "Camera",
+                    () ->
+                        chooseCalibration(
+                            calibrated -> openCameras(calibrated, Cameras.installed())))
+                .withHelp(
+                    "Asks for calibrated cameras, each with the id under which it is plugged in,"
+                        + " and finds a body's axis from all of them live."));
+    window.sessions().sessionProperty().addListener((property, was, is) -> follow(was, is));
+    window.display().themeProperty().addListener((property, was, is) -> pane.setTheme(is));
+    window.panels().onPulse(() -> flight.ifPresent(live -> pane.update(live.latest())));
+  }
+
+  /** Opens the simulated flight. */
+  void openScene() {
+    open(() -> CameraRig.simulated(FlightSettings.defaults()), "Flight");
+  }
+
+  /** Asks for the calibrated cameras. */
+  private void chooseCalibration(Consumer<List<CameraModel>> chosen) {
+    window
+        .dialogs()
+        .cameras()
+        .ifPresent(
+            file ->
+                window
+                    .background()
+                    .file(
+                        () -> CameraFile.read(file).cameras(),
+                        chosen,
+                        window.status()::showProblem));
+  }
+
+  private void chooseRecordings(List<CameraModel> cameras) {
+    List<Path> files = new ArrayList<>();
+    for (CameraModel camera : cameras) {
+      window.status().setActivity("The recording of camera " + camera.id() + " \u2026");
+      Optional<Path> file = window.dialogs().recording();
+      window.status().setActivity("");
+      if (file.isEmpty()) {
+        return;
+      }
+      files.add(file.get());
+    }
+    openRecordings(cameras, files);
+  }
+
+  /** Opens a recording for each camera. */
+  void openRecordings(List<CameraModel> cameras, List<Path> files) {
+    open(
+        () ->
+            CameraRig.open(
+                cameras, number -> Sources.recording(files.get(number), ReadOptions.DEFAULT)),
+        files.get(0).toString());
+  }
+
+  /** Opens the cameras themselves. */
+  void openCameras(List<CameraModel> calibrated, Cameras cameras) {
+    open(() -> CameraRig.live(calibrated, cameras), "cameras");
+  }
+
+  /** Opens several cameras in place of what is open. */
+  void open(Callable<CameraRig> cameras, String name) {
+    window
+        .background()
+        .file(
+            cameras,
+            made -> {
+              rig.ifPresent(window.background()::close);
+              rig = Optional.of(made);
+              window.sessions().open(made::first, name);
+            },
+            window.status()::showProblem);
+  }
+
+  private void follow(Optional<ViewerSession> was, Optional<ViewerSession> is) {
+    was.ifPresent(before -> flight.ifPresent(before.player()::removeSink));
+    flight = Optional.empty();
+    if (rig.isPresent() && is.isPresent()) {
+      if (is.get().source() == rig.get().first()) {
+        LiveFlight live = new LiveFlight(rig.get());
+        is.get().player().addRawSink(live);
+        flight = Optional.of(live);
+        pane.startAnew();
+        shown.set(true);
+      } else {
+        window.background().close(rig.get());
+        rig = Optional.empty();
+        pane.clear();
+      }
+    }
+  }
+}

@@ -1,0 +1,62 @@
+package haltere.ui.viewer.space;
+
+import haltere.ui.viewer.controls.Icons;
+import haltere.ui.viewer.feature.PanelPlace;
+import haltere.ui.viewer.feature.ViewerContext;
+import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.session.ViewerSession;
+import java.util.Optional;
+import javafx.beans.property.BooleanProperty;
+
+/**
+ * The view of events in space and time, beside the picture. Events are gathered for it only while
+ * it is shown.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+public final class SpaceTimeFeature implements ViewerFeature {
+  private final SpaceTimePanel panel = new SpaceTimePanel();
+  private ViewerContext window;
+  private BooleanProperty shown;
+  private Optional<SpaceTimeSink> sink = Optional.empty();
+
+  @Override
+  public void install(ViewerContext installed) {
+    window = installed;
+    shown =
+        window.addPanel(
+            "space-time", "Space and time", "Shortcut+T", PanelPlace.BESIDE, () -> panel);
+    window
+        .panels()
+        .viewBar()
+        .tool("tool-space-time", Icons.CUBE, "Events in space and time (Ctrl+T)", shown);
+    shown.addListener((property, was, is) -> follow(window.sessions().session()));
+    window
+        .sessions()
+        .sessionProperty()
+        .addListener(
+            (property, was, is) -> {
+              was.ifPresent(this::leave);
+              follow(is);
+            });
+    panel.onSpan(spanUs -> sink.ifPresent(open -> open.setSpan((long) spanUs)));
+    window.display().onChange(() -> panel.setColours(window.display().options().colours()));
+    window.panels().onPulse(() -> sink.ifPresent(open -> panel.update(open.exchange().fetch())));
+  }
+
+  private void follow(Optional<ViewerSession> session) {
+    session.ifPresent(this::leave);
+    if (shown.get() && session.isPresent()) {
+      SpaceTimeSink made = new SpaceTimeSink();
+      made.setSpan(panel.view().spanUs());
+      panel.setSensor(session.get().player().playable().geometry());
+      session.get().player().addSink(made);
+      sink = Optional.of(made);
+    }
+  }
+
+  private void leave(ViewerSession session) {
+    sink.ifPresent(session.player()::removeSink);
+    sink = Optional.empty();
+  }
+}

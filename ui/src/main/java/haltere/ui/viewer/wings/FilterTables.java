@@ -1,0 +1,197 @@
+package haltere.ui.viewer.wings;
+
+import atlantafx.base.theme.Styles;
+import haltere.filters.wing.WingFilterEdit;
+import haltere.filters.wing.WingFilterEdit.Table;
+import haltere.filters.wing.WingFilterState;
+import haltere.ui.viewer.controls.Controls;
+import haltere.ui.viewer.controls.Texts;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Consumer;
+import javafx.scene.Node;
+import javafx.scene.control.Label;
+import javafx.scene.control.ScrollPane;
+import javafx.scene.control.TextField;
+import javafx.scene.input.KeyCode;
+import javafx.scene.layout.ColumnConstraints;
+import javafx.scene.layout.GridPane;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
+import javafx.scene.layout.VBox;
+
+/**
+ * The state x with its standard deviations, the process noise Q, the noise R of a measurement and
+ * the covariance P of one Kalman filter, live. An entry that is being edited stands still until
+ * Enter takes it over or Escape gives it up.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+final class FilterTables extends VBox {
+  private static final MathContext FOUR_DIGITS = new MathContext(4);
+  private static final MathContext TWO_DIGITS = new MathContext(2);
+  private static final double LEAST_PLAIN = 1e-3;
+
+  /** Room for "-0.001234" and "-1.23e-05". */
+  private static final double NUMBER_WIDTH = 74;
+
+  private static final double NAME_WIDTH = 80;
+  private static final double MOST_PLAIN = 1e6;
+
+  /** An entry and the number that it shows. */
+  private record Cell(TextField entry, Table table, int row, int column) {}
+
+  private final Consumer<WingFilterEdit> edited;
+  private final List<Cell> cells = new ArrayList<>();
+  private final List<Label> deviations = new ArrayList<>();
+  private final Label summary = new Label();
+  private WingFilterState shown;
+
+  /**
+   * Tables of a filter.
+   *
+   * @param first as it is now
+   * @param edited takes what a person changes
+   */
+  FilterTables(WingFilterState first, Consumer<WingFilterEdit> edited) {
+    this.edited = edited;
+    setSpacing(6);
+    getStyleClass().add("filter-tables");
+    setAccessibleText("State and noise of the filter");
+    summary.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
+    summary.setId("filter-summary");
+    shown = first;
+    ScrollPane covariance = new ScrollPane(covariance(first));
+    covariance.setFitToHeight(true);
+    getChildren().addAll(summary, states(first), heading("Covariance P"), covariance);
+    show(first);
+  }
+
+  private static Label heading(String words) {
+    Label label = new Label(words);
+    label.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_BOLD);
+    return label;
+  }
+
+  private Node states(WingFilterState f) {
+    GridPane grid = new GridPane(6, 3);
+    ColumnConstraints names = new ColumnConstraints();
+    names.setHgrow(Priority.ALWAYS);
+    names.setMinWidth(NAME_WIDTH);
+    ColumnConstraints numbers = new ColumnConstraints(NUMBER_WIDTH);
+    grid.getColumnConstraints().addAll(names, numbers, new ColumnConstraints(), numbers);
+    grid.addRow(0, heading("State"), heading("x"), heading("\u00b1 SD"), heading("Q"));
+    for (int i = 0; i < f.names().size(); i++) {
+      Label name = new Label(f.names().get(i) + ", " + f.units().get(i));
+      name.getStyleClass().add(Styles.TEXT_SMALL);
+      name.setWrapText(true);
+      Label sd = new Label();
+      sd.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
+      sd.setMinWidth(Region.USE_PREF_SIZE);
+      deviations.add(sd);
+      grid.addRow(i + 1, name, cell(Table.STATE, i, 0), sd, cell(Table.PROCESS_NOISE, i, 0));
+    }
+    Label name = new Label("measurement R, rad\u00b2");
+    name.getStyleClass().add(Styles.TEXT_SMALL);
+    name.setWrapText(true);
+    TextField r = cell(Table.MEASUREMENT_NOISE, 0, 0);
+    Controls.help(r, "Variance of a measurement. 0 learns it from the events.");
+    grid.addRow(f.names().size() + 1, name, r);
+    return grid;
+  }
+
+  private Node covariance(WingFilterState f) {
+    GridPane grid = new GridPane(2, 2);
+    for (int i = 0; i < f.names().size(); i++) {
+      for (int j = 0; j < f.names().size(); j++) {
+        TextField entry = cell(Table.COVARIANCE, i, j);
+        Controls.help(entry, "P of " + f.names().get(i) + " and " + f.names().get(j));
+        grid.add(entry, j, i);
+      }
+    }
+    return grid;
+  }
+
+  private TextField cell(Table table, int row, int column) {
+    TextField entry = new TextField();
+    entry.setPrefColumnCount(6);
+    entry.getStyleClass().add(Styles.SMALL);
+    entry.setId(table.name().toLowerCase(Locale.ROOT).replace('_', '-') + "-" + row + "-" + column);
+    entry.setAccessibleText(name(table, row, column));
+    Cell cell = new Cell(entry, table, row, column);
+    entry.setOnAction(event -> take(cell));
+    entry.setOnKeyPressed(
+        event -> {
+          if (event.getCode() == KeyCode.ESCAPE) {
+            requestFocus();
+            show(shown);
+          }
+        });
+    cells.add(cell);
+    return entry;
+  }
+
+  private String name(Table table, int row, int column) {
+    String state = table == Table.MEASUREMENT_NOISE ? "" : shown.names().get(row);
+    return switch (table) {
+      case STATE -> "State: " + state;
+      case PROCESS_NOISE -> "Process noise of " + state;
+      case COVARIANCE -> "Covariance of " + state + " and " + shown.names().get(column);
+      case MEASUREMENT_NOISE -> "Measurement noise";
+    };
+  }
+
+  private void take(Cell cell) {
+    try {
+      double value = Double.parseDouble(cell.entry().getText().trim());
+      edited.accept(
+          new WingFilterEdit(shown.part(), cell.table(), cell.row(), cell.column(), value));
+    } catch (IllegalArgumentException notOne) {
+      cell.entry().setText(text(shown.value(cell.table(), cell.row(), cell.column())));
+    }
+    setFocusTraversable(true);
+    requestFocus();
+  }
+
+  /** Whether it has the entries for a filter. */
+  boolean suits(WingFilterState f) {
+    return f.part() == shown.part() && f.names().equals(shown.names());
+  }
+
+  /** Shows the numbers as they are now. */
+  void show(WingFilterState now) {
+    shown = now;
+    for (Cell cell : cells) {
+      if (!cell.entry().isFocused()) {
+        cell.entry().setText(text(now.value(cell.table(), cell.row(), cell.column())));
+      }
+    }
+    for (int i = 0; i < deviations.size(); i++) {
+      double variance = now.value(Table.COVARIANCE, i, i);
+      deviations.get(i).setText(text(Math.sqrt(Math.max(0, variance)), TWO_DIGITS));
+    }
+    summary.setText(
+        Texts.count(now.events())
+            + " events   NIS "
+            + String.format(Locale.ROOT, "%.2f", now.nis())
+            + (now.learnsR() ? "   R is learnt" : "   R is set"));
+  }
+
+  private static String text(double value) {
+    return text(value, FOUR_DIGITS);
+  }
+
+  /** Few digits, so that the columns of the panel hold them. */
+  private static String text(double value, MathContext digits) {
+    if (!Double.isFinite(value)) {
+      return String.valueOf(value);
+    }
+    double size = Math.abs(value);
+    return size > 0 && size < LEAST_PLAIN || size >= MOST_PLAIN
+        ? String.format(Locale.ROOT, "%." + digits.getPrecision() / 2 + "e", value)
+        : new BigDecimal(value).round(digits).stripTrailingZeros().toPlainString();
+  }
+}

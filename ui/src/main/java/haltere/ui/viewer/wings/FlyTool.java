@@ -1,0 +1,126 @@
+package haltere.ui.viewer.wings;
+
+import haltere.core.overlay.MarkStyle;
+import haltere.core.overlay.MarkStyle.Role;
+import haltere.core.overlay.OverlayCanvas;
+import haltere.filters.wing.FlyGeometry;
+import haltere.filters.wing.WingTracker;
+import haltere.filters.wing.WingTrackerSettings;
+import haltere.ui.viewer.picture.ViewTool;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import java.util.function.Supplier;
+
+/**
+ * Says where the fly is: a click sets the body, a drag of the head turns the heading, a drag of the
+ * circle sets the region of interest. What is said is an offset from what was found.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+final class FlyTool implements ViewTool {
+  /** Where the handle of the heading is, as a share of the fly's size. */
+  private static final double HEAD_SHARE = 0.6;
+
+  private static final double GRIP_SHARE = 0.15;
+
+  /** What is in the hand. */
+  private enum Grip {
+    NONE,
+    BODY,
+    HEADING,
+    REGION
+  }
+
+  private final Supplier<Optional<WingsView>> seen;
+  private final Consumer<Function<WingTracker, WingTrackerSettings>> taker;
+  private Grip grip = Grip.NONE;
+  private double atX;
+  private double atY;
+
+  /**
+   * A tool.
+   *
+   * @param seen the tracker as it was last seen
+   * @param taker takes what makes new settings of the tracker, on the processing thread
+   */
+  FlyTool(
+      Supplier<Optional<WingsView>> seen,
+      Consumer<Function<WingTracker, WingTrackerSettings>> taker) {
+    this.seen = seen;
+    this.taker = taker;
+  }
+
+  private Optional<FlyGeometry> geometry() {
+    return seen.get().flatMap(WingsView::geometry);
+  }
+
+  @Override
+  public String hint() {
+    return "Click the body of the fly; drag its head to turn it, or the circle around it.";
+  }
+
+  @Override
+  public void pressed(double x, double y) {
+    atX = x;
+    atY = y;
+    grip = geometry().map(fly -> gripAt(fly, x, y)).orElse(Grip.NONE);
+  }
+
+  private Grip gripAt(FlyGeometry fly, double x, double y) {
+    double reach = GRIP_SHARE * fly.sizePx();
+    double away = Math.hypot(x - fly.centreX(), y - fly.centreY());
+    double headX = fly.centreX() + HEAD_SHARE * fly.sizePx() * Math.cos(fly.headingRad());
+    double headY = fly.centreY() + HEAD_SHARE * fly.sizePx() * Math.sin(fly.headingRad());
+    if (Math.hypot(x - headX, y - headY) <= reach) {
+      return Grip.HEADING;
+    }
+    double region = seen.get().map(WingsView::regionPx).orElse(0.0);
+    return Math.abs(away - region) <= reach ? Grip.REGION : Grip.BODY;
+  }
+
+  @Override
+  public void dragged(double x, double y) {
+    atX = x;
+    atY = y;
+  }
+
+  @Override
+  public void released(double x, double y) {
+    dragged(x, y);
+    geometry().ifPresent(fly -> say(fly, x, y));
+    grip = Grip.NONE;
+  }
+
+  private void say(FlyGeometry fly, double x, double y) {
+    double heading = Math.atan2(y - fly.centreY(), x - fly.centreX());
+    double radius = Math.hypot(x - fly.centreX(), y - fly.centreY());
+    switch (grip) {
+      case BODY -> taker.accept(tracker -> tracker.withBodyAt(x, y));
+      case HEADING -> taker.accept(tracker -> tracker.withHeading(heading));
+      case REGION -> taker.accept(tracker -> tracker.withRegion(radius));
+      case NONE -> {
+        // nothing is tracked, so there is nothing to say of it
+      }
+    }
+  }
+
+  @Override
+  public void draw(OverlayCanvas canvas) {
+    geometry().ifPresent(fly -> draw(fly, canvas));
+  }
+
+  private void draw(FlyGeometry fly, OverlayCanvas canvas) {
+    MarkStyle style = MarkStyle.of(Role.LABEL);
+    double x = fly.centreX();
+    double y = fly.centreY();
+    double headX = x + HEAD_SHARE * fly.sizePx() * Math.cos(fly.headingRad());
+    double headY = y + HEAD_SHARE * fly.sizePx() * Math.sin(fly.headingRad());
+    switch (grip) {
+      case HEADING -> canvas.line(x, y, atX, atY, style);
+      case REGION -> canvas.circle(x, y, Math.hypot(atX - x, atY - y), style);
+      case BODY -> canvas.circle(atX, atY, GRIP_SHARE * fly.sizePx(), style);
+      case NONE -> canvas.circle(headX, headY, GRIP_SHARE * fly.sizePx() / 2, style);
+    }
+  }
+}

@@ -1,0 +1,229 @@
+package haltere.ui.viewer.wings;
+
+import atlantafx.base.theme.Styles;
+import haltere.core.chain.FilterChain;
+import haltere.filters.wing.WingFilterEdit;
+import haltere.filters.wing.WingPart;
+import haltere.filters.wing.WingTracker;
+import haltere.filters.wing.WingTrackerSettings;
+import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.controls.Controls;
+import haltere.ui.viewer.feature.PanelPlace;
+import haltere.ui.viewer.feature.ViewerContext;
+import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.wing.WingLogFormat;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.ObjectProperty;
+import javafx.beans.property.SimpleBooleanProperty;
+import javafx.beans.property.SimpleObjectProperty;
+import javafx.scene.control.Button;
+
+/**
+ * What a person can do with the wing tracker: see and change its filters while they run, say where
+ * the fly is, exchange head and tail, keep a log.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+public final class WingsFeature implements ViewerFeature, WingsPanel.Actions {
+  private static final String MENU = "Wings";
+  private static final long LOOK_NANOS = 200_000_000;
+
+  private final BooleanProperty placing = new SimpleBooleanProperty();
+  private final ObjectProperty<WingLogFormat> logFormat =
+      new SimpleObjectProperty<>(
+          new WingLogFormat(WingLogFormat.Rows.TICK, WingLogFormat.Layout.TABLE));
+  private ViewerContext window;
+  private WingLogControl log;
+  private BooleanProperty shown;
+  private WingsPanel panel;
+  private Optional<WingsView> seen = Optional.empty();
+  private boolean looking;
+  private long lookedNanos;
+
+  @Override
+  public void install(ViewerContext installed) {
+    window = installed;
+    log = new WingLogControl(window);
+    shown = window.addPanel("wings", "Wing filters", "Shortcut+W", PanelPlace.SIDE, this::panel);
+    window.panels().onPulse(this::pulse);
+    window
+        .sessions()
+        .sessionProperty()
+        .addListener(
+            (property, was, is) -> {
+              log.leave();
+              placing.set(false);
+              seen = Optional.empty();
+            });
+    window.bindTool(placing, new FlyTool(() -> seen, this::settle));
+    window
+        .actions()
+        .add(
+            ViewerAction.toggle("wings-place", "Place the fly", MENU, placing)
+                .withHelp("A click sets the body; drags turn the head or set the region."),
+            ViewerAction.of("wings-flip", "Exchange head and tail", MENU, this::flip),
+            ViewerAction.of("wings-search", "Search the fly anew", MENU, this::search)
+                .withHelp("What was said of the fly's place stays."),
+            ViewerAction.toggle("wings-log", "Log\u2026", MENU, log.writing(), on -> toggleLog())
+                .withHelp("Writes what is tracked to a file that explains itself."));
+    for (WingLogFormat format : formats()) {
+      window
+          .actions()
+          .add(
+              ViewerAction.choice(
+                  "wings-log-" + format.toString().replace(", ", "-"),
+                  words(format),
+                  MENU + "/Rows of the log",
+                  logFormat,
+                  format));
+    }
+  }
+
+  private static List<WingLogFormat> formats() {
+    return List.of(
+        new WingLogFormat(WingLogFormat.Rows.TICK, WingLogFormat.Layout.TABLE),
+        new WingLogFormat(WingLogFormat.Rows.EVENT, WingLogFormat.Layout.TABLE),
+        new WingLogFormat(WingLogFormat.Rows.BEAT, WingLogFormat.Layout.TABLE),
+        new WingLogFormat(WingLogFormat.Rows.TICK, WingLogFormat.Layout.ORIGINAL),
+        new WingLogFormat(WingLogFormat.Rows.EVENT, WingLogFormat.Layout.ORIGINAL));
+  }
+
+  private static String words(WingLogFormat format) {
+    String rows =
+        switch (format.rows()) {
+          case TICK -> "Each tick";
+          case EVENT -> "Each event";
+          case BEAT -> "Each beat";
+        };
+    return format.layout() == WingLogFormat.Layout.ORIGINAL
+        ? rows + ", layout of the original"
+        : rows;
+  }
+
+  private WingsPanel panel() {
+    panel =
+        new WingsPanel(
+            List.of(
+                button("wings-panel-flip", "Flip", "Exchanges head and tail", this::flip),
+                button(
+                    "wings-panel-place",
+                    "Place",
+                    "Click the body, drag the head or the circle",
+                    () -> placing.set(!placing.get())),
+                button("wings-panel-search", "Search", "Searches the fly anew", this::search),
+                button("wings-panel-log", "Log\u2026", "Starts or ends a log", this::toggleLog)),
+            this);
+    return panel;
+  }
+
+  private static Button button(String id, String words, String help, Runnable action) {
+    Button button = new Button(words);
+    button.setId(id);
+    button.getStyleClass().add(Styles.SMALL);
+    Controls.help(button, help);
+    button.setOnAction(event -> action.run());
+    return button;
+  }
+
+  private void pulse() {
+    if ((!shown.get() && !placing.get()) || looking) {
+      return;
+    }
+    long now = System.nanoTime();
+    if (now - lookedNanos >= LOOK_NANOS) {
+      looking = true;
+      lookedNanos = now;
+      look();
+    }
+  }
+
+  private void look() {
+    window
+        .editor()
+        .read(
+            WingsView::of,
+            view -> {
+              looking = false;
+              seen = view;
+              if (panel != null) {
+                panel.show(view);
+              }
+            });
+  }
+
+  private void settle(Function<WingTracker, WingTrackerSettings> change) {
+    change(
+        (chain, view) ->
+            window.editor().applyNow(chain, view.stage(), change.apply(view.filter().tracker())));
+  }
+
+  @Override
+  public void takeEdge(WingPart edge, boolean on) {
+    String setting =
+        switch (edge) {
+          case LEFT_LEADING -> "leftLeading";
+          case LEFT_TRAILING -> "leftTrailing";
+          case RIGHT_LEADING -> "rightLeading";
+          default -> "rightTrailing";
+        };
+    settle(tracker -> tracker.settings().with("output." + setting + "=" + on));
+  }
+
+  @Override
+  public void edit(WingFilterEdit edit) {
+    change((chain, view) -> view.filter().tracker().edit(edit));
+  }
+
+  @Override
+  public void restart(WingPart part) {
+    change((chain, view) -> view.filter().tracker().restart(part));
+  }
+
+  private void flip() {
+    settle(WingTracker::withHeadingFlipped);
+  }
+
+  private void search() {
+    change((chain, view) -> view.filter().reset());
+  }
+
+  /** A change of a chain that has a wing tracker. */
+  private interface Change {
+    void make(FilterChain chain, WingsView view);
+  }
+
+  private void change(Change change) {
+    Consumer<FilterChain> work =
+        chain ->
+            change.make(
+                chain,
+                WingsView.of(chain)
+                    .orElseThrow(
+                        () ->
+                            new IllegalArgumentException("there is no wing tracker in the chain")));
+    window.editor().change(work, window.status()::showError);
+  }
+
+  private void toggleLog() {
+    if (log.writing().get()) {
+      log.stop();
+    } else {
+      window.dialogs().log().ifPresent(this::log);
+    }
+  }
+
+  /** Starts a log; a file that is there is replaced. */
+  void log(Path file) {
+    log.start(file, logFormat.get());
+  }
+
+  /** The fly and its filters as they were seen last. */
+  Optional<WingsView> seen() {
+    return seen;
+  }
+}

@@ -1,0 +1,156 @@
+package haltere.ui.viewer.wings;
+
+import atlantafx.base.theme.Styles;
+import haltere.filters.wing.WingFilterEdit;
+import haltere.filters.wing.WingFilterState;
+import haltere.filters.wing.WingOutputSettings;
+import haltere.filters.wing.WingPart;
+import haltere.ui.viewer.controls.Controls;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import javafx.scene.control.Button;
+import javafx.scene.control.CheckBox;
+import javafx.scene.control.ChoiceBox;
+import javafx.scene.control.Label;
+import javafx.scene.control.ScrollPane;
+import javafx.scene.layout.FlowPane;
+import javafx.scene.layout.VBox;
+
+/**
+ * The wing tracker's filters: which edges they take, and the numbers of each filter, live.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+final class WingsPanel extends ScrollPane {
+  /** What a person asks of the tracker here. */
+  interface Actions {
+    /** Switches the events of an edge on or off. */
+    void takeEdge(WingPart edge, boolean on);
+
+    /** Changes a number of a filter. */
+    void edit(WingFilterEdit edit);
+
+    /** Begins a filter anew. */
+    void restart(WingPart part);
+  }
+
+  private static final List<WingPart> EDGES =
+      List.of(
+          WingPart.LEFT_LEADING,
+          WingPart.LEFT_TRAILING,
+          WingPart.RIGHT_LEADING,
+          WingPart.RIGHT_TRAILING);
+
+  private static final double CHOICE_WIDTH = 130;
+
+  private final Actions actions;
+  private final ChoiceBox<WingPart> choice = new ChoiceBox<>();
+  private final List<CheckBox> edges = EDGES.stream().map(this::edge).toList();
+  private final Label empty = new Label();
+  private final VBox body = new VBox(8);
+  private Optional<FilterTables> tables = Optional.empty();
+  private boolean showing;
+
+  /**
+   * A panel that shows nothing yet.
+   *
+   * @param buttons stand above it
+   * @param actions what a person asks for
+   */
+  WingsPanel(List<Button> buttons, Actions actions) {
+    this.actions = actions;
+    setId("wings-panel");
+    setFitToWidth(true);
+    choice.setId("wings-filter");
+    choice.setAccessibleText("Which filter is shown");
+    choice.setMinWidth(CHOICE_WIDTH);
+    choice.setOnAction(event -> tables.ifPresent(shown -> rebuild()));
+    Button restart = new Button("Reset filter");
+    restart.setId("wings-restart");
+    restart.getStyleClass().add(Styles.SMALL);
+    Controls.help(
+        restart, "Begins the filter anew: where it is, but unsure, with the noise of the settings");
+    restart.setOnAction(
+        event -> Optional.ofNullable(choice.getValue()).ifPresent(actions::restart));
+    FlowPane head = new FlowPane(6, 6);
+    head.getChildren().addAll(buttons);
+    FlowPane taken = new FlowPane(10, 4);
+    taken.getChildren().addAll(edges);
+    FlowPane chosen = new FlowPane(6, 6, choice, restart);
+    empty.setWrapText(true);
+    empty.getStyleClass().add(Styles.TEXT_MUTED);
+    body.getStyleClass().add("settings");
+    body.getChildren().addAll(head, taken, chosen, empty);
+    setContent(body);
+    show(Optional.empty());
+  }
+
+  private CheckBox edge(WingPart part) {
+    CheckBox box = new CheckBox(part.toString());
+    box.setId("wings-edge-" + part);
+    box.getStyleClass().add(Styles.TEXT_SMALL);
+    box.selectedProperty()
+        .addListener(
+            (property, was, is) -> {
+              if (!showing) {
+                actions.takeEdge(part, is);
+              }
+            });
+    return box;
+  }
+
+  /** Shows the tracker as it is now. */
+  void show(Optional<WingsView> now) {
+    showing = true;
+    List<WingFilterState> filters = now.map(WingsView::filters).orElse(List.of());
+    now.ifPresent(view -> showEdges(view.settings().output()));
+    edges.forEach(box -> box.setDisable(now.isEmpty()));
+    List<WingPart> parts = filters.stream().map(WingFilterState::part).toList();
+    if (!choice.getItems().equals(parts)) {
+      WingPart before = choice.getValue();
+      choice.getItems().setAll(parts);
+      choice.setValue(parts.contains(before) ? before : parts.isEmpty() ? null : parts.get(0));
+    }
+    empty.setText(
+        now.isEmpty()
+            ? "There is no wing tracker in the chain. Add one to the filter chain."
+            : filters.isEmpty() ? "No Kalman filter tracks a wing now." : "");
+    Optional<WingFilterState> chosen =
+        filters.stream().filter(filter -> filter.part() == choice.getValue()).findFirst();
+    if (chosen.isEmpty()) {
+      rebuild();
+    } else {
+      showTables(chosen.get());
+    }
+    showing = false;
+  }
+
+  private void showEdges(WingOutputSettings output) {
+    boolean[] on = {
+      output.leftLeading(), output.leftTrailing(), output.rightLeading(), output.rightTrailing()
+    };
+    for (int i = 0; i < on.length; i++) {
+      if (edges.get(i).isSelected() != on[i]) {
+        edges.get(i).setSelected(on[i]);
+      }
+    }
+  }
+
+  private void showTables(WingFilterState filter) {
+    if (tables.isEmpty() || !tables.get().suits(filter)) {
+      rebuild();
+      FilterTables made = new FilterTables(filter, (Consumer<WingFilterEdit>) actions::edit);
+      tables = Optional.of(made);
+      body.getChildren().add(made);
+    } else {
+      tables.get().show(filter);
+    }
+  }
+
+  /** The tables are made anew when there is a filter again. */
+  private void rebuild() {
+    tables.ifPresent(shown -> body.getChildren().remove(shown));
+    tables = Optional.empty();
+  }
+}

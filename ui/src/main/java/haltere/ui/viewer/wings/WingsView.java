@@ -1,0 +1,47 @@
+package haltere.ui.viewer.wings;
+
+import haltere.core.chain.ChainStage;
+import haltere.core.chain.FilterChain;
+import haltere.filters.wing.FlyGeometry;
+import haltere.filters.wing.WingFilterState;
+import haltere.filters.wing.WingTracker;
+import haltere.filters.wing.WingTrackerFilter;
+import haltere.filters.wing.WingTrackerSettings;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * The first wing tracker of a chain as it is now, read off on the processing thread for the window.
+ *
+ * @param stage its stage
+ * @param filter the stage's filter
+ * @param settings in force
+ * @param filters its Kalman filters
+ * @param geometry of the fly, empty while there is none
+ * @param regionPx radius of the region of interest, pixels
+ */
+record WingsView(
+    ChainStage stage,
+    WingTrackerFilter filter,
+    WingTrackerSettings settings,
+    List<WingFilterState> filters,
+    Optional<FlyGeometry> geometry,
+    double regionPx) {
+  /** Looks at a chain; processing thread. */
+  static Optional<WingsView> of(FilterChain chain) {
+    for (ChainStage stage : chain.stages()) {
+      if (stage.filter() instanceof WingTrackerFilter filter) {
+        WingTracker tracker = filter.tracker();
+        return Optional.of(
+            new WingsView(
+                stage,
+                filter,
+                tracker.settings(),
+                tracker.filters(),
+                tracker.geometry(),
+                tracker.regionPx()));
+      }
+    }
+    return Optional.empty();
+  }
+}

@@ -1,0 +1,2 @@
+/** Tracked wings: where the fly is, the numbers of the wing's filters, logs. */
+package haltere.ui.viewer.wings;

@@ -1,0 +1,84 @@
+package haltere.ui.viewer.action;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.ui.viewer.ViewerHarness;
+import java.util.ArrayList;
+import java.util.List;
+import javafx.scene.control.TextField;
+import javafx.scene.input.KeyCode;
+import org.junit.jupiter.api.Test;
+
+/** What a person can do, and how it is found. */
+class ViewerActionsTest {
+  private final List<String> done = new ArrayList<>();
+
+  private ViewerAction action(String id, String words) {
+    return ViewerAction.of(id, words, "Tools", () -> done.add(id));
+  }
+
+  private static List<String> found(ViewerActions actions, String typed) {
+    return CommandPalette.matches(actions.all(), typed).stream().map(ViewerAction::id).toList();
+  }
+
+  @Test
+  void anActionIsDoneByItsId() {
+    ViewerActions actions = new ViewerActions();
+    actions.add(action("one", "First"), action("two", "Second"));
+    actions.run("two");
+    assertEquals(List.of("two"), done);
+    assertThrows(IllegalArgumentException.class, () -> actions.run("three"));
+  }
+
+  @Test
+  void idsAndKeysAreTakenOnce() {
+    ViewerActions actions = new ViewerActions();
+    actions.add(action("one", "First").withKey("X"));
+    assertThrows(IllegalArgumentException.class, () -> actions.add(action("one", "Again")));
+    IllegalArgumentException problem =
+        assertThrows(
+            IllegalArgumentException.class, () -> actions.add(action("two", "Two").withKey("X")));
+    assertEquals("X is the key of one, not of two", problem.getMessage());
+  }
+
+  @Test
+  void wordsInAnyOrderFindAnAction() {
+    ViewerActions actions = new ViewerActions();
+    actions.add(
+        action("save", "Save the chain").withHelp("Writes a file."),
+        action("load", "Load a chain"));
+    assertEquals(List.of("save", "load"), found(actions, ""));
+    assertEquals(List.of("save"), found(actions, "chain SAVE"));
+    assertEquals(List.of("save"), found(actions, "writes"));
+    assertEquals(List.of("load", "save"), found(actions, "l"), "what begins so comes first");
+    assertEquals(List.of(), found(actions, "nonsense"));
+  }
+
+  @Test
+  void keysOfEntriesAreNotPlainOnes() {
+    assertTrue(action("a", "A").withKey("Space").hasPlainKey());
+    assertTrue(action("a", "A").withKey("Shift+Comma").hasPlainKey());
+    assertFalse(action("a", "A").withKey("Shortcut+O").hasPlainKey());
+    assertFalse(action("a", "A").withKey("F11").hasPlainKey());
+    assertFalse(action("a", "A").hasPlainKey());
+    assertEquals("Shift+,", ViewerKeys.words("Shift+Comma"));
+  }
+
+  @Test
+  void thePaletteDoesWhatWasSearchedFor() {
+    try (ViewerHarness viewer = ViewerHarness.withBlob()) {
+      viewer.press(KeyCode.CONTROL, KeyCode.K);
+      viewer.waitFor("the palette", () -> viewer.isThere("palette-search"));
+      TextField search = viewer.node("palette-search", TextField.class);
+      viewer.waitFor("the focus", search::isFocused);
+      viewer.run(() -> search.setText("overlays"));
+      assertTrue(viewer.onFx(() -> viewer.window.display().marksProperty().get()));
+      viewer.press(KeyCode.ENTER);
+      viewer.waitFor("no overlays", () -> !viewer.window.display().marksProperty().get());
+      viewer.waitFor("the palette is gone", () -> !viewer.isThere("palette-search"));
+    }
+  }
+}

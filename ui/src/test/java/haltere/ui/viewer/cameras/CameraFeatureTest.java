@@ -1,0 +1,185 @@
+package haltere.ui.viewer.cameras;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.core.camera.BiasSliders.Slider;
+import haltere.core.camera.Biases;
+import haltere.core.camera.Camera;
+import haltere.core.camera.RegionOfInterest;
+import haltere.core.json.Json;
+import haltere.core.sink.LineAddress;
+import haltere.device.simulated.Plug;
+import haltere.ui.measure.PixelRegion;
+import haltere.ui.viewer.ViewerHarness;
+import haltere.ui.viewer.saving.PublishFeature;
+import haltere.ui.viewer.saving.SavingFeature;
+import java.io.BufferedReader;
+import java.io.InputStreamReader;
+import java.net.Socket;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** A camera in the window, with the simulated fly in its place. */
+@Timeout(120)
+class CameraFeatureTest {
+  @TempDir Path folder;
+
+  private static CameraFeature openFly(ViewerHarness harness) {
+    CameraFeature feature = harness.window.feature(CameraFeature.class);
+    harness.run(() -> feature.open("simulated:fly"));
+    harness.waitUntilOpen("simulated:fly");
+    return feature;
+  }
+
+  private static Camera camera(CameraFeature feature) {
+    return feature.camera().orElseThrow().camera();
+  }
+
+  @Test
+  void theMenuListsCamerasAndOpensThem() {
+    try (ViewerHarness harness = ViewerHarness.withBlob()) {
+      harness.waitFor(
+          "the list of cameras",
+          () -> harness.window.actions().find("open-camera-simulated-fly").isPresent());
+      harness.run(() -> harness.window.actions().run("list-cameras"));
+      harness.run(() -> harness.window.actions().run("open-camera-simulated-fly"));
+      harness.waitUntilOpen("simulated:fly");
+      harness.waitFor("the panel", () -> harness.isThere("camera-panel"));
+      assertTrue(harness.text("camera-name").startsWith("simulated:fly"));
+      harness.waitFor("its numbers", () -> harness.text("camera-statistics").contains("transfers"));
+      harness.waitFor("the bottom line", () -> harness.text("status-live").contains(" waiting, "));
+    }
+  }
+
+  @Test
+  void slidersBiasesAndSetsReachTheCamera() {
+    try (ViewerHarness harness = new ViewerHarness()) {
+      CameraFeature feature = openFly(harness);
+      Biases biases = camera(feature).facet(Biases.class).orElseThrow();
+      javafx.scene.control.Slider threshold =
+          harness.node("camera-slider-threshold", javafx.scene.control.Slider.class);
+      harness.run(() -> threshold.setValue(1));
+      harness.waitFor("the threshold", () -> Math.abs(biases.get("threshold") - 0.6) < 1e-9);
+      harness.waitFor(
+          "the field shows it",
+          () ->
+              harness
+                  .node("entry-camera-threshold", javafx.scene.control.TextField.class)
+                  .getText()
+                  .startsWith("0.6"));
+      @SuppressWarnings("unchecked")
+      javafx.scene.control.ChoiceBox<String> sets =
+          harness.node("camera-bias-sets", javafx.scene.control.ChoiceBox.class);
+      harness.run(() -> sets.setValue("slow"));
+      harness.waitFor("the set", () -> biases.get("bandwidthHz") == 300);
+      harness.waitFor("the slider is in the middle", () -> threshold.getValue() == 0);
+      harness.run(() -> feature.slide(Slider.BANDWIDTH, 1));
+      harness.waitFor("the bandwidth", () -> biases.get("bandwidthHz") == 3000);
+    }
+  }
+
+  @Test
+  void regionAndTimeStampsAreTold() {
+    try (ViewerHarness harness = new ViewerHarness()) {
+      CameraFeature feature = openFly(harness);
+      RegionOfInterest roi = camera(feature).facet(RegionOfInterest.class).orElseThrow();
+      harness.run(() -> feature.setRegion(Optional.of(new PixelRegion(10, 20, 30, 40))));
+      harness.waitFor("the region", () -> roi.region().isPresent());
+      harness.waitFor(
+          "its words",
+          () -> harness.text("camera-region-words").equals("Region 30 \u00d7 40 at 10, 20"));
+      harness.run(() -> feature.setRegion(Optional.empty()));
+      harness.waitFor("the whole sensor", () -> roi.region().isEmpty());
+      long before = harness.status().timeUs();
+      harness.waitFor("time", () -> harness.status().timeUs() > before + 200_000);
+      harness.run(feature::resetTime);
+      harness.waitFor("time from 0", () -> harness.status().timeUs() < 200_000);
+    }
+  }
+
+  @Test
+  void anUnpluggedCameraIsSaidAndGoesOnWhenItIsBack() {
+    try (ViewerHarness harness = new ViewerHarness()) {
+      CameraFeature feature = openFly(harness);
+      Plug plug = camera(feature).facet(Plug.class).orElseThrow();
+      harness.run(feature::togglePlug);
+      harness.waitFor("the line", () -> harness.text("status-message").contains("was unplugged"));
+      assertFalse(plug.isPluggedIn());
+      long events = harness.status().eventsIn();
+      harness.run(feature::togglePlug);
+      harness.waitFor("events", () -> harness.status().eventsIn() > events + 1000);
+      harness.waitFor(
+          "no line any more", () -> !harness.text("status-message").contains("was unplugged"));
+    }
+  }
+
+  @Test
+  void whatIsRecordedOfACameraHasItsBiasesInTheHeader() throws Exception {
+    Path file = folder.resolve("fly.aedat4");
+    try (ViewerHarness harness = new ViewerHarness()) {
+      CameraFeature feature = openFly(harness);
+      camera(feature).facet(Biases.class).orElseThrow().set("threshold", 0.3);
+      SavingFeature saving = harness.window.feature(SavingFeature.class);
+      harness.run(() -> saving.record(file));
+      harness.waitFor("a file", () -> Files.exists(file) && Files.size(file) > 20_000);
+      harness.run(saving::toggleRecording);
+      harness.waitFor("its end", () -> harness.text("status-message").startsWith("Recorded "));
+    }
+    try (var reader = haltere.core.format.Recordings.open(file)) {
+      Map<String, String> metadata = reader.metadata();
+      assertEquals("0.3 ln", metadata.get("camera.bias.threshold"));
+      assertTrue(metadata.get("chain").contains("background-activity"), metadata.toString());
+      assertTrue(metadata.containsKey("clockOffsetUs"));
+    }
+  }
+
+  @Test
+  void withoutACameraTheLineSaysSo() {
+    try (ViewerHarness harness = ViewerHarness.withBlob()) {
+      CameraFeature feature = harness.window.feature(CameraFeature.class);
+      harness.run(feature::resetTime);
+      harness.waitFor(
+          "the line",
+          () ->
+              harness
+                  .text("status-message")
+                  .equals("There is no camera open that has a clock to be reset"));
+      harness.run(() -> feature.open("dvs128:none"));
+      harness.waitFor(
+          "the problem", () -> harness.text("status-message").contains("there is no camera"));
+    }
+  }
+
+  @Test
+  void resultsAreSentToOtherPrograms() throws Exception {
+    try (ViewerHarness harness = new ViewerHarness()) {
+      openFly(harness);
+      PublishFeature feature = harness.window.feature(PublishFeature.class);
+      harness.run(() -> feature.start("tcp://127.0.0.1:0"));
+      harness.waitFor("an address", () -> feature.address().isPresent());
+      int port = LineAddress.parse(harness.onFx(() -> feature.address().orElseThrow())).port();
+      try (Socket socket = new Socket("127.0.0.1", port);
+          BufferedReader reader =
+              new BufferedReader(
+                  new InputStreamReader(socket.getInputStream(), StandardCharsets.US_ASCII))) {
+        Map<?, ?> message = (Map<?, ?>) Json.parse(reader.readLine(), "a message");
+        assertTrue(message.containsKey("number"), message.toString());
+        harness.run(feature::stop);
+        while (reader.readLine() != null) {
+          // to the end
+        }
+      }
+      harness.run(() -> feature.start("nonsense"));
+      harness.waitFor(
+          "the problem", () -> harness.text("status-message").contains("is no address"));
+    }
+  }
+}

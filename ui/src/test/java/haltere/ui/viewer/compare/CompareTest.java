@@ -1,0 +1,143 @@
+package haltere.ui.viewer.compare;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.core.chain.ChainStage;
+import haltere.core.chain.FilterChain;
+import haltere.core.playback.ScenePlayable;
+import haltere.ui.plot.PlotField;
+import haltere.ui.viewer.BlobSource;
+import haltere.ui.viewer.PresetFeature;
+import haltere.ui.viewer.ViewerHarness;
+import haltere.ui.viewer.chain.ChainEditor;
+import haltere.ui.viewer.feature.UserSettings;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import javafx.scene.control.Menu;
+import javafx.scene.control.MenuButton;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Two chains side by side, and presets, in the real window. */
+class CompareTest {
+  @TempDir Path folder;
+  private ViewerHarness viewer;
+
+  @AfterEach
+  void close() {
+    if (viewer != null) {
+      viewer.close();
+    }
+  }
+
+  private CompareFeature compare() {
+    return viewer.window.feature(CompareFeature.class);
+  }
+
+  @Test
+  void theSecondChainIsACopyThatIsChangedByItself() {
+    viewer = ViewerHarness.withBlob();
+    viewer.run(() -> viewer.window.actions().run("compare"));
+    viewer.waitFor("the second chain", () -> compare().secondChain().isPresent());
+    FilterChain second = viewer.onFx(() -> compare().secondChain().orElseThrow());
+    FilterChain first = viewer.session().chain();
+    assertEquals(names(first), names(second));
+    ChainStage tracker = second.stages().get(0);
+    viewer.waitFor("events through it", () -> tracker.timing().eventsIn() > 0);
+    viewer.waitFor("its own settings", () -> viewer.isThere("second-chain-panel"));
+    viewer.waitFor("numbers", () -> viewer.isThere("comparison"));
+    viewer.run(() -> compare().editor().remove(second.stages().get(0)));
+    viewer.waitFor("the second is shorter", () -> second.stages().size() == 2);
+    assertEquals(3, first.stages().size());
+    viewer.run(() -> viewer.window.actions().run("compare"));
+    viewer.waitFor("one chain again", () -> !viewer.isThere("second-event-view"));
+    assertTrue(viewer.onFx(() -> compare().secondChain().isEmpty()));
+  }
+
+  private static List<String> names(FilterChain chain) {
+    return chain.stages().stream().map(ChainStage::name).toList();
+  }
+
+  @Test
+  void theTableSaysHowMuchTheSecondDiffers() {
+    PlotField x = new PlotField("tracker", "clusters", "x_px");
+    PlotField y = new PlotField("tracker", "clusters", "y_px");
+    PlotField z = new PlotField("other", "clusters", "x_px");
+    List<ComparisonTable.Line> lines = ComparisonTable.lines(Map.of(x, 50.0), Map.of(x, 51.0));
+    assertEquals(
+        List.of(
+            new ComparisonTable.Line("Tracker: clusters", "x, px", "50.000", "51.000", "+2.00 %")),
+        lines);
+    assertEquals("same", ComparisonTable.lines(Map.of(y, 3.0), Map.of(y, 3.0)).get(0).difference());
+    assertEquals("", ComparisonTable.lines(Map.of(y, 3.0), Map.of(z, 3.0)).get(0).difference());
+  }
+
+  private PresetFeature presets() {
+    return viewer.window.feature(PresetFeature.class);
+  }
+
+  @Test
+  void aChainInsideTheChainIsKeptAndFilledByItself() {
+    viewer = new ViewerHarness(UserSettings.load(folder));
+    viewer.open(() -> new ScenePlayable(() -> new BlobSource(Long.MAX_VALUE), "blob"));
+    viewer.run(() -> viewer.window.editor().addChain());
+    viewer.waitFor("its card", () -> viewer.isThere("stage-chain"));
+    FilterChain inside = (FilterChain) viewer.session().chain().stage("chain").filter();
+    ChainEditor editor =
+        viewer.onFx(() -> viewer.window.editor().inside(viewer.session().chain().stage("chain")));
+    viewer.run(() -> editor.moveHere("hot-pixels", Optional.empty()));
+    viewer.waitFor("a filter inside", () -> names(inside).equals(List.of("hot-pixels")));
+    viewer.run(() -> presets().save("inner", editor));
+    viewer.waitFor("the offer", () -> presets().names().equals(List.of("inner")));
+    viewer.run(() -> editor.remove(inside.stages().get(0)));
+    viewer.waitFor("none inside", () -> inside.stages().isEmpty());
+    MenuButton more = viewer.node("more-chain", MenuButton.class);
+    Menu menu =
+        (Menu)
+            more.getItems().stream()
+                .filter(item -> "presets-chain".equals(item.getId()))
+                .findFirst()
+                .orElseThrow();
+    viewer.run(more::show);
+    viewer.run(menu::show);
+    viewer.run(
+        () ->
+            menu.getItems().stream()
+                .filter(item -> "presets-chain-inner".equals(item.getId()))
+                .findFirst()
+                .orElseThrow()
+                .fire());
+    viewer.waitFor("it is back", () -> names(inside).equals(List.of("hot-pixels")));
+    assertFalse(names(viewer.session().chain()).contains("hot-pixels"));
+    viewer.run(() -> viewer.window.actions().run("undo"));
+    viewer.waitFor("that is taken back", () -> insideNow().isEmpty());
+  }
+
+  private List<String> insideNow() {
+    return names((FilterChain) viewer.session().chain().stage("chain").filter());
+  }
+
+  @Test
+  void aPresetIsKeptAndOffered() {
+    UserSettings settings = UserSettings.load(folder);
+    viewer = new ViewerHarness(settings);
+    viewer.open(() -> new ScenePlayable(() -> new BlobSource(Long.MAX_VALUE), "blob"));
+    viewer.run(() -> presets().save("usual", viewer.window.editor()));
+    viewer.waitFor("the file", () -> Files.exists(folder.resolve("presets").resolve("usual.json")));
+    viewer.waitFor("the offer", () -> viewer.window.actions().find("preset-usual").isPresent());
+    ChainStage last = viewer.session().chain().stages().get(2);
+    viewer.run(() -> viewer.session().player().edit(chain -> chain.remove(last)));
+    viewer.waitFor("a shorter chain", () -> viewer.session().chain().stages().size() == 2);
+    viewer.run(() -> viewer.window.actions().run("preset-usual"));
+    viewer.waitFor("the preset", () -> viewer.session().chain().stages().size() == 3);
+    viewer.run(() -> presets().save("a/b", viewer.window.editor()));
+    viewer.waitFor(
+        "what is wrong", () -> viewer.text("status-message").contains("cannot be named"));
+  }
+}

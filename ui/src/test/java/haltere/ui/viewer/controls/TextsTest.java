@@ -1,0 +1,45 @@
+package haltere.ui.viewer.controls;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.core.playback.PlayerStatus;
+import haltere.core.playback.PlayerStatus.State;
+import java.util.OptionalLong;
+import org.junit.jupiter.api.Test;
+
+class TextsTest {
+  private static PlayerStatus late(String slowestStage, double sourceShare) {
+    return new PlayerStatus(
+        State.PLAYING, 0, 0, -1, 1, 0.5, 1_200_000, slowestStage, sourceShare, 0, 0, 0, 0, 1, "");
+  }
+
+  @Test
+  void whatIsLateIsNamedAfterWhatTakesTheTime() {
+    String behind = Texts.duration(1_200_000) + " behind";
+    assertEquals("The chain is " + behind + ": dawdler", Texts.late(late("dawdler", 0.2)));
+    assertEquals("The chain is " + behind, Texts.late(late("", 0)));
+    String source = Texts.late(late("dawdler", 0.8));
+    assertTrue(source.startsWith("The source is " + behind), source);
+    assertTrue(!source.contains("dawdler"), source);
+  }
+
+  @Test
+  void speedsAreSharesOfRealTime() {
+    assertEquals("1/1000\u00d7", Texts.speed(1e-3));
+    assertEquals("16\u00d7", Texts.speed(16));
+    assertEquals("0\u00d7", Texts.speed(0));
+    assertEquals("max", Texts.speed(Double.POSITIVE_INFINITY));
+  }
+
+  @Test
+  void timesAreReadAsAPersonWritesThem() {
+    assertEquals(OptionalLong.of(62_345_000), Texts.parseTime("1:02.345"));
+    assertEquals(OptionalLong.of(3_723_500_000L), Texts.parseTime("1:02:03.5"));
+    assertEquals(OptionalLong.of(250_000), Texts.parseTime(" 250 ms"));
+    assertEquals(OptionalLong.of(1500), Texts.parseTime("1500us"));
+    assertEquals(OptionalLong.of(3_000_000), Texts.parseTime("3"));
+    assertEquals(OptionalLong.empty(), Texts.parseTime("soon"));
+    assertEquals(OptionalLong.empty(), Texts.parseTime("-3 s"));
+  }
+}

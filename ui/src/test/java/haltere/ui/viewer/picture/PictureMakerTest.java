@@ -1,0 +1,134 @@
+package haltere.ui.viewer.picture;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.overlay.MarkStyle;
+import haltere.core.overlay.MarkStyle.Role;
+import haltere.core.overlay.Overlay;
+import haltere.ui.rendering.Letters;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(value = 60, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+class PictureMakerTest {
+  private static final SensorGeometry SENSOR = new SensorGeometry(64, 48);
+
+  /** Words take no room and are not to be seen. */
+  private static final Letters NO_LETTERS =
+      new Letters() {
+        @Override
+        public double width(String line) {
+          return 0;
+        }
+
+        @Override
+        public double ascent() {
+          return 0;
+        }
+
+        @Override
+        public double descent() {
+          return 0;
+        }
+
+        @Override
+        public void draw(String line, int left, int base, Dots dots) {}
+      };
+
+  private static final ScreenPlace PLACE =
+      new ScreenPlace(0, 0, 0.7, 1, 45, 34, 0, 33.6, NO_LETTERS, true);
+
+  private static final Overlay<Double> RING =
+      (radius, canvas) -> canvas.circle(30, 20, radius, MarkStyle.of(Role.OBJECT));
+
+  private static final List<DisplayFrame.Marks<?>> MARKS =
+      List.of(new DisplayFrame.Marks<>(9.0, RING));
+
+  private static EventPacket events(long fromUs) {
+    EventPacket packet = new EventPacket(16);
+    for (int i = 0; i < 16; i++) {
+      packet.append(fromUs + i, 4 * i, 3 * i, i % 2 == 0);
+    }
+    return packet;
+  }
+
+  private static PictureMaker maker(boolean betweenSlices) {
+    return new PictureMaker(SENSOR, DisplayOptions.DEFAULT, betweenSlices);
+  }
+
+  @Test
+  void aFrameForTheScreenIsWhatTheWindowWouldDrawOfIt() {
+    PictureMaker maker = maker(false);
+    maker.setScreenPlace(Optional.of(PLACE));
+    maker.packet(events(1000));
+    maker.showSlice(0, 2000, MARKS);
+    DisplayFrame frame = maker.exchange().fetch();
+    assertEquals(Optional.of(PLACE), frame.screenPlace);
+    int[] drawn = new int[45 * 34];
+    ScreenPainter painter = new ScreenPainter();
+    painter.configure(SENSOR, PLACE);
+    painter.paint(frame.pixels, MARKS, frame.dark, drawn);
+    assertArrayEquals(drawn, frame.screen);
+    painter.configure(SENSOR, PLACE.withMarks(false));
+    painter.paint(frame.pixels, MARKS, frame.dark, drawn);
+    assertFalse(Arrays.equals(drawn, frame.screen), "marks can be seen, and left out");
+  }
+
+  @Test
+  void withoutAPlaceOnTheScreenThereAreTheSensorsPixelsAlone() {
+    PictureMaker maker = maker(false);
+    maker.packet(events(1000));
+    maker.showSlice(0, 2000, MARKS);
+    DisplayFrame frame = maker.exchange().fetch();
+    assertEquals(Optional.empty(), frame.screenPlace);
+    assertEquals(0, frame.screen.length);
+  }
+
+  @Test
+  void whileSlicesRunOnTheWindowIsNotKeptWaitingForTheEndOfOne() {
+    PictureMaker maker = maker(true);
+    runOn(maker);
+    DisplayFrame frame = null;
+    for (long us = 5000; frame == null; us += 20) {
+      maker.packet(events(us));
+      frame = maker.exchange().fetch();
+    }
+    assertNotNull(frame, "there is a frame although no slice has ended");
+    assertEquals(MARKS, frame.marks);
+  }
+
+  @Test
+  void aSliceOfADirectPictureIsShownWhole() {
+    PictureMaker maker = maker(false);
+    runOn(maker);
+    long end = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(10);
+    for (long us = 5000; System.nanoTime() < end; us += 20) {
+      maker.packet(events(us));
+      assertNull(maker.exchange().fetch());
+    }
+  }
+
+  /** Two slices, one right after the other. */
+  private static void runOn(PictureMaker maker) {
+    long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(30);
+    boolean atOnce = false;
+    while (!atOnce && System.nanoTime() < end) {
+      long start = System.nanoTime();
+      maker.showSlice(0, 2000, MARKS);
+      maker.exchange().fetch();
+      maker.showSlice(2000, 4000, MARKS);
+      maker.exchange().fetch();
+      atOnce = System.nanoTime() - start < TimeUnit.MILLISECONDS.toNanos(15);
+    }
+  }
+}

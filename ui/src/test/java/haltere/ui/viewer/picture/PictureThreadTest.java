@@ -1,0 +1,98 @@
+package haltere.ui.viewer.picture;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import haltere.core.event.EventPacket;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CompletionException;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(value = 60, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+class PictureThreadTest {
+  /** More than its pool has packets. */
+  private static final int MANY = 500;
+
+  private static EventPacket packet(long timeUs) {
+    EventPacket packet = new EventPacket(1);
+    packet.append(timeUs, 1, 2, true);
+    return packet;
+  }
+
+  @Test
+  void packetsAndStepsAreTakenInTheOrderInWhichTheyCame() {
+    List<Long> seen = new ArrayList<>();
+    try (PictureThread thread = new PictureThread(packet -> seen.add(packet.firstTimeUs()))) {
+      List<Long> expected = new ArrayList<>();
+      for (long i = 0; i < MANY; i++) {
+        long time = i;
+        thread.packet(packet(time));
+        thread.later(() -> seen.add(-time));
+        expected.addAll(List.of(time, -time));
+      }
+      assertEquals(expected, thread.now(() -> List.copyOf(seen)));
+    }
+  }
+
+  @Test
+  void aPacketThatComesOnIsACopy() {
+    List<Long> seen = new ArrayList<>();
+    try (PictureThread thread = new PictureThread(packet -> seen.add(packet.firstTimeUs()))) {
+      EventPacket reused = packet(7);
+      thread.packet(reused);
+      reused.clear();
+      assertEquals(List.of(7L), thread.now(() -> List.copyOf(seen)));
+    }
+  }
+
+  @Test
+  void whatFailsIsToldAtTheNextCallAndTheThreadGoesOn() {
+    for (Throwable fault : List.of(new IllegalArgumentException("bad"), new StackOverflowError())) {
+      try (PictureThread thread = new PictureThread(packet -> {})) {
+        thread.later(() -> rethrow(fault));
+        assertThrows(
+            RuntimeException.class,
+            () -> {
+              while (true) {
+                thread.later(() -> {});
+              }
+            });
+        assertEquals("still there", thread.now(() -> "still there"));
+      }
+    }
+  }
+
+  @Test
+  void whoWaitsForAStepIsToldThatItFailed() {
+    try (PictureThread thread = new PictureThread(packet -> {})) {
+      IllegalStateException fault = new IllegalStateException("no room");
+      assertSame(
+          fault,
+          assertThrows(
+              IllegalStateException.class,
+              () ->
+                  thread.now(
+                      () -> {
+                        throw fault;
+                      })));
+      assertThrows(
+          CompletionException.class,
+          () ->
+              thread.now(
+                  () -> {
+                    throw new OutOfMemoryError("made up");
+                  }));
+    }
+  }
+
+  private static void rethrow(Throwable fault) {
+    if (fault instanceof Error error) {
+      throw error;
+    }
+    throw (RuntimeException) fault;
+  }
+}

@@ -1,0 +1,183 @@
+package haltere.ui.viewer.plots;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.core.format.ReadOptions;
+import haltere.ui.plot.Curve;
+import haltere.ui.plot.PlotField;
+import haltere.ui.viewer.ViewerHarness;
+import haltere.ui.viewer.controls.Theme;
+import haltere.ui.viewer.session.SessionRequest;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import javafx.scene.Node;
+import javafx.scene.control.Label;
+import javafx.scene.image.PixelReader;
+import javafx.scene.image.WritableImage;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Plots of what filters publish, in the real window. */
+class PlotPanelTest {
+  private static final PlotField X = new PlotField("cluster-tracker", "clusters", "x_px");
+
+  @TempDir Path folder;
+  private ViewerHarness viewer;
+
+  @AfterEach
+  void close() {
+    viewer.close();
+  }
+
+  private PlotPanel plots() {
+    return viewer.window.plots();
+  }
+
+  private long lastUs() {
+    return viewer.onFx(() -> plots().lanes().get(0).lastUs());
+  }
+
+  private void plot(PlotField field) {
+    viewer.run(
+        () -> {
+          viewer.window.actions().run("show-plots");
+          plots().addLane(field);
+        });
+  }
+
+  @Test
+  void aPublishedResultIsPlottedWhileItPlays() {
+    viewer = ViewerHarness.withBlob();
+    plot(X);
+    viewer.waitFor("samples", () -> lastUs() > 100_000);
+    viewer.waitFor("a curve on the screen", () -> hasCurve(PlotInk.DARK));
+    viewer.run(() -> viewer.window.display().themeProperty().set(Theme.LIGHT));
+    viewer.waitFor("the curve in the colours of the light theme", () -> hasCurve(PlotInk.LIGHT));
+  }
+
+  @Test
+  void plotsThatASceneBeganWithGoWithItUnlessThereAreOthers() throws IOException {
+    viewer = new ViewerHarness();
+    Path recording = folder.resolve("blob.aedat");
+    ViewerHarness.writeRecording(recording, 200_000);
+    viewer.run(() -> viewer.window.open(SessionRequest.scene()));
+    viewer.waitFor("its plots", () -> plots().lanes().size() == 2);
+    viewer.run(() -> viewer.window.open(recording, ReadOptions.DEFAULT));
+    viewer.waitUntilOpen("blob.aedat");
+    viewer.waitFor("no plots", () -> plots().lanes().isEmpty());
+    viewer.waitFor("no panel", () -> !viewer.isThere("plots"));
+    viewer.run(() -> viewer.window.open(SessionRequest.scene()));
+    viewer.waitFor("its plots again", () -> plots().lanes().size() == 2);
+    viewer.run(() -> plots().addLane(X));
+    viewer.run(() -> viewer.window.open(recording, ReadOptions.DEFAULT));
+    viewer.waitUntilOpen("blob.aedat");
+    assertEquals(3, viewer.onFx(() -> plots().lanes().size()));
+  }
+
+  @Test
+  void lanesThatDoNotFitAreScrolledAndCoverNothing() {
+    viewer = ViewerHarness.withBlob();
+    plot(PlotField.EVENT_RATE);
+    for (int i = 0; i < 12; i++) {
+      viewer.run(() -> plots().addLane(X));
+    }
+    Node head = viewer.node("add-plot", Node.class);
+    viewer.waitFor(
+        "the first lane below the head",
+        () -> {
+          Node lane = plots().lookup(".plot-lane");
+          if (lane == null) {
+            return false; // it is not laid out yet
+          }
+          double top = lane.localToScene(lane.getLayoutBounds()).getMinY();
+          return lane.getLayoutBounds().getHeight() > 0
+              && top >= head.localToScene(head.getLayoutBounds()).getMaxY();
+        });
+    viewer.waitFor("a scroll bar", () -> !plots().lookupAll(".scroll-bar:vertical").isEmpty());
+  }
+
+  @Test
+  void aPlotOfWhatNobodyPublishesSaysSo() {
+    viewer = ViewerHarness.withBlob();
+    plot(new PlotField("wing-tracker", "wings", "angle_rad"));
+    viewer.waitFor("a note", () -> viewer.isThere("plot-note"));
+    Label note = viewer.node("plot-note", Label.class);
+    viewer.waitFor("the note", note::isVisible);
+    assertTrue(viewer.onFx(note::getText).contains("wing-tracker / wings / angle_rad"));
+    plot(X);
+    viewer.waitFor("samples", () -> plots().lanes().get(1).lastUs() > 0);
+    List<Boolean> notes =
+        viewer.onFx(
+            () -> plots().lookupAll(".plot-note").stream().map(Node::isVisible).sorted().toList());
+    assertEquals(List.of(false, true), notes);
+  }
+
+  private boolean hasCurve(PlotInk ink) {
+    WritableImage image = plots().snapshot(null, null);
+    PixelReader pixels = image.getPixelReader();
+    int like = 0;
+    for (int y = 0; y < image.getHeight(); y++) {
+      for (int x = 70; x < image.getWidth(); x++) {
+        if (pixels.getColor(x, y).equals(ink.curve(0))) {
+          like++;
+        }
+      }
+    }
+    return like > 20;
+  }
+
+  @Test
+  void theEventRateIsPlottedWithoutAnyFilter() {
+    viewer = ViewerHarness.withBlob();
+    plot(PlotField.EVENT_RATE);
+    viewer.waitFor(
+        "a rate above zero",
+        () ->
+            viewer.onFx(
+                () -> {
+                  List<Curve> curves = plots().lanes().get(0).curves();
+                  return !curves.isEmpty() && curves.get(0).last() > 0;
+                }));
+  }
+
+  @Test
+  void aPlotGoesOnInTheNextRecording() throws IOException {
+    viewer = ViewerHarness.withBlob();
+    plot(X);
+    viewer.waitFor("samples", () -> lastUs() > 0);
+    Path file = folder.resolve("next.aedat");
+    ViewerHarness.writeRecording(file, 3_000_000);
+    viewer.run(() -> viewer.window.dropped(List.of(file.toFile())));
+    viewer.waitUntilOpen("next.aedat");
+    viewer.waitFor("samples of the recording", () -> lastUs() > 0 && lastUs() < 3_000_000);
+  }
+
+  @Test
+  void lookingBackStopsFollowingAndTheTableHasWhatIsShown() throws IOException {
+    viewer = ViewerHarness.withBlob();
+    plot(X);
+    viewer.waitFor("half a second", () -> lastUs() > 500_000);
+    viewer.run(() -> plots().window().scroll(-100_000));
+    long endUs = viewer.onFx(() -> plots().window().toUs());
+    long beforeUs = lastUs();
+    viewer.waitFor("more samples", () -> lastUs() > beforeUs + 200_000);
+    assertEquals(endUs, viewer.onFx(() -> plots().window().toUs()));
+    assertFalse(viewer.onFx(() -> plots().window().isFollowing()));
+    List<String> rows = viewer.onFx(() -> plots().table().text()).lines().toList();
+    assertTrue(rows.size() > 10, rows.size() + " rows");
+    long lastRowUs = Long.parseLong(rows.get(rows.size() - 1).split(",")[0]);
+    assertTrue(lastRowUs <= endUs);
+  }
+
+  @Test
+  void plotsThatAreHiddenTakeNoRoom() {
+    viewer = ViewerHarness.withBlob();
+    plot(X);
+    viewer.run(() -> viewer.window.actions().run("show-plots"));
+    assertTrue(viewer.onFx(() -> plots().getScene() == null));
+  }
+}

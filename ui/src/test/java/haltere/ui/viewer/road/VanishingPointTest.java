@@ -1,0 +1,109 @@
+package haltere.ui.viewer.road;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.filters.track.KalmanTracksFilter;
+import haltere.filters.track.RoadTracksSettings;
+import haltere.filters.track.VanishingPoint;
+import haltere.ui.viewer.ViewerHarness;
+import haltere.ui.viewer.picture.EventView;
+import haltere.ui.viewer.picture.ViewTool;
+import javafx.scene.control.TextField;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+/** Where the road vanishes, said by the mouse in the real window. */
+class VanishingPointTest {
+  private static final String ACTION = "vanishing-point";
+  private static final String TRACKS = "kalman-tracks";
+  private ViewerHarness viewer;
+
+  @BeforeEach
+  void open() {
+    viewer = ViewerHarness.withBlob();
+  }
+
+  @AfterEach
+  void close() {
+    viewer.close();
+  }
+
+  private boolean isOffered() {
+    return viewer.onFx(() -> viewer.window.actions().find(ACTION).isPresent());
+  }
+
+  private void addTracks() {
+    viewer.click("add-filter");
+    viewer.waitFor("the filter in the menu", () -> viewer.isThere("add-" + TRACKS));
+    viewer.click("add-" + TRACKS);
+    viewer.waitFor("the action", this::isOffered);
+  }
+
+  private RoadTracksSettings road() {
+    KalmanTracksFilter tracks =
+        (KalmanTracksFilter) viewer.session().chain().stage(TRACKS).filter();
+    return tracks.settings().road();
+  }
+
+  private VanishingPoint point() {
+    return road().view().vanishingPoint();
+  }
+
+  private void clickAt(double x, double y) {
+    EventView view = viewer.window.view();
+    double shareX = viewer.onFx(() -> view.viewX(x) / view.getWidth());
+    double shareY = viewer.onFx(() -> view.viewY(y) / view.getHeight());
+    viewer.click("event-view", shareX, shareY);
+  }
+
+  @Test
+  void isOfferedWhileThereAreTracksInTheChain() {
+    assertFalse(isOffered());
+    addTracks();
+    viewer.run(() -> viewer.window.actions().run(ACTION));
+    viewer.waitFor("the tool", () -> viewer.window.view().tool().isPresent());
+    viewer.click("more-" + TRACKS);
+    viewer.click("remove-" + TRACKS);
+    viewer.waitFor("the action is gone", () -> !isOffered());
+    assertTrue(viewer.onFx(() -> viewer.window.view().tool().isEmpty()));
+  }
+
+  @Test
+  void aClickSetsItAndIsTakenBack() {
+    addTracks();
+    viewer.click("expand-" + TRACKS);
+    viewer.run(() -> viewer.window.actions().run(ACTION));
+    clickAt(40, 100);
+    viewer.waitFor("tracks on a road", () -> road().mapToRoad() && point().marked());
+    assertEquals(40, point().xPx(), 1);
+    assertEquals(100, point().yPx(), 1);
+    VanishingPointTool tool = viewer.window.feature(VanishingPointFeature.class).tool();
+    viewer.waitFor("the mark", () -> tool.mark().orElseThrow().getX() == point().xPx());
+    TextField entry =
+        viewer.node("entry-" + TRACKS + "-road-view-vanishingPoint-xPx", TextField.class);
+    viewer.waitFor(
+        "the setting in its card", () -> Double.parseDouble(entry.getText()) == point().xPx());
+    viewer.run(() -> viewer.window.actions().run("undo"));
+    viewer.waitFor("no road", () -> !road().mapToRoad() && !point().marked());
+    viewer.waitFor("no mark", () -> tool.mark().isEmpty());
+    viewer.run(() -> viewer.window.actions().run("redo"));
+    viewer.waitFor("the road again", () -> road().mapToRoad() && point().marked());
+  }
+
+  @Test
+  void aPlaceWhereNoRoadCanVanishIsRefusedInALine() {
+    addTracks();
+    viewer.run(() -> viewer.window.actions().run(ACTION));
+    ViewTool tool = viewer.onFx(() -> viewer.window.view().tool().orElseThrow());
+    viewer.run(
+        () -> {
+          tool.pressed(40, -3);
+          tool.released(40, -3);
+        });
+    viewer.waitFor("why", () -> viewer.text("status-message").contains("yPx"));
+    assertFalse(point().marked());
+  }
+}

@@ -1,0 +1,92 @@
+package haltere.ui.viewer.saving;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.core.format.ProgressListener;
+import haltere.core.format.RecordingReader;
+import haltere.core.format.RecordingSummary;
+import haltere.core.format.Recordings;
+import haltere.core.playback.ScenePlayable;
+import haltere.ui.viewer.BlobSource;
+import haltere.ui.viewer.ViewerHarness;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import javafx.scene.control.Label;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Recording while it plays, in the real window. */
+class RecordingControlTest {
+  @TempDir Path folder;
+  private ViewerHarness viewer;
+
+  @AfterEach
+  void close() {
+    viewer.close();
+  }
+
+  private boolean recording() {
+    return viewer.onFx(() -> viewer.window.feature(SavingFeature.class).isRecording());
+  }
+
+  private String said() {
+    return viewer.onFx(() -> ((Label) viewer.stage.getScene().lookup("#status-message")).getText());
+  }
+
+  private static RecordingSummary summary(Path file) throws IOException {
+    try (RecordingReader reader = Recordings.open(file)) {
+      return RecordingSummary.scan(reader, ProgressListener.NONE);
+    }
+  }
+
+  @Test
+  void whatPlaysIsRecordedUntilItIsStopped() throws IOException {
+    viewer = ViewerHarness.withBlob();
+    Path file = folder.resolve("out.aedat4");
+    viewer.run(() -> viewer.window.feature(SavingFeature.class).record(file));
+    assertTrue(recording());
+    viewer.waitFor("it says so", () -> said().equals("Recording to out.aedat4"));
+    long fromUs = viewer.status().timeUs();
+    viewer.waitFor("half a second", () -> viewer.status().timeUs() > fromUs + 500_000);
+    viewer.run(() -> viewer.window.feature(SavingFeature.class).toggleRecording());
+    assertFalse(recording());
+    viewer.waitFor("it says what was recorded", () -> said().startsWith("Recorded "));
+    RecordingSummary summary = summary(file);
+    assertEquals(BlobSource.GEOMETRY.width(), summary.geometry().width());
+    assertTrue(summary.lastUs() - summary.firstUs() >= 450_000, summary.durationS() + " s");
+    assertTrue(summary.warnings().isEmpty(), () -> summary.warnings().toString());
+  }
+
+  @Test
+  void theNextRecordingThatIsOpenedEndsTheOneUnderWay() throws IOException {
+    viewer = ViewerHarness.withBlob();
+    Path file = folder.resolve("out.aedat4");
+    viewer.run(() -> viewer.window.feature(SavingFeature.class).record(file));
+    viewer.waitFor("it records", () -> said().startsWith("Recording to"));
+    long fromUs = viewer.status().timeUs();
+    viewer.waitFor("some time", () -> viewer.status().timeUs() > fromUs + 200_000);
+    viewer.open(() -> new ScenePlayable(() -> new BlobSource(1_000_000), "next"));
+    viewer.waitFor("it ends", () -> !recording());
+    viewer.waitFor(
+        "the file is whole",
+        () -> Files.exists(file) && said().isEmpty() || said().startsWith("Recorded "));
+    assertTrue(summary(file).events() > 0);
+  }
+
+  @Test
+  void aFileThatCannotBeWrittenIsSaidInALine() {
+    viewer = ViewerHarness.withBlob();
+    viewer.run(
+        () ->
+            viewer
+                .window
+                .feature(SavingFeature.class)
+                .record(folder.resolve("no").resolve("out.aedat4")));
+    viewer.waitFor("the problem", () -> said().contains("out.aedat4"));
+    viewer.waitFor("nothing is recorded", () -> !recording());
+  }
+}

@@ -1,0 +1,173 @@
+package haltere.ui.viewer.space;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.core.camera.Cameras;
+import haltere.core.format.ReadOptions;
+import haltere.core.playback.Playable;
+import haltere.core.simulation.flight.FlightScene;
+import haltere.core.simulation.flight.FlightSettings;
+import haltere.core.simulation.flight.FlightTruth;
+import haltere.filters.orientation.CameraModel;
+import haltere.ui.space.BodyFlight;
+import haltere.ui.space.CameraRig;
+import haltere.ui.space.LiveFlight;
+import haltere.ui.viewer.ViewerHarness;
+import haltere.ui.viewer.session.Sources;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import javafx.scene.control.Label;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class LiveFlightTest {
+  @TempDir Path folder;
+
+  private static final FlightSettings SETTINGS =
+      FlightSettings.defaults().with("run.durationS=0.8", "view.cameras=2", "run.seed=11");
+
+  /** Plays a rig through as a player does. */
+  private static BodyFlight play(CameraRig rig, LiveFlight live) throws IOException {
+    while (rig.first().next(live)) {
+      // until the end
+    }
+    live.sliceEnd(0, 1);
+    return live.latest();
+  }
+
+  @Test
+  void theAxisOfASimulatedBodyIsFoundWhileTwoEventCamerasPlay() throws IOException {
+    try (CameraRig rig = CameraRig.simulated(SETTINGS)) {
+      LiveFlight live = new LiveFlight(rig);
+      BodyFlight flight = play(rig, live);
+      assertNear(flight);
+      rig.first().seek(0);
+      assertEquals(flight, play(rig, live), "from the start again");
+    }
+  }
+
+  private static void assertNear(BodyFlight flight) {
+    FlightScene scene = new FlightScene(SETTINGS);
+    assertEquals(2, flight.cameras().size());
+    List<Double> errorsDeg = new ArrayList<>();
+    for (BodyFlight.Moment moment : flight.moments()) {
+      FlightTruth truth = scene.truthAt(moment.estimate().timeUs());
+      double along =
+          moment.estimate().ux() * truth.ux()
+              + moment.estimate().uy() * truth.uy()
+              + moment.estimate().uz() * truth.uz();
+      errorsDeg.add(Math.toDegrees(Math.acos(Math.min(1, along))));
+      assertEquals(2, moment.residualsDeg().size());
+    }
+    assertTrue(errorsDeg.size() > 30, errorsDeg.size() + " moments");
+    Collections.sort(errorsDeg);
+    double median = errorsDeg.get(errorsDeg.size() / 2);
+    assertTrue(median < 8, "median " + median);
+  }
+
+  private static List<CameraModel> calibrated() throws IOException {
+    try (CameraRig rig = CameraRig.simulated(SETTINGS)) {
+      return rig.cameras();
+    }
+  }
+
+  /** A recording of each camera. */
+  private static List<Path> record(Path folder) throws IOException {
+    List<Path> files = new ArrayList<>();
+    try (CameraRig rig = CameraRig.simulated(SETTINGS)) {
+      List<Playable> sources = new ArrayList<>(rig.others());
+      sources.add(0, rig.first());
+      for (Playable source : sources) {
+        Path file = folder.resolve("camera-" + files.size() + ".aedat4");
+        ViewerHarness.writeRecording(file, source);
+        files.add(file);
+      }
+    }
+    return files;
+  }
+
+  @Test
+  void recordingsOfSeveralCamerasArePlayedTogether() throws IOException {
+    List<Path> files = record(folder);
+    List<CameraModel> cameras = calibrated();
+    try (CameraRig rig =
+        CameraRig.open(
+            cameras, number -> Sources.recording(files.get(number), ReadOptions.DEFAULT))) {
+      LiveFlight live = new LiveFlight(rig);
+      assertNear(play(rig, live));
+      rig.first().seek(100_000);
+      BodyFlight again = play(rig, live);
+      assertNear(again);
+      long earliestUs = again.moments().get(0).estimate().timeUs();
+      assertTrue(earliestUs > 100_000 && earliestUs < 500_000, "from " + earliestUs + " us on");
+      rig.first().close();
+    }
+    try (ViewerHarness viewer = new ViewerHarness()) {
+      LiveFlightFeature feature = viewer.window.feature(LiveFlightFeature.class);
+      viewer.run(() -> feature.openRecordings(cameras, files));
+      waitForAnAxis(viewer);
+      assertEquals("camera-0.aedat4", viewer.session().player().playable().name());
+    }
+  }
+
+  @Test
+  void camerasThatAreOpenAtOnceAreBroughtOntoOneClock() throws IOException {
+    Cameras cameras = new Cameras(List.of(new FlightCameras(SETTINGS)));
+    try (CameraRig rig = CameraRig.live(calibrated(), cameras)) {
+      assertNear(play(rig, new LiveFlight(rig)));
+    }
+    try (ViewerHarness viewer = new ViewerHarness()) {
+      LiveFlightFeature feature = viewer.window.feature(LiveFlightFeature.class);
+      FlightSettings endless = SETTINGS.with("run.durationS=0");
+      List<CameraModel> calibrated = calibrated();
+      viewer.run(
+          () -> feature.openCameras(calibrated, new Cameras(List.of(new FlightCameras(endless)))));
+      waitForAnAxis(viewer);
+      assertTrue(viewer.session().camera().isPresent());
+    }
+  }
+
+  @Test
+  void whyCamerasDoNotGoTogetherIsSaid() throws IOException {
+    List<CameraModel> cameras = calibrated();
+    assertRefused(cameras.subList(0, 1), "needs two cameras");
+    CameraModel first = cameras.get(0);
+    CameraModel small = CameraModel.of(first.id(), first.matrix(), new double[0], 128, 128);
+    assertRefused(List.of(cameras.get(1), small), "calibrated for 128");
+    CameraModel unknown = CameraModel.of("left", first.matrix(), new double[0], 0, 0);
+    assertRefused(List.of(first, unknown), "no camera left; seen are camera-0");
+  }
+
+  private static void assertRefused(List<CameraModel> calibrated, String words) {
+    Cameras cameras = new Cameras(List.of(new FlightCameras(SETTINGS)));
+    IOException why =
+        assertThrows(IOException.class, () -> CameraRig.live(calibrated, cameras).close());
+    assertTrue(why.getMessage().contains(words), why.getMessage());
+  }
+
+  private static void waitForAnAxis(ViewerHarness viewer) {
+    viewer.waitFor(
+        "an orientation",
+        () ->
+            viewer.stage.getScene().lookup("#live-flight-words") instanceof Label words
+                && words.getText().contains("axis"));
+  }
+
+  @Test
+  void theWindowShowsTheFlightWhileItPlays() {
+    try (ViewerHarness viewer = new ViewerHarness()) {
+      LiveFlightFeature feature = viewer.window.feature(LiveFlightFeature.class);
+      viewer.run(feature::openScene);
+      waitForAnAxis(viewer);
+      String words = viewer.onFx(() -> viewer.node("live-flight-words", Label.class).getText());
+      viewer.waitFor(
+          "another one",
+          () -> !viewer.node("live-flight-words", Label.class).getText().equals(words));
+    }
+  }
+}
