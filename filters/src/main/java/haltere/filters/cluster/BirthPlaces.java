@@ -1,6 +1,7 @@
 package haltere.filters.cluster;
 
 import haltere.core.event.SensorGeometry;
+import haltere.filters.cluster.ClusterMotionSettings.Start;
 import java.util.Arrays;
 
 /**
@@ -65,6 +66,11 @@ final class BirthPlaces {
   private double bornY;
   private double bornEvents;
   private long bornFirstUs;
+  private int bornColumn;
+  private int bornRow;
+
+  /** The events themselves, where newborn clusters begin with their velocity; else null. */
+  private FirstEvents firstEvents;
 
   BirthPlaces(SensorGeometry geometry, double radius) {
     int bits = 2;
@@ -93,10 +99,14 @@ final class BirthPlaces {
       decay[i] = StrictMath.exp(-i / recentUpkeeps);
     }
     crowd = CROWD;
+    firstEvents = settings.motion().start() == Start.EVENTS ? new FirstEvents() : null;
     setNeeded();
   }
 
   void reset() {
+    if (firstEvents != null) {
+      firstEvents.clear();
+    }
     Arrays.fill(count, 0);
     Arrays.fill(atUpkeep, 0);
     straysPerUpkeep = 0;
@@ -153,6 +163,9 @@ final class BirthPlaces {
    */
   boolean add(int x, int y, long timeUs) {
     lastStrayAt = upkeep;
+    if (firstEvents != null) {
+      firstEvents.add(x, y, timeUs);
+    }
     int column = x >> shift;
     int row = y >> shift;
     int cell = row * columns + column;
@@ -180,6 +193,8 @@ final class BirthPlaces {
   }
 
   private boolean isBirth(int column, int row) {
+    bornColumn = column;
+    bornRow = row;
     int left = Math.max(0, column - 1);
     int right = Math.min(columns - 1, column + 1);
     int bottom = Math.max(0, row - 1);
@@ -234,6 +249,19 @@ final class BirthPlaces {
           r * columns + Math.max(0, column - 1),
           r * columns + Math.min(columns - 1, column + 1) + 1,
           0);
+    }
+  }
+
+  /** Gives the cluster of the last birth the velocity of its events, if it is to begin with it. */
+  void setVelocity(Cluster born) {
+    if (firstEvents != null) {
+      firstEvents.setVelocity(
+          born,
+          bornColumn - 1 << shift,
+          bornRow - 1 << shift,
+          (bornColumn + 2 << shift) - 1,
+          (bornRow + 2 << shift) - 1,
+          bornFirstUs);
     }
   }
 

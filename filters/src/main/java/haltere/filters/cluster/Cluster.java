@@ -257,6 +257,14 @@ final class Cluster {
     }
   }
 
+  /** Counts an event that does not move it. */
+  void count(long timeUs) {
+    lastUs = timeUs;
+    mass++;
+    fresh++;
+    events++;
+  }
+
   /** Learns from what is left of an event how the events lie about the centre. */
   private void learn(double ex, double ey, int sign) {
     driftX += driftGain * (ex - driftX);

@@ -18,14 +18,22 @@ package haltere.filters.cluster;
  * a variance. It is given to readers as information, J = I_cc - I_cR I_Rc / (I_RR + s²/P_R), over
  * s².
  *
- * <p>Events off the ring by more than three standard deviations take no part. Of many events
- * between two readings only some are taken, which bounds the cost. Thread rule: that of its owner.
+ * <p>A ring is believed only where it fits better than a straight line would. Events off the ring
+ * by more than three standard deviations take no part. Of many events between two readings only
+ * some are taken, which bounds the cost. Thread rule: that of its owner.
  */
 final class ClusterContour {
   private static final double US = 1e-6;
 
   /** A ring is thin if its scatter is less than this share of its radius. */
   private static final double THIN = 0.25;
+
+  /**
+   * Scatter across the ring up to which it is one, as a share of the least variance of the events
+   * of one polarity in any direction: events on a straight line fit a part of a large ring hardly
+   * better than the line itself, whereas of half a ring it is a tenth of the squared radius.
+   */
+  private static final double CURVED = 0.7;
 
   /** Scatter of events that mark an outline as well as pixels can, pixels squared. */
   private static final double FIRST_SCATTER = 0.14;
@@ -84,6 +92,9 @@ final class ClusterContour {
 
   /** Whether the events of the cluster are looked at. */
   private boolean on;
+
+  /** Whether a ring fits them better than a line. */
+  private boolean curved;
 
   /** Of how many events one is taken. */
   private int stride;
@@ -234,6 +245,7 @@ final class ClusterContour {
     double known = ridge();
     double radiusMoves = (br - ixr * cx - iyr * cy) / (count + known);
     learnScatter(cx, cy, radiusMoves, known);
+    curved = scatter < CURVED * leastVariance(cluster);
     // With the centre taken out: what is left of the events to tell the radius.
     double kxx = ixx + loose;
     double kyy = iyy + loose;
@@ -256,6 +268,12 @@ final class ClusterContour {
     return Math.abs(cluster.balance) < TWO_SIDED
         && (radius > MOST_RADIUS * cluster.radius()
             || middleX * middleX + middleY * middleY > most * most);
+  }
+
+  /** Variance of the events of one polarity in the direction in which it is the least. */
+  private static double leastVariance(Cluster cluster) {
+    double half = 0.5 * (cluster.cxx - cluster.cyy);
+    return 0.5 * (cluster.cxx + cluster.cyy) - Math.sqrt(half * half + cluster.cxy * cluster.cxy);
   }
 
   /** Takes the mean square of what is left over, per degree of freedom. */
@@ -325,6 +343,7 @@ final class ClusterContour {
 
   private void begin(Cluster cluster) {
     on = true;
+    curved = false;
     stride = 1;
     radius = cluster.radius() / RING_RADII;
     radius = Math.max(1, radius);
@@ -342,7 +361,7 @@ final class ClusterContour {
   }
 
   private boolean isThin() {
-    return on && freedom >= LEAST_EVENTS && scatter < THIN * THIN * radius * radius;
+    return on && curved && freedom >= LEAST_EVENTS && scatter < THIN * THIN * radius * radius;
   }
 
   /**

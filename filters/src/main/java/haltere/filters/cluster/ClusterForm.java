@@ -88,9 +88,14 @@ final class ClusterForm {
     growthFactor = StrictMath.exp(all.output().upkeepUs() / GROWTH_TIME_US);
     youngGrowthFactor = StrictMath.exp(all.output().upkeepUs() / YOUNG_GROWTH_TIME_US);
     usualGain = 1 - StrictMath.exp(-all.output().upkeepUs() / USUAL_TIME_US);
-    surround = growth.size() || all.events().inhibition() > 0 ? growth.surround() : 1;
+    surround = surround(all);
     fixedCos = StrictMath.cos(StrictMath.toRadians(form.angleDeg()));
     fixedSin = StrictMath.sin(StrictMath.toRadians(form.angleDeg()));
+  }
+
+  /** How much larger than a cluster the region is whose events it takes. */
+  static double surround(ClusterTrackerSettings all) {
+    return all.growth().size() || all.events().inhibition() > 0 ? all.growth().surround() : 1;
   }
 
   boolean isBox() {

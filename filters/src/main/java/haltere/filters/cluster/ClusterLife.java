@@ -44,7 +44,7 @@ final class ClusterLife {
 
   private final ClusterLifeSettings settings;
   private final BirthPlaces places;
-  private final boolean meanStart;
+  private final Start start;
   private final double massDecay;
   private final double usualGain;
   private final double right;
@@ -53,7 +53,7 @@ final class ClusterLife {
   ClusterLife(SensorGeometry geometry, ClusterTrackerSettings all, BirthPlaces places) {
     settings = all.life();
     this.places = places;
-    meanStart = all.motion().start() == Start.MEAN;
+    start = all.motion().start();
     massDecay = StrictMath.exp(-(double) all.output().upkeepUs() / settings.recentUs());
     usualGain = 1 - StrictMath.exp(-all.output().upkeepUs() / USUAL_TIME_US);
     right = geometry.width() - 0.5;
@@ -132,7 +132,10 @@ final class ClusterLife {
     double visible = 0;
     double vx = 0;
     double vy = 0;
-    for (int i = 0; meanStart && i < count; i++) {
+    if (start == Start.EVENTS) {
+      places.setVelocity(born);
+    }
+    for (int i = 0; start == Start.MEAN && i < count; i++) {
       if (clusters[i].isVisible() && clusters[i] != born) {
         visible++;
         vx += clusters[i].vx;

@@ -36,10 +36,12 @@ final class ClusterMotion {
   private final double weightDecay;
   private final double velocityDecay;
   private final double rateGain;
+  private final double threshold;
 
   ClusterMotion(ClusterTrackerSettings all) {
     settings = all.motion();
     double upkeepUs = all.output().upkeepUs();
+    threshold = all.life().visibleRateHz();
     upkeepS = upkeepUs * 1e-6;
     weightDecay = StrictMath.exp(-upkeepUs / settings.mixingTimeUs());
     double velocityTimeUs =
@@ -74,8 +76,8 @@ final class ClusterMotion {
     cluster.gainByWeights = settings.mixing() == Mixing.PER_TIME;
     double events = Math.max(1, cluster.rateHz * cluster.memoryS);
     switch (settings.mixing()) {
-      case PER_EVENT -> {
-        cluster.gain = settings.mixingFactor();
+      case PER_EVENT, PER_EVENT_AND_RATE -> {
+        cluster.gain = settings.mixingFactor() * lessByRate(cluster);
         cluster.velocityGain = cluster.gain * cluster.velocityShare;
       }
       case PER_TIME -> {
@@ -92,6 +94,14 @@ final class ClusterMotion {
     double variance = 0.5 * (cluster.cxx + cluster.cyy);
     cluster.velocityVariance =
         4 * variance * cluster.velocityGain * cluster.velocityGain / (3 * cluster.gain);
+  }
+
+  /** By what the weight of an event is less because there are many. */
+  private double lessByRate(Cluster cluster) {
+    double usual = threshold * Math.PI * cluster.radiusA * cluster.radiusB;
+    return settings.mixing() == Mixing.PER_EVENT || cluster.rateHz <= usual
+        ? 1
+        : usual / cluster.rateHz;
   }
 
   /** Attends to a cluster that has been moved to the time of the upkeep. */

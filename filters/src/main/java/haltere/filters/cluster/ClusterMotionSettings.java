@@ -16,11 +16,12 @@ import haltere.core.settings.Unit;
  * @param velocityTimeUs time constant of the velocity, where the weight does not adapt
  * @param frictionTimeUs time constant with which a velocity decays by itself, 0 for never
  * @param start velocity of a newborn cluster
+ * @param neighbourRadii how far away neighbours are that limit the speed, 0 for no limit
  */
 public record ClusterMotionSettings(
     @Help("What decides the weight of an event: itself, the time, or how well a line fits.")
         Mixing mixing,
-    @Help("With mixing per-event: each event moves its cluster by this share of the distance.")
+    @Help("With mixing per-event: an event moves its cluster by this share of the distance.")
         @Range(min = 0.0001, max = 1, logarithmic = true)
         @Unit("1")
         double mixingFactor,
@@ -33,7 +34,7 @@ public record ClusterMotionSettings(
         @Unit("us")
         int longestMemoryUs,
     @Help("Clusters move on with their velocity between events.") boolean predict,
-    @Help("With mixing per-event and per-time: the velocity is averaged over about this time.")
+    @Help("With mixing other than adaptive: the velocity is averaged over about this time.")
         @Range(min = 1000, max = 10_000_000, logarithmic = true)
         @Unit("us")
         int velocityTimeUs,
@@ -41,12 +42,25 @@ public record ClusterMotionSettings(
         @Range(min = 0, max = 10_000_000)
         @Unit("us")
         int frictionTimeUs,
-    @Help("Velocity that a newborn cluster begins with: none, or the mean of the visible ones.")
-        Start start) {
+    @Help(
+            "Velocity that a newborn cluster begins with: none, the mean of the visible ones, or that"
+                + " of the events that made it.")
+        Start start,
+    @Help(
+            "No cluster is faster than the fastest visible one within this many times both radii; 0:"
+                + " no limit.")
+        @Range(min = 0, max = 100)
+        @Unit("1")
+        double neighbourRadii) {
   /** What decides the weight of an event in the centre of its cluster. */
   public enum Mixing {
     /** Each event has the same weight: x = (1 - m) x + m z. */
     PER_EVENT,
+    /**
+     * As with {@link #PER_EVENT}, but where the pixels of a cluster fire faster than makes it
+     * visible, the weight is inverse to their rate.
+     */
+    PER_EVENT_AND_RATE,
     /**
      * The centre is the mean of the events weighted by exp(-age / tau): m = 1 / W with W = 1 + W
      * exp(-dt / tau), which for events at equal intervals becomes 1 - exp(-dt / tau).
@@ -64,7 +78,9 @@ public record ClusterMotionSettings(
     /** None. */
     ZERO,
     /** The mean velocity of the visible clusters. */
-    MEAN
+    MEAN,
+    /** The slope of a line through the events that made it, a rough estimate. */
+    EVENTS
   }
 
   /** Checks the ranges. */
@@ -78,7 +94,8 @@ public record ClusterMotionSettings(
         predict,
         velocityTimeUs,
         frictionTimeUs,
-        start);
+        start,
+        neighbourRadii);
   }
 
   /**
@@ -88,6 +105,6 @@ public record ClusterMotionSettings(
    */
   public static ClusterMotionSettings defaults() {
     return new ClusterMotionSettings(
-        Mixing.ADAPTIVE, 0.05, 20_000, 300_000, true, 100_000, 0, Start.ZERO);
+        Mixing.ADAPTIVE, 0.05, 20_000, 300_000, true, 100_000, 0, Start.ZERO, 0);
   }
 }

@@ -56,7 +56,8 @@ public final class ClusterTracker {
   private boolean box;
   private boolean onlyClustered;
   private int otherPolarity;
-  private double inhibition;
+  private EventRegion region;
+  private boolean uniform;
 
   private boolean observedSomething;
 
@@ -107,7 +108,8 @@ public final class ClusterTracker {
     settings = Objects.requireNonNull(newSettings, "newSettings");
     upkeepUs = settings.output().upkeepUs();
     onlyClustered = settings.output().onlyClustered();
-    inhibition = settings.events().inhibition();
+    region = new EventRegion(settings);
+    uniform = region.isUniform();
     Keep keep = settings.events().polarity();
     otherPolarity = keep == Keep.BOTH ? -1 : keep == Keep.ON ? 0 : 1;
     motion = new ClusterMotion(settings);
@@ -116,7 +118,8 @@ public final class ClusterTracker {
     places = new BirthPlaces(geometry, form.startRadius());
     places.apply(settings);
     life = new ClusterLife(geometry, settings, places);
-    upkeep.apply(motion, form, life, (int) upkeepUs);
+    SpeedLimit limit = new SpeedLimit(settings.motion().neighbourRadii());
+    upkeep.apply(motion, form, life, limit, (int) upkeepUs);
     merging.apply(settings.merging(), settings.output().mostClusters());
     clusters.setMost(settings.output().mostClusters());
     for (Cluster cluster : clusters.all) {
@@ -312,7 +315,7 @@ public final class ClusterTracker {
       double next,
       double firstDistance) {
     double share = next / (best + next);
-    if (!(share >= LEAST_SHARE)) {
+    if (!(share >= LEAST_SHARE) || region.isEdgeOnly()) {
       give(first, x, y, sign, timeUs, firstDistance);
       return;
     }
@@ -324,9 +327,10 @@ public final class ClusterTracker {
   }
 
   private void give(Cluster cluster, int x, int y, int sign, long timeUs, double distance) {
-    cluster.take(x, y, sign, timeUs);
-    if (inhibition > 0 && distance > cluster.surroundFrom) {
-      cluster.mass = Math.max(0, cluster.mass - 1 - inhibition);
+    if (uniform) {
+      cluster.take(x, y, sign, timeUs);
+    } else {
+      region.give(cluster, x, y, sign, timeUs, distance);
     }
     if (cluster.hasLeftIndex()) {
       index();

@@ -10,6 +10,7 @@ final class ClusterUpkeep {
   private ClusterMotion motion;
   private ClusterForm form;
   private ClusterLife life;
+  private SpeedLimit speedLimit;
   private int upkeepUs;
 
   /** The last identity that was given out; none is given out twice. */
@@ -21,7 +22,13 @@ final class ClusterUpkeep {
   }
 
   /** Goes on by other rules. */
-  void apply(ClusterMotion newMotion, ClusterForm newForm, ClusterLife newLife, int newUpkeepUs) {
+  void apply(
+      ClusterMotion newMotion,
+      ClusterForm newForm,
+      ClusterLife newLife,
+      SpeedLimit newSpeedLimit,
+      int newUpkeepUs) {
+    speedLimit = newSpeedLimit;
     motion = newMotion;
     form = newForm;
     life = newLife;
@@ -48,6 +55,7 @@ final class ClusterUpkeep {
         }
       }
     }
+    speedLimit.apply(clusters);
     merge(timeUs, observer);
     for (int i = 0; i < clusters.count; i++) {
       Cluster cluster = clusters.all[i];

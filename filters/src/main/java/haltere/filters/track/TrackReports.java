@@ -87,13 +87,16 @@ final class TrackReports {
         : null;
   }
 
-  /** Whether it is known where a track is, by far better than by one of its events. */
+  /**
+   * Whether it is known where a track is, by far better than by one of its events; behind another
+   * track, to its size.
+   */
   private boolean isSure(Track track) {
-    double most = SURE_SPREADS * track.spreadPx;
-    return track.hidden
-        || track.stands
-        || track.contested && track.wasFree()
-        || settings.measurement().source() == MeasurementSource.CENTRE
-        || plane.varianceXPx2 + plane.varianceYPx2 < 2 * most * most;
+    if (track.stands || settings.measurement().source() == MeasurementSource.CENTRE) {
+      return true;
+    }
+    boolean behind = track.hidden || track.contested && track.wasFree();
+    double most = behind ? Math.max(track.radiusPx, track.spreadPx) : SURE_SPREADS * track.spreadPx;
+    return plane.varianceXPx2 + plane.varianceYPx2 < 2 * most * most;
   }
 }

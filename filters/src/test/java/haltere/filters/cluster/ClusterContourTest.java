@@ -115,6 +115,20 @@ class ClusterContourTest {
   }
 
   @Test
+  void aStraightLineHasNoOutlineThoughItFitsAPartOfALargeRing() {
+    SplittableRandom random = new SplittableRandom(4);
+    EventPacket events = new EventPacket(8192);
+    for (long timeUs = 0; timeUs < 600_000; timeUs += STEP_US) {
+      double along = 60 + random.nextDouble(-12, 12);
+      add(events, timeUs, x.applyAsDouble(timeUs) + 0.3 * random.nextGaussian(), along, true);
+    }
+    read(events, x, 100_000, 600_000);
+    assertTrue(readings > 40, "readings " + readings);
+    assertEquals(0, outlines);
+    assertTrue(Math.sqrt(meanSquares / readings) < 0.5, "mean " + meanSquares);
+  }
+
+  @Test
   void ofASmallThingInNoiseThereIsHardlyEverALargeRingBesideIt() {
     int found = 0;
     int beside = 0;
