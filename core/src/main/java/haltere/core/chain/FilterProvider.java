@@ -2,6 +2,7 @@ package haltere.core.chain;
 
 import haltere.core.event.SensorGeometry;
 import haltere.core.settings.SettingsSchema;
+import java.util.Map;
 
 /**
  * Makes filters of one kind. Providers are found as services ({@code
@@ -48,6 +49,16 @@ public interface FilterProvider<S extends Record> {
    */
   default SettingsSchema<S> schema() {
     return SettingsSchema.of(settingsType());
+  }
+
+  /**
+   * Settings to start from other than the defaults, such as those of the method that a filter goes
+   * back to.
+   *
+   * @return valid settings by name, a lower case word; none unless a provider says otherwise
+   */
+  default Map<String, S> presets() {
+    return Map.of();
   }
 
   /**

@@ -236,6 +236,11 @@ public final class KalmanTracksFilter extends PublishingFilter<KalmanTracksSetti
     }
 
     @Override
+    public Map<String, KalmanTracksSettings> presets() {
+      return Map.of("original", KalmanTracksSettings.original());
+    }
+
+    @Override
     public KalmanTracksFilter create(SensorGeometry geometry, KalmanTracksSettings settings) {
       return new KalmanTracksFilter(geometry, settings);
     }

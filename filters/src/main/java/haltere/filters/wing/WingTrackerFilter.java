@@ -5,6 +5,7 @@ import haltere.core.chain.Outlet;
 import haltere.core.chain.PublishingFilter;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import java.util.Map;
 
 /**
  * {@link WingTracker} as a stage of a chain. Lets all events through; publishes what it tracks.
@@ -171,6 +172,11 @@ public final class WingTrackerFilter extends PublishingFilter<WingTrackerSetting
     @Override
     public Class<WingTrackerSettings> settingsType() {
       return WingTrackerSettings.class;
+    }
+
+    @Override
+    public Map<String, WingTrackerSettings> presets() {
+      return Map.of("original", WingTrackerSettings.original());
     }
 
     @Override

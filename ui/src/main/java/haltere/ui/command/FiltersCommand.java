@@ -30,6 +30,7 @@ final class FiltersCommand extends Subcommand {
     for (FilterProvider<?> provider : Filters.all().values()) {
       if (names.isEmpty() || names.contains(provider.name())) {
         listing.add(provider.name(), provider.description(), provider.schema().parameters());
+        listing.presets(provider.presets().keySet());
       }
     }
     return OK;

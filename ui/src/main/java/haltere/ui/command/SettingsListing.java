@@ -3,6 +3,7 @@ package haltere.ui.command;
 import haltere.core.settings.Parameter;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import java.util.function.Consumer;
 
 /** Lists things that can be set: a name, a sentence, and a line for each setting. */
@@ -47,6 +48,13 @@ final class SettingsListing {
               parameter.name(),
               values(parameter),
               parameter.help()));
+    }
+  }
+
+  /** Adds the presets of the thing that was added last, if there are any. */
+  void presets(Set<String> names) {
+    if (!names.isEmpty()) {
+      lines.accept("    presets: " + String.join(", ", names));
     }
   }
 

@@ -1,6 +1,7 @@
 package haltere.ui.command;
 
 import haltere.core.camera.Camera;
+import haltere.core.chain.FilterProvider;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.Violation;
@@ -118,6 +119,19 @@ abstract class Subcommand implements Callable<Integer> {
     if (obstacle.isPresent()) {
       throw new CommandProblem(obstacle.get());
     }
+  }
+
+  /** Settings of a filter under a name. */
+  <S extends Record> S preset(FilterProvider<S> provider, String name) {
+    S found = provider.presets().get(name);
+    if (found == null) {
+      throw wrongArguments(
+          "there is no preset "
+              + name
+              + "; there is: "
+              + String.join(", ", provider.presets().keySet()));
+    }
+    return found;
   }
 
   ParameterException wrongArguments(String message) {

@@ -75,6 +75,14 @@ final class TrackCommand extends Subcommand {
   Path chainFile;
 
   @Option(
+      names = "--preset",
+      paramLabel = "NAME",
+      description =
+          "original: the Kalman filter on clusters of the source with its defaults, for comparison;"
+              + " not with --chain.")
+  String preset;
+
+  @Option(
       names = "--road",
       paramLabel = "ROAD.json",
       description = {
@@ -97,6 +105,9 @@ final class TrackCommand extends Subcommand {
   @Mixin ReadingOptions reading;
   @Mixin WritingOptions writing;
 
+  /** The settings of the preset; null for those of the chain. */
+  private KalmanTracksSettings start;
+
   TrackCommand(Surroundings surroundings) {
     super(surroundings);
   }
@@ -115,6 +126,12 @@ final class TrackCommand extends Subcommand {
       }
       writing.check(crossings);
       WritingOptions.checkDifferent(out, crossings);
+    }
+    if (preset != null) {
+      if (chainFile != null) {
+        throw wrongArguments("--preset and --chain both say what " + TRACKS + " does");
+      }
+      start = preset(new KalmanTracksFilter.Provider(), preset);
     }
     for (Path input : inputs()) {
       WritingOptions.checkDifferent(input, out);
@@ -210,7 +227,8 @@ final class TrackCommand extends Subcommand {
 
   private void track(FilterChain chain, Feed feed) throws IOException {
     KalmanTracksFilter tracks = tracks(chain);
-    tracks.apply(tracks.settings().onRoad(road(tracks.settings().road())).withReportRate(rateHz));
+    KalmanTracksSettings from = start == null ? tracks.settings() : start;
+    tracks.apply(from.onRoad(road(from.road())).withReportRate(rateHz));
     long rows;
     if (roadFile == null) {
       try (CsvSink<TrackPoint> table = CsvSink.create(out, TrackPoint.class, writing.overwrite)) {

@@ -186,11 +186,9 @@ final class WingsCommand extends Subcommand {
 
   private WingTrackerSettings settings() {
     WingTrackerSettings start =
-        switch (preset == null ? "" : preset) {
-          case "" -> WingTrackerSettings.defaults();
-          case "original" -> WingTrackerSettings.original();
-          default -> throw wrongArguments("there is no preset " + preset + "; there is: original");
-        };
+        preset == null
+            ? WingTrackerSettings.defaults()
+            : preset(new WingTrackerFilter.Provider(), preset);
     List<String> all = new ArrayList<>();
     if (method != null) {
       all.add("filter.method=" + method(method));

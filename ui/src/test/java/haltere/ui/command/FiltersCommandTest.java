@@ -36,5 +36,12 @@ class FiltersCommandTest {
     CommandRun run = CommandRun.of("filters", "refractory");
     assertTrue(run.out().contains("0 to 10000000 us [1000]"), run.out());
     assertFalse(run.out().contains("background-activity"), run.out());
+    assertFalse(run.out().contains("presets"), run.out());
+  }
+
+  @Test
+  void presetsAreNamed() {
+    CommandRun run = CommandRun.of("filters", "kalman-tracks");
+    assertTrue(run.out().contains("    presets: original"), run.out());
   }
 }

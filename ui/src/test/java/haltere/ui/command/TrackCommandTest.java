@@ -2,6 +2,7 @@ package haltere.ui.command;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -93,6 +94,20 @@ class TrackCommandTest {
       long tick = Math.round(timeUs * 30e-6);
       assertEquals(Math.round(tick * 1e6 / 30), timeUs);
     }
+  }
+
+  @Test
+  void thePresetOfTheOriginalTracksByTheCentresOfItsClusters() throws IOException {
+    assertEquals(0, CommandRun.of("track", in, "--out", out).status());
+    String usual = Files.readString(out);
+    CommandRun run =
+        CommandRun.of("track", in, "--out", out, "--preset", "original", "--overwrite");
+    assertEquals(0, run.status(), run.err());
+    List<String[]> rows = rows(out);
+    assertTrue(rows.size() > 20, rows.size() + " rows");
+    assertNotEquals(usual, Files.readString(out));
+    // R rises towards 8 px², so that it is less sure than with the defaults
+    assertTrue(Double.parseDouble(rows.get(rows.size() - 1)[6]) > 0.3);
   }
 
   @Test
@@ -190,6 +205,8 @@ class TrackCommandTest {
     assertFails(2, "--rate", "track", in, "--out", out, "--rate", "0");
     assertFails(2, "--rate", "track", in, "--out", out, "--rate", "NaN");
     assertFails(2, "--rate", "track", in, "--out", out, "--rate", "fast");
+    assertFails(2, "no preset new", "track", in, "--out", out, "--preset", "new");
+    assertFails(2, "--chain", "track", in, "--out", out, "--preset", "original", "--chain", in);
   }
 
   @Test

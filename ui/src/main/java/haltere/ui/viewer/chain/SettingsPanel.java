@@ -2,9 +2,11 @@ package haltere.ui.viewer.chain;
 
 import atlantafx.base.theme.Styles;
 import haltere.core.chain.ChainStage;
+import haltere.core.chain.Filters;
 import haltere.core.settings.Parameter;
 import haltere.core.settings.SettingsProblem;
 import haltere.core.settings.SettingsSchema;
+import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.SettingField;
 import haltere.ui.viewer.controls.Texts;
 import java.util.ArrayList;
@@ -17,6 +19,7 @@ import java.util.Set;
 import java.util.function.Consumer;
 import javafx.scene.control.Button;
 import javafx.scene.control.Label;
+import javafx.scene.layout.FlowPane;
 import javafx.scene.layout.VBox;
 
 /**
@@ -63,7 +66,9 @@ final class SettingsPanel<S extends Record> extends VBox {
     resetAll.setId("reset-all-" + id);
     resetAll.getStyleClass().addAll(Styles.SMALL, Styles.FLAT);
     resetAll.setOnAction(event -> send(schema.defaults(), "all settings", problem -> {}));
-    getChildren().add(resetAll);
+    FlowPane starts = new FlowPane(6, 0, resetAll);
+    presets().forEach((name, preset) -> starts.getChildren().add(startFrom(id, name, preset)));
+    getChildren().add(starts);
     show();
   }
 
@@ -79,6 +84,23 @@ final class SettingsPanel<S extends Record> extends VBox {
   static <S extends Record> SettingsPanel<S> of(ChainStage stage, S settings, ChainEditor editor) {
     SettingsSchema<S> schema = SettingsSchema.of((Class<S>) settings.getClass());
     return new SettingsPanel<>(stage, settings, schema, editor);
+  }
+
+  @SuppressWarnings("unchecked")
+  private Map<String, S> presets() {
+    var provider = Filters.all().get(stage.kind());
+    return provider != null && provider.settingsType() == settings.getClass()
+        ? (Map<String, S>) provider.presets()
+        : Map.of();
+  }
+
+  private Button startFrom(String id, String name, S preset) {
+    Button button = new Button("Preset: " + name);
+    button.setId("preset-" + name + "-" + id);
+    button.getStyleClass().addAll(Styles.SMALL, Styles.FLAT);
+    Controls.help(button, "Takes all settings of the preset " + name);
+    button.setOnAction(event -> send(preset, "all settings", problem -> {}));
+    return button;
   }
 
   private void set(String name, Object value, Consumer<String> refused) {
