@@ -1,5 +1,7 @@
 package haltere.filters.track;
 
+import haltere.core.chain.ReportClock;
+
 /** When tracks are reported, and which of them are shown then. Thread rule: that of its owner. */
 final class TrackReports {
   /** A report goes on for so long after the last measurement of a track that is not hidden. */

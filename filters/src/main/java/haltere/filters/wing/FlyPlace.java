@@ -38,8 +38,13 @@ final class FlyPlace {
           heading,
           place.innerRadiusPx(),
           regionPx);
+      frames[side].setByHand(isByHand(place));
     }
     settle();
+  }
+
+  private static boolean isByHand(WingPlaceSettings place) {
+    return place.bodyOffsetXPx() != 0 || place.bodyOffsetYPx() != 0;
   }
 
   /** Exchanges head and tail, and with them left and right. */
@@ -66,6 +71,7 @@ final class FlyPlace {
           frame.headingRad() + turn,
           after.innerRadiusPx(),
           regionPx);
+      frame.setByHand(isByHand(after));
     }
     settle();
     return turn;

@@ -20,6 +20,7 @@ final class HingeTracker {
   private double pxx;
   private double pxy;
   private double pyy;
+  private final UsualShift usual = new UsualShift();
 
   /** The last shift, pixels, and what it does to centre, amplitude and phase. */
   double shiftX;
@@ -34,6 +35,7 @@ final class HingeTracker {
     pxx = sdPx * sdPx;
     pyy = pxx;
     pxy = 0;
+    usual.clear();
     clear();
   }
 
@@ -85,8 +87,13 @@ final class HingeTracker {
     b[4] += r * slope;
   }
 
-  /** Estimates the shift since the last time. */
-  boolean solve(double dtS, double walkPx2PerS, double inflation) {
+  /**
+   * Estimates the shift since the last time.
+   *
+   * @param byHand whether a person has put the hinge where it is; what the events say against that
+   *     at first is no shift, then or later
+   */
+  boolean solve(double dtS, double walkPx2PerS, double inflation, boolean byHand) {
     pxx += walkPx2PerS * dtS;
     pyy += walkPx2PerS * dtS;
     // eliminate the nuisances, the last three, from the bottom up
@@ -113,6 +120,15 @@ final class HingeTracker {
     double jyy = m[1][1] / inflation;
     double rx = m[0][SIZE] / inflation;
     double ry = m[1][SIZE] / inflation;
+    if (byHand) {
+      if (!usual.isLearnt()) {
+        usual.add(jxx, jxy, jyy, rx, ry);
+        clear();
+        return false;
+      }
+      rx -= jxx * usual.x() + jxy * usual.y();
+      ry -= jxy * usual.x() + jyy * usual.y();
+    }
     double det = pxx * pyy - pxy * pxy;
     double ixx = pyy / det + jxx;
     double ixy = -pxy / det + jxy;

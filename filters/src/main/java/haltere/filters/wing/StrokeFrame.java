@@ -16,6 +16,7 @@ final class StrokeFrame {
   private double headingSin;
   private double innerSquare = LEAST_RADIUS_PX;
   private double outerSquare;
+  private boolean byHand;
 
   /** Of the event last looked at: from the hinge, and the square of the distance. */
   double dx;
@@ -39,6 +40,15 @@ final class StrokeFrame {
     double inner = Math.max(LEAST_RADIUS_PX, innerPx);
     innerSquare = inner * inner;
     outerSquare = outerPx * outerPx;
+  }
+
+  /** Says whether a person has put the hinge where it is. */
+  void setByHand(boolean said) {
+    byHand = said;
+  }
+
+  boolean isByHand() {
+    return byHand;
   }
 
   void setHeading(double heading) {

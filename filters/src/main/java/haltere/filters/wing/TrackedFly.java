@@ -33,6 +33,9 @@ final class TrackedFly {
   private final FlyReport report;
   private double symmetry;
 
+  /** Wings of which the running average has ended a beat since the body followed last. */
+  private final boolean[] beatEnded = new boolean[2];
+
   /** Angles of pixels while the running average alone is at work, else null. */
   private PixelAngles angles;
 
@@ -55,13 +58,15 @@ final class TrackedFly {
 
   private void build(int side) {
     WingFilterSettings filter = settings.filter();
-    BeatListener silent = (s, t, period, least, most) -> {};
-    beside[side] =
-        new RunningAverage(
-            SIDES[side],
-            frames[side],
-            settings.average(),
-            filter.method() == WingMethod.WRA ? report::beat : silent);
+    boolean tells = filter.method() == WingMethod.WRA;
+    BeatListener beats =
+        (s, endUs, periodUs, least, most) -> {
+          beatEnded[side] = true;
+          if (tells) {
+            report.beat(s, endUs, periodUs, least, most);
+          }
+        };
+    beside[side] = new RunningAverage(SIDES[side], frames[side], settings.average(), beats);
     main[side] =
         filter.method() == WingMethod.WRA
             ? beside[side]
@@ -189,6 +194,7 @@ final class TrackedFly {
     }
     if (settings.filter().method() == WingMethod.BOTH) {
       beside[side].event(timeUs, on);
+      followBeat();
     }
   }
 
@@ -203,6 +209,7 @@ final class TrackedFly {
     if (listener.wantsMeasurements()) {
       report.event(timeUs, side, on, angle);
     }
+    followBeat();
   }
 
   void advance(long timeUs) {
@@ -231,10 +238,24 @@ final class TrackedFly {
         left.turnHeading(by);
         right.turnHeading(by);
       }
-    } else if (settings.average().bodyUpdate() && tracked[0] && tracked[1]) {
-      followEvents();
     }
     place.settle();
+  }
+
+  /** Once both wings have ended a beat the body and the heading follow it, where that is wanted. */
+  private void followBeat() {
+    if (!beatEnded[0] || !beatEnded[1]) {
+      return;
+    }
+    beatEnded[0] = false;
+    beatEnded[1] = false;
+    RunningAverageSettings average = settings.average();
+    if ((average.bodyUpdate() || average.headingUpdate())
+        && tracked[0]
+        && tracked[1]
+        && !(main[0] instanceof WingEstimator)) {
+      followEvents();
+    }
   }
 
   /** The running average's way: the body is between the mean places of both wings' events. */
@@ -245,8 +266,9 @@ final class TrackedFly {
     if (Double.isNaN(middleX + middleY)) {
       return;
     }
-    double byX = share * (middleX + settings.place().bodyOffsetXPx() - place.axisX());
-    double byY = share * (middleY + settings.place().bodyOffsetYPx() - place.axisY());
+    double body = settings.average().bodyUpdate() ? share : 0;
+    double byX = body * (middleX + settings.place().bodyOffsetXPx() - place.axisX());
+    double byY = body * (middleY + settings.place().bodyOffsetYPx() - place.axisY());
     double across =
         Math.atan2(beside[0].meanY - beside[1].meanY, beside[0].meanX - beside[1].meanX);
     double turn =
@@ -270,6 +292,13 @@ final class TrackedFly {
     report.tick(timeUs, settings.filter().method() == WingMethod.BOTH);
     if (listener.wantsSnapshots()) {
       report.snapshot(timeUs, phase, geometry(), place.regionPx());
+    }
+  }
+
+  /** Tells whoever draws that there is nothing to be drawn any more. */
+  void publishLoss(long timeUs) {
+    if (listener.wantsSnapshots()) {
+      report.snapshot(timeUs, Phase.LOST, geometry(), place.regionPx());
     }
   }
 

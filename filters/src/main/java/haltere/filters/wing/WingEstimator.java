@@ -205,7 +205,7 @@ final class WingEstimator implements SideEstimator {
   private void followHinge() {
     double dtS = (timeUs - hingeUs) * 1e-6;
     hingeUs = timeUs;
-    if (followsHinge && hinge.solve(dtS, settings.hingePx2PerS(), REPEATING)) {
+    if (followsHinge && hinge.solve(dtS, settings.hingePx2PerS(), REPEATING, frame.isByHand())) {
       frame.shift(hinge.shiftX, hinge.shiftY);
       filter.x[StrokeEkf.CENTRE] += hinge.centreShift;
       filter.x[StrokeEkf.AMPLITUDE] += hinge.amplitudeShift;

@@ -19,6 +19,10 @@ public final class WingOverlay implements Overlay<WingSnapshot> {
   @Override
   public void draw(WingSnapshot snapshot, OverlayCanvas canvas) {
     FlyGeometry fly = snapshot.geometry();
+    if (snapshot.phase() == WingTrackerState.Phase.LOST) {
+      canvas.text(fly.centreX(), fly.centreY(), "wings lost", MarkStyle.of(Role.WARNING));
+      return;
+    }
     double heading = fly.headingRad();
     double cos = Math.cos(heading);
     double sin = Math.sin(heading);

@@ -1,5 +1,6 @@
 package haltere.filters.wing;
 
+import haltere.core.chain.ReportClock;
 import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
@@ -18,34 +19,33 @@ import java.util.Optional;
 public final class WingTracker {
   private static final int RECENT = 16384;
   private static final int CHECK_US = 10_000;
-  private static final int LONGEST_WAIT_US = 80_000;
-  private static final int LONGEST_WAIT_ONE_WING_US = 320_000;
+
+  /** Checks are at multiples of this, whatever the rate of the estimates. */
+  private static final int CHECK_STEP_US = 1000;
 
   /** A run of events of one polarity on a pixel ends after this time, whatever comes. */
   private static final int LONGEST_RUN_US = 2500;
 
   private static final long NO_EVENT = Long.MIN_VALUE >> 1;
 
-  /** Of the next tick, while no fly is tracked: each event may end the wait. */
+  /** Of what is due next, while no fly is tracked: each event may end the wait. */
   private static final long AT_ONCE = Long.MIN_VALUE;
 
   private final int width;
   private final WingListener listener;
-  private final FlyFinder finder;
+  private final FlySearch search;
   private final RecentEvents recent = new RecentEvents(RECENT);
   private final TrackedFly fly;
   private final MultipleWatch watch = new MultipleWatch();
+  private final SearchSteps steps = new SearchSteps();
+  private final ReportClock ticks = new ReportClock();
   private final long[] lastOfPixel;
   private WingTrackerSettings settings;
   private Phase phase = Phase.COLLECTING;
   private boolean begun;
-  private long nextSearchUs;
-  private int waitUs;
-  private long nextTickUs;
+  private long dueUs;
   private long nextCheckUs;
-  private double tickUs;
-  private long tickCount;
-  private long tickOriginUs;
+  private long publishedUs;
 
   /**
    * A tracker that has seen nothing.
@@ -58,9 +58,10 @@ public final class WingTracker {
     width = geometry.width();
     this.settings = settings;
     this.listener = listener;
-    finder = new FlyFinder(geometry, RECENT);
+    search = new FlySearch(new FlyFinder(geometry, RECENT), recent, this::say);
     fly = new TrackedFly(geometry, settings, listener);
     lastOfPixel = new long[geometry.pixels()];
+    ticks.setRate(settings.output().rateHz());
     reset();
   }
 
@@ -70,7 +71,8 @@ public final class WingTracker {
     Arrays.fill(lastOfPixel, NO_EVENT);
     phase = Phase.COLLECTING;
     begun = false;
-    nextTickUs = AT_ONCE;
+    dueUs = AT_ONCE;
+    steps.clear();
     fly.forget();
   }
 
@@ -91,7 +93,11 @@ public final class WingTracker {
   public void apply(WingTrackerSettings changed) {
     settings = changed;
     fly.apply(changed);
-    tickUs = 1e6 / settings.output().rateHz();
+    ticks.setRate(changed.output().rateHz());
+    if (fly.isTracked()) {
+      ticks.skipTo(Math.max(publishedUs, recent.timeUs(recent.size() - 1)) + 1);
+      dueUs = Math.min(ticks.nextUs(), nextCheckUs);
+    }
   }
 
   /**
@@ -101,6 +107,16 @@ public final class WingTracker {
    */
   public Phase phase() {
     return phase;
+  }
+
+  /**
+   * How the fly was searched for last, and what became of it.
+   *
+   * @return the steps in their order, the last one the condition since; empty before the first
+   *     event
+   */
+  public List<WingTrackerState> searchSteps() {
+    return steps.inOrder();
   }
 
   /**
@@ -234,7 +250,7 @@ public final class WingTracker {
       long timeUs = times[i];
       int address = addresses[i];
       recent.add(timeUs, address);
-      if (timeUs >= nextTickUs && !work(timeUs)) {
+      if (timeUs >= dueUs && !work(timeUs)) {
         continue;
       }
       int x = EventAddress.x(address);
@@ -261,59 +277,36 @@ public final class WingTracker {
   /** Does what is due at a time; false if its event is not to be tracked. */
   private boolean work(long timeUs) {
     if (!fly.isTracked()) {
-      search(timeUs);
+      lookForFly(timeUs);
       return false;
     }
     passTicks(timeUs);
     if (!fly.isTracked()) {
-      nextTickUs = AT_ONCE;
+      dueUs = AT_ONCE;
     }
     return fly.isTracked();
   }
 
-  private void search(long timeUs) {
+  private void lookForFly(long timeUs) {
     if (!begun) {
       begun = true;
-      waitUs = CHECK_US;
-      nextSearchUs = timeUs + settings.search().windowUs();
+      search.startAt(timeUs + settings.search().windowUs());
       say(timeUs, Phase.COLLECTING, 0);
     }
-    if (timeUs < nextSearchUs) {
-      return;
+    FoundFly found = search.look(timeUs, settings.search());
+    if (found != null) {
+      begin(found, timeUs);
     }
-    int windowUs = settings.search().windowUs();
-    int inWindow = recent.size() - recent.indexAtOrAfter(timeUs - windowUs);
-    if (inWindow < settings.search().leastEvents()) {
-      nextSearchUs = timeUs + CHECK_US;
-      return;
-    }
-    FoundFly found = find(timeUs);
-    if (found == null) {
-      nextSearchUs = timeUs + waitUs;
-      waitUs = Math.min(2 * waitUs, LONGEST_WAIT_US);
-      return;
-    }
-    begin(found, timeUs);
-  }
-
-  private FoundFly find(long timeUs) {
-    return finder.find(
-        recent,
-        timeUs - settings.search().windowUs(),
-        settings.search(),
-        (step, events, hz, x, y, heading, size, confidence) ->
-            listener.state(
-                new WingTrackerState(timeUs, step, events, hz, x, y, heading, size, confidence)));
   }
 
   private void begin(FoundFly found, long timeUs) {
+    if (!fly.isTracked()) {
+      publishedUs = timeUs;
+      ticks.skipTo(timeUs + 1);
+    }
     fly.begin(found, timeUs);
-    tickUs = 1e6 / settings.output().rateHz();
-    tickOriginUs = Math.floorDiv(timeUs, 1_000_000L) * 1_000_000L;
-    tickCount = (long) ((timeUs - tickOriginUs) / tickUs) + 1;
-    nextTickUs = tickAt(tickCount);
-    nextCheckUs = timeUs + CHECK_US;
-    waitUs = CHECK_US;
+    nextCheckUs = -Math.floorDiv(-(timeUs + CHECK_US), CHECK_STEP_US) * CHECK_STEP_US;
+    dueUs = Math.min(ticks.nextUs(), nextCheckUs);
     watch.launch();
     setPhase(timeUs);
     listener.geometry(fly.geometry());
@@ -324,14 +317,16 @@ public final class WingTracker {
     if (now != phase) {
       phase = now;
       say(timeUs, now, recent.size());
-      nextSearchUs = timeUs + CHECK_US;
-      waitUs = CHECK_US;
+      if (now == Phase.LOST) {
+        fly.publishLoss(timeUs);
+      }
+      search.startAfter(timeUs);
     }
   }
 
   private void say(long timeUs, Phase now, int events) {
     FlyGeometry g = fly.isTracked() ? fly.geometry() : null;
-    listener.state(
+    say(
         new WingTrackerState(
             timeUs,
             now,
@@ -344,13 +339,15 @@ public final class WingTracker {
             g == null ? Double.NaN : g.headTailConfidence()));
   }
 
-  private long tickAt(long count) {
-    return tickOriginUs + Math.round(count * tickUs);
+  private void say(WingTrackerState state) {
+    steps.take(state);
+    listener.state(state);
   }
 
+  /** Checks and estimates that are due; checks do not wait for estimates, whose rate may be low. */
   private void passTicks(long timeUs) {
-    while (nextTickUs <= timeUs) {
-      long now = nextTickUs;
+    while (dueUs <= timeUs) {
+      long now = dueUs;
       fly.advance(now);
       if (now >= nextCheckUs) {
         check(now);
@@ -358,9 +355,12 @@ public final class WingTracker {
           return;
         }
       }
-      fly.publish(now, phase);
-      tickCount++;
-      nextTickUs = tickAt(tickCount);
+      if (now >= ticks.nextUs()) {
+        fly.publish(now, phase);
+        publishedUs = now;
+        ticks.advance();
+      }
+      dueUs = Math.min(ticks.nextUs(), nextCheckUs);
     }
   }
 
@@ -373,18 +373,15 @@ public final class WingTracker {
       if (watch.isWrong(fly.frequencyHz(0), fly.frequencyHz(1))) {
         fly.forget();
         setPhase(timeUs);
-        nextSearchUs = timeUs;
+        search.startAt(timeUs);
         return;
       }
     }
     setPhase(timeUs);
-    if (phase == Phase.ONE_WING && timeUs >= nextSearchUs) {
-      FoundFly found = find(timeUs);
-      if (found != null && found.seeds()[0] != null && found.seeds()[1] != null) {
+    if (phase == Phase.ONE_WING) {
+      FoundFly found = search.lookForBoth(timeUs, settings.search());
+      if (found != null) {
         begin(found, timeUs);
-      } else {
-        nextSearchUs = timeUs + waitUs;
-        waitUs = Math.min(2 * waitUs, LONGEST_WAIT_ONE_WING_US);
       }
     }
   }

@@ -216,6 +216,25 @@ class WingMethodsTest {
   }
 
   @Test
+  void theHeadingFollowsTheBeatsWhileTheBodyStays() {
+    // wings that stroke about unlike centres are not across from each other
+    EventPacket fly = Flies.events(0.4, STEADY, SPARSE, "stroke.left.centreRad=1.3");
+    Said still = Said.with(fly, "filter.method=WRA");
+    FlyGeometry follows =
+        Said.with(fly, "filter.method=WRA", "average.headingUpdate=true")
+            .tracker
+            .geometry()
+            .orElseThrow();
+    assertEquals(still.geometry.centreX(), follows.centreX(), 1e-9);
+    assertEquals(still.geometry.centreY(), follows.centreY(), 1e-9);
+    double found = still.geometry.headingRad();
+    assertEquals(found, still.tracker.geometry().orElseThrow().headingRad(), 1e-9);
+    assertTrue(
+        Math.abs(Angles.wrapPi(follows.headingRad() - found)) > 0.005,
+        "turned towards across the mean places of the wings' events");
+  }
+
+  @Test
   void theOriginalsMethodHasItsSettingsAndKeepsAFlyNearItsStart() {
     WingTrackerSettings original = WingTrackerSettings.original();
     assertEquals(WingModel.EDGES, original.filter().model());

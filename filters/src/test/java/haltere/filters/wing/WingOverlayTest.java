@@ -86,6 +86,19 @@ class WingOverlayTest {
   }
 
   @Test
+  void ofWingsThatAreLostOnlyThatIsSaid() {
+    FlyGeometry fly = new FlyGeometry(50, 60, Math.PI / 2, 40, 47, 60, 53, 60, 0.9, 0);
+    double[] none = {Double.NaN, Double.NaN, Double.NaN, Double.NaN};
+    Marks marks = new Marks();
+    new WingOverlay()
+        .draw(
+            new WingSnapshot(
+                0, WingTrackerState.Phase.LOST, fly, 42, none, new double[] {0.02, 0.02}),
+            marks);
+    assertEquals(List.of("wings lost"), marks.all);
+  }
+
+  @Test
   void aWingThatIsNotTrackedIsNotDrawn() {
     Marks marks = draw(1.5, Double.NaN);
     assertEquals(0, marks.all.stream().filter("line RIGHT"::equals).count());

@@ -205,6 +205,75 @@ class WingTrackerTest {
   }
 
   @Test
+  void whereAPersonPutTheBodyItStaysAlthoughTheHingesAreFollowed() {
+    EventPacket events = Flies.events(0.6, STEADY, "fly.wing.visibleShare=0.15");
+    WingTracker plain = Said.with(events).tracker;
+    FlyGeometry found = plain.geometry().orElseThrow();
+    FlyGeometry put =
+        Said.with(events, "place.bodyOffsetXPx=3", "place.bodyOffsetYPx=-2")
+            .tracker
+            .geometry()
+            .orElseThrow();
+    assertEquals(found.centreX() + 3, put.centreX(), 0.7);
+    assertEquals(found.centreY() - 2, put.centreY(), 0.7);
+  }
+
+  @Test
+  void aFlyThatStopsIsNoticedWhateverTheRateOfTheEstimates() {
+    EventPacket fly = Flies.events(0.15, STEADY, "fly.wing.visibleShare=0.15");
+    EventPacket packet = new EventPacket(0);
+    packet.append(fly, 0, fly.size());
+    for (int i = 1; i <= 100; i++) {
+      packet.append(150_000 + i * 2000L, i % 7, 3, true);
+    }
+    for (int rateHz : new int[] {1, 70, 1000}) {
+      Said said = Said.with(packet, "output.rateHz=" + rateHz);
+      WingTrackerState last = said.states.get(said.states.size() - 1);
+      assertEquals(Phase.LOST, last.phase(), rateHz + " Hz");
+      assertTrue(last.timeUs() < 220_000, rateHz + " Hz: " + last.timeUs());
+    }
+  }
+
+  @Test
+  void theRateOfTheEstimatesIsChangedInFlight() {
+    EventPacket fly = Flies.events(0.25, STEADY, "fly.wing.visibleShare=0.15");
+    Said said = new Said();
+    WingTracker tracker = new WingTracker(Said.SENSOR, WingTrackerSettings.defaults(), said);
+    int third = fly.size() / 3;
+    tracker.track(part(fly, 0, third));
+    tracker.apply(tracker.settings().with("output.rateHz=100"));
+    tracker.track(part(fly, third, 2 * third));
+    tracker.apply(tracker.settings().with("output.rateHz=1000"));
+    tracker.track(part(fly, 2 * third, fly.size()));
+    List<WingEstimate> left = said.of(WingPart.LEFT);
+    long slowFromUs = fly.timeUs(third);
+    long slowToUs = fly.timeUs(2 * third);
+    for (int i = 1; i < left.size(); i++) {
+      long toUs = left.get(i).timeUs();
+      long sinceUs = toUs - left.get(i - 1).timeUs();
+      boolean slow = toUs > slowFromUs && toUs < slowToUs;
+      assertTrue(sinceUs > 0 && sinceUs <= 10_000, sinceUs + " us before " + toUs);
+      assertTrue(slow ? toUs % 10_000 == 0 : toUs % 1000 == 0, "on the clock: " + toUs);
+    }
+    assertTrue(left.stream().filter(e -> e.timeUs() > slowToUs).count() > 70);
+  }
+
+  @Test
+  void howTheFlyWasFoundCanBeLookedAt() {
+    EventPacket fly = Flies.events(0.06, STEADY, "fly.wing.visibleShare=0.15");
+    WingTracker tracker = Said.with(fly).tracker;
+    assertEquals(
+        List.of(Phase.TWO_MEANS, Phase.BEAT, Phase.HINGES, Phase.HEAD_AND_TAIL, Phase.TRACKING),
+        tracker.searchSteps().stream().map(WingTrackerState::phase).toList());
+    tracker.reset();
+    assertEquals(List.of(), tracker.searchSteps());
+    tracker.track(part(fly, 0, 10));
+    assertEquals(
+        List.of(Phase.COLLECTING),
+        tracker.searchSteps().stream().map(WingTrackerState::phase).toList());
+  }
+
+  @Test
   void settingsChangedInFlightKeepTheTrack() {
     EventPacket fly = Flies.events(0.3, STEADY);
     Said said = new Said();

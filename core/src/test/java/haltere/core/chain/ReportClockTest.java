@@ -1,4 +1,4 @@
-package haltere.filters.track;
+package haltere.core.chain;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
