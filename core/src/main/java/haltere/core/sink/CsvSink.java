@@ -121,6 +121,21 @@ public final class CsvSink<R extends Record> implements Consumer<R>, Closeable {
   }
 
   /**
+   * Writes a line that is no row: # and words for a person. Readers of tables leave such lines out
+   * if they are told to.
+   *
+   * @param words one line
+   * @throws UncheckedIOException if it cannot be written
+   */
+  public void comment(String words) {
+    try {
+      text.comment(words);
+    } catch (IOException thrown) {
+      throw new UncheckedIOException(thrown);
+    }
+  }
+
+  /**
    * Rows written.
    *
    * @return a count, without the header

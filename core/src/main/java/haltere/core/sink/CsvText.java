@@ -186,6 +186,15 @@ final class CsvText implements RowFields.Values {
     }
   }
 
+  /** A line of its own. */
+  void comment(String words) throws IOException {
+    byte[] encoded = ("# " + words.replace('\n', ' ')).getBytes(StandardCharsets.UTF_8);
+    room(encoded.length);
+    System.arraycopy(encoded, 0, bytes, size, encoded.length);
+    size += encoded.length;
+    endLine();
+  }
+
   void endLine() throws IOException {
     raw('\n');
     if (size >= FLUSH_AT) {

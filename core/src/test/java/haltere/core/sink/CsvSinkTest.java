@@ -136,6 +136,20 @@ class CsvSinkTest {
   }
 
   @Test
+  void wordsForAPersonStandBetweenRowsAndAreNoRows() throws IOException {
+    record Row(int value) {}
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    CsvSink<Row> sink = CsvSink.on(out, Row.class);
+    sink.accept(new Row(1));
+    sink.comment("from here on, µs\nand more");
+    sink.accept(new Row(2));
+    sink.finish();
+    assertEquals(
+        "value\n1\n# from here on, µs and more\n2\n", out.toString(StandardCharsets.UTF_8));
+    assertEquals(2, sink.rows());
+  }
+
+  @Test
   void numbersReadBackAsTheSameNumbers() {
     Random random = new Random(3);
     for (int i = 0; i < 20_000; i++) {

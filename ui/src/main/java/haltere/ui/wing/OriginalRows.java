@@ -53,6 +53,11 @@ final class OriginalRows {
     return rows;
   }
 
+  /** A line for a person. */
+  void comment(String words) {
+    write("# " + words + "\n");
+  }
+
   /** Keeps what was measured of an edge last. */
   void keep(WingMeasurement m) {
     measured[m.edge().ordinal()] = m.measuredRad();
@@ -119,9 +124,13 @@ final class OriginalRows {
                     amplitude,
                     z)
                 : String.format(Locale.ROOT, "%d\t%d\t%.6f\t%.6f\n", code, timeUs, edge, z);
+    write(line);
+    rows++;
+  }
+
+  private void write(String line) {
     try {
       text.write(line);
-      rows++;
     } catch (IOException problem) {
       throw new UncheckedIOException(problem);
     }

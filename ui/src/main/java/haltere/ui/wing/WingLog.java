@@ -28,8 +28,9 @@ import java.util.function.LongSupplier;
 
 /**
  * A readable log of tracked wings. Its first lines, which begin with #, say what the recording and
- * the program's version are, what the columns mean in which units, and the settings. The file
- * appears when it is finished.
+ * the program's version are, what the columns mean in which units, and the settings. Settings that
+ * are changed while it is written are told between the rows in the same way. The file appears when
+ * it is finished.
  *
  * <p>Thread rule: opened, finished and closed on the processing thread, or while it does not run.
  */
@@ -55,11 +56,15 @@ public final class WingLog implements Closeable {
           Map.entry("max_rad", "largest stroke angle of the beat, radians"),
           Map.entry("phase_lag_rad", "how far this wing is behind the other, radians"));
 
+  private static final SettingsSchema<WingTrackerSettings> SCHEMA =
+      SettingsSchema.of(WingTrackerSettings.class);
+
   private final AtomicFile file;
   private final OutputStream out;
   private final Writer text;
   private final List<Outlet.Subscription> subscriptions = new ArrayList<>();
   private CsvSink<?> table;
+  private WingTrackerSettings settings;
   private LongSupplier rows = () -> 0;
 
   private WingLog(AtomicFile file) {
@@ -96,16 +101,15 @@ public final class WingLog implements Closeable {
       throws IOException {
     String version = WingLog.class.getPackage().getImplementationVersion();
     comment("haltere " + (version == null ? "(not from a jar)" : version) + ", wings of " + source);
-    WingTrackerSettings settings = filter.settings();
-    SettingsSchema<WingTrackerSettings> schema = SettingsSchema.of(WingTrackerSettings.class);
-    List<String> changed = schema.changed(settings);
-    for (Parameter parameter : schema.parameters()) {
+    settings = filter.settings();
+    List<String> changed = SCHEMA.changed(settings);
+    for (Parameter parameter : SCHEMA.parameters()) {
       String name = parameter.name();
       comment(
           "setting: "
               + name
               + "="
-              + schema.get(settings, name)
+              + SCHEMA.get(settings, name)
               + (changed.contains(name) ? "" : " (default)"));
     }
     if (format.layout() == WingLogFormat.Layout.ORIGINAL) {
@@ -126,10 +130,24 @@ public final class WingLog implements Closeable {
     OriginalRows lines = new OriginalRows(text, filter.settings().filter().method());
     rows = lines::rows;
     if (when == WingLogFormat.Rows.EVENT) {
-      subscribe(filter, "measurements", WingMeasurement.class, lines::event);
+      subscribe(
+          filter,
+          "measurements",
+          WingMeasurement.class,
+          row -> {
+            tellChanges(filter, lines::comment);
+            lines.event(row);
+          });
     } else {
       subscribe(filter, "measurements", WingMeasurement.class, lines::keep);
-      subscribe(filter, "estimates", WingEstimate.class, lines::tick);
+      subscribe(
+          filter,
+          "estimates",
+          WingEstimate.class,
+          row -> {
+            tellChanges(filter, lines::comment);
+            lines.tick(row);
+          });
     }
   }
 
@@ -142,7 +160,30 @@ public final class WingLog implements Closeable {
     CsvSink<R> sink = CsvSink.on(out, type);
     table = sink;
     rows = sink::rows;
-    subscribe(filter, outlet, type, sink);
+    subscribe(
+        filter,
+        outlet,
+        type,
+        row -> {
+          tellChanges(filter, sink::comment);
+          sink.accept(row);
+        });
+  }
+
+  /** Says which settings are others from the next row on. */
+  private void tellChanges(WingTrackerFilter filter, Consumer<String> comments) {
+    WingTrackerSettings now = filter.settings();
+    if (now == settings) {
+      return;
+    }
+    for (Parameter parameter : SCHEMA.parameters()) {
+      String name = parameter.name();
+      Object value = SCHEMA.get(now, name);
+      if (!value.equals(SCHEMA.get(settings, name))) {
+        comments.accept("setting from here on: " + name + "=" + value);
+      }
+    }
+    settings = now;
   }
 
   private <R> void subscribe(

@@ -1,0 +1,56 @@
+package haltere.ui.wing;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.core.event.EventPacket;
+import haltere.core.simulation.fly.FlyScene;
+import haltere.core.simulation.fly.FlySceneSettings;
+import haltere.filters.wing.WingTrackerFilter;
+import haltere.filters.wing.WingTrackerSettings;
+import haltere.testing.SceneEvents;
+import haltere.ui.wing.WingLogFormat.Layout;
+import haltere.ui.wing.WingLogFormat.Rows;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class WingLogTest {
+  @TempDir Path folder;
+
+  @ParameterizedTest
+  @CsvSource({"TICK,TABLE", "BEAT,TABLE", "EVENT,TABLE", "TICK,ORIGINAL", "EVENT,ORIGINAL"})
+  void settingsThatAreChangedWhileItIsWrittenStandBetweenTheRows(Rows rows, Layout layout)
+      throws IOException {
+    FlyScene scene =
+        new FlyScene(
+            FlySceneSettings.defaults().with("run.durationS=0.1", "fly.wing.visibleShare=0.15"));
+    EventPacket fly = SceneEvents.of(scene);
+    WingTrackerFilter filter =
+        new WingTrackerFilter(scene.geometry(), WingTrackerSettings.defaults());
+    Path file = folder.resolve("log.txt");
+    int half = fly.indexAtOrAfter(70_000);
+    try (WingLog log = WingLog.open(file, "fly", filter, new WingLogFormat(rows, layout), false)) {
+      filter.process(part(fly, 0, half));
+      filter.apply(filter.settings().with("noise.amplitude=0.5"));
+      filter.process(part(fly, half, fly.size()));
+      log.finish();
+    }
+    List<String> lines = Files.readAllLines(file);
+    int told = lines.indexOf("# setting from here on: noise.amplitude=0.5");
+    assertTrue(lines.contains("# setting: noise.amplitude=0.02 (default)"));
+    assertTrue(!lines.get(told - 1).startsWith("#"), "rows before it");
+    assertTrue(!lines.get(told + 1).startsWith("#"), "one setting, and rows after it");
+    assertEquals(told, lines.lastIndexOf(lines.get(told)), "told once");
+  }
+
+  private static EventPacket part(EventPacket events, int from, int to) {
+    EventPacket part = new EventPacket(to - from);
+    part.append(events, from, to);
+    return part;
+  }
+}
