@@ -48,6 +48,7 @@ final class WingsPanel extends ScrollPane {
   private final ChoiceBox<WingPart> choice = new ChoiceBox<>();
   private final List<CheckBox> edges = EDGES.stream().map(this::edge).toList();
   private final Label empty = new Label();
+  private final Label search = new Label();
   private final VBox body = new VBox(8);
   private Optional<FilterTables> tables = Optional.empty();
   private boolean showing;
@@ -81,7 +82,10 @@ final class WingsPanel extends ScrollPane {
     empty.setWrapText(true);
     empty.getStyleClass().add(Styles.TEXT_MUTED);
     body.getStyleClass().add("settings");
-    body.getChildren().addAll(head, taken, chosen, empty);
+    search.setId("wings-search");
+    search.setWrapText(true);
+    search.getStyleClass().add(Styles.TEXT_SMALL);
+    body.getChildren().addAll(head, search, taken, chosen, empty);
     setContent(body);
     show(Optional.empty());
   }
@@ -105,6 +109,7 @@ final class WingsPanel extends ScrollPane {
     showing = true;
     List<WingFilterState> filters = now.map(WingsView::filters).orElse(List.of());
     now.ifPresent(view -> showEdges(view.settings().output()));
+    search.setText(now.map(view -> SearchText.of(view.steps())).orElse(""));
     edges.forEach(box -> box.setDisable(now.isEmpty()));
     List<WingPart> parts = filters.stream().map(WingFilterState::part).toList();
     if (!choice.getItems().equals(parts)) {

@@ -7,6 +7,7 @@ import haltere.filters.wing.WingFilterState;
 import haltere.filters.wing.WingTracker;
 import haltere.filters.wing.WingTrackerFilter;
 import haltere.filters.wing.WingTrackerSettings;
+import haltere.filters.wing.WingTrackerState;
 import java.util.List;
 import java.util.Optional;
 
@@ -19,6 +20,7 @@ import java.util.Optional;
  * @param filters its Kalman filters
  * @param geometry of the fly, empty while there is none
  * @param regionPx radius of the region of interest, pixels
+ * @param steps how the fly was searched for last, and what became of it
  */
 record WingsView(
     ChainStage stage,
@@ -26,7 +28,8 @@ record WingsView(
     WingTrackerSettings settings,
     List<WingFilterState> filters,
     Optional<FlyGeometry> geometry,
-    double regionPx) {
+    double regionPx,
+    List<WingTrackerState> steps) {
   /** Looks at a chain; processing thread. */
   static Optional<WingsView> of(FilterChain chain) {
     for (ChainStage stage : chain.stages()) {
@@ -39,7 +42,8 @@ record WingsView(
                 tracker.settings(),
                 tracker.filters(),
                 tracker.geometry(),
-                tracker.regionPx()));
+                tracker.regionPx(),
+                tracker.searchSteps()));
       }
     }
     return Optional.empty();

@@ -11,6 +11,7 @@ import haltere.filters.wing.FlyGeometry;
 import haltere.filters.wing.WingFilterEdit.Table;
 import haltere.filters.wing.WingFilterState;
 import haltere.filters.wing.WingPart;
+import haltere.filters.wing.WingTrackerSettings;
 import haltere.ui.viewer.ViewerHarness;
 import haltere.ui.viewer.picture.ViewTool;
 import haltere.ui.viewer.session.FirstView;
@@ -20,6 +21,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import javafx.scene.control.Button;
 import javafx.scene.control.CheckBox;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
@@ -102,6 +104,26 @@ class WingsFeatureTest {
     viewer.waitFor(
         "R is learnt again",
         () -> filter().get().learnsR() && filter().get().value(Table.PROCESS_NOISE, 3, 0) != 77);
+  }
+
+  @Test
+  void whatTheTrackerDoesAndHowItFoundTheFlyIsSaid() {
+    viewer.waitFor(
+        "the steps", () -> viewer.text("wings-search").startsWith("Tracks both wings.\n1. Two"));
+    String text = viewer.text("wings-search");
+    assertTrue(text.contains("\n2. Beat ") && text.contains("body axis 9"), text);
+  }
+
+  @Test
+  void thePresetOfTheOriginalIsOneClickAndIsTakenBackByAnother() {
+    WingTrackerSettings before = viewer.onFx(() -> wings.seen().get().settings());
+    viewer.run(() -> viewer.node("expand-wing-tracker", Button.class).fire());
+    viewer.run(() -> viewer.node("preset-original-wing-tracker", Button.class).fire());
+    viewer.waitFor(
+        "a filter for each edge",
+        () -> wings.seen().get().settings().equals(WingTrackerSettings.original()));
+    viewer.run(() -> viewer.window.actions().run("undo"));
+    viewer.waitFor("as it was", () -> wings.seen().get().settings().equals(before));
   }
 
   @Test
