@@ -14,6 +14,7 @@ import haltere.ui.viewer.controls.FileDialogs;
 import haltere.ui.viewer.controls.Theme;
 import haltere.ui.viewer.feature.BackgroundWork;
 import haltere.ui.viewer.feature.DisplayControl;
+import haltere.ui.viewer.feature.LayoutSteps;
 import haltere.ui.viewer.feature.StatusLine;
 import haltere.ui.viewer.feature.UserSettings;
 import haltere.ui.viewer.feature.ViewerContext;
@@ -70,6 +71,7 @@ public final class ViewerWindow implements SessionHost {
   private final DisplayControl display = new DisplayControl();
   private final ViewerPanels panels = new ViewerPanels(menu, playback, editor, statusLine, display);
   private final List<ViewerFeature> features = ViewerFeatures.all();
+  private final LayoutSteps steps;
   private final SessionOpener opener =
       new SessionOpener(background, editor, playback, statusLine, this::install);
   private final AnimationTimer pulse =
@@ -99,6 +101,7 @@ public final class ViewerWindow implements SessionHost {
     Scene scene =
         new Scene(
             new Group(), Math.min(WIDTH, room.getWidth()), Math.min(HEIGHT, room.getHeight()));
+    steps = new LayoutSteps(scene);
     scene.getStylesheets().add(ViewerWindow.class.getResource("viewer.css").toExternalForm());
     // after the style sheet, because each new sheet styles everything anew
     scene.setRoot(panels);
@@ -122,6 +125,7 @@ public final class ViewerWindow implements SessionHost {
             dialogs,
             statusLine,
             panels,
+            steps,
             display,
             settings);
     features.forEach(feature -> feature.install(context));
@@ -166,10 +170,11 @@ public final class ViewerWindow implements SessionHost {
     editor.setPlayer(made.player());
     stage.setTitle(made.player().playable().name() + " \u2013 Haltere");
     made.display().setOptions(display.options());
-    panels.startAnew(made, display.options().colours());
+    panels.startAnew(made, display.options().colours(), steps);
     session.set(Optional.of(made));
     before.ifPresent(background::close);
-    afterLayout(() -> begin(made, options));
+    // until then the window has the processors to itself
+    steps.afterLayout(() -> begin(made, options));
   }
 
   private void begin(ViewerSession made, ReadOptions options) {
@@ -177,24 +182,6 @@ public final class ViewerWindow implements SessionHost {
       made.play();
       made.file().ifPresent(file -> scanRates(file, options, made));
     }
-  }
-
-  /**
-   * Does something once the window has laid out what is new in it, for which it has the processors
-   * to itself until then.
-   */
-  private void afterLayout(Runnable action) {
-    Scene scene = stage.getScene();
-    Runnable once =
-        new Runnable() {
-          @Override
-          public void run() {
-            scene.removePostLayoutPulseListener(this);
-            action.run();
-          }
-        };
-    scene.addPostLayoutPulseListener(once);
-    Platform.requestNextPulse();
   }
 
   private void scanRates(Path file, ReadOptions options, ViewerSession scanned) {

@@ -2,6 +2,7 @@ package haltere.ui.viewer.chain;
 
 import atlantafx.base.theme.Styles;
 import java.util.List;
+import java.util.concurrent.Executor;
 import javafx.geometry.Pos;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
@@ -51,6 +52,15 @@ public final class ChainPanel extends VBox {
     boolean any = cards.narrow(search) || !search.isActive();
     nothing.setVisible(!any);
     nothing.setManaged(!any);
+  }
+
+  /**
+   * Shows another chain in place of the one before.
+   *
+   * @param steps in each of them comes a stage
+   */
+  public void startAnew(List<StageState> stages, Executor steps) {
+    cards.startAnew(stages, steps);
   }
 
   /** Shows a chain, keeping the cards of stages that were there. */

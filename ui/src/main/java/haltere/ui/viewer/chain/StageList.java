@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.Executor;
 import javafx.scene.Node;
 import javafx.scene.input.DataFormat;
 import javafx.scene.input.DragEvent;
@@ -25,6 +26,10 @@ final class StageList extends VBox {
   private final Node empty;
   private final Map<String, StageCard> cardOf = new HashMap<>();
   private List<StageCard> cards = List.of();
+
+  /** The stages that are shown, or are about to come. */
+  private List<StageState> wanted = List.of();
+
   private SettingsSearch search = SettingsSearch.ALL;
 
   /**
@@ -73,8 +78,34 @@ final class StageList extends VBox {
     editor.moveHere(path, Optional.empty());
   }
 
+  /**
+   * Shows another chain in place of the one before.
+   *
+   * @param steps in each of them comes a card, because making and styling one takes milliseconds
+   */
+  void startAnew(List<StageState> stages, Executor steps) {
+    wanted = stages;
+    cards = List.of();
+    cardOf.clear();
+    getChildren().clear();
+    for (int i = stages.isEmpty() ? 0 : 1; i <= stages.size(); i++) {
+      List<StageState> first = stages.subList(0, i);
+      steps.execute(
+          () -> {
+            if (wanted == stages) {
+              place(first);
+            }
+          });
+    }
+  }
+
   /** Shows a chain, keeping the cards of stages that were there. */
   void show(List<StageState> stages) {
+    wanted = stages;
+    place(stages);
+  }
+
+  private void place(List<StageState> stages) {
     List<StageCard> order = new ArrayList<>();
     for (StageState state : stages) {
       StageCard card = cardOf.get(state.stage().name());

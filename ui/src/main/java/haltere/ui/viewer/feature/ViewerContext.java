@@ -30,6 +30,7 @@ import javafx.stage.Stage;
  * @param dialogs asks for files
  * @param status the bottom line
  * @param panels where panels and tools are put
+ * @param steps makes large changes of the window, a step at a time
  * @param display how events are shown
  * @param settings what is kept from one start to the next
  */
@@ -43,6 +44,7 @@ public record ViewerContext(
     FileDialogs dialogs,
     StatusLine status,
     ViewerPanels panels,
+    LayoutSteps steps,
     DisplayControl display,
     UserSettings settings) {
   private static final String BY_KEYS = " By keys: arrows, Enter, Esc.";
@@ -65,9 +67,20 @@ public record ViewerContext(
     return shown;
   }
 
-  /** Calls something whenever another session is shown. */
+  /**
+   * Calls something whenever another session is shown, before it plays, as one of the {@link
+   * #steps()}.
+   */
   public void onSession(Consumer<ViewerSession> listener) {
-    sessions.sessionProperty().addListener((property, was, is) -> is.ifPresent(listener));
+    sessions
+        .sessionProperty()
+        .addListener(
+            (property, was, is) ->
+                is.ifPresent(made -> steps.execute(() -> callWhileShown(made, listener))));
+  }
+
+  private void callWhileShown(ViewerSession made, Consumer<ViewerSession> listener) {
+    sessions.session().filter(shown -> shown == made).ifPresent(listener);
   }
 
   /**

@@ -18,6 +18,7 @@ import haltere.ui.viewer.plots.PlotPanel;
 import haltere.ui.viewer.session.ViewerSession;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.Executor;
 import java.util.function.Supplier;
 import javafx.beans.property.BooleanProperty;
 import javafx.scene.Node;
@@ -112,13 +113,17 @@ public final class ViewerPanels extends BorderPane {
     return meter.total();
   }
 
-  /** Begins to show a session that has not started, in place of another one. */
-  public void startAnew(ViewerSession made, ColourMap colours) {
+  /**
+   * Begins to show a session that has not started, in place of another one.
+   *
+   * @param steps in which the filters of its chain come
+   */
+  public void startAnew(ViewerSession made, ColourMap colours, Executor steps) {
     String name = made.player().playable().name();
     SensorGeometry geometry = made.player().playable().geometry();
     statusLine.setSource(name + "   " + geometry.width() + " \u00d7 " + geometry.height());
     view.setGeometry(geometry, colours);
-    showStages(made.firstStages());
+    chainPanel.startAnew(made.firstStages(), steps);
     plots.startAnew();
     seekBar.clear();
     repaintAsked = false;

@@ -1,0 +1,121 @@
+package haltere.ui.viewer;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.core.format.ReadOptions;
+import haltere.core.playback.PlayerStatus.State;
+import haltere.ui.viewer.session.ViewerSession;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import javafx.beans.InvalidationListener;
+import javafx.beans.value.ChangeListener;
+import javafx.beans.value.ObservableValue;
+import javafx.scene.Parent;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** From one recording to the next, which the window comes to in steps. */
+class OpeningTest {
+  @TempDir Path folder;
+  private ViewerHarness viewer;
+
+  @AfterEach
+  void close() {
+    viewer.close();
+  }
+
+  private Path recording(String name) throws IOException {
+    Path file = folder.resolve(name);
+    ViewerHarness.writeRecording(file, 2_000_000);
+    return file;
+  }
+
+  private int filters() {
+    return viewer.session().chain().stages().size();
+  }
+
+  private List<String> cards() {
+    return viewer.onFx(
+        () ->
+            viewer.stage.getScene().getRoot().lookup(".cards").lookupAll(".stage").stream()
+                .map(card -> card.getId().substring("stage-".length()))
+                .toList());
+  }
+
+  @Test
+  void theFiltersComeOneAfterTheOtherAndAllOfThemBeforeItPlays() throws IOException {
+    viewer = ViewerHarness.withBlob();
+    List<Integer> cardsShown = new ArrayList<>();
+    Parent list = (Parent) viewer.onFx(() -> viewer.stage.getScene().lookup(".cards"));
+    InvalidationListener counter = changed -> cardsShown.add(list.getChildrenUnmodifiable().size());
+    viewer.run(() -> list.getChildrenUnmodifiable().addListener(counter));
+    viewer.openRecording(recording("next.aedat"));
+    assertTrue(filters() > 1);
+    List<Integer> wanted = new ArrayList<>();
+    for (int i = 0; i <= filters(); i++) {
+      wanted.add(i);
+    }
+    assertEquals(wanted, viewer.onFx(() -> List.copyOf(cardsShown)));
+  }
+
+  @Test
+  void ofTwoOpenedAtOnceTheLastOneIsShownWithItsOwnFilters() throws IOException {
+    viewer = ViewerHarness.withBlob();
+    Path first = recording("first.aedat");
+    Path last = recording("last.aedat");
+    onNextSession(() -> viewer.window.open(last, ReadOptions.DEFAULT));
+    viewer.run(() -> viewer.window.open(first, ReadOptions.DEFAULT));
+    viewer.waitUntilOpen("last.aedat");
+    assertEquals(
+        viewer.session().chain().stages().stream().map(stage -> stage.name()).toList(), cards());
+  }
+
+  @Test
+  void aPauseFromBeforeItBeginsIsKept() throws IOException {
+    viewer = ViewerHarness.withBlob();
+    onNextSession(viewer.window.playback()::togglePause);
+    Path file = recording("next.aedat");
+    viewer.run(() -> viewer.window.open(file, ReadOptions.DEFAULT));
+    viewer.waitFor("the recording", () -> viewer.window.session().get().file().isPresent());
+    // taken by the player once it has begun
+    ViewerHarness.join(viewer.session().player().edit(chain -> {}));
+    assertEquals(State.PAUSED, viewer.status().state());
+    assertEquals(filters(), cards().size());
+  }
+
+  @Test
+  void aWindowThatIsMinimizedPlaysWhatIsOpened() throws IOException {
+    viewer = ViewerHarness.withBlob();
+    viewer.run(() -> viewer.stage.setIconified(true));
+    viewer.waitFor("minimized", viewer.stage::isIconified);
+    viewer.openRecording(recording("next.aedat"));
+    viewer.waitFor("playback", () -> viewer.status().elapsedUs() > 500_000);
+    viewer.run(() -> viewer.stage.setIconified(false));
+    assertEquals(filters(), cards().size());
+  }
+
+  /** Does something, once, when something else has just been opened. */
+  private void onNextSession(Runnable action) {
+    viewer.run(
+        () ->
+            viewer
+                .window
+                .sessionProperty()
+                .addListener(
+                    new ChangeListener<Optional<ViewerSession>>() {
+                      @Override
+                      public void changed(
+                          ObservableValue<? extends Optional<ViewerSession>> property,
+                          Optional<ViewerSession> was,
+                          Optional<ViewerSession> is) {
+                        property.removeListener(this);
+                        action.run();
+                      }
+                    }));
+  }
+}
