@@ -27,6 +27,25 @@ final class DisplayFeature implements ViewerFeature {
               display.themeProperty(),
               theme));
     }
+    addLooks(display, actions);
+    Stage stage = window.stage();
+    actions.add(
+        ViewerAction.toggle("overlays", "Overlays", "View", display.marksProperty())
+            .withKey("Shortcut+M")
+            .withHelp("Shows what filters draw over the events."),
+        ViewerAction.of("show-all", "Whole sensor", "View", () -> window.panels().view().showAll())
+            .withKey("Shortcut+0"),
+        ViewerAction.toggle(
+                "full-screen",
+                "Full screen",
+                "View",
+                stage.fullScreenProperty(),
+                stage::setFullScreen)
+            .withKey("F11"));
+  }
+
+  /** What the colour of a pixel says, which colours there are, and how they fade. */
+  private static void addLooks(DisplayControl display, ViewerActions actions) {
     int number = 1;
     for (DisplayMode mode : DisplayMode.values()) {
       actions.add(
@@ -62,20 +81,6 @@ final class DisplayFeature implements ViewerFeature {
             actions.add(
                 ViewerAction.choice(
                     "fading-" + us, words, "View/Fading", display.decayUsProperty(), us)));
-    Stage stage = window.stage();
-    actions.add(
-        ViewerAction.toggle("overlays", "Overlays", "View", display.marksProperty())
-            .withKey("Shortcut+M")
-            .withHelp("Shows what filters draw over the events."),
-        ViewerAction.of("show-all", "Whole sensor", "View", () -> window.panels().view().showAll())
-            .withKey("Shortcut+0"),
-        ViewerAction.toggle(
-                "full-screen",
-                "Full screen",
-                "View",
-                stage.fullScreenProperty(),
-                stage::setFullScreen)
-            .withKey("F11"));
   }
 
   private static String id(String group, String words) {

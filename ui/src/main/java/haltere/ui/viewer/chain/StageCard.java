@@ -63,16 +63,43 @@ final class StageCard extends VBox {
     String title = Texts.title(stage.name());
     getStyleClass().add("stage");
     setId("stage-" + id);
-    Optional<Record> record =
+    firstSettings =
         state.settings().filter(found -> found.getClass().getRecordComponents().length > 0);
-    firstSettings = record;
+    up = item("up-", "Move up   (Ctrl+Shift+\u2191)", () -> editor.move(stage, -1));
+    down = item("down-", "Move down   (Ctrl+Shift+\u2193)", () -> editor.move(stage, 1));
+    into = item("into-", "Move into the chain above", this::moveIntoNeighbour);
+    expand =
+        Controls.button("expand-" + id, Icons.RIGHT, "Settings of " + title, this::toggleSettings);
+    expand.getStyleClass().add(Styles.SMALL);
+    inside =
+        stage.filter() instanceof FilterChain ? Optional.of(insideOf(state)) : Optional.empty();
+    expand.setVisible(firstSettings.isPresent() || inside.isPresent());
+    setUpPower(title);
+    setUpCounts();
+    HBox head = new HBox(2, expand, name(title), more(title), power);
+    takePart(head);
+    head.setAlignment(Pos.CENTER_LEFT);
+    head.getStyleClass().add("stage-head");
+    setOnKeyPressed(this::moveByKey);
+    getChildren().addAll(head, counts);
+    inside.ifPresent(
+        list -> {
+          getChildren().add(list.getParent());
+          showInside(true);
+        });
+  }
+
+  private Label name(String title) {
     Label name = new Label(title);
     name.getStyleClass().add(Styles.TEXT_BOLD);
     name.setMaxWidth(Double.MAX_VALUE);
     name.setMinWidth(0);
-    String help = description();
-    Controls.help(name, help);
+    Controls.help(name, description());
     HBox.setHgrow(name, Priority.ALWAYS);
+    return name;
+  }
+
+  private void setUpPower(String title) {
     power.setId("power-" + id);
     power.setAccessibleText(title + " on or off");
     power.setAccessibleRole(AccessibleRole.TOGGLE_BUTTON);
@@ -87,9 +114,10 @@ final class StageCard extends VBox {
               }
             });
     pseudoClassStateChanged(OFF, !stage.isEnabled());
-    up = item("up-", "Move up   (Ctrl+Shift+\u2191)", () -> editor.move(stage, -1));
-    down = item("down-", "Move down   (Ctrl+Shift+\u2193)", () -> editor.move(stage, 1));
-    into = item("into-", "Move into the chain above", this::moveIntoNeighbour);
+  }
+
+  /** The menu that moves and removes the stage. */
+  private MenuButton more(String title) {
     MenuButton more = new MenuButton("", Icons.MORE.node(), up, down, into);
     if (editor.isInside()) {
       more.getItems().add(item("out-", "Move out of its chain", () -> editor.moveOut(stage)));
@@ -102,17 +130,10 @@ final class StageCard extends VBox {
     more.setAccessibleText("Move or remove " + title);
     Controls.help(more, "Move or remove");
     more.getStyleClass().addAll(Styles.BUTTON_ICON, Styles.FLAT, Styles.SMALL, Tweaks.NO_ARROW);
-    expand =
-        Controls.button("expand-" + id, Icons.RIGHT, "Settings of " + title, this::toggleSettings);
-    expand.getStyleClass().add(Styles.SMALL);
-    inside =
-        stage.filter() instanceof FilterChain ? Optional.of(insideOf(state)) : Optional.empty();
-    expand.setVisible(record.isPresent() || inside.isPresent());
-    HBox head = new HBox(2, expand, name, more, power);
-    takePart(head);
-    head.setAlignment(Pos.CENTER_LEFT);
-    head.getStyleClass().add("stage-head");
-    setOnKeyPressed(this::moveByKey);
+    return more;
+  }
+
+  private void setUpCounts() {
     counts.setId("counts-" + id);
     counts.getStyleClass().addAll(Styles.TEXT_SMALL, "stage-counts");
     Controls.help(
@@ -120,12 +141,6 @@ final class StageCard extends VBox {
         "Events into and out of the filter per second of real time, the share that it lets"
             + " through, and what a thousand events cost");
     counts.setText("\u2013");
-    getChildren().addAll(head, counts);
-    inside.ifPresent(
-        list -> {
-          getChildren().add(list.getParent());
-          showInside(true);
-        });
   }
 
   /** The stages of a chain inside the chain, and a menu to add one. */

@@ -44,6 +44,23 @@ final class SlicingField extends HBox {
     this.playback = playback;
     setAlignment(Pos.CENTER_LEFT);
     setSpacing(6);
+    setUpMode();
+    setUpSize();
+    showSize();
+    playback
+        .beatsProperty()
+        .addListener(
+            (property, was, is) -> {
+              if (is) {
+                mode.setValue(Mode.BEAT);
+              } else if (mode.getValue() == Mode.BEAT) {
+                mode.setValue(Mode.SMOOTH);
+              }
+            });
+    getChildren().addAll(mode, size, unit);
+  }
+
+  private void setUpMode() {
     mode.setId("slicing");
     mode.getItems().setAll(Mode.values());
     mode.setAccessibleText("Slices");
@@ -67,12 +84,6 @@ final class SlicingField extends HBox {
           }
         });
     mode.setValue(Mode.SMOOTH);
-    size.setId("slice-size");
-    size.setPrefColumnCount(6);
-    size.setAccessibleText("Size of a slice");
-    size.getStyleClass().add(Styles.SMALL);
-    unit.getStyleClass().add(Styles.TEXT_MUTED);
-    showSize();
     mode.valueProperty()
         .addListener(
             (property, old, now) -> {
@@ -84,16 +95,14 @@ final class SlicingField extends HBox {
                 commit();
               }
             });
-    playback
-        .beatsProperty()
-        .addListener(
-            (property, was, is) -> {
-              if (is) {
-                mode.setValue(Mode.BEAT);
-              } else if (mode.getValue() == Mode.BEAT) {
-                mode.setValue(Mode.SMOOTH);
-              }
-            });
+  }
+
+  private void setUpSize() {
+    size.setId("slice-size");
+    size.setPrefColumnCount(6);
+    size.setAccessibleText("Size of a slice");
+    size.getStyleClass().add(Styles.SMALL);
+    unit.getStyleClass().add(Styles.TEXT_MUTED);
     size.setOnAction(event -> commit());
     size.focusedProperty()
         .addListener(
@@ -102,7 +111,6 @@ final class SlicingField extends HBox {
                 commit();
               }
             });
-    getChildren().addAll(mode, size, unit);
   }
 
   private void showSize() {
