@@ -1,5 +1,7 @@
 package haltere.filters.orientation;
 
+import haltere.filters.orientation.camera.Vectors;
+
 /** An axis that was found and waits to be found again, nearly the same and soon. */
 final class AxisCandidate {
   private static final double SAME_AXIS = Math.cos(Math.toRadians(30));

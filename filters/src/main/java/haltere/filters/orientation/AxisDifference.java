@@ -1,5 +1,7 @@
 package haltere.filters.orientation;
 
+import haltere.filters.orientation.camera.Vectors;
+
 /**
  * How one guess of an axis differs from another: the difference of the states and the covariance,
  * carried along the great circle between them into the other's frame. Reused.

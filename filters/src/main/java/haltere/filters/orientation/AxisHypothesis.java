@@ -2,6 +2,7 @@ package haltere.filters.orientation;
 
 import haltere.filters.estimation.FourStateEkf;
 import haltere.filters.estimation.Gate;
+import haltere.filters.orientation.camera.Vectors;
 import java.util.Arrays;
 
 /**

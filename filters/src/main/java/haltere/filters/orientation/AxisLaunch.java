@@ -1,5 +1,7 @@
 package haltere.filters.orientation;
 
+import haltere.filters.orientation.camera.Vectors;
+
 /**
  * Finds an axis from what cameras see at one time: each line spans a plane with its camera, and the
  * axis lies in all of them. Planes of each two cameras are cut, the cut that most lines agree with

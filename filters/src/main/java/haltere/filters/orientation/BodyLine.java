@@ -1,6 +1,7 @@
 package haltere.filters.orientation;
 
 import haltere.core.sink.Column;
+import haltere.filters.orientation.camera.LineObservation;
 
 /**
  * An elongated body in the picture of one camera at one time, from events before that time only.

@@ -1,6 +1,9 @@
 package haltere.filters.orientation;
 
 import haltere.filters.estimation.FilterStep;
+import haltere.filters.orientation.camera.CameraModel;
+import haltere.filters.orientation.camera.LineObservation;
+import haltere.filters.orientation.camera.Vectors;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;

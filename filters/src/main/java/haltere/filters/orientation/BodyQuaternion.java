@@ -1,5 +1,7 @@
 package haltere.filters.orientation;
 
+import haltere.filters.orientation.camera.Vectors;
+
 /**
  * Body rates p, q, r and a quaternion (a, b, c, d), d its scalar part, in an array of seven, and
  * what follows from them.

@@ -1,5 +1,7 @@
 package haltere.filters.orientation;
 
+import haltere.filters.orientation.camera.Vectors;
+
 /** Where a body has flown in the last moments: its steps, older ones counting less. */
 final class Course {
   private static final double MEMORY_S = 0.05;

@@ -1,5 +1,7 @@
 package haltere.filters.orientation;
 
+import haltere.filters.orientation.camera.CameraModel;
+import haltere.filters.orientation.camera.LineObservation;
 import java.util.Optional;
 
 /**

@@ -1,5 +1,7 @@
 package haltere.filters.orientation;
 
+import haltere.filters.orientation.camera.CameraModel;
+
 /**
  * A camera's line as a filter of the axis takes it: how the angle comes from a direction, the angle
  * without the lens, its variance; and, afterwards, what became of it. Reused.

@@ -1,5 +1,7 @@
 package haltere.filters.orientation;
 
+import haltere.filters.orientation.camera.Vectors;
+
 /**
  * Where a body is and which way it points, at one time.
  *

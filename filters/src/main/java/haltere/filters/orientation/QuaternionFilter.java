@@ -1,5 +1,6 @@
 package haltere.filters.orientation;
 
+import haltere.filters.orientation.camera.Vectors;
 import java.util.Arrays;
 
 /**

@@ -1,5 +1,7 @@
 package haltere.filters.orientation;
 
+import haltere.filters.orientation.camera.Vectors;
+
 /**
  * The error-state form: a few {@link AxisHypothesis guesses} of the axis on the unit sphere, each
  * with its probability, and what they say together.

@@ -1,5 +1,7 @@
 package haltere.filters.orientation;
 
+import haltere.filters.orientation.camera.Vectors;
+
 /** Differences and sums of axes with their velocities: along great circles, frames not turning. */
 final class SphereStates {
   private SphereStates() {}

@@ -5,9 +5,9 @@
  *   <li>{@link haltere.filters.orientation.BodyOrientationEstimator} is the whole of it for one
  *       body: position, axis, rates, head or tail, at each instant from what was seen up to then.
  *       {@link haltere.filters.orientation.OrientationTrack} keeps a track and goes back over it.
- *   <li>{@link haltere.filters.orientation.CameraModel} is a camera: a matrix and a {@link
- *       haltere.filters.orientation.Lens}; {@link haltere.filters.orientation.LineObservation} is
- *       what it saw.
+ *   <li>{@link haltere.filters.orientation.camera.CameraModel} is a camera: a matrix and a {@link
+ *       haltere.filters.orientation.camera.Lens}; {@link
+ *       haltere.filters.orientation.camera.LineObservation} is what it saw.
  * </ul>
  *
  * <p>World units are metres, image units pixels in the camera's own coordinates (whatever its

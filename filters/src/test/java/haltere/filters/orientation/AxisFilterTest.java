@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.filters.estimation.Angles;
+import haltere.filters.orientation.camera.RandomCameras;
+import haltere.filters.orientation.camera.Vectors;
 import java.util.SplittableRandom;
 import java.util.function.DoubleUnaryOperator;
 import org.junit.jupiter.api.Test;
@@ -12,7 +14,7 @@ class AxisFilterTest {
   private static LineMeasurement line(SplittableRandom random) {
     LineMeasurement line = new LineMeasurement();
     double[] at = {random.nextDouble(-0.1, 0.1), random.nextDouble(-0.1, 0.1), 0.05};
-    assertTrue(CameraModelTest.random(random).lineNormals(at, line.n));
+    assertTrue(RandomCameras.random(random).lineNormals(at, line.n));
     line.setAngle(random.nextDouble(-1.5, 1.5));
     line.varianceRad2 = Math.toRadians(2) * Math.toRadians(2);
     return line;
@@ -43,7 +45,7 @@ class AxisFilterTest {
     int compared = 0;
     for (int i = 0; i < 500; i++) {
       LineMeasurement line = line(random);
-      double[] u = CameraModelTest.unit(random);
+      double[] u = RandomCameras.unit(random);
       line.gradient(u, gradient);
       if (Vectors.length(gradient) > 3) {
         continue; // seen end-on, where differences are no measure
@@ -88,10 +90,10 @@ class AxisFilterTest {
     for (int i = 0; i < 300; i++) {
       LineMeasurement line = line(random);
       AxisHypothesis guess = new AxisHypothesis();
-      double[] u = CameraModelTest.unit(random);
+      double[] u = RandomCameras.unit(random);
       double[] p = new double[9];
       for (int k = 0; k < 3; k++) {
-        double[] v = CameraModelTest.unit(random);
+        double[] v = RandomCameras.unit(random);
         for (int e = 0; e < 9; e++) {
           p[e] += 0.02 * v[e / 3] * v[e % 3];
         }

@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.filters.estimation.Consistency;
 import haltere.filters.estimation.Interval;
+import haltere.filters.orientation.camera.RandomCameras;
+import haltere.filters.orientation.camera.Vectors;
 import java.util.SplittableRandom;
 import org.ejml.data.DMatrixRMaj;
 import org.junit.jupiter.api.Test;
@@ -45,7 +47,7 @@ class AxisHonestyTest {
       SpherePath truth = SpherePath.random(random, 0);
       for (int i = 0; i < lines.length; i++) {
         lines[i] = new LineMeasurement();
-        CameraModelTest.random(random).lineNormals(new double[3], lines[i].n);
+        RandomCameras.random(random).lineNormals(new double[3], lines[i].n);
         lines[i].varianceRad2 = sd * sd;
       }
       SphereFilter filter = new SphereFilter(settings);

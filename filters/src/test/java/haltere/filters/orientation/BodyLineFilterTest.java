@@ -10,6 +10,7 @@ import haltere.core.simulation.flight.FlightScene;
 import haltere.core.simulation.flight.FlightSettings;
 import haltere.core.simulation.flight.FlightTruth;
 import haltere.filters.estimation.Angles;
+import haltere.filters.orientation.camera.CameraModel;
 import haltere.testing.EventFilterContract;
 import haltere.testing.SceneEvents;
 import java.util.ArrayList;

@@ -6,6 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.simulation.flight.FlightScene;
 import haltere.core.simulation.flight.FlightTruth;
+import haltere.filters.orientation.camera.CameraModel;
+import haltere.filters.orientation.camera.LineObservation;
+import haltere.filters.orientation.camera.Vectors;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;

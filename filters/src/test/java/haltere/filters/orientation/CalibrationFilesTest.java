@@ -6,6 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.simulation.flight.FlightDetection;
 import haltere.core.simulation.flight.FlightScene;
+import haltere.filters.orientation.camera.BraidzFile;
+import haltere.filters.orientation.camera.CameraFile;
+import haltere.filters.orientation.camera.CameraModel;
+import haltere.filters.orientation.camera.LineObservation;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;

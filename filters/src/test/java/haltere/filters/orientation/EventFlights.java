@@ -2,6 +2,8 @@ package haltere.filters.orientation;
 
 import haltere.core.simulation.flight.FlightScene;
 import haltere.core.simulation.flight.FlightTruth;
+import haltere.filters.orientation.camera.LineObservation;
+import haltere.filters.orientation.camera.Vectors;
 import haltere.testing.SceneEvents;
 import java.util.ArrayList;
 import java.util.List;

@@ -4,6 +4,8 @@ import haltere.core.simulation.flight.FlightCamera;
 import haltere.core.simulation.flight.FlightDetection;
 import haltere.core.simulation.flight.FlightScene;
 import haltere.core.simulation.flight.FlightSettings;
+import haltere.filters.orientation.camera.CameraModel;
+import haltere.filters.orientation.camera.LineObservation;
 import java.util.ArrayList;
 import java.util.List;
 

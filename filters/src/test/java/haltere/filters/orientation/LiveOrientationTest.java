@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.simulation.flight.FlightScene;
+import haltere.filters.orientation.camera.LineObservation;
+import haltere.filters.orientation.camera.Vectors;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;

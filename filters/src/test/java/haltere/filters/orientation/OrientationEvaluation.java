@@ -1,6 +1,7 @@
 package haltere.filters.orientation;
 
 import haltere.core.simulation.flight.FlightScene;
+import haltere.filters.orientation.camera.LineObservation;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;

@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.simulation.flight.FlightScene;
+import haltere.filters.orientation.camera.RandomCameras;
+import haltere.filters.orientation.camera.Vectors;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -66,8 +68,8 @@ class OrientationTrackTest {
       double[] weights = new double[count];
       boolean[] linked = new boolean[count];
       for (int t = 0; t < count; t++) {
-        axes.add(CameraModelTest.unit(random));
-        velocities.add(t == 3 ? new double[3] : CameraModelTest.unit(random));
+        axes.add(RandomCameras.unit(random));
+        velocities.add(t == 3 ? new double[3] : RandomCameras.unit(random));
         weights[t] = random.nextDouble(0.9);
         linked[t] = t != 5;
       }

@@ -1,5 +1,7 @@
 package haltere.filters.orientation;
 
+import haltere.filters.orientation.camera.RandomCameras;
+import haltere.filters.orientation.camera.Vectors;
 import java.util.SplittableRandom;
 
 /** A point that moves on a sphere, worked out with rotations (Rodrigues) only. */
@@ -13,7 +15,7 @@ final class SpherePath {
   }
 
   static SpherePath random(SplittableRandom random, double rate) {
-    double[] u = CameraModelTest.unit(random);
+    double[] u = RandomCameras.unit(random);
     double[] v = Vectors.orthogonalTo(u);
     double[] other = new double[3];
     Vectors.cross(u, v, other);

@@ -204,6 +204,20 @@ class ArchitectureTest {
     }
   }
 
+  @Test
+  void whatStandsBelowAPackageDoesNotKnowIt() {
+    knowsNoneOf(
+        "haltere.filters.orientation.camera",
+        Set.of("haltere.filters.orientation"),
+        "a camera is one without a filter");
+    knowsNoneOf(
+        "haltere.ui.command.results", Set.of("haltere.ui.command"), "tables know no command");
+    knowsNoneOf(
+        "haltere.ui.command.terminal",
+        Set.of("haltere.ui.command", "haltere.ui.command.results"),
+        "a terminal knows no command");
+  }
+
   private static void knowsNoneOf(String one, Set<String> others, String reason) {
     check(
         noClasses()

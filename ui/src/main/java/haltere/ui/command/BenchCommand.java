@@ -14,6 +14,8 @@ import haltere.core.simulation.Scenes;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import haltere.filters.DefaultChain;
+import haltere.ui.command.terminal.ProgressBar;
+import haltere.ui.command.terminal.Quantities;
 import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.nio.file.Files;

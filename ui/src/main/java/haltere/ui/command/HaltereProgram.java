@@ -1,5 +1,7 @@
 package haltere.ui.command;
 
+import haltere.ui.command.terminal.Interruption;
+import haltere.ui.command.terminal.StandardOutput;
 import java.io.BufferedOutputStream;
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;

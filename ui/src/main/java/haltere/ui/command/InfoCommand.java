@@ -9,6 +9,8 @@ import haltere.core.format.RecordingReader;
 import haltere.core.format.RecordingSummary;
 import haltere.core.json.Json;
 import haltere.core.stream.StreamNotification;
+import haltere.ui.command.terminal.ProgressBar;
+import haltere.ui.command.terminal.Quantities;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;

@@ -11,6 +11,8 @@ import haltere.core.stream.DeviceLost;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import haltere.core.stream.StreamStarted;
+import haltere.ui.command.terminal.LiveStatus;
+import haltere.ui.command.terminal.Quantities;
 import java.io.IOException;
 import java.util.List;
 import java.util.OptionalDouble;

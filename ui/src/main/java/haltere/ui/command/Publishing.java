@@ -2,6 +2,7 @@ package haltere.ui.command;
 
 import haltere.core.pipeline.LiveResults;
 import haltere.core.stream.StreamHandler;
+import haltere.ui.command.terminal.Quantities;
 import java.io.Closeable;
 import java.io.InterruptedIOException;
 import java.util.ArrayList;

@@ -9,6 +9,7 @@ import haltere.core.pipeline.RecorderReport;
 import haltere.core.pipeline.SessionRecorder;
 import haltere.core.pipeline.SessionRecorder.Limits;
 import haltere.core.stream.StreamHandler;
+import haltere.ui.command.terminal.Quantities;
 import java.io.IOException;
 import java.nio.charset.CharacterCodingException;
 import java.nio.file.Files;

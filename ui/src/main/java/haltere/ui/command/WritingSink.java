@@ -8,6 +8,7 @@ import haltere.core.pipeline.PipelineCounters;
 import haltere.core.pipeline.Recorder;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
+import haltere.ui.command.terminal.ProgressBar;
 
 /** Writes what comes out of a chain to a recording and moves the progress bar. */
 final class WritingSink implements StreamHandler {

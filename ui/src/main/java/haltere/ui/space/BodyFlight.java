@@ -1,13 +1,13 @@
 package haltere.ui.space;
 
 import haltere.filters.orientation.BodyOrientationEstimator;
-import haltere.filters.orientation.BraidzFile;
-import haltere.filters.orientation.CameraFile;
-import haltere.filters.orientation.CameraModel;
-import haltere.filters.orientation.LineObservation;
-import haltere.filters.orientation.ObservationTable;
 import haltere.filters.orientation.OrientationEstimate;
 import haltere.filters.orientation.OrientationSettings;
+import haltere.filters.orientation.camera.BraidzFile;
+import haltere.filters.orientation.camera.CameraFile;
+import haltere.filters.orientation.camera.CameraModel;
+import haltere.filters.orientation.camera.LineObservation;
+import haltere.filters.orientation.camera.ObservationTable;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;

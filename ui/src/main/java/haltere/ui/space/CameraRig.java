@@ -9,7 +9,7 @@ import haltere.core.playback.ScenePlayable;
 import haltere.core.simulation.flight.FlightCamera;
 import haltere.core.simulation.flight.FlightScene;
 import haltere.core.simulation.flight.FlightSettings;
-import haltere.filters.orientation.CameraModel;
+import haltere.filters.orientation.camera.CameraModel;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;

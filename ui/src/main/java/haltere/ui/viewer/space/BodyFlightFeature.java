@@ -1,6 +1,6 @@
 package haltere.ui.viewer.space;
 
-import haltere.filters.orientation.BraidzFile;
+import haltere.filters.orientation.camera.BraidzFile;
 import haltere.ui.space.BodyFlight;
 import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.feature.ViewerContext;

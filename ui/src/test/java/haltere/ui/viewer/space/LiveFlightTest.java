@@ -10,7 +10,7 @@ import haltere.core.playback.Playable;
 import haltere.core.simulation.flight.FlightScene;
 import haltere.core.simulation.flight.FlightSettings;
 import haltere.core.simulation.flight.FlightTruth;
-import haltere.filters.orientation.CameraModel;
+import haltere.filters.orientation.camera.CameraModel;
 import haltere.ui.space.BodyFlight;
 import haltere.ui.space.CameraRig;
 import haltere.ui.space.LiveFlight;

@@ -1,0 +1,353 @@
+package haltere.filters.orientation.camera;
+
+import haltere.filters.estimation.Angles;
+import java.util.Objects;
+import java.util.Optional;
+
+/**
+ * A calibrated camera: a point X of the world is seen at (h₀/h₂, h₁/h₂), h = C (X, 1), with C the 3
+ * x 4 matrix, and then moved by the {@link Lens}.
+ *
+ * <p>A line on a body at A, with the direction u, is seen at the angle
+ *
+ * <pre>
+ * θ = atan(n₁·u / n₀·u) (mod π),   n₀ = h₂ m₀ − h₀ m₂,   n₁ = h₂ m₁ − h₁ m₂
+ * </pre>
+ *
+ * <p>with m the rows of the left 3 x 3 part of C: the derivative of the projection, in one short
+ * expression. Thread rule: immutable.
+ */
+public final class CameraModel {
+  /** Largest direction that is taken for the camera's own centre, relative. */
+  private static final double AT_CENTRE = 1e-9;
+
+  private final String id;
+  private final double[] matrix;
+  private final double[] centre = new double[3];
+  private final double[] inverse = new double[9];
+  private final Lens lens;
+  private final int widthPx;
+  private final int heightPx;
+  private final String problem;
+
+  private CameraModel(
+      String id, double[] matrix, Lens lens, int widthPx, int heightPx, String problem) {
+    this.id = id;
+    this.matrix = matrix;
+    this.lens = lens;
+    this.widthPx = widthPx;
+    this.heightPx = heightPx;
+    this.problem = problem;
+    if (problem == null) {
+      invert();
+    }
+  }
+
+  /**
+   * A camera with the lens that its matrix and five numbers tell: the matrix is taken apart into a
+   * triangle with a positive diagonal and a rotation (which may mirror).
+   *
+   * @param id its name
+   * @param matrix twelve numbers, row by row
+   * @param distortion k1, k2, p1, p2, k3; empty for none
+   * @param widthPx columns of its sensor, 0 if unknown
+   * @param heightPx rows of its sensor, 0 if unknown
+   * @return a camera; one whose matrix sees nothing has a {@link #problem}
+   */
+  public static CameraModel of(
+      String id, double[] matrix, double[] distortion, int widthPx, int heightPx) {
+    if (distortion.length != 0 && distortion.length != 5) {
+      throw new IllegalArgumentException(
+          "distortion has " + distortion.length + " numbers, it must have k1, k2, p1, p2 and k3");
+    }
+    double[] d = distortion.length == 0 ? new double[5] : distortion;
+    double[] own = normalised(matrix);
+    String problem = problemOf(own);
+    if (problem == null && !Double.isFinite(d[0] + d[1] + d[2] + d[3] + d[4])) {
+      problem = "its distortion is not finite";
+    }
+    if (problem != null) {
+      return new CameraModel(id, own, null, widthPx, heightPx, problem);
+    }
+    double[] m0 = {own[0], own[1], own[2]};
+    double[] m1 = {own[4], own[5], own[6]};
+    double[] r3 = {own[8], own[9], own[10]};
+    double cx = Vectors.dot(m0, r3);
+    double cy = Vectors.dot(m1, r3);
+    double[] r2 = {m1[0] - cy * r3[0], m1[1] - cy * r3[1], m1[2] - cy * r3[2]};
+    double fy = Vectors.length(r2);
+    Vectors.normalise(r2);
+    double skew = Vectors.dot(m0, r2);
+    double[] r1 = new double[3];
+    for (int i = 0; i < 3; i++) {
+      r1[i] = m0[i] - cx * r3[i] - skew * r2[i];
+    }
+    double fx = Vectors.length(r1);
+    Lens lens = new Lens(fx, fy, skew, cx, cy, d[0], d[1], d[2], d[3], d[4]);
+    return new CameraModel(id, own, lens, widthPx, heightPx, null);
+  }
+
+  /**
+   * A camera whose lens is known by itself.
+   *
+   * @param id its name
+   * @param matrix twelve numbers, row by row: to pixels of the picture without distortion
+   * @param lens the distortion
+   * @param widthPx columns of its sensor, 0 if unknown
+   * @param heightPx rows of its sensor, 0 if unknown
+   * @return a camera; one whose matrix sees nothing has a {@link #problem}
+   */
+  public static CameraModel of(String id, double[] matrix, Lens lens, int widthPx, int heightPx) {
+    double[] own = normalised(matrix);
+    return new CameraModel(
+        id, own, Objects.requireNonNull(lens, "lens"), widthPx, heightPx, problemOf(own));
+  }
+
+  /** The same camera with the third row of length 1, so that depth is in the world's unit. */
+  private static double[] normalised(double[] matrix) {
+    if (matrix.length != 12) {
+      throw new IllegalArgumentException(
+          "a camera's matrix has 12 numbers (3 rows of 4), not " + matrix.length);
+    }
+    double[] own = matrix.clone();
+    double scale = Math.sqrt(own[8] * own[8] + own[9] * own[9] + own[10] * own[10]);
+    for (int i = 0; i < 12 && scale > 0; i++) {
+      own[i] /= scale;
+    }
+    return own;
+  }
+
+  private static String problemOf(double[] m) {
+    for (double entry : m) {
+      if (!Double.isFinite(entry)) {
+        return "its matrix has entries that are not finite";
+      }
+    }
+    double[] m0 = {m[0], m[1], m[2]};
+    double[] m1 = {m[4], m[5], m[6]};
+    double[] m2 = {m[8], m[9], m[10]};
+    double[] across = new double[3];
+    Vectors.cross(m0, m1, across);
+    double volume = Math.abs(Vectors.dot(across, m2));
+    double size = Vectors.length(m0) * Vectors.length(m1) * Vectors.length(m2);
+    return volume > 1e-9 * size
+        ? null
+        : "its matrix has not the rank 3 in its left part, so it sees no lines in space";
+  }
+
+  private void invert() {
+    double[] m = matrix;
+    double c00 = m[5] * m[10] - m[6] * m[9];
+    double c01 = m[6] * m[8] - m[4] * m[10];
+    double c02 = m[4] * m[9] - m[5] * m[8];
+    double determinant = m[0] * c00 + m[1] * c01 + m[2] * c02;
+    inverse[0] = c00 / determinant;
+    inverse[1] = (m[2] * m[9] - m[1] * m[10]) / determinant;
+    inverse[2] = (m[1] * m[6] - m[2] * m[5]) / determinant;
+    inverse[3] = c01 / determinant;
+    inverse[4] = (m[0] * m[10] - m[2] * m[8]) / determinant;
+    inverse[5] = (m[2] * m[4] - m[0] * m[6]) / determinant;
+    inverse[6] = c02 / determinant;
+    inverse[7] = (m[1] * m[8] - m[0] * m[9]) / determinant;
+    inverse[8] = (m[0] * m[5] - m[1] * m[4]) / determinant;
+    Vectors.multiply(inverse, new double[] {-m[3], -m[7], -m[11]}, centre);
+  }
+
+  /**
+   * Its name.
+   *
+   * @return as in the calibration
+   */
+  public String id() {
+    return id;
+  }
+
+  /**
+   * Why it cannot be used.
+   *
+   * @return what is wrong with it, or empty
+   */
+  public Optional<String> problem() {
+    return Optional.ofNullable(problem);
+  }
+
+  /**
+   * Columns of its sensor.
+   *
+   * @return pixels, 0 if unknown
+   */
+  public int widthPx() {
+    return widthPx;
+  }
+
+  /**
+   * Rows of its sensor.
+   *
+   * @return pixels, 0 if unknown
+   */
+  public int heightPx() {
+    return heightPx;
+  }
+
+  /**
+   * Where it stands.
+   *
+   * @return metres; NaN for a camera with a problem
+   */
+  public double[] centre() {
+    return problem == null ? centre.clone() : new double[] {Double.NaN, Double.NaN, Double.NaN};
+  }
+
+  /**
+   * Its matrix, with the third row's direction of length 1.
+   *
+   * @return twelve numbers, row by row
+   */
+  public double[] matrix() {
+    return matrix.clone();
+  }
+
+  /**
+   * Where a point is seen, the lens left out.
+   *
+   * @param point metres
+   * @param pixel gets column and row
+   * @return false if it is seen nowhere: in the plane of the camera's centre
+   */
+  public boolean projectIdeal(double[] point, double[] pixel) {
+    double h2 = row(2, point);
+    double x = row(0, point) / h2;
+    double y = row(1, point) / h2;
+    if (problem != null || !(Math.abs(h2) > AT_CENTRE * reach(point)) || !Double.isFinite(x + y)) {
+      return false;
+    }
+    pixel[0] = x;
+    pixel[1] = y;
+    return true;
+  }
+
+  /**
+   * Where a point is seen, through the lens.
+   *
+   * @param point metres
+   * @param pixel gets column and row
+   * @return false if it is seen nowhere
+   */
+  public boolean project(double[] point, double[] pixel) {
+    if (!projectIdeal(point, pixel)) {
+      return false;
+    }
+    lens.distort(pixel);
+    return Double.isFinite(pixel[0] + pixel[1]);
+  }
+
+  /**
+   * At which angle a line on a body is seen, through the lens.
+   *
+   * @param point where the body is, metres
+   * @param axis direction of the line, of any length but 0
+   * @return radians in (−π/2, π/2], NaN if it has none there
+   */
+  public double lineAngle(double[] point, double[] axis) {
+    double[] n = new double[6];
+    double[] pixel = new double[2];
+    if (!lineNormals(point, n) || !projectIdeal(point, pixel)) {
+      return Double.NaN;
+    }
+    double vx = n[0] * axis[0] + n[1] * axis[1] + n[2] * axis[2];
+    double vy = n[3] * axis[0] + n[4] * axis[1] + n[5] * axis[2];
+    double length = Math.hypot(vx, vy);
+    if (!(length > 1e-12 * Vectors.length(axis))) {
+      return Double.NaN;
+    }
+    if (lens.isStraight()) {
+      return Angles.wrapHalfPi(Math.atan2(vy, vx));
+    }
+    // The derivative of the lens along the line, from both sides; its third order is far below.
+    double step = 1e-3;
+    double[] ahead = {pixel[0] + step * vx / length, pixel[1] + step * vy / length};
+    double[] behind = {pixel[0] - step * vx / length, pixel[1] - step * vy / length};
+    lens.distort(ahead);
+    lens.distort(behind);
+    return Angles.wrapHalfPi(Math.atan2(ahead[1] - behind[1], ahead[0] - behind[0]));
+  }
+
+  /**
+   * The two vectors that a line's angle comes from: tan θ = n₁·u / n₀·u, the lens left out; scaled
+   * so that the longer one is about 1.
+   *
+   * @param point where the body is, metres
+   * @param n gets n₀ and n₁, six numbers
+   * @return false where no angle is defined: at the camera's centre or in its plane
+   */
+  public boolean lineNormals(double[] point, double[] n) {
+    double h0 = row(0, point);
+    double h1 = row(1, point);
+    double h2 = row(2, point);
+    if (problem != null || !(Math.abs(h2) > AT_CENTRE * reach(point))) {
+      return false;
+    }
+    double[] m = matrix;
+    double squares = 0;
+    for (int i = 0; i < 3; i++) {
+      n[i] = h2 * m[i] - h0 * m[8 + i];
+      n[3 + i] = h2 * m[4 + i] - h1 * m[8 + i];
+      squares += n[i] * n[i] + n[3 + i] * n[3 + i];
+    }
+    double scale = Math.sqrt(squares / 2);
+    if (!(scale > 0) || Double.isInfinite(scale)) {
+      return false;
+    }
+    for (int i = 0; i < 6; i++) {
+      n[i] /= scale;
+    }
+    return true;
+  }
+
+  /**
+   * The line of sight of a point of the picture, the lens left out.
+   *
+   * @param xPx column
+   * @param yPx row
+   * @param direction gets a unit vector of the world, to the front or to the back
+   * @return false for a camera with a problem or a point that is not finite
+   */
+  public boolean sight(double xPx, double yPx, double[] direction) {
+    if (problem != null) {
+      return false;
+    }
+    Vectors.multiply(inverse, new double[] {xPx, yPx, 1}, direction);
+    return Double.isFinite(direction[0] + direction[1] + direction[2])
+        && Vectors.normalise(direction);
+  }
+
+  /**
+   * Takes the lens out of what was seen.
+   *
+   * @param line column, row, angle (NaN for none); replaced
+   * @return false where the lens shows nothing, or with a problem
+   */
+  public boolean straighten(double[] line) {
+    return problem == null && lens.straighten(line);
+  }
+
+  /** ∂(column, row)/∂point where the point is seen at a pixel; two rows of three. */
+  void pixelByPoint(double[] point, double[] pixel, double[] jacobian) {
+    double h2 = row(2, point);
+    for (int k = 0; k < 3; k++) {
+      jacobian[k] = (matrix[k] - pixel[0] * matrix[8 + k]) / h2;
+      jacobian[3 + k] = (matrix[4 + k] - pixel[1] * matrix[8 + k]) / h2;
+    }
+  }
+
+  private double row(int i, double[] point) {
+    return matrix[4 * i] * point[0]
+        + matrix[4 * i + 1] * point[1]
+        + matrix[4 * i + 2] * point[2]
+        + matrix[4 * i + 3];
+  }
+
+  private double reach(double[] point) {
+    return 1e-3 + Vectors.length(point) + Vectors.length(centre);
+  }
+}

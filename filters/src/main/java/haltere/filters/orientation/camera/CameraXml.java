@@ -1,0 +1,136 @@
+package haltere.filters.orientation.camera;
+
+import haltere.core.json.JsonProblem;
+import java.io.InputStream;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import javax.xml.stream.XMLInputFactory;
+import javax.xml.stream.XMLStreamConstants;
+import javax.xml.stream.XMLStreamException;
+import javax.xml.stream.XMLStreamReader;
+
+/**
+ * Cameras of a {@code multi_camera_reconstructor}, as Flydra and Braid write them: for each {@code
+ * single_camera_calibration} its {@code cam_id}, {@code calibration_matrix} (rows parted by
+ * semicolons), {@code resolution} and {@code non_linear_parameters}, of which fc1, fc2, cc1, cc2
+ * and alpha_c take a pixel to the lens' own coordinates, k1, k2, p1, p2 (and k3) are its
+ * distortion, and fc1p, fc2p, cc1p, cc2p, where they are there, must be the same: then the matrix
+ * is that of the picture without distortion.
+ */
+final class CameraXml {
+  private static final String CAMERA = "single_camera_calibration";
+
+  private CameraXml() {}
+
+  static CameraFile read(InputStream in, String name) throws JsonProblem {
+    XMLInputFactory factory = XMLInputFactory.newInstance();
+    factory.setProperty(XMLInputFactory.SUPPORT_DTD, false);
+    factory.setProperty(XMLInputFactory.IS_SUPPORTING_EXTERNAL_ENTITIES, false);
+    List<CameraModel> cameras = new ArrayList<>();
+    double[] minEccentricity = new double[1];
+    try {
+      XMLStreamReader xml = factory.createXMLStreamReader(in);
+      Map<String, String> camera = new HashMap<>();
+      StringBuilder text = new StringBuilder();
+      while (xml.hasNext()) {
+        int event = xml.next();
+        if (event == XMLStreamConstants.START_ELEMENT) {
+          text.setLength(0);
+          if (xml.getLocalName().equals(CAMERA)) {
+            camera.clear();
+          }
+        } else if (event == XMLStreamConstants.CHARACTERS || event == XMLStreamConstants.CDATA) {
+          text.append(xml.getText());
+        } else if (event == XMLStreamConstants.END_ELEMENT) {
+          String element = xml.getLocalName();
+          if (element.equals(CAMERA)) {
+            cameras.add(camera(camera, name + ": camera " + (cameras.size() + 1)));
+          } else if (element.equals("minimum_eccentricity")) {
+            minEccentricity[0] = number(text.toString(), name + ": " + element);
+          } else {
+            camera.put(element, text.toString().strip());
+          }
+          text.setLength(0);
+        }
+      }
+    } catch (XMLStreamException broken) {
+      int line = broken.getLocation() == null ? 0 : broken.getLocation().getLineNumber();
+      throw new JsonProblem(name + ": line " + line + ": this is not XML that ends as it begins");
+    }
+    return CameraFile.checked(cameras, name, minEccentricity[0]);
+  }
+
+  private static CameraModel camera(Map<String, String> camera, String name) throws JsonProblem {
+    String id = camera.get("cam_id");
+    String matrixText = camera.get("calibration_matrix");
+    if (id == null || matrixText == null) {
+      throw new JsonProblem(name + " has no cam_id or no calibration_matrix");
+    }
+    String[] rows = matrixText.split(";");
+    double[] matrix = new double[12];
+    for (int i = 0; i < 3; i++) {
+      String[] words = rows.length == 3 ? rows[i].strip().split("\\s+") : new String[0];
+      if (words.length != 4) {
+        throw new JsonProblem(name + ": calibration_matrix is 3 rows of 4 numbers, by semicolons");
+      }
+      for (int j = 0; j < 4; j++) {
+        matrix[4 * i + j] = number(words[j], name + ": calibration_matrix");
+      }
+    }
+    String[] size = camera.getOrDefault("resolution", "0 0").split("\\s+");
+    int width = (int) number(size[0], name + ": resolution");
+    int height = size.length > 1 ? (int) number(size[1], name + ": resolution") : 0;
+    if (!camera.containsKey("fc1")) {
+      return CameraModel.of(id, matrix, new double[0], width, height);
+    }
+    double fx = field(camera, "fc1", Double.NaN, name);
+    double fy = field(camera, "fc2", Double.NaN, name);
+    double cx = field(camera, "cc1", Double.NaN, name);
+    double cy = field(camera, "cc2", Double.NaN, name);
+    requireSame(camera, "fc1p", fx, name);
+    requireSame(camera, "fc2p", fy, name);
+    requireSame(camera, "cc1p", cx, name);
+    requireSame(camera, "cc2p", cy, name);
+    if (!(fx > 0 && fy > 0) || !Double.isFinite(cx + cy)) {
+      throw new JsonProblem(name + ": fc1, fc2, cc1 and cc2 must be there, the first two positive");
+    }
+    Lens lens =
+        new Lens(
+            fx,
+            fy,
+            field(camera, "alpha_c", 0, name) * fx,
+            cx,
+            cy,
+            field(camera, "k1", 0, name),
+            field(camera, "k2", 0, name),
+            field(camera, "p1", 0, name),
+            field(camera, "p2", 0, name),
+            field(camera, "k3", 0, name));
+    return CameraModel.of(id, matrix, lens, width, height);
+  }
+
+  private static void requireSame(
+      Map<String, String> camera, String key, double expected, String name) throws JsonProblem {
+    double value = field(camera, key, expected, name);
+    if (Math.abs(value - expected) > 1e-6 * (1 + Math.abs(expected))) {
+      throw new JsonProblem(
+          name + ": " + key + " is another than without p; rectified pictures are not read");
+    }
+  }
+
+  private static double field(Map<String, String> camera, String key, double absent, String name)
+      throws JsonProblem {
+    String text = camera.get(key);
+    return text == null ? absent : number(text, name + ": " + key);
+  }
+
+  private static double number(String text, String name) throws JsonProblem {
+    try {
+      return Double.parseDouble(text.strip());
+    } catch (NumberFormatException noNumber) {
+      throw new JsonProblem(name + " is \"" + text.strip() + "\", it must be a number");
+    }
+  }
+}

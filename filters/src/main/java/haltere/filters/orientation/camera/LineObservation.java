@@ -1,0 +1,42 @@
+package haltere.filters.orientation.camera;
+
+/**
+ * What one camera saw of one body at one time. What is not known is NaN.
+ *
+ * @param camera index of the camera, from 0
+ * @param xPx column of its middle, pixels of this camera, as seen through the lens
+ * @param yPx row of its middle, pixels of this camera
+ * @param angleRad atan2(Δy, Δx) of its line in the same coordinates, known modulo π
+ * @param areaPx how large it was, square pixels
+ * @param eccentricity how long against its width: from 1 on the ratio of the axes, below 1 the
+ *     eccentricity of the ellipse, which is taken for the same
+ */
+public record LineObservation(
+    int camera, double xPx, double yPx, double angleRad, double areaPx, double eccentricity) {
+  /** Checks the index. */
+  public LineObservation {
+    if (camera < 0) {
+      throw new IllegalArgumentException("a camera's index is from 0 on: " + camera);
+    }
+  }
+
+  /**
+   * Whether its place is known.
+   *
+   * @return true if both numbers are finite
+   */
+  public boolean hasPlace() {
+    return Double.isFinite(xPx) && Double.isFinite(yPx);
+  }
+
+  /**
+   * Long axis over short axis.
+   *
+   * @return at least 1, infinite for a line, NaN if unknown
+   */
+  public double axisRatio() {
+    return eccentricity >= 1 || !(eccentricity >= 0)
+        ? (eccentricity >= 1 ? eccentricity : Double.NaN)
+        : 1 / Math.sqrt(1 - eccentricity * eccentricity);
+  }
+}

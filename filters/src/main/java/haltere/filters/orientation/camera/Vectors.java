@@ -1,0 +1,152 @@
+package haltere.filters.orientation.camera;
+
+/**
+ * Vectors of three numbers, and the 3 x 3 systems that they lead to. Matrices are nine numbers, row
+ * by row. Units are the caller's; nothing is allocated but where an array comes back; any thread.
+ */
+public final class Vectors {
+  private Vectors() {}
+
+  /**
+   * The scalar product.
+   *
+   * @param a three numbers
+   * @param b three numbers
+   * @return a · b
+   */
+  public static double dot(double[] a, double[] b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  }
+
+  /**
+   * The length.
+   *
+   * @param a three numbers
+   * @return |a|
+   */
+  public static double length(double[] a) {
+    return Math.sqrt(dot(a, a));
+  }
+
+  /**
+   * The vector product.
+   *
+   * @param a three numbers
+   * @param b three numbers
+   * @param out gets a × b; may be one of the two
+   */
+  public static void cross(double[] a, double[] b, double[] out) {
+    double x = a[1] * b[2] - a[2] * b[1];
+    double y = a[2] * b[0] - a[0] * b[2];
+    double z = a[0] * b[1] - a[1] * b[0];
+    out[0] = x;
+    out[1] = y;
+    out[2] = z;
+  }
+
+  /**
+   * Makes the length 1.
+   *
+   * @param a three numbers; replaced
+   * @return false, and nothing done, if it has no length
+   */
+  public static boolean normalise(double[] a) {
+    double length = length(a);
+    if (!(length > 1e-300) || Double.isInfinite(length)) {
+      return false;
+    }
+    a[0] /= length;
+    a[1] /= length;
+    a[2] /= length;
+    return true;
+  }
+
+  /**
+   * Any unit vector orthogonal to a unit vector.
+   *
+   * @param unit three numbers of length 1
+   * @return a new array
+   */
+  public static double[] orthogonalTo(double[] unit) {
+    double[] least = new double[3];
+    int axis = 0;
+    for (int i = 1; i < 3; i++) {
+      axis = Math.abs(unit[i]) < Math.abs(unit[axis]) ? i : axis;
+    }
+    least[axis] = 1;
+    double[] out = new double[3];
+    cross(unit, least, out);
+    normalise(out);
+    return out;
+  }
+
+  /**
+   * The angle between two vectors, accurate near both ends.
+   *
+   * @param a three numbers
+   * @param b three numbers
+   * @return radians, 0 to pi
+   */
+  public static double angle(double[] a, double[] b) {
+    double[] across = new double[3];
+    cross(a, b, across);
+    return Math.atan2(length(across), dot(a, b));
+  }
+
+  /**
+   * Inverts a symmetric 3 x 3 matrix by its adjugate.
+   *
+   * @param m nine entries
+   * @param inverse gets the inverse, another array
+   * @return false if it is not positive definite, or nearly not
+   */
+  static boolean invertSymmetric(double[] m, double[] inverse) {
+    double c00 = m[4] * m[8] - m[5] * m[5];
+    double c01 = m[2] * m[5] - m[1] * m[8];
+    double c02 = m[1] * m[5] - m[2] * m[4];
+    double determinant = m[0] * c00 + m[1] * c01 + m[2] * c02;
+    double scale = (m[0] + m[4] + m[8]) / 3;
+    if (!(determinant > 1e-18 * scale * scale * scale) || Double.isInfinite(determinant)) {
+      return false;
+    }
+    inverse[0] = c00 / determinant;
+    inverse[1] = c01 / determinant;
+    inverse[2] = c02 / determinant;
+    inverse[3] = inverse[1];
+    inverse[4] = (m[0] * m[8] - m[2] * m[2]) / determinant;
+    inverse[5] = (m[1] * m[2] - m[0] * m[5]) / determinant;
+    inverse[6] = inverse[2];
+    inverse[7] = inverse[5];
+    inverse[8] = (m[0] * m[4] - m[1] * m[1]) / determinant;
+    return inverse[0] > 0 && inverse[4] > 0 && inverse[8] > 0;
+  }
+
+  /**
+   * The product of a 3 x 3 matrix and a vector.
+   *
+   * @param m nine numbers
+   * @param v three numbers
+   * @param out gets the product; another array than v
+   */
+  public static void multiply(double[] m, double[] v, double[] out) {
+    for (int i = 0; i < 3; i++) {
+      out[i] = m[3 * i] * v[0] + m[3 * i + 1] * v[1] + m[3 * i + 2] * v[2];
+    }
+  }
+
+  /**
+   * The form aᵀ M b.
+   *
+   * @param m nine numbers
+   * @param a three numbers
+   * @param b three numbers
+   * @return aᵀ M b
+   */
+  public static double quadratic(double[] m, double[] a, double[] b) {
+    double sum = 0;
+    for (int i = 0; i < 3; i++) {
+      sum += a[i] * (m[3 * i] * b[0] + m[3 * i + 1] * b[1] + m[3 * i + 2] * b[2]);
+    }
+    return sum;
+  }
+}

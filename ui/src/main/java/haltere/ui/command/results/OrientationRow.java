@@ -1,0 +1,55 @@
+package haltere.ui.command.results;
+
+import haltere.filters.orientation.OrientationEstimate;
+
+/**
+ * A row of what {@code haltere orient} writes.
+ *
+ * @param tUs time, microseconds
+ * @param object name of the body
+ * @param xM place, metres
+ * @param yM place, metres
+ * @param zM place, metres
+ * @param ux axis, tail to head
+ * @param uy axis
+ * @param uz axis
+ * @param sdAxisRad root of the mean squared angle to the true axis, radians
+ * @param pRadS rate of roll, radians a second
+ * @param qRadS rate of pitch
+ * @param rRadS rate of yaw
+ * @param used observations used
+ * @param rejected observations not used
+ */
+public record OrientationRow(
+    long tUs,
+    String object,
+    double xM,
+    double yM,
+    double zM,
+    double ux,
+    double uy,
+    double uz,
+    double sdAxisRad,
+    double pRadS,
+    double qRadS,
+    double rRadS,
+    int used,
+    int rejected) {
+  static OrientationRow of(String object, OrientationEstimate now) {
+    return new OrientationRow(
+        now.timeUs(),
+        object,
+        now.xM(),
+        now.yM(),
+        now.zM(),
+        now.ux(),
+        now.uy(),
+        now.uz(),
+        now.sdAxisRad(),
+        now.pRadS(),
+        now.qRadS(),
+        now.rRadS(),
+        now.used(),
+        now.rejected());
+  }
+}

@@ -1,0 +1,145 @@
+package haltere.ui.command.results;
+
+import haltere.core.sink.CsvSink;
+import haltere.filters.orientation.BodyOrientationEstimator;
+import haltere.filters.orientation.OrientationCount;
+import haltere.filters.orientation.OrientationEstimate;
+import haltere.filters.orientation.OrientationSettings;
+import haltere.filters.orientation.OrientationTrack;
+import haltere.filters.orientation.camera.CameraModel;
+import haltere.filters.orientation.camera.LineObservation;
+import haltere.ui.command.terminal.Quantities;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * All bodies of a table: gathers what was seen at one time, hands it to each body's estimator and
+ * writes what that says; with smoothing, at the end. Rows are in order of time.
+ */
+public final class OrientedBodies {
+  private final List<CameraModel> cameras;
+  private final OrientationSettings settings;
+  private final boolean smooth;
+  private final CsvSink<OrientationRow> table;
+  private final Map<String, BodyOrientationEstimator> bodies = new LinkedHashMap<>();
+  private final Map<String, OrientationTrack> tracks = new LinkedHashMap<>();
+  private final Map<String, List<LineObservation>> together = new LinkedHashMap<>();
+  private long nowUs;
+  private long observations;
+
+  /**
+   * No bodies yet.
+   *
+   * @param cameras the cameras that {@link LineObservation#camera} counts
+   * @param settings of each body's estimator
+   * @param smooth whether rows wait for what is seen later
+   * @param table gets the rows
+   */
+  public OrientedBodies(
+      List<CameraModel> cameras,
+      OrientationSettings settings,
+      boolean smooth,
+      CsvSink<OrientationRow> table) {
+    this.cameras = cameras;
+    this.settings = settings;
+    this.smooth = smooth;
+    this.table = table;
+  }
+
+  /** Takes an observation; times ascend. */
+  public void seen(long timeUs, String object, LineObservation line) {
+    if (timeUs != nowUs) {
+      goOn();
+      nowUs = timeUs;
+    }
+    observations++;
+    together.computeIfAbsent(object, name -> new ArrayList<>()).add(line);
+  }
+
+  /**
+   * How much was seen.
+   *
+   * @return observations so far
+   */
+  public long observations() {
+    return observations;
+  }
+
+  private void goOn() {
+    for (Map.Entry<String, List<LineObservation>> each : together.entrySet()) {
+      String object = each.getKey();
+      if (smooth) {
+        tracks
+            .computeIfAbsent(object, name -> new OrientationTrack(cameras, settings))
+            .update(nowUs, each.getValue());
+      } else {
+        Optional<OrientationEstimate> now =
+            bodies
+                .computeIfAbsent(object, name -> new BodyOrientationEstimator(cameras, settings))
+                .update(nowUs, each.getValue());
+        now.ifPresent(estimate -> table.accept(OrientationRow.of(object, estimate)));
+      }
+    }
+    together.clear();
+  }
+
+  /** Takes in what is left and writes what was held back. */
+  public void finish() {
+    goOn();
+    List<OrientationRow> rows = new ArrayList<>();
+    tracks.forEach(
+        (object, track) ->
+            track.smoothed().forEach(estimate -> rows.add(OrientationRow.of(object, estimate))));
+    rows.sort(Comparator.comparingLong(OrientationRow::tUs));
+    rows.forEach(table);
+    tracks.forEach((object, track) -> bodies.put(object, track.estimator()));
+  }
+
+  /** What became of everything, a line for each kind. */
+  public List<String> summary() {
+    List<String> lines = new ArrayList<>();
+    lines.add(
+        String.format(
+            Locale.ROOT,
+            "%s observations of %d %s, %s estimates",
+            Quantities.count(observations),
+            bodies.size(),
+            bodies.size() == 1 ? "body" : "bodies",
+            Quantities.count(table.rows())));
+    for (OrientationCount count : OrientationCount.values()) {
+      long sum = bodies.values().stream().mapToLong(body -> body.count(count)).sum();
+      if (sum > 0 || count == OrientationCount.USED || count == OrientationCount.REJECTED) {
+        lines.add(String.format(Locale.ROOT, "%12s %s", Quantities.count(sum), count.words()));
+      }
+    }
+    bodies.forEach((object, body) -> lines.add("body " + object + ": " + noise(body)));
+    if (table.rows() > 0) {
+      lines.add("roll is not seen by any camera: its standard deviation is 104 deg throughout");
+    }
+    return lines;
+  }
+
+  /** How noisy a body's lines are, and whether that is what was expected. */
+  private String noise(BodyOrientationEstimator body) {
+    if (Double.isNaN(body.meanNis())) {
+      return "no line was compared with an axis";
+    }
+    List<String> noise = new ArrayList<>();
+    for (int i = 0; i < cameras.size(); i++) {
+      if (cameras.get(i).problem().isEmpty()) {
+        double sdDeg = Math.toDegrees(body.lineSdRad(i));
+        noise.add(String.format(Locale.ROOT, "%s %.1f", cameras.get(i).id(), sdDeg));
+      }
+    }
+    return String.format(
+        Locale.ROOT,
+        "mean NIS %.2f, noise of the angles (deg) %s",
+        body.meanNis(),
+        String.join(", ", noise));
+  }
+}

@@ -1,0 +1,180 @@
+package haltere.ui.command.results;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.Frame;
+import haltere.core.event.InertialSample;
+import haltere.core.event.SensorReading;
+import haltere.core.event.Trigger;
+import haltere.core.format.RecordingReader;
+import haltere.core.sink.CsvSink;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import haltere.ui.command.terminal.ProgressBar;
+import haltere.ui.rendering.FramePictures;
+import haltere.ui.rendering.Pictures;
+import java.io.IOException;
+import java.io.InterruptedIOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Stream;
+
+/**
+ * Writes one of the streams beside the events: samples or triggers as a table, frames as pictures
+ * in a new folder with a table of their times. Each appears whole or not at all.
+ */
+public final class ReadingExport {
+  private final ReadingStream stream;
+  private final Path out;
+  private final boolean overwrite;
+  private final long fromUs;
+  private final long toUs;
+
+  /**
+   * An export that has not begun.
+   *
+   * @param stream what is written
+   * @param out the table, or the folder of the pictures
+   * @param overwrite whether what is there may be replaced
+   * @param fromUs first time, microseconds
+   * @param toUs first time that is left out, microseconds
+   */
+  public ReadingExport(ReadingStream stream, Path out, boolean overwrite, long fromUs, long toUs) {
+    this.stream = stream;
+    this.out = out;
+    this.overwrite = overwrite;
+    this.fromUs = fromUs;
+    this.toUs = toUs;
+  }
+
+  /**
+   * Reads a recording to its end.
+   *
+   * @param reader at its start, with readings
+   * @param progress hears how far it is
+   * @param check is asked before anything is put in its place
+   * @return how many readings were written
+   */
+  public long run(RecordingReader reader, ProgressBar progress, Check check) throws IOException {
+    return switch (stream) {
+      case IMU -> {
+        try (CsvSink<ReadingTables.SampleRow> table =
+            CsvSink.create(out, ReadingTables.SampleRow.class, overwrite)) {
+          pass(
+              reader,
+              progress,
+              InertialSample.class,
+              sample -> table.accept(ReadingTables.SampleRow.of(sample)));
+          check.run();
+          table.finish();
+          yield table.rows();
+        }
+      }
+      case TRIGGERS -> {
+        try (CsvSink<ReadingTables.TriggerRow> table =
+            CsvSink.create(out, ReadingTables.TriggerRow.class, overwrite)) {
+          pass(
+              reader,
+              progress,
+              Trigger.class,
+              trigger -> table.accept(ReadingTables.TriggerRow.of(trigger)));
+          check.run();
+          table.finish();
+          yield table.rows();
+        }
+      }
+      case FRAMES -> writeFrames(reader, progress, check);
+    };
+  }
+
+  /** Something that may object. */
+  @FunctionalInterface
+  public interface Check {
+    void run() throws IOException;
+  }
+
+  @FunctionalInterface
+  private interface Target<T> {
+    void take(T reading) throws IOException;
+  }
+
+  private long writeFrames(RecordingReader reader, ProgressBar progress, Check check)
+      throws IOException {
+    Path whole = out.toAbsolutePath();
+    Path folder = Files.createTempDirectory(whole.getParent(), "." + whole.getFileName() + "-");
+    try {
+      long rows;
+      try (CsvSink<ReadingTables.FrameRow> table =
+          CsvSink.create(folder.resolve("frames.csv"), ReadingTables.FrameRow.class, false)) {
+        pass(
+            reader,
+            progress,
+            Frame.class,
+            frame -> {
+              String name = String.format(Locale.ROOT, "frame-%06d.png", table.rows());
+              Pictures.write(folder.resolve(name), FramePictures.draw(frame));
+              table.accept(ReadingTables.FrameRow.of(frame, name));
+            });
+        check.run();
+        table.finish();
+        rows = table.rows();
+      }
+      Files.move(folder, whole);
+      return rows;
+    } catch (IOException | RuntimeException e) {
+      delete(folder);
+      throw e;
+    }
+  }
+
+  private static void delete(Path folder) throws IOException {
+    List<Path> files;
+    try (Stream<Path> found = Files.walk(folder)) {
+      files = found.sorted(Comparator.reverseOrder()).toList();
+    }
+    for (Path file : files) {
+      Files.deleteIfExists(file);
+    }
+  }
+
+  private <T extends SensorReading> void pass(
+      RecordingReader reader, ProgressBar progress, Class<T> kind, Target<T> target)
+      throws IOException {
+    StreamHandler handler =
+        new StreamHandler() {
+          @Override
+          public void packet(EventPacket packet) {
+            // Only what stands between the events is wanted.
+          }
+
+          @Override
+          public void notified(StreamNotification notification) {
+            // A table has no place for it.
+          }
+
+          @Override
+          public void reading(SensorReading reading) {
+            if (kind.isInstance(reading) && reading.timeUs() >= fromUs && reading.timeUs() < toUs) {
+              try {
+                target.take(kind.cast(reading));
+              } catch (IOException e) {
+                throw new UncheckedIOException(e);
+              }
+            }
+          }
+        };
+    try {
+      while (reader.next(handler)) {
+        if (Thread.currentThread().isInterrupted()) {
+          throw new InterruptedIOException("interrupted while converting " + reader.path());
+        }
+        progress.progress(reader.positionBytes(), reader.sizeBytes());
+      }
+    } catch (UncheckedIOException e) {
+      throw e.getCause();
+    }
+  }
+}

@@ -1,0 +1,106 @@
+package haltere.ui.command.results;
+
+import haltere.core.event.Frame;
+import haltere.core.event.InertialSample;
+import haltere.core.event.Trigger;
+import haltere.core.sink.Column;
+import java.util.Locale;
+
+/** Rows of the tables in which readings are written. */
+final class ReadingTables {
+  private ReadingTables() {}
+
+  /**
+   * A row of inertial samples.
+   *
+   * @param timeUs time, microseconds
+   * @param accelerationXG acceleration, standard gravities
+   * @param accelerationYG acceleration, standard gravities
+   * @param accelerationZG acceleration, standard gravities
+   * @param rotationXDegS rate of rotation, degrees per second
+   * @param rotationYDegS rate of rotation, degrees per second
+   * @param rotationZDegS rate of rotation, degrees per second
+   * @param temperatureC degrees Celsius
+   * @param magneticXMicrotesla magnetic field, microteslas
+   * @param magneticYMicrotesla magnetic field, microteslas
+   * @param magneticZMicrotesla magnetic field, microteslas
+   */
+  record SampleRow(
+      @Column("t_us") long timeUs,
+      @Column("acceleration_x_g") float accelerationXG,
+      @Column("acceleration_y_g") float accelerationYG,
+      @Column("acceleration_z_g") float accelerationZG,
+      float rotationXDegS,
+      float rotationYDegS,
+      float rotationZDegS,
+      float temperatureC,
+      float magneticXMicrotesla,
+      float magneticYMicrotesla,
+      float magneticZMicrotesla) {
+    static SampleRow of(InertialSample sample) {
+      return new SampleRow(
+          sample.timeUs(),
+          sample.accelerationXG(),
+          sample.accelerationYG(),
+          sample.accelerationZG(),
+          sample.rotationXDegS(),
+          sample.rotationYDegS(),
+          sample.rotationZDegS(),
+          sample.temperatureC(),
+          sample.magneticXMicrotesla(),
+          sample.magneticYMicrotesla(),
+          sample.magneticZMicrotesla());
+    }
+  }
+
+  /**
+   * A row of triggers.
+   *
+   * @param timeUs time, microseconds
+   * @param source what was marked
+   * @param edge rising, falling or pulse
+   * @param channel number of the input
+   */
+  record TriggerRow(@Column("t_us") long timeUs, String source, String edge, int channel) {
+    static TriggerRow of(Trigger trigger) {
+      return new TriggerRow(
+          trigger.timeUs(), word(trigger.source()), word(trigger.edge()), trigger.channel());
+    }
+
+    private static String word(Enum<?> value) {
+      return value.name().toLowerCase(Locale.ROOT).replace('_', '-');
+    }
+  }
+
+  /**
+   * A row of frames.
+   *
+   * @param timeUs start of the exposure, microseconds
+   * @param exposureEndUs end of the exposure, microseconds
+   * @param readoutStartUs start of the readout, microseconds
+   * @param readoutEndUs end of the readout, microseconds
+   * @param leftPx column of the sensor at the left edge
+   * @param bottomPx row of the sensor at the lower edge, counted upwards
+   * @param file name of the picture
+   */
+  record FrameRow(
+      @Column("t_us") long timeUs,
+      @Column("exposure_end_us") long exposureEndUs,
+      @Column("readout_start_us") long readoutStartUs,
+      @Column("readout_end_us") long readoutEndUs,
+      int leftPx,
+      int bottomPx,
+      String file) {
+    static FrameRow of(Frame frame, String file) {
+      Frame.Times times = frame.times();
+      return new FrameRow(
+          frame.timeUs(),
+          times.exposureEndUs(),
+          times.readoutStartUs(),
+          times.readoutEndUs(),
+          frame.left(),
+          frame.bottom(),
+          file);
+    }
+  }
+}

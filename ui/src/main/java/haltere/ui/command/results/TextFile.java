@@ -1,0 +1,26 @@
+package haltere.ui.command.results;
+
+import haltere.core.format.AtomicFile;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+
+/** A text file that appears whole or not at all. */
+public final class TextFile {
+  private TextFile() {}
+
+  /**
+   * Writes.
+   *
+   * @param file where it will be
+   * @param text what it will hold
+   * @param overwrite whether a file that is there may be replaced
+   * @throws IOException if it is there and may not be replaced, or cannot be written
+   */
+  public static void write(Path file, String text, boolean overwrite) throws IOException {
+    try (AtomicFile atomic = AtomicFile.create(file, overwrite)) {
+      atomic.stream().write(text.getBytes(StandardCharsets.UTF_8));
+      atomic.commit();
+    }
+  }
+}

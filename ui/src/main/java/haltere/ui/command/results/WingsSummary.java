@@ -1,0 +1,217 @@
+package haltere.ui.command.results;
+
+import haltere.core.chain.FilterChain;
+import haltere.core.event.EventPacket;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import haltere.filters.wing.FlyGeometry;
+import haltere.filters.wing.WingBeat;
+import haltere.filters.wing.WingSide;
+import haltere.filters.wing.WingSnapshot;
+import haltere.filters.wing.WingTrackerFilter;
+import haltere.filters.wing.WingTrackerState;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+
+/**
+ * What is said about a recording when its wings have been tracked: beats, frequency and amplitude
+ * of each side, how much of the time they were tracked, where the fly was on average.
+ */
+public final class WingsSummary implements StreamHandler {
+  private static final double DEGREES = 180 / Math.PI;
+
+  private final WingTrackerFilter filter;
+  private final double rateHz;
+  private final double[] beats = new double[2];
+  private final double[] frequency = new double[2];
+  private final double[] frequencySquares = new double[2];
+  private final double[] amplitude = new double[2];
+  private final double[] amplitudeSquares = new double[2];
+  private long lastUs = Long.MAX_VALUE;
+  private long spannedUs;
+  private long bothTicks;
+  private long oneTicks;
+  private int losses;
+  private double nis;
+  private long nisCount;
+  private FlyGeometry last;
+  private double means;
+  private final double[] sums = new double[8];
+  private String condition = "waiting for wings";
+
+  /**
+   * Nothing seen yet.
+   *
+   * @param filter whose wings they are
+   * @param rateHz estimates per second of recording time
+   */
+  public WingsSummary(WingTrackerFilter filter, double rateHz) {
+    this.filter = filter;
+    this.rateHz = rateHz;
+  }
+
+  /**
+   * Listens to what the tracker of a chain publishes from now on.
+   *
+   * @param chain with one wing tracker; its processing thread calls
+   */
+  public void listenTo(FilterChain chain) {
+    chain.outlet("beats", WingBeat.class).subscribe(this::beat);
+    chain.outlet("snapshot", WingSnapshot.class).subscribe(this::snapshot);
+    chain.outlet("initialisation", WingTrackerState.class).subscribe(this::state);
+    chain.outlet("geometry", FlyGeometry.class).subscribe(this::found);
+  }
+
+  private void beat(WingBeat beat) {
+    int side = beat.side() == WingSide.LEFT ? 0 : 1;
+    beats[side]++;
+    frequency[side] += beat.frequencyHz();
+    frequencySquares[side] += beat.frequencyHz() * beat.frequencyHz();
+    amplitude[side] += beat.amplitudeRad();
+    amplitudeSquares[side] += beat.amplitudeRad() * beat.amplitudeRad();
+  }
+
+  private void found(FlyGeometry geometry) {
+    last = geometry;
+    means = 0;
+    java.util.Arrays.fill(sums, 0);
+  }
+
+  private void snapshot(WingSnapshot snapshot) {
+    if (snapshot.phase() == WingTrackerState.Phase.TRACKING) {
+      bothTicks++;
+    } else {
+      oneTicks++;
+    }
+    double now = filter.tracker().meanNis();
+    if (Double.isFinite(now)) {
+      nis += now;
+      nisCount++;
+    }
+    FlyGeometry g = snapshot.geometry();
+    last = g;
+    means++;
+    double[] values = {
+      g.centreX(),
+      g.centreY(),
+      Math.cos(g.headingRad()),
+      Math.sin(g.headingRad()),
+      g.leftHingeX(),
+      g.leftHingeY(),
+      g.rightHingeX(),
+      g.rightHingeY()
+    };
+    for (int i = 0; i < values.length; i++) {
+      sums[i] += values[i];
+    }
+  }
+
+  private void state(WingTrackerState state) {
+    switch (state.phase()) {
+      case TRACKING -> condition = "both wings tracked";
+      case ONE_WING -> condition = "one wing tracked";
+      case LOST -> {
+        condition = "wings lost";
+        losses++;
+      }
+      default -> {
+        // a step on the way
+      }
+    }
+  }
+
+  @Override
+  public void packet(EventPacket packet) {
+    if (!packet.isEmpty()) {
+      // a clock that restarts begins a stretch of its own
+      long fromUs = Math.min(lastUs, packet.firstTimeUs());
+      lastUs = packet.lastTimeUs();
+      spannedUs += lastUs - fromUs;
+    }
+  }
+
+  @Override
+  public void notified(StreamNotification notification) {
+    // times of events are all that counts
+  }
+
+  /**
+   * Where the fly was, on average since it was last found.
+   *
+   * @return the keys of the contract; all values null if no fly was found
+   */
+  public Map<String, Object> geometry() {
+    Map<String, Object> map = new LinkedHashMap<>();
+    boolean averaged = last != null && means > 0;
+    double heading = averaged ? Math.atan2(sums[3], sums[2]) : last == null ? 0 : last.headingRad();
+    map.put("centreX", last == null ? null : averaged ? sums[0] / means : last.centreX());
+    map.put("centreY", last == null ? null : averaged ? sums[1] / means : last.centreY());
+    map.put("headingRad", last == null ? null : heading < 0 ? heading + 2 * Math.PI : heading);
+    map.put("sizePx", last == null ? null : last.sizePx());
+    map.put("leftHingeX", last == null ? null : averaged ? sums[4] / means : last.leftHingeX());
+    map.put("leftHingeY", last == null ? null : averaged ? sums[5] / means : last.leftHingeY());
+    map.put("rightHingeX", last == null ? null : averaged ? sums[6] / means : last.rightHingeX());
+    map.put("rightHingeY", last == null ? null : averaged ? sums[7] / means : last.rightHingeY());
+    map.put("headTailConfidence", last == null ? null : last.headTailConfidence());
+    map.put("initialisedAtUs", last == null ? null : last.initialisedAtUs());
+    return map;
+  }
+
+  /**
+   * The summary.
+   *
+   * @return lines for a person
+   */
+  public List<String> lines() {
+    List<String> lines = new ArrayList<>();
+    lines.add(
+        String.format(
+            Locale.ROOT,
+            "%-6s %8s %12s %10s %15s %10s",
+            "side",
+            "beats",
+            "frequency",
+            "SD",
+            "amplitude",
+            "SD"));
+    for (int side = 0; side < 2; side++) {
+      double n = beats[side];
+      lines.add(
+          n == 0
+              ? String.format(Locale.ROOT, "%-6s %8d", name(side), 0)
+              : String.format(
+                  Locale.ROOT,
+                  "%-6s %8.0f %9.2f Hz %7.2f Hz %11.2f deg %6.2f deg",
+                  name(side),
+                  n,
+                  frequency[side] / n,
+                  sd(frequency[side], frequencySquares[side], n),
+                  amplitude[side] / n * DEGREES,
+                  sd(amplitude[side], amplitudeSquares[side], n) * DEGREES));
+    }
+    double ticks = Math.max(1, spannedUs * 1e-6 * rateHz);
+    lines.add(
+        String.format(
+            Locale.ROOT,
+            "in lock %.1f %% of the time (one wing %.1f %%), lost %d times, at the end: %s",
+            Math.min(100, 100 * bothTicks / ticks),
+            Math.min(100, 100 * oneTicks / ticks),
+            losses,
+            condition));
+    if (nisCount > 0) {
+      lines.add(String.format(Locale.ROOT, "mean NIS %.3f", nis / nisCount));
+    }
+    return lines;
+  }
+
+  private static String name(int side) {
+    return side == 0 ? "left" : "right";
+  }
+
+  private static double sd(double sum, double squares, double n) {
+    return Math.sqrt(Math.max(0, squares / n - sum / n * (sum / n)));
+  }
+}

@@ -1,0 +1,45 @@
+package haltere.ui.command.terminal;
+
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * Lets the work end in order when the process is told to stop: the working thread is interrupted,
+ * closes its files (which removes what is unfinished) and only then does the process go.
+ */
+public final class Interruption extends Thread {
+  private static final long PATIENCE_S = 10;
+
+  private final Thread worker;
+  private final CountDownLatch done = new CountDownLatch(1);
+
+  private Interruption(Thread worker) {
+    super("interruption");
+    this.worker = worker;
+  }
+
+  /** Guards the calling thread's work. */
+  public static Interruption install() {
+    Interruption interruption = new Interruption(Thread.currentThread());
+    Runtime.getRuntime().addShutdownHook(interruption);
+    return interruption;
+  }
+
+  /** The work is done, however it ended. */
+  public void finished() {
+    done.countDown();
+  }
+
+  @Override
+  public void run() {
+    if (done.getCount() == 0) {
+      return;
+    }
+    worker.interrupt();
+    try {
+      done.await(PATIENCE_S, TimeUnit.SECONDS);
+    } catch (InterruptedException hurried) {
+      Thread.currentThread().interrupt();
+    }
+  }
+}

@@ -1,0 +1,84 @@
+package haltere.ui.command.terminal;
+
+import haltere.core.camera.Camera;
+import haltere.core.camera.CameraStatistics;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.LongSupplier;
+
+/**
+ * What comes from cameras while they run, on one line of a terminal: rate, what was lost, what
+ * waits, and how long it takes.
+ *
+ * <p>Thread rule: one thread shows; the rest may be called from any.
+ */
+public final class LiveStatus implements AutoCloseable {
+  /** What does not fit onto one line of a terminal would stay there. */
+  private static final int MOST_LETTERS = 79;
+
+  private final TerminalLine line;
+  private final LongSupplier nanoTime;
+  private final List<Camera> cameras;
+  private final long startNanos;
+  private final long[] eventsBefore;
+  private long nanosBefore;
+
+  /**
+   * A status that has not been shown yet.
+   *
+   * @param line where it is shown
+   * @param nanoTime clock
+   * @param cameras open cameras
+   */
+  public LiveStatus(TerminalLine line, LongSupplier nanoTime, List<Camera> cameras) {
+    this.line = line;
+    this.nanoTime = nanoTime;
+    this.cameras = List.copyOf(cameras);
+    eventsBefore = new long[cameras.size()];
+    startNanos = nanoTime.getAsLong();
+    nanosBefore = startNanos;
+  }
+
+  /** Shows what is now, if it was not shown just before. */
+  public void show() {
+    if (!line.isDue()) {
+      return;
+    }
+    long now = nanoTime.getAsLong();
+    double sinceS = (now - nanosBefore) / 1e9;
+    nanosBefore = now;
+    StringBuilder text = new StringBuilder();
+    long seconds = (now - startNanos) / 1_000_000_000L;
+    text.append(String.format(Locale.ROOT, "%d:%02d", seconds / 60, seconds % 60));
+    for (int i = 0; i < cameras.size(); i++) {
+      CameraStatistics statistics = cameras.get(i).statistics();
+      text.append(i == 0 ? "  " : " | ").append(cameras.get(i).info().id()).append(' ');
+      text.append(words(statistics, (statistics.events() - eventsBefore[i]) / sinceS));
+      eventsBefore[i] = statistics.events();
+    }
+    line.draw(text.substring(0, Math.min(text.length(), MOST_LETTERS)));
+  }
+
+  private String words(CameraStatistics statistics, double rate) {
+    String most =
+        Quantities.rate(rate) + ", " + Quantities.count(statistics.lostEvents()) + " lost";
+    return cameras.size() > 1
+        ? most
+        : most
+            + String.format(
+                Locale.ROOT,
+                ", %d waiting, half within %d us",
+                statistics.waiting(),
+                statistics.medianLatencyUs());
+  }
+
+  /** Makes room for a message. */
+  public void erase() {
+    line.erase();
+  }
+
+  @Override
+  public void close() {
+    line.close();
+  }
+}

@@ -1,0 +1,85 @@
+package haltere.ui.command.terminal;
+
+import haltere.core.format.ProgressListener;
+import java.io.PrintStream;
+import java.util.Locale;
+import java.util.function.LongSupplier;
+
+/**
+ * One line on a terminal: what is done, how fast it goes and how long it will take. Without a
+ * terminal it is silent. Drawn at most ten times a second and erased at the end.
+ *
+ * <p>Thread rule: one thread.
+ */
+public final class ProgressBar implements ProgressListener, AutoCloseable {
+  private static final int BAR_WIDTH = 24;
+  private static final int LABEL_WIDTH = 24;
+
+  private final TerminalLine line;
+  private final String label;
+  private final LongSupplier nanoTime;
+  private final long startNanos;
+  private long events = -1;
+
+  /**
+   * A bar that has not been drawn yet.
+   *
+   * @param err the terminal
+   * @param shown false for no bar at all
+   * @param label what is being done
+   * @param nanoTime clock
+   */
+  public ProgressBar(PrintStream err, boolean shown, String label, LongSupplier nanoTime) {
+    line = new TerminalLine(err, shown, nanoTime);
+    this.label =
+        label.length() <= LABEL_WIDTH ? label : label.substring(0, LABEL_WIDTH - 3) + "...";
+    this.nanoTime = nanoTime;
+    startNanos = nanoTime.getAsLong();
+  }
+
+  /**
+   * States how many events have gone through, so that the rate is in events rather than bytes.
+   *
+   * @param count events since the start
+   */
+  public void events(long count) {
+    events = count;
+  }
+
+  @Override
+  public void progress(long done, long total) {
+    if (line.isDue()) {
+      line.draw(text(done, total, (nanoTime.getAsLong() - startNanos) / 1e9));
+    }
+  }
+
+  private String text(long done, long total, double seconds) {
+    double share = total <= 0 ? 0 : Math.min(1, done / (double) total);
+    int filled = (int) (share * BAR_WIDTH);
+    StringBuilder bar = new StringBuilder(80);
+    bar.append(label).append(" [");
+    for (int i = 0; i < BAR_WIDTH; i++) {
+      bar.append(i < filled ? '=' : i == filled ? '>' : ' ');
+    }
+    bar.append(String.format(Locale.ROOT, "] %3d %%", (int) (share * 100)));
+    bar.append(
+        events >= 0
+            ? String.format(Locale.ROOT, "  %.1f Mev/s", events / seconds / 1e6)
+            : String.format(Locale.ROOT, "  %.0f MB/s", done / seconds / 1e6));
+    if (share > 0) {
+      long left = Math.round(seconds * (1 - share) / share);
+      bar.append(String.format(Locale.ROOT, "  %d:%02d left", left / 60, left % 60));
+    }
+    return bar.toString();
+  }
+
+  @Override
+  public void close() {
+    line.close();
+  }
+
+  /** Takes the line away, so that results can be printed. */
+  public void erase() {
+    line.erase();
+  }
+}

@@ -1,0 +1,58 @@
+package haltere.ui.command.terminal;
+
+import java.io.FileDescriptor;
+import java.io.FileOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.util.Locale;
+import java.util.Optional;
+
+/**
+ * The process's standard output. It remembers why it could not be written to, which a print stream
+ * forgets: a reader that has seen enough (such as {@code head}) is no failure, a full disk is one.
+ */
+public final class StandardOutput extends OutputStream {
+  private final OutputStream process;
+  private IOException problem;
+
+  /** That of this process. */
+  public StandardOutput() {
+    this(new FileOutputStream(FileDescriptor.out));
+  }
+
+  StandardOutput(OutputStream process) {
+    this.process = process;
+  }
+
+  @Override
+  public void write(int value) throws IOException {
+    write(new byte[] {(byte) value}, 0, 1);
+  }
+
+  @Override
+  public void write(byte[] bytes, int offset, int length) throws IOException {
+    try {
+      process.write(bytes, offset, length);
+    } catch (IOException thrown) {
+      problem = thrown;
+      throw thrown;
+    }
+  }
+
+  /**
+   * Why not everything could be written.
+   *
+   * @return one line, or empty if all went well or nobody wanted to read on
+   */
+  public Optional<String> failure() {
+    if (problem == null || isClosedPipe(problem)) {
+      return Optional.empty();
+    }
+    return Optional.of("the standard output cannot be written: " + problem.getMessage());
+  }
+
+  private static boolean isClosedPipe(IOException problem) {
+    String message = String.valueOf(problem.getMessage()).toLowerCase(Locale.ROOT);
+    return message.contains("broken pipe") || message.contains("pipe is being closed");
+  }
+}

@@ -1,0 +1,65 @@
+package haltere.ui.command.terminal;
+
+import java.io.PrintStream;
+import java.util.function.LongSupplier;
+
+/**
+ * The last line of a terminal, drawn again and again, at most ten times a second. Without a
+ * terminal it is silent.
+ *
+ * <p>Thread rule: all methods may be called from any thread.
+ */
+public final class TerminalLine implements AutoCloseable {
+  private static final long REDRAW_NANOS = 100_000_000L;
+
+  private final PrintStream err;
+  private final boolean shown;
+  private final LongSupplier nanoTime;
+  private long lastDrawNanos;
+  private int drawnLength;
+
+  /**
+   * A line that has not been drawn yet.
+   *
+   * @param err the terminal
+   * @param shown false for no line at all
+   * @param nanoTime clock
+   */
+  public TerminalLine(PrintStream err, boolean shown, LongSupplier nanoTime) {
+    this.err = err;
+    this.shown = shown;
+    this.nanoTime = nanoTime;
+    lastDrawNanos = nanoTime.getAsLong();
+  }
+
+  /** Whether it is time to draw again; if so, the next time is a tenth of a second later. */
+  synchronized boolean isDue() {
+    long now = nanoTime.getAsLong();
+    if (!shown || now - lastDrawNanos < REDRAW_NANOS) {
+      return false;
+    }
+    lastDrawNanos = now;
+    return true;
+  }
+
+  /** Draws a text in place of what is drawn. */
+  synchronized void draw(String text) {
+    err.print("\r" + text + " ".repeat(Math.max(0, drawnLength - text.length())));
+    err.flush();
+    drawnLength = text.length();
+  }
+
+  /** Takes the line away, so that results can be printed. */
+  synchronized void erase() {
+    if (drawnLength > 0) {
+      err.print("\r" + " ".repeat(drawnLength) + "\r");
+      err.flush();
+      drawnLength = 0;
+    }
+  }
+
+  @Override
+  public void close() {
+    erase();
+  }
+}
