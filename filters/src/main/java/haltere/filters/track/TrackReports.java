@@ -1,6 +1,6 @@
 package haltere.filters.track;
 
-import haltere.core.chain.ReportClock;
+import haltere.core.stream.ReportClock;
 
 /** When tracks are reported, and which of them are shown then. Thread rule: that of its owner. */
 final class TrackReports {

@@ -1,9 +1,9 @@
 package haltere.filters.wing;
 
-import haltere.core.chain.ReportClock;
 import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.stream.ReportClock;
 import haltere.filters.wing.WingTrackerState.Phase;
 import java.util.Arrays;
 import java.util.List;

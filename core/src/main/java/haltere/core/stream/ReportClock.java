@@ -1,4 +1,4 @@
-package haltere.core.chain;
+package haltere.core.stream;
 
 /**
  * Regular times at which a filter reports, of a rate that need not divide a second, without drift:

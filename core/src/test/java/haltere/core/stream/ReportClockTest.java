@@ -1,4 +1,4 @@
-package haltere.core.chain;
+package haltere.core.stream;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
