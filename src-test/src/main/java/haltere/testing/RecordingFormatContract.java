@@ -10,43 +10,30 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.core.format.Conversion;
 import haltere.core.format.FileHead;
-import haltere.core.format.ProgressListener;
-import haltere.core.format.ReadOptions;
-import haltere.core.format.RecordingFormat;
 import haltere.core.format.RecordingOutline;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingReader;
-import haltere.core.format.RecordingSummary;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.Recordings;
-import haltere.core.format.Support;
-import haltere.core.format.TimeSegment;
 import haltere.core.format.Violation;
 import haltere.core.format.WriteOptions;
 import haltere.core.stream.EndOfStream;
-import haltere.core.stream.Reset;
-import haltere.core.stream.StreamGrammar;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
-import haltere.core.stream.StreamStarted;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Optional;
-import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /**
  * What every file format keeps. A format's test extends this and says how to make the format, which
  * sensors it holds, and how a file of it comes about if it cannot be written.
  */
-public abstract class RecordingFormatContract {
+public abstract class RecordingFormatContract extends RecordingTimeContract {
   private static final int[] PACKET_SIZES = {1, 7, 1000, 8192, 1 << 20};
 
   /** Places in which a file is cut, at the most; a longer one is cut in every second, third... */
@@ -55,128 +42,8 @@ public abstract class RecordingFormatContract {
   /** Bytes at the start of a file of which none is passed over. */
   private static final int EVERY_BYTE = 500;
 
-  /** Files that the tests make. */
-  @TempDir protected Path folder;
-
   /** For subclasses. */
   protected RecordingFormatContract() {}
-
-  /**
-   * The format.
-   *
-   * @return the one that is tested
-   */
-  protected abstract RecordingFormat format();
-
-  /**
-   * Sensors of which the format can hold events.
-   *
-   * @return the smallest, the largest and the usual ones
-   */
-  protected abstract List<SensorGeometry> sensors();
-
-  /**
-   * The earliest time that the format can hold.
-   *
-   * @return microseconds
-   */
-  protected abstract long earliestUs();
-
-  /**
-   * A time that lies behind {@link #earliestUs()} and up to which the format can hold any time.
-   *
-   * @return microseconds
-   */
-  protected abstract long latestUs();
-
-  /**
-   * Makes a file of the format, by its writer; a format that is only read says here how else. Times
-   * may go back from one packet to the next.
-   *
-   * @param file where
-   * @param sensor of the events
-   * @param packets what it holds
-   * @throws IOException if that fails
-   */
-  protected void write(Path file, SensorGeometry sensor, EventPacket... packets)
-      throws IOException {
-    try (RecordingWriter writer = format().create(file, WriteOptions.of(sensor)).orElseThrow()) {
-      for (EventPacket packet : packets) {
-        writer.write(packet);
-      }
-      assertEquals(List.of(), writer.losses());
-      writer.finish();
-    }
-  }
-
-  /**
-   * Whether each byte of a file belongs to an event or stands before one.
-   *
-   * @return false if something else, such as a table, follows the last event
-   */
-  protected boolean endsInEvents() {
-    return true;
-  }
-
-  /**
-   * Whether the format can say that its clock goes back.
-   *
-   * @return false for formats that only say how far time goes on
-   */
-  protected boolean clockCanGoBack() {
-    return true;
-  }
-
-  /**
-   * How sure the format is of a file of its own.
-   *
-   * @return less than certain for formats without any mark
-   */
-  protected Support certainty() {
-    return Support.CERTAIN;
-  }
-
-  /**
-   * What a user has to say about a file of the format.
-   *
-   * @param sensor of its events
-   * @return the options to read it with
-   */
-  protected ReadOptions options(SensorGeometry sensor) {
-    return ReadOptions.DEFAULT;
-  }
-
-  /**
-   * Files whose lengths, counts or sizes cannot be true, made from a true one.
-   *
-   * @param file bytes of a file with events of the first of {@link #sensors()}
-   * @return damaged copies
-   */
-  protected abstract List<byte[]> lyingFiles(byte[] file);
-
-  private SensorGeometry usualSensor() {
-    return sensors().get(0);
-  }
-
-  private static StreamRecorder read(RecordingReader reader) throws IOException {
-    StreamRecorder recorder = new StreamRecorder();
-    reader.drainTo(new StreamGrammar(recorder));
-    return recorder;
-  }
-
-  private StreamRecorder read(Path file, ReadOptions options) throws IOException {
-    try (RecordingReader reader = format().open(file, options)) {
-      return read(reader);
-    }
-  }
-
-  private EventPacket randomEvents(SensorGeometry sensor, long seed, int count) {
-    return EventPackets.uniform(sensor, seed, count, 1_000_000 + 977 * seed, 37);
-  }
-
-  private Path file(String name) {
-    return folder.resolve(name + "." + format().extensions().iterator().next());
-  }
 
   @Test
   void randomEventsComeBackAsTheyWereWritten() throws IOException {
@@ -287,96 +154,6 @@ public abstract class RecordingFormatContract {
   }
 
   @Test
-  void seekingGivesExactlyTheEventsFromThatTimeOn() throws IOException {
-    EventPacket events = randomEvents(usualSensor(), 5, 100_000);
-    Path file = file("seek");
-    write(file, usualSensor(), events);
-    SplittableRandom random = new SplittableRandom(6);
-    long firstUs = events.firstTimeUs();
-    long lastUs = events.lastTimeUs();
-    try (RecordingReader reader = format().open(file, options(usualSensor()))) {
-      assertEquals(List.of(new TimeSegment(firstUs, lastUs)), reader.segments());
-      reader.next(new StreamRecorder());
-      for (int i = 0; i < 60; i++) {
-        long timeUs =
-            switch (i) {
-              case 0 -> firstUs;
-              case 1 -> firstUs - 1;
-              case 2 -> Long.MIN_VALUE;
-              case 3 -> lastUs;
-              case 4 -> lastUs + 1;
-              case 5 -> Long.MAX_VALUE;
-              default -> random.nextLong(firstUs - 10, lastUs + 10);
-            };
-        reader.seek(timeUs);
-        int from = events.indexAtOrAfter(timeUs);
-        StreamRecorder got = new StreamRecorder();
-        for (int step = 0; step < 3; step++) {
-          reader.next(got);
-        }
-        assertEquals(
-            EventPackets.part(events, from, from + got.events().size()),
-            got.events(),
-            "from " + timeUs + " us");
-        StreamNotification first = got.notices().get(0).notification();
-        boolean restarted = first instanceof StreamStarted;
-        if (!restarted) {
-          Reset reset = (Reset) first;
-          assertSame(Reset.Cause.SEEK, reset.cause());
-          assertEquals(
-              from == events.size() ? StreamNotification.NO_TIME_US : events.timeUs(from),
-              reset.nextUs());
-        }
-        if (i % 4 == 0) {
-          reader.drainTo(got);
-          assertEquals(events.size() - from, got.events().size(), "from " + timeUs + " us");
-        }
-      }
-    }
-  }
-
-  @Test
-  void seekingBeforeTheStartOfTheStreamStartsItThere() throws IOException {
-    EventPacket events = randomEvents(usualSensor(), 7, 1000);
-    Path file = file("seek-first");
-    write(file, usualSensor(), events);
-    try (RecordingReader reader = format().open(file, options(usualSensor()))) {
-      reader.seek(events.timeUs(700) + 1);
-      StreamRecorder stream = read(reader);
-      int from = events.indexAtOrAfter(events.timeUs(700) + 1);
-      assertEquals(EventPackets.part(events, from, events.size()), stream.events());
-      assertEquals(List.of(), stream.notices(Reset.class));
-      reader.seek(events.firstTimeUs());
-      assertEquals(events, read(reader).events(), "after the end the stream starts anew");
-    }
-  }
-
-  @Test
-  void aStretchOfTimeIsHalfOpen() throws IOException {
-    EventPacket events = randomEvents(usualSensor(), 8, 5000);
-    Path file = file("range");
-    write(file, usualSensor(), events);
-    SplittableRandom random = new SplittableRandom(9);
-    for (int i = 0; i < 30; i++) {
-      int a = random.nextInt(events.size());
-      int b = random.nextInt(events.size());
-      long fromUs = Math.min(events.timeUs(a), events.timeUs(b)) - (i & 1);
-      long toUs = Math.max(events.timeUs(a), events.timeUs(b)) + (i >> 1 & 1);
-      EventPacket copied = new EventPacket(0);
-      try (RecordingReader reader = format().open(file, options(usualSensor()))) {
-        Conversion.Result result =
-            new Conversion(fromUs, toUs, Optional.empty(), ProgressListener.NONE)
-                .run(reader, new PacketWriter(copied));
-        assertEquals(copied.size(), result.eventsWritten());
-      }
-      assertEquals(
-          EventPackets.part(events, events.indexAtOrAfter(fromUs), events.indexAtOrAfter(toUs)),
-          copied,
-          fromUs + " to " + toUs + " us");
-    }
-  }
-
-  @Test
   void readingNeverDependsOnTheSizeOfPackets() throws IOException {
     Path file = file("packets");
     EventPacket first = randomEvents(usualSensor(), 10, 3000);
@@ -391,64 +168,6 @@ public abstract class RecordingFormatContract {
       assertEquals(usual.events(), stream.events());
       assertEquals(usual.notices(), stream.notices());
     }
-  }
-
-  @Test
-  void aClockThatGoesBackStartsANewSegment() throws IOException {
-    if (!clockCanGoBack()) {
-      aClockThatCannotGoBackIsTold();
-      return;
-    }
-    EventPacket first = randomEvents(usualSensor(), 12, 3000);
-    EventPacket second = EventPackets.shifted(randomEvents(usualSensor(), 13, 2000), -50_000);
-    Path file = file("restart");
-    write(file, usualSensor(), first, second);
-    List<TimeSegment> segments =
-        List.of(
-            new TimeSegment(first.firstTimeUs(), first.lastTimeUs()),
-            new TimeSegment(second.firstTimeUs(), second.lastTimeUs()));
-    try (RecordingReader reader = format().open(file, options(usualSensor()))) {
-      StreamRecorder stream = read(reader);
-      assertEquals(first, EventPackets.part(stream.events(), 0, first.size()));
-      assertEquals(
-          second, EventPackets.part(stream.events(), first.size(), stream.events().size()));
-      Reset reset =
-          new Reset(Reset.Cause.CLOCK_RESTARTED, first.lastTimeUs(), second.firstTimeUs());
-      assertEquals(List.of(reset), stream.notices(Reset.class));
-      assertEquals(first.size(), stream.notices().get(1).eventsBefore());
-      assertEquals(1, reader.violations().count(Violation.CLOCK_WENT_BACK));
-
-      assertEquals(segments, reader.segments());
-      reader.seek(1, second.timeUs(1500));
-      int from = second.indexAtOrAfter(second.timeUs(1500));
-      assertEquals(EventPackets.part(second, from, second.size()), read(reader).events());
-      reader.seek(0, first.lastTimeUs() + 1);
-      assertEquals(second, read(reader).events(), "behind a segment's end is the next");
-      assertEquals(1, reader.violations().count(Violation.CLOCK_WENT_BACK), "counted once");
-    }
-    try (RecordingReader reader = format().open(file, options(usualSensor()))) {
-      RecordingSummary summary = RecordingSummary.scan(reader, ProgressListener.NONE);
-      assertEquals(segments, summary.segments());
-      assertFalse(summary.timestampsMonotonic());
-    }
-  }
-
-  private void aClockThatCannotGoBackIsTold() throws IOException {
-    EventPacket first = randomEvents(usualSensor(), 12, 3000);
-    EventPacket second = EventPackets.shifted(randomEvents(usualSensor(), 13, 2000), -50_000);
-    Path file = file("restart");
-    try (RecordingWriter writer =
-        format().create(file, WriteOptions.of(usualSensor())).orElseThrow()) {
-      writer.write(first);
-      writer.write(second);
-      assertEquals(1, writer.losses().size(), writer.losses().toString());
-      writer.finish();
-    }
-    EventPacket got = read(file, options(usualSensor())).events();
-    assertEquals(first, EventPackets.part(got, 0, first.size()));
-    long shiftUs = first.lastTimeUs() - second.firstTimeUs();
-    assertEquals(
-        EventPackets.shifted(second, shiftUs), EventPackets.part(got, first.size(), got.size()));
   }
 
   @Test
@@ -526,24 +245,5 @@ public abstract class RecordingFormatContract {
     try (Stream<Path> left = Files.list(folder)) {
       assertEquals(List.of(file), left.toList());
     }
-  }
-
-  /** Takes what is written into a packet. */
-  private record PacketWriter(EventPacket target) implements RecordingWriter {
-    @Override
-    public void write(EventPacket packet) {
-      target.append(packet, 0, packet.size());
-    }
-
-    @Override
-    public List<String> losses() {
-      return List.of();
-    }
-
-    @Override
-    public void finish() {}
-
-    @Override
-    public void close() {}
   }
 }

@@ -49,62 +49,76 @@ record CsvLayout(
     if (text.chars().limit(4096).anyMatch(c -> c < ' ' && c != '\n' && c != '\r' && c != '\t')) {
       return Optional.empty();
     }
-    List<String[]> rows = new ArrayList<>();
-    String[] names = null;
-    int width = 0;
-    int height = 0;
-    int dataOffset = -1;
-    boolean marked = false;
+    Start start = new Start();
     int offset = 0;
-    while (offset < text.length() && rows.size() < LOOK_ROWS) {
+    while (offset < text.length() && start.rows.size() < LOOK_ROWS) {
       int end = text.indexOf('\n', offset);
       boolean whole = end >= 0;
       String line = text.substring(offset, whole ? end : text.length()).strip();
-      int start = offset;
+      if (!line.isEmpty() && !start.take(line, offset + skipped, whole)) {
+        return Optional.empty();
+      }
       offset = whole ? end + 1 : text.length();
+    }
+    if (start.dataOffset < 0) {
+      start.dataOffset = offset + skipped;
+    }
+    return start.names == null ? bySight(start) : Optional.of(byNames(start));
+  }
+
+  /** What the first lines of a text hold. */
+  private static final class Start {
+    final List<String[]> rows = new ArrayList<>();
+    String[] names;
+    int width;
+    int height;
+    int dataOffset = -1;
+    boolean marked;
+
+    /**
+     * Takes a line.
+     *
+     * @param at where it begins in the file
+     * @param whole false for the last one if it has no end
+     * @return false if this is no text of events
+     */
+    boolean take(String line, int at, boolean whole) {
       boolean comment = line.startsWith("#") || line.startsWith("%");
       String[] fields = fields(comment ? line.substring(1) : line);
-      if (line.isEmpty()) {
-        continue;
-      }
       if (comment || !isNumber(fields[0])) {
-        if (!rows.isEmpty()) {
-          continue;
-        }
-        if (roles(fields).isPresent()) {
-          names = fields;
-        } else if (!comment) {
-          return Optional.empty();
-        }
-      } else if (fields.length == 2 && rows.isEmpty() && width == 0) {
+        return !rows.isEmpty() || takeNames(fields) || comment;
+      }
+      if (fields.length == 2 && rows.isEmpty() && width == 0) {
         width = size(fields[0]);
         height = size(fields[1]);
-        if (width == 0 || height == 0) {
-          return Optional.empty();
-        }
-      } else if (whole || rows.isEmpty()) {
-        if (rows.isEmpty()) {
-          dataOffset = start + skipped;
-          marked = line.indexOf(',') >= 0 || line.indexOf(';') >= 0;
-        }
+        return width != 0 && height != 0;
+      }
+      if (rows.isEmpty()) {
+        dataOffset = at;
+        marked = line.indexOf(',') >= 0 || line.indexOf(';') >= 0;
+      }
+      if (whole || rows.isEmpty()) {
         rows.add(fields);
       }
+      return true;
     }
-    if (dataOffset < 0) {
-      dataOffset = offset + skipped;
+
+    private boolean takeNames(String[] fields) {
+      boolean all = roles(fields).isPresent();
+      names = all ? fields : names;
+      return all;
     }
-    if (names != null) {
-      return Optional.of(
-          new CsvLayout(
-              roles(names).orElseThrow(),
-              timeScale(names, rows),
-              dataOffset,
-              true,
-              marked,
-              width,
-              height));
-    }
-    return bySight(rows, dataOffset, marked, width, height);
+  }
+
+  private static CsvLayout byNames(Start start) {
+    return new CsvLayout(
+        roles(start.names).orElseThrow(),
+        timeScale(start.names, start.rows),
+        start.dataOffset,
+        true,
+        start.marked,
+        start.width,
+        start.height);
   }
 
   private static String[] fields(String line) {
@@ -176,8 +190,8 @@ record CsvLayout(
   }
 
   /** By the numbers: the polarity has two values, the time never falls, column comes before row. */
-  private static Optional<CsvLayout> bySight(
-      List<String[]> rows, int dataOffset, boolean marked, int width, int height) {
+  private static Optional<CsvLayout> bySight(Start start) {
+    List<String[]> rows = start.rows;
     if (rows.isEmpty() || rows.get(0).length != 4) {
       return Optional.empty();
     }
@@ -229,6 +243,13 @@ record CsvLayout(
       }
     }
     return Optional.of(
-        new CsvLayout(roles, timeScale(rows, time), dataOffset, false, marked, width, height));
+        new CsvLayout(
+            roles,
+            timeScale(rows, time),
+            start.dataOffset,
+            false,
+            start.marked,
+            start.width,
+            start.height));
   }
 }
