@@ -14,11 +14,18 @@ import java.nio.file.Path;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import javafx.collections.FXCollections;
 import javafx.scene.Node;
+import javafx.scene.control.ChoiceBox;
+import javafx.scene.control.Control;
 import javafx.scene.control.Label;
 import javafx.scene.control.MenuBar;
+import javafx.scene.control.MenuButton;
+import javafx.scene.control.MenuItem;
 import javafx.scene.control.TabPane;
 import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
+import javafx.scene.layout.Pane;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -150,6 +157,31 @@ class KeyboardTest {
     viewer.press(KeyCode.UP);
     viewer.press(KeyCode.ENTER);
     viewer.waitFor("it is gone", () -> names().equals(before));
+  }
+
+  /** A machine that is busy lays a window out later than a key is pressed. */
+  @Test
+  void enterOpensMenusAndListsThatHaveNotBeenLaidOutYet() {
+    viewer = ViewerHarness.withBlob();
+    MenuItem item = new MenuItem("Something");
+    item.setId("item-of-a-menu");
+    enterBeforeLayout(new MenuButton("Menu", null, item));
+    viewer.waitFor("the menu", () -> viewer.isThere("item-of-a-menu"));
+    viewer.press(KeyCode.ESCAPE);
+    viewer.waitFor("it is closed", () -> !viewer.isThere("item-of-a-menu"));
+    enterBeforeLayout(new ChoiceBox<>(FXCollections.observableArrayList("this", "that")));
+    viewer.waitFor("the list", () -> viewer.isThere("choice-box-menu-item"));
+  }
+
+  private void enterBeforeLayout(Control control) {
+    viewer.run(
+        () -> {
+          ((Pane) viewer.window.view().getParent()).getChildren().add(control);
+          control.requestFocus();
+          control.fireEvent(
+              new KeyEvent(
+                  KeyEvent.KEY_PRESSED, "", "", KeyCode.ENTER, false, false, false, false));
+        });
   }
 
   @Test

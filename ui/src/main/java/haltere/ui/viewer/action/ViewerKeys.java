@@ -5,10 +5,12 @@ import haltere.ui.viewer.controls.ArrowKeys;
 import java.util.Map;
 import java.util.Optional;
 import javafx.scene.Node;
+import javafx.scene.Parent;
 import javafx.scene.Scene;
 import javafx.scene.control.ButtonBase;
 import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.ComboBoxBase;
+import javafx.scene.control.Control;
 import javafx.scene.control.ListView;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.Slider;
@@ -97,6 +99,12 @@ public final class ViewerKeys {
 
   /** Does what a click on the node in the focus would do, if that is one to be pressed. */
   private static boolean press(Node focus) {
+    if (focus instanceof Control control && control.getSkin() == null) {
+      // it has just come; without a skin it would take itself for open and show nothing, for good
+      Parent all = control.getScene().getRoot();
+      all.applyCss();
+      all.layout();
+    }
     if (focus instanceof MenuButton menu) {
       menu.show();
     } else if (focus instanceof ButtonBase button) {
