@@ -69,6 +69,9 @@ final class LineSearch {
   double varianceVy;
   double halfWidthM;
 
+  /** How many rows tell of it. */
+  int rows;
+
   /** Whether the side of the picture hides a part of it. */
   boolean isCut;
 
@@ -197,7 +200,7 @@ final class LineSearch {
     double wtt = 0;
     double wy = 0;
     double wty = 0;
-    int rows = 0;
+    rows = 0;
     for (int k = 0; k < ROWS; k++) {
       if (rowEvents[k] < 2) {
         continue;

@@ -7,9 +7,9 @@ import java.util.Arrays;
  * anything goes, or only the first of them. The same algorithm as {@link
  * haltere.filters.estimation.InteractingMultipleModels} (Blom and Bar-Shalom 1988; Bar-Shalom, Li
  * and Kirubarajan 2001, section 11.6.6), written out for {@link PlaneFilter}, and with one
- * addition: a mode that goes straight knows nothing of a turn rate, so what it hands to a mode that
- * turns is the turn rate of a target that has just begun to turn, 0 with its full variance
- * (Granström, Willett and Bar-Shalom 2015, on mixing states of unequal size).
+ * addition: a mode that goes straight knows nothing of a rate of turning, or of an acceleration, so
+ * what it hands to a mode that has one is that of a target that has just begun, 0 with its full
+ * variance (Granström, Willett and Bar-Shalom 2015, on mixing states of unequal size).
  *
  * <p>Allocates nothing after its construction. Thread rule: not safe for use by two threads at a
  * time.
@@ -23,6 +23,15 @@ final class MotionModes {
 
   /** Share of the speed of a new target by which one that is displaced may be faster or slower. */
   private static final double DISPLACED_SHARE = 0.25;
+
+  /** A line is found by this many rows at least. */
+  private static final int LEAST_ROWS = 3;
+
+  /** By how much of its standard deviation a line of so few rows is less sure. */
+  private static final double ROW_DOUBT = 2;
+
+  /** Of the place of a vehicle whose other line is seen from now on, m². */
+  private static final double PLACE_VARIANCE = 25;
 
   private final MotionNoise noise;
   private final int modes;
@@ -78,13 +87,27 @@ final class MotionModes {
     }
   }
 
-  /** Begins with a line across the road whose place and speed along it are known. */
+  /**
+   * Begins with a line across the road whose place and speed along it are known. Of few rows one
+   * may have been passed by another line, which the fit does not know of.
+   */
   void launchLine(LineSearch found, double varianceX, double varianceVx) {
-    launch(found.xM, found.yM, varianceX, 0, found.varianceY, varianceVx);
+    double few = (double) LEAST_ROWS / found.rows;
+    double doubt = 1 + ROW_DOUBT * few * few;
+    double more = doubt * doubt;
+    launch(found.xM, found.yM, varianceX, 0, more * found.varianceY, varianceVx);
     for (int j = 0; j < modes; j++) {
-      filters[j].setAlong(found.vyMS, found.covarianceYvy, found.varianceVy);
+      filters[j].setAlong(found.vyMS, more * found.covarianceYvy, more * found.varianceVy);
     }
     combined = false;
+  }
+
+  /** Goes on with another line of the same vehicle, with the speed that it has. */
+  void rejoinLine(LineSearch found, double varianceX) {
+    shift(0, PLACE_VARIANCE);
+    if (!Double.isNaN(innovate(found.xM, found.yM, varianceX, 0, found.varianceY))) {
+      correct();
+    }
   }
 
   /** Moves the place along the road, by what is known with a variance. */
@@ -98,8 +121,7 @@ final class MotionModes {
   private void launch(
       double atX, double atY, double xx, double xy, double yy, double velocityVariance) {
     for (int j = 0; j < modes; j++) {
-      filters[j].launch(
-          atX, atY, xx, xy, yy, velocityVariance, noise.turns(j) ? noise.turnRateVariance() : 0);
+      filters[j].launch(atX, atY, xx, xy, yy, velocityVariance, noise.rateVariance(j));
       probability[j] = 1.0 / modes;
     }
     combined = false;
@@ -136,6 +158,12 @@ final class MotionModes {
       return;
     }
     for (int j = 0; j < modes; j++) {
+      AlongAcceleration along = noise.along(j);
+      if (along != null) {
+        along.evolve(filters[j], dtS);
+        along.addNoise(filters[j], dtS, noise.acceleration(j) * noiseFactor);
+        continue;
+      }
       filters[j].evolve(dtS);
       if (noise.perStep()) {
         filters[j].addStepNoise(noise.acceleration(j) * noiseFactor);
@@ -266,11 +294,7 @@ final class MotionModes {
         weights[i] /= sum;
       }
       next[j] = sum;
-      mixture(
-          other.filters,
-          filters[j].x,
-          filters[j].p,
-          noise.turns(j) ? noise.turnRateVariance() : -1);
+      mixture(other.filters, filters[j].x, filters[j].p, noise.rateVariance(j));
     }
     System.arraycopy(next, 0, probability, 0, modes);
   }
@@ -286,15 +310,15 @@ final class MotionModes {
       return;
     }
     System.arraycopy(probability, 0, weights, 0, modes);
-    mixture(filters, state, covariance, -1);
+    mixture(filters, state, covariance, 0);
   }
 
   /**
-   * Mean and covariance of the modes. A turn rate is mixed only where one is wanted: the variance
-   * of an unknown one, or less than 0 for none.
+   * Mean and covariance of the modes. A rate is mixed only where one is wanted: the variance of an
+   * unknown one, or 0 for none.
    */
-  private void mixture(PlaneFilter[] of, double[] mean, double[] spread, double unknownTurnRate) {
-    boolean turns = unknownTurnRate >= 0;
+  private void mixture(PlaneFilter[] of, double[] mean, double[] spread, double unknownRate) {
+    boolean rates = unknownRate > 0;
     Arrays.fill(mean, 0);
     Arrays.fill(spread, 0);
     for (int i = 0; i < modes; i++) {
@@ -304,19 +328,19 @@ final class MotionModes {
       mean[1] += w * x[1];
       mean[2] += w * x[2];
       mean[3] += w * x[3];
-      mean[4] += turns ? w * x[4] : 0;
+      mean[4] += rates ? w * x[4] : 0;
     }
     for (int i = 0; i < modes; i++) {
-      addSpread(of[i], mean, weights[i], spread, turns);
-      if (turns && !noise.turns(i)) {
-        spread[PlaneFilter.ENTRIES - 1] += weights[i] * unknownTurnRate;
+      addSpread(of[i], mean, weights[i], spread, rates);
+      if (rates && noise.rateVariance(i) == 0) {
+        spread[PlaneFilter.ENTRIES - 1] += weights[i] * unknownRate;
       }
     }
   }
 
   /** Adds the weight times P + (x - mean) (x - mean)ᵀ; in the order of the entries of P. */
   private static void addSpread(
-      PlaneFilter of, double[] mean, double weight, double[] spread, boolean turns) {
+      PlaneFilter of, double[] mean, double weight, double[] spread, boolean rates) {
     double[] x = of.x;
     double[] p = of.p;
     double d0 = x[0] - mean[0];
@@ -333,7 +357,7 @@ final class MotionModes {
     spread[7] += weight * (p[7] + d2 * d2);
     spread[8] += weight * (p[8] + d2 * d3);
     spread[9] += weight * (p[9] + d3 * d3);
-    if (turns) {
+    if (rates) {
       double d4 = x[4] - mean[4];
       spread[10] += weight * (p[10] + d0 * d4);
       spread[11] += weight * (p[11] + d1 * d4);

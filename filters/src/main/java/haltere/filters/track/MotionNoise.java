@@ -10,6 +10,9 @@ final class MotionNoise {
 
   private static final double ROAD_LAUNCH_SPEED_M_S = 40;
 
+  /** Vehicles brake with up to 8 m/s², and mostly with half of that, for a second or two. */
+  private static final AlongAcceleration BRAKING = new AlongAcceleration(3, 2);
+
   /** How long a target does anything, as a share of how long it goes on in another way. */
   private static final double AGILE_STAY = 0.1;
 
@@ -27,12 +30,16 @@ final class MotionNoise {
   private final double agileStay;
   private final double stayS;
 
+  /** What the last mode does along a road, or null. */
+  private final AlongAcceleration along;
+
   private MotionNoise(
       MotionSettings settings,
       double[] acceleration,
       boolean[] turns,
       double launchSpeed,
-      double agileStay) {
+      double agileStay,
+      AlongAcceleration along) {
     perStep = settings.noise() == ProcessNoise.PER_UPDATE;
     turn = settings.turnVariance();
     stayS = settings.meanStayS();
@@ -40,6 +47,7 @@ final class MotionNoise {
     this.turns = turns;
     this.launchSpeed = launchSpeed;
     this.agileStay = agileStay;
+    this.along = along;
   }
 
   /** Of tracks in pixels. */
@@ -51,7 +59,8 @@ final class MotionNoise {
           new double[] {settings.minProcessVariance()},
           new boolean[1],
           launch,
-          AGILE_STAY);
+          AGILE_STAY,
+          null);
     }
     return new MotionNoise(
         settings,
@@ -60,16 +69,23 @@ final class MotionNoise {
         },
         new boolean[] {false, true, false},
         launch,
-        AGILE_STAY);
+        AGILE_STAY,
+        null);
   }
 
   /** Of tracks in metres: a vehicle goes straight on, or brakes and steers. */
   static MotionNoise onRoad(MotionSettings settings, double processVariance) {
     double[] one = {processVariance};
     double[] two = {processVariance, ROAD_AGILE_FACTOR * processVariance};
-    double[] densities = settings.model() == MotionModel.STRAIGHT ? one : two;
+    boolean brakes = settings.model() != MotionModel.STRAIGHT;
+    double[] densities = brakes ? two : one;
     return new MotionNoise(
-        settings, densities, new boolean[densities.length], ROAD_LAUNCH_SPEED_M_S, ROAD_AGILE_STAY);
+        settings,
+        densities,
+        new boolean[densities.length],
+        ROAD_LAUNCH_SPEED_M_S,
+        ROAD_AGILE_STAY,
+        brakes && settings.noise() != ProcessNoise.PER_UPDATE ? BRAKING : null);
   }
 
   int modes() {
@@ -92,8 +108,18 @@ final class MotionNoise {
     return turn;
   }
 
-  double turnRateVariance() {
-    return TURN_RATE_VARIANCE;
+  /** How a mode accelerates along a road, or null if it does not. */
+  AlongAcceleration along(int mode) {
+    return mode == acceleration.length - 1 ? along : null;
+  }
+
+  /** Variance of the fifth state, a rate, as long as nothing is known of it; 0 for none. */
+  double rateVariance(int mode) {
+    if (turns[mode]) {
+      return TURN_RATE_VARIANCE;
+    }
+    AlongAcceleration accelerates = along(mode);
+    return accelerates == null ? 0 : accelerates.variance();
   }
 
   /** Standard deviation of each velocity of a new target. */

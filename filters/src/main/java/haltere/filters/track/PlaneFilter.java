@@ -117,7 +117,8 @@ final class PlaneFilter {
     }
   }
 
-  private void goStraight(double dtS) {
+  /** Evolves place and velocity in a straight line; what is known of ω stays. */
+  void goStraight(double dtS) {
     x[0] += dtS * x[2];
     x[1] += dtS * x[3];
     double p02 = p[2] + dtS * p[7];

@@ -18,7 +18,16 @@ final class RoadLine {
   private static final int CELLS = 64;
 
   private static final double SEEN_SHARE = 0.3;
-  private static final double LEAST_CELLS = 2;
+  private static final int LEAST_CELLS = 2;
+
+  /** Of a line that is not wider, noise filters may leave a single event of a row. */
+  private static final double NARROW_PX = 4;
+
+  /** Of a line that is not wider, some events of a row may be enough. */
+  private static final double SMALL_PX = 8;
+
+  /** So many rows a second pass that a single event is rather of the line than noise. */
+  private static final double SINGLE_ROWS_S = 8;
 
   private static final double RECENT_US = 100_000;
   private static final double MOVING_EVENTS = 4;
@@ -28,6 +37,7 @@ final class RoadLine {
   private static final double USUAL_LENGTH_M = 4.4;
   private static final double LONGEST_M = 12;
   private static final double SIDE_PX = 2;
+  private static final double BORDER_PX = 3;
   private static final double LEAST_GATE_PX = 0.7;
   private static final double GATE_SIGMAS = 2.5;
   private static final double WIDEST_GATE_PX = 2.5;
@@ -41,6 +51,10 @@ final class RoadLine {
   private static final double GROWTH = 0.3;
   private static final double SHRINKAGE = 1e-3;
   private static final double WIDTH_GAIN = 0.05;
+
+  /** The same of a width that was only guessed, for the side of the picture seemed to cut it. */
+  private static final double CUT_GAIN = 0.3;
+
   private static final double COLUMN_VARIANCE = 0.1;
 
   /** Whether it is sure to be on the road. */
@@ -75,6 +89,7 @@ final class RoadLine {
   private double gatePx;
   private boolean isCutLeft;
   private boolean isCutRight;
+  private int lastColumnPx;
 
   // What was seen of it in each row in the step; columns count from the middle.
   private int firstRow;
@@ -130,6 +145,7 @@ final class RoadLine {
     visiblePx = Math.max(1, right - left);
     isCutLeft = columnNow - halfPx < 1;
     isCutRight = columnNow + halfPx > width - 2;
+    lastColumnPx = width - 1;
     double sd = Math.sqrt(plane.varianceYPx2);
     gatePx = Math.min(WIDEST_GATE_PX, LEAST_GATE_PX + GATE_SIGMAS * sd);
     firstRow = (int) Math.floor(rowNow) - ROWS / 2;
@@ -250,13 +266,20 @@ final class RoadLine {
   }
 
   /**
-   * Whether enough of the line was seen in the k-th row that is looked at. A row that it has passed
-   * already is passed by another line.
+   * Whether something of the line was seen in the k-th row that is looked at. A row that it has
+   * passed already is passed by another line.
    */
   boolean isPassed(int k) {
-    double wide = CELLS * Math.min(1, visiblePx / Math.max(CELLS, 2 * halfPx));
+    boolean single = visiblePx < NARROW_PX && Math.abs(rowPerS()) > SINGLE_ROWS_S;
     return (row(k) - lastRow) * forward > 0
-        && Long.bitCount(cells[k]) >= Math.max(LEAST_CELLS, SEEN_SHARE * wide);
+        && Long.bitCount(cells[k]) >= (single ? 1 : LEAST_CELLS)
+        && (visiblePx < SMALL_PX || !isDoubtful(k));
+  }
+
+  /** Whether so little of the line was seen in a row that it may be something else. */
+  boolean isDoubtful(int k) {
+    double wide = CELLS * Math.min(1, visiblePx / Math.max(CELLS, 2 * halfPx));
+    return Long.bitCount(cells[k]) < Math.max(LEAST_CELLS, SEEN_SHARE * wide);
   }
 
   /** Mean time at which a row was passed. */
@@ -267,9 +290,9 @@ final class RoadLine {
   /** Column of the middle when a row was passed. */
   double column(int k) {
     double off = sumColumn[k] / seen[k];
-    if (isCutLeft) {
+    if (isCutLeft(k)) {
       off = rightmost[k] - halfPx;
-    } else if (isCutRight) {
+    } else if (isCutRight(k)) {
       off = leftmost[k] + halfPx;
     }
     return columnNow + columnPerUs * sumAgeUs[k] / seen[k] + off;
@@ -284,6 +307,19 @@ final class RoadLine {
     return isCutLeft || isCutRight;
   }
 
+  /** The same when a row was passed: what ends before the side of the picture is not cut there. */
+  boolean isCut(int k) {
+    return isCutLeft(k) || isCutRight(k);
+  }
+
+  private boolean isCutLeft(int k) {
+    return isCutLeft && columnNow + leftmost[k] < BORDER_PX;
+  }
+
+  private boolean isCutRight(int k) {
+    return isCutRight && columnNow + rightmost[k] > lastColumnPx - BORDER_PX;
+  }
+
   /** Takes note of the row that was passed last. */
   void pass(int k, double column, double alongMS) {
     lastRow = row(k);
@@ -296,7 +332,7 @@ final class RoadLine {
   void learnWidth(int k) {
     double mean = sumColumn[k] / seen[k];
     double half = Math.sqrt(3 * Math.max(0, sumColumn2[k] / seen[k] - mean * mean)) * perColumnM;
-    halfWidthM += WIDTH_GAIN * (half - halfWidthM);
+    halfWidthM += (isCut() ? CUT_GAIN : WIDTH_GAIN) * (half - halfWidthM);
   }
 
   /** Whether this vehicle is where the line of another is seen. */

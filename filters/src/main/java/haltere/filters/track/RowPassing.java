@@ -17,6 +17,15 @@ final class RowPassing {
 
   private static final double CUT_VARIANCE = 4;
 
+  /**
+   * Share of the usual gate, for what passes a row too early is often another line of the same
+   * vehicle, and the one that is waited for comes soon.
+   */
+  private static final double GATE_SHARE = 0.5;
+
+  /** Of a row in which little was seen: it fits or it is something else. */
+  private static final double DOUBTFUL_GATE = 4;
+
   /** Rows by which a line is late until it is held to stand. */
   private static final double LATE_ROWS = 1.75;
 
@@ -54,7 +63,7 @@ final class RowPassing {
 
   void apply(KalmanTracksSettings newSettings, double newGate) {
     settings = newSettings;
-    gate = newGate;
+    gate = GATE_SHARE * newGate;
     measurement = new Measurement(newSettings.measurement(), true);
     rowSdPx = Math.hypot(ROW_SD_PX, newSettings.measurement().floorPx());
   }
@@ -82,14 +91,15 @@ final class RowPassing {
     measurement.timeUs = line.passedUs(k);
     measurement.x = line.column(k);
     measurement.y = line.row(k);
-    measurement.xx = line.isCut() ? CUT_VARIANCE : line.columnVariance(k);
+    measurement.xx = line.isCut(k) ? CUT_VARIANCE : line.columnVariance(k);
     measurement.xy = 0;
     measurement.yy = rowSdPx * rowSdPx;
-    boolean accepted = track.compare(measurement) <= gate;
+    double most = line.isDoubtful(k) ? Math.min(gate, DOUBTFUL_GATE) : gate;
+    boolean accepted = track.compare(measurement) <= most;
     if (accepted) {
       track.take(measurement.timeUs, timeUs);
       line.pass(k, measurement.x, track.motion.vy());
-      if (!line.isCut()) {
+      if (!line.isCut(k)) {
         line.learnWidth(k);
       }
       if (track.id == 0 && track.updates >= settings.life().updatesTillShown()) {

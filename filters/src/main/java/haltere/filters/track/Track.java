@@ -155,6 +155,17 @@ final class Track {
     motion.launchLine(found, VARIANCE_X, LATERAL_SD_M_S * LATERAL_SD_M_S);
   }
 
+  /** Goes on with another line of the vehicle that was found, with the speed that it has. */
+  void rejoin(LineSearch found, long stepUs) {
+    MotionModes now = at(stepUs);
+    ahead = motion;
+    motion = now;
+    stateUs = stepUs;
+    heardUs = stepUs;
+    gatedInARow = 0;
+    motion.rejoinLine(found, VARIANCE_X);
+  }
+
   /** Takes in what {@link #compare} has compared, which was not heard but silence. */
   void rest(long timeUs) {
     correct();

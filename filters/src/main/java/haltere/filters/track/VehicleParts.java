@@ -37,6 +37,9 @@ final class VehicleParts {
   /** What is followed for longer is not taken for a part of another that is slower. */
   private static final long KNOWN_US = 1_500_000;
 
+  /** The speed of what was measured as often is known. */
+  private static final int SURE_UPDATES = 3;
+
   private static final int MARGIN_ROWS = 1;
   private static final double FILLED_SHARE = 0.4;
   private static final double SURE_SCALE = 1.6;
@@ -70,27 +73,37 @@ final class VehicleParts {
     double apartM = Math.abs(search.yM - motion.y());
     double perRow = events.metresPerRow(search.lastRow);
     boolean sameWay = search.vyMS * motion.vy() > 0;
-    boolean lost = line.isLost() && sameWay;
+    boolean isNew = track.updates < SURE_UPDATES;
+    boolean lost = line.isLost() && sameWay && (isNew || isAsFast(motion));
     boolean starts = track.stands && line.goes(search.vyMS);
     if (lost && apartM < Math.max(OTHER_EDGE_M, line.extentPx() * perRow)
         || starts && apartM < Math.max(OTHER_EDGE_M, STARTED_ROWS * perRow)) {
       line.change(search, (motion.y() - search.yM) / perRow, timeUs);
-      track.moveOn(search, timeUs);
+      if (isNew || starts) {
+        track.moveOn(search, timeUs);
+      } else {
+        track.rejoin(search, timeUs);
+      }
       return true;
     }
     return false;
   }
 
+  /** Whether the line that was found is about as fast as a vehicle. */
+  private boolean isAsFast(MotionModes motion) {
+    double sd = Math.sqrt(motion.covariance(3, 3) + search.varianceVy);
+    double unlike = Math.abs(search.vyMS - motion.vy());
+    return unlike <= LIKE_SHARE * Math.abs(motion.vy()) + 3 * sd;
+  }
+
   /** Whether the line moves as the vehicle does, within what it may be long. */
   private boolean isPartOfFlat(Track track, MotionModes motion, long timeUs) {
     RoadLine line = track.line;
-    double sd = Math.sqrt(motion.covariance(3, 3) + search.varianceVy);
-    double unlike = Math.abs(search.vyMS - motion.vy());
     double higherM = search.yM - motion.y();
     double perRow = events.metresPerRow(search.lastRow);
     double filledM = line.extentPx() * perRow + SAME_EDGE_M;
     double gapM = search.on == line.on() ? SAME_EDGE_M : OTHER_EDGE_M;
-    if (unlike > LIKE_SHARE * Math.abs(motion.vy()) + 3 * sd
+    if (!isAsFast(motion)
         || higherM <= -gapM
         || higherM >= Math.max(gapM, Math.min(LONGEST_M, filledM))) {
       return false;
