@@ -1,16 +1,33 @@
 package haltere.ui.viewer.plots;
 
 import haltere.ui.plot.PlotField;
+import haltere.ui.plot.PlotSet;
 import haltere.ui.viewer.controls.Texts;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import javafx.scene.control.Menu;
 import javafx.scene.control.MenuItem;
+import javafx.scene.control.SeparatorMenuItem;
 
 /** Menus of what can be plotted: a menu for each stage and outlet, an item for each column. */
 final class PlotMenu {
   private PlotMenu() {}
+
+  /** Sets of plots that belong together, with a line below them; none where there are none. */
+  static List<MenuItem> sets(List<PlotField> fields, Consumer<PlotSet> chosen) {
+    List<MenuItem> items = new ArrayList<>();
+    for (PlotSet set : PlotSet.of(fields)) {
+      MenuItem item = new MenuItem(Texts.title(set.stage()) + ": " + set.title());
+      item.setMnemonicParsing(false);
+      item.setOnAction(event -> chosen.accept(set));
+      items.add(item);
+    }
+    if (!items.isEmpty()) {
+      items.add(new SeparatorMenuItem());
+    }
+    return items;
+  }
 
   static List<MenuItem> items(List<PlotField> fields, Consumer<PlotField> chosen) {
     List<MenuItem> items = new ArrayList<>();

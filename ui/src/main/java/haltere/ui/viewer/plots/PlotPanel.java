@@ -4,6 +4,7 @@ import haltere.core.chain.FilterChain;
 import haltere.core.playback.PlayerStatus;
 import haltere.ui.plot.Lane;
 import haltere.ui.plot.PlotField;
+import haltere.ui.plot.PlotSet;
 import haltere.ui.plot.PlotTable;
 import haltere.ui.plot.TimeWindow;
 import haltere.ui.viewer.chain.ChainEditor;
@@ -143,7 +144,8 @@ public final class PlotPanel extends BorderPane {
 
   private void offer(List<PlotField> fields) {
     offered = fields;
-    add.getItems().setAll(PlotMenu.items(fields, this::addLane));
+    add.getItems().setAll(PlotMenu.sets(fields, this::show));
+    add.getItems().addAll(PlotMenu.items(fields, this::addLane));
     lanes.forEach(lane -> lane.followPublished(fields));
   }
 
@@ -167,6 +169,16 @@ public final class PlotPanel extends BorderPane {
     lanes.add(lane);
     laneBox.getChildren().add(lane);
     changed();
+  }
+
+  /** Shows plots that belong together in place of all others. */
+  public void show(PlotSet set) {
+    List.copyOf(lanes).forEach(this::remove);
+    for (List<PlotField> fields : set.lanes()) {
+      addLane(fields.get(0));
+      PlotLane lane = lanes.get(lanes.size() - 1);
+      fields.subList(1, fields.size()).forEach(field -> addTo(lane, field));
+    }
   }
 
   /**

@@ -6,7 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.format.ReadOptions;
 import haltere.ui.plot.Curve;
+import haltere.ui.plot.Lane;
 import haltere.ui.plot.PlotField;
+import haltere.ui.plot.PlotSet;
 import haltere.ui.viewer.ViewerHarness;
 import haltere.ui.viewer.controls.Theme;
 import haltere.ui.viewer.session.SessionRequest;
@@ -57,6 +59,20 @@ class PlotPanelTest {
     viewer.waitFor("a curve on the screen", () -> hasCurve(PlotInk.DARK));
     viewer.run(() -> viewer.window.display().themeProperty().set(Theme.LIGHT));
     viewer.waitFor("the curve in the colours of the light theme", () -> hasCurve(PlotInk.LIGHT));
+  }
+
+  @Test
+  void plotsThatBelongTogetherTakeThePlaceOfOthers() {
+    viewer = ViewerHarness.withBlob();
+    plot(PlotField.EVENT_RATE);
+    PlotField other = new PlotField(X.stage(), X.outlet(), "y_px");
+    viewer.run(
+        () ->
+            plots().show(new PlotSet("place", X.stage(), List.of(List.of(X, other), List.of(X)))));
+    assertEquals(
+        List.of(List.of(X, other), List.of(X)),
+        viewer.onFx(() -> plots().lanes().stream().map(Lane::fields).toList()));
+    viewer.waitFor("samples", () -> lastUs() > 0);
   }
 
   @Test

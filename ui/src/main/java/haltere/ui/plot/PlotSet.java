@@ -1,0 +1,102 @@
+package haltere.ui.plot;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+
+/**
+ * Plots that belong together: what one looks at to judge an estimate.
+ *
+ * @param title what they show, for a person
+ * @param stage whose numbers they are
+ * @param lanes the fields of each lane
+ */
+public record PlotSet(String title, String stage, List<List<PlotField>> lanes) {
+  /** Each lane as the names of its fields, outlet and column, by title. */
+  private static final Map<String, List<String>> KNOWN = known();
+
+  private static Map<String, List<String>> known() {
+    Map<String, List<String>> sets = new LinkedHashMap<>();
+    sets.put(
+        "Stroke with measurements",
+        List.of(
+            "measurements/measured_rad wings/angle_rad",
+            "wings/centre_rad",
+            "wings/amplitude_rad",
+            "wings/frequency_hz",
+            "wings/phase_rad"));
+    sets.put(
+        "Kalman filter beside running average (method BOTH)",
+        List.of(
+            "wings/angle_rad averages/angle_rad",
+            "differences/angle_rad",
+            "wings/amplitude_rad averages/amplitude_rad",
+            "wings/frequency_hz averages/frequency_hz"));
+    sets.put(
+        "Left beside right",
+        List.of(
+            "wings/angle_rad",
+            "pairs/left_minus_right_rad pairs/left_plus_right_rad",
+            "pairs/amplitude_left_minus_right_rad",
+            "pairs/phase_lag_rad"));
+    sets.put(
+        "Covariance of the stroke",
+        List.of(
+            "variances/centre_rad2 variances/amplitude_rad2 variances/phase_rad2",
+            "variances/centre_amplitude_rad2 variances/centre_phase_rad2"
+                + " variances/amplitude_phase_rad2",
+            "variances/frequency_rad2_per_s2",
+            "variances/phase_frequency_rad2_per_s",
+            "variances/nis"));
+    sets.put(
+        "Measured and estimated place",
+        List.of("estimates/measured_x estimates/x", "estimates/measured_y estimates/y"));
+    sets.put(
+        "Covariance and gain",
+        List.of(
+            "estimates/p_xx estimates/p_yy",
+            "estimates/p_xvx estimates/p_yvy",
+            "estimates/p_vxvx estimates/p_vyvy",
+            "estimates/gain_x estimates/gain_y",
+            "estimates/nis"));
+    return sets;
+  }
+
+  /** Copies the lists. */
+  public PlotSet {
+    lanes = lanes.stream().map(List::copyOf).toList();
+  }
+
+  /**
+   * The sets of which all is published.
+   *
+   * @param offered what can be plotted
+   * @return by stage
+   */
+  public static List<PlotSet> of(List<PlotField> offered) {
+    List<PlotSet> sets = new ArrayList<>();
+    for (String stage : offered.stream().map(PlotField::stage).distinct().toList()) {
+      KNOWN.forEach(
+          (title, names) -> {
+            PlotSet set = new PlotSet(title, stage, lanes(stage, names));
+            if (set.lanes.stream().allMatch(offered::containsAll)) {
+              sets.add(set);
+            }
+          });
+    }
+    return sets;
+  }
+
+  private static List<List<PlotField>> lanes(String stage, List<String> names) {
+    return names.stream()
+        .map(lane -> Stream.of(lane.split(" ")).map(name -> field(stage, name)).toList())
+        .toList();
+  }
+
+  private static PlotField field(String stage, String name) {
+    int slash = name.indexOf('/');
+    return new PlotField(stage, name.substring(0, slash), name.substring(slash + 1));
+  }
+}
