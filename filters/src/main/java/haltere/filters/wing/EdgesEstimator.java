@@ -6,8 +6,9 @@ import haltere.filters.estimation.Gate;
 import java.util.List;
 
 /**
- * A filter for each edge of a wing, as the source has it: h = a + M sin xi, the same noise added
- * whenever time has passed, whatever the time. Several events may be averaged before an update.
+ * A filter for each edge of a wing, as the source has it: h = a + M sin xi. Process noise is a
+ * density, or, as in the source, the same whenever time has passed, whatever the time. Several
+ * events may be averaged before an update.
  *
  * <p>Thread rule: one thread at a time.
  */
@@ -16,7 +17,13 @@ final class EdgesEstimator implements SideEstimator {
   private static final int LOST_AFTER = 400;
   private static final double START_AMPLITUDE = 1;
   private static final double START_VARIANCE = 1;
-  private static final double PAIR_NOISE_SHARE = 1;
+
+  /** What the source says that phase and frequency have in common, as near to 1 as can be. */
+  private static final double START_COVARIANCE = 1 - 1e-9;
+
+  /** Share of the noise in manoeuvres that a filter has which does not notice them. */
+  private static final double MANOEUVRE_SHARE = 0.05;
+
   private static final double WIDEST_GATE_SD = 30;
   private static final double USUAL_MEASUREMENT = 0.006;
   private static final List<String> NAMES =
@@ -28,7 +35,7 @@ final class EdgesEstimator implements SideEstimator {
   private final BeatListener beats;
   private final FourStateEkf[] filters = new FourStateEkf[2];
 
-  /** What an update adds to the variances, and the variance of a measurement, of each edge. */
+  /** Process noise of the variances, and the variance of a measurement, of each edge. */
   private final double[][] processNoise = new double[2][4];
 
   private final double[] measurementNoise = new double[2];
@@ -38,6 +45,10 @@ final class EdgesEstimator implements SideEstimator {
   private final long[] lastUs = new long[2];
   private final long[] taken = new long[2];
   private final double[] sums = new double[2];
+
+  /** Times of the events that are averaged, since the filter's own. */
+  private final long[] ages = new long[2];
+
   private final int[] counts = new int[2];
   private final double[] lastPhase = new double[2];
   private long nowUs;
@@ -69,7 +80,8 @@ final class EdgesEstimator implements SideEstimator {
         processNoise[edge][0] = noise.centre();
         processNoise[edge][1] = noise.amplitude();
         processNoise[edge][2] = noise.phase();
-        processNoise[edge][3] = noise.frequency();
+        processNoise[edge][3] =
+            noise.frequency() + (noise.perUpdate() ? 0 : MANOEUVRE_SHARE * noise.manoeuvre());
         measurementNoise[edge] = noise.measurement();
       }
     }
@@ -82,6 +94,7 @@ final class EdgesEstimator implements SideEstimator {
     lastPassedUs = Double.NaN;
     for (int edge = 0; edge < 2; edge++) {
       sums[edge] = 0;
+      ages[edge] = 0;
       counts[edge] = 0;
       taken[edge] = 0;
       double phase =
@@ -89,6 +102,9 @@ final class EdgesEstimator implements SideEstimator {
       double amplitude = knowsPhase ? seed.amplitude() : START_AMPLITUDE;
       filters[edge].setState(seed.centre(), amplitude, Angles.wrapPi(phase), seed.omega());
       filters[edge].setVariances(START_VARIANCE, 1e-9, START_VARIANCE, START_VARIANCE);
+      if (!knowsPhase) {
+        filters[edge].setCovariance(2, 3, START_COVARIANCE);
+      }
       lastUs[edge] = atUs;
       lastPhase[edge] = phase(edge);
     }
@@ -105,13 +121,17 @@ final class EdgesEstimator implements SideEstimator {
             ? frame.angle()
             : sums[edge] / counts[edge] + Angles.wrapPi(frame.angle() - sums[edge] / counts[edge]);
     sums[edge] += measured;
+    ages[edge] += timeUs - lastUs[edge];
     if (++counts[edge] < options.averagedEvents()) {
       return true;
     }
     double angle = sums[edge] / counts[edge];
+    // the source takes the average for one of the last event's time, and is late by half of it
+    long atUs = noise.perUpdate() ? timeUs : lastUs[edge] + ages[edge] / counts[edge];
     sums[edge] = 0;
+    ages[edge] = 0;
     counts[edge] = 0;
-    predict(edge, timeUs);
+    predict(edge, atUs);
     double sin = Math.sin(ekf.x2());
     double cos = Math.cos(ekf.x2());
     double y = Angles.wrapPi(angle - (ekf.x0() + ekf.x1() * sin));
@@ -119,7 +139,7 @@ final class EdgesEstimator implements SideEstimator {
     ekf.update(y, 1, sin, ekf.x1() * cos, 0, measurementNoise(edge));
     mend(ekf);
     if (edge == 0) {
-      watchBeat(timeUs);
+      watchBeat(atUs);
     }
     return true;
   }
@@ -133,10 +153,20 @@ final class EdgesEstimator implements SideEstimator {
     double dtS = (timeUs - lastUs[edge]) * US;
     if (dtS > 0) {
       ekf.predict(0, 0, 0, 0, 0, dtS);
-      double[] q = processNoise[edge];
-      ekf.addNoise(q[0], q[1], q[2], q[3]);
-      ekf.addPairNoise(0, PAIR_NOISE_SHARE * Math.min(q[2], q[3]));
+      addNoise(ekf, processNoise[edge], dtS);
       lastUs[edge] = timeUs;
+    }
+  }
+
+  private void addNoise(FourStateEkf ekf, double[] q, double dtS) {
+    if (noise.perUpdate()) {
+      // the source's table, in which phase and frequency have all of their noise in common
+      ekf.addNoise(q[0], q[1], q[2], q[3]);
+      ekf.addPairNoise(0, Math.sqrt(q[2] * q[3]));
+    } else {
+      double square = dtS * dtS;
+      ekf.addNoise(q[0] * dtS, q[1] * dtS, q[2] * dtS + q[3] * dtS * square / 3, q[3] * dtS);
+      ekf.addPairNoise(0, q[3] * square / 2);
     }
   }
 
@@ -179,7 +209,8 @@ final class EdgesEstimator implements SideEstimator {
   private double phaseNow(int edge) {
     FourStateEkf ekf = filters[edge];
     return ekf.x2()
-        + ekf.x3() * ((nowUs - lastUs[edge]) * US + Math.max(0, options.latencyUs()) * US);
+        + ekf.x3()
+            * ((nowUs - lastUs[edge]) * US + CameraLatency.seconds(options.latencyUs(), 0, 1));
   }
 
   @Override

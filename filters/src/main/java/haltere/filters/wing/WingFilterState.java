@@ -11,8 +11,8 @@ import java.util.List;
  * @param units of the entries of the state
  * @param x the state; arrays are copied
  * @param p the covariance, row by row
- * @param q process noise of each entry: a density in squared units a second, or with a filter for
- *     each edge what an update adds
+ * @param q process noise of each entry: a density in squared units a second, or what an update adds
+ *     if the settings say so
  * @param r variance of a measurement, squared radians: the present one, learnt or set
  * @param learnsR whether the variance of measurements is learnt from the events
  * @param nis mean normalised innovation squared of late; NaN if unknown

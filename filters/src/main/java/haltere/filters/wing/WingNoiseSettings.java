@@ -7,16 +7,18 @@ import haltere.core.settings.Unit;
 
 /**
  * Noise of the extended Kalman filter. Process noise is a density per second, or, for a filter of
- * each edge, what is added at each update.
+ * each edge if that is wanted, what is added at each update.
  *
  * @param centre of the centre
  * @param amplitude of the amplitude
  * @param phase of the phase
  * @param frequency of the angular frequency in steady flight
- * @param manoeuvre most that is added to it while the phase runs away
+ * @param manoeuvre most that is added to it while the phase runs away; a filter of each edge, which
+ *     does not notice that, always has a twentieth of it
  * @param rateSd standard deviation of the rate of change of the angular frequency
  * @param hingePx2PerS of the hinges
  * @param measurement variance of a measurement; 0 to learn it from the events
+ * @param perUpdate whether filters of edges add the process noise at each update
  */
 public record WingNoiseSettings(
     @Help("Process noise of the centre.")
@@ -48,7 +50,10 @@ public record WingNoiseSettings(
     @Help("Variance of a measurement; 0 learns it from the events.")
         @Range(min = 0, max = 1e5, logarithmic = true)
         @Unit("rad^2")
-        double measurement) {
+        double measurement,
+    @Help(
+            "With a filter for each edge: adds the process noise at each update, whatever the time since the last one, as the original did.")
+        boolean perUpdate) {
   /** Checks the ranges. */
   public WingNoiseSettings {
     SettingsSchema.validate(
@@ -60,7 +65,8 @@ public record WingNoiseSettings(
         manoeuvre,
         rateSd,
         hingePx2PerS,
-        measurement);
+        measurement,
+        perUpdate);
   }
 
   /**
@@ -69,6 +75,6 @@ public record WingNoiseSettings(
    * @return see the manual
    */
   public static WingNoiseSettings defaults() {
-    return new WingNoiseSettings(0.005, 0.02, 1e-4, 10, 4e4, 200, 4, 0);
+    return new WingNoiseSettings(0.005, 0.02, 1e-4, 10, 4e4, 200, 4, 0, false);
   }
 }

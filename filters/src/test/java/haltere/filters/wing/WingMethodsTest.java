@@ -24,7 +24,8 @@ class WingMethodsTest {
   private static WingScores[] scores(FlyScene scene, double seconds, String... settings) {
     WingScores[] scores = new WingScores[settings.length];
     for (int i = 0; i < settings.length; i++) {
-      scores[i] = new WingScores(scene, WingTrackerSettings.defaults().with(settings[i]));
+      scores[i] =
+          new WingScores(scene, WingTrackerSettings.defaults().with(settings[i].split(";")));
     }
     WingScores.run(scene, seconds, scores);
     return scores;
@@ -63,6 +64,19 @@ class WingMethodsTest {
         "by 45 Hz " + large[0].frequencyHz() + ", steady noise alone " + large[1].frequencyHz());
     WingScores[] steady = scores(Flies.scene(STEADY, few, "run.seed=5"), 0.7, both);
     assertTrue(steady[0].frequencyHz() < 0.15, "adaptive " + steady[0].frequencyHz());
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {1, 10})
+  void aFilterForEachEdgeKeepsTheFlyThroughAManoeuvreAsAPlainSinusoidCan(int averaged) {
+    WingScores scores =
+        scores(
+            Flies.scene(SPARSE, "disturbances.manoeuvres.everyS=1.3", "run.seed=5"),
+            0.7,
+            "filter.model=EDGES;filter.averagedEvents=" + averaged)[0];
+    assertEquals(0, scores.losses());
+    assertTrue(scores.frequencyHz() < 1.2, "frequency " + scores.frequencyHz());
+    assertTrue(scores.angleDeg() < 6, "angle " + scores.angleDeg());
   }
 
   @Test
@@ -255,6 +269,7 @@ class WingMethodsTest {
       assertEquals(List.of("centre", "amplitude", "phase", "angular frequency"), filter.names());
       assertEquals(1000, filter.r());
       assertEquals(2, filter.q()[0]);
+      assertEquals(2, filter.q()[3], "at each update");
     }
     FlyScene truth = Flies.scene(STEADY, EVEN, "stroke.beat.frequencyHz=235");
     double squares = 0;
