@@ -110,6 +110,7 @@ public final class WingLog implements Closeable {
               + name
               + "="
               + SCHEMA.get(settings, name)
+              + unit(parameter)
               + (changed.contains(name) ? "" : " (default)"));
     }
     if (format.layout() == WingLogFormat.Layout.ORIGINAL) {
@@ -180,10 +181,14 @@ public final class WingLog implements Closeable {
       String name = parameter.name();
       Object value = SCHEMA.get(now, name);
       if (!value.equals(SCHEMA.get(settings, name))) {
-        comments.accept("setting from here on: " + name + "=" + value);
+        comments.accept("setting from here on: " + name + "=" + value + unit(parameter));
       }
     }
     settings = now;
+  }
+
+  private static String unit(Parameter parameter) {
+    return parameter.unit().isEmpty() ? "" : " " + parameter.unit();
   }
 
   private <R> void subscribe(

@@ -100,8 +100,9 @@ class WingsCommandTest {
     assertTrue(lines.get(0).startsWith("# haltere"), lines.get(0));
     assertTrue(
         lines.contains("# column angle_rad: stroke angle, radians: 0 at the head, pi at the tail"));
-    assertTrue(lines.contains("# setting: output.rateHz=500.0"), lines.toString());
-    assertTrue(lines.contains("# setting: filter.harmonics=3 (default)"), lines.toString());
+    assertTrue(lines.contains("# setting: output.rateHz=500.0 Hz"), lines.toString());
+    assertTrue(
+        lines.contains("# setting: filter.harmonics=3 harmonics (default)"), lines.toString());
     List<String> table = lines.stream().filter(line -> !line.startsWith("#")).toList();
     assertEquals(rows, table, "the log has the same rows as the table");
   }

@@ -41,8 +41,8 @@ class WingLogTest {
       log.finish();
     }
     List<String> lines = Files.readAllLines(file);
-    int told = lines.indexOf("# setting from here on: noise.amplitude=0.5");
-    assertTrue(lines.contains("# setting: noise.amplitude=0.02 (default)"));
+    int told = lines.indexOf("# setting from here on: noise.amplitude=0.5 rad^2/s");
+    assertTrue(lines.contains("# setting: noise.amplitude=0.02 rad^2/s (default)"));
     assertTrue(!lines.get(told - 1).startsWith("#"), "rows before it");
     assertTrue(!lines.get(told + 1).startsWith("#"), "one setting, and rows after it");
     assertEquals(told, lines.lastIndexOf(lines.get(told)), "told once");
