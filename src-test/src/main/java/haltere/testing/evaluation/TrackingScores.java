@@ -16,6 +16,7 @@ import java.util.function.Function;
  * @param hota {@link HotaScore} with the distance of no similarity of {@link #FAR_PX}
  * @param idf1 {@link IdentityScore} with a gate of {@link #GATE_PX}
  * @param mota CLEAR MOT accuracy at the same gate
+ * @param gospaPx mean {@link Gospa} over time with the same gate as its cut-off, pixels
  * @param encounters of two discs with different velocities, both of which had a track before and
  *     are on the sensor after
  * @param keptEncounters those after which both have the same track as before
@@ -28,6 +29,7 @@ public record TrackingScores(
     double hota,
     double idf1,
     double mota,
+    double gospaPx,
     int encounters,
     int keptEncounters,
     long switches,
@@ -88,6 +90,7 @@ public record TrackingScores(
         HotaScore.of(joined, FAR_PX).hota(),
         IdentityScore.of(joined, GATE_PX).idf1(),
         correspondences.mota(),
+        Gospa.of(joined, GATE_PX).mean(),
         encounters,
         kept,
         correspondences.switches(),
@@ -154,13 +157,14 @@ public record TrackingScores(
   public String toString() {
     return String.format(
         Locale.ROOT,
-        "%d scenes: HOTA %.4f, IDF1 %.4f, MOTA %.4f, %d of %d encounters kept (%.1f %%), "
+        "%d scenes: HOTA %.4f, IDF1 %.4f, MOTA %.4f, GOSPA %.3f px, %d of %d encounters kept (%.1f %%), "
             + "%d switches, position RMSE %.3f px, velocity RMSE %.2f %% of the speed, "
             + "median latency %.0f ms",
         scenes,
         hota,
         idf1,
         mota,
+        gospaPx,
         keptEncounters,
         encounters,
         100 * keptShare(),
