@@ -1,7 +1,6 @@
 package haltere.ui.viewer;
 
 import static org.junit.jupiter.api.Assertions.assertNotNull;
-import static org.junit.jupiter.api.Assertions.fail;
 
 import haltere.core.event.EventPacket;
 import haltere.core.format.ReadOptions;
@@ -27,10 +26,6 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.TimeoutException;
-import java.util.concurrent.locks.LockSupport;
 import javafx.application.Platform;
 import javafx.geometry.Bounds;
 import javafx.geometry.Point2D;
@@ -53,15 +48,7 @@ import javafx.stage.Window;
  *
  * <p>Thread rule: the test's thread; what touches nodes it brings to the JavaFX thread.
  */
-public final class ViewerHarness implements AutoCloseable {
-  private static final long PATIENCE_NANOS = TimeUnit.SECONDS.toNanos(30);
-  private static final CompletableFuture<Void> STARTED = new CompletableFuture<>();
-
-  static {
-    Platform.startup(() -> STARTED.complete(null));
-    Platform.setImplicitExit(false);
-  }
-
+public final class ViewerHarness extends JavaFxHarness implements AutoCloseable {
   public final Stage stage;
   public final ViewerWindow window;
   private final Robot robot;
@@ -74,7 +61,6 @@ public final class ViewerHarness implements AutoCloseable {
 
   /** An empty window, set up as a user has left it. */
   public ViewerHarness(UserSettings settings) {
-    STARTED.join();
     Stage[] madeStage = new Stage[1];
     Robot[] madeRobot = new Robot[1];
     window =
@@ -183,68 +169,13 @@ public final class ViewerHarness implements AutoCloseable {
     waitFor("pause", () -> status().state() == State.PAUSED);
   }
 
-  // ---- the JavaFX thread
-
-  /** Calls something on the JavaFX thread. */
-  public <T> T onFx(Callable<T> call) {
-    if (Platform.isFxApplicationThread()) {
-      try {
-        return call.call();
-      } catch (Exception broken) {
-        throw new AssertionError(broken);
-      }
-    }
-    CompletableFuture<T> result = new CompletableFuture<>();
-    Platform.runLater(
-        () -> {
-          try {
-            result.complete(call.call());
-          } catch (Throwable thrown) {
-            result.completeExceptionally(thrown);
-          }
-        });
-    return join(result);
-  }
-
-  /** Runs something on the JavaFX thread. */
-  public void run(Runnable action) {
-    onFx(
-        () -> {
-          action.run();
-          return null;
-        });
-  }
-
-  /** Waits for a condition, which is asked on the JavaFX thread between pulses. */
-  public void waitFor(String what, Callable<Boolean> condition) {
-    long start = System.nanoTime();
-    while (!onFx(condition)) {
-      if (System.nanoTime() - start > PATIENCE_NANOS) {
-        fail("waited in vain for: " + what + "; the status line says: " + onFx(this::said));
-      }
-      LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(4));
-    }
-  }
+  // ---- looking
 
   /** What stands in the status line. */
-  private String said() {
+  @Override
+  String said() {
     return find("status-message") instanceof Labeled line ? line.getText() : "";
   }
-
-  static <T> T join(CompletableFuture<T> future) {
-    try {
-      return future.get(PATIENCE_NANOS, TimeUnit.NANOSECONDS);
-    } catch (ExecutionException failed) {
-      if (failed.getCause() instanceof Error error) {
-        throw error;
-      }
-      throw new AssertionError(failed.getCause());
-    } catch (InterruptedException | TimeoutException broken) {
-      throw new AssertionError(broken);
-    }
-  }
-
-  // ---- looking
 
   /** The node of an id, which must be there. */
   public <T extends Node> T node(String id, Class<T> type) {
