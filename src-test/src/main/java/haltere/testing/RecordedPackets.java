@@ -17,8 +17,8 @@ import java.util.Objects;
 
 /**
  * What is known of a real recording, from programs that nobody here wrote: a catalogue that tests
- * walk through. The numbers stand in {@code recorded-packets.json}. Coordinates are the source's own: rows count from the corner that {@code sensor}
- * names.
+ * walk through. The numbers stand in {@code recorded-packets.json}. Coordinates are the source's
+ * own: rows count from the corner that {@code sensor} names.
  *
  * @param file its name in {@link Recorded#folder()}
  * @param format name of its format
@@ -77,7 +77,8 @@ public record RecordedPackets(
   public static final RecordedPackets PENDULUM = known("dvs128-pendulum.aedat");
 
   /** DAVIS240C, a rotating disk, with frames and inertial samples in between. */
-  public static final RecordedPackets ROTATING_DISK = known("davis240c-rotating-disk-imu-aps.aedat");
+  public static final RecordedPackets ROTATING_DISK =
+      known("davis240c-rotating-disk-imu-aps.aedat");
 
   /** A synthetic bar that turns, in the DAVIS's layout; the header names no chip. */
   public static final RecordedPackets ROTATING_BAR = known("synthetic-rotating-bar.aedat");

@@ -8,10 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.EventPacket;
-import haltere.core.event.Frame;
 import haltere.core.event.SensorGeometry;
-import haltere.core.event.SensorReading;
-import haltere.core.event.Trigger;
 import haltere.core.stream.EndOfStream;
 import haltere.core.stream.EventSource;
 import haltere.core.stream.Reset;
@@ -24,7 +21,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalLong;
 import java.util.SplittableRandom;
-import java.util.stream.Collectors;
 import java.util.stream.LongStream;
 import org.junit.jupiter.api.Test;
 
@@ -60,75 +56,6 @@ class KeptPlayableTest {
       @Override
       public void close() {}
     };
-  }
-
-  /** What a camera gives, told beforehand. */
-  private static final class Script implements Playable {
-    private final List<Object> things;
-    private int next;
-    private final ElapsedTimeline timeline = new ElapsedTimeline();
-
-    Script(Object... things) {
-      this.things = List.of(things);
-    }
-
-    @Override
-    public String name() {
-      return "script";
-    }
-
-    @Override
-    public SensorGeometry geometry() {
-      return SENSOR;
-    }
-
-    @Override
-    public OptionalLong durationUs() {
-      return OptionalLong.empty();
-    }
-
-    @Override
-    public boolean seekable() {
-      return false;
-    }
-
-    @Override
-    public boolean isLive() {
-      return true;
-    }
-
-    @Override
-    public void seek(long elapsedUs) {
-      timeline.begin();
-    }
-
-    @Override
-    public boolean next(StreamHandler handler) {
-      if (next == things.size()) {
-        return false;
-      }
-      Object thing = things.get(next++);
-      if (thing instanceof EventPacket packet) {
-        timeline.packet(packet);
-        handler.packet(packet.copy());
-      } else if (thing instanceof SensorReading reading) {
-        handler.reading(reading);
-      } else {
-        if (thing instanceof Reset) {
-          timeline.clockRestarts();
-        }
-        handler.notified((StreamNotification) thing);
-      }
-      return true;
-    }
-
-    @Override
-    public long elapsedUs(long timeUs) {
-      return timeline.elapsedUs(timeUs);
-    }
-
-    @Override
-    public void close() {}
   }
 
   private static KeptPlayable kept() {
@@ -271,7 +198,7 @@ class KeptPlayableTest {
     Reset restarted = new Reset(Reset.Cause.CLOCK_RESTARTED, 30, 5);
     KeptPlayable kept =
         new KeptPlayable(
-            new Script(
+            new ScriptedPlayable(
                 new StreamStarted(SENSOR, "script"),
                 EngineRig.events(10, 20, 30),
                 restarted,
@@ -304,136 +231,6 @@ class KeptPlayableTest {
   }
 
   @Test
-  void readingsAreKeptInTheirPlacesAlsoWhereTheClockRestarted() throws IOException {
-    Reset restarted = new Reset(Reset.Cause.CLOCK_RESTARTED, 30, 5);
-    KeptPlayable kept =
-        new KeptPlayable(
-            new Script(
-                new StreamStarted(SENSOR, "script"),
-                trigger(4),
-                EngineRig.events(10, 20),
-                trigger(22),
-                trigger(25),
-                EngineRig.events(30),
-                trigger(35),
-                restarted,
-                trigger(2),
-                EngineRig.events(5, 6),
-                trigger(9),
-                new EndOfStream(9)),
-            ROOM);
-    List<String> first = words(kept);
-    kept.seek(0);
-    assertEquals(
-        List.of(
-            "start", "t4", "10 20", "t22", "t25", "30", "t35", "reset", "t2", "5 6", "t9", "end"),
-        first);
-    assertEquals(first, words(kept));
-    kept.seek(13);
-    assertEquals(
-        List.of("start", "t25", "30", "t35", "reset", "t2", "5 6", "t9", "end"), words(kept));
-    List<String> copied = words(kept.copy(14, 21));
-    assertEquals(List.of("start", "t25", "30"), copied.subList(0, 3));
-    assertFalse(copied.contains("t35") || copied.contains("5"), copied.toString());
-    kept.seek(5);
-    kept.next(new StreamRecorder());
-    kept.copy(0, 100);
-    assertEquals("20", words(kept).get(0), "a copy leaves playback where it is");
-  }
-
-  private static Trigger trigger(long timeUs) {
-    return new Trigger(timeUs, Trigger.Source.EXTERNAL_INPUT, Trigger.Edge.RISING, 0);
-  }
-
-  private static List<String> words(Playable playable) throws IOException {
-    List<String> words = new ArrayList<>();
-    while (playable.next(
-        new StreamHandler() {
-          @Override
-          public void packet(EventPacket packet) {
-            words.add(
-                LongStream.range(0, packet.size())
-                    .mapToObj(i -> Long.toString(packet.timeUs((int) i)))
-                    .collect(Collectors.joining(" ")));
-          }
-
-          @Override
-          public void reading(SensorReading reading) {
-            words.add("t" + reading.timeUs());
-          }
-
-          @Override
-          public void notified(StreamNotification notification) {
-            words.add(
-                notification instanceof StreamStarted
-                    ? "start"
-                    : notification instanceof EndOfStream ? "end" : "reset");
-          }
-        })) {
-      // to the end
-    }
-    return words;
-  }
-
-  @Test
-  void readingsTakeNoMoreThanTheirRoomAndGoWithTheEventsBesideThem() {
-    SplittableRandom random = new SplittableRandom(11);
-    long roomBytes = 24 * 1024;
-    EventHistory history = new EventHistory(ROOM, roomBytes);
-    List<SensorReading> all = new ArrayList<>();
-    EventPacket packet = new EventPacket(1000);
-    long timeUs = 0;
-    for (int i = 0; i < 400; i++) {
-      packet.clear();
-      for (int event = random.nextInt(1000); event >= 0; event--) {
-        packet.append(timeUs++, 1, 1, true);
-      }
-      history.append(packet, 0);
-      SensorReading reading = random.nextInt(8) == 0 ? frame(timeUs++) : trigger(timeUs++);
-      all.add(reading);
-      history.append(reading, 0);
-    }
-    history.read(Long.MIN_VALUE);
-    long bytes = 0;
-    List<SensorReading> read = new ArrayList<>();
-    while (!history.atEnd()) {
-      history.next(
-          packet,
-          offset -> assertEquals(0, offset),
-          new StreamHandler() {
-            @Override
-            public void packet(EventPacket events) {}
-
-            @Override
-            public void reading(SensorReading reading) {
-              assertTrue(reading.timeUs() > history.fromUs());
-              read.add(reading);
-            }
-
-            @Override
-            public void notified(StreamNotification notification) {}
-          });
-    }
-    for (SensorReading reading : read) {
-      bytes += reading instanceof Frame ? 4096 : 0;
-    }
-    assertTrue(bytes > roomBytes / 2 && bytes <= roomBytes, bytes + " bytes of frames");
-    assertEquals(all.subList(all.size() - read.size(), all.size()), read, "the newest, in order");
-  }
-
-  private static Frame frame(long timeUs) {
-    return new Frame(
-        new Frame.Times(timeUs, timeUs + 5),
-        0,
-        0,
-        64,
-        64,
-        1,
-        Frame.Depth.UNSIGNED_8,
-        new byte[4096]);
-  }
-
-  @Test
   void playbackStepsBackAndLoopsInASceneAsInARecording() throws IOException {
     EngineRig rig =
         new EngineRig(
@@ -463,7 +260,7 @@ class KeptPlayableTest {
     for (int i = 0; i < 1000; i++) {
       things[i + 1] = EngineRig.events(1000L * i, 1000L * i + 500);
     }
-    KeptPlayable kept = new KeptPlayable(new Script(things), ROOM);
+    KeptPlayable kept = new KeptPlayable(new ScriptedPlayable(things), ROOM);
     EngineRig rig = new EngineRig(kept, byTime(1000).withSpeed(0.1));
     for (int i = 0; i < 200; i++) {
       assertEquals(0, rig.engine.turn(), "as it comes");

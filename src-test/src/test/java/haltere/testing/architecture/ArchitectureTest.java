@@ -328,6 +328,18 @@ class ArchitectureTest {
   }
 
   @Test
+  void noPackageIsTooLargeToFindOnesWayIn() {
+    Set<String> larger =
+        Set.of("haltere.filters.wing", "haltere.filters.track", "haltere.filters.estimation");
+    product.stream()
+        .filter(type -> type.isTopLevelClass() && !larger.contains(type.getPackageName()))
+        .collect(Collectors.groupingBy(JavaClass::getPackageName, Collectors.counting()))
+        .forEach(
+            (name, classes) ->
+                assertTrue(classes <= 45, name + " has " + classes + " classes: divide it"));
+  }
+
+  @Test
   void nothingStaticChanges() {
     check(
         fields()

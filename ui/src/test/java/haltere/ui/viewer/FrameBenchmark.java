@@ -1,14 +1,9 @@
 package haltere.ui.viewer;
 
-import haltere.core.event.EventAddress;
-import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.ReadOptions;
 import haltere.core.playback.PlayerStatus;
 import haltere.core.playback.ScenePlayable;
-import haltere.core.stream.EventSource;
-import haltere.core.stream.StreamHandler;
-import haltere.core.stream.StreamStarted;
 import haltere.ui.viewer.controls.Theme;
 import haltere.ui.viewer.session.SessionRequest;
 import haltere.ui.viewer.session.ViewerSession;
@@ -22,7 +17,6 @@ import java.time.Duration;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.Map;
-import java.util.SplittableRandom;
 import java.util.TreeMap;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
@@ -141,7 +135,6 @@ public final class FrameBenchmark {
               frames.stop();
               return frames.times();
             });
-    long conflated = onFx(() -> window.session().orElseThrow().display().exchange().conflated());
     double measured = Arrays.stream(times).sum() / 1e3;
     System.out.printf(
         Locale.ROOT,
@@ -150,6 +143,21 @@ public final class FrameBenchmark {
         (after.eventsIn() - before.eventsIn()) / 1e6 / measured,
         (after.elapsedUs() - before.elapsedUs()) / 1e6 / measured,
         after.lagUs() / 1e3);
+    printFrames(window, times);
+    print("from the chain to the window", onFx(latency::millis));
+    print("wait for the JavaFX thread", blocks);
+    printMemory(times);
+    printCpu(cpuBefore, cpuAfter, times);
+    onFx(
+        () -> {
+          window.actions().run("quit");
+          return null;
+        });
+  }
+
+  private static void printFrames(ViewerWindow window, double[] times) throws Exception {
+    long conflated = onFx(() -> window.session().orElseThrow().display().exchange().conflated());
+    double measured = Arrays.stream(times).sum() / 1e3;
     System.out.printf(
         Locale.ROOT,
         "frames %d in %.2f s: %.1f fps, %d conflated%n",
@@ -158,8 +166,9 @@ public final class FrameBenchmark {
         times.length / measured,
         conflated);
     print("frame time", times);
-    print("from the chain to the window", onFx(latency::millis));
-    print("wait for the JavaFX thread", blocks);
+  }
+
+  private static void printMemory(double[] times) throws IOException {
     System.out.printf(
         Locale.ROOT,
         "frames later than 100 ms: %d; memory of the process %d MB at most, heap after a collection"
@@ -167,6 +176,11 @@ public final class FrameBenchmark {
         Arrays.stream(times).filter(millis -> millis > 100).count(),
         mostMemoryMb(),
         usedMb());
+  }
+
+  private static void printCpu(
+      Map<String, Long> cpuBefore, Map<String, Long> cpuAfter, double[] times) {
+    double measured = Arrays.stream(times).sum() / 1e3;
     System.out.println("CPU time, share of one core and per frame:");
     cpuAfter.forEach(
         (thread, nanos) -> {
@@ -179,11 +193,6 @@ public final class FrameBenchmark {
                 1e3 * used / times.length,
                 thread);
           }
-        });
-    onFx(
-        () -> {
-          window.actions().run("quit");
-          return null;
         });
   }
 
@@ -305,62 +314,5 @@ public final class FrameBenchmark {
     double[] times() {
       return Arrays.copyOf(millis, count);
     }
-  }
-
-  /**
-   * Events at a constant rate, prepared beforehand so that the source costs next to nothing: five
-   * moving blobs and a tenth of noise.
-   */
-  private static final class BusySource implements EventSource {
-    private static final int EVENTS = 1 << 20;
-    private static final int PACKET = 4096;
-
-    private final SensorGeometry geometry;
-    private final double usPerEvent;
-    private final int[] addresses = new int[EVENTS];
-    private final EventPacket packet = new EventPacket(PACKET);
-    private boolean started;
-    private long sent;
-
-    BusySource(SensorGeometry geometry, double millionEps) {
-      this.geometry = geometry;
-      usPerEvent = 1 / millionEps;
-      SplittableRandom random = new SplittableRandom(7);
-      for (int i = 0; i < EVENTS; i++) {
-        double phase = 2 * Math.PI * i / EVENTS;
-        boolean noise = random.nextInt(10) == 0;
-        int blob = random.nextInt(5);
-        double middleX = 0.5 + 0.35 * Math.cos(phase + blob * 2 * Math.PI / 5);
-        double middleY = 0.5 + 0.35 * Math.sin(phase + blob * 2 * Math.PI / 5);
-        double x = noise ? random.nextDouble() : middleX + 0.08 * (random.nextDouble() - 0.5);
-        double y = noise ? random.nextDouble() : middleY + 0.08 * (random.nextDouble() - 0.5);
-        addresses[i] =
-            EventAddress.pack(
-                (int) (x * geometry.width()), (int) (y * geometry.height()), random.nextBoolean());
-      }
-    }
-
-    @Override
-    public SensorGeometry geometry() {
-      return geometry;
-    }
-
-    @Override
-    public boolean next(StreamHandler handler) {
-      if (!started) {
-        started = true;
-        handler.notified(new StreamStarted(geometry, "busy source"));
-        return true;
-      }
-      packet.clear();
-      for (int i = 0; i < PACKET; i++, sent++) {
-        packet.append((long) (sent * usPerEvent), addresses[(int) (sent % EVENTS)]);
-      }
-      handler.packet(packet);
-      return true;
-    }
-
-    @Override
-    public void close() {}
   }
 }

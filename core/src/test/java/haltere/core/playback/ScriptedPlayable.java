@@ -1,0 +1,81 @@
+package haltere.core.playback;
+
+import static haltere.core.playback.EngineRig.SENSOR;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.event.SensorReading;
+import haltere.core.stream.Reset;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import java.util.List;
+import java.util.OptionalLong;
+
+/** What a camera gives, told beforehand. */
+final class ScriptedPlayable implements Playable {
+  private final List<Object> things;
+  private int next;
+  private final ElapsedTimeline timeline = new ElapsedTimeline();
+
+  ScriptedPlayable(Object... things) {
+    this.things = List.of(things);
+  }
+
+  @Override
+  public String name() {
+    return "script";
+  }
+
+  @Override
+  public SensorGeometry geometry() {
+    return SENSOR;
+  }
+
+  @Override
+  public OptionalLong durationUs() {
+    return OptionalLong.empty();
+  }
+
+  @Override
+  public boolean seekable() {
+    return false;
+  }
+
+  @Override
+  public boolean isLive() {
+    return true;
+  }
+
+  @Override
+  public void seek(long elapsedUs) {
+    timeline.begin();
+  }
+
+  @Override
+  public boolean next(StreamHandler handler) {
+    if (next == things.size()) {
+      return false;
+    }
+    Object thing = things.get(next++);
+    if (thing instanceof EventPacket packet) {
+      timeline.packet(packet);
+      handler.packet(packet.copy());
+    } else if (thing instanceof SensorReading reading) {
+      handler.reading(reading);
+    } else {
+      if (thing instanceof Reset) {
+        timeline.clockRestarts();
+      }
+      handler.notified((StreamNotification) thing);
+    }
+    return true;
+  }
+
+  @Override
+  public long elapsedUs(long timeUs) {
+    return timeline.elapsedUs(timeUs);
+  }
+
+  @Override
+  public void close() {}
+}
