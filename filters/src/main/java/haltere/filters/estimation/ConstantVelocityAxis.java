@@ -1,8 +1,8 @@
 package haltere.filters.estimation;
 
 /**
- * The Kalman filter of {@link ConstantVelocity} on one axis, written out on primitive fields: for
- * use at every event. It allocates nothing.
+ * The Kalman filter of {@link haltere.filters.estimation.motion.ConstantVelocity} on one axis,
+ * written out on primitive fields: for use at every event. It allocates nothing.
  *
  * <p>The update is Joseph's form: with a gain of k = (k₀, k₁), P₀₀ = (1 − k₀)² p₀₀ + k₀² r and so
  * on, where 1 − k₀ is calculated as r / S, so that nothing cancels. What a long gap means is the

@@ -3,7 +3,8 @@ package haltere.filters.estimation;
 import java.util.Objects;
 
 /**
- * The Kalman filter of {@link ConstantVelocity} in two axes with one gate: state (x, vₓ, y, v_y).
+ * The Kalman filter of {@link haltere.filters.estimation.motion.ConstantVelocity} in two axes with
+ * one gate: state (x, vₓ, y, v_y).
  *
  * <p>Where the two measured coordinates have independent noise, the four states fall apart into two
  * filters of two, with a fifth of the arithmetic. Allocates nothing.

@@ -3,8 +3,8 @@ package haltere.filters.estimation;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.MatrixFeatures_DDRM;
 
-/** Refuses impossible numbers where they are set, in one wording. */
-final class Require {
+/** Refuses impossible numbers where they are set, in one wording. Any thread. */
+public final class Require {
   private Require() {}
 
   static double finite(String name, double value) {
@@ -21,14 +21,31 @@ final class Require {
     return value;
   }
 
-  static double notNegative(String name, double value) {
+  /**
+   * Refuses what is below 0, infinite or no number.
+   *
+   * @param name what to call the number
+   * @param value the number
+   * @return the number
+   * @throws IllegalArgumentException if it is refused
+   */
+  public static double notNegative(String name, double value) {
     if (!(value >= 0) || Double.isInfinite(value)) {
       throw new IllegalArgumentException(name + " must be finite and not negative: " + value);
     }
     return value;
   }
 
-  static int atLeast(String name, int least, int value) {
+  /**
+   * Refuses what is too small.
+   *
+   * @param name what to call the number
+   * @param least the smallest that will do
+   * @param value the number
+   * @return the number
+   * @throws IllegalArgumentException if it is refused
+   */
+  public static int atLeast(String name, int least, int value) {
     if (value < least) {
       throw new IllegalArgumentException(name + " must be at least " + least + ": " + value);
     }

@@ -6,7 +6,7 @@
  *   <li>A model is one method per equation: {@link haltere.filters.estimation.ProcessModel}
  *       (evolution, Jacobian, noise for a time step) and {@link
  *       haltere.filters.estimation.MeasurementModel} (expectation, Jacobian, noise, residual,
- *       gate).
+ *       gate). Motions that are often needed stand in {@code motion}.
  *   <li>{@link haltere.filters.estimation.KalmanFilter} and {@link
  *       haltere.filters.estimation.ExtendedKalmanFilter} are the clear form, on matrices; {@link
  *       haltere.filters.estimation.InteractingMultipleModels} mixes several.

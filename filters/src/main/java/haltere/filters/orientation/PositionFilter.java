@@ -1,11 +1,11 @@
 package haltere.filters.orientation;
 
-import haltere.filters.estimation.ConstantVelocity;
 import haltere.filters.estimation.ExtendedKalmanFilter;
 import haltere.filters.estimation.FilterOptions;
 import haltere.filters.estimation.FilterStep;
 import haltere.filters.estimation.GapPolicy;
 import haltere.filters.estimation.UpdateOutcome;
+import haltere.filters.estimation.motion.ConstantVelocity;
 import haltere.filters.orientation.camera.CameraModel;
 import haltere.filters.orientation.camera.LineObservation;
 import haltere.filters.orientation.camera.PixelMeasurement;

@@ -7,6 +7,8 @@ import static haltere.filters.estimation.Matrices.diagonal;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import haltere.filters.estimation.motion.ConstantVelocity;
+import haltere.filters.estimation.motion.WhiteJerk;
 import org.ejml.data.DMatrixRMaj;
 import org.junit.jupiter.api.Test;
 

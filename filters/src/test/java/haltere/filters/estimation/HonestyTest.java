@@ -3,6 +3,10 @@ package haltere.filters.estimation;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import haltere.filters.estimation.motion.ConstantAcceleration;
+import haltere.filters.estimation.motion.ConstantVelocity;
+import haltere.filters.estimation.motion.DampedOscillator;
+import haltere.filters.estimation.motion.WhiteJerk;
 import java.util.List;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;

@@ -9,6 +9,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import haltere.filters.estimation.motion.ConstantAcceleration;
+import haltere.filters.estimation.motion.ConstantVelocity;
+import haltere.filters.estimation.motion.WhiteJerk;
 import java.util.ArrayList;
 import java.util.List;
 import org.ejml.data.DMatrixRMaj;

@@ -6,6 +6,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import haltere.filters.estimation.motion.ConstantAcceleration;
+import haltere.filters.estimation.motion.ConstantNoise;
+import haltere.filters.estimation.motion.ConstantVelocity;
+import haltere.filters.estimation.motion.DampedOscillator;
+import haltere.filters.estimation.motion.WhiteJerk;
 import java.util.List;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;

@@ -1,11 +1,11 @@
 package haltere.filters.estimation;
 
 /** Exact motion of the under-damped oscillator, for the tests to compare with. */
-final class Oscillations {
+public final class Oscillations {
   private Oscillations() {}
 
   /** Displacement and velocity after a time; Landau and Lifshitz, "Mechanics", eq. 25.3. */
-  static double[] exact(double s0, double v0, double zeta, double omega, double timeS) {
+  public static double[] exact(double s0, double v0, double zeta, double omega, double timeS) {
     double damped = omega * Math.sqrt(1 - zeta * zeta);
     double decay = Math.exp(-zeta * omega * timeS);
     double c = Math.cos(damped * timeS);

@@ -6,6 +6,8 @@ import static haltere.filters.estimation.Matrices.diagonal;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import haltere.filters.estimation.motion.ConstantVelocity;
+import haltere.filters.estimation.motion.WhiteJerk;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import org.ejml.data.DMatrixRMaj;

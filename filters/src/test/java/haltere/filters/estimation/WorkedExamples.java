@@ -1,5 +1,7 @@
 package haltere.filters.estimation;
 
+import haltere.filters.estimation.motion.DampedOscillator;
+import haltere.filters.estimation.motion.WhiteJerk;
 import java.util.ArrayList;
 import java.util.List;
 import org.ejml.data.DMatrixRMaj;

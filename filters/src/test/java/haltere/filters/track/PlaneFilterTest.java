@@ -5,9 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import haltere.filters.estimation.ConstantVelocity;
 import haltere.filters.estimation.KalmanFilter;
 import haltere.filters.estimation.LinearMeasurement;
+import haltere.filters.estimation.motion.ConstantVelocity;
 import java.util.SplittableRandom;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;

@@ -1,7 +1,6 @@
 package haltere.testing.benchmark;
 
 import haltere.filters.estimation.Angles;
-import haltere.filters.estimation.ConstantVelocity;
 import haltere.filters.estimation.ConstantVelocityPlane;
 import haltere.filters.estimation.CovarianceForm;
 import haltere.filters.estimation.ExtendedKalmanFilter;
@@ -14,6 +13,7 @@ import haltere.filters.estimation.LinearProcessModel;
 import haltere.filters.estimation.MeasurementModel;
 import haltere.filters.estimation.SineCosine;
 import haltere.filters.estimation.UpdateOutcome;
+import haltere.filters.estimation.motion.ConstantVelocity;
 import java.util.Random;
 import java.util.concurrent.TimeUnit;
 import org.ejml.data.DMatrixRMaj;

@@ -1,5 +1,6 @@
-package haltere.filters.estimation;
+package haltere.filters.estimation.motion;
 
+import haltere.filters.estimation.Require;
 import java.util.Objects;
 
 /**

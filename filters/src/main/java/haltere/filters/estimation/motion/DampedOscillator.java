@@ -1,5 +1,7 @@
-package haltere.filters.estimation;
+package haltere.filters.estimation.motion;
 
+import haltere.filters.estimation.ProcessModel;
+import haltere.filters.estimation.Require;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 

@@ -1,4 +1,6 @@
-package haltere.filters.estimation;
+package haltere.filters.estimation.motion;
+
+import haltere.filters.estimation.Require;
 
 /**
  * State (s, v) per axis; the velocity is constant but for white acceleration.

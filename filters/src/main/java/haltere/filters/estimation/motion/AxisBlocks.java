@@ -1,5 +1,7 @@
-package haltere.filters.estimation;
+package haltere.filters.estimation.motion;
 
+import haltere.filters.estimation.LinearProcessModel;
+import haltere.filters.estimation.Require;
 import org.ejml.data.DMatrixRMaj;
 
 /**

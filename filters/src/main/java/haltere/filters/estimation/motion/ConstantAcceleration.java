@@ -1,4 +1,6 @@
-package haltere.filters.estimation;
+package haltere.filters.estimation.motion;
+
+import haltere.filters.estimation.Require;
 
 /**
  * State (s, v, a) per axis; the acceleration is a constant to be found, and white acceleration
