@@ -1,14 +1,15 @@
 package haltere.ui.rendering;
 
 /**
- * Draws smooth lines and rings into opaque pixels, which are the size of those of the screen. Costs
- * by the pixels that are touched only, some nanoseconds each: where there is no graphics card a
- * toolkit's general shapes take many times as long.
+ * Draws smooth lines and rings into pixels, which are the size of those of the screen; pixels that
+ * are not opaque are premultiplied by their opacity. Costs by the pixels that are touched only,
+ * some nanoseconds each: where there is no graphics card a toolkit's general shapes take many times
+ * as long.
  *
  * <p>Places are in pixels from the left top corner of the picture, 0.5 is the middle of the first.
  * What lies outside of the picture is left out. Thread rule: one thread at a time.
  */
-final class LinePainter {
+public final class LinePainter {
   /** Whatever is larger than this is no mark that anybody could see. */
   private static final double LONGEST = 1e6;
 
@@ -16,8 +17,14 @@ final class LinePainter {
   private int width;
   private int height;
 
-  /** Draws into other pixels, row by row from the top. */
-  void setTarget(int[] newPixels, int newWidth, int newHeight) {
+  /**
+   * Draws into other pixels.
+   *
+   * @param newPixels row by row from the top
+   * @param newWidth pixels in a row
+   * @param newHeight rows
+   */
+  public void setTarget(int[] newPixels, int newWidth, int newHeight) {
     pixels = newPixels;
     width = newWidth;
     height = newHeight;
@@ -26,11 +33,16 @@ final class LinePainter {
   /**
    * A straight line.
    *
+   * @param x1 where it begins, from the left
+   * @param y1 where it begins, from the top
+   * @param x2 where it ends, from the left
+   * @param y2 where it ends, from the top
    * @param thickness in pixels
    * @param argb colour, not always opaque
    * @param round whether its ends are round; else they end where they end
    */
-  void line(double x1, double y1, double x2, double y2, double thickness, int argb, boolean round) {
+  public void line(
+      double x1, double y1, double x2, double y2, double thickness, int argb, boolean round) {
     double half = thickness / 2;
     double dx = x2 - x1;
     double dy = y2 - y1;
@@ -179,10 +191,12 @@ final class LinePainter {
   private void blend(int index, int argb, double coverage) {
     int share = (int) ((argb >>> 24) * coverage * (256 / 255.0));
     int below = pixels[index];
+    int alpha = below >>> 24;
     int redBlue = below & 0xFF00FF;
     int green = below & 0xFF00;
+    alpha += (255 - alpha) * share >> 8;
     redBlue += ((argb & 0xFF00FF) - redBlue) * share >> 8;
     green += ((argb & 0xFF00) - green) * share >> 8;
-    pixels[index] = 0xFF000000 | redBlue & 0xFF00FF | green & 0xFF00;
+    pixels[index] = alpha << 24 | redBlue & 0xFF00FF | green & 0xFF00;
   }
 }

@@ -7,6 +7,8 @@ import haltere.ui.plot.TimeWindow;
 import java.util.List;
 import javafx.geometry.VPos;
 import javafx.scene.canvas.GraphicsContext;
+import javafx.scene.image.ImageView;
+import javafx.scene.paint.Color;
 import javafx.scene.text.Font;
 import javafx.scene.text.TextAlignment;
 
@@ -30,8 +32,12 @@ final class LanePicture {
 
   private static final double TICK_DISTANCE = 26;
 
+  /** Of a curve. */
+  private static final double THICKNESS = 1.4;
+
   private final Lane lane;
   private final TimeWindow window;
+  private final CurvePixels pixels = new CurvePixels();
   private final Columns columns = new Columns();
   private double lowest;
   private double highest;
@@ -51,29 +57,48 @@ final class LanePicture {
     return LEFT + place * (width - LEFT - RIGHT);
   }
 
+  /** Shows the curves, over the canvas that has axes and grid. */
+  ImageView curves() {
+    return pixels.view();
+  }
+
   /**
    * Draws the lane anew.
    *
+   * @param graphics of a canvas for axes and grid
+   * @param density pixels of the screen per unit of the lane
    * @param startUs the recording's clock at its start
    */
-  void draw(GraphicsContext graphics, double width, double height, PlotInk ink, long startUs) {
+  void draw(
+      GraphicsContext graphics,
+      double width,
+      double height,
+      double density,
+      PlotInk ink,
+      long startUs) {
     graphics.clearRect(0, 0, width, height);
     int wide = (int) Math.max(1, width - LEFT - RIGHT);
     List<Curve> curves = lane.curves();
     range(curves, wide);
     grid(graphics, width, height, ink, startUs);
-    graphics.setLineWidth(1.2);
-    graphics.save();
-    graphics.beginPath();
-    graphics.rect(LEFT, 0, wide, height);
-    graphics.clip();
+    pixels.begin(LEFT, wide, height, density);
     for (Curve curve : curves) {
-      graphics.setStroke(ink.curve(curve.number()));
-      columns.begin(graphics, width, height);
+      columns.begin(argb(ink.curve(curve.number())), width, height);
       curve.paint(window.fromUs(), window.toUs(), wide, columns);
       columns.end();
     }
-    graphics.restore();
+    pixels.end();
+  }
+
+  private static int argb(Color colour) {
+    return level(colour.getOpacity()) << 24
+        | level(colour.getRed()) << 16
+        | level(colour.getGreen()) << 8
+        | level(colour.getBlue());
+  }
+
+  private static int level(double share) {
+    return (int) Math.round(share * 255);
   }
 
   private void range(List<Curve> curves, int wide) {
@@ -108,33 +133,33 @@ final class LanePicture {
   private void grid(
       GraphicsContext graphics, double width, double height, PlotInk ink, long startUs) {
     graphics.setFont(FONT);
-    graphics.setFill(ink.text());
-    graphics.setStroke(ink.grid());
-    graphics.setLineWidth(1);
     graphics.setTextAlign(TextAlignment.RIGHT);
     graphics.setTextBaseline(VPos.CENTER);
     Ticks values = Ticks.atLeastTwo(lowest, highest, (int) (height / TICK_DISTANCE));
     double labelled = Double.POSITIVE_INFINITY;
     for (double value : values.values()) {
-      double y = Math.rint(y(value, height)) + 0.5;
-      graphics.strokeLine(LEFT, y, width - RIGHT, y);
+      double y = Math.rint(y(value, height));
+      // rectangles, because strokes take many times as long
+      graphics.setFill(ink.grid());
+      graphics.fillRect(LEFT, y, width - RIGHT - LEFT, 1);
       // whole, and clear of the one below
       double middle = Math.max(LINE / 2, Math.min(height - LINE / 2, y));
       if (middle <= labelled - LINE) {
+        graphics.setFill(ink.text());
         graphics.fillText(values.label(value), LEFT - 6, middle);
         labelled = middle;
       }
     }
+    graphics.setFill(ink.grid());
     for (double seconds : PlotTimeAxis.ticks(window, startUs, width).values()) {
       double place = window.placeOf(startUs + Math.round(seconds * 1e6));
-      double x = Math.rint(x(place, width)) + 0.5;
-      graphics.strokeLine(x, 0, x, height);
+      graphics.fillRect(Math.rint(x(place, width)), 0, 1, height);
     }
   }
 
-  /** Puts together what falls on the same column of pixels, and strokes it. */
+  /** Puts together what falls on the same column of pixels, and draws it. */
   private final class Columns implements Curve.Painter {
-    private GraphicsContext graphics;
+    private int argb;
     private double width;
     private double height;
     private boolean any;
@@ -144,13 +169,41 @@ final class LanePicture {
     private double high;
     private double lastValue;
 
-    void begin(GraphicsContext target, double wide, double tall) {
-      graphics = target;
+    /** Where the line has come to, and whether it is a place only so far. */
+    private double penX;
+
+    private double penY;
+    private boolean isDot;
+
+    void begin(int newArgb, double wide, double tall) {
+      argb = newArgb;
       width = wide;
       height = tall;
       any = false;
       lineOpen = false;
-      graphics.beginPath();
+      isDot = false;
+    }
+
+    private void moveTo(double toX, double value) {
+      endDot();
+      penX = toX;
+      penY = y(value, height);
+      isDot = true;
+    }
+
+    private void lineTo(double toX, double value) {
+      double toY = y(value, height);
+      pixels.line(penX - LEFT, penY, toX - LEFT, toY, THICKNESS, argb);
+      penX = toX;
+      penY = toY;
+      isDot = false;
+    }
+
+    /** A sample by itself is a dot. */
+    private void endDot() {
+      if (isDot) {
+        pixels.line(penX - LEFT, penY, penX - LEFT, penY, THICKNESS, argb);
+      }
     }
 
     @Override
@@ -163,9 +216,9 @@ final class LanePicture {
       } else {
         flush();
         if (any && joined) {
-          graphics.lineTo(at, y(middle, height));
+          lineTo(at, middle);
         } else {
-          graphics.moveTo(at, y(middle, height));
+          moveTo(at, middle);
         }
         any = true;
         lineOpen = true;
@@ -178,19 +231,16 @@ final class LanePicture {
 
     private void flush() {
       if (lineOpen && high > low) {
-        graphics.lineTo(x, y(low, height));
-        graphics.lineTo(x, y(high, height));
-        graphics.lineTo(x, y(lastValue, height));
-      } else if (lineOpen) {
-        // a sample by itself is a dot
-        graphics.lineTo(x + 0.01, y(lastValue, height));
+        lineTo(x, low);
+        lineTo(x, high);
+        lineTo(x, lastValue);
       }
       lineOpen = false;
     }
 
     void end() {
       flush();
-      graphics.stroke();
+      endDot();
     }
   }
 }

@@ -38,7 +38,7 @@ final class PlotLane extends BorderPane {
   private final Canvas canvas = new Canvas();
   private final Line cursor = new Line();
   private final Line now = new Line();
-  private final KeyPane stack = new KeyPane(canvas, now, cursor);
+  private final KeyPane stack;
   private final HBox values = new HBox(10);
   private final Label title = new Label();
   private final Label more = new Label();
@@ -53,6 +53,7 @@ final class PlotLane extends BorderPane {
     this.lane = lane;
     this.window = window;
     picture = new LanePicture(lane, window);
+    stack = new KeyPane(canvas, picture.curves(), now, cursor);
     getStyleClass().add("plot-lane");
     title.getStyleClass().add("plot-title");
     title.setMinWidth(Region.USE_PREF_SIZE);
@@ -139,7 +140,8 @@ final class PlotLane extends BorderPane {
       canvas.setHeight(height);
     }
     GraphicsContext graphics = canvas.getGraphicsContext2D();
-    picture.draw(graphics, width, height, ink, startUs);
+    double density = getScene() == null ? 1 : getScene().getWindow().getRenderScaleX();
+    picture.draw(graphics, width, height, density, ink, startUs);
     double place = window.placeOf(nowUs);
     place(now, !window.isFollowing() && place >= 0 && place <= 1, place, ink.now());
   }
