@@ -15,7 +15,7 @@ final class CameraLatency {
   private static final double WING_RAD = 0.05;
 
   /** A slow pixel's delay as a share of the time that the wing is over it. */
-  private static final double SLOW_SHARE = 0.42;
+  private static final double SLOW_SHARE = 0.35;
 
   /** Lag of ON events at which a pixel begins to be slow. */
   private static final double SLOW_LAG_S = 18e-6;
@@ -30,7 +30,7 @@ final class CameraLatency {
    * What is usually left of the delay, with what the stroke's shape is off by as the wing moves, as
    * found on simulated flies; it is the same for slow and for fast wings.
    */
-  private static final double LEFT_S = 8e-6;
+  private static final double LEFT_S = 6e-6;
 
   /** What is not known of the constant delay, where nobody says it. */
   private static final double UNKNOWN_S = 15e-6;
@@ -38,7 +38,7 @@ final class CameraLatency {
   private CameraLatency() {}
 
   /** Time for which the wing is over a pixel, by its root mean square speed. */
-  static double overPixelS(double fullSpeed) {
+  private static double overPixelS(double fullSpeed) {
     return WING_RAD * Math.sqrt(2) / Math.max(1, fullSpeed);
   }
 

@@ -21,7 +21,7 @@ final class FilterNumbers {
 
   /** The filter of a wing as it is now, with the density of its process noise in steady flight. */
   static WingFilterState of(
-      WingSide side, StrokeEkf filter, double[] q, EventNoise noise, long events) {
+      WingSide side, StrokeEkf filter, double[] q, WingEventNoise noise, long events) {
     List<String> names = new ArrayList<>(NAMES);
     List<String> units = new ArrayList<>(UNITS);
     for (int k = 2; k <= filter.harmonics; k++) {

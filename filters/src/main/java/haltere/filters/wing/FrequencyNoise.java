@@ -15,7 +15,7 @@ final class FrequencyNoise {
   private static final double UNSEEN = 1.05;
 
   /** What is right of the variance that the filter gains in a manoeuvre: it is ready for more. */
-  private static final double MANOEUVRE_SHARE = 0.35;
+  private static final double MANOEUVRE_SHARE = 0.27;
 
   /** What is added for each square of what the frequency has changed by more than usual. */
   private static final double CHANGE_SHARE = 0.75;

@@ -13,7 +13,7 @@ final class FrequencySurprise {
   private static final int LOOKS = 12;
 
   private static final double MEMORY_S = 1.5;
-  private static final double SHARE = 0.035;
+  private static final double SHARE = 0.028;
 
   private final double[] expected = new double[LOOKS];
   private int next;

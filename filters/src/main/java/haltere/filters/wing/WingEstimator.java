@@ -6,8 +6,8 @@ import java.util.List;
 /**
  * Estimates the stroke of a wing with one {@link StrokeEkf} over both its edges: gathers events for
  * a few tens of microseconds into one update for each edge, learns what events are worth ({@link
- * EventNoise}), follows the hinge ({@link HingeTracker}), lets the frequency run in manoeuvres, and
- * takes the latency out of what it says.
+ * WingEventNoise}), follows the hinge ({@link HingeTracker}), lets the frequency run in manoeuvres,
+ * and takes the latency out of what it says.
  *
  * <p>Thread rule: one thread at a time.
  */
@@ -21,11 +21,8 @@ final class WingEstimator implements SideEstimator {
   /** What a wing's estimate is usually wrong by from the heading that its angles refer to. */
   private static final double SYSTEMATIC_RAD = 0.0092;
 
-  /** And from the stroke's shape, where the pixels show reversals alone. */
-  private static final double UNSEEN_RAD = 0.05;
-
   final StrokeEkf filter;
-  final EventNoise noise;
+  final WingEventNoise noise;
   private final StrokeFrame frame;
   private final WingSide side;
   private WingNoiseSettings settings;
@@ -51,7 +48,7 @@ final class WingEstimator implements SideEstimator {
   private int pending;
   private final EdgeSums[] sums = {new EdgeSums(0), new EdgeSums(1)};
   private final long[] taken = new long[2];
-  private double expected;
+  private final double[] expected = new double[2];
   private double expectedAngle;
 
   /**
@@ -68,7 +65,7 @@ final class WingEstimator implements SideEstimator {
     this.frame = frame;
     clock = new BeatClock(side, beats);
     filter = new StrokeEkf(settings.filter().harmonics());
-    noise = new EventNoise(settings.filter().gateSd(), settings.noise().measurement());
+    noise = new WingEventNoise(settings.filter().gateSd(), settings.noise().measurement());
     density = new double[filter.size];
     apply(settings);
   }
@@ -112,7 +109,7 @@ final class WingEstimator implements SideEstimator {
     sums[1].clear();
     Arrays.fill(taken, 0);
     pending = 0;
-    expected = 0;
+    Arrays.fill(expected, 0);
     frequencyNoise.launch();
     judge.launch();
     hinge.launch(0.3);
@@ -144,10 +141,18 @@ final class WingEstimator implements SideEstimator {
     } else if (y < -Math.PI) {
       y += 2 * Math.PI;
     }
-    double variance = noise.variance(frame.square, speed);
+    int edge = on ? 1 : 0;
+    EventNoise worth = noise.of(edge);
+    double variance = worth.variance(frame.square, speed);
     double full = x[StrokeEkf.AMPLITUDE] * x[StrokeEkf.OMEGA];
-    double belief = noise.judge(y, expected, speed, full);
+    double belief = worth.judge(y, expected[edge], speed, full);
+    noise.count(edge, y, belief > 0);
     if (belief == 0) {
+      if (noise.isOneOfTooMany(y)) {
+        // the phase has run away so far that only events that happen to agree are taken in
+        double most = options.gateSd() * Math.sqrt(variance + expected[edge]);
+        frequencyNoise.add(Math.max(-most, Math.min(most, y)), slope / variance, slope);
+      }
       return false;
     }
     lastTakenUs = atUs;
@@ -164,7 +169,6 @@ final class WingEstimator implements SideEstimator {
       firstPendingUs = atUs;
     }
     pending++;
-    int edge = on ? 1 : 0;
     taken[edge]++;
     sums[edge].add(w, y, c, s);
     return true;
@@ -182,9 +186,8 @@ final class WingEstimator implements SideEstimator {
       pending = 0;
       predict();
       filter.mark();
-      for (EdgeSums edge : sums) {
-        expected = edge.update(filter, expected);
-      }
+      expected[0] = sums[0].update(filter, expected[0]);
+      expected[1] = sums[1].update(filter, expected[1]);
       filter.settle();
     }
     if (timeUs - hingeUs >= HINGE_US) {
@@ -218,7 +221,7 @@ final class WingEstimator implements SideEstimator {
     slowUs = timeUs;
     frequencyNoise.look(dtS, filter, settings.manoeuvre());
     density[StrokeEkf.OMEGA] = steadyFrequency + frequencyNoise.added();
-    StrokeMemory.forget(filter, dtS, settings.rateSd(), reversalsAlone());
+    StrokeMemory.forget(filter, dtS, settings.rateSd());
     judge.look(
         dtS,
         taken[0] + taken[1],
@@ -280,10 +283,6 @@ final class WingEstimator implements SideEstimator {
     return CameraLatency.lagS(filter, other == null ? null : other.filter);
   }
 
-  private double reversalsAlone() {
-    return StrokeMemory.reversalsAlone(lagS(), CameraLatency.overPixelS(fullSpeed()));
-  }
-
   private double ahead() {
     return CameraLatency.seconds(options.latencyUs(), lagS(), fullSpeed())
         * filter.x[StrokeEkf.OMEGA];
@@ -334,12 +333,8 @@ final class WingEstimator implements SideEstimator {
     filter.look(filter.cos, filter.sin, 0);
     double speed = filter.slope(filter.cos, filter.sin) * filter.x[StrokeEkf.OMEGA];
     double late = CameraLatency.sdSeconds(options.latencyUs()) * speed;
-    double unseen = UNSEEN_RAD * reversalsAlone();
     return Math.sqrt(
-        Math.max(0, filter.expectedVariance())
-            + SYSTEMATIC_RAD * SYSTEMATIC_RAD
-            + late * late
-            + unseen * unseen);
+        Math.max(0, filter.expectedVariance()) + SYSTEMATIC_RAD * SYSTEMATIC_RAD + late * late);
   }
 
   @Override

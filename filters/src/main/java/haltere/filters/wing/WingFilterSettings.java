@@ -60,9 +60,9 @@ public record WingFilterSettings(
   /**
    * The settings to start from.
    *
-   * @return a filter for each wing with three harmonics, 50 us, 4 SD
+   * @return a filter for each wing with four harmonics, 50 us, 4 SD
    */
   public static WingFilterSettings defaults() {
-    return new WingFilterSettings(WingMethod.EKF, WingModel.WINGS, 3, -1, 50, 1, 4, true);
+    return new WingFilterSettings(WingMethod.EKF, WingModel.WINGS, 4, -1, 50, 1, 4, true);
   }
 }

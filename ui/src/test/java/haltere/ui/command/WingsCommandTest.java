@@ -102,7 +102,7 @@ class WingsCommandTest {
         lines.contains("# column angle_rad: stroke angle, radians: 0 at the head, pi at the tail"));
     assertTrue(lines.contains("# setting: output.rateHz=500.0 Hz"), lines.toString());
     assertTrue(
-        lines.contains("# setting: filter.harmonics=3 harmonics (default)"), lines.toString());
+        lines.contains("# setting: filter.harmonics=4 harmonics (default)"), lines.toString());
     List<String> table = lines.stream().filter(line -> !line.startsWith("#")).toList();
     assertEquals(rows, table, "the log has the same rows as the table");
   }
