@@ -58,6 +58,7 @@ public final class ClusterTracker {
   private int otherPolarity;
   private EventRegion region;
   private boolean uniform;
+  private double leastShare;
 
   private boolean observedSomething;
 
@@ -110,6 +111,7 @@ public final class ClusterTracker {
     onlyClustered = settings.output().onlyClustered();
     region = new EventRegion(settings);
     uniform = region.isUniform();
+    leastShare = region.isEdgeOnly() ? 1 : LEAST_SHARE;
     Keep keep = settings.events().polarity();
     otherPolarity = keep == Keep.BOTH ? -1 : keep == Keep.ON ? 0 : 1;
     motion = new ClusterMotion(settings);
@@ -315,7 +317,7 @@ public final class ClusterTracker {
       double next,
       double firstDistance) {
     double share = next / (best + next);
-    if (!(share >= LEAST_SHARE) || region.isEdgeOnly()) {
+    if (!(share >= leastShare)) {
       give(first, x, y, sign, timeUs, firstDistance);
       return;
     }
@@ -327,10 +329,8 @@ public final class ClusterTracker {
   }
 
   private void give(Cluster cluster, int x, int y, int sign, long timeUs, double distance) {
-    if (uniform) {
+    if (uniform || region.moves(cluster, timeUs, distance)) {
       cluster.take(x, y, sign, timeUs);
-    } else {
-      region.give(cluster, x, y, sign, timeUs, distance);
     }
     if (cluster.hasLeftIndex()) {
       index();

@@ -37,15 +37,16 @@ final class EventRegion {
     return edgeOnly;
   }
 
-  /** Gives an event at a squared distance to a cluster. */
-  void give(Cluster cluster, int x, int y, int sign, long timeUs, double distance) {
+  /** Whether an event at a squared distance moves a cluster; where it does not, it is counted. */
+  boolean moves(Cluster cluster, long timeUs, double distance) {
+    if (inhibition > 0 && distance > cluster.surroundFrom) {
+      // The event itself adds one again.
+      cluster.mass = Math.max(0, cluster.mass - inhibition) - 1;
+    }
     if (edgeOnly && (distance < edgeFrom || distance > edgeTo)) {
       cluster.count(timeUs);
-    } else {
-      cluster.take(x, y, sign, timeUs);
+      return false;
     }
-    if (inhibition > 0 && distance > cluster.surroundFrom) {
-      cluster.mass = Math.max(0, cluster.mass - 1 - inhibition);
-    }
+    return true;
   }
 }

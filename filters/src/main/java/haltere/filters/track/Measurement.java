@@ -43,21 +43,21 @@ final class Measurement {
       return;
     }
     timeUs = batch.meanTimeUs();
-    double floor = settings.floorPx() * settings.floorPx();
     if (outlines && batch.hasOutline()) {
       double more =
           settings.varianceFactor() * (track != null && track.contested ? CONTESTED_FACTOR : 1);
       x = batch.outlineCentreX();
       y = batch.outlineCentreY();
-      xx = more * batch.outlineVarianceX() + floor;
+      xx = more * batch.outlineVarianceX();
       xy = more * batch.outlineCovarianceXy();
-      yy = more * batch.outlineVarianceY() + floor;
+      yy = more * batch.outlineVarianceY();
       return;
     }
     x = batch.meanX();
     y = batch.meanY();
     // Of two tracks in one place each event may be the other's: as good as one event.
     double share = track != null && track.contested ? 1 : settings.varianceFactor() / batch.events;
+    double floor = settings.floorPx() * settings.floorPx();
     xx = batch.varianceX() * share + floor;
     yy = batch.varianceY() * share + floor;
     xy = batch.covarianceXy() * share;

@@ -5,6 +5,7 @@ import haltere.core.chain.Filters;
 import haltere.core.event.EventPacket;
 import haltere.filters.track.KalmanTracksFilter;
 import haltere.filters.track.KalmanTracksSettings;
+import haltere.filters.track.TrackUpdate;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -25,7 +26,9 @@ public final class TrackEvaluation {
   public static void main(String[] arguments) {
     long firstSeed = Long.parseLong(arguments[0]);
     int scenes = Integer.parseInt(arguments[1]);
-    System.out.println(TrackingScores.of(firstSeed, scenes, TrackEvaluation::tracks));
+    TrackConsistency consistency = new TrackConsistency();
+    System.out.println(TrackingScores.of(firstSeed, scenes, scene -> tracks(scene, consistency)));
+    System.out.println(consistency);
   }
 
   /**
@@ -35,6 +38,17 @@ public final class TrackEvaluation {
    * @return where they are at the times of the scene
    */
   public static List<ObjectPoint> tracks(TrackingScene scene) {
+    return tracks(scene, new TrackConsistency());
+  }
+
+  /**
+   * The tracks of a scene.
+   *
+   * @param scene the scene
+   * @param consistency takes the steps of their filters
+   * @return where they are at the times of the scene
+   */
+  public static List<ObjectPoint> tracks(TrackingScene scene, TrackConsistency consistency) {
     FilterChain chain = new FilterChain(scene.geometry());
     chain.add(Filters.named("background-activity"));
     KalmanTracksFilter tracks =
@@ -45,6 +59,7 @@ public final class TrackEvaluation {
       timesUs.add(timeUs);
     }
     List<ObjectPoint> rows = new ArrayList<>();
+    List<TrackUpdate> updates = new ArrayList<>();
     tracks
         .points()
         .subscribe(
@@ -55,10 +70,12 @@ public final class TrackEvaluation {
                         at.timeUs(), at.id(), at.xPx(), at.yPx(), at.vxPxS(), at.vyPxS()));
               }
             });
+    tracks.updates().subscribe(updates::add);
     EventPacket copy = new EventPacket(scene.events().size());
     copy.append(scene.events(), 0, scene.events().size());
     chain.process(copy);
     chain.close();
+    consistency.add(scene, rows, updates);
     return rows;
   }
 }

@@ -3,7 +3,6 @@ package haltere.testing.pictures;
 import haltere.core.chain.FilterChain;
 import haltere.core.chain.Filters;
 import haltere.core.event.EventPacket;
-import haltere.core.event.SensorGeometry;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.Recordings;
 import haltere.core.overlay.OverlayCanvas;
@@ -24,50 +23,74 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import java.util.stream.Stream;
 
 /**
  * Draws each recording of the folder of recordings after a third, a half and nine tenths of its
- * events, with the clusters above and the tracks below, for a person to look at: {@code ./gradlew
- * :src-test:pictureRecordings}.
+ * events, the part of the sensor in which they are, with the clusters above and the tracks below,
+ * for a person to look at: {@code ./gradlew :src-test:pictureRecordings}. For the documentation, the
+ * tracks only, smaller, and each scene once: {@code -Pdocs}.
  */
 public final class RecordingPictures {
   private static final double[] SHARES = {1 / 3.0, 0.5, 0.9};
-  private static final List<String> TRACKERS = List.of("cluster-tracker", "kalman-tracks");
   private static final int PANEL_PX = 512;
+  private static final int DOCS_PANEL_PX = 280;
   private static final int GAP_PX = 4;
   private static final long FADING_US = 15_000;
 
-  private RecordingPictures() {}
+  /** The same scenes as others, in other formats. */
+  private static final Set<String> AGAIN =
+      Set.of(
+          "atis.es",
+          "davis346-by-eventcv.h5",
+          "davis346-by-evutils.h5",
+          "gen3-evt21-by-evutils.raw",
+          "gen4.dat");
+
+  private final List<String> trackers;
+  private final int panelPx;
+
+  private RecordingPictures(List<String> trackers, int panelPx) {
+    this.trackers = trackers;
+    this.panelPx = panelPx;
+  }
 
   /**
    * Draws them all.
    *
-   * @param arguments the folder for the pictures
+   * @param arguments the folder for the pictures, and {@code docs} if they are for the documentation
    */
   public static void main(String[] arguments) throws IOException {
     Path pictures = Path.of(arguments[0]);
     Files.createDirectories(pictures);
+    boolean docs = List.of(arguments).contains("docs");
+    RecordingPictures all =
+        docs
+            ? new RecordingPictures(List.of("kalman-tracks"), DOCS_PANEL_PX)
+            : new RecordingPictures(List.of("cluster-tracker", "kalman-tracks"), PANEL_PX);
     List<Path> files;
     try (Stream<Path> found = Files.list(Recorded.folder())) {
       files = found.filter(Files::isRegularFile).sorted().toList();
     }
     for (Path file : files) {
-      Path picture = pictures.resolve(file.getFileName() + ".png");
-      System.out.println(file.getFileName() + ": " + draw(file, picture));
+      String name = file.getFileName().toString();
+      if (!docs || !AGAIN.contains(name)) {
+        System.out.println(name + ": " + all.draw(file, pictures.resolve(name + ".png")));
+      }
     }
   }
 
   /** Draws a recording; what came of it. */
-  private static String draw(Path file, Path picture) {
+  private String draw(Path file, Path picture) {
     try {
-      long events = events(file);
-      if (events == 0) {
+      BusyPart part = part(file);
+      if (part.events() == 0) {
         return "no events";
       }
       List<BufferedImage> panels = new ArrayList<>();
-      for (String tracker : TRACKERS) {
-        panels.addAll(panels(file, tracker, events));
+      for (String tracker : trackers) {
+        panels.addAll(panels(file, tracker, part));
       }
       Pictures.write(picture, sheet(panels));
       return picture.toString();
@@ -76,14 +99,14 @@ public final class RecordingPictures {
     }
   }
 
-  private static long events(Path file) throws IOException {
+  private static BusyPart part(Path file) throws IOException {
     try (RecordingReader reader = Recordings.open(file)) {
-      long[] count = new long[1];
+      BusyPart part = new BusyPart(reader.geometry());
       reader.drainTo(
           new StreamHandler() {
             @Override
             public void packet(EventPacket packet) {
-              count[0] += packet.size();
+              part.add(packet);
             }
 
             @Override
@@ -91,30 +114,31 @@ public final class RecordingPictures {
               // only events are counted
             }
           });
-      return count[0];
+      part.settle();
+      return part;
     }
   }
 
-  private static List<BufferedImage> panels(Path file, String tracker, long events)
+  private List<BufferedImage> panels(Path file, String tracker, BusyPart part)
       throws IOException {
     try (RecordingReader reader = Recordings.open(file)) {
       FilterChain chain = new FilterChain(reader.geometry());
       for (String name : List.of("background-activity", "hot-pixels", tracker)) {
         chain.add(Filters.named(name));
       }
-      Painter painter = new Painter(chain, events);
+      Painter painter = new Painter(chain, part, part.scale(panelPx));
       Pipeline.run(reader, chain, List.of(painter), painter.counters);
       chain.close();
       return painter.panels;
     }
   }
 
-  private static BufferedImage sheet(List<BufferedImage> panels) {
+  private BufferedImage sheet(List<BufferedImage> panels) {
     int columns = SHARES.length;
     int width = panels.get(0).getWidth() + GAP_PX;
     int height = panels.get(0).getHeight() + GAP_PX;
     BufferedImage sheet =
-        new BufferedImage(columns * width, TRACKERS.size() * height, BufferedImage.TYPE_INT_RGB);
+        new BufferedImage(columns * width, trackers.size() * height, BufferedImage.TYPE_INT_RGB);
     Graphics2D graphics = sheet.createGraphics();
     for (int i = 0; i < panels.size(); i++) {
       graphics.drawImage(panels.get(i), i % columns * width, i / columns * height, null);
@@ -146,10 +170,12 @@ public final class RecordingPictures {
     private final List<BufferedImage> panels = new ArrayList<>();
     private final List<Marks<?>> marks = new ArrayList<>();
     private final EventFrame frame;
-    private final long events;
+    private final BusyPart part;
+    private final int scale;
 
-    Painter(FilterChain chain, long events) {
-      this.events = events;
+    Painter(FilterChain chain, BusyPart part, int scale) {
+      this.part = part;
+      this.scale = scale;
       frame = new EventFrame(chain.geometry());
       for (OverlayLayer<?> layer : chain.overlays()) {
         marks.add(new Marks<>(layer));
@@ -160,18 +186,19 @@ public final class RecordingPictures {
     public void packet(EventPacket packet) {
       frame.packet(packet);
       long come = counters.get(PipelineCounters.Counter.EVENTS_IN);
-      while (panels.size() < SHARES.length && come >= SHARES[panels.size()] * events) {
+      while (panels.size() < SHARES.length && come >= SHARES[panels.size()] * part.events()) {
         panels.add(panel());
       }
     }
 
     private BufferedImage panel() {
-      SensorGeometry geometry = frame.geometry();
-      return Pictures.draw(
-          frame,
-          new FramePainter(ColourMap.DARK, FADING_US),
-          Math.max(1, PANEL_PX / geometry.longerSide()),
-          canvas -> marks.forEach(one -> one.draw(canvas)));
+      BufferedImage whole =
+          Pictures.draw(
+              frame,
+              new FramePainter(ColourMap.DARK, FADING_US),
+              scale,
+              canvas -> marks.forEach(one -> one.draw(canvas)));
+      return part.cut(whole, scale);
     }
 
     @Override
