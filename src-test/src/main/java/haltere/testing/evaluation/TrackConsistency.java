@@ -13,12 +13,12 @@ import java.util.SplittableRandom;
 
 /**
  * Whether tracks on {@link TrackingScene}s are as sure as they say: normalised innovations squared
- * (NIS, two degrees of freedom) and normalised estimation errors squared of place and velocity along
- * an axis (NEES, two degrees of freedom, two axes).
+ * (NIS, two degrees of freedom) and normalised estimation errors squared of place and velocity
+ * along an axis (NEES, two degrees of freedom, two axes).
  *
- * <p>Of a consistent filter 95 % of each are below the 95 % quantile of chi squared: that is what an
- * ellipse of 95 % promises. The errors of one track follow each other, so bands are those of as many
- * values as there are tracks, and are held against one update of each, drawn at random.
+ * <p>Of a consistent filter 95 % of each are below the 95 % quantile of chi squared: that is what
+ * an ellipse of 95 % promises. The errors of one track follow each other, so bands are those of as
+ * many values as there are tracks, and are held against one update of each, drawn at random.
  *
  * <p>Thread rule: not safe for use by two threads at a time.
  */

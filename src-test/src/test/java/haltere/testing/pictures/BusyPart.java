@@ -5,8 +5,9 @@ import haltere.core.event.SensorGeometry;
 import java.awt.image.BufferedImage;
 
 /**
- * The part of a sensor in which nearly all of a recording's events are, and how large to draw it: on
- * a large sensor what moves is often small. Thread rule: not safe for use by two threads at a time.
+ * The part of a sensor in which nearly all of a recording's events are, and how large to draw it:
+ * on a large sensor what moves is often small. Thread rule: not safe for use by two threads at a
+ * time.
  */
 final class BusyPart {
   /** Share of the events that may lie beyond each side. */

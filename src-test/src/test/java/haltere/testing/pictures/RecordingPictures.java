@@ -29,8 +29,8 @@ import java.util.stream.Stream;
 /**
  * Draws each recording of the folder of recordings after a third, a half and nine tenths of its
  * events, the part of the sensor in which they are, with the clusters above and the tracks below,
- * for a person to look at: {@code ./gradlew :src-test:pictureRecordings}. For the documentation, the
- * tracks only, smaller, and each scene once: {@code -Pdocs}.
+ * for a person to look at: {@code ./gradlew :src-test:pictureRecordings}. For the documentation,
+ * the tracks only, smaller, and each scene once: {@code -Pdocs}.
  */
 public final class RecordingPictures {
   private static final double[] SHARES = {1 / 3.0, 0.5, 0.9};
@@ -59,7 +59,8 @@ public final class RecordingPictures {
   /**
    * Draws them all.
    *
-   * @param arguments the folder for the pictures, and {@code docs} if they are for the documentation
+   * @param arguments the folder for the pictures, and {@code docs} if they are for the
+   *     documentation
    */
   public static void main(String[] arguments) throws IOException {
     Path pictures = Path.of(arguments[0]);
@@ -119,8 +120,7 @@ public final class RecordingPictures {
     }
   }
 
-  private List<BufferedImage> panels(Path file, String tracker, BusyPart part)
-      throws IOException {
+  private List<BufferedImage> panels(Path file, String tracker, BusyPart part) throws IOException {
     try (RecordingReader reader = Recordings.open(file)) {
       FilterChain chain = new FilterChain(reader.geometry());
       for (String name : List.of("background-activity", "hot-pixels", tracker)) {
