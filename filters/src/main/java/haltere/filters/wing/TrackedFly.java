@@ -344,13 +344,15 @@ final class TrackedFly {
       return;
     }
     boolean rebuild = !isSameEstimator(before.filter(), changed.filter());
-    if (!rebuild && changed.place().equals(before.place())) {
+    if (!rebuild) {
       for (int side = 0; side < 2; side++) {
         main[side].apply(changed);
         beside[side].apply(changed);
       }
       takeEdges();
-      return;
+      if (changed.place().equals(before.place())) {
+        return;
+      }
     }
     StrokeSeed[] seeds = seeds();
     boolean flipped = changed.place().flipHeading() != before.place().flipHeading();
@@ -362,7 +364,10 @@ final class TrackedFly {
       seeds = new StrokeSeed[] {mirrored(seeds[1]), mirrored(seeds[0])};
     }
     double turn = place.move(before.place(), changed.place());
-    build();
+    if (rebuild || flipped) {
+      build();
+    }
+    forgetAngles();
     for (int side = 0; side < 2; side++) {
       if (tracked[side]) {
         StrokeSeed seed = seeds[side];

@@ -141,7 +141,7 @@ public final class WingTracker {
 
   /**
    * Changes a number of a filter while it runs. Noise that is changed stays until the filter is
-   * {@link #restart restarted} or the settings of the noise change.
+   * {@link #restart restarted}, the settings of the noise change, or head and tail are exchanged.
    *
    * @param edit which number
    * @throws IllegalArgumentException with a line for a person if it cannot be that number, or there

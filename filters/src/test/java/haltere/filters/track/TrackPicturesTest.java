@@ -3,7 +3,7 @@ package haltere.filters.track;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.SensorGeometry;
-import haltere.filters.estimation.SvgPlot;
+import haltere.testing.SvgPlot;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

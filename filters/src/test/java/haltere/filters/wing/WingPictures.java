@@ -4,7 +4,7 @@ import haltere.core.event.EventPacket;
 import haltere.core.simulation.fly.FlyScene;
 import haltere.core.simulation.fly.FlySceneSettings;
 import haltere.core.simulation.fly.FlyTruth;
-import haltere.filters.estimation.SvgPlot;
+import haltere.testing.SvgPlot;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;

@@ -141,6 +141,8 @@ class WingTrackerTest {
       tracker.apply(tracker.settings().with("output.leftTrailing=false"));
       assertEquals(0.25, tracker.filters().get(0).q()[1]);
       assertEquals(0.5, tracker.filters().get(0).r());
+      tracker.apply(tracker.withHeading(tracker.geometry().orElseThrow().headingRad() + 0.05));
+      assertEquals(0.25, tracker.filters().get(0).q()[1], "after the fly was placed by hand");
       assertThrows(
           IllegalArgumentException.class,
           () -> tracker.edit(new WingFilterEdit(part, Table.PROCESS_NOISE, 1, 0, -1)));

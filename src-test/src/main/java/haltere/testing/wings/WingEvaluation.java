@@ -3,6 +3,7 @@ package haltere.testing.wings;
 import haltere.core.simulation.fly.FlyScene;
 import haltere.core.simulation.fly.FlySceneSettings;
 import haltere.filters.wing.WingTrackerSettings;
+import haltere.testing.SvgPlot;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -14,12 +15,16 @@ import java.util.function.Predicate;
 import java.util.function.ToDoubleFunction;
 
 /**
- * Tracks many simulated flies and writes the figures of docs/wings.md: {@code ./gradlew
+ * Tracks many simulated flies, writes the figures of docs/wings.md and draws them: {@code ./gradlew
  * :src-test:evaluateWings -Pscenes=500 -PfirstSeed=1}.
  */
 public final class WingEvaluation {
   private static final double SECONDS = 1;
   private static final int WRITTEN_EVERY = 25;
+  private static final String STEADY = "#1f6fb4";
+  private static final String MANOEUVRES = "#c23b22";
+  private static final String TARGET = "#888888";
+  private static final String EVENTS = "events an edge and beat, logarithm to base 10";
 
   /** A fly and how well it was tracked. */
   private record Result(
@@ -52,6 +57,7 @@ public final class WingEvaluation {
       // a run that is ended early leaves its figures as well
       if (results.size() % WRITTEN_EVERY == 0 || results.size() == scenes) {
         Files.writeString(folder.resolve("wings-figures.md"), figures(results, heavy));
+        draw(results, folder);
       }
     }
     System.out.print(figures(results, heavy));
@@ -73,6 +79,42 @@ public final class WingEvaluation {
     table(text, "heavy noise", heavy);
     worst(text, enough(results));
     return text.toString();
+  }
+
+  private static void draw(List<Result> results, Path folder) throws IOException {
+    SvgPlot angle = new SvgPlot(1, 4, 0, 4).level("target 1.2\u00b0", TARGET, 1.2);
+    dots(angle, results, r -> r.known.angleDeg());
+    angle.write(
+        folder.resolve("wings-scenes-angle.svg"),
+        "Angle of a wing, RMS of each scene, latency of the camera known",
+        EVENTS,
+        "degrees");
+    SvgPlot frequency = new SvgPlot(1, 4, 0, 1);
+    dots(frequency, results, r -> r.usual.frequencyHz());
+    frequency
+        .level("target 0.15 Hz", STEADY, 0.15)
+        .level("target 0.6 Hz", MANOEUVRES, 0.6)
+        .write(
+            folder.resolve("wings-scenes-frequency.svg"),
+            "Beat frequency, RMS of each scene",
+            EVENTS,
+            "hertz");
+  }
+
+  /** What is beyond the picture stands at its upper edge. */
+  private static void dots(SvgPlot plot, List<Result> results, ToDoubleFunction<Result> value) {
+    for (boolean manoeuvres : new boolean[] {false, true}) {
+      List<Result> kind =
+          results.stream()
+              .filter(WingEvaluation::locked)
+              .filter(r -> r.manoeuvres() == manoeuvres)
+              .toList();
+      plot.dots(
+          manoeuvres ? "with manoeuvres" : "steady",
+          manoeuvres ? MANOEUVRES : STEADY,
+          kind.stream().mapToDouble(r -> Math.log10(r.eventsPerEdge)).toArray(),
+          kind.stream().mapToDouble(value).toArray());
+    }
   }
 
   private static List<Result> enough(List<Result> results) {

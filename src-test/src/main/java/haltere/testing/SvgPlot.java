@@ -1,4 +1,4 @@
-package haltere.filters.estimation;
+package haltere.testing;
 
 import java.io.IOException;
 import java.nio.file.Files;
