@@ -51,7 +51,6 @@ public final class ViewerMenu extends MenuBar {
         contents(contents, action.menu()).add(action);
       }
     }
-    boolean sameBar = contents.keySet().equals(shown.keySet());
     menus.keySet().retainAll(contents.keySet());
     contents.forEach(
         (path, content) -> {
@@ -64,15 +63,8 @@ public final class ViewerMenu extends MenuBar {
                         .toList());
           }
         });
-    boolean sameEmpty =
-        sameBar
-            && contents.entrySet().stream()
-                .allMatch(
-                    entry -> entry.getValue().isEmpty() == shown.get(entry.getKey()).isEmpty());
     shown = contents;
-    if (!sameEmpty) {
-      fillBar(contents);
-    }
+    fillBar(contents);
   }
 
   private void fillBar(Map<String, List<Object>> contents) {
@@ -86,7 +78,9 @@ public final class ViewerMenu extends MenuBar {
     if (contents.containsKey(LAST)) {
       bar.add(menu(LAST));
     }
-    getMenus().setAll(bar);
+    if (!bar.equals(getMenus())) {
+      getMenus().setAll(bar);
+    }
   }
 
   /** What a menu holds: actions, and the paths of menus below it, which are made on the way. */
