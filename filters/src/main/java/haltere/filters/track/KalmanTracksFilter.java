@@ -139,7 +139,8 @@ public final class KalmanTracksFilter extends PublishingFilter<KalmanTracksSetti
                     List.copyOf(path(point)),
                     estimator.plane().covarianceXyPx2,
                     track.isUnseen(timeUs) || track.contested,
-                    onRoad ? RoadSpeed.kmH(motion) : Double.NaN));
+                    onRoad ? RoadSpeed.kmH(motion) : Double.NaN,
+                    onRoad ? RoadSpeed.sdKmH(track, motion) : Double.NaN));
           }
         }
       }

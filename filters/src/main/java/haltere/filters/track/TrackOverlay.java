@@ -10,7 +10,7 @@ import java.util.Locale;
 /**
  * Draws each track as the ellipse that it is in with 95 % probability, a cross in its middle, the
  * way that it has come, a line to where it would be in a tenth of a second, its identity and, on a
- * road, its speed; beneath them the marks of the road.
+ * road, its speed with its standard deviation; beneath them the marks of the road.
  */
 public final class TrackOverlay implements Overlay<TrackSnapshot> {
   private static final double VELOCITY_S = 0.1;
@@ -50,7 +50,9 @@ public final class TrackOverlay implements Overlay<TrackSnapshot> {
     String id = Integer.toString(track.now().id());
     return Double.isNaN(track.speedKmH())
         ? id
-        : id + String.format(Locale.ROOT, ": %.0f km/h", track.speedKmH());
+        : id
+            + String.format(
+                Locale.ROOT, ": %.0f \u00b1 %.0f km/h", track.speedKmH(), track.sdSpeedKmH());
   }
 
   /** Half axes and direction are the eigenvalues and an eigenvector of the covariance. */

@@ -25,9 +25,14 @@ public record TrackSnapshot(long timeUs, List<Shown> tracks, Optional<RoadMarks>
    * @param covarianceXyPx2 covariance of column and row, px²
    * @param coasting whether it goes on without events
    * @param speedKmH speed on a road in kilometres an hour; NaN where there is no road
+   * @param sdSpeedKmH its standard deviation, kilometres an hour; NaN where there is no road
    */
   public record Shown(
-      List<TrackPoint> path, double covarianceXyPx2, boolean coasting, double speedKmH) {
+      List<TrackPoint> path,
+      double covarianceXyPx2,
+      boolean coasting,
+      double speedKmH,
+      double sdSpeedKmH) {
     /** Copies the list, which has at least one element. */
     public Shown {
       path = List.copyOf(path);

@@ -26,20 +26,21 @@ class TrackOverlayTest {
             "UNCERTAINTY 7: ellipse 11.0 21.0 axes 4.90 2.45 at 0.00",
             "VELOCITY 7: line 11.0 21.0 to 21.0 16.0",
             "LABEL 7: 7 at 14.0 24.0"),
-        drawn(new TrackSnapshot.Shown(List.of(BEFORE, NOW), 0, false, Double.NaN)));
+        drawn(new TrackSnapshot.Shown(List.of(BEFORE, NOW), 0, false, Double.NaN, Double.NaN)));
   }
 
   @Test
-  void onARoadTheSpeedIsWrittenAndACoastingTrackStandsOut() {
-    List<String> marks = drawn(new TrackSnapshot.Shown(List.of(NOW), 0, true, 53.7));
-    assertEquals("LABEL 7: 7: 54 km/h at 14.0 24.0", marks.get(5));
+  void onARoadTheSpeedIsWrittenWithItsStandardDeviationAndACoastingTrackStandsOut() {
+    List<String> marks = drawn(new TrackSnapshot.Shown(List.of(NOW), 0, true, 53.7, 2.2));
+    assertEquals("LABEL 7: 7: 54 \u00b1 2 km/h at 14.0 24.0", marks.get(5));
     assertEquals("WARNING 7: ellipse 11.0 21.0 axes 4.90 2.45 at 0.00", marks.get(3));
   }
 
   @Test
   void theEllipseLiesAlongTheLargerUncertainty() {
     TrackPoint diagonal = new TrackPoint(0, 1, 0, 0, 0, 0, 1, 1, 1, 1, 1);
-    List<String> marks = drawn(new TrackSnapshot.Shown(List.of(diagonal), -1, false, Double.NaN));
+    List<String> marks =
+        drawn(new TrackSnapshot.Shown(List.of(diagonal), -1, false, Double.NaN, Double.NaN));
     assertEquals("UNCERTAINTY 1: ellipse 0.0 0.0 axes 3.46 0.00 at -0.79", marks.get(3));
   }
 

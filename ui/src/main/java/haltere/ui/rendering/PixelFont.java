@@ -80,6 +80,8 @@ final class PixelFont {
       µ 00 11 11 11 13 1D 10
       ± 04 04 1F 04 04 00 1F
       ² 0C 12 04 08 1E 00 00
+      ↑ 04 0E 15 04 04 04 04
+      ↓ 04 04 04 04 15 0E 04
       """;
 
   /** Drawn for a character that is not in the font. */
