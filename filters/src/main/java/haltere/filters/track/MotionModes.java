@@ -92,9 +92,7 @@ final class MotionModes {
    * may have been passed by another line, which the fit does not know of.
    */
   void launchLine(LineSearch found, double varianceX, double varianceVx) {
-    double few = (double) LEAST_ROWS / found.rows;
-    double doubt = 1 + ROW_DOUBT * few * few;
-    double more = doubt * doubt;
+    double more = doubt(found);
     launch(found.xM, found.yM, varianceX, 0, more * found.varianceY, varianceVx);
     for (int j = 0; j < modes; j++) {
       filters[j].setAlong(found.vyMS, more * found.covarianceYvy, more * found.varianceVy);
@@ -102,12 +100,23 @@ final class MotionModes {
     combined = false;
   }
 
-  /** Goes on with another line of the same vehicle, with the speed that it has. */
+  /** By how much the variances of a line are larger than the fit to its rows says. */
+  private static double doubt(LineSearch found) {
+    double few = (double) LEAST_ROWS / found.rows;
+    double doubt = 1 + ROW_DOUBT * few * few;
+    return doubt * doubt;
+  }
+
+  /** Goes on with another line of the same vehicle, which tells of its speed as well. */
   void rejoinLine(LineSearch found, double varianceX) {
     shift(0, PLACE_VARIANCE);
     if (!Double.isNaN(innovate(found.xM, found.yM, varianceX, 0, found.varianceY))) {
       correct();
     }
+    for (int j = 0; j < modes; j++) {
+      filters[j].correctAlong(found.vyMS, doubt(found) * found.varianceVy);
+    }
+    combined = false;
   }
 
   /** Moves the place along the road, by what is known with a variance. */

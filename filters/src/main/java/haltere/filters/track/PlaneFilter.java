@@ -269,6 +269,21 @@ final class PlaneFilter {
     correctPlaceAndVelocity();
   }
 
+  /** Takes in a measured second velocity. */
+  void correctAlong(double velocity, double variance) {
+    double s = p[9] + variance;
+    double off = (velocity - x[3]) / s;
+    for (int i = 0; i < STATES; i++) {
+      gain[i] = covariance(i, 3);
+      x[i] += gain[i] * off;
+    }
+    for (int i = 0; i < STATES; i++) {
+      for (int j = i; j < STATES; j++) {
+        p[place(i, j)] -= gain[i] * gain[j] / s;
+      }
+    }
+  }
+
   private void setGain(int row, double toX, double toY, double iXx, double iXy, double iYy) {
     double k = toX * iXx + toY * iXy;
     double l = toX * iXy + toY * iYy;

@@ -100,6 +100,25 @@ class AlongAccelerationTest {
   }
 
   @Test
+  void twoMeasuredSpeedsAreWorthAsMuchAsTheirMeanOfHalfTheVariance() {
+    PlaneFilter twice = filter(15, -3);
+    along.evolve(twice, 0.4);
+    PlaneFilter once = new PlaneFilter();
+    once.copyFrom(twice);
+    double certainty = 1 / twice.covariance(3, 3);
+    twice.correctAlong(13, 0.8);
+    twice.correctAlong(14, 0.8);
+    once.correctAlong(13.5, 0.4);
+    assertEquals(certainty + 2.5, 1 / twice.covariance(3, 3), 1e-9);
+    for (int i = 0; i < PlaneFilter.STATES; i++) {
+      assertEquals(once.x[i], twice.x[i], 1e-9);
+      for (int j = 0; j < PlaneFilter.STATES; j++) {
+        assertEquals(once.covariance(i, j), twice.covariance(i, j), 1e-9);
+      }
+    }
+  }
+
+  @Test
   void errorsAndInnovationsLieInTheirBands() {
     double nees = 0;
     double nis = 0;
