@@ -61,6 +61,9 @@ final class Track {
   /** Whether another track is so near that events may be the other's. */
   boolean contested;
 
+  /** Until when that lasts at least. */
+  private long contestedUntilUs;
+
   /** Whether another track is so near that which is which may be in question. */
   boolean nearOther;
 
@@ -122,6 +125,7 @@ final class Track {
     events = 0;
     batch = null;
     contested = false;
+    contestedUntilUs = Long.MIN_VALUE;
     nearOther = false;
     nearUnlike = false;
     hidden = false;
@@ -223,6 +227,14 @@ final class Track {
     return isVehicle
         ? !stands && timeUs - heardUs > TrackReports.SHOWN_WITHOUT_CLUSTER_US
         : batch == null;
+  }
+
+  /** Stays contested for a time after another track was so near. */
+  void keepContested(long timeUs, long lastingUs) {
+    if (contested) {
+      contestedUntilUs = timeUs + lastingUs;
+    }
+    contested |= nearOther && timeUs < contestedUntilUs;
   }
 
   double ageS(long timeUs) {

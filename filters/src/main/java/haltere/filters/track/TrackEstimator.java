@@ -267,7 +267,7 @@ public final class TrackEstimator implements ClusterObserver {
       tracks.get(i).look(timeUs);
     }
     ends.dropThoseThatLeft(timeUs);
-    TrackPairs.markContested(tracks);
+    TrackPairs.markContested(tracks, timeUs);
     updateAll(timeUs, readings);
     ends.dropThoseThatEnd(timeUs, settings.life());
     ClusterFeedback.give(tracks, settings, timeUs, readings);

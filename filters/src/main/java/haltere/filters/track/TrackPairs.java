@@ -18,6 +18,9 @@ final class TrackPairs {
   /** What a track's own cluster is preferred by, as a difference of a normalised square. */
   private static final double OWN_BONUS = 4;
 
+  /** For so long after they were near each other the events of clusters are not sorted yet. */
+  private static final long SORTING_US = 60_000;
+
   private static final double UNASSIGNED = 1000;
 
   /** A track that was thrown back appears within this time and so many of its radii. */
@@ -43,7 +46,7 @@ final class TrackPairs {
   }
 
   /** Marks the tracks that are near others at the time that they have looked at. */
-  static void markContested(Tracks all) {
+  static void markContested(Tracks all, long timeUs) {
     for (int i = 0; i < all.count(); i++) {
       Track track = all.get(i);
       track.nearOther = false;
@@ -54,6 +57,9 @@ final class TrackPairs {
       for (int j = i + 1; j < all.count(); j++) {
         markPair(all.get(i), all.get(j));
       }
+    }
+    for (int i = 0; i < all.count(); i++) {
+      all.get(i).keepContested(timeUs, SORTING_US);
     }
   }
 

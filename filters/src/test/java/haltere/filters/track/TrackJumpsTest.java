@@ -1,6 +1,7 @@
 package haltere.filters.track;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.SensorGeometry;
 import haltere.filters.track.GivenClusters.Given;
@@ -81,5 +82,28 @@ class TrackJumpsTest {
     clusters.list.clear();
     step(2, clusters.add(3), 196, 150, 0);
     assertEquals(1, estimator.trackCount());
+  }
+
+  @Test
+  void twoThatHaveJustPartedAreContestedForAMomentMore() {
+    Given first = clusters.add(1);
+    Given second = clusters.add(2);
+    double reach = 2 * 2.5 * Math.sqrt(first.variance);
+    int lasting = 0;
+    boolean met = false;
+    for (double way = -60; way < 60; way++) {
+      // At 50 px/s each, in opposite directions.
+      timeUs += STEP_US;
+      first.at(100 + way / 2, 100);
+      second.at(100 - way / 2, 102);
+      first.ageUs = 0;
+      second.ageUs = 0;
+      estimator.clustersRead(timeUs, clusters);
+      Track track = estimator.shown(0, timeUs);
+      met |= way == 0 && track.contested;
+      lasting += way > reach && track.contested ? 1 : 0;
+    }
+    assertTrue(met);
+    assertTrue(lasting >= 3 && lasting <= 6, lasting + " steps");
   }
 }
