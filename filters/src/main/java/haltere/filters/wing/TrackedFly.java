@@ -13,6 +13,7 @@ import java.util.List;
  */
 final class TrackedFly {
   private static final WingSide[] SIDES = WingSide.values();
+  private static final int BOTH = 3;
 
   /** Share of an asymmetry that the heading takes up in one check. */
   private static final double HEADING_SHARE = 0.5;
@@ -33,8 +34,8 @@ final class TrackedFly {
   private final FlyReport report;
   private double symmetry;
 
-  /** Wings of which the running average has ended a beat since the body followed last. */
-  private final boolean[] beatEnded = new boolean[2];
+  /** Wings of which the running average has ended a beat since the body followed last, as bits. */
+  private int beatsEnded;
 
   /** Angles of pixels while the running average alone is at work, else null. */
   private PixelAngles angles;
@@ -61,7 +62,7 @@ final class TrackedFly {
     boolean tells = filter.method() == WingMethod.WRA;
     BeatListener beats =
         (s, endUs, periodUs, least, most) -> {
-          beatEnded[side] = true;
+          beatsEnded |= 1 << side;
           if (tells) {
             report.beat(s, endUs, periodUs, least, most);
           }
@@ -194,7 +195,9 @@ final class TrackedFly {
     }
     if (settings.filter().method() == WingMethod.BOTH) {
       beside[side].event(timeUs, on);
-      followBeat();
+      if (beatsEnded == BOTH) {
+        followBeat();
+      }
     }
   }
 
@@ -209,7 +212,9 @@ final class TrackedFly {
     if (listener.wantsMeasurements()) {
       report.event(timeUs, side, on, angle);
     }
-    followBeat();
+    if (beatsEnded == BOTH) {
+      followBeat();
+    }
   }
 
   void advance(long timeUs) {
@@ -244,11 +249,7 @@ final class TrackedFly {
 
   /** Once both wings have ended a beat the body and the heading follow it, where that is wanted. */
   private void followBeat() {
-    if (!beatEnded[0] || !beatEnded[1]) {
-      return;
-    }
-    beatEnded[0] = false;
-    beatEnded[1] = false;
+    beatsEnded = 0;
     RunningAverageSettings average = settings.average();
     if ((average.bodyUpdate() || average.headingUpdate())
         && tracked[0]
