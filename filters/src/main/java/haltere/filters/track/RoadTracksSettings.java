@@ -17,7 +17,7 @@ import haltere.core.settings.Unit;
 public record RoadTracksSettings(
     @Help("Tracks live on the road, in metres, instead of in the picture.") boolean mapToRoad,
     RoadSettings view,
-    @Help("Process noise of a vehicle that keeps its speed; across, steering has 300 times as much.")
+    @Help("Process noise of a vehicle that keeps its speed; steering has 300 times as much.")
         @Range(min = 0, max = 1000, logarithmic = true)
         @Unit("m^2/s^3")
         double processVariance,
