@@ -41,6 +41,9 @@ final class StrokeEkf {
 
   double sin;
 
+  /** Derivative of the stroke angle where {@link #angleWithSlope} was asked for it last. */
+  double slopeThere;
+
   /** Cosine and sine of omega times the lag. */
   double lagCos = 1;
 
@@ -124,6 +127,29 @@ final class StrokeEkf {
       value += k * (x[i + 1] * c - x[i] * s);
       k++;
     }
+    return value;
+  }
+
+  /**
+   * Stroke angle at a phase, in one go with its {@link #slope}, which {@link #slopeThere} keeps.
+   */
+  double angleWithSlope(double c1, double s1) {
+    double value = x[CENTRE] + x[AMPLITUDE] * s1;
+    double slope = x[AMPLITUDE] * c1;
+    double c = c1;
+    double s = s1;
+    double k = 2;
+    for (int i = SERIES; i < size; i += 2) {
+      double next = c * c1 - s * s1;
+      s = s * c1 + c * s1;
+      c = next;
+      double cosine = x[i];
+      double sine = x[i + 1];
+      value += cosine * c + sine * s;
+      slope += k * (sine * c - cosine * s);
+      k++;
+    }
+    slopeThere = slope;
     return value;
   }
 

@@ -131,10 +131,11 @@ final class WingEstimator implements SideEstimator {
       s = s * filter.lagCos - c * filter.lagSin;
       c = behind;
     }
-    double slope = filter.slope(c, s);
+    double middle = filter.angleWithSlope(c, s);
+    double slope = filter.slopeThere;
     double speed = slope * x[StrokeEkf.OMEGA];
     double ahead = slope >= 0 == on ? -x[StrokeEkf.WIDTH] : x[StrokeEkf.WIDTH];
-    expectedAngle = filter.angle(c, s) + ahead;
+    expectedAngle = middle + ahead;
     double y = frame.angle() - expectedAngle;
     if (y > Math.PI) {
       y -= 2 * Math.PI;

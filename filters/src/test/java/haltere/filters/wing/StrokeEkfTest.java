@@ -146,4 +146,22 @@ class StrokeEkfTest {
     assertEquals(Math.PI, FastAngle.of(0, -1), 1e-12);
     assertEquals(Math.PI / 2, FastAngle.of(1, 0), 1e-12);
   }
+
+  @Test
+  void angleAndSlopeInOneGoAreThoseByThemselves() {
+    StrokeEkf filter = new StrokeEkf(4);
+    double[] state = new double[filter.size];
+    state[StrokeEkf.CENTRE] = 1.7;
+    state[StrokeEkf.AMPLITUDE] = 1.1;
+    for (int i = StrokeEkf.SERIES; i < filter.size; i++) {
+      state[i] = 0.02 * (i - 5);
+    }
+    filter.launch(state, new double[filter.size]);
+    for (double phase = 0; phase < 6; phase += 0.7) {
+      double c = Math.cos(phase);
+      double s = Math.sin(phase);
+      assertEquals(filter.angle(c, s), filter.angleWithSlope(c, s), 1e-12);
+      assertEquals(filter.slope(c, s), filter.slopeThere, 1e-12);
+    }
+  }
 }
