@@ -1,7 +1,7 @@
 package haltere.filters.cluster;
 
 import haltere.core.event.SensorGeometry;
-import haltere.filters.cluster.ClusterMotionSettings.Start;
+import haltere.filters.cluster.ClusterVelocitySettings.Start;
 import java.util.Arrays;
 
 /**
@@ -99,7 +99,7 @@ final class BirthPlaces {
       decay[i] = StrictMath.exp(-i / recentUpkeeps);
     }
     crowd = CROWD;
-    firstEvents = settings.motion().start() == Start.EVENTS ? new FirstEvents() : null;
+    firstEvents = settings.motion().velocity().start() == Start.EVENTS ? new FirstEvents() : null;
     setNeeded();
   }
 

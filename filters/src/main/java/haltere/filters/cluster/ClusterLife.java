@@ -3,7 +3,7 @@ package haltere.filters.cluster;
 import haltere.core.event.SensorGeometry;
 import haltere.filters.cluster.ClusterLifeSettings.Border;
 import haltere.filters.cluster.ClusterLifeSettings.Visibility;
-import haltere.filters.cluster.ClusterMotionSettings.Start;
+import haltere.filters.cluster.ClusterVelocitySettings.Start;
 
 /** Births, visibility and deaths of clusters. */
 final class ClusterLife {
@@ -53,7 +53,7 @@ final class ClusterLife {
   ClusterLife(SensorGeometry geometry, ClusterTrackerSettings all, BirthPlaces places) {
     settings = all.life();
     this.places = places;
-    start = all.motion().start();
+    start = all.motion().velocity().start();
     massDecay = StrictMath.exp(-(double) all.output().upkeepUs() / settings.recentUs());
     usualGain = 1 - StrictMath.exp(-all.output().upkeepUs() / USUAL_TIME_US);
     right = geometry.width() - 0.5;

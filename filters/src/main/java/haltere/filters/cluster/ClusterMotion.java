@@ -46,8 +46,10 @@ final class ClusterMotion {
     weightDecay = StrictMath.exp(-upkeepUs / settings.mixingTimeUs());
     double velocityTimeUs =
         settings.predict()
-            ? settings.frictionTimeUs() == 0 ? Double.POSITIVE_INFINITY : settings.frictionTimeUs()
-            : settings.velocityTimeUs();
+            ? settings.velocity().frictionTimeUs() == 0
+                ? Double.POSITIVE_INFINITY
+                : settings.velocity().frictionTimeUs()
+            : settings.velocity().timeUs();
     velocityDecay = StrictMath.exp(-upkeepUs / velocityTimeUs);
     rateGain = 1 - StrictMath.exp(-upkeepUs / all.life().recentUs());
   }
@@ -72,7 +74,7 @@ final class ClusterMotion {
   /** Takes over new settings. */
   void setGains(Cluster cluster) {
     cluster.carry = settings.predict() ? 1e-6 : 0;
-    cluster.velocityShare = 1e6 / settings.velocityTimeUs();
+    cluster.velocityShare = 1e6 / settings.velocity().timeUs();
     cluster.gainByWeights = settings.mixing() == Mixing.PER_TIME;
     double events = Math.max(1, cluster.rateHz * cluster.memoryS);
     switch (settings.mixing()) {

@@ -13,10 +13,7 @@ import haltere.core.settings.Unit;
  * @param mixingTimeUs the time constant, where that is
  * @param longestMemoryUs the longest stretch that a line is fitted to, where the weight adapts
  * @param predict whether clusters move on with their velocity between events
- * @param velocityTimeUs time constant of the velocity, where the weight does not adapt
- * @param frictionTimeUs time constant with which a velocity decays by itself, 0 for never
- * @param start velocity of a newborn cluster
- * @param neighbourRadii how far away neighbours are that limit the speed, 0 for no limit
+ * @param velocity how fast it is taken to be
  */
 public record ClusterMotionSettings(
     @Help("What decides the weight of an event: itself, the time, or how well a line fits.")
@@ -34,24 +31,7 @@ public record ClusterMotionSettings(
         @Unit("us")
         int longestMemoryUs,
     @Help("Clusters move on with their velocity between events.") boolean predict,
-    @Help("With mixing other than adaptive: the velocity is averaged over about this time.")
-        @Range(min = 1000, max = 10_000_000, logarithmic = true)
-        @Unit("us")
-        int velocityTimeUs,
-    @Help("Without events a velocity decays with this time constant; 0: it does not.")
-        @Range(min = 0, max = 10_000_000)
-        @Unit("us")
-        int frictionTimeUs,
-    @Help(
-            "Velocity that a newborn cluster begins with: none, the mean of the visible ones, or that"
-                + " of the events that made it.")
-        Start start,
-    @Help(
-            "No cluster is faster than the fastest visible one within this many times both radii; 0:"
-                + " no limit.")
-        @Range(min = 0, max = 100)
-        @Unit("1")
-        double neighbourRadii) {
+    ClusterVelocitySettings velocity) {
   /** What decides the weight of an event in the centre of its cluster. */
   public enum Mixing {
     /** Each event has the same weight: x = (1 - m) x + m z. */
@@ -73,16 +53,6 @@ public record ClusterMotionSettings(
     ADAPTIVE
   }
 
-  /** Velocity of a newborn cluster. */
-  public enum Start {
-    /** None. */
-    ZERO,
-    /** The mean velocity of the visible clusters. */
-    MEAN,
-    /** The slope of a line through the events that made it, a rough estimate. */
-    EVENTS
-  }
-
   /** Checks the ranges. */
   public ClusterMotionSettings {
     SettingsSchema.validate(
@@ -92,10 +62,7 @@ public record ClusterMotionSettings(
         mixingTimeUs,
         longestMemoryUs,
         predict,
-        velocityTimeUs,
-        frictionTimeUs,
-        start,
-        neighbourRadii);
+        velocity);
   }
 
   /**
@@ -105,6 +72,6 @@ public record ClusterMotionSettings(
    */
   public static ClusterMotionSettings defaults() {
     return new ClusterMotionSettings(
-        Mixing.ADAPTIVE, 0.05, 20_000, 300_000, true, 100_000, 0, Start.ZERO, 0);
+        Mixing.ADAPTIVE, 0.05, 20_000, 300_000, true, ClusterVelocitySettings.defaults());
   }
 }

@@ -120,7 +120,7 @@ public final class ClusterTracker {
     places = new BirthPlaces(geometry, form.startRadius());
     places.apply(settings);
     life = new ClusterLife(geometry, settings, places);
-    SpeedLimit limit = new SpeedLimit(settings.motion().neighbourRadii());
+    SpeedLimit limit = new SpeedLimit(settings.motion().velocity().neighbourRadii());
     upkeep.apply(motion, form, life, limit, (int) upkeepUs);
     merging.apply(settings.merging(), settings.output().mostClusters());
     clusters.setMost(settings.output().mostClusters());

@@ -73,18 +73,21 @@ final class EdgesEstimator implements SideEstimator {
   @Override
   public final void apply(WingTrackerSettings settings) {
     options = settings.filter();
-    WingNoiseSettings changed = settings.noise();
-    if (!changed.equals(noise)) {
-      noise = changed;
+    if (!settings.noise().equals(noise)) {
+      noise = settings.noise();
       for (int edge = 0; edge < 2; edge++) {
         processNoise[edge][0] = noise.centre();
         processNoise[edge][1] = noise.amplitude();
         processNoise[edge][2] = noise.phase();
         processNoise[edge][3] =
-            noise.frequency() + (noise.perUpdate() ? 0 : MANOEUVRE_SHARE * noise.manoeuvre());
+            noise.frequency() + (isByUpdate() ? 0 : MANOEUVRE_SHARE * noise.manoeuvre());
         measurementNoise[edge] = noise.measurement();
       }
     }
+  }
+
+  private boolean isByUpdate() {
+    return options.model() == WingModel.EDGES_BY_UPDATE;
   }
 
   /** Begins with a centre and a frequency, as the source does: amplitude 1, phase the centre. */
@@ -127,7 +130,7 @@ final class EdgesEstimator implements SideEstimator {
     }
     double angle = sums[edge] / counts[edge];
     // the source takes the average for one of the last event's time, and is late by half of it
-    long atUs = noise.perUpdate() ? timeUs : lastUs[edge] + ages[edge] / counts[edge];
+    long atUs = isByUpdate() ? timeUs : lastUs[edge] + ages[edge] / counts[edge];
     sums[edge] = 0;
     ages[edge] = 0;
     counts[edge] = 0;
@@ -159,7 +162,7 @@ final class EdgesEstimator implements SideEstimator {
   }
 
   private void addNoise(FourStateEkf ekf, double[] q, double dtS) {
-    if (noise.perUpdate()) {
+    if (isByUpdate()) {
       // the source's table, in which phase and frequency have all of their noise in common
       ekf.addNoise(q[0], q[1], q[2], q[3]);
       ekf.addPairNoise(0, Math.sqrt(q[2] * q[3]));

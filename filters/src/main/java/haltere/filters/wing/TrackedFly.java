@@ -71,7 +71,7 @@ final class TrackedFly {
     main[side] =
         filter.method() == WingMethod.WRA
             ? beside[side]
-            : filter.model() == WingModel.EDGES
+            : filter.model() != WingModel.WINGS
                 ? new EdgesEstimator(SIDES[side], frames[side], settings, report::beat)
                 : new WingEstimator(SIDES[side], frames[side], settings, report::beat);
   }

@@ -13,13 +13,14 @@ import haltere.core.settings.Unit;
  * @param harmonics of the stroke
  * @param latencyUs constant delay of the camera; -1 for what is usual
  * @param averagingUs events within this time go into one update
- * @param averagedEvents events that each edge's filter averages before an update (model EDGES)
+ * @param averagedEvents events that each edge's filter averages before an update (models of edges)
  * @param gateSd innovations beyond this are not taken in
  * @param firstOfRun whether only the first of a pixel's events of one polarity in a row counts
  */
 public record WingFilterSettings(
     @Help("Which method gives the estimates.") WingMethod method,
-    @Help("A filter for each wing, or one for each edge as in the original.") WingModel model,
+    @Help("A filter for each wing, or for each edge; by update: with noise as in the original.")
+        WingModel model,
     @Help("Harmonics of the stroke; 1 is a plain sinusoid.")
         @Range(min = 1, max = 4)
         @Unit("harmonics")

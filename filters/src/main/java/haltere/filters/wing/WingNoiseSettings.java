@@ -6,8 +6,8 @@ import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
 /**
- * Noise of the extended Kalman filter. Process noise is a density per second, or, for a filter of
- * each edge if that is wanted, what is added at each update.
+ * Noise of the extended Kalman filter. Process noise is a density per second, or, with {@link
+ * WingModel#EDGES_BY_UPDATE}, what is added at each update.
  *
  * @param centre of the centre
  * @param amplitude of the amplitude
@@ -18,7 +18,6 @@ import haltere.core.settings.Unit;
  * @param rateSd standard deviation of the rate of change of the angular frequency
  * @param hingePx2PerS of the hinges
  * @param measurement variance of a measurement; 0 to learn it from the events
- * @param perUpdate whether filters of edges add the process noise at each update
  */
 public record WingNoiseSettings(
     @Help("Process noise of the centre.")
@@ -50,10 +49,7 @@ public record WingNoiseSettings(
     @Help("Variance of a measurement; 0 learns it from the events.")
         @Range(min = 0, max = 1e5, logarithmic = true)
         @Unit("rad^2")
-        double measurement,
-    @Help(
-            "With a filter for each edge: adds the process noise at each update, whatever the time since the last one, as the original did.")
-        boolean perUpdate) {
+        double measurement) {
   /** Checks the ranges. */
   public WingNoiseSettings {
     SettingsSchema.validate(
@@ -65,8 +61,7 @@ public record WingNoiseSettings(
         manoeuvre,
         rateSd,
         hingePx2PerS,
-        measurement,
-        perUpdate);
+        measurement);
   }
 
   /**
@@ -75,6 +70,6 @@ public record WingNoiseSettings(
    * @return see the manual
    */
   public static WingNoiseSettings defaults() {
-    return new WingNoiseSettings(0.005, 0.02, 1e-4, 10, 4e4, 200, 4, 0, false);
+    return new WingNoiseSettings(0.005, 0.02, 1e-4, 10, 4e4, 200, 4, 0);
   }
 }

@@ -54,8 +54,8 @@ public record WingTrackerSettings(
     return new WingTrackerSettings(
         new WingSearchSettings(35_000, 2000, 70, 400, 240),
         new WingPlaceSettings(0, 0, 0, false, 0, 0, false, false),
-        new WingFilterSettings(WingMethod.EKF, WingModel.EDGES, 1, 0, 0, 1, 1000, false),
-        new WingNoiseSettings(2, 1, 0.5, 2, 0, 0.001, 0, 1000, true),
+        new WingFilterSettings(WingMethod.EKF, WingModel.EDGES_BY_UPDATE, 1, 0, 0, 1, 1000, false),
+        new WingNoiseSettings(2, 1, 0.5, 2, 0, 0.001, 0, 1000),
         new RunningAverageSettings(0.1, 0, 0.01, 0.1745, true, true),
         defaults.output());
   }

@@ -98,8 +98,8 @@ class ClusterSettingsTest {
   void frictionStopsWhatGetsNoEvents() {
     EventPacket events = blob(6, CIRCLE, 300_000);
     events.append(390_000, 1, 1, true);
-    double free = wayWithoutEvents(events, "motion.frictionTimeUs=0");
-    double braked = wayWithoutEvents(events, "motion.frictionTimeUs=20000");
+    double free = wayWithoutEvents(events, "motion.velocity.frictionTimeUs=0");
+    double braked = wayWithoutEvents(events, "motion.velocity.frictionTimeUs=20000");
     assertTrue(free > 10 && braked < 0.5 * free, braked + " px rather than " + free);
   }
 
@@ -118,8 +118,8 @@ class ClusterSettingsTest {
     EventPacket events =
         ClusterTrackerFilterTest.merged(
             blob(7, slow, 500_000), laterOf(blob(8, like, 500_000), 400_000));
-    assertTrue(errorOfTheSecond(events, "motion.start=mean") < 60);
-    assertTrue(errorOfTheSecond(events, "motion.start=zero") > 100);
+    assertTrue(errorOfTheSecond(events, "motion.velocity.start=mean") < 60);
+    assertTrue(errorOfTheSecond(events, "motion.velocity.start=zero") > 100);
   }
 
   private static EventPacket laterOf(EventPacket events, long fromUs) {
@@ -127,7 +127,7 @@ class ClusterSettingsTest {
   }
 
   private double errorOfTheSecond(EventPacket events, String start) {
-    lastOf(events, start, "motion.mixing=per-event", "motion.velocityTimeUs=100000");
+    lastOf(events, start, "motion.mixing=per-event", "motion.velocity.timeUs=100000");
     ClusterTrack born = rows.stream().filter(row -> row.id() == 2).findFirst().orElseThrow();
     ClusterTrack old =
         rows.stream()

@@ -60,15 +60,15 @@ class OriginalSettingsTest {
       // 628 px/s upwards at first.
       BlobPath circle = new BlobPath(64, 64, 50, 500_000, 3);
       EventPacket first = EventPackets.blob(SENSOR, 100 + seed, 100_000, circle, 1_000, 0);
-      zero += firstVelocity(first, "motion.start=zero");
-      events += firstVelocity(first, "motion.start=events");
+      zero += firstVelocity(first, "motion.velocity.start=zero");
+      events += firstVelocity(first, "motion.velocity.start=events");
     }
     assertTrue(zero / 20 < 200, "from none: " + zero / 20);
     assertEquals(628, events / 20, 200);
   }
 
   private double firstVelocity(EventPacket events, String start) {
-    String slowly = "motion.velocityTimeUs=100000";
+    String slowly = "motion.velocity.timeUs=100000";
     return run(events, start, "motion.mixing=per-event", slowly).get(0).vyPxPerS();
   }
 
@@ -79,9 +79,9 @@ class OriginalSettingsTest {
         ClusterTrackerFilterTest.merged(
             EventPackets.blob(SENSOR, 3, 400_000, fast, 20_000, 0),
             EventPackets.blob(SENSOR, 4, 400_000, STILL, 20_000, 0));
-    assertEquals(251, fastest(events, "motion.neighbourRadii=0"), 60);
-    assertTrue(fastest(events, "motion.neighbourRadii=10") < 100);
-    assertEquals(251, fastest(events, "motion.neighbourRadii=1"), 60);
+    assertEquals(251, fastest(events, "motion.velocity.neighbourRadii=0"), 60);
+    assertTrue(fastest(events, "motion.velocity.neighbourRadii=10") < 100);
+    assertEquals(251, fastest(events, "motion.velocity.neighbourRadii=1"), 60);
   }
 
   private double fastest(EventPacket events, String limit) {

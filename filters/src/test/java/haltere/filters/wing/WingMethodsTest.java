@@ -251,7 +251,7 @@ class WingMethodsTest {
   @Test
   void theOriginalsMethodHasItsSettingsAndKeepsAFlyNearItsStart() {
     WingTrackerSettings original = WingTrackerSettings.original();
-    assertEquals(WingModel.EDGES, original.filter().model());
+    assertEquals(WingModel.EDGES_BY_UPDATE, original.filter().model());
     assertEquals(2000, original.search().leastEvents());
     assertEquals(240, original.search().startFrequencyHz());
     EventPacket fly = Flies.events(0.5, STEADY, EVEN, "stroke.beat.frequencyHz=235");
