@@ -21,6 +21,18 @@ public final class Angles {
   }
 
   /**
+   * The same angle in [0, 2π).
+   *
+   * @param angle radians
+   * @return radians; NaN for NaN and infinities
+   */
+  public static double wrapTwoPi(double angle) {
+    double turns = angle / TWO_PI;
+    double wrapped = (turns - Math.floor(turns)) * TWO_PI;
+    return wrapped >= TWO_PI ? 0 : wrapped;
+  }
+
+  /**
    * The same direction of an undirected line, in (−π/2, π/2]: for angles known modulo π only.
    *
    * @param angle radians

@@ -8,7 +8,7 @@ import haltere.filters.cluster.ClusterTrackerSettings;
 import java.util.List;
 
 /**
- * Settings of {@link TrackEstimator}.
+ * Settings of {@link haltere.filters.track.kalman.TrackEstimator TrackEstimator}.
  *
  * @param clusters the cluster tracker below it
  * @param updateIntervalUs how often tracks look at their clusters

@@ -30,8 +30,13 @@ public record WingFilterEdit(WingPart part, Table table, int row, int column, do
     }
   }
 
-  /** The number, which must not be negative. */
-  double notNegative() {
+  /**
+   * The number as a variance.
+   *
+   * @return the value, at least 0
+   * @throws IllegalArgumentException with a line for a person if the value is negative
+   */
+  public double notNegative() {
     if (value < 0) {
       throw new IllegalArgumentException("a variance cannot be negative: " + value);
     }

@@ -4,7 +4,7 @@ import java.util.List;
 
 /**
  * The numbers of a Kalman filter as they are now, to be looked at and changed ({@link
- * WingTracker#edit}).
+ * haltere.filters.wing.tracker.WingTracker#edit WingTracker.edit}).
  *
  * @param part the wing, or the edge where there is a filter for each edge
  * @param names of the entries of the state

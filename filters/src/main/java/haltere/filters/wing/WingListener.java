@@ -1,8 +1,8 @@
 package haltere.filters.wing;
 
 /**
- * Takes the results of a {@link WingTracker} as they come, on the thread that tracks. Results that
- * nobody wants are not made.
+ * Takes the results of a {@link haltere.filters.wing.tracker.WingTracker WingTracker} as they come,
+ * on the thread that tracks. Results that nobody wants are not made.
  */
 public interface WingListener {
   /**

@@ -28,13 +28,24 @@ public enum WingPart {
     this.text = text;
   }
 
-  /** An edge: side 0 is left, edge 0 leading. */
-  static WingPart edge(int side, int edge) {
+  /**
+   * An edge of a wing.
+   *
+   * @param side 0 left, 1 right
+   * @param edge 0 leading, 1 trailing
+   * @return the edge
+   */
+  public static WingPart edge(int side, int edge) {
     return EDGES[2 * side + edge];
   }
 
-  /** A wing: side 0 is left. */
-  static WingPart wing(int side) {
+  /**
+   * A wing as a whole.
+   *
+   * @param side 0 left, 1 right
+   * @return the wing
+   */
+  public static WingPart wing(int side) {
     return side == 0 ? LEFT : RIGHT;
   }
 

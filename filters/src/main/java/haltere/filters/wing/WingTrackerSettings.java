@@ -3,7 +3,7 @@ package haltere.filters.wing;
 import haltere.core.settings.SettingsSchema;
 
 /**
- * Settings of {@link WingTracker}.
+ * Settings of {@link haltere.filters.wing.tracker.WingTracker WingTracker}.
  *
  * @param search how the fly is found
  * @param place what a person says about where it is

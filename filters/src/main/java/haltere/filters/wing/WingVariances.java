@@ -38,8 +38,14 @@ public record WingVariances(
     double phaseFrequencyRad2PerS,
     double measurementRad2,
     @Column(decimals = 4) double nis) {
-  /** From all the numbers of a filter, whose state begins with centre, amplitude, phase, omega. */
-  static WingVariances of(long timeUs, WingFilterState f) {
+  /**
+   * Picks what is told of the numbers of a filter.
+   *
+   * @param timeUs time on the clock of the events, microseconds
+   * @param f the filter, whose state begins with centre, amplitude, phase and angular frequency
+   * @return the variances and covariances of those four
+   */
+  public static WingVariances of(long timeUs, WingFilterState f) {
     double[] p = f.p();
     int size = f.names().size();
     return new WingVariances(

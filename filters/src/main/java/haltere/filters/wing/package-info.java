@@ -1,7 +1,6 @@
 /**
- * The wings of a tethered fly: the fly is found in the events of a few beats, then each wing is
- * tracked within its beat by an extended Kalman filter or a running average. To begin with: {@link
- * haltere.filters.wing.WingTracker}; the equations are in {@code StrokeEkf} and {@code
- * WingEstimator}.
+ * The wings of a tethered fly: the settings of their tracker and what it says. The tracker itself
+ * is in {@code wing.tracker}, the search for the fly in {@code wing.search}, and what follows the
+ * stroke of one wing in {@code wing.stroke}; nothing here knows those.
  */
 package haltere.filters.wing;

@@ -24,6 +24,15 @@ class AnglesTest {
   }
 
   @Test
+  void aDirectionIsWrappedIntoACircleThatBeginsAtZero() {
+    assertEquals(0, Angles.wrapTwoPi(2 * Math.PI));
+    assertEquals(2 * Math.PI - 0.5, Angles.wrapTwoPi(-0.5), 1e-15);
+    assertEquals(0.5, Angles.wrapTwoPi(4 * Math.PI + 0.5), 1e-14);
+    // so little below zero that the sum is the whole circle
+    assertEquals(0, Angles.wrapTwoPi(-1e-20));
+  }
+
+  @Test
   void aLineHasNoHeadSoItsAngleIsWrappedIntoHalfACircle() {
     assertEquals(Math.PI / 2, Angles.wrapHalfPi(-Math.PI / 2));
     assertEquals(-0.1, Angles.wrapHalfPi(Math.PI - 0.1), 1e-15);
@@ -34,5 +43,7 @@ class AnglesTest {
   void whatIsNotANumberStaysNone() {
     assertTrue(Double.isNaN(Angles.wrapPi(Double.NaN)));
     assertTrue(Double.isNaN(Angles.wrapPi(Double.POSITIVE_INFINITY)));
+    assertTrue(Double.isNaN(Angles.wrapTwoPi(Double.NaN)));
+    assertTrue(Double.isNaN(Angles.wrapTwoPi(Double.NEGATIVE_INFINITY)));
   }
 }

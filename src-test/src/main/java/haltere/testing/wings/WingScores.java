@@ -13,9 +13,9 @@ import haltere.filters.wing.WingListener;
 import haltere.filters.wing.WingPart;
 import haltere.filters.wing.WingSide;
 import haltere.filters.wing.WingSnapshot;
-import haltere.filters.wing.WingTracker;
 import haltere.filters.wing.WingTrackerSettings;
 import haltere.filters.wing.WingTrackerState;
+import haltere.filters.wing.tracker.WingTracker;
 
 /**
  * Tracks a simulated fly and holds what the tracker says against the truth. What comes sooner than

@@ -11,7 +11,7 @@ import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import haltere.filters.DefaultChain;
 import haltere.filters.wing.WingEstimate;
-import haltere.filters.wing.WingTrackerFilter;
+import haltere.filters.wing.tracker.WingTrackerFilter;
 import haltere.ui.command.results.LatestSnapshots;
 import haltere.ui.command.results.WingsSummary;
 import haltere.ui.command.terminal.ProgressBar;

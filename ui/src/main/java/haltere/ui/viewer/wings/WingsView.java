@@ -4,10 +4,10 @@ import haltere.core.chain.ChainStage;
 import haltere.core.chain.FilterChain;
 import haltere.filters.wing.FlyGeometry;
 import haltere.filters.wing.WingFilterState;
-import haltere.filters.wing.WingTracker;
-import haltere.filters.wing.WingTrackerFilter;
 import haltere.filters.wing.WingTrackerSettings;
 import haltere.filters.wing.WingTrackerState;
+import haltere.filters.wing.tracker.WingTracker;
+import haltere.filters.wing.tracker.WingTrackerFilter;
 import java.util.List;
 import java.util.Optional;
 

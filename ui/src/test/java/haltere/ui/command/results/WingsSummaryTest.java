@@ -7,8 +7,8 @@ import haltere.core.event.EventPacket;
 import haltere.core.simulation.fly.FlyScene;
 import haltere.core.simulation.fly.FlySceneSettings;
 import haltere.core.stream.Reset;
-import haltere.filters.wing.WingTrackerFilter;
 import haltere.filters.wing.WingTrackerSettings;
+import haltere.filters.wing.tracker.WingTrackerFilter;
 import haltere.testing.SceneEvents;
 import org.junit.jupiter.api.Test;
 

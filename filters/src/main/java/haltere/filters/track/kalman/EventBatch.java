@@ -1,0 +1,154 @@
+package haltere.filters.track.kalman;
+
+import haltere.filters.cluster.ClusterReadings;
+
+/**
+ * The events of one cluster since its track was last updated: their number, mean place, mean time
+ * and scatter. Thread rule: that of its owner.
+ */
+final class EventBatch {
+  int clusterId;
+  boolean seen;
+
+  /** Index in the present readings. */
+  int index;
+
+  /** Since when it collects. */
+  long sinceUs;
+
+  /** A cluster may have a share of an event only. */
+  double events;
+
+  double radiusPx;
+
+  /** Whether its cluster has just turned out to be one of two, and is elsewhere. */
+  boolean parted;
+
+  private double sumX;
+  private double sumY;
+  private double sumAgeUs;
+  private double sumXx;
+  private double sumXy;
+  private double sumYy;
+  private long baseUs;
+
+  // Information on the centre of a round outline, and that times the centre.
+  private double outlineXx;
+  private double outlineXy;
+  private double outlineYy;
+  private double outlineX;
+  private double outlineY;
+
+  /** The track that has it, or null. */
+  Track track;
+
+  void begin(int id, long timeUs) {
+    clusterId = id;
+    track = null;
+    clear(timeUs);
+  }
+
+  void clear(long timeUs) {
+    sinceUs = timeUs;
+    events = 0;
+    sumX = 0;
+    sumY = 0;
+    sumAgeUs = 0;
+    sumXx = 0;
+    sumXy = 0;
+    sumYy = 0;
+    baseUs = timeUs;
+    parted = false;
+    outlineXx = 0;
+    outlineXy = 0;
+    outlineYy = 0;
+    outlineX = 0;
+    outlineY = 0;
+  }
+
+  void add(long timeUs, ClusterReadings readings, int i) {
+    index = i;
+    seen = true;
+    radiusPx = readings.radiusPx(i);
+    double n = readings.newEvents(i);
+    if (!(n > 0)) {
+      return;
+    }
+    events += n;
+    sumX += n * readings.measuredX(i);
+    sumY += n * readings.measuredY(i);
+    sumAgeUs += n * (timeUs - readings.measuredAgeUs(i) - baseUs);
+    sumXx += n * readings.eventVarianceX(i);
+    sumXy += n * readings.eventCovarianceXy(i);
+    sumYy += n * readings.eventVarianceY(i);
+    if (readings.outlineXx(i) > 0) {
+      outlineXx += readings.outlineXx(i);
+      outlineXy += readings.outlineXy(i);
+      outlineYy += readings.outlineYy(i);
+      outlineX += readings.outlineX(i);
+      outlineY += readings.outlineY(i);
+    }
+  }
+
+  double meanX() {
+    return sumX / events;
+  }
+
+  double meanY() {
+    return sumY / events;
+  }
+
+  /** Mean time of the events, whole microseconds. */
+  long meanTimeUs() {
+    return baseUs + Math.round(sumAgeUs / events);
+  }
+
+  /** Variance of the column of one event. */
+  double varianceX() {
+    return sumXx / events;
+  }
+
+  double covarianceXy() {
+    return sumXy / events;
+  }
+
+  double varianceY() {
+    return sumYy / events;
+  }
+
+  /** Whether the outline tells the centre better than the mean of the events does. */
+  boolean hasOutline() {
+    double determinant = outlineXx * outlineYy - outlineXy * outlineXy;
+    return determinant > 0
+        && (outlineXx + outlineYy) / determinant < (sumXx + sumYy) / (events * events);
+  }
+
+  double outlineVarianceX() {
+    return outlineYy / determinant();
+  }
+
+  double outlineCovarianceXy() {
+    return -outlineXy / determinant();
+  }
+
+  double outlineVarianceY() {
+    return outlineXx / determinant();
+  }
+
+  double outlineCentreX() {
+    return (outlineYy * outlineX - outlineXy * outlineY) / determinant();
+  }
+
+  double outlineCentreY() {
+    return (outlineXx * outlineY - outlineXy * outlineX) / determinant();
+  }
+
+  private double determinant() {
+    return outlineXx * outlineYy - outlineXy * outlineXy;
+  }
+
+  /** Standard deviation of an event about the centre, both axes taken together. */
+  double spreadPx() {
+    return Math.sqrt((varianceX() + varianceY()) / 2);
+  }
+}

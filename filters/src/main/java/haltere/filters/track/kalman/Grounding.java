@@ -1,0 +1,96 @@
+package haltere.filters.track.kalman;
+
+import haltere.core.event.SensorGeometry;
+import haltere.filters.track.RoadMapping;
+
+/**
+ * How sure it is that the line that a track follows is on the road. A line above the road is too
+ * fast and too far away, in one proportion, and what is followed may be one: while the lower edge
+ * of a vehicle that comes into the picture from below is not yet in it, and where the lower edge is
+ * too narrow to be seen.
+ *
+ * <p>Thread rule: that of its owner.
+ */
+final class Grounding {
+  /** Standard deviation, as a share, of the speed of a line that may be on the roof of a car. */
+  private static final double HIDDEN_SHARE = 0.2;
+
+  /** The same of a narrow line, which may be the shoulders of who rides a motorcycle. */
+  private static final double NARROW_SHARE = 0.1;
+
+  /**
+   * Heights of the boot and of the roof of a car, of what is painted on a lorry and of its roof,
+   * and how far they are before the rear end.
+   */
+  private static final double[] HEIGHTS_M = {0.9, 1.5, 2.6, 3.6};
+
+  private static final double[] BEFORE_M = {0, 3, 0, 9.5};
+
+  /** What is slower is not on the roof of a lorry. */
+  private static final double FAST_M_S = 30;
+
+  private static final int SLOW_HEIGHTS = 3;
+  private static final double LEAST_SHARE = 0.28;
+
+  private static final double NARROW_HALF_M = 0.55;
+
+  /** A line so wide would have been seen on the road too. */
+  private static final double SEEN_HALF_PX = 4;
+
+  private boolean hasUpper;
+  private boolean isHidden;
+  private boolean isNarrow;
+
+  /** Begins with a line of which nothing else is known. */
+  void begin(boolean goesAway) {
+    hasUpper = false;
+    isHidden = goesAway;
+    isNarrow = false;
+  }
+
+  /** Takes note of a higher line of the same vehicle. */
+  void foundUpper() {
+    hasUpper = true;
+  }
+
+  /** Whether a higher line of the same vehicle is known. */
+  boolean hasUpper() {
+    return hasUpper;
+  }
+
+  /** Takes note of where the line is now. */
+  void look(MotionModes motion, RoadLine line, RoadMapping road, SensorGeometry sensor) {
+    isHidden &= mayBeOut(motion, line, road, sensor);
+    isNarrow = !hasUpper && line.halfWidthM < NARROW_HALF_M && line.halfPx() < SEEN_HALF_PX;
+  }
+
+  /** Whether the lower edge would be outside the picture if the line were on a car. */
+  private static boolean mayBeOut(
+      MotionModes motion, RoadLine line, RoadMapping road, SensorGeometry sensor) {
+    double height = road.settings().bridgeHeightM();
+    boolean isFast = Math.abs(motion.vy()) > FAST_M_S;
+    for (int i = 0; i < (isFast ? HEIGHTS_M.length : SLOW_HEIGHTS); i++) {
+      double share = Math.max(LEAST_SHARE, 1 - HEIGHTS_M[i] / height);
+      double y = motion.y() * share - BEFORE_M[i];
+      if (!(y > 0) || road.rowOf(y) < 1) {
+        return true;
+      }
+      double x = motion.x() * share;
+      double half = line.halfWidthM * share;
+      if (road.columnOf(x - half, y) < 0 || road.columnOf(x + half, y) > sensor.width() - 1) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Whether the vehicle may have a lower line outside the picture. */
+  boolean isHidden() {
+    return isHidden;
+  }
+
+  /** Standard deviation that the speed has for this, as a share of it. */
+  double speedShare() {
+    return isHidden ? HIDDEN_SHARE : isNarrow ? NARROW_SHARE : 0;
+  }
+}

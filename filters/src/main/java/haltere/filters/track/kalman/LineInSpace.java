@@ -1,0 +1,99 @@
+package haltere.filters.track.kalman;
+
+/**
+ * A line across the road as if it were on the ground. What is at height z above it, seen from
+ * height h, seems to be s = h / (h − z) times as far away, as far aside and as fast as it is.
+ *
+ * <p>Thread rule: that of its owner.
+ */
+final class LineInSpace {
+  /** A lorry of 3.6 m seen from 5 m. */
+  private static final double MOST_SCALE = 4.5;
+
+  private static final double LEAST_SCALE = 1.07;
+  private static final double SIGMAS = 2;
+  private static final double ASIDE_SHARE = 0.6;
+  private static final double ASIDE_M = 0.2;
+  private static final double ALIKE_SIGMAS = 3;
+  private static final double ALIKE_SHARE = 0.07;
+  private static final double NEARER_M = 2.5;
+
+  /** Most lorries are shorter. */
+  private static final double FARTHER_M = 12;
+
+  /** As far above, in half widths, as the roof of a lorry or a helmet seems to be. */
+  private static final double MOST_HALVES = 12;
+
+  private double xM;
+  private double yM;
+  private double vyMS;
+  private double varianceVy;
+  private double halfWidthM;
+
+  /** Whether this and the other move alike, one behind the other, at most so many metres apart. */
+  boolean isBehind(LineInSpace other, double mostM) {
+    double sd = Math.sqrt(varianceVy + other.varianceVy);
+    double unlike = Math.abs(vyMS - other.vyMS);
+    return vyMS * other.vyMS > 0
+        && unlike < Math.max(ALIKE_SIGMAS * sd, ALIKE_SHARE * Math.abs(other.vyMS))
+        && yM > other.yM
+        && yM < other.yM + mostM
+        && Math.abs(xM - other.xM) < halfWidthM + other.halfWidthM + ASIDE_M;
+  }
+
+  /** How far behind the other it is if it is above that one. */
+  double behindM(LineInSpace other) {
+    return yM * other.vyMS / vyMS - other.yM;
+  }
+
+  void set(double x, double y, double vy, double variance, double halfWidth) {
+    xM = x;
+    yM = y;
+    vyMS = vy;
+    varianceVy = variance;
+    halfWidthM = halfWidth;
+  }
+
+  void set(Track track, MotionModes motion) {
+    set(motion.x(), motion.y(), motion.vy(), motion.covariance(3, 3), track.line.halfWidthM);
+  }
+
+  double xM() {
+    return xM;
+  }
+
+  double yM() {
+    return yM;
+  }
+
+  double vyMS() {
+    return vyMS;
+  }
+
+  double halfWidthM() {
+    return halfWidthM;
+  }
+
+  /**
+   * Whether this is a higher line of the vehicle whose other line is given: significantly faster,
+   * and in the same proportion farther aside and away, at most a vehicle's length beyond. How far
+   * above the other it is seen is given in half widths of the other.
+   */
+  boolean isAbove(LineInSpace other, double gapHalfWidths) {
+    double scale = vyMS / other.vyMS;
+    if (!(scale > LEAST_SCALE && scale < MOST_SCALE) || gapHalfWidths > MOST_HALVES) {
+      return false;
+    }
+    double sd = Math.sqrt(varianceVy + other.varianceVy);
+    if (Math.abs(vyMS - other.vyMS) < SIGMAS * sd) {
+      return false;
+    }
+    double farther = yM / scale - other.yM;
+    double wide = Math.max(halfWidthM / scale, other.halfWidthM);
+    double within = other.halfWidthM - halfWidthM / scale;
+    return farther > -NEARER_M
+        && farther < FARTHER_M
+        && gapHalfWidths > 0
+        && Math.abs(xM / scale - other.xM) < Math.max(ASIDE_SHARE * wide, within) + ASIDE_M;
+  }
+}

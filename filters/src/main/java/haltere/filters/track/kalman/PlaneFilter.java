@@ -1,0 +1,396 @@
+package haltere.filters.track.kalman;
+
+import haltere.filters.estimation.SineCosine;
+import java.util.Arrays;
+
+/**
+ * An extended Kalman filter of a point in a plane that goes straight or on a circle: state (x, y,
+ * vx, vy, ω), with ω the rate at which the velocity turns. Written out; allocates nothing after its
+ * construction.
+ *
+ * <p>Evolution: the coordinated turn (Bar-Shalom, Li and Kirubarajan 2001, section 11.7.1),
+ *
+ * <pre>
+ *   x ← x + (sin ωΔt / ω) vx − ((1 − cos ωΔt) / ω) vy
+ *   y ← y + ((1 − cos ωΔt) / ω) vx + (sin ωΔt / ω) vy
+ *   v ← turned by ωΔt
+ * </pre>
+ *
+ * <p>and, where ω is 0 and stays 0, constant velocity. The process noise is white acceleration of a
+ * density per axis, integrated over Δt, and a random walk of ω. The update is Joseph's form.
+ *
+ * <p>Of the covariance the upper triangle is kept, so it is symmetric by construction; first the
+ * entries of place and velocity, then those of ω, which are 0 and are left alone as long as ω is
+ * known to be 0.
+ *
+ * <p>Units are those of the plane: pixels or metres, with seconds and radians. Thread rule: not
+ * safe for use by two threads at a time.
+ */
+final class PlaneFilter {
+  static final int STATES = 5;
+
+  /** Entries of the upper triangle. */
+  static final int ENTRIES = 15;
+
+  private static final int[] PLACE = {
+    0, 1, 2, 3, 10,
+    1, 4, 5, 6, 11,
+    2, 5, 7, 8, 12,
+    3, 6, 8, 9, 13,
+    10, 11, 12, 13, 14
+  };
+
+  private static final double SMALL_ANGLE = 1e-4;
+  private static final double LOG_TWO_PI = Math.log(2 * Math.PI);
+
+  /** State. */
+  final double[] x = new double[STATES];
+
+  /** Covariance: entries 00 01 02 03 11 12 13 22 23 33, then 04 14 24 34 44. */
+  final double[] p = new double[ENTRIES];
+
+  private final SineCosine turned = new SineCosine();
+  private final double[] gain = new double[STATES * 2];
+  private double yX;
+  private double yY;
+  private double sXx;
+  private double sXy;
+  private double sYy;
+  private double rXx;
+  private double rXy;
+  private double rYy;
+  private double determinant = Double.NaN;
+  private double nis = Double.NaN;
+
+  /** Where an entry of a covariance is among those that are kept. */
+  static int place(int row, int column) {
+    return PLACE[STATES * row + column];
+  }
+
+  /** Begins with a place of known uncertainty, a velocity of 0 that is unknown, and a turn rate. */
+  void launch(
+      double atX, double atY, double xx, double xy, double yy, double velocity, double turnRate) {
+    Arrays.fill(x, 0);
+    Arrays.fill(p, 0);
+    x[0] = atX;
+    x[1] = atY;
+    p[0] = xx;
+    p[1] = xy;
+    p[4] = yy;
+    p[7] = velocity;
+    p[9] = velocity;
+    p[14] = turnRate;
+  }
+
+  /** Sets what is known of the second velocity. */
+  void setAlong(double velocity, double covarianceYvy, double variance) {
+    x[3] = velocity;
+    p[6] = covarianceYvy;
+    p[9] = variance;
+  }
+
+  /** Moves the second coordinate. */
+  void shift(double byY, double variance) {
+    x[1] += byY;
+    p[4] += variance;
+  }
+
+  void copyFrom(PlaneFilter other) {
+    System.arraycopy(other.x, 0, x, 0, STATES);
+    System.arraycopy(other.p, 0, p, 0, ENTRIES);
+  }
+
+  double covariance(int row, int column) {
+    return p[place(row, column)];
+  }
+
+  private boolean turns() {
+    return x[4] != 0 || p[14] != 0;
+  }
+
+  /** Evolves without noise; with a turn rate that is known to be 0, in a straight line. */
+  void evolve(double dtS) {
+    if (turns()) {
+      turn(dtS);
+    } else {
+      goStraight(dtS);
+    }
+  }
+
+  /** Evolves place and velocity in a straight line; what is known of ω stays. */
+  void goStraight(double dtS) {
+    x[0] += dtS * x[2];
+    x[1] += dtS * x[3];
+    double p02 = p[2] + dtS * p[7];
+    double p03 = p[3] + dtS * p[8];
+    double p12 = p[5] + dtS * p[8];
+    double p13 = p[6] + dtS * p[9];
+    p[0] += dtS * (p[2] + p02);
+    p[1] += dtS * (p[5] + p03);
+    p[4] += dtS * (p[6] + p13);
+    p[2] = p02;
+    p[3] = p03;
+    p[5] = p12;
+    p[6] = p13;
+  }
+
+  private void turn(double dtS) {
+    double w = x[4];
+    double angle = w * dtS;
+    turned.of(angle);
+    double sin = turned.sine();
+    double cos = turned.cosine();
+    double a;
+    double b;
+    double aByW;
+    double bByW;
+    if (Math.abs(angle) < SMALL_ANGLE) {
+      // Series in ωΔt of sin(ωΔt)/ω, (1 − cos ωΔt)/ω and their derivatives by ω.
+      a = dtS * (1 - angle * angle / 6);
+      b = dtS * angle / 2;
+      aByW = -dtS * dtS * angle / 3;
+      bByW = dtS * dtS / 2;
+    } else {
+      double perW = 1 / w;
+      a = sin * perW;
+      b = (1 - cos) * perW;
+      aByW = (dtS * cos - a) * perW;
+      bByW = (dtS * sin - b) * perW;
+    }
+    double vx = x[2];
+    double vy = x[3];
+    x[0] += a * vx - b * vy;
+    x[1] += b * vx + a * vy;
+    x[2] = cos * vx - sin * vy;
+    x[3] = sin * vx + cos * vy;
+    transform(
+        a, b, cos, sin, aByW * vx - bByW * vy, bByW * vx + aByW * vy, -dtS * x[3], dtS * x[2]);
+  }
+
+  /** P ← F P Fᵀ with F = [1 0 a −b e; 0 1 b a f; 0 0 c −s g; 0 0 s c h; 0 0 0 0 1]. */
+  private void transform(
+      double a, double b, double c, double s, double e, double f, double g, double h) {
+    double p04 = p[10];
+    double p14 = p[11];
+    double p24 = p[12];
+    double p34 = p[13];
+    double p44 = p[14];
+    // M = F P, as far as it is needed.
+    double m00 = p[0] + a * p[2] - b * p[3] + e * p04;
+    double m01 = p[1] + a * p[5] - b * p[6] + e * p14;
+    double m02 = p[2] + a * p[7] - b * p[8] + e * p24;
+    double m03 = p[3] + a * p[8] - b * p[9] + e * p34;
+    double m04 = p04 + a * p24 - b * p34 + e * p44;
+    double m11 = p[4] + b * p[5] + a * p[6] + f * p14;
+    double m12 = p[5] + b * p[7] + a * p[8] + f * p24;
+    double m13 = p[6] + b * p[8] + a * p[9] + f * p34;
+    double m14 = p14 + b * p24 + a * p34 + f * p44;
+    double m22 = c * p[7] - s * p[8] + g * p24;
+    double m23 = c * p[8] - s * p[9] + g * p34;
+    double m24 = c * p24 - s * p34 + g * p44;
+    double m32 = s * p[7] + c * p[8] + h * p24;
+    double m33 = s * p[8] + c * p[9] + h * p34;
+    double m34 = s * p24 + c * p34 + h * p44;
+    p[0] = m00 + a * m02 - b * m03 + e * m04;
+    p[1] = m01 + b * m02 + a * m03 + f * m04;
+    p[2] = c * m02 - s * m03 + g * m04;
+    p[3] = s * m02 + c * m03 + h * m04;
+    p[4] = m11 + b * m12 + a * m13 + f * m14;
+    p[5] = c * m12 - s * m13 + g * m14;
+    p[6] = s * m12 + c * m13 + h * m14;
+    p[7] = c * m22 - s * m23 + g * m24;
+    p[8] = s * m22 + c * m23 + h * m24;
+    p[9] = s * m32 + c * m33 + h * m34;
+    p[10] = m04;
+    p[11] = m14;
+    p[12] = m24;
+    p[13] = m34;
+  }
+
+  /** Adds what white acceleration and a random walk of the turn rate do in a time. */
+  void addNoise(double dtS, double acceleration, double turn) {
+    double q = acceleration * dtS;
+    double half = q * dtS / 2;
+    double third = q * dtS * dtS / 3;
+    p[0] += third;
+    p[4] += third;
+    p[2] += half;
+    p[6] += half;
+    p[7] += q;
+    p[9] += q;
+    p[14] += turn * dtS;
+  }
+
+  /** Adds the same variance to place and velocity, the original's noise of each step. */
+  void addStepNoise(double variance) {
+    p[0] += variance;
+    p[4] += variance;
+    p[7] += variance;
+    p[9] += variance;
+  }
+
+  /**
+   * Compares a measured place with the prediction.
+   *
+   * @return false, and nothing is usable, if the numbers are not
+   */
+  boolean innovate(double zX, double zY, double xx, double xy, double yy) {
+    rXx = xx;
+    rXy = xy;
+    rYy = yy;
+    yX = zX - x[0];
+    yY = zY - x[1];
+    sXx = p[0] + xx;
+    sXy = p[1] + xy;
+    sYy = p[4] + yy;
+    determinant = sXx * sYy - sXy * sXy;
+    nis = (sYy * yX * yX - 2 * sXy * yX * yY + sXx * yY * yY) / determinant;
+    return sXx > 0
+        && determinant > 0
+        && determinant < Double.POSITIVE_INFINITY
+        && nis >= 0
+        && nis < Double.POSITIVE_INFINITY;
+  }
+
+  /** Takes in what {@link #innovate} has compared. */
+  void correct() {
+    double inverse = 1 / determinant;
+    double iXx = sYy * inverse;
+    double iXy = -sXy * inverse;
+    double iYy = sXx * inverse;
+    boolean turns = turns();
+    for (int i = 0; i < 4; i++) {
+      setGain(i, p[i], i == 0 ? p[1] : p[3 + i], iXx, iXy, iYy);
+    }
+    setGain(4, turns ? p[10] : 0, turns ? p[11] : 0, iXx, iXy, iYy);
+    if (turns) {
+      correctTurnRate();
+    }
+    correctPlaceAndVelocity();
+  }
+
+  /** Takes in a measured second velocity. */
+  void correctAlong(double velocity, double variance) {
+    double s = p[9] + variance;
+    double off = (velocity - x[3]) / s;
+    for (int i = 0; i < STATES; i++) {
+      gain[i] = covariance(i, 3);
+      x[i] += gain[i] * off;
+    }
+    for (int i = 0; i < STATES; i++) {
+      for (int j = i; j < STATES; j++) {
+        p[place(i, j)] -= gain[i] * gain[j] / s;
+      }
+    }
+  }
+
+  private void setGain(int row, double toX, double toY, double iXx, double iXy, double iYy) {
+    double k = toX * iXx + toY * iXy;
+    double l = toX * iXy + toY * iYy;
+    gain[2 * row] = k;
+    gain[2 * row + 1] = l;
+    x[row] += k * yX + l * yY;
+  }
+
+  /**
+   * The column of ω, as {@link #correctPlaceAndVelocity}, before it: it needs the other entries as
+   * they were.
+   */
+  private void correctTurnRate() {
+    double f4 = p[10];
+    double s4 = p[11];
+    double k4 = gain[8];
+    double l4 = gain[9];
+    for (int i = 0; i < STATES; i++) {
+      double k = gain[2 * i];
+      double l = gain[2 * i + 1];
+      double first = i < 4 ? p[i] : f4;
+      double second = i == 0 ? p[1] : i < 4 ? p[3 + i] : s4;
+      double u = k * rXx + l * rXy - (first - k * p[0] - l * p[1]);
+      double v = k * rXy + l * rYy - (second - k * p[1] - l * p[4]);
+      p[10 + i] = p[10 + i] - k * f4 - l * s4 + u * k4 + v * l4;
+    }
+  }
+
+  /**
+   * Joseph's form: with A = (I − K H) P it is A (I − K H)ᵀ + K R Kᵀ = A + (K R − A Hᵀ) Kᵀ. In exact
+   * arithmetic the bracket (u, v) is zero; here it is the rounding error of A that is taken back.
+   */
+  private void correctPlaceAndVelocity() {
+    double k0 = gain[0];
+    double l0 = gain[1];
+    double k1 = gain[2];
+    double l1 = gain[3];
+    double k2 = gain[4];
+    double l2 = gain[5];
+    double k3 = gain[6];
+    double l3 = gain[7];
+    double p00 = p[0];
+    double p01 = p[1];
+    double p02 = p[2];
+    double p03 = p[3];
+    double p11 = p[4];
+    double p12 = p[5];
+    double p13 = p[6];
+    double a00 = p00 - k0 * p00 - l0 * p01;
+    double a01 = p01 - k0 * p01 - l0 * p11;
+    double a10 = p01 - k1 * p00 - l1 * p01;
+    double a11 = p11 - k1 * p01 - l1 * p11;
+    double u0 = k0 * rXx + l0 * rXy - a00;
+    double v0 = k0 * rXy + l0 * rYy - a01;
+    double u1 = k1 * rXx + l1 * rXy - a10;
+    double v1 = k1 * rXy + l1 * rYy - a11;
+    double u2 = k2 * rXx + l2 * rXy - (p02 - k2 * p00 - l2 * p01);
+    double v2 = k2 * rXy + l2 * rYy - (p12 - k2 * p01 - l2 * p11);
+    double u3 = k3 * rXx + l3 * rXy - (p03 - k3 * p00 - l3 * p01);
+    double v3 = k3 * rXy + l3 * rYy - (p13 - k3 * p01 - l3 * p11);
+    p[0] = a00 + u0 * k0 + v0 * l0;
+    p[1] = a01 + u0 * k1 + v0 * l1;
+    p[2] = p02 - k0 * p02 - l0 * p12 + u0 * k2 + v0 * l2;
+    p[3] = p03 - k0 * p03 - l0 * p13 + u0 * k3 + v0 * l3;
+    p[4] = a11 + u1 * k1 + v1 * l1;
+    p[5] = p12 - k1 * p02 - l1 * p12 + u1 * k2 + v1 * l2;
+    p[6] = p13 - k1 * p03 - l1 * p13 + u1 * k3 + v1 * l3;
+    p[7] = p[7] - k2 * p02 - l2 * p12 + u2 * k2 + v2 * l2;
+    p[8] = p[8] - k2 * p03 - l2 * p13 + u2 * k3 + v2 * l3;
+    p[9] = p[9] - k3 * p03 - l3 * p13 + u3 * k3 + v3 * l3;
+  }
+
+  double nis() {
+    return nis;
+  }
+
+  /** Determinant of the covariance of the innovation. */
+  double determinant() {
+    return determinant;
+  }
+
+  double logLikelihood() {
+    return -0.5 * (nis + Math.log(determinant)) - LOG_TWO_PI;
+  }
+
+  double innovationX() {
+    return yX;
+  }
+
+  double innovationY() {
+    return yY;
+  }
+
+  double innovationXx() {
+    return sXx;
+  }
+
+  double innovationXy() {
+    return sXy;
+  }
+
+  double innovationYy() {
+    return sYy;
+  }
+
+  /** Entry of the last gain: row 0 to 4, column 0 for x and 1 for y. */
+  double gain(int row, int column) {
+    return gain[2 * row + column];
+  }
+}

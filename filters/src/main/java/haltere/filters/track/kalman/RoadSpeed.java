@@ -1,0 +1,31 @@
+package haltere.filters.track.kalman;
+
+/** Speed of a track on a road. */
+final class RoadSpeed {
+  private static final double KM_H = 3.6;
+
+  private RoadSpeed() {}
+
+  /** Kilometres an hour. */
+  static double kmH(MotionModes motion) {
+    return KM_H * Math.hypot(motion.vx(), motion.vy());
+  }
+
+  /**
+   * Standard deviation of the speed in kilometres an hour, to first order, with that of a line that
+   * may be above the road.
+   */
+  static double sdKmH(Track track, MotionModes motion) {
+    double vx = motion.vx();
+    double vy = motion.vy();
+    double square = vx * vx + vy * vy;
+    double xx = motion.covariance(2, 2);
+    double yy = motion.covariance(3, 3);
+    double variance =
+        square > 0
+            ? (vx * vx * xx + 2 * vx * vy * motion.covariance(2, 3) + vy * vy * yy) / square
+            : Math.max(xx, yy);
+    double share = track.line.grounding.speedShare();
+    return KM_H * Math.sqrt(variance + share * share * square);
+  }
+}

@@ -1,0 +1,215 @@
+package haltere.filters.track.kalman;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.filters.track.KalmanTracksSettings;
+import haltere.filters.track.RoadMapping;
+
+/**
+ * Follows vehicles on a road by the edge at which each meets the road nearest to the camera.
+ *
+ * <p>The middle of a vehicle's events is no point of the vehicle: it wanders with the perspective
+ * and with what the border hides. An edge across the road is one, and a row of pixels is passed by
+ * it at a moment that is known far better than a pixel is wide. So a vehicle is found as a line
+ * that goes over several rows ({@link LineSearch}), each row that it passes is a measurement of its
+ * {@link Track} ({@link RowPassing}), and other lines that move with it are parts of it.
+ *
+ * <p>Thread rule: that of its owner.
+ */
+final class RoadVehicles {
+  /** What is farther behind a line than this may be another vehicle. */
+  private static final double OWN_M = 8;
+
+  /** What is lost within so many metres of what the bottom row sees has left the picture there. */
+  private static final double LEAVING_M = 3;
+
+  /** A track that is older is no roof of something that has just left. */
+  private static final long YOUNG_US = 700_000;
+
+  private final RoadMapping road;
+  private final SensorGeometry sensor;
+  private final Tracks tracks;
+  private final MeasurementPlane plane;
+  private final RoadEvents events;
+  private final LineSeeds seeds;
+  private final LineSearch search;
+  private final RowPassing passing;
+  private final VehicleEnds ends;
+  private final DepartedVehicles departed = new DepartedVehicles();
+  private final VehicleParts parts;
+  private final double leavingM;
+  private KalmanTracksSettings settings;
+
+  RoadVehicles(
+      RoadMapping road,
+      SensorGeometry sensor,
+      Tracks tracks,
+      MeasurementPlane plane,
+      TrackListener listener) {
+    this.road = road;
+    this.sensor = sensor;
+    this.tracks = tracks;
+    this.plane = plane;
+    events = new RoadEvents(road, sensor);
+    leavingM = road.distanceM(0) + LEAVING_M;
+    seeds = new LineSeeds(events, sensor.width());
+    search = new LineSearch(events, sensor.width());
+    passing = new RowPassing(road, sensor, tracks, plane, listener);
+    ends = new VehicleEnds(road, sensor, plane);
+    parts = new VehicleParts(road, events, search);
+  }
+
+  /** Does something else from the next step on; a gate is a normalised innovation squared. */
+  void apply(KalmanTracksSettings newSettings, double gate) {
+    settings = newSettings;
+    passing.apply(newSettings, gate);
+    ends.apply(newSettings.life());
+  }
+
+  void reset() {
+    events.clear();
+    departed.clear();
+  }
+
+  /** Takes events for the steps to come. */
+  void add(EventPacket packet) {
+    events.add(packet);
+  }
+
+  /** Whether there is anything that a step at a time would see. */
+  boolean isWaiting(long timeUs) {
+    return events.isWaiting(timeUs);
+  }
+
+  /** Goes on to a time with the events before it. */
+  void step(long timeUs) {
+    events.step(timeUs);
+    for (int i = 0; i < tracks.count(); i++) {
+      Track track = tracks.get(i);
+      track.line.expect(track, plane, timeUs, metresPerColumn(track), sensor.width());
+      track.line.setOwn(ownPx(track));
+    }
+    for (long i = events.from(); i < events.to(); i++) {
+      give(i);
+    }
+    for (int i = 0; i < tracks.count(); i++) {
+      passing.measure(tracks.get(i), timeUs);
+    }
+    parts.unite(tracks, timeUs);
+    for (int i = tracks.count() - 1; i >= 0; i--) {
+      end(i, timeUs);
+    }
+    int found = seeds.find(timeUs);
+    for (int i = 0; i < found; i++) {
+      if (search.find(seeds.get(i), timeUs, passing.rowSdPx()) && !isPartOfKnown(timeUs)) {
+        launch(timeUs);
+      }
+    }
+  }
+
+  /**
+   * Up to so far above its line all that is seen is of a vehicle. What is farther away may be of
+   * the next one, unless it is known that the vehicle is high.
+   */
+  private double ownPx(Track track) {
+    double yM = track.motion.y();
+    return track.line.grounding.hasUpper()
+        ? Double.POSITIVE_INFINITY
+        : road.rowOf(yM + OWN_M) - road.rowOf(yM);
+  }
+
+  /** Ends a track whose vehicle is gone, or that is on the roof of one that is. */
+  private void end(int index, long timeUs) {
+    Track track = tracks.get(index);
+    MotionModes motion = track.motion;
+    RoadLine line = track.line;
+    line.grounding.look(motion, line, road, sensor);
+    ends.look(track, timeUs);
+    if (ends.isOver(track, timeUs)) {
+      if (motion.vy() < -VehicleEnds.STANDING_M_S && (line.isCut() || motion.y() < leavingM)) {
+        departed.add(track.at(timeUs), line, timeUs);
+      }
+      tracks.drop(index);
+    } else if (timeUs - track.bornUs < YOUNG_US
+        && departed.own(motion.x(), motion.y(), motion.vy(), line.halfWidthM, timeUs)) {
+      tracks.drop(index);
+    }
+  }
+
+  private double metresPerColumn(Track track) {
+    return road.pixelAngle()
+        * Math.hypot(road.settings().bridgeHeightM(), Math.max(0, track.motion.y()));
+  }
+
+  /** Gives an event to the line that it is nearest to, or else to the vehicle that it is on. */
+  private void give(long event) {
+    long timeUs = events.timeUs(event);
+    int column = events.column(event);
+    int row = events.row(event);
+    boolean on = events.isOn(event);
+    double lateralM = events.lateralM(column, row);
+    double perColumnM = events.metresPerColumn(row);
+    Track line = null;
+    Track body = null;
+    double least = Double.POSITIVE_INFINITY;
+    double bodyAbove = 0;
+    for (int k = 0; k < tracks.count(); k++) {
+      Track track = tracks.get(k);
+      double above = track.line.above(timeUs, column, row, lateralM, perColumnM);
+      if (!track.line.isOnVehicle(above)) {
+        continue;
+      }
+      if (!track.line.isOnLine(above, on)) {
+        body = track;
+        bodyAbove = above;
+      } else if (Math.abs(above) < least) {
+        line = track;
+        least = Math.abs(above);
+      }
+    }
+    if (line != null) {
+      line.line.takeLine(timeUs, column, row);
+      line.events++;
+      events.take(event);
+    } else if (body != null) {
+      body.line.hear(timeUs);
+      if (!body.line.isLost()) {
+        body.line.learnExtent(bodyAbove);
+        body.events++;
+        if (bodyAbove < body.line.ownPx()) {
+          events.take(event);
+        }
+      }
+    }
+  }
+
+  /** Whether the line that was found is of a vehicle that is known, which then knows of it. */
+  private boolean isPartOfKnown(long timeUs) {
+    if (departed.own(search.xM, search.yM, search.vyMS, search.halfWidthM, timeUs)) {
+      search.take();
+      return true;
+    }
+    for (int i = 0; i < tracks.count(); i++) {
+      if (parts.isPartOf(tracks.get(i), timeUs)) {
+        search.take();
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private void launch(long timeUs) {
+    if (tracks.isFull() || search.isCut) {
+      return;
+    }
+    Track track = tracks.add();
+    track.launchLine(search, timeUs);
+    track.line.begin(search, timeUs);
+    track.line.grounding.begin(search.vyMS > 0);
+    search.take();
+    if (settings.life().updatesTillShown() <= 1) {
+      track.id = tracks.nextId();
+    }
+    ends.look(track, timeUs);
+  }
+}

@@ -1,0 +1,372 @@
+package haltere.filters.track.kalman;
+
+import haltere.filters.track.MeasurementSettings;
+import haltere.filters.track.TrackUpdate;
+
+/**
+ * One track: its filter, what it holds on to and since when. Its bookkeeping is that of {@link
+ * TrackEstimator}.
+ *
+ * <p>Thread rule: that of its owner.
+ */
+final class Track {
+  private static final double US = 1e-6;
+
+  /** Within this time a track that may have stopped would still be at its cluster. */
+  private static final double REST_S = 0.2;
+
+  /** How well it is known where the middle of a line is that was found. */
+  private static final double VARIANCE_X = 0.1;
+
+  /** How fast a vehicle may be across the road, standard deviation. */
+  private static final double LATERAL_SD_M_S = 1.5;
+
+  private static final int LEAST_FREE_UPDATES = 10;
+
+  /** A velocity of fewer updates than this is not kept where a track is found elsewhere. */
+  private static final int TRUSTED_UPDATES = 10;
+
+  MotionModes motion;
+  private MotionModes ahead;
+  private final MeasurementPlane plane;
+  private final MeasurementSettings settings;
+
+  /** 0 until it is shown. */
+  int id;
+
+  long bornUs;
+
+  /** Time of the state. */
+  long stateUs;
+
+  /** When it last got a measurement, by the clock of the steps. */
+  long heardUs;
+
+  int updates;
+
+  /** How many updates there had been when it was last found elsewhere than expected. */
+  private int displacedAt;
+
+  /** Updates while no other track was in the way. */
+  private int freeUpdates;
+
+  int gatedInARow;
+  double events;
+
+  /** The cluster that it has, or null while it coasts. */
+  EventBatch batch;
+
+  double radiusPx;
+
+  /** Standard deviation of an event of its own about its centre. */
+  double spreadPx;
+
+  /** Whether another track is so near that events may be the other's. */
+  boolean contested;
+
+  /** Until when that lasts at least. */
+  private long contestedUntilUs;
+
+  /** Whether another track is so near that which is which may be in question. */
+  boolean nearOther;
+
+  /** Whether one of these moves differently. */
+  boolean nearUnlike;
+
+  /** Whether it lost its cluster to another track, not in the open. */
+  boolean hidden;
+
+  /** Where it was in pixels when it lost its cluster. */
+  double lostXPx;
+
+  double lostYPx;
+
+  /** Where it is at the time of the step, in pixels, and whether that is in the picture. */
+  double nowXPx;
+
+  double nowYPx;
+  double nowVxPxS;
+  double nowVyPxS;
+  double nowVarianceVx;
+  double nowVarianceVy;
+  boolean inView;
+
+  /** Where it is among the counting lines. */
+  final LineSides sides = new LineSides();
+
+  /** The edge of a vehicle that it follows. */
+  final RoadLine line = new RoadLine();
+
+  /** Of a vehicle, until when it is shown. */
+  long shownUntilUs;
+
+  /** Whether it is a vehicle that has stopped. */
+  boolean stands;
+
+  Track(MotionNoise noise, MeasurementPlane plane, MeasurementSettings settings) {
+    this.plane = plane;
+    this.settings = settings;
+    motion = new MotionModes(noise);
+    ahead = new MotionModes(noise);
+  }
+
+  /** Begins with the measurement that the plane has mapped. */
+  void launch(long timeUs, long stepUs) {
+    begin(timeUs, stepUs);
+    motion.launch(plane.x, plane.y, plane.xx, plane.xy, plane.yy);
+  }
+
+  private void begin(long timeUs, long stepUs) {
+    id = 0;
+    bornUs = timeUs;
+    stateUs = timeUs;
+    heardUs = stepUs;
+    updates = 1;
+    freeUpdates = 0;
+    displacedAt = 0;
+    gatedInARow = 0;
+    events = 0;
+    batch = null;
+    contested = false;
+    contestedUntilUs = Long.MIN_VALUE;
+    nearOther = false;
+    nearUnlike = false;
+    hidden = false;
+    shownUntilUs = Long.MIN_VALUE;
+    stands = false;
+    sides.clear();
+  }
+
+  /** Begins with a line that was found, whose speed is known. */
+  void launchLine(LineSearch found, long stepUs) {
+    begin(stepUs, stepUs);
+    motion.launchLine(found, VARIANCE_X, LATERAL_SD_M_S * LATERAL_SD_M_S);
+  }
+
+  /** Takes over the identity of another track of the same thing, if that has the older one. */
+  void nameAfter(Track other) {
+    sides.join(other.sides, other.bornUs < bornUs);
+    if (other.id > 0 && (id == 0 || other.bornUs < bornUs)) {
+      int own = id;
+      id = other.id;
+      other.id = own;
+      bornUs = other.bornUs;
+    }
+  }
+
+  /** Goes on with a line that was found, as the same track. */
+  void moveOn(LineSearch found, long stepUs) {
+    stateUs = stepUs;
+    heardUs = stepUs;
+    gatedInARow = 0;
+    motion.launchLine(found, VARIANCE_X, LATERAL_SD_M_S * LATERAL_SD_M_S);
+  }
+
+  /** Goes on with another line of the vehicle that was found, with the speed that it has. */
+  void rejoin(LineSearch found, long stepUs) {
+    MotionModes now = at(stepUs);
+    ahead = motion;
+    motion = now;
+    stateUs = stepUs;
+    heardUs = stepUs;
+    gatedInARow = 0;
+    motion.rejoinLine(found, VARIANCE_X);
+  }
+
+  /** Takes in what {@link #compare} has compared, which was not heard but silence. */
+  void rest(long timeUs) {
+    correct();
+    stateUs = Math.max(stateUs, timeUs);
+    gatedInARow = 0;
+  }
+
+  /** Begins again where the plane has mapped a measurement to, as the same track. */
+  void relaunch(long timeUs, long stepUs) {
+    stateUs = timeUs;
+    heardUs = stepUs;
+    gatedInARow = 0;
+    motion.relaunch(plane.x, plane.y, plane.xx, plane.xy, plane.yy);
+  }
+
+  /** Begins again where its own cluster is for some time, though it was expected elsewhere. */
+  void follow(long timeUs, long stepUs) {
+    stateUs = timeUs;
+    heardUs = stepUs;
+    gatedInARow = 0;
+    if (updates - displacedAt < TRUSTED_UPDATES) {
+      motion.launch(plane.x, plane.y, plane.xx, plane.xy, plane.yy);
+    } else {
+      motion.displace(plane.x, plane.y, plane.xx, plane.xy, plane.yy);
+    }
+    displacedAt = updates;
+  }
+
+  /** Holds on to a cluster. */
+  void hold(EventBatch held) {
+    batch = held;
+    hidden = false;
+    held.track = this;
+  }
+
+  /** Lets go of its cluster, if it has one; hidden if another track is in the way. */
+  void release(boolean isHidden) {
+    if (batch != null) {
+      batch.track = null;
+      batch = null;
+      hidden = isHidden && wasFree();
+      lostXPx = nowXPx;
+      lostYPx = nowYPx;
+    }
+  }
+
+  /** Whether it has been seen by itself: what has not may be a part of another. */
+  boolean wasFree() {
+    return freeUpdates >= LEAST_FREE_UPDATES;
+  }
+
+  /** Whether it goes on as predicted, for nothing is seen of it. */
+  boolean isUnseen(long timeUs) {
+    boolean isVehicle = shownUntilUs > Long.MIN_VALUE;
+    return isVehicle
+        ? !stands && timeUs - heardUs > TrackReports.SHOWN_WITHOUT_CLUSTER_US
+        : batch == null;
+  }
+
+  /** Stays contested for a time after another track was so near. */
+  void keepContested(long timeUs, long lastingUs) {
+    if (contested) {
+      contestedUntilUs = timeUs + lastingUs;
+    }
+    contested |= nearOther && timeUs < contestedUntilUs;
+  }
+
+  double ageS(long timeUs) {
+    return (timeUs - bornUs) * US;
+  }
+
+  /** How far a variance that changes with the age of a track is from its end: from 1 to 0. */
+  double youth(long timeUs) {
+    return settings.dynamicVariances() ? Math.exp(-ageS(timeUs) / settings.rampTimeS()) : 0;
+  }
+
+  private double noiseFactor(long timeUs) {
+    return 1 + 9 * youth(timeUs);
+  }
+
+  /** The state at a later time, for a look only. */
+  MotionModes at(long timeUs) {
+    ahead.copyFrom(motion);
+    double dtS = (timeUs - stateUs) * US;
+    if (dtS > 0) {
+      ahead.coast(dtS, noiseFactor(timeUs));
+    }
+    return ahead;
+  }
+
+  /**
+   * Compares a measurement in pixels with the prediction for its time; the prediction is kept for
+   * {@link #take}.
+   *
+   * @return the normalised innovation squared, NaN if it cannot be compared
+   */
+  double compare(Measurement measured) {
+    double dtS = Math.max(0, (measured.timeUs - stateUs) * US);
+    ahead.predictFrom(motion, dtS, noiseFactor(measured.timeUs));
+    if (!measured.map(plane, ahead)) {
+      return Double.NaN;
+    }
+    return ahead.innovate(plane.x, plane.y, plane.xx, plane.xy, plane.yy);
+  }
+
+  /** Logarithm of the likelihood of what {@link #compare} has compared. */
+  double logLikelihood() {
+    return ahead.logLikelihood();
+  }
+
+  /** Takes in what {@link #compare} has compared. */
+  void take(long timeUs, long stepUs) {
+    correct();
+    stateUs = Math.max(stateUs, timeUs);
+    heardUs = stepUs;
+    updates++;
+    freeUpdates += contested ? 0 : 1;
+    gatedInARow = 0;
+  }
+
+  private void correct() {
+    ahead.correct();
+    MotionModes before = motion;
+    motion = ahead;
+    ahead = before;
+  }
+
+  /** Works out about where it is in the picture at the time of a step: straight on from here. */
+  void look(long timeUs) {
+    double dtS = Math.max(0, (timeUs - stateUs) * US);
+    inView = plane.toPixels(motion, dtS);
+    nowXPx = plane.xPx;
+    nowYPx = plane.yPx;
+    nowVxPxS = plane.vxPxS;
+    nowVyPxS = plane.vyPxS;
+    nowVarianceVx = plane.varianceVxPx2S2;
+    nowVarianceVy = plane.varianceVyPx2S2;
+  }
+
+  /** Whether it is shown and its cluster is among the present readings. */
+  boolean hasSeenCluster() {
+    return id > 0 && batch != null && batch.seen;
+  }
+
+  double speedPxS() {
+    return Math.hypot(nowVxPxS, nowVyPxS);
+  }
+
+  /** Whether it was so slow when it lost its cluster that it may have stopped there. */
+  boolean mayRest() {
+    return batch == null && !hidden && speedPxS() * REST_S < radiusPx;
+  }
+
+  /** Whether two tracks are known to move differently. */
+  boolean movesUnlike(Track other) {
+    double dx = nowVxPxS - other.nowVxPxS;
+    double dy = nowVyPxS - other.nowVyPxS;
+    double apart =
+        dx * dx / (nowVarianceVx + other.nowVarianceVx)
+            + dy * dy / (nowVarianceVy + other.nowVarianceVy);
+    return apart > 16 && dx * dx + dy * dy > 0.01 * speedPxS() * other.speedPxS();
+  }
+
+  /** What the last comparison has come to; the gain is that of the likeliest model. */
+  TrackUpdate lastUpdate(long timeUs, boolean accepted) {
+    MotionModes compared = accepted ? motion : ahead;
+    PlaneFilter model = compared.likeliest();
+    CombinedInnovation innovation = new CombinedInnovation();
+    compared.combineInnovations(innovation);
+    return new TrackUpdate(
+        timeUs,
+        id,
+        plane.x,
+        plane.y,
+        innovation.x,
+        innovation.y,
+        innovation.xx,
+        innovation.xy,
+        innovation.yy,
+        innovation.nis(),
+        accepted ? model.gain(0, 0) : 0,
+        accepted ? model.gain(1, 1) : 0,
+        accepted ? model.gain(2, 0) : 0,
+        accepted ? model.gain(3, 1) : 0,
+        motion.x(),
+        motion.y(),
+        motion.vx(),
+        motion.vy(),
+        motion.covariance(0, 0),
+        motion.covariance(0, 2),
+        motion.covariance(2, 2),
+        motion.covariance(1, 1),
+        motion.covariance(1, 3),
+        motion.covariance(3, 3),
+        accepted);
+  }
+}

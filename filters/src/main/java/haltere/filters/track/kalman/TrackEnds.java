@@ -1,0 +1,76 @@
+package haltere.filters.track.kalman;
+
+import haltere.filters.track.LifeSettings;
+
+/** Which tracks end. Thread rule: that of its owner. */
+final class TrackEnds {
+  private static final double US = 1e-6;
+
+  /** Nearer to the border than this, what loses its cluster is taken to have left. */
+  private static final double LEAVING_SPREADS = 1.3;
+
+  private final Picture picture;
+  private final Tracks tracks;
+  private final Departures departures = new Departures();
+
+  TrackEnds(Picture picture, Tracks tracks) {
+    this.picture = picture;
+    this.tracks = tracks;
+  }
+
+  void reset() {
+    departures.clear();
+  }
+
+  /** Whether what appears at a place is no new thing. */
+  boolean isRest(Measurement measurement, long timeUs) {
+    return departures.isRest(measurement.x, measurement.y, timeUs);
+  }
+
+  /** What has left takes no cluster of what is at the border after it. */
+  void dropThoseThatLeft(long timeUs) {
+    for (int i = tracks.count() - 1; i >= 0; i--) {
+      if (tracks.get(i).batch == null && isLeaving(tracks.get(i))) {
+        leave(i, timeUs);
+      }
+    }
+  }
+
+  private void leave(int index, long timeUs) {
+    if (tracks.get(index).id > 0) {
+      departures.add(tracks.get(index), timeUs);
+    }
+    tracks.drop(index);
+  }
+
+  /** Drops what is out of the picture, and what has been without its cluster for too long. */
+  void dropThoseThatEnd(long timeUs, LifeSettings settings) {
+    for (int i = tracks.count() - 1; i >= 0; i--) {
+      Track track = tracks.get(i);
+      track.look(timeUs);
+      if (track.batch != null) {
+        if (!track.inView) {
+          leave(i, timeUs);
+        }
+        continue;
+      }
+      if (isLeaving(track)) {
+        leave(i, timeUs);
+        continue;
+      }
+      double silentS = (timeUs - track.heardUs) * US;
+      boolean coasts = track.inView && silentS <= settings.coastTimeS();
+      boolean rests = track.mayRest() && silentS <= settings.restTimeS();
+      if (track.id == 0 || !coasts && !rests) {
+        tracks.drop(i);
+      }
+    }
+  }
+
+  /** Whether a track without a cluster is at the border of the picture or beyond it. */
+  private boolean isLeaving(Track track) {
+    double border =
+        Math.min(LEAVING_SPREADS * track.spreadPx, picture.geometry().longerSide() * 0.1);
+    return !picture.contains(track.nowXPx, track.nowYPx, -border);
+  }
+}

@@ -1,0 +1,91 @@
+package haltere.filters.wing.search;
+
+/**
+ * Looks for the plain sinusoid that most events of a wing lie near to, where its hinge and
+ * frequency are known about: for a {@link StrokeFit} to begin with.
+ *
+ * <p>Thread rule: one thread at a time.
+ */
+final class CoarseStroke {
+  private static final int EVENTS = 500;
+  private static final int LEAST_EVENTS = 40;
+  private static final int PHASES = 24;
+  private static final double[] CENTRES = {1.35, 1.57, 1.8};
+  private static final double[] AMPLITUDES = {0.45, 0.65, 0.85, 1.05, 1.25, 1.45};
+  private static final double NEAR_RAD = 0.15;
+  private static final double LEAST_SQUARE_PX = 9;
+
+  private final double[] angle = new double[2 * EVENTS + 2];
+  private final double[] cos = new double[angle.length];
+  private final double[] sin = new double[angle.length];
+  private int size;
+
+  /** What was found: the centre, and the terms of the sinusoid. */
+  double centre;
+
+  double cosine;
+  double sine;
+
+  /** Begins with no events. */
+  void clear() {
+    size = 0;
+  }
+
+  /** One in how many events of a wing is to be taken. */
+  static int strideOf(int events) {
+    return Math.max(1, events / EVENTS);
+  }
+
+  /**
+   * Takes an event, unless it is too near or too far.
+   *
+   * @param dx from the hinge
+   * @param dy from the hinge
+   * @param outerPx events further away are left out
+   * @param referenceRad direction from which angles are measured
+   * @param turn 1 for counterclockwise, -1 for clockwise
+   * @param phase of the beat
+   */
+  void add(double dx, double dy, double outerPx, double referenceRad, double turn, double phase) {
+    double rr = dx * dx + dy * dy;
+    if (rr < LEAST_SQUARE_PX || rr > outerPx * outerPx) {
+      return;
+    }
+    angle[size] = StrokeFit.near(turn * (Math.atan2(dy, dx) - referenceRad), Math.PI / 2);
+    cos[size] = Math.cos(phase);
+    sin[size++] = Math.sin(phase);
+  }
+
+  /** Searches; false if there is too little to search in. */
+  boolean search() {
+    if (size < LEAST_EVENTS) {
+      return false;
+    }
+    double best = -1;
+    for (int k = 0; k < PHASES; k++) {
+      double pc = Math.cos(2 * Math.PI * k / PHASES);
+      double ps = Math.sin(2 * Math.PI * k / PHASES);
+      for (double amplitude : AMPLITUDES) {
+        for (double middle : CENTRES) {
+          double score = score(middle, amplitude * pc, amplitude * ps);
+          if (score > best) {
+            best = score;
+            centre = middle;
+            cosine = amplitude * pc;
+            sine = amplitude * ps;
+          }
+        }
+      }
+    }
+    return true;
+  }
+
+  private double score(double middle, double c, double s) {
+    double score = 0;
+    for (int i = 0; i < size; i++) {
+      double y = (angle[i] - middle - (c * cos[i] + s * sin[i])) / NEAR_RAD;
+      score += 1 / (1 + y * y);
+    }
+    return score;
+  }
+}

@@ -1,0 +1,364 @@
+package haltere.filters.wing.search;
+
+import haltere.core.event.SensorGeometry;
+import haltere.filters.estimation.Angles;
+import haltere.filters.wing.FlyGeometry;
+import haltere.filters.wing.WingSearchSettings;
+import haltere.filters.wing.WingTrackerState;
+import haltere.filters.wing.stroke.StrokeSeed;
+
+/**
+ * Finds a fly in the events of a few beats. 2-means says roughly where the wings are; the beat and
+ * the body axis follow from how the events swing to and fro; places where nothing follows the beat
+ * are left out and it is looked for again; lines through the events of each wing give its hinge,
+ * and a fit of the whole stroke makes all of it exact. The head is where the wings keep further
+ * from the body's line.
+ *
+ * <p>Thread rule: one thread at a time.
+ */
+final class FlyFinder {
+  private static final int LEAST_SUPPORTED = 80;
+  private static final int LOOKS = 3;
+  private static final double LEAST_EXPLAINED = 0.03;
+  private static final double LEAST_SHARE = 0.32;
+  private static final double OTHER_AXIS_RAD = 0.35;
+
+  /** How far the hinge is from the middle of a lone wing's events, as a share of their reach. */
+  private static final double ALONE_SHARE = 0.6;
+
+  private static final double ALONE_INLIERS = 0.45;
+
+  /** Cosine of the most by which one wing may be behind the other. */
+  private static final double LEAST_TOGETHER = 0.5;
+
+  private static final double HEAD_SD_RAD = 0.03;
+
+  final StrokeSample sample;
+  private final SensorGeometry geometry;
+  private final BeatSpectrum spectrum = new BeatSpectrum();
+  private final TwoMeans means = new TwoMeans();
+  private final HingeLines lines = new HingeLines();
+  private final SideSplit split;
+  private final BodyLine bodyLine = new BodyLine();
+  private StrokeFit[] fits = {new StrokeFit(), new StrokeFit()};
+  private StrokeFit[] otherFits = {new StrokeFit(), new StrokeFit()};
+  private final double[] px;
+  private final double[] py;
+  private final boolean[] fitted = new boolean[2];
+  private double fittedAxis;
+  private double outerPx;
+
+  FlyFinder(SensorGeometry geometry, int capacity) {
+    this.geometry = geometry;
+    sample = new StrokeSample(geometry.width(), geometry.height(), capacity);
+    split = new SideSplit(capacity);
+    px = new double[capacity];
+    py = new double[capacity];
+  }
+
+  /** Takes what happens on the way. */
+  interface Progress {
+    void found(
+        WingTrackerState.Phase phase,
+        int events,
+        double frequencyHz,
+        double x,
+        double y,
+        double headingRad,
+        double sizePx,
+        double confidence);
+  }
+
+  /**
+   * Searches.
+   *
+   * @param events the last events
+   * @param fromUs from when on
+   * @param settings range of frequencies
+   * @param progress takes the steps
+   * @return the fly, or null if there is none
+   */
+  FoundFly find(RecentEvents events, long fromUs, WingSearchSettings settings, Progress progress) {
+    sample.take(events, fromUs);
+    if (sample.supportedCount < LEAST_SUPPORTED) {
+      return null;
+    }
+    double fromHz = Math.min(settings.leastFrequencyHz(), settings.mostFrequencyHz());
+    double toHz = Math.max(settings.leastFrequencyHz(), settings.mostFrequencyHz());
+    if (settings.startFrequencyHz() > 0) {
+      fromHz = settings.startFrequencyHz() * 0.8;
+      toHz = settings.startFrequencyHz() * 1.25;
+    }
+    for (int look = 0; look < LOOKS; look++) {
+      if (look > 0) {
+        sample.requireBeat(2 * Math.PI * spectrum.frequencyHz);
+      }
+      if (sample.supportedCount < LEAST_SUPPORTED / 2 || !look(fromHz, toHz)) {
+        return null;
+      }
+    }
+    double byMeans =
+        Math.atan2(means.secondY - means.firstY, means.secondX - means.firstX) + Math.PI / 2;
+    double middleX = (means.firstX + means.secondX) / 2;
+    double middleY = (means.firstY + means.secondY) / 2;
+    double size = Math.hypot(means.firstX - means.secondX, means.firstY - means.secondY);
+    int n = sample.supportedCount;
+    progress.found(
+        WingTrackerState.Phase.TWO_MEANS,
+        n,
+        Double.NaN,
+        middleX,
+        middleY,
+        Angles.wrapPi(byMeans),
+        size,
+        Double.NaN);
+    if (spectrum.explained < LEAST_EXPLAINED) {
+      return null;
+    }
+    progress.found(
+        WingTrackerState.Phase.BEAT,
+        n,
+        spectrum.frequencyHz,
+        middleX,
+        middleY,
+        spectrum.axisRad,
+        size,
+        Double.NaN);
+    if (!fitBest(byMeans)) {
+      return null;
+    }
+    FoundFly fly = conclude();
+    FlyGeometry found = fly.geometry();
+    double beatHz =
+        (fly.seeds()[0] != null ? fly.seeds()[0] : fly.seeds()[1]).omega() / (2 * Math.PI);
+    progress.found(
+        WingTrackerState.Phase.HINGES,
+        n,
+        beatHz,
+        found.centreX(),
+        found.centreY(),
+        found.headingRad(),
+        found.sizePx(),
+        Double.NaN);
+    progress.found(
+        WingTrackerState.Phase.HEAD_AND_TAIL,
+        n,
+        beatHz,
+        found.centreX(),
+        found.centreY(),
+        found.headingRad(),
+        found.sizePx(),
+        found.headTailConfidence());
+    return fly;
+  }
+
+  private boolean look(double fromHz, double toHz) {
+    int n = 0;
+    spectrum.clear();
+    for (int i = 0; i < sample.size; i++) {
+      if (sample.supported[i]) {
+        px[n] = sample.x[i];
+        py[n++] = sample.y[i];
+        spectrum.add(sample.timeS[i], sample.x[i], sample.y[i]);
+      }
+    }
+    return means.divide(px, py, n, geometry.width(), geometry.height())
+        && spectrum.search(fromHz, toHz);
+  }
+
+  /**
+   * Fits along the axis of the beat and, if 2-means says otherwise, along that; keeps the better.
+   */
+  private boolean fitBest(double byMeans) {
+    double score = fit(spectrum.axisRad);
+    if (Math.abs(Angles.wrapHalfPi(byMeans - spectrum.axisRad)) > OTHER_AXIS_RAD) {
+      StrokeFit[] kept = fits;
+      double keptAxis = fittedAxis;
+      double keptOuter = outerPx;
+      boolean[] keptFitted = fitted.clone();
+      fits = otherFits;
+      double other = fit(byMeans);
+      if (other > score) {
+        otherFits = kept;
+        score = other;
+      } else {
+        otherFits = fits;
+        fits = kept;
+        fitted[0] = keptFitted[0];
+        fitted[1] = keptFitted[1];
+        fittedAxis = keptAxis;
+        outerPx = keptOuter;
+      }
+    }
+    return score > 0 && fitted[0] && fitted[1] || fitAlone();
+  }
+
+  /** Takes all events for those of one wing, on either side of the axis. */
+  private boolean fitAlone() {
+    fittedAxis = spectrum.axisRad;
+    split.along(sample, fittedAxis);
+    double across = ALONE_SHARE * split.reach(sample, split.middleX, split.middleY);
+    double omega = 2 * Math.PI * spectrum.frequencyHz;
+    for (int side = 0; side < 2; side++) {
+      double sign = side == 0 ? 1 : -1;
+      split.classifyAll(sample, side);
+      double startX = split.middleX + sign * across * Math.sin(fittedAxis);
+      double startY = split.middleY - sign * across * Math.cos(fittedAxis);
+      fitted[side] = lines.search(sample, side, split.classes, startX, startY);
+      if (fitted[side]) {
+        outerPx = split.reach(sample, lines.x, lines.y);
+        fitted[side] =
+            fits[side].fit(
+                    sample,
+                    split.classes,
+                    side,
+                    fittedAxis,
+                    sign,
+                    lines.x,
+                    lines.y,
+                    outerPx,
+                    omega,
+                    false)
+                && isWing(fits[side])
+                && fits[side].inliers > ALONE_INLIERS * fits[side].events;
+      }
+    }
+    if (fitted[0] && fitted[1]) {
+      fitted[fits[0].inliers > fits[1].inliers ? 1 : 0] = false;
+    }
+    return fitted[0] || fitted[1];
+  }
+
+  private static boolean isWing(StrokeFit fit) {
+    double amplitude = fit.amplitude();
+    return fit.inliers > LEAST_SHARE * fit.events
+        && fit.inliers > 50
+        && amplitude > 0.2
+        && amplitude < 1.8;
+  }
+
+  /** Divides along an axis, finds hinges and strokes; tells how many events that explains. */
+  private double fit(double axis) {
+    fittedAxis = axis;
+    split.along(sample, axis);
+    double x = split.middleX;
+    double y = split.middleY;
+    outerPx = split.reach(sample, x, y);
+    for (int pass = 0; pass < 2; pass++) {
+      split.classify(sample, x, y, axis);
+      for (int side = 0; side < 2; side++) {
+        fitted[side] = fitSide(side, pass == 0, x, y);
+      }
+      if (!fitted[0] && !fitted[1]) {
+        return -1;
+      }
+      if (pass == 0 && fitted[0] && fitted[1]) {
+        // a hinge that the events of one wing leave open is where the other's says
+        bodyLine.bring(fits, axis);
+      }
+      StrokeFit first = fits[fitted[0] ? 0 : 1];
+      StrokeFit second = fits[fitted[1] ? 1 : 0];
+      x = (first.hingeX() + second.hingeX()) / 2;
+      y = (first.hingeY() + second.hingeY()) / 2;
+    }
+    if (fitted[0] && fitted[1] && !together()) {
+      return -1;
+    }
+    double inliers = (fitted[0] ? fits[0].inliers : 0) + (fitted[1] ? fits[1].inliers : 0);
+    return inliers / Math.max(1, sample.size);
+  }
+
+  /** Two wings swing together; the two halves of one wing's stroke do not. */
+  private boolean together() {
+    double inPhase = fits[0].cosine(1) * fits[1].cosine(1) + fits[0].sine(1) * fits[1].sine(1);
+    return inPhase > LEAST_TOGETHER * fits[0].amplitude() * fits[1].amplitude();
+  }
+
+  private boolean fitSide(int side, boolean first, double x, double y) {
+    double hingeX = fits[side].hingeX();
+    double hingeY = fits[side].hingeY();
+    if (first || !fitted[side]) {
+      if (!lines.search(sample, side, split.classes, x, y)) {
+        return false;
+      }
+      hingeX = lines.x;
+      hingeY = lines.y;
+    }
+    double omega = 2 * Math.PI * spectrum.frequencyHz;
+    double turn = side == 0 ? 1 : -1;
+    return fits[side].fit(
+            sample, split.classes, side, fittedAxis, turn, hingeX, hingeY, outerPx, omega, first)
+        && isWing(fits[side]);
+  }
+
+  private FoundFly conclude() {
+    int missing = fitted[0] && fitted[1] ? -1 : fitted[0] ? 1 : 0;
+    if (missing >= 0) {
+      return concludeOne(1 - missing);
+    }
+    double turn =
+        bodyLine.bring(fits, fittedAxis)
+            ? bodyLine.turnRad
+            : (fits[0].centre() - fits[1].centre()) / 2;
+    double asymmetry = (backwards(fits[0]) + backwards(fits[1])) / 2;
+    boolean flipped = asymmetry < 0;
+    double heading = fittedAxis + turn + (flipped ? Math.PI : 0);
+    StrokeSeed[] seeds = new StrokeSeed[2];
+    StrokeFit[] sides = new StrokeFit[2];
+    for (int side = 0; side < 2; side++) {
+      sides[side] = fits[flipped ? 1 - side : side];
+      StrokeSeed seed = sides[side].seed(sample.startUs, flipped);
+      seeds[side] =
+          new StrokeSeed(
+              seed.timeUs(),
+              seed.centre() + (side == 0 ? -turn : turn),
+              seed.amplitude(),
+              seed.phase(),
+              seed.omega(),
+              seed.halfWidth(),
+              seed.lagS(),
+              seed.cosines(),
+              seed.sines());
+    }
+    FlyGeometry found =
+        new FlyGeometry(
+            (sides[0].hingeX() + sides[1].hingeX()) / 2,
+            (sides[0].hingeY() + sides[1].hingeY()) / 2,
+            Angles.wrapTwoPi(heading),
+            outerPx,
+            sides[0].hingeX(),
+            sides[0].hingeY(),
+            sides[1].hingeX(),
+            sides[1].hingeY(),
+            Math.tanh(Math.abs(asymmetry) / HEAD_SD_RAD),
+            sample.endUs);
+    return new FoundFly(found, seeds);
+  }
+
+  /** How far the stroke is beyond the cross line, by its mean and by its extremes alike. */
+  private static double backwards(StrokeFit fit) {
+    return (fit.centre() + fit.middle() - Math.PI) / 2;
+  }
+
+  /** One wing alone: the axis is across its mean direction, and the head where it keeps away. */
+  private FoundFly concludeOne(int present) {
+    StrokeFit fit = fits[present];
+    boolean flipped = backwards(fit) < 0;
+    int side = flipped ? 1 - present : present;
+    StrokeSeed[] seeds = new StrokeSeed[2];
+    seeds[side] = fit.seed(sample.startUs, flipped);
+    FlyGeometry found =
+        new FlyGeometry(
+            fit.hingeX(),
+            fit.hingeY(),
+            Angles.wrapTwoPi(fittedAxis + (flipped ? Math.PI : 0)),
+            outerPx,
+            fit.hingeX(),
+            fit.hingeY(),
+            fit.hingeX(),
+            fit.hingeY(),
+            Math.tanh(Math.abs(backwards(fit)) / HEAD_SD_RAD),
+            sample.endUs);
+    return new FoundFly(found, seeds);
+  }
+}

@@ -1,0 +1,12 @@
+package haltere.filters.wing.search;
+
+import haltere.filters.wing.FlyGeometry;
+import haltere.filters.wing.stroke.StrokeSeed;
+
+/**
+ * A fly that the search has found.
+ *
+ * @param geometry where it is
+ * @param seeds its strokes, left and right; null for a wing that was not found
+ */
+public record FoundFly(FlyGeometry geometry, StrokeSeed[] seeds) {}

@@ -1,0 +1,45 @@
+package haltere.filters.wing.stroke;
+
+import haltere.filters.wing.WingSide;
+
+/**
+ * Tells of each beat as it ends: when the phase has passed 0.
+ *
+ * <p>Thread rule: one thread at a time.
+ */
+final class BeatClock {
+  private final WingSide side;
+  private final BeatListener beats;
+  private double lastPhase;
+  private double lastCrossingUs = Double.NaN;
+
+  BeatClock(WingSide side, BeatListener beats) {
+    this.side = side;
+    this.beats = beats;
+  }
+
+  /** Begins at a phase. */
+  void launch(double phase) {
+    lastPhase = phase;
+    lastCrossingUs = Double.NaN;
+  }
+
+  /**
+   * Looks, several times a beat.
+   *
+   * @param timeUs now
+   * @param phase now, in [0, 2 pi)
+   * @param omega angular frequency
+   * @param shape of the stroke
+   */
+  void look(long timeUs, double phase, double omega, StrokeShape shape) {
+    if (phase < lastPhase - Math.PI) {
+      double crossingUs = timeUs - phase / omega * 1e6;
+      beats.beat(side, crossingUs, crossingUs - lastCrossingUs, shape.least, shape.most);
+      lastCrossingUs = crossingUs;
+      lastPhase = phase;
+    } else if (phase - lastPhase < Math.PI) {
+      lastPhase = Math.max(lastPhase, phase);
+    }
+  }
+}

@@ -1,0 +1,84 @@
+package haltere.filters.wing.stroke;
+
+/**
+ * How much more than usual the frequency has changed within some milliseconds, against what its
+ * rate of change let expect. A frequency that begins to change faster than the filter is ready for
+ * is followed late, so that it is then off by about as much as it has changed: that is seen sooner
+ * than the phases run away ({@link RunAway}).
+ *
+ * <p>A fly's wings are driven as one: the mean change of both counts. Thread rule: one thread at a
+ * time.
+ */
+final class FrequencyChange {
+  /** Looks, of about a millisecond, over which a change counts. */
+  private static final int LOOKS = 6;
+
+  /** A square so many times the usual one is no more than usual. */
+  private static final double USUAL_TIMES = 2;
+
+  /** Mean square, as a share of what the filter thinks of its frequency, before any was seen. */
+  private static final double FIRST_SHARE = 0.2;
+
+  private static final double FIRST_WEIGHT = 30;
+  private static final double MOST_WEIGHT = 400;
+
+  private final double[] omega = new double[LOOKS];
+  private final double[] rate = new double[LOOKS];
+  private final double[] timeS = new double[LOOKS];
+  private int next;
+  private int filled;
+  private double nowS;
+  private double change;
+  private double usual;
+  private double weight;
+  private double excess;
+  private FrequencyChange other;
+
+  void launch() {
+    next = 0;
+    filled = 0;
+    nowS = 0;
+    change = 0;
+    excess = 0;
+    weight = 0;
+  }
+
+  /** Says which wing is driven together with this one; null if none is known. */
+  void besides(FrequencyChange wing) {
+    other = wing;
+  }
+
+  /**
+   * Looks, about once in a millisecond.
+   *
+   * @param dtS since the last time
+   * @param filter of the wing
+   * @param calm whether the fly flies steadily, so that this change counts as usual
+   */
+  void look(double dtS, StrokeEkf filter, boolean calm) {
+    nowS += dtS;
+    if (weight == 0) {
+      usual = FIRST_SHARE * filter.covariance(StrokeEkf.OMEGA, StrokeEkf.OMEGA);
+      weight = FIRST_WEIGHT;
+    }
+    double now = filter.x[StrokeEkf.OMEGA];
+    change = filled < LOOKS ? 0 : now - omega[next] - rate[next] * (nowS - timeS[next]);
+    omega[next] = now;
+    rate[next] = filter.x[StrokeEkf.RATE];
+    timeS[next] = nowS;
+    next = (next + 1) % LOOKS;
+    filled = Math.min(LOOKS, filled + 1);
+    double mean = other == null ? change : (change + other.change) / 2;
+    double clearly = USUAL_TIMES * usual;
+    excess = Math.max(0, mean * mean - clearly);
+    if (calm && filled == LOOKS) {
+      weight = Math.min(MOST_WEIGHT, weight + 1);
+      usual += (Math.min(mean * mean, clearly) - usual) / weight;
+    }
+  }
+
+  /** Square of the change beyond what is usual, squared radians a squared second. */
+  double excess() {
+    return excess;
+  }
+}

@@ -1,0 +1,111 @@
+package haltere.filters.wing.stroke;
+
+/**
+ * How far off the frequency was, as seen in hindsight: the phases some beats before and after a
+ * time tell the frequency at that time far better than it could be told then, and without lag. The
+ * mean square of what both differ by says how sure the frequency really is: it holds what noise
+ * does and what the filter lags behind the fly's own changes alike, which its covariance, made for
+ * manoeuvres, does not.
+ *
+ * <p>Manoeuvres are left out here: in them the frequency changes too fast to be told by a line.
+ *
+ * <p>Thread rule: one thread at a time.
+ */
+final class FrequencyHindsight {
+  /** Looks of about a millisecond before and after the one that is judged. */
+  private static final int HALF = 25;
+
+  private static final int LOOKS = 2 * HALF + 1;
+
+  /** A stretch with a gap of so much tells nothing. */
+  private static final double GAP_S = 0.02;
+
+  /** Variance, as a share of what the filter thinks, before anything was judged. */
+  private static final double FIRST_SHARE = 0.2;
+
+  private static final double FIRST_WEIGHT = 30;
+  private static final double MOST_WEIGHT = 120;
+
+  private final double[] timeS = new double[LOOKS];
+  private final double[] phase = new double[LOOKS];
+  private final double[] omega = new double[LOOKS];
+  private final double[] variance = new double[LOOKS];
+  private int next;
+  private int filled;
+  private double nowS;
+  private double share;
+  private double weight;
+
+  /** Begins with what is usual. */
+  void launch() {
+    next = 0;
+    filled = 0;
+    nowS = 0;
+    share = FIRST_SHARE;
+    weight = FIRST_WEIGHT;
+  }
+
+  /**
+   * Looks, about once in a millisecond.
+   *
+   * @param dtS since the last time
+   * @param filter of the wing
+   * @param calm whether the fly flies steadily
+   */
+  void look(double dtS, StrokeEkf filter, boolean calm) {
+    nowS += dtS;
+    if (!calm || dtS > GAP_S) {
+      filled = 0;
+    }
+    if (!calm) {
+      return;
+    }
+    double turned = filter.x[StrokeEkf.PHASE];
+    if (filled > 0) {
+      int last = (next + LOOKS - 1) % LOOKS;
+      double expected = phase[last] + filter.x[StrokeEkf.OMEGA] * (nowS - timeS[last]);
+      turned += 2 * Math.PI * Math.rint((expected - turned) / (2 * Math.PI));
+    }
+    timeS[next] = nowS;
+    phase[next] = turned;
+    omega[next] = filter.x[StrokeEkf.OMEGA];
+    variance[next] = filter.covariance(StrokeEkf.OMEGA, StrokeEkf.OMEGA);
+    next = (next + 1) % LOOKS;
+    filled = Math.min(LOOKS, filled + 1);
+    if (filled == LOOKS) {
+      judge();
+    }
+  }
+
+  /** Holds the frequency in the middle against the slope of the line through all phases. */
+  private void judge() {
+    int middle = (next + HALF) % LOOKS;
+    double meanTime = 0;
+    double meanPhase = 0;
+    for (int i = 0; i < LOOKS; i++) {
+      meanTime += (timeS[i] - timeS[middle]) / LOOKS;
+      meanPhase += (phase[i] - phase[middle]) / LOOKS;
+    }
+    double squares = 0;
+    double products = 0;
+    for (int i = 0; i < LOOKS; i++) {
+      double t = timeS[i] - timeS[middle] - meanTime;
+      squares += t * t;
+      products += t * (phase[i] - phase[middle] - meanPhase);
+    }
+    double off = omega[middle] - products / squares;
+    weight = Math.min(MOST_WEIGHT, weight + 1);
+    share += (off * off / variance[middle] - share) / weight;
+  }
+
+  /**
+   * Variance in steady flight as a share of what a filter thinks, as both wings tell it.
+   *
+   * @param other of the other wing of the same fly; null if that is not tracked
+   */
+  double share(FrequencyHindsight other) {
+    return other == null
+        ? share
+        : (weight * share + other.weight * other.share) / (weight + other.weight);
+  }
+}

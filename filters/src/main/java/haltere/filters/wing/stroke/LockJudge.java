@@ -1,0 +1,64 @@
+package haltere.filters.wing.stroke;
+
+/**
+ * Tells whether a filter is still on its wing: its events still come at their usual rate, more of
+ * them lie near the wing than chance explains, and the state is one of a wing.
+ *
+ * <p>Thread rule: one thread at a time.
+ */
+final class LockJudge {
+  private static final int PATIENCE = 25;
+  private static final double LEAST_EXCESS = 0.1;
+  private static final double SILENT_SHARE = 0.12;
+  private static final double USUAL_S = 0.5;
+  private static final double QUICK_BEATS = 3;
+  private static final double LEAST_OMEGA = 2 * Math.PI * 30;
+  private static final double MOST_OMEGA = 2 * Math.PI * 1000;
+  private static final double LEAST_AMPLITUDE = 0.12;
+  private static final double MOST_AMPLITUDE = 2.2;
+
+  private long counted;
+  private double quickRate;
+  private double usualRate;
+  private double sinceLaunchS;
+  private int poor;
+
+  /** Begins anew. */
+  void launch() {
+    counted = 0;
+    quickRate = 0;
+    usualRate = 0;
+    sinceLaunchS = 0;
+    poor = 0;
+  }
+
+  /**
+   * Looks, about once in a millisecond.
+   *
+   * @param dtS since the last time
+   * @param taken events that the filter has taken in since its launch
+   * @param omega angular frequency
+   * @param amplitude of the stroke
+   * @param excess share of events near the wing beyond what chance explains
+   */
+  void look(double dtS, long taken, double omega, double amplitude, double excess) {
+    double rate = (taken - counted) / dtS;
+    counted = taken;
+    double quickS = QUICK_BEATS * 2 * Math.PI / Math.max(LEAST_OMEGA, omega);
+    quickRate += dtS / (dtS + quickS) * (rate - quickRate);
+    sinceLaunchS += dtS;
+    usualRate += dtS / Math.min(sinceLaunchS, USUAL_S) * (rate - usualRate);
+    boolean possible =
+        omega > LEAST_OMEGA
+            && omega < MOST_OMEGA
+            && amplitude > LEAST_AMPLITUDE
+            && amplitude < MOST_AMPLITUDE;
+    boolean good = quickRate >= SILENT_SHARE * usualRate && excess >= LEAST_EXCESS;
+    poor = !possible ? poor + PATIENCE : good ? 0 : poor + 1;
+  }
+
+  /** Whether it has looked bad for long enough. */
+  boolean isLost() {
+    return poor >= PATIENCE;
+  }
+}

@@ -1,0 +1,314 @@
+package haltere.filters.wing.stroke;
+
+import haltere.filters.estimation.CovarianceEdit;
+import java.util.Arrays;
+
+/**
+ * The extended Kalman filter of a wing's stroke. Its state is the centre a, the amplitude M, the
+ * phase xi, the angular frequency omega, the half width w of the wing as seen, the lag of ON behind
+ * OFF events, the rate of change of omega, and the terms c, s of the harmonics from the second on:
+ *
+ * <pre>h(xi) = a + M sin xi + sum over k from 2 of (c_k cos k xi + s_k sin k xi)</pre>
+ *
+ * An OFF event measures h(xi) + w sgn(h'), an ON event h(xi - omega lag) - w sgn(h').
+ *
+ * <p>Sine and cosine of the phase are kept and turned by small angles, not computed anew. Process
+ * noise is a density per second. Harmonics, width and lag forget slowly (Ornstein and Uhlenbeck),
+ * so that what events do not show returns to what is likely.
+ *
+ * <p>Times in seconds, angles in radians. Thread rule: one thread at a time.
+ */
+final class StrokeEkf {
+  static final int CENTRE = 0;
+  static final int AMPLITUDE = 1;
+  static final int PHASE = 2;
+  static final int OMEGA = 3;
+  static final int WIDTH = 4;
+  static final int LAG = 5;
+  static final int RATE = 6;
+  static final int SERIES = 7;
+
+  final int harmonics;
+  final int size;
+  final double[] x;
+  final double[] p;
+  private final double[] g;
+  private final double[] h;
+  private final double[] moved;
+
+  /** Cosine and sine of the phase. */
+  double cos = 1;
+
+  double sin;
+
+  /** Derivative of the stroke angle where {@link #angleWithSlope} was asked for it last. */
+  double slopeThere;
+
+  /** Cosine and sine of omega times the lag. */
+  double lagCos = 1;
+
+  double lagSin;
+
+  StrokeEkf(int harmonics) {
+    this.harmonics = harmonics;
+    size = SERIES + 2 * (harmonics - 1);
+    x = new double[size];
+    p = new double[size * size];
+    g = new double[size];
+    h = new double[size];
+    moved = new double[size];
+  }
+
+  /** Begins anew: a state with independent errors. */
+  void launch(double[] state, double[] sd) {
+    Arrays.fill(p, 0);
+    for (int i = 0; i < size; i++) {
+      x[i] = state[i];
+      p[i * size + i] = sd[i] * sd[i];
+    }
+    refresh();
+  }
+
+  private void refresh() {
+    x[PHASE] = wrapped(x[PHASE]);
+    cos = Math.cos(x[PHASE]);
+    sin = Math.sin(x[PHASE]);
+    lagCos = Math.cos(x[OMEGA] * x[LAG]);
+    lagSin = Math.sin(x[OMEGA] * x[LAG]);
+  }
+
+  private static double wrapped(double angle) {
+    return angle - 2 * Math.PI * Math.floor(angle / (2 * Math.PI));
+  }
+
+  /** Turns the phase on; the covariance stays behind until {@link #predictCovariance}. */
+  void turn(double angle) {
+    if (Math.abs(angle) > 0.3) {
+      x[PHASE] += angle;
+      refresh();
+      return;
+    }
+    double square = angle * angle;
+    double s = angle * (1 - square * (1.0 / 6 - square * (1.0 / 120)));
+    double c = 1 - square * (0.5 - square * (1.0 / 24 - square * (1.0 / 720)));
+    double nextCos = cos * c - sin * s;
+    double nextSin = sin * c + cos * s;
+    double off = 1.5 - 0.5 * (nextCos * nextCos + nextSin * nextSin);
+    cos = nextCos * off;
+    sin = nextSin * off;
+    double phase = x[PHASE] + angle;
+    x[PHASE] = phase >= 2 * Math.PI ? phase - 2 * Math.PI : phase < 0 ? phase + 2 * Math.PI : phase;
+  }
+
+  /** Stroke angle at a phase given by its cosine and sine. */
+  double angle(double c1, double s1) {
+    double value = x[CENTRE] + x[AMPLITUDE] * s1;
+    double c = c1;
+    double s = s1;
+    for (int i = SERIES; i < size; i += 2) {
+      double next = c * c1 - s * s1;
+      s = s * c1 + c * s1;
+      c = next;
+      value += x[i] * c + x[i + 1] * s;
+    }
+    return value;
+  }
+
+  /** Derivative of the stroke angle with respect to the phase. */
+  double slope(double c1, double s1) {
+    double value = x[AMPLITUDE] * c1;
+    double c = c1;
+    double s = s1;
+    int k = 2;
+    for (int i = SERIES; i < size; i += 2) {
+      double next = c * c1 - s * s1;
+      s = s * c1 + c * s1;
+      c = next;
+      value += k * (x[i + 1] * c - x[i] * s);
+      k++;
+    }
+    return value;
+  }
+
+  /**
+   * Stroke angle at a phase, in one go with its {@link #slope}, which {@link #slopeThere} keeps.
+   */
+  double angleWithSlope(double c1, double s1) {
+    double value = x[CENTRE] + x[AMPLITUDE] * s1;
+    double slope = x[AMPLITUDE] * c1;
+    double c = c1;
+    double s = s1;
+    double k = 2;
+    for (int i = SERIES; i < size; i += 2) {
+      double next = c * c1 - s * s1;
+      s = s * c1 + c * s1;
+      c = next;
+      double cosine = x[i];
+      double sine = x[i + 1];
+      value += cosine * c + sine * s;
+      slope += k * (sine * c - cosine * s);
+      k++;
+    }
+    slopeThere = slope;
+    return value;
+  }
+
+  /** Stroke angle when the phase has turned on. */
+  double angleAfter(double turn) {
+    double c = Math.cos(turn);
+    double s = Math.sin(turn);
+    return angle(cos * c - sin * s, sin * c + cos * s);
+  }
+
+  /** Derivative with respect to the phase when that has turned on. */
+  double slopeAfter(double turn) {
+    double c = Math.cos(turn);
+    double s = Math.sin(turn);
+    return slope(cos * c - sin * s, sin * c + cos * s);
+  }
+
+  /** Takes the covariance on by a time: the phase gathers the error of the frequency. */
+  void predictCovariance(double dtS, double[] density) {
+    x[OMEGA] += dtS * x[RATE];
+    int phase = PHASE * size;
+    int omega = OMEGA * size;
+    int rate = RATE * size;
+    for (int j = 0; j < size; j++) {
+      p[phase + j] += dtS * p[omega + j];
+      p[omega + j] += dtS * p[rate + j];
+    }
+    for (int i = 0; i < size * size; i += size) {
+      p[i + PHASE] += dtS * p[i + OMEGA];
+      p[i + OMEGA] += dtS * p[i + RATE];
+    }
+    for (int i = 0; i < size; i++) {
+      p[i * size + i] += density[i] * dtS;
+    }
+  }
+
+  /** Lets an entry forget: towards a likely value, by a share. */
+  void forget(int entry, double towards, double share, double sd) {
+    double keep = 1 - share;
+    x[entry] = towards + keep * (x[entry] - towards);
+    for (int j = 0; j < size; j++) {
+      p[entry * size + j] *= keep;
+      p[j * size + entry] *= keep;
+    }
+    p[entry * size + entry] += (1 - keep * keep) * sd * sd;
+  }
+
+  /**
+   * Makes the row of derivatives for an event of an edge at a phase.
+   *
+   * @param c1 cosine of the phase
+   * @param s1 sine of the phase
+   * @param edge 1 for an OFF event, -1 for an ON event, 0 for the middle of the wing
+   */
+  void look(double c1, double s1, int edge) {
+    double slope = slope(c1, s1);
+    double ahead = slope >= 0 ? edge : -edge;
+    boolean on = edge < 0;
+    h[CENTRE] = 1;
+    h[AMPLITUDE] = s1;
+    h[PHASE] = slope;
+    h[OMEGA] = on ? -slope * x[LAG] : 0;
+    h[WIDTH] = ahead;
+    h[LAG] = on ? -slope * x[OMEGA] : 0;
+    h[RATE] = 0;
+    double c = c1;
+    double s = s1;
+    for (int i = SERIES; i < size; i += 2) {
+      double next = c * c1 - s * s1;
+      s = s * c1 + c * s1;
+      c = next;
+      h[i] = c;
+      h[i + 1] = s;
+    }
+    for (int i = 0; i < size; i++) {
+      double sum = 0;
+      int at = i * size;
+      for (int j = 0; j < size; j++) {
+        sum += p[at + j] * h[j];
+      }
+      g[i] = sum;
+    }
+  }
+
+  /** Variance of what {@link #look} expects. */
+  double expectedVariance() {
+    double sum = 0;
+    for (int i = 0; i < size; i++) {
+      sum += h[i] * g[i];
+    }
+    return sum;
+  }
+
+  /** What {@link #look} looks at has moved by, since {@link #mark}. */
+  double movedBy() {
+    double sum = 0;
+    for (int i = 0; i < size; i++) {
+      sum += h[i] * moved[i];
+    }
+    return sum;
+  }
+
+  /** Forgets by how much the state has moved. */
+  void mark() {
+    Arrays.fill(moved, 0);
+  }
+
+  /** Takes in a measurement of what {@link #look} looks at. */
+  void update(double innovation, double variance) {
+    double scale = 1 / (expectedVariance() + variance);
+    for (int i = 0; i < size; i++) {
+      double k = g[i] * scale;
+      double step = k * innovation;
+      x[i] += step;
+      moved[i] += step;
+      int at = i * size;
+      for (int j = 0; j < size; j++) {
+        p[at + j] -= k * g[j];
+      }
+    }
+  }
+
+  /** Ends a round of updates: what follows from the state is computed anew. */
+  void settle() {
+    double turned = moved[PHASE];
+    if (turned != 0) {
+      x[PHASE] -= turned;
+      turn(turned);
+    }
+    double lag = x[OMEGA] * x[LAG];
+    if (Math.abs(lag) < 0.5) {
+      double square = lag * lag;
+      lagSin = lag * (1 - square * (1.0 / 6 - square * (1.0 / 120 - square * (1.0 / 5040))));
+      lagCos =
+          1 - square * (0.5 - square * (1.0 / 24 - square * (1.0 / 720 - square * (1.0 / 40320))));
+    } else {
+      lagSin = Math.sin(lag);
+      lagCos = Math.cos(lag);
+    }
+  }
+
+  /** Sets an entry of the state; the covariance stays. */
+  void set(int entry, double value) {
+    x[entry] = value;
+    refresh();
+  }
+
+  /** Sets an entry of the covariance, with all that has to follow for it to stay one. */
+  void setCovariance(int row, int column, double value) {
+    double[] edited = CovarianceEdit.with(p, size, row, column, value);
+    System.arraycopy(edited, 0, p, 0, p.length);
+  }
+
+  /** Standard deviation of an entry. */
+  double sd(int entry) {
+    return Math.sqrt(Math.max(0, p[entry * size + entry]));
+  }
+
+  double covariance(int i, int j) {
+    return p[i * size + j];
+  }
+}

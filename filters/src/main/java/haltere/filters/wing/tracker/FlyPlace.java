@@ -1,0 +1,132 @@
+package haltere.filters.wing.tracker;
+
+import haltere.filters.estimation.Angles;
+import haltere.filters.wing.FlyGeometry;
+import haltere.filters.wing.WingPlaceSettings;
+import haltere.filters.wing.WingSide;
+import haltere.filters.wing.stroke.StrokeFrame;
+
+/**
+ * Where the tracked fly is on the sensor: a frame for each wing, and the body's line, which divides
+ * left from right: through the middle of the hinges, along the heading.
+ *
+ * <p>Thread rule: one thread at a time.
+ */
+final class FlyPlace {
+  private static final double REGION_SLACK = 1.05;
+  private static final double LEAST_REGION_PX = 3;
+
+  final StrokeFrame[] frames = {new StrokeFrame(WingSide.LEFT), new StrokeFrame(WingSide.RIGHT)};
+  private double axisCos = 1;
+  private double axisSin;
+  private double axisX;
+  private double axisY;
+  private double confidence;
+  private long initialisedAtUs;
+  private double sizePx;
+  private double regionPx;
+
+  /** Takes over what was found, with what a person says of it. */
+  void begin(FlyGeometry found, WingPlaceSettings place, long timeUs) {
+    boolean flip = place.flipHeading();
+    double heading = found.headingRad() + (flip ? Math.PI : 0) + place.headingOffsetRad();
+    sizePx = found.sizePx();
+    confidence = found.headTailConfidence();
+    initialisedAtUs = timeUs;
+    regionPx = Math.max(LEAST_REGION_PX, sizePx * REGION_SLACK + place.regionOffsetPx());
+    for (int side = 0; side < 2; side++) {
+      boolean left = side == 0 != flip;
+      frames[side].place(
+          (left ? found.leftHingeX() : found.rightHingeX()) + place.bodyOffsetXPx(),
+          (left ? found.leftHingeY() : found.rightHingeY()) + place.bodyOffsetYPx(),
+          heading,
+          place.innerRadiusPx(),
+          regionPx);
+      frames[side].setByHand(isByHand(place));
+    }
+    settle();
+  }
+
+  private static boolean isByHand(WingPlaceSettings place) {
+    return place.bodyOffsetXPx() != 0 || place.bodyOffsetYPx() != 0;
+  }
+
+  /** Exchanges head and tail, and with them left and right. */
+  void exchange(double innerPx) {
+    FlyGeometry now = geometry();
+    double heading = frames[0].headingRad() + Math.PI;
+    frames[0].place(now.rightHingeX(), now.rightHingeY(), heading, innerPx, regionPx);
+    frames[1].place(now.leftHingeX(), now.leftHingeY(), heading, innerPx, regionPx);
+  }
+
+  /**
+   * Moves by what a person says differently.
+   *
+   * @return by how much the heading turns, radians
+   */
+  double move(WingPlaceSettings before, WingPlaceSettings after) {
+    double turn = Angles.wrapPi(after.headingOffsetRad() - before.headingOffsetRad());
+    regionPx =
+        Math.max(LEAST_REGION_PX, regionPx + after.regionOffsetPx() - before.regionOffsetPx());
+    for (StrokeFrame frame : frames) {
+      frame.place(
+          frame.hingeX() + after.bodyOffsetXPx() - before.bodyOffsetXPx(),
+          frame.hingeY() + after.bodyOffsetYPx() - before.bodyOffsetYPx(),
+          frame.headingRad() + turn,
+          after.innerRadiusPx(),
+          regionPx);
+      frame.setByHand(isByHand(after));
+    }
+    settle();
+    return turn;
+  }
+
+  /** Shifts and turns both frames. */
+  void shift(double byX, double byY, double turn) {
+    for (StrokeFrame frame : frames) {
+      frame.shift(byX, byY);
+      frame.setHeading(frame.headingRad() + turn);
+    }
+    settle();
+  }
+
+  /** Takes the body's line from the frames as they are now. */
+  void settle() {
+    double heading = frames[0].headingRad();
+    axisCos = Math.cos(heading);
+    axisSin = Math.sin(heading);
+    axisX = (frames[0].hingeX() + frames[1].hingeX()) / 2;
+    axisY = (frames[0].hingeY() + frames[1].hingeY()) / 2;
+  }
+
+  /** Side on which a pixel lies, 0 left, 1 right. */
+  int side(int x, int y) {
+    return (y - axisY) * axisCos - (x - axisX) * axisSin > 0 ? 0 : 1;
+  }
+
+  double axisX() {
+    return axisX;
+  }
+
+  double axisY() {
+    return axisY;
+  }
+
+  double regionPx() {
+    return regionPx;
+  }
+
+  FlyGeometry geometry() {
+    return new FlyGeometry(
+        (frames[0].hingeX() + frames[1].hingeX()) / 2,
+        (frames[0].hingeY() + frames[1].hingeY()) / 2,
+        Angles.wrapTwoPi(frames[0].headingRad()),
+        sizePx,
+        frames[0].hingeX(),
+        frames[0].hingeY(),
+        frames[1].hingeX(),
+        frames[1].hingeY(),
+        confidence,
+        initialisedAtUs);
+  }
+}

@@ -1,0 +1,399 @@
+package haltere.filters.wing.tracker;
+
+import haltere.core.event.EventAddress;
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.stream.ReportClock;
+import haltere.filters.wing.FlyGeometry;
+import haltere.filters.wing.WingFilterEdit;
+import haltere.filters.wing.WingFilterState;
+import haltere.filters.wing.WingListener;
+import haltere.filters.wing.WingPart;
+import haltere.filters.wing.WingTrackerSettings;
+import haltere.filters.wing.WingTrackerState;
+import haltere.filters.wing.WingTrackerState.Phase;
+import haltere.filters.wing.search.FlySearch;
+import haltere.filters.wing.search.FoundFly;
+import haltere.filters.wing.search.MultipleWatch;
+import haltere.filters.wing.search.RecentEvents;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Tracks the wings of a tethered fly: gathers events, finds the fly in them ({@link FlySearch}),
+ * tracks the wings with the method of the settings, and searches again when it has lost them.
+ *
+ * <p>What it says depends on the events alone, not on how they come in packets. Thread rule: one
+ * thread at a time.
+ */
+public final class WingTracker {
+  private static final int RECENT = 16384;
+  private static final int CHECK_US = 10_000;
+
+  /** Checks are at multiples of this, whatever the rate of the estimates. */
+  private static final int CHECK_STEP_US = 1000;
+
+  /** A run of events of one polarity on a pixel ends after this time, whatever comes. */
+  private static final int LONGEST_RUN_US = 2500;
+
+  private static final long NO_EVENT = Long.MIN_VALUE >> 1;
+
+  /** Of what is due next, while no fly is tracked: each event may end the wait. */
+  private static final long AT_ONCE = Long.MIN_VALUE;
+
+  private final int width;
+  private final WingListener listener;
+  private final FlySearch search;
+  private final RecentEvents recent = new RecentEvents(RECENT);
+  private final TrackedFly fly;
+  private final MultipleWatch watch = new MultipleWatch();
+  private final SearchSteps steps = new SearchSteps();
+  private final ReportClock ticks = new ReportClock();
+  private final long[] lastOfPixel;
+  private WingTrackerSettings settings;
+  private Phase phase = Phase.COLLECTING;
+  private boolean begun;
+  private long dueUs;
+  private long nextCheckUs;
+  private long publishedUs;
+
+  /**
+   * A tracker that has seen nothing.
+   *
+   * @param geometry the sensor whose events it will see
+   * @param settings what to do
+   * @param listener takes the results
+   */
+  public WingTracker(SensorGeometry geometry, WingTrackerSettings settings, WingListener listener) {
+    width = geometry.width();
+    this.settings = settings;
+    this.listener = listener;
+    search = new FlySearch(geometry, recent, this::say);
+    fly = new TrackedFly(geometry, settings, listener);
+    lastOfPixel = new long[geometry.pixels()];
+    ticks.setRate(settings.output().rateHz());
+    reset();
+  }
+
+  /** Forgets everything that events have said; what a person has said stays. */
+  public void reset() {
+    recent.clear();
+    Arrays.fill(lastOfPixel, NO_EVENT);
+    phase = Phase.COLLECTING;
+    begun = false;
+    dueUs = AT_ONCE;
+    steps.clear();
+    fly.forget();
+  }
+
+  /**
+   * The settings in force.
+   *
+   * @return an immutable record
+   */
+  public WingTrackerSettings settings() {
+    return settings;
+  }
+
+  /**
+   * Takes new settings; what is tracked is tracked on.
+   *
+   * @param changed valid settings
+   */
+  public void apply(WingTrackerSettings changed) {
+    settings = changed;
+    fly.apply(changed);
+    ticks.setRate(changed.output().rateHz());
+    if (fly.isTracked()) {
+      ticks.skipTo(Math.max(publishedUs, recent.timeUs(recent.size() - 1)) + 1);
+      dueUs = Math.min(ticks.nextUs(), nextCheckUs);
+    }
+  }
+
+  /**
+   * What the tracker does.
+   *
+   * @return the present phase
+   */
+  public Phase phase() {
+    return phase;
+  }
+
+  /**
+   * How the fly was searched for last, and what became of it.
+   *
+   * @return the steps in their order, the last one the condition since; empty before the first
+   *     event
+   */
+  public List<WingTrackerState> searchSteps() {
+    return steps.inOrder();
+  }
+
+  /**
+   * Mean normalised innovation squared of the Kalman filters of late; 1 if they know how good their
+   * measurements are.
+   *
+   * @return at least 0; NaN while no wing is tracked by a filter that tells
+   */
+  public double meanNis() {
+    return fly.meanNis();
+  }
+
+  /**
+   * The Kalman filters as they are now, to be shown.
+   *
+   * @return one for each wing that is tracked, or for each edge of it; none with the running
+   *     average
+   */
+  public List<WingFilterState> filters() {
+    return fly.filters();
+  }
+
+  /**
+   * Changes a number of a filter while it runs. Noise that is changed stays until the filter is
+   * {@link #restart restarted}, the settings of the noise change, or head and tail are exchanged.
+   *
+   * @param edit which number
+   * @throws IllegalArgumentException with a line for a person if it cannot be that number, or there
+   *     is no such filter now
+   */
+  public void edit(WingFilterEdit edit) {
+    fly.edit(edit);
+  }
+
+  /**
+   * Begins a filter anew: where it is now, as unsure as when the wing was found, with the noise of
+   * the settings. Where each edge has a filter that is done for both edges of the wing.
+   *
+   * @param part the wing, or one of its edges
+   * @throws IllegalArgumentException with a line for a person if there is no such filter now
+   */
+  public void restart(WingPart part) {
+    fly.restart(part);
+  }
+
+  /**
+   * Where the fly is.
+   *
+   * @return empty while none is tracked
+   */
+  public Optional<FlyGeometry> geometry() {
+    return fly.isTracked() ? Optional.of(fly.geometry()) : Optional.empty();
+  }
+
+  /**
+   * Radius of the region of interest about each hinge.
+   *
+   * @return pixels; of no meaning while no fly is tracked
+   */
+  public double regionPx() {
+    return fly.regionPx();
+  }
+
+  /**
+   * Settings that place the body where a person says, as an offset from where it was found.
+   *
+   * @param x column
+   * @param y row
+   * @return the present settings with other offsets; the same while no fly is tracked
+   */
+  public WingTrackerSettings withBodyAt(double x, double y) {
+    if (!fly.isTracked()) {
+      return settings;
+    }
+    FlyGeometry now = fly.geometry();
+    return settings.with(
+        "place.bodyOffsetXPx=" + (settings.place().bodyOffsetXPx() + x - now.centreX()),
+        "place.bodyOffsetYPx=" + (settings.place().bodyOffsetYPx() + y - now.centreY()));
+  }
+
+  /**
+   * Settings that turn the heading to where a person says, as an offset from what was found.
+   *
+   * @param headingRad from tail to head
+   * @return the present settings with another offset; the same while no fly is tracked
+   */
+  public WingTrackerSettings withHeading(double headingRad) {
+    if (!fly.isTracked()) {
+      return settings;
+    }
+    double offset =
+        haltere.filters.estimation.Angles.wrapPi(
+            settings.place().headingOffsetRad() + headingRad - fly.geometry().headingRad());
+    return settings.with("place.headingOffsetRad=" + offset);
+  }
+
+  /**
+   * Settings with head and tail exchanged.
+   *
+   * @return the present settings with the other heading
+   */
+  public WingTrackerSettings withHeadingFlipped() {
+    return settings.with("place.flipHeading=" + !settings.place().flipHeading());
+  }
+
+  /**
+   * Settings with a region of interest as a person says.
+   *
+   * @param radiusPx about each hinge
+   * @return the present settings with another offset; the same while no fly is tracked
+   */
+  public WingTrackerSettings withRegion(double radiusPx) {
+    if (!fly.isTracked()) {
+      return settings;
+    }
+    return settings.with(
+        "place.regionOffsetPx=" + (settings.place().regionOffsetPx() + radiusPx - fly.regionPx()));
+  }
+
+  /**
+   * Tracks through a packet; leaves it as it is.
+   *
+   * @param packet in order of time
+   */
+  public void track(EventPacket packet) {
+    long[] times = packet.timesUs();
+    int[] addresses = packet.addresses();
+    int size = packet.size();
+    boolean firstOfRun = settings.filter().firstOfRun();
+    for (int i = 0; i < size; i++) {
+      long timeUs = times[i];
+      int address = addresses[i];
+      recent.add(timeUs, address);
+      if (timeUs >= dueUs && !work(timeUs)) {
+        continue;
+      }
+      int x = EventAddress.x(address);
+      int y = EventAddress.y(address);
+      int on = address & EventAddress.ON_BIT;
+      if (!firstOfRun || isFirst(y * width + x, timeUs, on)) {
+        fly.event(timeUs, x, y, on != 0);
+      }
+    }
+  }
+
+  /**
+   * Whether an event is the first of a run of one polarity on its pixel. Times stand in the upper
+   * bits and the polarity in the last one, so that the difference to the event before, turned by a
+   * bit, is half of it where the polarities are alike, and beyond any time where they are not.
+   */
+  private boolean isFirst(int pixel, long timeUs, int on) {
+    long now = timeUs << 1 | on;
+    long since = Long.rotateRight(now - lastOfPixel[pixel], 1);
+    lastOfPixel[pixel] = now;
+    return since + Long.MIN_VALUE >= LONGEST_RUN_US + Long.MIN_VALUE;
+  }
+
+  /** Does what is due at a time; false if its event is not to be tracked. */
+  private boolean work(long timeUs) {
+    if (!fly.isTracked()) {
+      lookForFly(timeUs);
+      return false;
+    }
+    passTicks(timeUs);
+    if (!fly.isTracked()) {
+      dueUs = AT_ONCE;
+    }
+    return fly.isTracked();
+  }
+
+  private void lookForFly(long timeUs) {
+    if (!begun) {
+      begun = true;
+      search.startAt(timeUs + settings.search().windowUs());
+      say(timeUs, Phase.COLLECTING, 0);
+    }
+    FoundFly found = search.look(timeUs, settings.search());
+    if (found != null) {
+      begin(found, timeUs);
+    }
+  }
+
+  private void begin(FoundFly found, long timeUs) {
+    if (!fly.isTracked()) {
+      publishedUs = timeUs;
+      ticks.skipTo(timeUs + 1);
+    }
+    fly.begin(found, timeUs);
+    nextCheckUs = -Math.floorDiv(-(timeUs + CHECK_US), CHECK_STEP_US) * CHECK_STEP_US;
+    dueUs = Math.min(ticks.nextUs(), nextCheckUs);
+    watch.launch();
+    setPhase(timeUs);
+    listener.geometry(fly.geometry());
+  }
+
+  private void setPhase(long timeUs) {
+    Phase now = fly.isTracked() ? fly.wings() == 2 ? Phase.TRACKING : Phase.ONE_WING : Phase.LOST;
+    if (now != phase) {
+      phase = now;
+      say(timeUs, now, recent.size());
+      if (now == Phase.LOST) {
+        fly.publishLoss(timeUs);
+      }
+      search.startAfter(timeUs);
+    }
+  }
+
+  private void say(long timeUs, Phase now, int events) {
+    FlyGeometry g = fly.isTracked() ? fly.geometry() : null;
+    say(
+        new WingTrackerState(
+            timeUs,
+            now,
+            events,
+            fly.frequencyHz(),
+            g == null ? Double.NaN : g.centreX(),
+            g == null ? Double.NaN : g.centreY(),
+            g == null ? Double.NaN : g.headingRad(),
+            g == null ? Double.NaN : g.sizePx(),
+            g == null ? Double.NaN : g.headTailConfidence()));
+  }
+
+  private void say(WingTrackerState state) {
+    steps.take(state);
+    listener.state(state);
+  }
+
+  /** Checks and estimates that are due; checks do not wait for estimates, whose rate may be low. */
+  private void passTicks(long timeUs) {
+    while (dueUs <= timeUs) {
+      long now = dueUs;
+      fly.advance(now);
+      if (now >= nextCheckUs) {
+        check(now);
+        if (!fly.isTracked()) {
+          return;
+        }
+      }
+      if (now >= ticks.nextUs()) {
+        fly.publish(now, phase);
+        publishedUs = now;
+        ticks.advance();
+      }
+      dueUs = Math.min(ticks.nextUs(), nextCheckUs);
+    }
+  }
+
+  /** Regular work: the heading follows, a lost wing is noticed, and searched for. */
+  private void check(long timeUs) {
+    nextCheckUs = timeUs + CHECK_US;
+    fly.check(timeUs);
+    if (fly.isTracked() && settings.search().startFrequencyHz() == 0) {
+      watch.look(recent, timeUs, fly.geometry());
+      if (watch.isWrong(fly.frequencyHz(0), fly.frequencyHz(1))) {
+        fly.forget();
+        setPhase(timeUs);
+        search.startAt(timeUs);
+        return;
+      }
+    }
+    setPhase(timeUs);
+    if (phase == Phase.ONE_WING) {
+      FoundFly found = search.lookForBoth(timeUs, settings.search());
+      if (found != null) {
+        begin(found, timeUs);
+      }
+    }
+  }
+}

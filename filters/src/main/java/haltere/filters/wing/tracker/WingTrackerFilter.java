@@ -1,0 +1,200 @@
+package haltere.filters.wing.tracker;
+
+import haltere.core.chain.FilterProvider;
+import haltere.core.chain.Outlet;
+import haltere.core.chain.PublishingFilter;
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.filters.wing.FlyGeometry;
+import haltere.filters.wing.WingBeat;
+import haltere.filters.wing.WingDifference;
+import haltere.filters.wing.WingEstimate;
+import haltere.filters.wing.WingListener;
+import haltere.filters.wing.WingMeasurement;
+import haltere.filters.wing.WingOverlay;
+import haltere.filters.wing.WingPair;
+import haltere.filters.wing.WingPart;
+import haltere.filters.wing.WingSnapshot;
+import haltere.filters.wing.WingTrackerSettings;
+import haltere.filters.wing.WingTrackerState;
+import haltere.filters.wing.WingVariances;
+import java.util.Map;
+
+/**
+ * {@link WingTracker} as a stage of a chain. Lets all events through; publishes what it tracks.
+ *
+ * <p>Outlets: {@code estimates} of edges and wings, {@code wings} without the edges, {@code
+ * averages} of the running average beside the Kalman filter, {@code differences} of both, {@code
+ * measurements} (each event that was taken in), {@code variances} of the filters, {@code beats},
+ * {@code pairs} of wings, {@code geometry} of the fly, {@code initialisation} step by step, and
+ * {@code snapshot} to be drawn.
+ */
+public final class WingTrackerFilter extends PublishingFilter<WingTrackerSettings> {
+  private final Outlet<WingEstimate> estimates = outlet("estimates", WingEstimate.class);
+  private final Outlet<WingEstimate> wings = outlet("wings", WingEstimate.class);
+  private final Outlet<WingEstimate> averages = outlet("averages", WingEstimate.class);
+  private final Outlet<WingDifference> differences = outlet("differences", WingDifference.class);
+  private final Outlet<WingMeasurement> measurements =
+      outlet("measurements", WingMeasurement.class);
+  private final Outlet<WingVariances> variances = outlet("variances", WingVariances.class);
+  private final Outlet<WingBeat> beats = outlet("beats", WingBeat.class);
+  private final Outlet<WingPair> pairs = outlet("pairs", WingPair.class);
+  private final Outlet<FlyGeometry> geometries = outlet("geometry", FlyGeometry.class);
+  private final Outlet<WingTrackerState> states = outlet("initialisation", WingTrackerState.class);
+  private final Outlet<WingSnapshot> snapshots =
+      drawnOutlet("snapshot", WingSnapshot.class, "wings", new WingOverlay());
+  private final WingTracker tracker;
+
+  /**
+   * A filter in its initial state.
+   *
+   * @param geometry the sensor whose events it will see
+   * @param settings what to do
+   */
+  public WingTrackerFilter(SensorGeometry geometry, WingTrackerSettings settings) {
+    tracker = new WingTracker(geometry, settings, new OutletsOfFilter());
+  }
+
+  /**
+   * The tracker, to ask for settings that place the fly as a person says.
+   *
+   * @return always the same
+   */
+  public WingTracker tracker() {
+    return tracker;
+  }
+
+  @Override
+  public void process(EventPacket packet) {
+    tracker.track(packet);
+  }
+
+  @Override
+  public void reset() {
+    tracker.reset();
+  }
+
+  /** Time goes on over a gap in the data; whether the wings are still there will show. */
+  @Override
+  public boolean bridgesGaps() {
+    return true;
+  }
+
+  @Override
+  public WingTrackerSettings settings() {
+    return tracker.settings();
+  }
+
+  @Override
+  public void apply(WingTrackerSettings settings) {
+    tracker.apply(settings);
+  }
+
+  /** From the tracker to the outlets. */
+  private final class OutletsOfFilter implements WingListener {
+    @Override
+    public boolean wantsEstimates() {
+      return estimates.hasSubscribers()
+          || wings.hasSubscribers()
+          || averages.hasSubscribers()
+          || differences.hasSubscribers()
+          || pairs.hasSubscribers();
+    }
+
+    @Override
+    public boolean wantsSnapshots() {
+      return snapshots.hasSubscribers();
+    }
+
+    @Override
+    public void estimate(WingEstimate estimate) {
+      estimates.publish(estimate);
+      if (estimate.edge() == WingPart.LEFT || estimate.edge() == WingPart.RIGHT) {
+        wings.publish(estimate);
+      }
+    }
+
+    @Override
+    public boolean wantsMeasurements() {
+      return measurements.hasSubscribers();
+    }
+
+    @Override
+    public boolean wantsVariances() {
+      return variances.hasSubscribers();
+    }
+
+    @Override
+    public void measurement(WingMeasurement measurement) {
+      measurements.publish(measurement);
+    }
+
+    @Override
+    public void variances(WingVariances row) {
+      variances.publish(row);
+    }
+
+    @Override
+    public void difference(WingDifference difference) {
+      differences.publish(difference);
+    }
+
+    @Override
+    public void average(WingEstimate estimate) {
+      averages.publish(estimate);
+    }
+
+    @Override
+    public void pair(WingPair pair) {
+      pairs.publish(pair);
+    }
+
+    @Override
+    public void beat(WingBeat beat) {
+      beats.publish(beat);
+    }
+
+    @Override
+    public void geometry(FlyGeometry geometry) {
+      geometries.publish(geometry);
+    }
+
+    @Override
+    public void state(WingTrackerState state) {
+      states.publish(state);
+    }
+
+    @Override
+    public void snapshot(WingSnapshot snapshot) {
+      snapshots.publish(snapshot);
+    }
+  }
+
+  /** Makes the filter where its name is found in a chain. */
+  public static final class Provider implements FilterProvider<WingTrackerSettings> {
+    @Override
+    public String name() {
+      return "wing-tracker";
+    }
+
+    @Override
+    public String description() {
+      return "Follows the wings of a tethered fly within each beat.";
+    }
+
+    @Override
+    public Class<WingTrackerSettings> settingsType() {
+      return WingTrackerSettings.class;
+    }
+
+    @Override
+    public Map<String, WingTrackerSettings> presets() {
+      return Map.of("original", WingTrackerSettings.original());
+    }
+
+    @Override
+    public WingTrackerFilter create(SensorGeometry geometry, WingTrackerSettings settings) {
+      return new WingTrackerFilter(geometry, settings);
+    }
+  }
+}

@@ -1,0 +1,27 @@
+package haltere.filters.wing.stroke;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import org.junit.jupiter.api.Test;
+
+class StrokeMemoryTest {
+  @Test
+  void whatEventsDoNotShowReturnsToWhatIsLikely() {
+    StrokeEkf filter = new StrokeEkf(4);
+    double[] state = new double[filter.size];
+    state[StrokeEkf.AMPLITUDE] = 1.1;
+    state[StrokeEkf.WIDTH] = 0.1;
+    state[StrokeEkf.SERIES + 1] = 0.1;
+    state[StrokeEkf.SERIES + 5] = 0.05;
+    filter.launch(state, new double[filter.size]);
+    for (int i = 0; i < 1000; i++) {
+      StrokeMemory.forget(filter, 1e-3, 100);
+    }
+    double kept = 1 / Math.E;
+    assertEquals(1.1, filter.x[StrokeEkf.AMPLITUDE], "what every event shows is not forgotten");
+    assertEquals(0.025 + kept * 0.075, filter.x[StrokeEkf.WIDTH], 1e-6);
+    assertEquals(kept * 0.1, filter.x[StrokeEkf.SERIES + 1], 1e-6);
+    assertEquals(kept * 0.05, filter.x[StrokeEkf.SERIES + 5], 1e-6);
+    assertEquals(0.012 * Math.sqrt(1 - kept * kept), filter.sd(StrokeEkf.SERIES + 5), 1e-6);
+  }
+}

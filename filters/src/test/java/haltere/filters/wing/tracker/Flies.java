@@ -1,0 +1,23 @@
+package haltere.filters.wing.tracker;
+
+import haltere.core.event.EventPacket;
+import haltere.core.simulation.fly.FlyScene;
+import haltere.core.simulation.fly.FlySceneSettings;
+import haltere.testing.SceneEvents;
+
+/** Simulated flies that differ from the usual one by assignments. */
+final class Flies {
+  private Flies() {}
+
+  static FlyScene scene(String... assignments) {
+    return new FlyScene(FlySceneSettings.defaults().with(assignments));
+  }
+
+  static EventPacket events(double seconds, String... assignments) {
+    return events(seconds, FlySceneSettings.defaults().with(assignments));
+  }
+
+  static EventPacket events(double seconds, FlySceneSettings settings) {
+    return SceneEvents.of(new FlyScene(settings.with("run.durationS=" + seconds)));
+  }
+}

@@ -1,0 +1,57 @@
+package haltere.filters.wing.tracker;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.filters.estimation.Angles;
+import haltere.filters.wing.FlyGeometry;
+import haltere.filters.wing.WingPlaceSettings;
+import haltere.filters.wing.stroke.StrokeFrame;
+import org.junit.jupiter.api.Test;
+
+class PixelAnglesTest {
+  private static final FlyGeometry FOUND =
+      new FlyGeometry(60.3, 66.8, 2.1, 40, 57.9, 65.2, 62.7, 68.4, 1, 0);
+
+  private static FlyPlace place() {
+    FlyPlace place = new FlyPlace();
+    place.begin(FOUND, WingPlaceSettings.defaults(), 0);
+    return place;
+  }
+
+  @Test
+  void eachPixelHasTheSideAndTheAngleThatItsWingsFrameGives() {
+    FlyPlace place = place();
+    PixelAngles angles = new PixelAngles(128, 128, place);
+    int inside = 0;
+    for (int round = 0; round < 2; round++) {
+      for (int y = 0; y < 128; y++) {
+        for (int x = 0; x < 128; x++) {
+          StrokeFrame frame = place.frames[place.side(x, y)];
+          float code = angles.code(x, y);
+          if (!frame.look(x, y)) {
+            assertTrue(Float.isNaN(code));
+            continue;
+          }
+          inside++;
+          assertEquals(place.side(x, y), PixelAngles.side(code));
+          double expected = Angles.wrapTwoPi(frame.angle());
+          assertEquals(expected, PixelAngles.angle(code), 5e-7);
+        }
+      }
+    }
+    assertTrue(inside > 5000, inside + " pixels in the region of interest");
+  }
+
+  @Test
+  void whenTheFlyIsElsewhereAnglesAreWorkedOutAnew() {
+    FlyPlace place = place();
+    PixelAngles angles = new PixelAngles(128, 128, place);
+    double before = PixelAngles.angle(angles.code(80, 80));
+    place.shift(0, 0, 0.25);
+    assertEquals(before, PixelAngles.angle(angles.code(80, 80)));
+    angles.clear();
+    // the right wing's angles are clockwise of the heading
+    assertEquals(before + 0.25, PixelAngles.angle(angles.code(80, 80)), 1e-6);
+  }
+}

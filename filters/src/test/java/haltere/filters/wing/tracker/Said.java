@@ -1,0 +1,105 @@
+package haltere.filters.wing.tracker;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.filters.wing.FlyGeometry;
+import haltere.filters.wing.WingBeat;
+import haltere.filters.wing.WingEstimate;
+import haltere.filters.wing.WingListener;
+import haltere.filters.wing.WingPair;
+import haltere.filters.wing.WingPart;
+import haltere.filters.wing.WingTrackerSettings;
+import haltere.filters.wing.WingTrackerState;
+import haltere.filters.wing.WingTrackerState.Phase;
+import java.util.ArrayList;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+
+/** What a tracker has said; all of it are numbers. */
+final class Said implements WingListener {
+  static final SensorGeometry SENSOR = new SensorGeometry(128, 128);
+
+  final List<WingTrackerState> states = new ArrayList<>();
+  final List<WingEstimate> estimates = new ArrayList<>();
+  final List<WingEstimate> averages = new ArrayList<>();
+  final List<WingBeat> beats = new ArrayList<>();
+  final List<WingPair> pairs = new ArrayList<>();
+  FlyGeometry geometry;
+  WingTracker tracker;
+
+  /** What a tracker with some settings says of events. */
+  static Said of(EventPacket events, WingTrackerSettings settings) {
+    Said said = new Said();
+    said.tracker = new WingTracker(SENSOR, settings, said);
+    said.tracker.track(events);
+    return said;
+  }
+
+  /** What a tracker says with settings that differ from the defaults by assignments. */
+  static Said with(EventPacket events, String... assignments) {
+    return of(events, WingTrackerSettings.defaults().with(assignments));
+  }
+
+  @Override
+  public void state(WingTrackerState state) {
+    states.add(state);
+  }
+
+  @Override
+  public void estimate(WingEstimate estimate) {
+    assertNumbers(estimate);
+    estimates.add(estimate);
+  }
+
+  @Override
+  public void average(WingEstimate estimate) {
+    assertNumbers(estimate);
+    averages.add(estimate);
+  }
+
+  private static void assertNumbers(WingEstimate e) {
+    assertTrue(
+        Double.isFinite(
+            e.angleRad() + e.centreRad() + e.amplitudeRad() + e.phaseRad() + e.frequencyHz()),
+        e::toString);
+  }
+
+  @Override
+  public void beat(WingBeat beat) {
+    beats.add(beat);
+  }
+
+  @Override
+  public void pair(WingPair pair) {
+    pairs.add(pair);
+  }
+
+  @Override
+  public void geometry(FlyGeometry found) {
+    geometry = found;
+  }
+
+  Set<Phase> phases() {
+    Set<Phase> phases = EnumSet.noneOf(Phase.class);
+    states.forEach(state -> phases.add(state.phase()));
+    return phases;
+  }
+
+  Phase lastPhase() {
+    return states.get(states.size() - 1).phase();
+  }
+
+  /** Estimates of an edge or a wing. */
+  List<WingEstimate> of(WingPart part) {
+    return estimates.stream().filter(e -> e.edge() == part).toList();
+  }
+
+  /** The last estimate of an edge or a wing. */
+  WingEstimate last(WingPart part) {
+    List<WingEstimate> all = of(part);
+    return all.get(all.size() - 1);
+  }
+}
