@@ -70,7 +70,7 @@ class PicturesTest {
   @Test
   void theFrequencyOfAnOscillatorIsFoundFromAnyOfThreeStarts() throws IOException {
     Spring spring = new Spring(0);
-    SvgPlot plot = new SvgPlot(0, 0.8, 0, 14);
+    SvgPlot plot = new SvgPlot(0, 3, 0, 14);
     plot.level("4.309 rad/s", MEASURED, WorkedExamples.FREQUENCY);
     double[] starts = {
       3 * WorkedExamples.FREQUENCY, 3, WorkedExamples.FREQUENCY / 3,
@@ -78,9 +78,14 @@ class PicturesTest {
     String[] colours = {RED, BLUE, GREEN};
     for (int i = 0; i < starts.length; i++) {
       List<Estimate> pass = spring.firstPass(starts[i]);
+      List<Estimate> shown = new ArrayList<>();
+      for (int k = 0; k <= 3 * WorkedExamples.FRAMES_PER_SECOND; k += 4) {
+        shown.add(pass.get(k));
+      }
       String name = String.format(Locale.ROOT, "from %.2f rad/s", starts[i]);
-      withBand(plot, pass.subList(0, 193), DampedOscillator.FREQUENCY, name, colours[i]);
-      assertTrue(Math.abs(pass.get(pass.size() - 1).value(3) - WorkedExamples.FREQUENCY) < 0.05);
+      withBand(plot, shown, DampedOscillator.FREQUENCY, name, colours[i]);
+      Estimate end = pass.get(pass.size() - 1);
+      assertTrue(Math.abs(end.value(3) - WorkedExamples.FREQUENCY) < 0.25, name);
     }
     write(plot, "oscillator", "Frequency of an oscillator, first pass", "time (s)", "ω (rad/s)");
   }

@@ -20,6 +20,13 @@ final class WorkedExamples {
   static final double FALL_NOISE_M = 0.004;
 
   static final double SPRING_NOISE_CM = 0.1;
+
+  /**
+   * What the report must have taken for the noise of a position: with it the frequency is known to
+   * about 1 rad/s after a second, as the report says.
+   */
+  static final double REPORTED_NOISE_CM = 27;
+
   static final double DAMPING = 0.07;
 
   /** Root of k/m with k = 2.562 N/m and m = 0.138 kg, in rad/s. */
@@ -80,18 +87,23 @@ final class WorkedExamples {
     }
 
     /**
-     * First pass, from a frequency that may be wrong by three times either way: nothing is known of
-     * position and speed, damping is 0.1 ± 0.2, frequency ± 9 rad/s.
+     * First pass, with the report's start: next to nothing is known, and a measurement is believed
+     * as little as the report's standard deviation of the frequency after a second tells.
      */
     List<Estimate> firstPass(double frequency) {
-      return pass(Matrices.column(0, 60, 0.1, frequency), Matrices.diagonal(1e4, 1e6, 0.04, 80));
+      return fromNextToNothing(frequency, REPORTED_NOISE_CM);
     }
 
-    /**
-     * First pass with the report's own start: next to nothing is known of damping and frequency.
-     */
-    List<Estimate> firstPassFromNextToNothing() {
-      return pass(Matrices.column(0, 60, 0.1, 3), Matrices.diagonal(1e4, 1e6, 100, 1000));
+    /** From the report's start, with measurements that are believed as they deserve. */
+    List<Estimate> onlyPass() {
+      return fromNextToNothing(3, SPRING_NOISE_CM);
+    }
+
+    private List<Estimate> fromNextToNothing(double frequency, double noiseCm) {
+      return pass(
+          Matrices.column(0, 60, 0.1, frequency),
+          Matrices.diagonal(1e4, 1e6, 100, 1000),
+          noiseCm);
     }
 
     /**
@@ -108,13 +120,13 @@ final class WorkedExamples {
               60,
               sign * end.value(DampedOscillator.DAMPING),
               sign * end.value(DampedOscillator.FREQUENCY)),
-          Matrices.diagonal(1, 400, 0.05 * 0.05, 0.3 * 0.3));
+          Matrices.diagonal(1, 400, 0.05 * 0.05, 0.3 * 0.3),
+          SPRING_NOISE_CM);
     }
 
-    private List<Estimate> pass(DMatrixRMaj x, DMatrixRMaj p) {
+    private List<Estimate> pass(DMatrixRMaj x, DMatrixRMaj p, double noiseCm) {
       ExtendedKalmanFilter filter = new ExtendedKalmanFilter(new DampedOscillator(0, 0, 0), x, p);
-      LinearMeasurement position =
-          LinearMeasurement.ofEntries(4, SPRING_NOISE_CM * SPRING_NOISE_CM, 0);
+      LinearMeasurement position = LinearMeasurement.ofEntries(4, noiseCm * noiseCm, 0);
       List<Estimate> estimates = new ArrayList<>();
       for (int k = 0; k < SPRING_FRAMES; k++) {
         if (k > 0) {
