@@ -1,14 +1,10 @@
 package haltere.core.simulation.fly;
 
 import haltere.core.event.EventPacket;
-import haltere.core.event.SensorGeometry;
-import haltere.core.simulation.PacketCutter;
+import haltere.core.simulation.EventMerger;
 import haltere.core.simulation.PixelArray;
-import haltere.core.simulation.RunSettings;
 import haltere.core.simulation.SceneSensor;
-import haltere.core.simulation.SensorTuning;
-import haltere.core.simulation.TunableScene;
-import haltere.core.stream.StreamHandler;
+import haltere.core.simulation.SensorScene;
 import java.util.List;
 
 /**
@@ -30,9 +26,7 @@ import java.util.List;
  *
  * <p>Thread rule: pulled by one thread at a time; {@link #truthAt} may be called by any thread.
  */
-public final class FlyScene implements TunableScene<FlyTruth> {
-  private static final int MOST_EVENTS = 4096;
-
+public final class FlyScene extends SensorScene<FlyTruth> {
   private static final double US = 1e-6;
   private static final int STEP_US = 10;
   private static final int STRETCH_US = 200;
@@ -41,13 +35,11 @@ public final class FlyScene implements TunableScene<FlyTruth> {
 
   private final FlySceneSettings settings;
   private final FlyKinematics kinematics;
-  private final SceneSensor sensor;
+  private final EventMerger bus;
   private final WingSweep[] wings = new WingSweep[2];
   private final BodyOutline outline;
-  private final PacketCutter cutter;
   private FlyPose before = new FlyPose();
   private FlyPose after = new FlyPose();
-  private long doneUs;
 
   /**
    * A scene at its beginning.
@@ -60,8 +52,16 @@ public final class FlyScene implements TunableScene<FlyTruth> {
 
   /** A scene whose packets have at most so many events. */
   FlyScene(FlySceneSettings settings, int mostEvents) {
+    this(
+        settings,
+        mostEvents,
+        new SceneSensor(settings.pixel(), settings.noise(), settings.sensor(), settings.run()));
+  }
+
+  private FlyScene(FlySceneSettings settings, int mostEvents, SceneSensor sensor) {
+    super("fly", sensor, settings.run(), mostEvents);
     this.settings = settings;
-    sensor = new SceneSensor(settings.pixel(), settings.noise(), settings.sensor(), settings.run());
+    bus = sensor.bus();
     kinematics = new FlyKinematics(settings);
     PixelArray pixels = sensor.pixels();
     WireMask wire = new WireMask(settings.disturbances().wire(), settings.sensor());
@@ -73,8 +73,6 @@ public final class FlyScene implements TunableScene<FlyTruth> {
       wings[side].place(before, angle(side, 0));
     }
     pixels.settleAll();
-    cutter =
-        new PacketCutter(settings.run(), sensor.geometry(), "fly", mostEvents, this::makeInterval);
   }
 
   /**
@@ -86,23 +84,13 @@ public final class FlyScene implements TunableScene<FlyTruth> {
     return settings;
   }
 
-  @Override
-  public SensorGeometry geometry() {
-    return sensor.geometry();
-  }
-
-  @Override
-  public boolean next(StreamHandler handler) {
-    return cutter.next(handler);
-  }
-
   /**
    * Events that the bus did not carry, up to now.
    *
    * @return at least 0
    */
   public long lostOnBus() {
-    return sensor.bus().lost();
+    return bus.lost();
   }
 
   /**
@@ -118,16 +106,6 @@ public final class FlyScene implements TunableScene<FlyTruth> {
   }
 
   @Override
-  public SensorTuning tuning() {
-    return sensor.tuning();
-  }
-
-  @Override
-  public void tune(SensorTuning newTuning) {
-    sensor.tune(newTuning, doneUs);
-  }
-
-  @Override
   public Class<FlyTruth> truthType() {
     return FlyTruth.class;
   }
@@ -138,31 +116,29 @@ public final class FlyScene implements TunableScene<FlyTruth> {
   }
 
   @Override
-  public RunSettings run() {
-    return settings.run();
+  protected long makeInterval(long fromUs, SceneSensor sensor, EventPacket out) {
+    for (long doneUs = fromUs; doneUs < fromUs + INTERVAL_US; doneUs += STRETCH_US) {
+      makeStretch(doneUs);
+    }
+    sensor.advance(fromUs + INTERVAL_US);
+    sensor.release(fromUs + INTERVAL_US, out);
+    return fromUs + INTERVAL_US;
   }
 
-  /** Adds the events of the next interval and tells where it ended. */
-  private long makeInterval(EventPacket out) {
-    for (long end = doneUs + INTERVAL_US; doneUs < end; ) {
-      long fromUs = doneUs;
-      doneUs += STRETCH_US;
-      kinematics.sample(doneUs * US, after);
-      for (int side = 0; side < wings.length; side++) {
-        for (int step = STEP_US; step <= STRETCH_US; step += STEP_US) {
-          double untilUs = fromUs + step;
-          wings[side].sweepTo(angle(side, (double) step / STRETCH_US), untilUs - STEP_US, untilUs);
-        }
-        wings[side].bodyMoved(after, doneUs);
+  private void makeStretch(long fromUs) {
+    long doneUs = fromUs + STRETCH_US;
+    kinematics.sample(doneUs * US, after);
+    for (int side = 0; side < 2; side++) {
+      for (int step = STEP_US; step <= STRETCH_US; step += STEP_US) {
+        double untilUs = fromUs + step;
+        wings[side].sweepTo(angle(side, (double) step / STRETCH_US), untilUs - STEP_US, untilUs);
       }
-      outline.look((int) (fromUs / STRETCH_US % LOOKS), fromUs, STRETCH_US, after);
-      FlyPose swap = before;
-      before = after;
-      after = swap;
+      wings[side].bodyMoved(after, doneUs);
     }
-    sensor.advance(doneUs);
-    sensor.release(doneUs, out);
-    return doneUs;
+    outline.look((int) (fromUs / STRETCH_US % LOOKS), fromUs, STRETCH_US, after);
+    FlyPose swap = before;
+    before = after;
+    after = swap;
   }
 
   /** Stroke angle at a share of the way from the pose before to the pose after. */

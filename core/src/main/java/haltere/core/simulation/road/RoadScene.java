@@ -1,13 +1,8 @@
 package haltere.core.simulation.road;
 
 import haltere.core.event.EventPacket;
-import haltere.core.event.SensorGeometry;
-import haltere.core.simulation.PacketCutter;
-import haltere.core.simulation.RunSettings;
 import haltere.core.simulation.SceneSensor;
-import haltere.core.simulation.SensorTuning;
-import haltere.core.simulation.TunableScene;
-import haltere.core.stream.StreamHandler;
+import haltere.core.simulation.SensorScene;
 import java.util.List;
 
 /**
@@ -27,18 +22,14 @@ import java.util.List;
  *
  * <p>Thread rule: pulled by one thread at a time; the truth may be asked for by any thread.
  */
-public final class RoadScene implements TunableScene<RoadTruth> {
-  private static final int MOST_EVENTS = 4096;
+public final class RoadScene extends SensorScene<RoadTruth> {
   private static final int INTERVAL_US = 4000;
 
   private final RoadSceneSettings settings;
   private final RoadCamera camera;
   private final RoadWitness witness;
-  private final SceneSensor sensor;
   private final RoadPainter painter;
   private final RainStreaks rain;
-  private final PacketCutter cutter;
-  private long doneUs;
 
   /**
    * A scene at its beginning.
@@ -51,16 +42,21 @@ public final class RoadScene implements TunableScene<RoadTruth> {
 
   /** A scene whose packets have at most so many events. */
   RoadScene(RoadSceneSettings settings, int mostEvents) {
+    this(
+        settings,
+        mostEvents,
+        new SceneSensor(settings.pixel(), settings.noise(), settings.sensor(), settings.run()));
+  }
+
+  private RoadScene(RoadSceneSettings settings, int mostEvents, SceneSensor sensor) {
+    super("road", sensor, settings.run(), mostEvents);
     this.settings = settings;
-    sensor = new SceneSensor(settings.pixel(), settings.noise(), settings.sensor(), settings.run());
     camera = new RoadCamera(settings.camera(), settings.sensor());
     TrafficPlan plan = new TrafficPlan(settings);
     witness = new RoadWitness(settings, camera, plan);
     painter = new RoadPainter(settings, camera, plan, sensor.pixels());
     rain = new RainStreaks(settings.rain(), settings.sensor(), settings.run().seed());
     painter.begin();
-    cutter =
-        new PacketCutter(settings.run(), sensor.geometry(), "road", mostEvents, this::makeInterval);
   }
 
   /**
@@ -91,26 +87,6 @@ public final class RoadScene implements TunableScene<RoadTruth> {
   }
 
   @Override
-  public SensorGeometry geometry() {
-    return sensor.geometry();
-  }
-
-  @Override
-  public boolean next(StreamHandler handler) {
-    return cutter.next(handler);
-  }
-
-  @Override
-  public SensorTuning tuning() {
-    return sensor.tuning();
-  }
-
-  @Override
-  public void tune(SensorTuning newTuning) {
-    sensor.tune(newTuning, doneUs);
-  }
-
-  @Override
   public Class<RoadTruth> truthType() {
     return RoadTruth.class;
   }
@@ -121,17 +97,12 @@ public final class RoadScene implements TunableScene<RoadTruth> {
   }
 
   @Override
-  public RunSettings run() {
-    return settings.run();
-  }
-
-  private long makeInterval(EventPacket out) {
-    long fromUs = doneUs;
-    doneUs += INTERVAL_US;
-    painter.paint(fromUs, doneUs);
-    sensor.advance(doneUs);
-    rain.addUntil(doneUs, sensor.bus());
-    sensor.release(doneUs, out);
-    return doneUs;
+  protected long makeInterval(long fromUs, SceneSensor sensor, EventPacket out) {
+    long untilUs = fromUs + INTERVAL_US;
+    painter.paint(fromUs, untilUs);
+    sensor.advance(untilUs);
+    rain.addUntil(untilUs, sensor.bus());
+    sensor.release(untilUs, out);
+    return untilUs;
   }
 }
