@@ -110,4 +110,11 @@ public interface WingListener {
    * @param snapshot to be drawn
    */
   default void snapshot(WingSnapshot snapshot) {}
+
+  /**
+   * A person has changed a Kalman filter.
+   *
+   * @param change what was done
+   */
+  default void byHand(WingByHand change) {}
 }

@@ -7,7 +7,10 @@ import haltere.core.settings.Parameter;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.sink.CsvSink;
 import haltere.filters.wing.WingBeat;
+import haltere.filters.wing.WingByHand;
 import haltere.filters.wing.WingEstimate;
+import haltere.filters.wing.WingFilterEdit;
+import haltere.filters.wing.WingFilterState;
 import haltere.filters.wing.WingMeasurement;
 import haltere.filters.wing.WingTrackerSettings;
 import haltere.filters.wing.tracker.WingTrackerFilter;
@@ -29,8 +32,8 @@ import java.util.function.LongSupplier;
 /**
  * A readable log of tracked wings. Its first lines, which begin with #, say what the recording and
  * the program's version are, what the columns mean in which units, and the settings. Settings that
- * are changed while it is written are told between the rows in the same way. The file appears when
- * it is finished.
+ * are changed while it is written, and numbers of filters that a person changes, are told between
+ * the rows in the same way. The file appears when it is finished.
  *
  * <p>Thread rule: opened, finished and closed on the processing thread, or while it does not run.
  */
@@ -130,6 +133,7 @@ public final class WingLog implements Closeable {
     }
     OriginalRows lines = new OriginalRows(text, filter.settings().filter().method());
     rows = lines::rows;
+    tellByHand(filter, lines::comment);
     if (when == WingLogFormat.Rows.EVENT) {
       subscribe(
           filter,
@@ -161,6 +165,7 @@ public final class WingLog implements Closeable {
     CsvSink<R> sink = CsvSink.on(out, type);
     table = sink;
     rows = sink::rows;
+    tellByHand(filter, sink::comment);
     subscribe(
         filter,
         outlet,
@@ -185,6 +190,36 @@ public final class WingLog implements Closeable {
       }
     }
     settings = now;
+  }
+
+  private void tellByHand(WingTrackerFilter filter, Consumer<String> comments) {
+    subscriptions.add(
+        filter
+            .byHand()
+            .subscribe(
+                change -> comments.accept("by hand from here on: " + words(filter, change))));
+  }
+
+  private static String words(WingTrackerFilter filter, WingByHand change) {
+    String part = change.part() + " ";
+    if (change.edit().isEmpty()) {
+      return part + "begun anew";
+    }
+    WingFilterEdit edit = change.edit().get();
+    List<String> names =
+        filter.tracker().filters().stream()
+            .filter(state -> state.part() == change.part())
+            .findFirst()
+            .map(WingFilterState::names)
+            .orElseThrow();
+    String number =
+        switch (edit.table()) {
+          case STATE -> "x of " + names.get(edit.row());
+          case COVARIANCE -> "P of " + names.get(edit.row()) + ", " + names.get(edit.column());
+          case PROCESS_NOISE -> "Q of " + names.get(edit.row());
+          case MEASUREMENT_NOISE -> "R";
+        };
+    return part + number + "=" + edit.value();
   }
 
   private static String unit(Parameter parameter) {

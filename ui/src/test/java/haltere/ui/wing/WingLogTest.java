@@ -6,6 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import haltere.core.event.EventPacket;
 import haltere.core.simulation.fly.FlyScene;
 import haltere.core.simulation.fly.FlySceneSettings;
+import haltere.filters.wing.WingFilterEdit;
+import haltere.filters.wing.WingFilterEdit.Table;
+import haltere.filters.wing.WingPart;
 import haltere.filters.wing.WingTrackerSettings;
 import haltere.filters.wing.tracker.WingTrackerFilter;
 import haltere.testing.SceneEvents;
@@ -46,6 +49,36 @@ class WingLogTest {
     assertTrue(!lines.get(told - 1).startsWith("#"), "rows before it");
     assertTrue(!lines.get(told + 1).startsWith("#"), "one setting, and rows after it");
     assertEquals(told, lines.lastIndexOf(lines.get(told)), "told once");
+  }
+
+  @ParameterizedTest
+  @CsvSource({"TICK,TABLE", "EVENT,ORIGINAL"})
+  void whatAPersonDoesToAFilterStandsBetweenTheRows(Rows rows, Layout layout) throws IOException {
+    FlyScene scene = new FlyScene(FlySceneSettings.defaults().with("run.durationS=0.1"));
+    EventPacket fly = SceneEvents.of(scene);
+    WingTrackerFilter filter =
+        new WingTrackerFilter(scene.geometry(), WingTrackerSettings.defaults());
+    Path file = folder.resolve("log.txt");
+    int half = fly.indexAtOrAfter(80_000);
+    try (WingLog log = WingLog.open(file, "fly", filter, new WingLogFormat(rows, layout), false)) {
+      filter.process(part(fly, 0, half));
+      filter.tracker().edit(new WingFilterEdit(WingPart.LEFT, Table.STATE, 1, 0, 1.25));
+      filter.tracker().edit(new WingFilterEdit(WingPart.RIGHT, Table.COVARIANCE, 0, 0, 0.01));
+      filter.tracker().edit(new WingFilterEdit(WingPart.LEFT, Table.MEASUREMENT_NOISE, 0, 0, 0.02));
+      filter.tracker().restart(WingPart.RIGHT);
+      filter.process(part(fly, half, fly.size()));
+      log.finish();
+    }
+    List<String> lines = Files.readAllLines(file);
+    int told = lines.indexOf("# by hand from here on: left x of amplitude=1.25");
+    assertTrue(told > 0 && !lines.get(told - 1).startsWith("#"), "rows before it");
+    assertEquals(
+        List.of(
+            "# by hand from here on: right P of centre, centre=0.01",
+            "# by hand from here on: left R=0.02",
+            "# by hand from here on: right begun anew"),
+        lines.subList(told + 1, told + 4));
+    assertTrue(!lines.get(told + 4).startsWith("#"), "rows after it");
   }
 
   private static EventPacket part(EventPacket events, int from, int to) {

@@ -5,6 +5,7 @@ import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.stream.ReportClock;
 import haltere.filters.wing.FlyGeometry;
+import haltere.filters.wing.WingByHand;
 import haltere.filters.wing.WingFilterEdit;
 import haltere.filters.wing.WingFilterState;
 import haltere.filters.wing.WingListener;
@@ -84,7 +85,7 @@ public final class WingTracker {
     begun = false;
     dueUs = AT_ONCE;
     steps.clear();
-    fly.forget();
+    fly.wings().forget();
   }
 
   /**
@@ -105,7 +106,7 @@ public final class WingTracker {
     settings = changed;
     fly.apply(changed);
     ticks.setRate(changed.output().rateHz());
-    if (fly.isTracked()) {
+    if (fly.wings().isTracked()) {
       ticks.skipTo(Math.max(publishedUs, recent.timeUs(recent.size() - 1)) + 1);
       dueUs = Math.min(ticks.nextUs(), nextCheckUs);
     }
@@ -137,7 +138,7 @@ public final class WingTracker {
    * @return at least 0; NaN while no wing is tracked by a filter that tells
    */
   public double meanNis() {
-    return fly.meanNis();
+    return fly.wings().meanNis();
   }
 
   /**
@@ -147,7 +148,7 @@ public final class WingTracker {
    *     average
    */
   public List<WingFilterState> filters() {
-    return fly.filters();
+    return fly.wings().filters();
   }
 
   /**
@@ -159,7 +160,8 @@ public final class WingTracker {
    *     is no such filter now
    */
   public void edit(WingFilterEdit edit) {
-    fly.edit(edit);
+    fly.wings().edit(edit);
+    listener.byHand(new WingByHand(edit.part(), Optional.of(edit)));
   }
 
   /**
@@ -170,7 +172,8 @@ public final class WingTracker {
    * @throws IllegalArgumentException with a line for a person if there is no such filter now
    */
   public void restart(WingPart part) {
-    fly.restart(part);
+    fly.wings().restart(part);
+    listener.byHand(new WingByHand(part, Optional.empty()));
   }
 
   /**
@@ -179,7 +182,7 @@ public final class WingTracker {
    * @return empty while none is tracked
    */
   public Optional<FlyGeometry> geometry() {
-    return fly.isTracked() ? Optional.of(fly.geometry()) : Optional.empty();
+    return fly.wings().isTracked() ? Optional.of(fly.geometry()) : Optional.empty();
   }
 
   /**
@@ -199,7 +202,7 @@ public final class WingTracker {
    * @return the present settings with other offsets; the same while no fly is tracked
    */
   public WingTrackerSettings withBodyAt(double x, double y) {
-    if (!fly.isTracked()) {
+    if (!fly.wings().isTracked()) {
       return settings;
     }
     FlyGeometry now = fly.geometry();
@@ -215,7 +218,7 @@ public final class WingTracker {
    * @return the present settings with another offset; the same while no fly is tracked
    */
   public WingTrackerSettings withHeading(double headingRad) {
-    if (!fly.isTracked()) {
+    if (!fly.wings().isTracked()) {
       return settings;
     }
     double offset =
@@ -240,7 +243,7 @@ public final class WingTracker {
    * @return the present settings with another offset; the same while no fly is tracked
    */
   public WingTrackerSettings withRegion(double radiusPx) {
-    if (!fly.isTracked()) {
+    if (!fly.wings().isTracked()) {
       return settings;
     }
     return settings.with(
@@ -287,15 +290,15 @@ public final class WingTracker {
 
   /** Does what is due at a time; false if its event is not to be tracked. */
   private boolean work(long timeUs) {
-    if (!fly.isTracked()) {
+    if (!fly.wings().isTracked()) {
       lookForFly(timeUs);
       return false;
     }
     passTicks(timeUs);
-    if (!fly.isTracked()) {
+    if (!fly.wings().isTracked()) {
       dueUs = AT_ONCE;
     }
-    return fly.isTracked();
+    return fly.wings().isTracked();
   }
 
   private void lookForFly(long timeUs) {
@@ -311,7 +314,7 @@ public final class WingTracker {
   }
 
   private void begin(FoundFly found, long timeUs) {
-    if (!fly.isTracked()) {
+    if (!fly.wings().isTracked()) {
       publishedUs = timeUs;
       ticks.skipTo(timeUs + 1);
     }
@@ -324,7 +327,10 @@ public final class WingTracker {
   }
 
   private void setPhase(long timeUs) {
-    Phase now = fly.isTracked() ? fly.wings() == 2 ? Phase.TRACKING : Phase.ONE_WING : Phase.LOST;
+    Phase now =
+        fly.wings().isTracked()
+            ? fly.wings().count() == 2 ? Phase.TRACKING : Phase.ONE_WING
+            : Phase.LOST;
     if (now != phase) {
       phase = now;
       say(timeUs, now, recent.size());
@@ -336,13 +342,13 @@ public final class WingTracker {
   }
 
   private void say(long timeUs, Phase now, int events) {
-    FlyGeometry g = fly.isTracked() ? fly.geometry() : null;
+    FlyGeometry g = fly.wings().isTracked() ? fly.geometry() : null;
     say(
         new WingTrackerState(
             timeUs,
             now,
             events,
-            fly.frequencyHz(),
+            fly.wings().frequencyHz(),
             g == null ? Double.NaN : g.centreX(),
             g == null ? Double.NaN : g.centreY(),
             g == null ? Double.NaN : g.headingRad(),
@@ -359,10 +365,10 @@ public final class WingTracker {
   private void passTicks(long timeUs) {
     while (dueUs <= timeUs) {
       long now = dueUs;
-      fly.advance(now);
+      fly.wings().advance(now);
       if (now >= nextCheckUs) {
         check(now);
-        if (!fly.isTracked()) {
+        if (!fly.wings().isTracked()) {
           return;
         }
       }
@@ -379,10 +385,10 @@ public final class WingTracker {
   private void check(long timeUs) {
     nextCheckUs = timeUs + CHECK_US;
     fly.check(timeUs);
-    if (fly.isTracked() && settings.search().startFrequencyHz() == 0) {
+    if (fly.wings().isTracked() && settings.search().startFrequencyHz() == 0) {
       watch.look(recent, timeUs, fly.geometry());
-      if (watch.isWrong(fly.frequencyHz(0), fly.frequencyHz(1))) {
-        fly.forget();
+      if (watch.isWrong(fly.wings().frequencyHz(0), fly.wings().frequencyHz(1))) {
+        fly.wings().forget();
         setPhase(timeUs);
         search.startAt(timeUs);
         return;

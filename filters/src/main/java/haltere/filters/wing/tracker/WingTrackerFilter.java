@@ -7,6 +7,7 @@ import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.filters.wing.FlyGeometry;
 import haltere.filters.wing.WingBeat;
+import haltere.filters.wing.WingByHand;
 import haltere.filters.wing.WingDifference;
 import haltere.filters.wing.WingEstimate;
 import haltere.filters.wing.WingListener;
@@ -43,6 +44,10 @@ public final class WingTrackerFilter extends PublishingFilter<WingTrackerSetting
   private final Outlet<WingTrackerState> states = outlet("initialisation", WingTrackerState.class);
   private final Outlet<WingSnapshot> snapshots =
       drawnOutlet("snapshot", WingSnapshot.class, "wings", new WingOverlay());
+
+  /** Of no chain: nothing is published here but by a person's hand. */
+  private final Outlet<WingByHand> byHand = new Outlet<>("by-hand", WingByHand.class);
+
   private final WingTracker tracker;
 
   /**
@@ -62,6 +67,16 @@ public final class WingTrackerFilter extends PublishingFilter<WingTrackerSetting
    */
   public WingTracker tracker() {
     return tracker;
+  }
+
+  /**
+   * What a person does to the Kalman filters while they run, when it is done. Not among {@link
+   * #outlets()}, for it is no result.
+   *
+   * @return always the same
+   */
+  public Outlet<WingByHand> byHand() {
+    return byHand;
   }
 
   @Override
@@ -167,6 +182,11 @@ public final class WingTrackerFilter extends PublishingFilter<WingTrackerSetting
     @Override
     public void snapshot(WingSnapshot snapshot) {
       snapshots.publish(snapshot);
+    }
+
+    @Override
+    public void byHand(WingByHand change) {
+      byHand.publish(change);
     }
   }
 
