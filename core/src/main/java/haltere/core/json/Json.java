@@ -76,12 +76,23 @@ public final class Json {
       int line = problem.getLocation() == null ? 1 : problem.getLocation().getLineNr();
       int column = problem.getLocation() == null ? 1 : problem.getLocation().getColumnNr();
       throw new JsonProblem(
-          name + ", line " + line + ", column " + column + ": " + problem.getOriginalMessage());
+          name
+              + ", line "
+              + line
+              + ", column "
+              + column
+              + ": "
+              + words(problem.getOriginalMessage()));
     } catch (JsonProblem problem) {
       throw problem;
     } catch (IOException problem) {
       throw new JsonProblem(name + ": " + problem.getMessage());
     }
+  }
+
+  /** Without what Jackson tells programmers. */
+  private static String words(String message) {
+    return message.replaceAll(": enable `.*| \\(start marker at .*|, from `[^`]*`", "");
   }
 
   private static Object value(JsonParser parser) throws IOException {
