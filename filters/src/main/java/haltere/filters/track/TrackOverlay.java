@@ -4,13 +4,15 @@ import haltere.core.overlay.MarkStyle;
 import haltere.core.overlay.MarkStyle.Role;
 import haltere.core.overlay.Overlay;
 import haltere.core.overlay.OverlayCanvas;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 
 /**
  * Draws each track as the ellipse that it is in with 95 % probability, a cross in its middle, the
  * way that it has come, a line to where it would be in a tenth of a second, its identity and, on a
- * road, its speed with its standard deviation; beneath them the marks of the road.
+ * road, its speed with its standard deviation; beneath them the marks of the road. Labels come
+ * last, on a road those of the nearest first.
  */
 public final class TrackOverlay implements Overlay<TrackSnapshot> {
   private static final double VELOCITY_S = 0.1;
@@ -27,6 +29,8 @@ public final class TrackOverlay implements Overlay<TrackSnapshot> {
       drawPath(track.path(), canvas);
       drawPlace(track, canvas);
     }
+    // A canvas that has no room for all words leaves out those that come last.
+    nearestFirst(snapshot).forEach(track -> drawLabel(track, canvas));
   }
 
   private static void drawPlace(TrackSnapshot.Shown track, OverlayCanvas canvas) {
@@ -43,7 +47,23 @@ public final class TrackOverlay implements Overlay<TrackSnapshot> {
         x + VELOCITY_S * now.vxPxS(),
         y + VELOCITY_S * now.vyPxS(),
         MarkStyle.of(Role.VELOCITY, now.id()));
-    canvas.text(x + LABEL_PX, y + LABEL_PX, label(track), MarkStyle.of(Role.LABEL, now.id()));
+  }
+
+  private static List<TrackSnapshot.Shown> nearestFirst(TrackSnapshot snapshot) {
+    return snapshot.road().isEmpty()
+        ? snapshot.tracks()
+        : snapshot.tracks().stream()
+            .sorted(Comparator.comparingDouble(track -> track.now().yPx()))
+            .toList();
+  }
+
+  private static void drawLabel(TrackSnapshot.Shown track, OverlayCanvas canvas) {
+    TrackPoint now = track.now();
+    canvas.text(
+        now.xPx() + LABEL_PX,
+        now.yPx() + LABEL_PX,
+        label(track),
+        MarkStyle.of(Role.LABEL, now.id()));
   }
 
   private static String label(TrackSnapshot.Shown track) {

@@ -101,9 +101,7 @@ final class WorkedExamples {
 
     private List<Estimate> fromNextToNothing(double frequency, double noiseCm) {
       return pass(
-          Matrices.column(0, 60, 0.1, frequency),
-          Matrices.diagonal(1e4, 1e6, 100, 1000),
-          noiseCm);
+          Matrices.column(0, 60, 0.1, frequency), Matrices.diagonal(1e4, 1e6, 100, 1000), noiseCm);
     }
 
     /**

@@ -75,6 +75,26 @@ class TrackOverlayTest {
     assertEquals(6, marks.size(), "a line nearer than the bottom row is not in the picture");
   }
 
+  @Test
+  void onARoadTheNearestIsLabelledFirstAndAllLabelsComeAfterAllElse() {
+    SensorGeometry sensor = new SensorGeometry(128, 128);
+    RoadMapping mapping =
+        new RoadMapping(new RoadSettings(5, 6, 300, VanishingPoint.at(63.5, 127)), sensor);
+    RoadMarks road = new RoadMarks(mapping, sensor, new LaneSettings(0, 0, 3), List.of());
+    List<String> marks =
+        drawn(new TrackSnapshot(0, List.of(at(1, 90), at(2, 10), at(3, 50)), Optional.of(road)));
+    assertEquals(
+        List.of("LABEL 2: 2: 50", "LABEL 3: 3: 50", "LABEL 1: 1: 50"),
+        marks.subList(marks.size() - 3, marks.size()).stream()
+            .map(mark -> mark.substring(0, mark.indexOf(" \u00b1")))
+            .toList());
+  }
+
+  private static TrackSnapshot.Shown at(int id, double yPx) {
+    TrackPoint point = new TrackPoint(0, id, 64, yPx, 0, 0, 1, 1, 1, 1, 1);
+    return new TrackSnapshot.Shown(List.of(point), 0, false, 50, 1);
+  }
+
   private static List<String> drawn(TrackSnapshot.Shown track) {
     return drawn(new TrackSnapshot(10_000, List.of(track), Optional.empty()));
   }

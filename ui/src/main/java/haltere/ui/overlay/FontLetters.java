@@ -22,7 +22,8 @@ import javafx.scene.transform.Scale;
  * <p>Thread rule: JavaFX thread only until {@link #isLoaded() they are loaded}.
  */
 public final class FontLetters implements Letters {
-  private static final String MORE = "\u00b0\u00b1\u00b2\u00b3\u00b5\u00b7\u00d7\u2013\u2026\u2212";
+  private static final String MORE =
+      "\u00b0\u00b1\u00b2\u00b3\u00b5\u00b7\u00d7\u2013\u2026\u2212\u2191\u2193";
 
   /** Room around each letter, because some stick out of their width. */
   private static final int MARGIN = 2;

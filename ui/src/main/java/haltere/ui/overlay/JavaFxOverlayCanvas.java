@@ -3,6 +3,7 @@ package haltere.ui.overlay;
 import haltere.core.overlay.MarkStyle;
 import haltere.core.overlay.OverlayCanvas;
 import haltere.ui.rendering.MarkColours;
+import haltere.ui.rendering.TextPlaces;
 import java.util.HashMap;
 import java.util.Map;
 import javafx.scene.canvas.GraphicsContext;
@@ -27,6 +28,7 @@ public final class JavaFxOverlayCanvas implements OverlayCanvas {
   private static final double DESCENT = 4;
 
   private final Font font = Font.font(FONT_SIZE);
+  private final TextPlaces places = new TextPlaces();
   private final TextWidths widths = new TextWidths(font);
   private final GraphicsContext graphics;
   private final Map<Integer, Color> colours = new HashMap<>();
@@ -69,6 +71,11 @@ public final class JavaFxOverlayCanvas implements OverlayCanvas {
     scale = newScale;
     left = newLeft;
     bottom = newBottom;
+  }
+
+  /** Begins another picture: words may go anywhere again. */
+  public void begin() {
+    places.begin(graphics.getCanvas().getWidth(), graphics.getCanvas().getHeight());
   }
 
   /**
@@ -137,13 +144,13 @@ public final class JavaFxOverlayCanvas implements OverlayCanvas {
 
   @Override
   public void text(double x, double y, String text, MarkStyle style) {
-    marks++;
     double width = widths.of(text);
-    double canvasWidth = graphics.getCanvas().getWidth();
-    double canvasHeight = graphics.getCanvas().getHeight();
-    // words stay whole at the edges
-    double first = Math.max(MARGIN, Math.min(screenX(x), canvasWidth - width - MARGIN));
-    double base = Math.max(ASCENT, Math.min(screenY(y), canvasHeight - DESCENT));
+    if (!places.find(screenX(x), screenY(y), width, ASCENT, DESCENT, MARGIN, style)) {
+      return;
+    }
+    marks++;
+    double first = places.left();
+    double base = places.base();
     graphics.setFill(plateColour(dark));
     graphics.fillRect(
         Math.rint(first) - MARGIN, Math.rint(base) - ASCENT, width + 2 * MARGIN, ASCENT + DESCENT);

@@ -29,7 +29,7 @@ public final class PictureOverlayCanvas implements OverlayCanvas, AutoCloseable 
   /** Room around words, pixels. */
   private static final int MARGIN = 3;
 
-  private final BufferedImage image;
+  private final TextPlaces places = new TextPlaces();
   private final Graphics2D graphics;
   private final int scale;
   private final int height;
@@ -45,7 +45,7 @@ public final class PictureOverlayCanvas implements OverlayCanvas, AutoCloseable 
    */
   public PictureOverlayCanvas(
       BufferedImage image, SensorGeometry geometry, int scale, boolean dark) {
-    this.image = image;
+    places.begin(image.getWidth(), image.getHeight());
     this.graphics = image.createGraphics();
     this.scale = scale;
     this.height = geometry.height();
@@ -98,9 +98,11 @@ public final class PictureOverlayCanvas implements OverlayCanvas, AutoCloseable 
   public void text(double x, double y, String text, MarkStyle style) {
     double width = PixelFont.width(text, DOT);
     double high = PixelFont.HEIGHT * DOT;
-    // words stay whole at the edges
-    double left = Math.max(MARGIN, Math.min(pictureX(x), image.getWidth() - width - MARGIN));
-    double base = Math.max(high + MARGIN, Math.min(pictureY(y), image.getHeight() - MARGIN));
+    if (!places.find(pictureX(x), pictureY(y), width, high + MARGIN, MARGIN, MARGIN, style)) {
+      return;
+    }
+    double left = places.left();
+    double base = places.base();
     graphics.setColor(new Color(MarkColours.plate(dark), true));
     graphics.fill(
         new Rectangle2D.Double(

@@ -23,11 +23,10 @@ public final class PixelOverlayCanvas implements OverlayCanvas {
   private static final double MARGIN = 3;
 
   private final LinePainter painter = new LinePainter();
+  private final TextPlaces places = new TextPlaces();
   private final Letters letters;
   private final double[] ellipseX = new double[CORNERS + 1];
   private final double[] ellipseY = new double[CORNERS + 1];
-  private int width;
-  private int height;
   private double density = 1;
   private double scale = 1;
   private double left;
@@ -44,7 +43,7 @@ public final class PixelOverlayCanvas implements OverlayCanvas {
   }
 
   /**
-   * Says where to draw.
+   * Says where to draw; words may go anywhere again.
    *
    * @param pixels opaque, row by row from the top
    * @param newWidth pixels in a row
@@ -52,8 +51,7 @@ public final class PixelOverlayCanvas implements OverlayCanvas {
    */
   public void setTarget(int[] pixels, int newWidth, int newHeight) {
     painter.setTarget(pixels, newWidth, newHeight);
-    width = newWidth;
-    height = newHeight;
+    places.begin(newWidth, newHeight);
   }
 
   /**
@@ -156,9 +154,11 @@ public final class PixelOverlayCanvas implements OverlayCanvas {
     double textWidth = letters.width(text);
     double ascent = letters.ascent();
     double descent = letters.descent();
-    // words stay whole at the edges
-    int from = (int) Math.rint(Math.max(margin, Math.min(pixelX(x), width - textWidth - margin)));
-    int base = (int) Math.rint(Math.max(ascent, Math.min(pixelY(y), height - descent)));
+    if (!places.find(pixelX(x), pixelY(y), textWidth, ascent, descent, margin, style)) {
+      return;
+    }
+    int from = (int) Math.rint(places.left());
+    int base = (int) Math.rint(places.base());
     painter.fill(
         (int) Math.rint(from - margin),
         (int) Math.rint(base - ascent),

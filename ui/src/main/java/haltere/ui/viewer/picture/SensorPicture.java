@@ -207,6 +207,7 @@ final class SensorPicture {
     if (canvas.isVisible()) {
       canvas.getGraphicsContext2D().clearRect(0, 0, canvas.getWidth(), canvas.getHeight());
     }
+    canvasMarks.begin();
     canvasMarks.setDark(newest.dark);
     long before = canvasMarks.marks();
     if (marksVisible) {

@@ -118,6 +118,7 @@ final class SpaceCanvas extends KeyPane {
       view.fit(drawing.points(), canvas.getWidth(), canvas.getHeight());
       fitted = canvas.getWidth() > 100 && canvas.getHeight() > 100;
     }
+    marks.begin();
     marks.setView(1, 0, canvas.getHeight());
     drawing.draw(index, view, marks);
   }

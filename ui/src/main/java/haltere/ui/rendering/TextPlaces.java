@@ -1,0 +1,116 @@
+package haltere.ui.rendering;
+
+import haltere.core.overlay.MarkStyle;
+import haltere.core.overlay.MarkStyle.Role;
+import java.util.Arrays;
+
+/**
+ * Where the words of a picture go so that they stay whole at its edges and none lie over others.
+ * What comes first has the place that it wants. What comes later goes beside it, and if there is no
+ * room within two lines, the label of one of several things is left out and other words are drawn
+ * where they want to be.
+ *
+ * <p>Lengths are pixels, rows count from the top. Thread rule: one thread at a time.
+ */
+public final class TextPlaces {
+  /** Beside the wanted place: widths to the left, then lines up. */
+  private static final int[][] BESIDE = {
+    {0, 0}, {0, 1}, {0, -1}, {1, 0}, {1, 1}, {1, -1}, {0, 2}, {0, -2}, {1, 2}, {1, -2}
+  };
+
+  /** Of a rectangle: left, top, right, bottom. */
+  private static final int SIDES = 4;
+
+  private double[] taken = new double[SIDES * 32];
+  private int size;
+  private double pictureWidth;
+  private double pictureHeight;
+  private double left;
+  private double base;
+
+  /**
+   * Begins a picture without words.
+   *
+   * @param width of the picture
+   * @param height of the picture
+   */
+  public void begin(double width, double height) {
+    pictureWidth = width;
+    pictureHeight = height;
+    size = 0;
+  }
+
+  /**
+   * Finds room for words; if there is some, it is taken from now on.
+   *
+   * @param wantedLeft where the words should begin
+   * @param wantedBase their base line
+   * @param width how wide they are
+   * @param ascent room above the base line
+   * @param descent room below the base line
+   * @param margin room at either side
+   * @param style their meaning
+   * @return whether they are to be drawn, at {@link #left()} and {@link #base()}
+   */
+  public boolean find(
+      double wantedLeft,
+      double wantedBase,
+      double width,
+      double ascent,
+      double descent,
+      double margin,
+      MarkStyle style) {
+    double line = ascent + descent;
+    for (int[] step : BESIDE) {
+      // to the left of a mark it stands about as far away as to its right
+      left = wantedLeft - step[0] * (width + 4 * margin);
+      left = Math.max(margin, Math.min(left, pictureWidth - width - margin));
+      base = wantedBase - step[1] * line;
+      base = Math.max(ascent, Math.min(base, pictureHeight - descent));
+      if (isFree(left - margin, base - ascent, left + width + margin, base + descent)) {
+        take(left - margin, base - ascent, left + width + margin, base + descent);
+        return true;
+      }
+    }
+    left = Math.max(margin, Math.min(wantedLeft, pictureWidth - width - margin));
+    base = Math.max(ascent, Math.min(wantedBase, pictureHeight - descent));
+    return style.role() != Role.LABEL || style.identity() < 0;
+  }
+
+  /**
+   * Where the words that were found room for begin.
+   *
+   * @return from the left
+   */
+  public double left() {
+    return left;
+  }
+
+  /**
+   * Base line of the words that were found room for.
+   *
+   * @return from the top
+   */
+  public double base() {
+    return base;
+  }
+
+  private boolean isFree(double west, double north, double east, double south) {
+    for (int i = 0; i < size; i += SIDES) {
+      if (west < taken[i + 2] && taken[i] < east && north < taken[i + 3] && taken[i + 1] < south) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private void take(double west, double north, double east, double south) {
+    if (size == taken.length) {
+      taken = Arrays.copyOf(taken, 2 * size);
+    }
+    taken[size++] = west;
+    taken[size++] = north;
+    taken[size++] = east;
+    taken[size++] = south;
+  }
+}
