@@ -328,6 +328,14 @@ final class Cluster {
     atUs = timeUs;
   }
 
+  /** Goes on where a part of it is that was to be a cluster of its own. */
+  void takePlaceOf(Cluster part) {
+    x = part.x;
+    y = part.y;
+    mass = part.mass;
+    usualMass = part.usualMass;
+  }
+
   /** Whether the centre has left the place that the index knows. */
   boolean hasLeftIndex() {
     return Math.abs(x - indexX) + Math.abs(y - indexY) > indexSlack;

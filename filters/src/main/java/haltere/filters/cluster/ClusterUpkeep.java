@@ -7,6 +7,7 @@ package haltere.filters.cluster;
 final class ClusterUpkeep {
   private final Clusters clusters;
   private final ClusterMerging merging;
+  private final ClusterParting parting;
   private ClusterMotion motion;
   private ClusterForm form;
   private ClusterLife life;
@@ -19,6 +20,7 @@ final class ClusterUpkeep {
   ClusterUpkeep(Clusters clusters, ClusterMerging merging) {
     this.clusters = clusters;
     this.merging = merging;
+    parting = new ClusterParting(clusters, merging);
   }
 
   /** Goes on by other rules. */
@@ -33,6 +35,7 @@ final class ClusterUpkeep {
     form = newForm;
     life = newLife;
     upkeepUs = newUpkeepUs;
+    parting.apply(newMotion, newForm, newLife);
   }
 
   /**
@@ -51,7 +54,10 @@ final class ClusterUpkeep {
         motion.upkeep(cluster, timeUs);
         form.upkeep(cluster, timeUs, life.noiseShare(cluster));
         if (!clusters.isFull() && form.isParting(cluster, timeUs)) {
-          part(cluster, timeUs, observer);
+          parting.part(cluster, timeUs);
+          if (observer != null && cluster.isVisible()) {
+            observer.clusterParted(timeUs, cluster.id);
+          }
         }
       }
     }
@@ -62,18 +68,6 @@ final class ClusterUpkeep {
       if (!cluster.isVisible() && life.isToBeSeen(cluster, timeUs)) {
         cluster.id = ++lastId;
       }
-    }
-  }
-
-  private void part(Cluster cluster, long timeUs, ClusterObserver observer) {
-    Cluster born = clusters.add();
-    merging.forget(born);
-    life.part(cluster, born, timeUs);
-    form.part(cluster, born, timeUs);
-    motion.part(cluster, born);
-    merging.parted(cluster, born);
-    if (observer != null && cluster.isVisible()) {
-      observer.clusterParted(timeUs, cluster.id);
     }
   }
 
