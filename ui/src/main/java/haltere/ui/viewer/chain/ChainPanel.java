@@ -55,12 +55,17 @@ public final class ChainPanel extends VBox {
   }
 
   /**
-   * Shows another chain in place of the one before.
+   * Lets stages that come together be shown one after the other.
    *
    * @param steps in each of them comes a stage
    */
-  public void startAnew(List<StageState> stages, Executor steps) {
-    cards.startAnew(stages, steps);
+  public void setSteps(Executor steps) {
+    cards.setSteps(steps);
+  }
+
+  /** Shows another chain in place of the one before. */
+  public void startAnew(List<StageState> stages) {
+    cards.startAnew(stages);
   }
 
   /** Shows a chain, keeping the cards of stages that were there. */

@@ -31,6 +31,7 @@ final class StageList extends VBox {
   private List<StageState> wanted = List.of();
 
   private SettingsSearch search = SettingsSearch.ALL;
+  private Executor steps = Runnable::run;
 
   /**
    * A list without stages.
@@ -79,41 +80,63 @@ final class StageList extends VBox {
   }
 
   /**
-   * Shows another chain in place of the one before.
+   * Says what lets cards come one after the other, because making and styling one takes
+   * milliseconds; without it they come all together.
    *
-   * @param steps in each of them comes a card, because making and styling one takes milliseconds
+   * @param newSteps takes a step for each card
    */
-  void startAnew(List<StageState> stages, Executor steps) {
+  void setSteps(Executor newSteps) {
+    steps = newSteps;
+  }
+
+  /** Shows another chain in place of the one before. */
+  void startAnew(List<StageState> stages) {
     wanted = stages;
     cards = List.of();
     cardOf.clear();
     getChildren().clear();
-    for (int i = stages.isEmpty() ? 0 : 1; i <= stages.size(); i++) {
-      List<StageState> first = stages.subList(0, i);
-      steps.execute(
-          () -> {
-            if (wanted == stages) {
-              place(first);
-            }
-          });
-    }
+    steps.execute(() -> grow(stages));
   }
 
   /** Shows a chain, keeping the cards of stages that were there. */
   void show(List<StageState> stages) {
     wanted = stages;
-    place(stages);
+    grow(stages);
+  }
+
+  /** Shows the stages that have a card and one that has none, and the others in further steps. */
+  private void grow(List<StageState> stages) {
+    if (wanted != stages) {
+      return;
+    }
+    List<StageState> now = new ArrayList<>();
+    int made = 0;
+    for (StageState state : stages) {
+      if (hasCard(state) || made++ == 0) {
+        now.add(state);
+      }
+    }
+    place(now);
+    if (made > 1) {
+      steps.execute(() -> grow(stages));
+    }
+  }
+
+  private boolean hasCard(StageState state) {
+    StageCard card = cardOf.get(state.stage().name());
+    return card != null && card.stage() == state.stage();
   }
 
   private void place(List<StageState> stages) {
     List<StageCard> order = new ArrayList<>();
     for (StageState state : stages) {
-      StageCard card = cardOf.get(state.stage().name());
-      if (card == null || card.stage() != state.stage()) {
+      StageCard card;
+      if (hasCard(state)) {
+        card = cardOf.get(state.stage().name());
+        card.followInside(state);
+      } else {
         card = new StageCard(state, editor);
         card.narrow(search);
-      } else {
-        card.followInside(state);
       }
       order.add(card);
     }

@@ -62,6 +62,7 @@ public final class CompareFeature implements ViewerFeature {
     editor = new ChainEditor(window.status()::showError, this::showStages);
     chainPanel = new ChainPanel(editor);
     chainPanel.setId("second-chain-panel");
+    chainPanel.setSteps(window.steps());
     view.setId("second-event-view");
     view.setAccessibleText("Events behind the second chain");
     SplitPane both = new SplitPane(view, table);

@@ -123,7 +123,8 @@ public final class ViewerPanels extends BorderPane {
     SensorGeometry geometry = made.player().playable().geometry();
     statusLine.setSource(name + "   " + geometry.width() + " \u00d7 " + geometry.height());
     view.setGeometry(geometry, colours);
-    chainPanel.startAnew(made.firstStages(), steps);
+    chainPanel.setSteps(steps);
+    chainPanel.startAnew(made.firstStages());
     plots.startAnew();
     seekBar.clear();
     repaintAsked = false;
