@@ -1,6 +1,7 @@
 package haltere.filters.estimation;
 
 import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.CommonOps_DDRM;
 
 /**
  * The extended Kalman filter: state by the model's own equations, covariance by their Jacobians at
@@ -45,6 +46,11 @@ public final class ExtendedKalmanFilter extends GaussianFilter<MeasurementModel>
   @Override
   void evolve(
       ProcessModel model, DMatrixRMaj state, double dtS, DMatrixRMaj transition, DMatrixRMaj out) {
-    model.evolve(state, dtS, out);
+    if (model instanceof LinearProcessModel) {
+      // f(x, Δt) is F x, and F is there already
+      CommonOps_DDRM.mult(transition, state, out);
+    } else {
+      model.evolve(state, dtS, out);
+    }
   }
 }

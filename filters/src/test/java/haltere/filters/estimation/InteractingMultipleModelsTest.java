@@ -36,6 +36,7 @@ class InteractingMultipleModelsTest {
     int steps = 200;
     double[] square = new double[3];
     double nees = 0;
+    double nis = 0;
     double[] said = new double[5];
     double[] happened = new double[5];
     int[] count = new int[5];
@@ -56,6 +57,10 @@ class InteractingMultipleModelsTest {
         DMatrixRMaj z = column(truth.get(0) + draws.normal(Math.sqrt(VARIANCE)));
         for (int i = 0; i < 3; i++) {
           all.get(i).predict(DT_S);
+          if (all.get(i) == both) {
+            double innovation = z.get(0) - both.state(0);
+            nis += innovation * innovation / (both.covariance(0, 0) + VARIANCE) / (runs * steps);
+          }
           all.get(i).update(POSITION, z);
           square[i] += Math.pow(all.get(i).state(0) - truth.get(0), 2);
         }
@@ -76,6 +81,8 @@ class InteractingMultipleModelsTest {
     }
     // The mixture is not Gaussian, so its NEES is only nearly chi-square.
     assertEquals(2, nees, 0.15);
+    Interval band = Consistency.meanBand(1, runs * steps, 0.95);
+    assertTrue(band.contains(nis), "NIS " + nis + " in " + band);
   }
 
   private static DMatrixRMaj moved(DMatrixRMaj truth, ConstantVelocity model, Draws draws) {
