@@ -75,6 +75,9 @@ final class LineSearch {
   /** Whether the side of the picture hides a part of it. */
   boolean isCut;
 
+  /** Half of the width that is seen of it. */
+  double seenHalfM;
+
   boolean on;
   int lastRow;
   double lastColumn;
@@ -267,6 +270,7 @@ final class LineSearch {
     boolean isCutRight = xM + halfWidthM > right;
     isCut = isCutLeft || isCutRight;
     double hidden = Math.max(0, USUAL_HALF_M - halfWidthM);
+    seenHalfM = halfWidthM;
     if (isCutLeft != isCutRight) {
       xM += isCutLeft ? -hidden : hidden;
       halfWidthM += hidden;

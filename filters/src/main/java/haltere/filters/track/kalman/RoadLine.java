@@ -20,7 +20,10 @@ final class RoadLine {
   private static final double SEEN_SHARE = 0.3;
   private static final int LEAST_CELLS = 2;
 
-  /** Of a line that is not wider, noise filters may leave a single event of a row. */
+  /**
+   * Of a line that is not wider, noise filters may leave a single pixel of a row, of which an edge
+   * makes several events and noise one.
+   */
   private static final double NARROW_PX = 4;
 
   /** Of a line that is not wider, some events of a row may be enough. */
@@ -52,8 +55,14 @@ final class RoadLine {
   private static final double SHRINKAGE = 1e-3;
   private static final double WIDTH_GAIN = 0.05;
 
+  /** The middles of n pixels in a row are those of a line that is wider by half a pixel a side. */
+  private static final double HALF_PIXEL = 0.5;
+
   /** The same of a width that was only guessed, for the side of the picture seemed to cut it. */
   private static final double CUT_GAIN = 0.3;
+
+  /** So much wider than what has been seen of it is a guess. */
+  private static final double GUESSED = 1.2;
 
   private static final double COLUMN_VARIANCE = 0.1;
 
@@ -61,6 +70,10 @@ final class RoadLine {
   final Grounding grounding = new Grounding();
 
   double halfWidthM;
+
+  /** Half of the width that has been seen of it: the rest is guessed. */
+  private double seenHalfM;
+
   private double lengthM;
   private boolean on;
   private double extentPx;
@@ -104,6 +117,7 @@ final class RoadLine {
   /** Begins as a line that was found. */
   void begin(LineSearch found, long timeUs) {
     halfWidthM = found.halfWidthM;
+    seenHalfM = found.seenHalfM;
     extentPx = 0;
     lengthM = USUAL_LENGTH_M;
     recent = 0;
@@ -115,6 +129,7 @@ final class RoadLine {
   /** Goes over to another line of the same vehicle, so far below. */
   void change(LineSearch found, double byPx, long timeUs) {
     halfWidthM = Math.max(halfWidthM, found.halfWidthM);
+    seenHalfM = Math.max(seenHalfM, found.seenHalfM);
     extentPx = Math.max(0, extentPx + byPx);
     turnTo(found, timeUs);
   }
@@ -142,7 +157,7 @@ final class RoadLine {
     halfPx = Math.max(1, halfWidthM / perColumnM);
     double left = Math.max(-0.5, columnNow - halfPx);
     double right = Math.min(width - 0.5, columnNow + halfPx);
-    visiblePx = Math.max(1, right - left);
+    visiblePx = Math.max(1, Math.min(right - left, 2 * seenHalfM / perColumnM));
     isCutLeft = columnNow - halfPx < 1;
     isCutRight = columnNow + halfPx > width - 2;
     lastColumnPx = width - 1;
@@ -270,7 +285,8 @@ final class RoadLine {
    * passed already is passed by another line.
    */
   boolean isPassed(int k) {
-    boolean single = visiblePx < NARROW_PX && Math.abs(rowPerS()) > SINGLE_ROWS_S;
+    boolean single =
+        visiblePx < NARROW_PX && (seen[k] > 1 || Math.abs(rowPerS()) > SINGLE_ROWS_S);
     return (row(k) - lastRow) * forward > 0
         && Long.bitCount(cells[k]) >= (single ? 1 : LEAST_CELLS)
         && (visiblePx < SMALL_PX || !isDoubtful(k));
@@ -330,9 +346,15 @@ final class RoadLine {
 
   /** Learns the width from a row that was passed. */
   void learnWidth(int k) {
+    if (Long.bitCount(cells[k]) < LEAST_CELLS) {
+      return;
+    }
     double mean = sumColumn[k] / seen[k];
-    double half = Math.sqrt(3 * Math.max(0, sumColumn2[k] / seen[k] - mean * mean)) * perColumnM;
-    halfWidthM += (isCut() ? CUT_GAIN : WIDTH_GAIN) * (half - halfWidthM);
+    double variance = Math.max(0, sumColumn2[k] / seen[k] - mean * mean);
+    double half = Math.sqrt(3 * variance + HALF_PIXEL * HALF_PIXEL) * perColumnM;
+    boolean isGuess = isCut() || halfWidthM > GUESSED * seenHalfM;
+    halfWidthM += (isGuess ? CUT_GAIN : WIDTH_GAIN) * (half - halfWidthM);
+    seenHalfM = isGuess ? Math.max(seenHalfM, half) : halfWidthM;
   }
 
   /** Whether this vehicle is where the line of another is seen. */
