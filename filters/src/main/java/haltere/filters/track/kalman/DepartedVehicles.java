@@ -54,20 +54,49 @@ final class DepartedVehicles {
   boolean own(double lineXM, double lineYM, double lineVyMS, double lineHalfM, long nowUs) {
     for (int i = 0; i < count; i++) {
       double place = yM[i] + vyMS[i] * (nowUs - timeUs[i]) * US;
-      double scale = lineVyMS / vyMS[i];
-      if (place < -BELOW_M || !(scale > 1 - LIKE_SHARE && scale < MOST_SCALE)) {
-        continue;
-      }
-      double along = lineYM / scale - place;
-      double most = lengthM[i] + (scale < 1 + LIKE_SHARE ? PLACE_M : HIGH_PLACE_M);
-      double wide = Math.max(lineHalfM / scale, halfM[i]);
-      double within = halfM[i] - lineHalfM / scale;
-      if (along > -PLACE_M
-          && along < most
-          && Math.abs(lineXM / scale - xM[i]) < Math.max(ASIDE_SHARE * wide, within) + ASIDE_M) {
+      if (place >= -BELOW_M
+          && isOf(
+              lineXM, lineYM, lineVyMS, lineHalfM, xM[i], place, vyMS[i], halfM[i], lengthM[i])) {
         return true;
       }
     }
     return false;
+  }
+
+  /** Whether a line is of a vehicle that is in the picture. */
+  static boolean isOf(MotionModes line, RoadLine width, MotionModes vehicle, RoadLine size) {
+    return isOf(
+        line.x(),
+        line.y(),
+        line.vy(),
+        width.halfWidthM,
+        vehicle.x(),
+        vehicle.y(),
+        vehicle.vy(),
+        size.halfWidthM,
+        size.lengthM());
+  }
+
+  private static boolean isOf(
+      double lineXM,
+      double lineYM,
+      double lineVyMS,
+      double lineHalfM,
+      double x,
+      double y,
+      double vy,
+      double half,
+      double length) {
+    double scale = lineVyMS / vy;
+    if (!(scale > 1 - LIKE_SHARE && scale < MOST_SCALE)) {
+      return false;
+    }
+    double along = lineYM / scale - y;
+    double most = length + (scale < 1 + LIKE_SHARE ? PLACE_M : HIGH_PLACE_M);
+    double wide = Math.max(lineHalfM / scale, half);
+    double within = half - lineHalfM / scale;
+    return along > -PLACE_M
+        && along < most
+        && Math.abs(lineXM / scale - x) < Math.max(ASIDE_SHARE * wide, within) + ASIDE_M;
   }
 }

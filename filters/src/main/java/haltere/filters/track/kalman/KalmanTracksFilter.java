@@ -7,6 +7,7 @@ import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.filters.track.KalmanTracksSettings;
 import haltere.filters.track.LineCrossing;
+import haltere.filters.track.MeasurementSource;
 import haltere.filters.track.RoadMapping;
 import haltere.filters.track.RoadMarks;
 import haltere.filters.track.RoadTrackPoint;
@@ -213,12 +214,18 @@ public final class KalmanTracksFilter extends PublishingFilter<KalmanTracksSetti
 
     @Override
     public void updated(Track track, Measurement measurement, boolean accepted) {
-      if (accepted && estimator.road() != null) {
-        counter.look(track);
+      boolean byClusters = settings().measurement().source() != MeasurementSource.OUTLINE;
+      if (accepted && estimator.road() != null && byClusters) {
+        counter.look(track, track.stateUs, null);
       }
       if (updates.hasSubscribers()) {
         updates.publish(track.lastUpdate(measurement.timeUs, accepted));
       }
+    }
+
+    @Override
+    public void moved(Track track, long timeUs, WayBack back) {
+      counter.look(track, timeUs, back);
     }
 
     @Override

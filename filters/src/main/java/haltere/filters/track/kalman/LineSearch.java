@@ -278,11 +278,11 @@ final class LineSearch {
     return halfWidthM > NARROWEST_M;
   }
 
-  /** Says that the events of what was found belong to a vehicle. */
-  void take() {
+  /** Says that the events of what was found belong to the vehicle of a number. */
+  void take(int serial) {
     for (int i = 0; i < count; i++) {
       if (Math.abs(distance[i] - yM - vyMS * ageS[i]) < tolerance[i]) {
-        events.take(which[i]);
+        events.take(which[i], serial);
       }
     }
   }

@@ -17,6 +17,11 @@ final class RoadEvents {
   /** This many events before a step are looked back at, at most. */
   private static final int MOST_BACK = 1 << 14;
 
+  /** This many are kept for those who want to know where a vehicle has come from. */
+  private static final int MOST_KEPT = 1 << 16;
+
+  private static final int NOBODY = 0;
+
   private static final long LONGEST_BACK_US = 1_000_000;
   private static final long FILLED_US = 100_000;
 
@@ -24,10 +29,11 @@ final class RoadEvents {
   private final double[] distanceM;
   private final double[] metresPerColumn;
   private final double[] metresPerRow;
-  private long[] timesUs = new long[2 * MOST_BACK];
-  private int[] addresses = new int[2 * MOST_BACK];
-  private boolean[] taken = new boolean[2 * MOST_BACK];
-  private int mask = 2 * MOST_BACK - 1;
+  private long[] timesUs = new long[2 * MOST_KEPT];
+  private int[] addresses = new int[2 * MOST_KEPT];
+  private int[] owners = new int[2 * MOST_KEPT];
+  private int mask = 2 * MOST_KEPT - 1;
+  private final int columns;
   private final boolean[] heard;
   private long added;
   private long from;
@@ -36,6 +42,7 @@ final class RoadEvents {
   RoadEvents(RoadMapping road, SensorGeometry sensor) {
     this.road = road;
     int rows = sensor.height();
+    columns = sensor.width();
     distanceM = new double[rows];
     metresPerColumn = new double[rows];
     metresPerRow = new double[rows];
@@ -55,7 +62,7 @@ final class RoadEvents {
 
   /** Adds the events of a packet that see the road, for steps to come. */
   void add(EventPacket packet) {
-    int needed = Integer.highestOneBit(Math.max(1, packet.size()) + MOST_BACK) * 2;
+    int needed = Integer.highestOneBit(Math.max(1, packet.size()) + MOST_KEPT) * 2;
     if (needed > mask + 1) {
       grow(needed);
     }
@@ -66,7 +73,7 @@ final class RoadEvents {
         int at = (int) added++ & mask;
         timesUs[at] = times[i];
         addresses[at] = packed[i];
-        taken[at] = false;
+        owners[at] = NOBODY;
       }
     }
   }
@@ -74,18 +81,18 @@ final class RoadEvents {
   private void grow(int size) {
     long[] oldTimes = timesUs;
     int[] oldAddresses = addresses;
-    boolean[] oldTaken = taken;
+    int[] oldOwners = owners;
     int oldMask = mask;
     timesUs = new long[size];
     addresses = new int[size];
-    taken = new boolean[size];
+    owners = new int[size];
     mask = size - 1;
     for (long i = Math.max(0, added - oldMask - 1); i < added; i++) {
       int at = (int) i & mask;
       int before = (int) i & oldMask;
       timesUs[at] = oldTimes[before];
       addresses[at] = oldAddresses[before];
-      taken[at] = oldTaken[before];
+      owners[at] = oldOwners[before];
     }
   }
 
@@ -112,6 +119,11 @@ final class RoadEvents {
     return event >= 0 && event >= to - MOST_BACK && timeUs(event) >= sinceUs;
   }
 
+  /** Whether an event of the step is kept, and is not too long ago. */
+  boolean isKept(long event, long sinceUs) {
+    return event >= 0 && event >= to - MOST_KEPT && timeUs(event) >= sinceUs;
+  }
+
   /** Whether there is anything that a step at a time would take, or may look back at. */
   boolean isWaiting(long timeUs) {
     return to < added && timeUs(to) < timeUs
@@ -136,11 +148,18 @@ final class RoadEvents {
 
   /** Whether it belongs to a vehicle that is known. */
   boolean isTaken(long event) {
-    return taken[(int) event & mask];
+    return owners[(int) event & mask] != NOBODY;
   }
 
-  void take(long event) {
-    taken[(int) event & mask] = true;
+  /** Whether it belongs to another vehicle than that of a number. */
+  boolean isOfOther(long event, int serial) {
+    int owner = owners[(int) event & mask];
+    return owner != NOBODY && owner != serial;
+  }
+
+  /** Says that it belongs to the vehicle of a number, which is not 0. */
+  void take(long event, int serial) {
+    owners[(int) event & mask] = serial;
   }
 
   /**
@@ -189,5 +208,9 @@ final class RoadEvents {
 
   int rows() {
     return distanceM.length;
+  }
+
+  int columns() {
+    return columns;
   }
 }

@@ -69,6 +69,9 @@ final class RoadLine {
   /** Whether it is sure to be on the road. */
   final Grounding grounding = new Grounding();
 
+  /** The row that was passed last. */
+  final LastRow last = new LastRow();
+
   double halfWidthM;
 
   /** Half of the width that has been seen of it: the rest is guessed. */
@@ -77,14 +80,6 @@ final class RoadLine {
   private double lengthM;
   private boolean on;
   private double extentPx;
-  private int lastRow;
-
-  /** Which way it goes: 1 to higher rows, -1 to lower ones. */
-  private int forward;
-
-  private long lastRowUs;
-  private double lastSpeedMS;
-  private double lastColumn;
   private long bodyUs;
   private double recent;
 
@@ -121,6 +116,7 @@ final class RoadLine {
     extentPx = 0;
     lengthM = USUAL_LENGTH_M;
     recent = 0;
+    last.begin();
     bodyUs = timeUs;
     nowUs = timeUs;
     turnTo(found, timeUs);
@@ -136,11 +132,7 @@ final class RoadLine {
 
   private void turnTo(LineSearch found, long timeUs) {
     on = found.on;
-    lastRow = found.lastRow;
-    forward = found.vyMS > 0 ? 1 : -1;
-    lastColumn = found.lastColumn;
-    lastSpeedMS = Math.abs(found.vyMS);
-    lastRowUs = timeUs;
+    last.turnTo(found, timeUs);
   }
 
   /** Works out where it is in a step from the prediction for its end. */
@@ -259,12 +251,12 @@ final class RoadLine {
 
   /** Whether the vehicle moves, but its line has not been seen for much too long. */
   boolean isLost() {
-    return recent > MOVING_EVENTS && Math.abs(rowPerUs) * (nowUs - lastRowUs) > LOST_ROWS;
+    return recent > MOVING_EVENTS && Math.abs(rowPerUs) * (nowUs - last.timeUs()) > LOST_ROWS;
   }
 
-  /** Whether a speed along the road is on its way. */
-  boolean goes(double alongMS) {
-    return alongMS * forward > 0;
+  /** Whether it is outside the picture. */
+  boolean isOut() {
+    return rowNow < 0 || columnNow + halfPx < 0 || columnNow - halfPx > lastColumnPx;
   }
 
   /** Whether nothing but noise is heard of the vehicle. */
@@ -285,9 +277,8 @@ final class RoadLine {
    * passed already is passed by another line.
    */
   boolean isPassed(int k) {
-    boolean single =
-        visiblePx < NARROW_PX && (seen[k] > 1 || Math.abs(rowPerS()) > SINGLE_ROWS_S);
-    return (row(k) - lastRow) * forward > 0
+    boolean single = visiblePx < NARROW_PX && (seen[k] > 1 || Math.abs(rowPerS()) > SINGLE_ROWS_S);
+    return last.isBefore(row(k))
         && Long.bitCount(cells[k]) >= (single ? 1 : LEAST_CELLS)
         && (visiblePx < SMALL_PX || !isDoubtful(k));
   }
@@ -338,10 +329,7 @@ final class RoadLine {
 
   /** Takes note of the row that was passed last. */
   void pass(int k, double column, double alongMS) {
-    lastRow = row(k);
-    lastRowUs = passedUs(k);
-    lastColumn = column;
-    lastSpeedMS = Math.abs(alongMS);
+    last.pass(row(k), passedUs(k), column, alongMS);
   }
 
   /** Learns the width from a row that was passed. */
@@ -383,21 +371,6 @@ final class RoadLine {
 
   double rowPerS() {
     return rowPerUs / US;
-  }
-
-  /** The row that was passed last. */
-  int lastRow() {
-    return lastRow;
-  }
-
-  /** The column of the middle then. */
-  double lastColumn() {
-    return lastColumn;
-  }
-
-  /** The speed along the road then, metres a second. */
-  double lastSpeed() {
-    return lastSpeedMS;
   }
 
   /** When an event was on the vehicle above the line. */

@@ -26,6 +26,9 @@ final class RoadVehicles {
   /** A track that is older is no roof of something that has just left. */
   private static final long YOUNG_US = 700_000;
 
+  /** Number of those that have left the picture. */
+  private static final int DEPARTED = -1;
+
   private final RoadMapping road;
   private final SensorGeometry sensor;
   private final Tracks tracks;
@@ -37,6 +40,9 @@ final class RoadVehicles {
   private final VehicleEnds ends;
   private final DepartedVehicles departed = new DepartedVehicles();
   private final VehicleParts parts;
+  private final SeenWay way;
+  private final WayBack back = this::leadsTo;
+  private final TrackListener listener;
   private final double leavingM;
   private KalmanTracksSettings settings;
 
@@ -57,6 +63,8 @@ final class RoadVehicles {
     passing = new RowPassing(road, sensor, tracks, plane, listener);
     ends = new VehicleEnds(road, sensor, plane);
     parts = new VehicleParts(road, events, search);
+    way = new SeenWay(road, events);
+    this.listener = listener;
   }
 
   /** Does something else from the next step on; a gate is a normalised innovation squared. */
@@ -105,6 +113,31 @@ final class RoadVehicles {
         launch(timeUs);
       }
     }
+    for (int i = 0; i < tracks.count(); i++) {
+      if (tracks.get(i).id > 0) {
+        listener.moved(tracks.get(i), timeUs, back);
+      }
+    }
+  }
+
+  /**
+   * Whether a vehicle was seen on its way from a line on, and not another that is in front of it.
+   */
+  private boolean leadsTo(Track track, MotionModes motion, double lineM, long timeUs) {
+    return !mayBeHigher(track, motion, timeUs) && way.leadsTo(track, motion, lineM, timeUs);
+  }
+
+  /** Whether a track may be on a higher line of another vehicle, of which it then has the way. */
+  private boolean mayBeHigher(Track track, MotionModes motion, long timeUs) {
+    for (int i = 0; i < tracks.count(); i++) {
+      Track other = tracks.get(i);
+      if (other != track
+          && DepartedVehicles.isOf(motion, track.line, other.at(timeUs), other.line)) {
+        return true;
+      }
+    }
+    double half = track.line.halfWidthM;
+    return departed.own(motion.x(), motion.y(), motion.vy(), half, timeUs);
   }
 
   /**
@@ -170,14 +203,14 @@ final class RoadVehicles {
     if (line != null) {
       line.line.takeLine(timeUs, column, row);
       line.events++;
-      events.take(event);
+      events.take(event, line.serial);
     } else if (body != null) {
       body.line.hear(timeUs);
       if (!body.line.isLost()) {
         body.line.learnExtent(bodyAbove);
         body.events++;
         if (bodyAbove < body.line.ownPx()) {
-          events.take(event);
+          events.take(event, body.serial);
         }
       }
     }
@@ -186,12 +219,12 @@ final class RoadVehicles {
   /** Whether the line that was found is of a vehicle that is known, which then knows of it. */
   private boolean isPartOfKnown(long timeUs) {
     if (departed.own(search.xM, search.yM, search.vyMS, search.halfWidthM, timeUs)) {
-      search.take();
+      search.take(DEPARTED);
       return true;
     }
     for (int i = 0; i < tracks.count(); i++) {
       if (parts.isPartOf(tracks.get(i), timeUs)) {
-        search.take();
+        search.take(tracks.get(i).serial);
         return true;
       }
     }
@@ -206,7 +239,7 @@ final class RoadVehicles {
     track.launchLine(search, timeUs);
     track.line.begin(search, timeUs);
     track.line.grounding.begin(search.vyMS > 0);
-    search.take();
+    search.take(track.serial);
     if (settings.life().updatesTillShown() <= 1) {
       track.id = tracks.nextId();
     }

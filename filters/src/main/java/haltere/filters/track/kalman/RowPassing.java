@@ -121,10 +121,10 @@ final class RowPassing {
     track.look(timeUs);
     double perRow = road.distancePerY(plane.yPx);
     double mostSpeed = Math.sqrt(2 * BRAKE_M_S2 * LATE_ROWS * perRow) + SPEED_ERROR_M_S;
-    if (!VehicleEnds.mayStand(perRow) || line.lastSpeed() > mostSpeed) {
+    if (!VehicleEnds.mayStand(perRow) || line.last.speedMS() > mostSpeed) {
       return;
     }
-    double gone = plane.yPx - line.lastRow();
+    double gone = plane.yPx - line.last.row();
     boolean late = Math.abs(gone) >= LATE_ROWS;
     boolean rests =
         Math.abs(track.motion.vy()) < VehicleEnds.STANDING_M_S
@@ -136,8 +136,8 @@ final class RowPassing {
       return;
     }
     measurement.timeUs = timeUs;
-    measurement.x = line.lastColumn();
-    measurement.y = late ? line.lastRow() + 0.5 * Math.signum(gone) : plane.yPx;
+    measurement.x = line.last.column();
+    measurement.y = late ? line.last.row() + 0.5 * Math.signum(gone) : plane.yPx;
     measurement.xx = CUT_VARIANCE;
     measurement.xy = 0;
     measurement.yy = late ? LATE_VARIANCE : REST_VARIANCE;

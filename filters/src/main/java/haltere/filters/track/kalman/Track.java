@@ -34,6 +34,9 @@ final class Track {
   /** 0 until it is shown. */
   int id;
 
+  /** Its number among all that there were, which is never that of another and never 0. */
+  int serial;
+
   long bornUs;
 
   /** Time of the state. */
@@ -145,7 +148,7 @@ final class Track {
 
   /** Takes over the identity of another track of the same thing, if that has the older one. */
   void nameAfter(Track other) {
-    sides.join(other.sides, other.bornUs < bornUs);
+    sides.join(other.sides, other.bornUs < bornUs, motion.vy() > 0 ? 1 : -1);
     if (other.id > 0 && (id == 0 || other.bornUs < bornUs)) {
       int own = id;
       id = other.id;

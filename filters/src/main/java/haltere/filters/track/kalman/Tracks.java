@@ -15,6 +15,7 @@ final class Tracks {
 
   private int count;
   private int lastId;
+  private int lastSerial;
 
   Tracks(TrackListener listener) {
     this.listener = listener;
@@ -58,6 +59,7 @@ final class Tracks {
       tracks[count] = track;
     }
     count++;
+    track.serial = ++lastSerial;
     return track;
   }
 

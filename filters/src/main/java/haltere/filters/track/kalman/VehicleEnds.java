@@ -15,6 +15,9 @@ final class VehicleEnds {
   /** A vehicle that stands is remembered for this many times the usual. */
   private static final double STANDING_FACTOR = 5;
 
+  /** What is not known to be within a vehicle's length, standard deviation, is no longer known. */
+  private static final double NOWHERE_M = 5;
+
   private static final double LEAVING_S = 0.15;
   private static final double SHOWN_S = 0.1;
   private static final double ROWS = 3;
@@ -60,7 +63,8 @@ final class VehicleEnds {
   /** Whether a vehicle is gone of which {@link #look} has just taken note. */
   boolean isOver(Track track, long timeUs) {
     RoadLine line = track.line;
-    if (!track.inView || plane.yPx + line.extentPx() < -1) {
+    boolean isAnywhere = track.at(timeUs).covariance(1, 1) > NOWHERE_M * NOWHERE_M;
+    if (!track.inView || isAnywhere || plane.yPx + line.extentPx() < -1) {
       return true;
     }
     if (!isInPicture(plane, sensor)) {

@@ -76,9 +76,11 @@ final class VehicleParts {
     double perRow = events.metresPerRow(search.lastRow);
     boolean sameWay = search.vyMS * motion.vy() > 0;
     boolean isNew = track.updates < SURE_UPDATES;
-    boolean lost = line.isLost() && sameWay && (isNew || isAsFast(motion));
-    boolean starts = track.stands && line.goes(search.vyMS);
-    if (lost && apartM < Math.max(OTHER_EDGE_M, line.extentPx() * perRow)
+    boolean lost = line.isLost() && !line.isOut() && sameWay && (isNew || isAsFast(motion));
+    boolean isThere = motion.covariance(1, 1) < OTHER_EDGE_M * OTHER_EDGE_M;
+    boolean starts = track.stands && isThere && line.last.goes(search.vyMS);
+    double seenM = Math.min(line.lengthM() + SAME_EDGE_M, line.extentPx() * perRow);
+    if (lost && apartM < Math.max(OTHER_EDGE_M, seenM)
         || starts && apartM < Math.max(OTHER_EDGE_M, STARTED_ROWS * perRow)) {
       line.change(search, (motion.y() - search.yM) / perRow, timeUs);
       if (isNew || starts) {
@@ -206,6 +208,9 @@ final class VehicleParts {
 
   /** Whether two tracks, whose lines are set, are on an upper and a lower line of one vehicle. */
   private boolean areOfOne(Track track, Track other, long timeUs) {
+    if (track.sides.isOtherThan(other.sides)) {
+      return false;
+    }
     RoadLine line = other.line;
     double gapPx = track.line.rowNow() - line.rowNow();
     if (mayBeUpper(track, timeUs)

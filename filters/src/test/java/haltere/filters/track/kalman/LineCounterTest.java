@@ -45,7 +45,7 @@ class LineCounterTest {
         track.motion.correct();
       }
       track.stateUs = 100_000L * k;
-      counter.look(track);
+      counter.look(track, track.stateUs, null);
     }
   }
 
@@ -89,14 +89,14 @@ class LineCounterTest {
     LineCounter counter = new LineCounter(lines(1), crossings::add);
     Track track = vehicle(1);
     track.motion.launch(0, 19, 0.01, 0, 0.01);
-    counter.look(track);
+    counter.look(track, track.stateUs, null);
     for (int k = 0; k < 100; k++) {
       track.motion.launch(0, k % 2 == 0 ? 19.8 : 20.2, 0.04, 0, 0.04);
-      counter.look(track);
+      counter.look(track, track.stateUs, null);
     }
     assertEquals(List.of(), crossings);
     track.motion.launch(0, 21, 0.01, 0, 0.01);
-    counter.look(track);
+    counter.look(track, track.stateUs, null);
     assertEquals(1, crossings.size());
     assertEquals(Direction.AWAY, crossings.get(0).direction());
   }
@@ -118,5 +118,87 @@ class LineCounterTest {
     assertEquals(LaneSettings.BESIDE, LANES.laneAt(-7.01));
     assertEquals(LaneSettings.BESIDE, LANES.laneAt(Double.NaN));
     assertEquals(LaneSettings.BESIDE, LaneSettings.defaults().laneAt(0));
+  }
+
+  private static final WayBack SEEN = (track, motion, lineM, timeUs) -> true;
+  private static final WayBack NOT_SEEN = (track, motion, lineM, timeUs) -> false;
+
+  /** A vehicle that was found, with so many rows that it was seen to pass. */
+  private static Track found(int id, double xM, double yM, double mS, int rows) {
+    Track track = vehicle(id);
+    track.line.last.begin();
+    track.line.halfWidthM = 0.9;
+    set(track, xM, yM, mS);
+    track.updates = rows;
+    return track;
+  }
+
+  private static void set(Track track, double xM, double yM, double mS) {
+    track.motion.launch(xM, yM, 1e-4, 0, 1e-4);
+    for (int k = 1; k <= 3; k++) {
+      track.motion.coast(0.1, 1);
+      track.motion.innovate(xM, yM + mS * 0.1 * k, 1e-4, 0, 1e-4);
+      track.motion.correct();
+    }
+    track.motion.shift(-0.3 * mS, 0);
+    track.stateUs = 10_000_000;
+  }
+
+  @Test
+  void whatIsFoundBeyondALineIsCountedThereWhenItCrossedIfItWasSeenOnItsWay() {
+    LineCounter counter = new LineCounter(lines(2), crossings::add);
+    Track track = found(1, -1.75, 17, -15, 3);
+    counter.look(track, 10_000_000, SEEN);
+    assertEquals(List.of(), crossings, "not yet sure");
+    track.updates = 4;
+    counter.look(track, 10_000_000, NOT_SEEN);
+    assertEquals(List.of(), crossings, "was not on its way");
+    counter.look(found(2, -1.75, 17, -15, 4), 10_000_000, SEEN);
+    assertEquals(
+        List.of("2 at 20.0 TOWARDS lane 1: 0/1", "2 at 40.0 TOWARDS lane 1: 0/1"),
+        crossings.stream().map(LineCounterTest::text).toList());
+    assertEquals(10e6 - 3.0 / 15 * 1e6, crossings.get(0).timeUs(), 20_000);
+    assertEquals(10e6 - 23.0 / 15 * 1e6, crossings.get(1).timeUs(), 50_000);
+  }
+
+  @Test
+  void twoTracksOnOneVehicleCountOnceAndTheNextVehicleCountsToo() {
+    LineCounter counter = new LineCounter(lines(1), crossings::add);
+    counter.look(found(1, 1.2, 25, 15, 4), 10_000_000, SEEN);
+    counter.look(found(2, 2.0, 23, 15, 4), 10_000_000, SEEN);
+    assertEquals(1, crossings.size(), "within the car that was counted");
+    counter.look(found(3, 5.2, 25, 15, 4), 10_000_000, SEEN);
+    assertEquals(2, crossings.size(), "beside it");
+    Track next = found(4, 1.2, 25, 15, 4);
+    next.stateUs = 11_000_000;
+    counter.look(next, 11_000_000, SEEN);
+    assertEquals(3, crossings.size(), "15 m behind it");
+    assertEquals(3, counter.lines().get(0).away());
+  }
+
+  @Test
+  void whatIsBesideTheRoadOrAnywhereIsNotCounted() {
+    LineCounter counter = new LineCounter(lines(1), crossings::add);
+    counter.look(found(1, 9.5, 25, 15, 4), 10_000_000, SEEN);
+    Track unsure = found(2, 1.75, 25, 15, 4);
+    unsure.motion.shift(0, 9);
+    counter.look(unsure, 10_000_000, SEEN);
+    assertEquals(List.of(), crossings);
+  }
+
+  @Test
+  void whatPassesTooFewRowsForItsSpeedIsNotCounted() {
+    LineCounter counter = new LineCounter(lines(1), crossings::add);
+    Track track = found(1, 1.75, 25, 28, 4);
+    for (int row = 10; row < 50; row += 4) {
+      track.line.last.pass(row, 10_000_000, 70, 28);
+    }
+    counter.look(track, 10_000_000, SEEN);
+    assertEquals(List.of(), crossings);
+    for (int row = 50; row < 58; row++) {
+      track.line.last.pass(row, 10_000_000, 70, 28);
+    }
+    counter.look(track, 10_000_000, SEEN);
+    assertEquals(1, crossings.size());
   }
 }

@@ -15,6 +15,7 @@ import haltere.filters.track.CountingLineSettings;
 import haltere.filters.track.KalmanTracksSettings;
 import haltere.filters.track.LaneSettings;
 import haltere.filters.track.LineCrossing;
+import haltere.filters.track.RoadMapping;
 import haltere.filters.track.RoadSettings;
 import haltere.filters.track.RoadTrackPoint;
 import haltere.filters.track.RoadTracksSettings;
@@ -24,6 +25,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
 
@@ -44,6 +46,9 @@ class RoadVehiclesTest {
     "traffic.encounters.speedChange=0",
     "traffic.pauseS=4"
   };
+
+  /** The row of the counting line. */
+  private static final double LINE_ROW = new RoadMapping(VIEW, SENSOR).rowOf(25);
 
   private final List<RoadTrackPoint> points = new ArrayList<>();
   private final List<LineCrossing> crossings = new ArrayList<>();
@@ -201,6 +206,38 @@ class RoadVehiclesTest {
       assertEquals(1, near.size(), "nobody is at the line: " + crossing);
       assertEquals(3.6 * Math.abs(near.get(0).vyMS()), crossing.speedKmH(), 5);
     }
+  }
+
+  @Test
+  void behindNoiseEachVehicleOfAMixedRoadIsCountedOnceInItsDirectionAndNobodyElse() {
+    watch(
+        cars(
+            "vehicles.lorries=2",
+            "vehicles.motorcycles=4",
+            "traffic.encounters.overtake=1",
+            "noise.shotHz=0.1",
+            "run.seed=600021",
+            "run.durationS=16"),
+        4096);
+    Map<String, Integer> passed = new TreeMap<>();
+    Map<Integer, Double> ends = new HashMap<>();
+    Set<String> kinds = new TreeSet<>();
+    for (long timeUs = 0; timeUs < 15_500_000; timeUs += 10_000) {
+      for (RoadTruth vehicle : scene.truthRows(timeUs)) {
+        double end = vehicle.yPx() - vehicle.heightPx() / 2 - LINE_ROW;
+        Double before = ends.put(vehicle.id(), end);
+        if (timeUs > 1_500_000 && before != null && before * end < 0) {
+          kinds.add(vehicle.kind() + " " + (end > 0));
+          passed.merge(end > 0 ? "AWAY" : "TOWARDS", 1, Integer::sum);
+        }
+      }
+    }
+    Map<String, Integer> counted = new TreeMap<>();
+    crossings.stream()
+        .filter(one -> one.timeUs() > 1_500_000 && one.timeUs() < 15_500_000)
+        .forEach(one -> counted.merge(one.direction().name(), 1, Integer::sum));
+    assertTrue(kinds.containsAll(Set.of("MOTORCYCLE true", "MOTORCYCLE false")), "" + kinds);
+    assertEquals(passed, counted);
   }
 
   @Test

@@ -1,0 +1,78 @@
+package haltere.filters.track.kalman;
+
+/**
+ * The row that a line has passed last, and of how many it was seen to pass them.
+ *
+ * <p>Thread rule: that of its owner.
+ */
+final class LastRow {
+  private static final double SHARE_GAIN = 0.15;
+  private static final double FOLLOWED_SHARE = 0.45;
+
+  private int row;
+  private long timeUs;
+  private double column;
+  private double speedMS;
+
+  /** Which way it goes: 1 to higher rows, -1 to lower ones. */
+  private int forward;
+
+  /** Of the last rows, the share that it was seen to pass. */
+  private double share;
+
+  /** Begins as a vehicle that was found. */
+  void begin() {
+    share = 1;
+  }
+
+  /** Goes on with a line that was found. */
+  void turnTo(LineSearch found, long atUs) {
+    row = found.lastRow;
+    forward = found.vyMS > 0 ? 1 : -1;
+    column = found.lastColumn;
+    speedMS = Math.abs(found.vyMS);
+    timeUs = atUs;
+  }
+
+  /** Takes note of a row that was passed, with the column of the middle and the speed then. */
+  void pass(int passedRow, long atUs, double atColumn, double alongMS) {
+    int rows = Math.max(1, Math.abs(passedRow - row));
+    share = share * Math.pow(1 - SHARE_GAIN, rows) + SHARE_GAIN;
+    row = passedRow;
+    timeUs = atUs;
+    column = atColumn;
+    speedMS = Math.abs(alongMS);
+  }
+
+  /** Whether a speed along the road is on its way. */
+  boolean goes(double alongMS) {
+    return alongMS * forward > 0;
+  }
+
+  /** Whether a row is still before it. */
+  boolean isBefore(int otherRow) {
+    return (otherRow - row) * forward > 0;
+  }
+
+  /** Whether it was seen to pass about every second row: what only seems to move passes fewer. */
+  boolean isFollowed() {
+    return share > FOLLOWED_SHARE;
+  }
+
+  int row() {
+    return row;
+  }
+
+  long timeUs() {
+    return timeUs;
+  }
+
+  double column() {
+    return column;
+  }
+
+  /** Along the road, metres a second. */
+  double speedMS() {
+    return speedMS;
+  }
+}

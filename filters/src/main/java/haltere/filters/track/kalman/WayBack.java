@@ -1,0 +1,11 @@
+package haltere.filters.track.kalman;
+
+/** Tells where vehicles have come from. Thread rule: that of its owner. */
+interface WayBack {
+  /**
+   * Whether a vehicle that was found beyond a line was seen on its way from the line on.
+   *
+   * @param motion where the track is at the time
+   */
+  boolean leadsTo(Track track, MotionModes motion, double lineM, long timeUs);
+}
