@@ -29,6 +29,14 @@ final class ClusterForm {
   /** The same for a young one. */
   private static final double YOUNG_GROWTH_TIME_US = 40_000;
 
+  /** A memory has at least so many times as many events as the outline has pixels, */
+  private static final double OUTLINES = 2;
+
+  /** and of the pixels within at least this share. */
+  private static final double PIXELS_SHARE = 0.25;
+
+  private static final double MOST_MEMORY = 10_000;
+
   /** A radius is usual after about this time. */
   private static final double USUAL_TIME_US = 1_000_000;
 
@@ -133,7 +141,7 @@ final class ClusterForm {
    * @param noise share of the cluster's events that are noise, evenly spread over its region
    */
   void upkeep(Cluster cluster, long timeUs, double noise) {
-    double settled = Math.min(growth.events(), cluster.events + 8.0);
+    double settled = Math.min(memory(cluster), cluster.events + 8.0);
     cluster.formGain = 1 / settled;
     boolean oneSided = Math.abs(cluster.balance) > ONE_SIDED;
     cluster.leadGain = edges && !oneSided ? 1 / settled : 0;
@@ -164,6 +172,18 @@ final class ClusterForm {
     cluster.usualSquare +=
         (timeUs - cluster.bornUs <= SETTLED_US ? 1 : usualGain)
             * (cluster.square - cluster.usualSquare);
+  }
+
+  /**
+   * Over how many events the spread is averaged: as many as is set, but so many that all of a thing
+   * has spoken. The pixels along a straight edge fire together, and where a thing is large, its
+   * next edge only hundreds of events later.
+   */
+  private double memory(Cluster cluster) {
+    double radius = Math.min(MOST_MEMORY, Math.max(cluster.radiusA, cluster.radiusB));
+    double outlines = OUTLINES * 2 * Math.PI * radius;
+    double pixels = PIXELS_SHARE * Math.PI * radius * radius;
+    return Math.max(growth.events(), Math.min(MOST_MEMORY, Math.max(outlines, pixels)));
   }
 
   /**
