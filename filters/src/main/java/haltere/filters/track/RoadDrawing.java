@@ -6,7 +6,7 @@ import haltere.core.overlay.OverlayCanvas;
 
 /**
  * Draws the marks of a road: a cross where it vanishes, the borders of the lanes, and the counting
- * lines with their distance and how many went up and down the picture there.
+ * lines.
  */
 final class RoadDrawing {
   private static final MarkStyle MARK = MarkStyle.of(Role.REGION);
@@ -26,7 +26,22 @@ final class RoadDrawing {
       drawBorder(marks, lanes.leftEdgeM() + i * lanes.widthM(), canvas);
     }
     for (RoadMarks.Line line : marks.lines()) {
-      drawLine(marks, line, canvas);
+      if (isInPicture(marks, line)) {
+        double row = marks.mapping().rowOf(line.distanceM());
+        canvas.line(leftOf(marks, line), row, rightOf(marks, line), row, MARK);
+      }
+    }
+  }
+
+  /** The distance of each counting line, and how many went up and down the picture there. */
+  static void drawCounts(RoadMarks marks, OverlayCanvas canvas) {
+    for (RoadMarks.Line line : marks.lines()) {
+      if (isInPicture(marks, line)) {
+        double row = marks.mapping().rowOf(line.distanceM());
+        String text =
+            Math.round(line.distanceM()) + " m \u2191" + line.away() + " \u2193" + line.towards();
+        canvas.text(leftOf(marks, line), row + LABEL_PX, text, MARK);
+      }
     }
   }
 
@@ -52,25 +67,25 @@ final class RoadDrawing {
     }
   }
 
-  private static void drawLine(RoadMarks marks, RoadMarks.Line line, OverlayCanvas canvas) {
-    RoadMapping mapping = marks.mapping();
-    double row = mapping.rowOf(line.distanceM());
-    if (!mapping.onRoad(row) || row < 0 || row > marks.sensor().height() - 1) {
-      return;
-    }
+  private static boolean isInPicture(RoadMarks marks, RoadMarks.Line line) {
+    double row = marks.mapping().rowOf(line.distanceM());
+    return marks.mapping().onRoad(row) && row >= 0 && row <= marks.sensor().height() - 1;
+  }
+
+  private static double leftOf(RoadMarks marks, RoadMarks.Line line) {
     LaneSettings lanes = marks.lanes();
-    double right = marks.sensor().width() - 1;
-    double from = 0;
-    double to = right;
-    if (lanes.lanes() > 0) {
-      double leftM = lanes.leftEdgeM();
-      double rightM = leftM + lanes.lanes() * lanes.widthM();
-      from = Math.min(right, Math.max(0, mapping.columnOf(leftM, line.distanceM())));
-      to = Math.min(right, Math.max(0, mapping.columnOf(rightM, line.distanceM())));
-    }
-    canvas.line(from, row, to, row, MARK);
-    String text =
-        Math.round(line.distanceM()) + " m \u2191" + line.away() + " \u2193" + line.towards();
-    canvas.text(from, row + LABEL_PX, text, MARK);
+    return lanes.lanes() == 0 ? 0 : columnOf(marks, lanes.leftEdgeM(), line);
+  }
+
+  private static double rightOf(RoadMarks marks, RoadMarks.Line line) {
+    LaneSettings lanes = marks.lanes();
+    return lanes.lanes() == 0
+        ? marks.sensor().width() - 1
+        : columnOf(marks, lanes.leftEdgeM() + lanes.lanes() * lanes.widthM(), line);
+  }
+
+  private static double columnOf(RoadMarks marks, double lateralM, RoadMarks.Line line) {
+    double column = marks.mapping().columnOf(lateralM, line.distanceM());
+    return Math.min(marks.sensor().width() - 1, Math.max(0, column));
   }
 }

@@ -29,6 +29,7 @@ public final class TrackOverlay implements Overlay<TrackSnapshot> {
       drawPath(track.path(), canvas);
       drawPlace(track, canvas);
     }
+    snapshot.road().ifPresent(road -> RoadDrawing.drawCounts(road, canvas));
     // A canvas that has no room for all words leaves out those that come last.
     nearestFirst(snapshot).forEach(track -> drawLabel(track, canvas));
   }
