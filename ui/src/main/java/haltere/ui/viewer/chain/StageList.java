@@ -95,16 +95,23 @@ final class StageList extends VBox {
     cards = List.of();
     cardOf.clear();
     getChildren().clear();
-    steps.execute(() -> grow(stages));
+    // all steps are asked for now, so that what is asked for behind them finds all cards
+    for (int i = 0; i < Math.max(1, stages.size()); i++) {
+      steps.execute(() -> grow(stages));
+    }
   }
 
   /** Shows a chain, keeping the cards of stages that were there. */
   void show(List<StageState> stages) {
     wanted = stages;
+    int more = (int) stages.stream().filter(state -> !hasCard(state)).count() - 1;
     grow(stages);
+    for (int i = 0; i < more; i++) {
+      steps.execute(() -> grow(stages));
+    }
   }
 
-  /** Shows the stages that have a card and one that has none, and the others in further steps. */
+  /** Shows the stages that have a card, and the first of those that have none. */
   private void grow(List<StageState> stages) {
     if (wanted != stages) {
       return;
@@ -117,9 +124,6 @@ final class StageList extends VBox {
       }
     }
     place(now);
-    if (made > 1) {
-      steps.execute(() -> grow(stages));
-    }
   }
 
   private boolean hasCard(StageState state) {
