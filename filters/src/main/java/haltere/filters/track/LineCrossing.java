@@ -3,7 +3,9 @@ package haltere.filters.track;
 import haltere.core.sink.Column;
 
 /**
- * A vehicle has crossed a counting line.
+ * A vehicle has crossed a counting line. Crossings are told as they are found out, which is not
+ * always in the order of their times: what comes from far away may be found when it is beyond a
+ * line already.
  *
  * @param timeUs when, on the clock of the events, microseconds; found once the vehicle is clear of
  *     the line, so it lies some way back

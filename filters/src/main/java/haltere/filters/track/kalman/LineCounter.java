@@ -105,7 +105,8 @@ final class LineCounter {
       }
       int side = beyond > 0 ? 1 : -1;
       boolean isBefore = sides.isNew(i) && side != way;
-      if (!isBefore && !sure) {
+      if (sides.isAt(i, side)
+          || !isBefore && (!sure || back != null && back.isOnOther(track, motion, timeUs))) {
         continue;
       }
       boolean isLate = sides.isNew(i) && side == way && back != null && sides.isOnItsWay();

@@ -51,6 +51,11 @@ final class LineSides {
     return side[line] == 0;
   }
 
+  /** Whether it was on a side before. */
+  boolean isAt(int line, int sameSide) {
+    return side[line] == sameSide;
+  }
+
   /** Whether it was never known anywhere else than on its way. */
   boolean isOnItsWay() {
     return !isElsewhere;

@@ -41,7 +41,7 @@ final class RoadVehicles {
   private final DepartedVehicles departed = new DepartedVehicles();
   private final VehicleParts parts;
   private final SeenWay way;
-  private final WayBack back = this::leadsTo;
+  private final WayBack back = new Past();
   private final TrackListener listener;
   private final double leavingM;
   private KalmanTracksSettings settings;
@@ -120,11 +120,23 @@ final class RoadVehicles {
     }
   }
 
-  /**
-   * Whether a vehicle was seen on its way from a line on, and not another that is in front of it.
-   */
-  private boolean leadsTo(Track track, MotionModes motion, double lineM, long timeUs) {
-    return !mayBeHigher(track, motion, timeUs) && way.leadsTo(track, motion, lineM, timeUs);
+  /** What the counting of vehicles asks. */
+  private final class Past implements WayBack {
+    @Override
+    public boolean leadsTo(Track track, MotionModes motion, double lineM, long timeUs) {
+      return !mayBeHigher(track, motion, timeUs) && way.leadsTo(track, motion, lineM, timeUs);
+    }
+
+    @Override
+    public boolean isOnOther(Track track, MotionModes motion, long timeUs) {
+      for (int i = 0; i < tracks.count(); i++) {
+        Track other = tracks.get(i);
+        if (other != track && parts.mayBeAbove(track, motion, other, other.at(timeUs))) {
+          return true;
+        }
+      }
+      return isOnDeparted(track, motion, timeUs);
+    }
   }
 
   /** Whether a track may be on a higher line of another vehicle, of which it then has the way. */
@@ -136,6 +148,10 @@ final class RoadVehicles {
         return true;
       }
     }
+    return isOnDeparted(track, motion, timeUs);
+  }
+
+  private boolean isOnDeparted(Track track, MotionModes motion, long timeUs) {
     double half = track.line.halfWidthM;
     return departed.own(motion.x(), motion.y(), motion.vy(), half, timeUs);
   }

@@ -14,7 +14,7 @@ import java.util.Arrays;
  *
  * <p>Thread rule: that of its owner.
  */
-final class SeenWay implements WayBack {
+final class SeenWay {
   private static final double US = 1e-6;
   private static final double LONGEST_S = 2;
 
@@ -46,8 +46,8 @@ final class SeenWay implements WayBack {
     filled = new boolean[events.rows()];
   }
 
-  @Override
-  public boolean leadsTo(Track track, MotionModes motion, double lineM, long timeUs) {
+  /** Whether a vehicle that was found beyond a line was seen on its way from the line on. */
+  boolean leadsTo(Track track, MotionModes motion, double lineM, long timeUs) {
     double speed = motion.vy();
     double goneS = (motion.y() - lineM) / speed;
     double foundS = Math.max(0, (timeUs - track.bornUs) * US);

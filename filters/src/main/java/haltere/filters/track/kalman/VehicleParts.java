@@ -145,6 +145,17 @@ final class VehicleParts {
     return false;
   }
 
+  /** Whether a track may be on a higher line of another, with something of a vehicle between. */
+  boolean mayBeAbove(Track track, MotionModes motion, Track other, MotionModes under) {
+    if (!DepartedVehicles.isOf(motion, track.line, under, other.line)
+        || track.line.rowNow() <= other.line.rowNow()) {
+      return false;
+    }
+    upper.set(track, motion);
+    lower.set(other, under);
+    return isFilled();
+  }
+
   /**
    * Whether there is something of the vehicle between the two lines, not empty road as between a
    * vehicle and a faster one before it. What seems to be so much faster is on a lorry.

@@ -1,6 +1,6 @@
 package haltere.filters.track.kalman;
 
-/** Tells where vehicles have come from. Thread rule: that of its owner. */
+/** Tells where vehicles have come from, and which are none. Thread rule: that of its owner. */
 interface WayBack {
   /**
    * Whether a vehicle that was found beyond a line was seen on its way from the line on.
@@ -8,4 +8,9 @@ interface WayBack {
    * @param motion where the track is at the time
    */
   boolean leadsTo(Track track, MotionModes motion, double lineM, long timeUs);
+
+  /**
+   * Whether a track may be on a higher line of another vehicle that is there, as far as it seems.
+   */
+  boolean isOnOther(Track track, MotionModes motion, long timeUs);
 }

@@ -120,8 +120,21 @@ class LineCounterTest {
     assertEquals(LaneSettings.BESIDE, LaneSettings.defaults().laneAt(0));
   }
 
-  private static final WayBack SEEN = (track, motion, lineM, timeUs) -> true;
-  private static final WayBack NOT_SEEN = (track, motion, lineM, timeUs) -> false;
+  private static final WayBack SEEN = new Past(true, false);
+  private static final WayBack NOT_SEEN = new Past(false, false);
+  private static final WayBack ON_OTHER = new Past(true, true);
+
+  private record Past(boolean isSeen, boolean isHigher) implements WayBack {
+    @Override
+    public boolean leadsTo(Track track, MotionModes motion, double lineM, long timeUs) {
+      return isSeen;
+    }
+
+    @Override
+    public boolean isOnOther(Track track, MotionModes motion, long timeUs) {
+      return isHigher;
+    }
+  }
 
   /** A vehicle that was found, with so many rows that it was seen to pass. */
   private static Track found(int id, double xM, double yM, double mS, int rows) {
@@ -200,5 +213,18 @@ class LineCounterTest {
     }
     counter.look(track, 10_000_000, SEEN);
     assertEquals(1, crossings.size());
+  }
+
+  @Test
+  void whatMayBeOnAnotherVehicleIsCountedOnceItIsNot() {
+    LineCounter counter = new LineCounter(lines(1), crossings::add);
+    Track track = found(1, 1.75, 15, 15, 4);
+    counter.look(track, 10_000_000, ON_OTHER);
+    set(track, 1.75, 25, 15);
+    counter.look(track, 10_000_000, ON_OTHER);
+    assertEquals(List.of(), crossings);
+    counter.look(track, 10_000_000, NOT_SEEN);
+    assertEquals(1, crossings.size());
+    assertEquals(10e6 - 5.0 / 15 * 1e6, crossings.get(0).timeUs(), 20_000);
   }
 }
