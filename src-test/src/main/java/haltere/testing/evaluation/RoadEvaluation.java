@@ -46,7 +46,9 @@ public final class RoadEvaluation {
   private final List<Double> weightedRatios = new ArrayList<>();
   private final Map<String, int[]> momentsOf = new TreeMap<>();
   private final Spread normalized = new Spread();
+  private final RoadHonesty honesty = new RoadHonesty();
   private RoadCounts counts;
+  private RoadMapping mapping;
   private int astray;
 
   /** A track in the picture and on the road. */
@@ -96,15 +98,25 @@ public final class RoadEvaluation {
   public static void main(String[] arguments) {
     long firstSeed = Long.parseLong(arguments[0]);
     int scenes = Integer.parseInt(arguments[1]);
+    List<String> settings = List.of(arguments).subList(3, arguments.length);
+    System.out.println(of(firstSeed, scenes, arguments[2], settings));
+  }
+
+  /** Scores some scenes of so many seconds. */
+  static RoadEvaluation of(long firstSeed, int scenes, String seconds, List<String> settings) {
     RoadEvaluation evaluation = new RoadEvaluation();
     for (long seed = firstSeed; seed < firstSeed + scenes; seed++) {
-      List<String> settings = new ArrayList<>();
-      settings.add("run.seed=" + seed);
-      settings.add("run.durationS=" + arguments[2]);
-      settings.addAll(List.of(arguments).subList(3, arguments.length));
-      evaluation.add(RoadSceneSettings.defaults().with(settings.toArray(new String[0])));
+      List<String> all = new ArrayList<>(settings);
+      all.add("run.seed=" + seed);
+      all.add("run.durationS=" + seconds);
+      evaluation.add(RoadSceneSettings.defaults().with(all.toArray(new String[0])));
     }
-    System.out.println(evaluation);
+    return evaluation;
+  }
+
+  /** Whether tracks are as sure as they say. */
+  RoadHonesty honesty() {
+    return honesty;
   }
 
   private void add(RoadSceneSettings settings) {
@@ -136,12 +148,14 @@ public final class RoadEvaluation {
           singles.add(ratio);
           double error = at.road().speedKmH() - 3.6 * speed;
           normalized.add(error * error / (at.road().sdSpeedKmH() * at.road().sdSpeedKmH()));
+          honesty.add(at.road(), vehicle, mapping);
           ratios.computeIfAbsent(vehicle.id(), id -> new Spread()).add(ratio);
           certain.computeIfAbsent(vehicle.id(), id -> new Passage()).add(at.road(), speed);
         }
       }
       vehicles.forEach(vehicle -> countTracks(vehicle, held.getOrDefault(vehicle.id(), 0)));
     }
+    honesty.endScene();
     certain.values().stream()
         .filter(passage -> passage.moments >= ENOUGH_MOMENTS)
         .map(passage -> passage.estimated / passage.truth)
@@ -180,9 +194,11 @@ public final class RoadEvaluation {
     KalmanTracksFilter filter =
         new KalmanTracksFilter(scene.geometry(), KalmanTracksSettings.defaults().onRoad(road));
     if (counts == null) {
-      counts = new RoadCounts(new RoadMapping(view, scene.geometry()));
+      mapping = new RoadMapping(view, scene.geometry());
+      counts = new RoadCounts(mapping);
     }
     filter.crossings().subscribe(counts::count);
+    filter.updates().subscribe(honesty::add);
     FilterChain chain = new FilterChain(scene.geometry());
     chain.add(Filters.named("background-activity"));
     chain.add(Filters.named("hot-pixels"));
@@ -278,7 +294,7 @@ public final class RoadEvaluation {
                 share(moments, 2)));
     line(text, "moments of tracks that are on no vehicle: %d", astray);
     line(text, "mean squared error of single estimates over the stated: %.2f", normalized.mean());
-    return text.append(counts).toString();
+    return text.append(honesty).append(counts).toString();
   }
 
   private double quantile(double share) {

@@ -185,6 +185,7 @@ public final class KalmanTracksFilter extends PublishingFilter<KalmanTracksSetti
     }
 
     private RoadTrackPoint roadPoint(Track track, MotionModes motion, long timeUs) {
+      // A line above the road is too fast, too far away and too far aside in one proportion.
       double unsure = track.line.grounding.speedShare();
       return new RoadTrackPoint(
           timeUs,
@@ -193,8 +194,8 @@ public final class KalmanTracksFilter extends PublishingFilter<KalmanTracksSetti
           motion.y(),
           motion.vx(),
           motion.vy(),
-          Math.sqrt(motion.covariance(0, 0)),
-          Math.sqrt(motion.covariance(1, 1)),
+          Math.hypot(Math.sqrt(motion.covariance(0, 0)), unsure * motion.x()),
+          Math.hypot(Math.sqrt(motion.covariance(1, 1)), unsure * motion.y()),
           Math.hypot(Math.sqrt(motion.covariance(2, 2)), unsure * motion.vx()),
           Math.hypot(Math.sqrt(motion.covariance(3, 3)), unsure * motion.vy()),
           RoadSpeed.kmH(motion),

@@ -7,9 +7,6 @@ package haltere.filters.track.kalman;
  * <p>Thread rule: that of its owner.
  */
 final class LineInSpace {
-  /** A lorry of 3.6 m seen from 5 m. */
-  private static final double MOST_SCALE = 4.5;
-
   private static final double LEAST_SCALE = 1.07;
   private static final double SIGMAS = 2;
   private static final double ASIDE_SHARE = 0.6;
@@ -18,17 +15,20 @@ final class LineInSpace {
   private static final double ALIKE_SHARE = 0.07;
   private static final double NEARER_M = 2.5;
 
-  /** Most lorries are shorter. */
-  private static final double FARTHER_M = 12;
-
   /** As far above, in half widths, as the roof of a lorry or a helmet seems to be. */
   private static final double MOST_HALVES = 12;
 
+  private final double bridgeM;
   private double xM;
   private double yM;
   private double vyMS;
   private double varianceVy;
   private double halfWidthM;
+
+  /** A line seen from a height. */
+  LineInSpace(double bridgeM) {
+    this.bridgeM = bridgeM;
+  }
 
   /** Whether this and the other move alike, one behind the other, at most so many metres apart. */
   boolean isBehind(LineInSpace other, double mostM) {
@@ -81,7 +81,9 @@ final class LineInSpace {
    */
   boolean isAbove(LineInSpace other, double gapHalfWidths) {
     double scale = vyMS / other.vyMS;
-    if (!(scale > LEAST_SCALE && scale < MOST_SCALE) || gapHalfWidths > MOST_HALVES) {
+    double wide = Math.max(halfWidthM / scale, other.halfWidthM);
+    double most = VehicleSize.mostScale(Double.POSITIVE_INFINITY, bridgeM);
+    if (!(scale > LEAST_SCALE && scale < most) || gapHalfWidths > MOST_HALVES) {
       return false;
     }
     double sd = Math.sqrt(varianceVy + other.varianceVy);
@@ -89,10 +91,9 @@ final class LineInSpace {
       return false;
     }
     double farther = yM / scale - other.yM;
-    double wide = Math.max(halfWidthM / scale, other.halfWidthM);
     double within = other.halfWidthM - halfWidthM / scale;
     return farther > -NEARER_M
-        && farther < FARTHER_M
+        && farther < VehicleSize.longestM(bridgeM * (1 - 1 / scale))
         && gapHalfWidths > 0
         && Math.abs(xM / scale - other.xM) < Math.max(ASIDE_SHARE * wide, within) + ASIDE_M;
   }

@@ -15,6 +15,9 @@ final class LineSeeds {
   private static final int WIDEST_GAP = 2;
   private static final double WIDEST_M = 4;
 
+  /** Where a row sees more of the road than any vehicle is long, its edges are not told apart. */
+  private static final double MOST_ROW_M = 15;
+
   /** So far beside a piece of a line nothing else of its row is passed at the same time. */
   private static final double BESIDE_M = 3;
 
@@ -45,7 +48,7 @@ final class LineSeeds {
       }
     }
     for (int key = 0; key < inRow.length; key++) {
-      if (inRow[key] >= LEAST_COLUMNS) {
+      if (inRow[key] >= LEAST_COLUMNS && events.metresPerRow(key / 2) < MOST_ROW_M) {
         look(key, nowUs);
       }
     }

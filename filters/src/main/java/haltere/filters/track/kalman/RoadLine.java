@@ -12,7 +12,7 @@ final class RoadLine {
   private static final double US = 1e-6;
 
   /** Rows about the line that are looked at. */
-  private static final int ROWS = 16;
+  static final int ROWS = 16;
 
   /** Parts into which the width of a line is divided to see how much of it was seen. */
   private static final int CELLS = 64;
@@ -78,6 +78,10 @@ final class RoadLine {
   private double seenHalfM;
 
   private double lengthM;
+
+  /** Since when it is this line that is followed. */
+  private long sinceUs;
+
   private boolean on;
   private double extentPx;
   private long bodyUs;
@@ -94,6 +98,7 @@ final class RoadLine {
   private double halfPx;
   private double visiblePx;
   private double ownPx;
+  private double mostPx;
   private double gatePx;
   private boolean isCutLeft;
   private boolean isCutRight;
@@ -132,6 +137,7 @@ final class RoadLine {
 
   private void turnTo(LineSearch found, long timeUs) {
     on = found.on;
+    sinceUs = timeUs;
     last.turnTo(found, timeUs);
   }
 
@@ -165,14 +171,13 @@ final class RoadLine {
     Arrays.fill(rightmost, Double.NEGATIVE_INFINITY);
   }
 
-  /** Says how far above the line all that is seen is of the vehicle. */
-  void setOwn(double px) {
+  /** Says how far above the line all that is seen is of the vehicle, and anything can be. */
+  void setOwn(double px, double newMostPx) {
     ownPx = px;
+    mostPx = newMostPx;
   }
 
-  /**
-   * Up to so far above the line all that is seen is of the vehicle: what is higher may be another.
-   */
+  /** Up to so far above the line all that is seen is of the vehicle, and of no other. */
   double ownPx() {
     return ownPx;
   }
@@ -191,7 +196,8 @@ final class RoadLine {
 
   /** Whether an event so far above the line is on the vehicle. */
   boolean isOnVehicle(double abovePx) {
-    return abovePx > -gatePx && abovePx < extentPx + GAP_PX + GAP_SHARE * extentPx;
+    return abovePx > -gatePx
+        && abovePx < Math.min(mostPx, extentPx + GAP_PX + GAP_SHARE * extentPx);
   }
 
   /** Whether an event so far above the line may be on the line. */
@@ -264,10 +270,6 @@ final class RoadLine {
     return recent < STANDING_EVENTS;
   }
 
-  int rows() {
-    return ROWS;
-  }
-
   int row(int k) {
     return firstRow + k;
   }
@@ -307,6 +309,11 @@ final class RoadLine {
 
   double columnVariance(int k) {
     return halfPx * halfPx / 3 / Long.bitCount(cells[k]) + COLUMN_VARIANCE;
+  }
+
+  /** Whether all of the line has been seen. */
+  boolean isWidthKnown() {
+    return halfWidthM <= GUESSED * seenHalfM && !isCut();
   }
 
   /** Whether the side of the picture hides a part of the line. */
@@ -356,7 +363,7 @@ final class RoadLine {
     return on;
   }
 
-  /** How far above the line, in the picture, the vehicle is seen. */
+  /** How far above the line the vehicle is seen. */
   double extentPx() {
     return extentPx;
   }
@@ -371,6 +378,11 @@ final class RoadLine {
 
   double rowPerS() {
     return rowPerUs / US;
+  }
+
+  /** Since when it is this line of the vehicle that is followed, and no other. */
+  long sinceUs() {
+    return sinceUs;
   }
 
   /** When an event was on the vehicle above the line. */

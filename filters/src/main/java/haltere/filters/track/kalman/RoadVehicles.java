@@ -95,7 +95,8 @@ final class RoadVehicles {
     for (int i = 0; i < tracks.count(); i++) {
       Track track = tracks.get(i);
       track.line.expect(track, plane, timeUs, metresPerColumn(track), sensor.width());
-      track.line.setOwn(ownPx(track));
+      double mostPx = mostPx(track);
+      track.line.setOwn(Math.min(ownPx(track), mostPx), mostPx);
     }
     for (long i = events.from(); i < events.to(); i++) {
       give(i);
@@ -165,6 +166,17 @@ final class RoadVehicles {
     return track.line.grounding.hasUpper()
         ? Double.POSITIVE_INFINITY
         : road.rowOf(yM + OWN_M) - road.rowOf(yM);
+  }
+
+  /** How far above its line a vehicle may be seen if it is no higher than one so wide may be. */
+  private double mostPx(Track track) {
+    double yM = track.motion.y();
+    RoadLine line = track.line;
+    double half = line.isWidthKnown() ? line.halfWidthM : Double.POSITIVE_INFINITY;
+    double scale = VehicleSize.mostScale(half, road.settings().bridgeHeightM());
+    return yM > 0
+        ? road.rowOf(scale * (yM + line.lengthM())) - road.rowOf(yM)
+        : Double.POSITIVE_INFINITY;
   }
 
   /** Ends a track whose vehicle is gone, or that is on the roof of one that is. */

@@ -79,8 +79,8 @@ final class RowPassing {
   void measure(Track track, long timeUs) {
     RoadLine line = track.line;
     boolean down = line.rowPerS() < 0;
-    for (int n = 0; n < line.rows(); n++) {
-      int k = down ? line.rows() - 1 - n : n;
+    for (int n = 0; n < RoadLine.ROWS; n++) {
+      int k = down ? RoadLine.ROWS - 1 - n : n;
       if (line.isPassed(k)) {
         take(track, k, timeUs);
       }

@@ -12,6 +12,9 @@ final class VehicleEnds {
   /** Where a row sees more of the road than this, silence says nothing. */
   private static final double TELLING_M = 3;
 
+  /** Where a row sees more of the road, a vehicle that is followed is too far away. */
+  private static final double MOST_ROW_M = 20;
+
   /** A vehicle that stands is remembered for this many times the usual. */
   private static final double STANDING_FACTOR = 5;
 
@@ -64,7 +67,8 @@ final class VehicleEnds {
   boolean isOver(Track track, long timeUs) {
     RoadLine line = track.line;
     boolean isAnywhere = track.at(timeUs).covariance(1, 1) > NOWHERE_M * NOWHERE_M;
-    if (!track.inView || isAnywhere || plane.yPx + line.extentPx() < -1) {
+    boolean isFar = road.distancePerY(plane.yPx) > MOST_ROW_M;
+    if (!track.inView || isAnywhere || isFar || plane.yPx + line.extentPx() < -1) {
       return true;
     }
     if (!isInPicture(plane, sensor)) {

@@ -33,6 +33,9 @@ final class VehicleParts {
   /** What has stood is found to go again not before it has passed some rows. */
   private static final double STARTED_ROWS = 4;
 
+  /** What stood speeds up by less than this. */
+  private static final double STARTING_M_S2 = 5;
+
   /** What a line has to have of the width of a vehicle that it is to stand for. */
   private static final double WIDTH_SHARE = 0.5;
 
@@ -49,13 +52,15 @@ final class VehicleParts {
   private final RoadMapping road;
   private final RoadEvents events;
   private final LineSearch search;
-  private final LineInSpace upper = new LineInSpace();
-  private final LineInSpace lower = new LineInSpace();
+  private final LineInSpace upper;
+  private final LineInSpace lower;
 
   VehicleParts(RoadMapping road, RoadEvents events, LineSearch search) {
     this.road = road;
     this.events = events;
     this.search = search;
+    upper = new LineInSpace(road.settings().bridgeHeightM());
+    lower = new LineInSpace(road.settings().bridgeHeightM());
   }
 
   /** Whether the line that was found is of a vehicle, which then knows of it or goes over to it. */
@@ -78,10 +83,11 @@ final class VehicleParts {
     boolean isNew = track.updates < SURE_UPDATES;
     boolean lost = line.isLost() && !line.isOut() && sameWay && (isNew || isAsFast(motion));
     boolean isThere = motion.covariance(1, 1) < OTHER_EDGE_M * OTHER_EDGE_M;
-    boolean starts = track.stands && isThere && line.last.goes(search.vyMS);
+    double startsM = Math.max(OTHER_EDGE_M, STARTED_ROWS * perRow);
+    boolean starts =
+        track.stands && isThere && line.last.goes(search.vyMS) && mayHaveReached(startsM);
     double seenM = Math.min(line.lengthM() + SAME_EDGE_M, line.extentPx() * perRow);
-    if (lost && apartM < Math.max(OTHER_EDGE_M, seenM)
-        || starts && apartM < Math.max(OTHER_EDGE_M, STARTED_ROWS * perRow)) {
+    if (lost && apartM < Math.max(OTHER_EDGE_M, seenM) || starts && apartM < startsM) {
       line.change(search, (motion.y() - search.yM) / perRow, timeUs);
       if (isNew || starts) {
         track.moveOn(search, timeUs);
@@ -91,6 +97,11 @@ final class VehicleParts {
       return true;
     }
     return false;
+  }
+
+  /** Whether what has stood so far away may be as fast by now as the line that was found. */
+  private boolean mayHaveReached(double awayM) {
+    return search.vyMS * search.vyMS < 2 * STARTING_M_S2 * awayM;
   }
 
   /** Whether the line that was found is about as fast as a vehicle. */
@@ -178,7 +189,10 @@ final class VehicleParts {
 
   /** Whether a track may be on a higher line: what was long seen on the road is on it. */
   private static boolean mayBeUpper(Track track, long timeUs) {
-    return track.line.grounding.isHidden() || timeUs - track.bornUs < KNOWN_US;
+    RoadLine line = track.line;
+    return line.grounding.isHidden()
+        || line.halfWidthM < NARROW_HALF_M
+        || timeUs - line.sinceUs() < KNOWN_US;
   }
 
   /** Of two tracks on two edges of one vehicle the lower one stays, under the older name. */

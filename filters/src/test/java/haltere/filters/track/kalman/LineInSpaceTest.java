@@ -8,8 +8,8 @@ import org.junit.jupiter.api.Test;
 class LineInSpaceTest {
   private static final double HEIGHT_M = 5;
 
-  private final LineInSpace ground = new LineInSpace();
-  private final LineInSpace other = new LineInSpace();
+  private final LineInSpace ground = new LineInSpace(HEIGHT_M);
+  private final LineInSpace other = new LineInSpace(HEIGHT_M);
 
   /** A line at a height, as it seems to be on the ground. */
   private static void seen(LineInSpace line, double x, double y, double v, double z) {
@@ -36,6 +36,10 @@ class LineInSpaceTest {
     assertFalse(other.isAbove(ground, 1), "in another lane");
     seen(other, 1.75, 60, 20, 0);
     assertFalse(other.isAbove(ground, 1), "farther than a lorry is long");
+    seen(other, 1.75, 29, 16, 1.4);
+    assertFalse(other.isAbove(ground, 1), "not as high as a lorry, and farther than a car is long");
+    seen(other, 1.75, 29, 16, 3.4);
+    assertTrue(other.isAbove(ground, 1), "the roof of a lorry");
     seen(other, 1.75, 28, -22, 0);
     assertFalse(other.isAbove(ground, 1), "comes");
   }
