@@ -81,15 +81,26 @@ final class ClusterLife {
     setVelocity(born, clusters, count);
   }
 
-  /** Parts a cluster that has grown over two things; the newborn one is the second. */
+  /**
+   * Parts a cluster that has grown over two things: it stays where more of its events are, for what
+   * seems to be the other place may be nothing; the newborn one is there.
+   */
   void part(Cluster cluster, Cluster born, long timeUs) {
     double between = ClusterForm.WITHIN * cluster.square;
     double root = Math.sqrt(between);
     double skewness = cluster.cube / (between * root);
     double ahead = 0.5 * (skewness + Math.sqrt(skewness * skewness + 4));
     double share = 1 / (1 + ahead * ahead);
-    born.x = cluster.x + ahead * root * cluster.cos;
-    born.y = cluster.y + ahead * root * cluster.sin;
+    double bornAt = ahead * root;
+    double stayAt = -root / ahead;
+    if (share > 0.5) {
+      share = 1 - share;
+      double place = bornAt;
+      bornAt = stayAt;
+      stayAt = place;
+    }
+    born.x = cluster.x + bornAt * cluster.cos;
+    born.y = cluster.y + bornAt * cluster.sin;
     born.vx = cluster.vx;
     born.vy = cluster.vy;
     born.atUs = timeUs;
@@ -108,8 +119,8 @@ final class ClusterLife {
     born.usualMass = share * cluster.usualMass;
     cluster.contour.end();
     cluster.clearBatch(timeUs);
-    cluster.x -= root / ahead * cluster.cos;
-    cluster.y -= root / ahead * cluster.sin;
+    cluster.x += stayAt * cluster.cos;
+    cluster.y += stayAt * cluster.sin;
     cluster.mass *= 1 - share;
     cluster.usualMass *= 1 - share;
   }

@@ -57,6 +57,21 @@ class ClusterPartingTest {
   }
 
   @Test
+  void itStaysWhereMoreOfItsEventsAre() {
+    for (int side = -1; side <= 1; side += 2) {
+      clusters.count = 0;
+      makeOneOfTwo();
+      whole.cube = side * Math.pow(whole.square, 1.5);
+      parting.part(whole, TIME_US);
+      Cluster born = clusters.all[1];
+      assertTrue(born.mass < 30, born.mass + " of 100 events");
+      assertEquals(100, whole.mass + born.mass, 1e-9);
+      assertTrue(side * (born.x - whole.x) * whole.cos > 0);
+      assertTrue(Math.abs(whole.x - 100) < Math.abs(born.x - 100));
+    }
+  }
+
+  @Test
   void whereOnePlaceIsAnotherClustersItGoesToTheOtherPlaceAndNothingIsBorn() {
     for (int side = -1; side <= 1; side += 2) {
       clusters.count = 0;

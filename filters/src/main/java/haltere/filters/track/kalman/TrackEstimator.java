@@ -323,12 +323,7 @@ public final class TrackEstimator implements ClusterObserver {
 
   /** Gives the batches that are in question to the tracks that are, all together. */
   private void assign(long timeUs, ClusterReadings readings) {
-    for (int i = 0; i < tracks.count(); i++) {
-      Track track = tracks.get(i);
-      if (track.batch == null || pairs.contains(track.batch)) {
-        pairs.addTrack(track);
-      }
-    }
+    pairs.addTracks(tracks, timeUs);
     pairs.costs(measurement, readings, timeUs);
     pairs.solve();
     for (int j = 0; j < pairs.batchCount(); j++) {

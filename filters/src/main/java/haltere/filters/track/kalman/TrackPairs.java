@@ -98,7 +98,21 @@ final class TrackPairs {
     batches[batchCount++] = batch;
   }
 
-  void addTrack(Track track) {
+  /**
+   * Adds the tracks that are in question: those without a cluster, those whose cluster is, and
+   * those whose cluster is silent, for that may be at an empty place, and another at their thing.
+   */
+  void addTracks(Tracks all, long timeUs) {
+    for (int i = 0; i < all.count(); i++) {
+      Track track = all.get(i);
+      boolean silent = timeUs - track.heardUs > EventBatches.LONGEST_US;
+      if (track.batch == null || silent || contains(track.batch)) {
+        add(track);
+      }
+    }
+  }
+
+  private void add(Track track) {
     if (trackCount == tracks.length) {
       tracks = Arrays.copyOf(tracks, 2 * trackCount);
     }
@@ -113,7 +127,7 @@ final class TrackPairs {
     return batches[j];
   }
 
-  boolean contains(EventBatch batch) {
+  private boolean contains(EventBatch batch) {
     for (int j = 0; j < batchCount; j++) {
       if (batches[j] == batch) {
         return true;

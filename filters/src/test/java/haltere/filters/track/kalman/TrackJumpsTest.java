@@ -63,6 +63,20 @@ class TrackJumpsTest {
   }
 
   @Test
+  void aTrackWhoseClusterFallsSilentTakesTheOneThatAppearsWhereItIsExpected() {
+    Given silent = clusters.add(5);
+    step(40, silent, 20, 100, 120);
+    int id = estimator.shown(0, timeUs).id;
+    silent.newEvents = 0;
+    step(6, silent, 20, 100, 120);
+    Given other = clusters.add(6);
+    step(3, other, 20, 100, 120);
+    assertEquals(1, estimator.trackCount());
+    assertEquals(id, estimator.shown(0, timeUs).id);
+    assertEquals(6, estimator.shown(0, timeUs).batch.clusterId);
+  }
+
+  @Test
   void theRestOfWhatHasLeftIsNoNewThingUntilItHasHadTimeToGo() {
     step(24, clusters.add(1), 150, 100, 200);
     clusters.list.clear();
