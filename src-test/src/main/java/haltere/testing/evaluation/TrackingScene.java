@@ -19,7 +19,7 @@ import java.util.stream.IntStream;
  *
  * @param geometry of the sensor
  * @param events all of them; whoever filters in place takes a copy
- * @param timesUs when the truth is told, each 10 ms
+ * @param timesUs when the truth is told, each 10 ms, while events come
  * @param truth where the centres of the discs on the sensor are at these times
  * @param halfSeen where the centres of discs are that are off the sensor while a part is on it: a
  *     track there is neither right nor wrong
@@ -65,7 +65,8 @@ public record TrackingScene(
     }
     List<ObjectPoint> truth = new ArrayList<>();
     List<ObjectPoint> halfSeen = new ArrayList<>();
-    int ticks = (int) (DURATION_S * 1e6 / TICK_US);
+    // Not when the events end: what is at a time is told once an event after it has come.
+    int ticks = (int) (DURATION_S * 1e6 / TICK_US) - 1;
     long[] timesUs = IntStream.rangeClosed(1, ticks).mapToLong(i -> (long) i * TICK_US).toArray();
     for (long timeUs : timesUs) {
       for (int id = 0; id < paths.size(); id++) {
