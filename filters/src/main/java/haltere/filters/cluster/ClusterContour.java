@@ -56,6 +56,12 @@ final class ClusterContour {
 
   private static final double REFERENCE_WANDERS = 20;
 
+  /** Readings in which the circle is looked for anew, at most. */
+  private static final int FIRST_READINGS = 6;
+
+  /** Variance of the radius over its square up to which that is needed. */
+  private static final double SURE_SHARE = 0.01;
+
   /** Events over which the scatter is averaged, and without which nothing is known of it. */
   private static final double SCATTER_EVENTS = 200;
 
@@ -96,6 +102,20 @@ final class ClusterContour {
   /** Whether a ring fits them better than a line. */
   private boolean curved;
 
+  /** Of the events since the last reading. */
+  private final OutlineSums sums = new OutlineSums();
+
+  /** Fits what is hardly known yet. */
+  private final FirstOutline first = new FirstOutline(sums);
+
+  /** For how many more readings that does so at most. */
+  private int firstReadings;
+
+  /**
+   * By how much the radius was expected to be larger than the one about which events are fitted.
+   */
+  private double expectedMove;
+
   /** Of how many events one is taken. */
   private int stride;
 
@@ -114,18 +134,6 @@ final class ClusterContour {
   // was expected, weight.
   private final double[] events = new double[NUMBERS * ROOM];
   private int waiting;
-
-  // Sums over the events since the last reading of (n, 1)(n, 1)ᵀ, (n, 1) m and m².
-  private double count;
-  private double ixx;
-  private double ixy;
-  private double ixr;
-  private double iyy;
-  private double iyr;
-  private double bx;
-  private double by;
-  private double br;
-  private double squares;
 
   /** Information on the centre that the last reading had, 0 if there was none. */
   double informationXx;
@@ -154,6 +162,10 @@ final class ClusterContour {
       return;
     }
     cluster.untilOutline = stride;
+    if (firstReadings > 0) {
+      first.take(eventX, eventY, (cluster.atUs - fromUs) * US, weight);
+      return;
+    }
     if (waiting == ROOM) {
       fit();
     }
@@ -181,24 +193,26 @@ final class ClusterContour {
       if (distance < LEAST_DISTANCE || off * off > gate) {
         continue;
       }
-      double perDistance = 1 / distance;
-      double nx = dx * perDistance;
-      double ny = dy * perDistance;
+      double nx = dx / distance;
+      double ny = dy / distance;
       double m = off + nx * events[at + 2] + ny * events[at + 3];
-      double weight = events[at + 4];
-      double wx = weight * nx;
-      double wy = weight * ny;
-      count += weight;
-      ixx += wx * nx;
-      ixy += wx * ny;
-      ixr += wx;
-      iyy += wy * ny;
-      iyr += wy;
-      bx += wx * m;
-      by += wy * m;
-      br += weight * m;
-      squares += weight * m * m;
+      sums.add(nx, ny, m, events[at + 4]);
     }
+  }
+
+  /** Looks for the circle about which the events are to be fitted, where it is not known yet. */
+  private void fitFirst(Cluster cluster) {
+    if (!first.fit(cluster.vx, cluster.vy, radius, ridge(), scatter, 2 * cluster.radius())) {
+      sums.clear();
+      return;
+    }
+    expectedMove = radius - first.radius;
+    radius = first.radius;
+    baseX = first.x;
+    baseY = first.y;
+    double seconds = (cluster.atUs - fromUs) * US;
+    offsetX = baseX + cluster.vx * seconds - cluster.x;
+    offsetY = baseY + cluster.vy * seconds - cluster.y;
   }
 
   /** Works out what a reading says, and learns from it. */
@@ -206,18 +220,24 @@ final class ClusterContour {
     informationXx = 0;
     informationXy = 0;
     informationYy = 0;
-    fit();
-    if (!on || count <= 0) {
+    if (firstReadings > 0) {
+      fitFirst(cluster);
+    } else {
+      fit();
+    }
+    if (!on || sums.count <= 0) {
       return;
     }
     double known = ridge();
-    double share = 1 / (count + known);
-    double jxx = ixx - ixr * ixr * share;
-    double jxy = ixy - ixr * iyr * share;
-    double jyy = iyy - iyr * iyr * share;
-    double ux = bx - ixr * br * share;
-    double uy = by - iyr * br * share;
-    if (isThin()) {
+    double share = 1 / (sums.count + known);
+    double pulled = sums.r + known * expectedMove;
+    double jxx = sums.xx - sums.xr * sums.xr * share;
+    double jxy = sums.xy - sums.xr * sums.yr * share;
+    double jyy = sums.yy - sums.yr * sums.yr * share;
+    double ux = sums.x - sums.xr * pulled * share;
+    double uy = sums.y - sums.yr * pulled * share;
+    boolean isOutline = learn(cluster, jxx, jxy, jyy, ux, uy);
+    if (isOutline && isThin()) {
       double perVariance = 1 / scatter;
       informationXx = jxx * perVariance;
       informationXy = jxy * perVariance;
@@ -225,7 +245,7 @@ final class ClusterContour {
       vectorX = ux * perVariance + informationXx * baseX + informationXy * baseY;
       vectorY = uy * perVariance + informationXy * baseX + informationYy * baseY;
     }
-    if (!learn(cluster, jxx, jxy, jyy, ux, uy)) {
+    if (!isOutline) {
       end();
     }
   }
@@ -243,15 +263,20 @@ final class ClusterContour {
     double cx = ((jyy + loose) * ux - jxy * uy) / determinant;
     double cy = ((jxx + loose) * uy - jxy * ux) / determinant;
     double known = ridge();
-    double radiusMoves = (br - ixr * cx - iyr * cy) / (count + known);
+    double pulled = sums.r + known * expectedMove;
+    double radiusMoves = (pulled - sums.xr * cx - sums.yr * cy) / (sums.count + known);
     learnScatter(cx, cy, radiusMoves, known);
     curved = scatter < CURVED * leastVariance(cluster);
     // With the centre taken out: what is left of the events to tell the radius.
-    double kxx = ixx + loose;
-    double kyy = iyy + loose;
+    double kxx = sums.xx + loose;
+    double kyy = sums.yy + loose;
     double taken =
-        (kyy * ixr * ixr - 2 * ixy * ixr * iyr + kxx * iyr * iyr) / (kxx * kyy - ixy * ixy);
-    radiusVariance = scatter / (known + Math.max(0, count - taken));
+        (kyy * sums.xr * sums.xr - 2 * sums.xy * sums.xr * sums.yr + kxx * sums.yr * sums.yr)
+            / (kxx * kyy - sums.xy * sums.xy);
+    radiusVariance = scatter / (known + Math.max(0, sums.count - taken));
+    if (radiusVariance < SURE_SHARE * radius * radius) {
+      firstReadings = 0;
+    }
     radius = Math.min(2 * cluster.radius(), Math.max(1, radius + radiusMoves));
     boolean isThere = !isElsewhere(cluster, offsetX + cx, offsetY + cy);
     moveReference(cluster, jxx, jxy, jyy, ux, uy);
@@ -278,16 +303,11 @@ final class ClusterContour {
 
   /** Takes the mean square of what is left over, per degree of freedom. */
   private void learnScatter(double cx, double cy, double radiusMoves, double known) {
-    double degrees = count - 2 - count / (count + known);
+    double degrees = sums.count - 2 - sums.count / (sums.count + known);
     if (!(degrees > 0)) {
       return;
     }
-    double rest =
-        squares
-            - 2 * (bx * cx + by * cy + br * radiusMoves)
-            + cx * (ixx * cx + 2 * ixy * cy + 2 * ixr * radiusMoves)
-            + cy * (iyy * cy + 2 * iyr * radiusMoves)
-            + count * radiusMoves * radiusMoves;
+    double rest = sums.rest(cx, cy, radiusMoves);
     freedom += degrees;
     double over = Math.max(degrees, Math.min(SCATTER_EVENTS, freedom + LEAST_EVENTS));
     scatter = Math.max(LEAST_SCATTER, scatter + (rest - degrees * scatter) / over);
@@ -319,31 +339,26 @@ final class ClusterContour {
     if (!on) {
       begin(cluster);
     } else {
-      double seen = Math.max(1, stride * count);
+      double seen = Math.max(1, stride * sums.count);
       stride = (int) Math.max(1, Math.round(seen / (ENOUGH + MANY / seen)));
       double seconds = (timeUs - fromUs) * US;
       radiusVariance += RADIUS_WANDERS * seconds;
       offsetVariance += REFERENCE_WANDERS * seconds;
     }
+    first.clear();
+    firstReadings = Math.max(0, firstReadings - 1);
+    expectedMove = 0;
     cluster.untilOutline = 1;
     fromUs = timeUs;
     baseX = cluster.x + offsetX;
     baseY = cluster.y + offsetY;
-    count = 0;
-    ixx = 0;
-    ixy = 0;
-    ixr = 0;
-    iyy = 0;
-    iyr = 0;
-    bx = 0;
-    by = 0;
-    br = 0;
-    squares = 0;
+    sums.clear();
   }
 
   private void begin(Cluster cluster) {
     on = true;
     curved = false;
+    firstReadings = FIRST_READINGS;
     stride = 1;
     radius = cluster.radius() / RING_RADII;
     radius = Math.max(1, radius);

@@ -2,6 +2,15 @@ package haltere.filters.cluster;
 
 /** The visible ones of a tracker's clusters, as its observer sees them. */
 final class ClusterReader implements ClusterReadings {
+  /** Balance from which on mostly one edge of a thing is seen. */
+  private static final double ONE_SIDED = 0.5;
+
+  /**
+   * Of such a thing the middle is between 0.64 (half a ring) and 1 ring radius away, which is 1
+   * over 1.2 of the cluster's: that squared, for one of two axes.
+   */
+  private static final double UNSEEN = 0.23;
+
   private final ClusterMerging merging;
   private Cluster[] visible = new Cluster[0];
   private int count;
@@ -125,6 +134,18 @@ final class ClusterReader implements ClusterReadings {
   @Override
   public double eventCovarianceXy(int index) {
     return at(index).cxy;
+  }
+
+  @Override
+  public double unseenVariance(int index) {
+    Cluster cluster = at(index);
+    double reach = cluster.radius();
+    boolean cut =
+        cluster.x < reach
+            || cluster.y < reach
+            || cluster.x > width - 1 - reach
+            || cluster.y > height - 1 - reach;
+    return cut && Math.abs(cluster.balance) > ONE_SIDED ? UNSEEN * reach * reach : 0;
   }
 
   @Override

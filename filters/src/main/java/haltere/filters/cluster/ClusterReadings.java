@@ -130,6 +130,15 @@ public interface ClusterReadings {
   double eventCovarianceXy(int index);
 
   /**
+   * Variance, along an axis, of where the middle of the thing is about the measured centre however
+   * many events there are: of what the border cuts off only one side may be seen.
+   *
+   * @param index of the cluster
+   * @return pixels squared; 0 in the open
+   */
+  double unseenVariance(int index);
+
+  /**
    * Information on the column of the centre that the new events hold if they lie on a round
    * outline, of which no more than a part need be seen: an entry of the inverse of a covariance.
    *

@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.filters.estimation.Consistency;
+import haltere.filters.estimation.Interval;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -95,7 +97,10 @@ class ClusterContourTest {
     }
     assertTrue(outlines > 0.8 * readings, outlines + " of " + readings);
     double outlineRms = Math.sqrt(outlineSquares / outlines);
-    assertTrue(outlineRms < 1.2, "RMS " + outlineRms);
+    assertTrue(outlineRms < 0.2, "RMS " + outlineRms);
+    Interval band = Consistency.meanBand(2, outlines, 0.95);
+    double honesty = normalised / outlines;
+    assertTrue(band.lower() < honesty && honesty < band.upper(), honesty + " in " + band);
     assertTrue(Math.sqrt(meanSquares / readings) > 1.5 * outlineRms, "mean " + meanSquares);
   }
 

@@ -24,6 +24,9 @@ final class EventBatch {
   /** Whether its cluster has just turned out to be one of two, and is elsewhere. */
   boolean parted;
 
+  /** Variance of the place of its middle that does not fall with the number of events. */
+  double unseenVariance;
+
   private double sumX;
   private double sumY;
   private double sumAgeUs;
@@ -70,6 +73,7 @@ final class EventBatch {
     index = i;
     seen = true;
     radiusPx = readings.radiusPx(i);
+    unseenVariance = readings.unseenVariance(i);
     double n = readings.newEvents(i);
     if (!(n > 0)) {
       return;
@@ -120,7 +124,8 @@ final class EventBatch {
   boolean hasOutline() {
     double determinant = outlineXx * outlineYy - outlineXy * outlineXy;
     return determinant > 0
-        && (outlineXx + outlineYy) / determinant < (sumXx + sumYy) / (events * events);
+        && (outlineXx + outlineYy) / determinant
+            < (sumXx + sumYy) / (events * events) + 2 * unseenVariance;
   }
 
   double outlineVarianceX() {

@@ -20,6 +20,7 @@ final class Measurement {
   double xx;
   double xy;
   double yy;
+  boolean ofOutline;
 
   /** Of round things, or on a road, where there are none: vehicles are boxes that grow. */
   Measurement(MeasurementSettings settings, boolean onRoad) {
@@ -29,6 +30,7 @@ final class Measurement {
 
   /** What a batch says to a track, or to nobody yet. */
   void of(EventBatch batch, Track track, ClusterReadings readings, long nowUs) {
+    ofOutline = outlines && batch.hasOutline();
     if (settings.source() == MeasurementSource.CENTRE) {
       timeUs = nowUs;
       x = readings.x(batch.index);
@@ -45,7 +47,7 @@ final class Measurement {
       return;
     }
     timeUs = batch.meanTimeUs();
-    if (outlines && batch.hasOutline()) {
+    if (ofOutline) {
       double more =
           settings.varianceFactor() * (track != null && track.contested ? CONTESTED_FACTOR : 1);
       x = batch.outlineCentreX();
@@ -59,7 +61,7 @@ final class Measurement {
     y = batch.meanY();
     // Of two tracks in one place each event may be the other's: as good as one event.
     double share = track != null && track.contested ? 1 : settings.varianceFactor() / batch.events;
-    double floor = settings.floorPx() * settings.floorPx();
+    double floor = settings.floorPx() * settings.floorPx() + batch.unseenVariance;
     xx = batch.varianceX() * share + floor;
     yy = batch.varianceY() * share + floor;
     xy = batch.covarianceXy() * share;

@@ -100,7 +100,11 @@ final class TrackReports {
       return true;
     }
     boolean behind = track.hidden || track.contested && track.wasFree();
-    double most = behind ? Math.max(track.radiusPx, track.spreadPx) : SURE_SPREADS * track.spreadPx;
+    boolean cut = !picture.contains(plane.xPx, plane.yPx, -track.radiusPx);
+    double most =
+        behind
+            ? Math.max(track.radiusPx, track.spreadPx)
+            : (cut ? 1 : SURE_SPREADS) * track.spreadPx;
     return plane.varianceXPx2 + plane.varianceYPx2 < 2 * most * most;
   }
 }

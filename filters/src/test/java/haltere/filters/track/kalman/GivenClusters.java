@@ -117,6 +117,11 @@ final class GivenClusters implements ClusterReadings {
   }
 
   @Override
+  public double unseenVariance(int index) {
+    return 0;
+  }
+
+  @Override
   public double outlineXx(int index) {
     return list.get(index).outline;
   }
