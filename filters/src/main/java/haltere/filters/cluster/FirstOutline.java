@@ -34,6 +34,9 @@ final class FirstOutline {
   /** Scatter about the circle over that about a straight line up to which it is believed. */
   private static final double CURVED = 0.5;
 
+  /** The same over what is expected: events of noise lie near some circle, but not so near. */
+  private static final double SHARP = 2;
+
   /** Of a circle. */
   private static final int PARAMETERS = 3;
 
@@ -126,7 +129,7 @@ final class FirstOutline {
       step(vx, vy, expected, ridge, GATE * (scatter + LOOSE_VARIANCE), most);
     }
     gather(vx, vy, GATE * (scatter + TIGHT_VARIANCE));
-    return Double.isFinite(x + y + radius) && sums.count >= MOST * all && isCurved();
+    return Double.isFinite(x + y + radius) && sums.count >= MOST * all && isThin(scatter);
   }
 
   /** The circle of Kåsa, no larger than may be; gives back the weight of all events. */
@@ -177,9 +180,10 @@ final class FirstOutline {
     return sum;
   }
 
-  /** Whether the circle fits clearly better than a straight line does. */
-  private boolean isCurved() {
-    return sums.squares < CURVED * lineVariance * (sums.count - PARAMETERS);
+  /** Whether events lie about the circle as of an edge, and clearly nearer than to a line. */
+  private boolean isThin(double scatter) {
+    double most = Math.min(CURVED * lineVariance, SHARP * scatter);
+    return sums.squares < most * (sums.count - PARAMETERS);
   }
 
   /** Compares the events with the circle. */
