@@ -122,6 +122,33 @@ public final class TrackConsistency {
   }
 
   /**
+   * Mean NEES along an axis of all updates.
+   *
+   * @return 2 of a consistent filter
+   */
+  public double meanNees() {
+    return nees.sum / nees.count;
+  }
+
+  /**
+   * Where {@link #meanNis} of a consistent filter is with 95 % probability.
+   *
+   * @return the band of as many values as there are tracks
+   */
+  public Interval nisBand() {
+    return nis.band();
+  }
+
+  /**
+   * Where {@link #meanNees} of a consistent filter is with 95 % probability.
+   *
+   * @return the band of as many values as there are axes of tracks
+   */
+  public Interval neesBand() {
+    return nees.band();
+  }
+
+  /**
    * Share of innovations within the ellipse of 95 % that was expected of them.
    *
    * @return 0.95 of a consistent filter
@@ -165,10 +192,14 @@ public final class TrackConsistency {
       }
     }
 
+    Interval band() {
+      return Consistency.meanBand(DEGREES, tracks, CONFIDENCE);
+    }
+
     @Override
     public String toString() {
       List<Double> sorted = all.stream().sorted().toList();
-      Interval band = Consistency.meanBand(DEGREES, tracks, CONFIDENCE);
+      Interval band = band();
       double half = 1.96 * Math.sqrt(CONFIDENCE * (1 - CONFIDENCE) / tracks);
       return String.format(
           Locale.ROOT,

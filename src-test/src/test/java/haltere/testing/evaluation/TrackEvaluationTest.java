@@ -3,6 +3,7 @@ package haltere.testing.evaluation;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import haltere.filters.estimation.Interval;
 import org.junit.jupiter.api.Test;
 
 /** A small sample of the evaluation whose figures are in docs/tracking.md. */
@@ -21,5 +22,11 @@ class TrackEvaluationTest {
     assertEquals(0.95, consistency.nisInside(), 0.03, consistency.toString());
     assertEquals(0.95, consistency.neesInside(), 0.04, consistency.toString());
     assertEquals(2, consistency.meanNis(), 0.4, consistency.toString());
+    assertIn(consistency.nisBand(), consistency.meanNis(), consistency);
+    assertIn(consistency.neesBand(), consistency.meanNees(), consistency);
+  }
+
+  private static void assertIn(Interval band, double mean, TrackConsistency consistency) {
+    assertTrue(band.lower() < mean && mean < band.upper(), consistency.toString());
   }
 }
