@@ -73,6 +73,16 @@ final class Cluster {
   /** Variance of the velocity, per axis, (pixels a second) squared. */
   double velocityVariance;
 
+  /** Centre at the last upkeep. */
+  double heldX;
+
+  double heldY;
+
+  /** Direction of the line on which its events are and that goes on beyond it, or 0. */
+  double lineX;
+
+  double lineY;
+
   // Form.
 
   /** Mean offset of ON events from the centre; OFF events have the opposite one. */

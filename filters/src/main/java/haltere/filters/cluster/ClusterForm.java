@@ -15,7 +15,7 @@ import haltere.filters.cluster.ClusterFormSettings.Outline;
  */
 final class ClusterForm {
   /** Half axis over standard deviation. */
-  private static final double RADII = 1.7;
+  static final double RADII = 1.7;
 
   /** The smallest variance, of the pixel itself and what it blurs, pixels squared. */
   private static final double LEAST_VARIANCE = 0.15;

@@ -77,6 +77,8 @@ final class ClusterLife {
     born.overlapped = false;
     born.path.clear();
     born.contour.end();
+    born.lineX = 0;
+    born.lineY = 0;
     born.clearBatch(timeUs);
     setVelocity(born, clusters, count);
   }
@@ -115,6 +117,8 @@ final class ClusterLife {
     born.overlapped = true;
     born.path.clear();
     born.contour.end();
+    born.lineX = 0;
+    born.lineY = 0;
     born.clearBatch(timeUs);
     born.usualMass = share * cluster.usualMass;
     cluster.contour.end();

@@ -37,6 +37,7 @@ final class ClusterReader implements ClusterReadings {
       if (clusters[i].isVisible()) {
         clusters[i].moveTo(readingUs);
         clusters[i].contour.read(clusters[i]);
+        ClusterLines.hold(clusters[i], ageUs(clusters[i]) * 1e-6);
         visible[count++] = clusters[i];
       }
     }
@@ -117,8 +118,21 @@ final class ClusterReader implements ClusterReadings {
 
   @Override
   public double measuredAgeUs(int index) {
-    Cluster cluster = at(index);
+    return ageUs(at(index));
+  }
+
+  private double ageUs(Cluster cluster) {
     return timeUs - cluster.batchFromUs - cluster.batchTimes / cluster.batchEvents;
+  }
+
+  @Override
+  public double lineX(int index) {
+    return at(index).lineX;
+  }
+
+  @Override
+  public double lineY(int index) {
+    return at(index).lineY;
   }
 
   @Override
@@ -220,6 +234,7 @@ final class ClusterReader implements ClusterReadings {
       cluster.y = yPx;
       cluster.vx = vxPxPerS;
       cluster.vy = vyPxPerS;
+      ClusterLines.settle(cluster);
       fedBack = true;
     }
   }

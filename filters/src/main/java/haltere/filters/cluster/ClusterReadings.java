@@ -139,6 +139,24 @@ public interface ClusterReadings {
   double unseenVariance(int index);
 
   /**
+   * Where the events lie on a straight line that goes on beyond the cluster, its direction: nothing
+   * is known of the place along it, and the measured one is what the cluster had, moved across.
+   *
+   * @param index of the cluster
+   * @return component to the right of a vector of length 1, or 0 with {@link #lineY} where there is
+   *     no such line
+   */
+  double lineX(int index);
+
+  /**
+   * Direction of a line, see {@link #lineX}.
+   *
+   * @param index of the cluster
+   * @return component upwards
+   */
+  double lineY(int index);
+
+  /**
    * Information on the column of the centre that the new events hold if they lie on a round
    * outline, of which no more than a part need be seen: an entry of the inverse of a covariance.
    *

@@ -42,7 +42,7 @@ public final class ClusterTracker {
   private final ClusterReports reports;
   private final ClusterGrid grid;
   private final ClusterMerging merging = new ClusterMerging();
-  private final ClusterUpkeep upkeep = new ClusterUpkeep(clusters, merging);
+  private final ClusterUpkeep upkeep;
   private final ClusterReader reader = new ClusterReader(merging);
   private ClusterTrackerSettings settings;
   private ClusterMotion motion;
@@ -76,6 +76,8 @@ public final class ClusterTracker {
     this.geometry = Objects.requireNonNull(geometry, "geometry");
     reports = new ClusterReports(clusters, Objects.requireNonNull(atReport, "atReport"));
     grid = new ClusterGrid(geometry);
+    ClusterLines lines = new ClusterLines(geometry.width(), geometry.height());
+    upkeep = new ClusterUpkeep(clusters, merging, lines);
     apply(settings);
   }
 

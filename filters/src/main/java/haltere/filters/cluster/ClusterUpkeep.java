@@ -8,6 +8,7 @@ final class ClusterUpkeep {
   private final Clusters clusters;
   private final ClusterMerging merging;
   private final ClusterParting parting;
+  private final ClusterLines lines;
   private ClusterMotion motion;
   private ClusterForm form;
   private ClusterLife life;
@@ -17,7 +18,8 @@ final class ClusterUpkeep {
   /** The last identity that was given out; none is given out twice. */
   private int lastId;
 
-  ClusterUpkeep(Clusters clusters, ClusterMerging merging) {
+  ClusterUpkeep(Clusters clusters, ClusterMerging merging, ClusterLines lines) {
+    this.lines = lines;
     this.clusters = clusters;
     this.merging = merging;
     parting = new ClusterParting(clusters, merging);
@@ -53,8 +55,10 @@ final class ClusterUpkeep {
       } else {
         motion.upkeep(cluster, timeUs);
         form.upkeep(cluster, timeUs, life.noiseShare(cluster));
+        lines.hold(cluster, timeUs);
         if (!clusters.isFull() && form.isParting(cluster, timeUs)) {
           parting.part(cluster, timeUs);
+          ClusterLines.settle(cluster);
           if (observer != null && cluster.isVisible()) {
             observer.clusterParted(timeUs, cluster.id);
           }
@@ -93,6 +97,7 @@ final class ClusterUpkeep {
   private void mergeInto(Cluster kept, Cluster lost, long timeUs, ClusterObserver observer) {
     merging.absorb(kept, lost);
     form.settle(kept, timeUs);
+    ClusterLines.settle(kept);
     if (observer != null && kept.isVisible() && lost.isVisible()) {
       observer.clustersMerged(timeUs, kept.id, lost.id);
     }

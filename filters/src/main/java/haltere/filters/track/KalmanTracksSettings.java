@@ -15,6 +15,7 @@ import java.util.List;
  * @param motion how tracks are expected to move
  * @param measurement what they take from their clusters
  * @param life how they begin and end
+ * @param things which are of one thing
  * @param road the road that they are on, if they are on one
  */
 public record KalmanTracksSettings(
@@ -26,11 +27,19 @@ public record KalmanTracksSettings(
     MotionSettings motion,
     MeasurementSettings measurement,
     LifeSettings life,
+    ThingSettings things,
     RoadTracksSettings road) {
   /** Checks the ranges. */
   public KalmanTracksSettings {
     SettingsSchema.validate(
-        KalmanTracksSettings.class, clusters, updateIntervalUs, motion, measurement, life, road);
+        KalmanTracksSettings.class,
+        clusters,
+        updateIntervalUs,
+        motion,
+        measurement,
+        life,
+        things,
+        road);
   }
 
   /**
@@ -45,6 +54,7 @@ public record KalmanTracksSettings(
         MotionSettings.defaults(),
         MeasurementSettings.defaults(),
         LifeSettings.defaults(),
+        ThingSettings.defaults(),
         RoadTracksSettings.defaults());
   }
 
@@ -66,7 +76,9 @@ public record KalmanTracksSettings(
             "measurement.eventsOf=all-clusters",
             "measurement.dynamicVariances=true",
             "measurement.maxMeasurementVariance=8",
-            "life.feedbackToCluster=false");
+            "life.feedbackToCluster=false",
+            "things.together=false",
+            "things.standing=true");
   }
 
   /**
@@ -88,7 +100,8 @@ public record KalmanTracksSettings(
    * @return new settings
    */
   public KalmanTracksSettings onRoad(RoadTracksSettings view) {
-    return new KalmanTracksSettings(clusters, updateIntervalUs, motion, measurement, life, view);
+    return new KalmanTracksSettings(
+        clusters, updateIntervalUs, motion, measurement, life, things, view);
   }
 
   /**
@@ -98,7 +111,8 @@ public record KalmanTracksSettings(
    * @return new settings
    */
   public KalmanTracksSettings withClusters(ClusterTrackerSettings settings) {
-    return new KalmanTracksSettings(settings, updateIntervalUs, motion, measurement, life, road);
+    return new KalmanTracksSettings(
+        settings, updateIntervalUs, motion, measurement, life, things, road);
   }
 
   /**

@@ -11,6 +11,7 @@ import haltere.core.pipeline.Pipeline;
 import haltere.core.pipeline.PipelineCounters;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
+import haltere.filters.track.TrackPoint;
 import haltere.testing.Recorded;
 import haltere.ui.rendering.ColourMap;
 import haltere.ui.rendering.EventFrame;
@@ -29,8 +30,9 @@ import java.util.stream.Stream;
 /**
  * Draws each recording of the folder of recordings after a third, a half and nine tenths of its
  * events, the part of the sensor in which they are, with the clusters above and the tracks below,
- * for a person to look at: {@code ./gradlew :src-test:pictureRecordings}. For the documentation,
- * the tracks only, smaller, and each scene once: {@code -Pdocs}.
+ * for a person to look at, and prints {@link TracksSeen}'s figures of each: {@code ./gradlew
+ * :src-test:pictureRecordings}. For the documentation, the tracks only, smaller, and each scene
+ * once: {@code -Pdocs}.
  */
 public final class RecordingPictures {
   private static final double[] SHARES = {1 / 3.0, 0.5, 0.9};
@@ -90,11 +92,14 @@ public final class RecordingPictures {
         return "no events";
       }
       List<BufferedImage> panels = new ArrayList<>();
+      TracksSeen seen = null;
       for (String tracker : trackers) {
-        panels.addAll(panels(file, tracker, part));
+        Painter painter = paint(file, tracker, part);
+        panels.addAll(painter.panels);
+        seen = painter.seen;
       }
       Pictures.write(picture, sheet(panels));
-      return picture.toString();
+      return seen.figures();
     } catch (IOException unreadable) {
       return "not drawn: " + unreadable.getMessage();
     }
@@ -120,7 +125,7 @@ public final class RecordingPictures {
     }
   }
 
-  private List<BufferedImage> panels(Path file, String tracker, BusyPart part) throws IOException {
+  private Painter paint(Path file, String tracker, BusyPart part) throws IOException {
     try (RecordingReader reader = Recordings.open(file)) {
       FilterChain chain = new FilterChain(reader.geometry());
       for (String name : List.of("background-activity", "hot-pixels", tracker)) {
@@ -129,7 +134,7 @@ public final class RecordingPictures {
       Painter painter = new Painter(chain, part, part.scale(panelPx));
       Pipeline.run(reader, chain, List.of(painter), painter.counters);
       chain.close();
-      return painter.panels;
+      return painter;
     }
   }
 
@@ -172,6 +177,7 @@ public final class RecordingPictures {
     private final EventFrame frame;
     private final BusyPart part;
     private final int scale;
+    private final TracksSeen seen;
 
     Painter(FilterChain chain, BusyPart part, int scale) {
       this.part = part;
@@ -180,11 +186,16 @@ public final class RecordingPictures {
       for (OverlayLayer<?> layer : chain.overlays()) {
         marks.add(new Marks<>(layer));
       }
+      seen = new TracksSeen(chain.geometry());
+      if (chain.outlets().stream().anyMatch(outlet -> outlet.name().equals("tracks"))) {
+        chain.outlet("tracks", TrackPoint.class).subscribe(seen::shown);
+      }
     }
 
     @Override
     public void packet(EventPacket packet) {
       frame.packet(packet);
+      seen.packet(packet);
       long come = counters.get(PipelineCounters.Counter.EVENTS_IN);
       while (panels.size() < SHARES.length && come >= SHARES[panels.size()] * part.events()) {
         panels.add(panel());

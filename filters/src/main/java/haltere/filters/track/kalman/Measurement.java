@@ -62,9 +62,9 @@ final class Measurement {
     // Of two tracks in one place each event may be the other's: as good as one event.
     double share = track != null && track.contested ? 1 : settings.varianceFactor() / batch.events;
     double floor = settings.floorPx() * settings.floorPx() + batch.unseenVariance;
-    xx = batch.varianceX() * share + floor;
-    yy = batch.varianceY() * share + floor;
-    xy = batch.covarianceXy() * share;
+    xx = batch.varianceX() * share + batch.lineVarianceX() + floor;
+    yy = batch.varianceY() * share + batch.lineVarianceY() + floor;
+    xy = batch.covarianceXy() * share + batch.lineCovarianceXy();
   }
 
   /** Maps it to the plane of the tracks; false if it is not on it. */

@@ -12,8 +12,8 @@ import haltere.filters.track.TrackUpdate;
 final class Track {
   private static final double US = 1e-6;
 
-  /** Within this time a track that may have stopped would still be at its cluster. */
-  private static final double REST_S = 0.2;
+  /** Within this time a track that has lost its events has stopped, if it has. */
+  private static final double REST_S = 0.05;
 
   /** How well it is known where the middle of a line is that was found. */
   private static final double VARIANCE_X = 0.1;
@@ -21,6 +21,7 @@ final class Track {
   /** How fast a vehicle may be across the road, standard deviation. */
   private static final double LATERAL_SD_M_S = 1.5;
 
+  private static final int ALONE_UPDATES = 50;
   private static final int LEAST_FREE_UPDATES = 10;
 
   /** A velocity of fewer updates than this is not kept where a track is found elsewhere. */
@@ -100,6 +101,9 @@ final class Track {
   /** The edge of a vehicle that it follows. */
   final RoadLine line = new RoadLine();
 
+  /** What it has to do with others that may be of the same thing. */
+  final TrackPart part = new TrackPart();
+
   /** Of a vehicle, until when it is shown. */
   long shownUntilUs;
 
@@ -137,6 +141,7 @@ final class Track {
     hidden = false;
     shownUntilUs = Long.MIN_VALUE;
     stands = false;
+    part.clear();
     sides.clear();
   }
 
@@ -224,7 +229,12 @@ final class Track {
 
   /** Whether it has been seen by itself: what has not may be a part of another. */
   boolean wasFree() {
-    return freeUpdates >= LEAST_FREE_UPDATES;
+    return freeUpdates >= LEAST_FREE_UPDATES && (part.isRound() || wasAlone());
+  }
+
+  /** Whether it has been by itself for so long that it is a thing and no part of one. */
+  boolean wasAlone() {
+    return freeUpdates >= ALONE_UPDATES;
   }
 
   /** Whether it goes on as predicted, for nothing is seen of it. */
@@ -324,9 +334,17 @@ final class Track {
     return Math.hypot(nowVxPxS, nowVyPxS);
   }
 
-  /** Whether it was so slow when it lost its cluster that it may have stopped there. */
+  /**
+   * Whether it may have stopped where it lost its cluster: in the open nothing vanishes, and what
+   * stands makes no events.
+   */
   boolean mayRest() {
-    return batch == null && !hidden && speedPxS() * REST_S < radiusPx;
+    return batch == null && !hidden;
+  }
+
+  /** How far from where it lost its cluster it may have come to rest. */
+  double stoppingPx() {
+    return Math.min(speedPxS() * REST_S, 2 * radiusPx);
   }
 
   /** Whether two tracks are known to move differently. */

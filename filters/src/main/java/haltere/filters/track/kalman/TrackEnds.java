@@ -9,13 +9,18 @@ final class TrackEnds {
   /** Nearer to the border than this, what loses its cluster is taken to have left. */
   private static final double LEAVING_SPREADS = 1.3;
 
+  /** What was not seen for so long does not leave. */
+  private static final long UNSEEN_US = 150_000;
+
   private final Picture picture;
   private final Tracks tracks;
+  private final TrackParts parts;
   private final Departures departures = new Departures();
 
-  TrackEnds(Picture picture, Tracks tracks) {
+  TrackEnds(Picture picture, Tracks tracks, TrackParts parts) {
     this.picture = picture;
     this.tracks = tracks;
+    this.parts = parts;
   }
 
   void reset() {
@@ -27,18 +32,24 @@ final class TrackEnds {
     return departures.isRest(measurement.x, measurement.y, timeUs);
   }
 
+  /** The identity of what has left at a place and was not gone since, or 0. */
+  int returning(Measurement measurement, long timeUs) {
+    return departures.returning(measurement.x, measurement.y, timeUs);
+  }
+
   /** What has left takes no cluster of what is at the border after it. */
   void dropThoseThatLeft(long timeUs) {
     for (int i = tracks.count() - 1; i >= 0; i--) {
-      if (tracks.get(i).batch == null && isLeaving(tracks.get(i))) {
+      if (tracks.get(i).batch == null && isLeaving(tracks.get(i), timeUs)) {
         leave(i, timeUs);
       }
     }
   }
 
   private void leave(int index, long timeUs) {
-    if (tracks.get(index).id > 0) {
-      departures.add(tracks.get(index), timeUs);
+    Track gone = tracks.get(index);
+    if (gone.id > 0 && !parts.passOn(gone)) {
+      departures.add(gone, timeUs);
     }
     tracks.drop(index);
   }
@@ -54,7 +65,7 @@ final class TrackEnds {
         }
         continue;
       }
-      if (isLeaving(track)) {
+      if (isLeaving(track, timeUs)) {
         leave(i, timeUs);
         continue;
       }
@@ -62,13 +73,20 @@ final class TrackEnds {
       boolean coasts = track.inView && silentS <= settings.coastTimeS();
       boolean rests = track.mayRest() && silentS <= settings.restTimeS();
       if (track.id == 0 || !coasts && !rests) {
+        parts.passOn(track);
         tracks.drop(i);
       }
     }
   }
 
-  /** Whether a track without a cluster is at the border of the picture or beyond it. */
-  private boolean isLeaving(Track track) {
+  /**
+   * Whether a track that has just lost its cluster is at the border of the picture or beyond it.
+   * One of which nothing was seen on its way to the border has stopped.
+   */
+  private boolean isLeaving(Track track, long timeUs) {
+    if (timeUs - track.heardUs > UNSEEN_US) {
+      return false;
+    }
     double border =
         Math.min(LEAVING_SPREADS * track.spreadPx, picture.geometry().longerSide() * 0.1);
     return !picture.contains(track.nowXPx, track.nowYPx, -border);

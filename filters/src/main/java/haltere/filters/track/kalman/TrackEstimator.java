@@ -44,6 +44,7 @@ public final class TrackEstimator implements ClusterObserver {
   private final Tracks tracks;
   private final EventBatches batches = new EventBatches();
   private final TrackEnds ends;
+  private final TrackParts parts;
   private final TrackReports reports;
   private KalmanTracksSettings settings;
   private MeasurementPlane plane;
@@ -71,7 +72,8 @@ public final class TrackEstimator implements ClusterObserver {
     this.settings = Objects.requireNonNull(settings, "settings");
     Picture picture = new Picture(geometry);
     tracks = new Tracks(listener);
-    ends = new TrackEnds(picture, tracks);
+    parts = new TrackParts(tracks);
+    ends = new TrackEnds(picture, tracks, parts);
     reports = new TrackReports(picture, tracks, listener);
     tracker = new ClusterTracker(geometry, unreported(settings), timeUs -> {});
     prepareMotion();
@@ -132,6 +134,7 @@ public final class TrackEstimator implements ClusterObserver {
     batches.apply(settings.measurement());
     measurement = new Measurement(settings.measurement(), road != null);
     pairs = new TrackPairs(settings.life());
+    parts.apply(settings);
     reports.apply(settings, plane);
     if (vehicles != null) {
       vehicles.apply(settings, pairs.threshold());
@@ -145,6 +148,7 @@ public final class TrackEstimator implements ClusterObserver {
     tracks.dropAll();
     batches.clear();
     ends.reset();
+    parts.reset();
     if (vehicles != null) {
       vehicles.reset();
     }
@@ -209,33 +213,8 @@ public final class TrackEstimator implements ClusterObserver {
 
   @Override
   public void clustersMerged(long timeUs, int keptId, int lostId) {
-    EventBatch kept = batches.find(keptId);
-    EventBatch lost = batches.find(lostId);
-    if (vehicles != null || lost == null || lost.track == null) {
-      return;
-    }
-    Track track = lost.track;
-    if (kept == null || kept.track == null) {
-      track.release(false);
-      if (kept != null) {
-        track.hold(kept);
-      }
-      return;
-    }
-    if (track.id > 0 && kept.track.id > 0 && track.movesUnlike(kept.track)) {
-      track.release(true);
-      return;
-    }
-    boolean older = track.id > 0 && (kept.track.id == 0 || track.bornUs < kept.track.bornUs);
-    if (older) {
-      Track younger = kept.track;
-      younger.release(false);
-      tracks.drop(younger);
-      track.release(false);
-      track.hold(kept);
-    } else {
-      track.release(false);
-      tracks.drop(track);
+    if (vehicles == null) {
+      MergedTracks.merge(batches.find(keptId), batches.find(lostId), tracks);
     }
   }
 
@@ -272,6 +251,7 @@ public final class TrackEstimator implements ClusterObserver {
     ends.dropThoseThatLeft(timeUs);
     TrackPairs.markContested(tracks, timeUs);
     updateAll(timeUs, readings);
+    parts.step(timeUs);
     ends.dropThoseThatEnd(timeUs, settings.life());
     ClusterFeedback.give(tracks, settings, timeUs, readings);
   }
@@ -312,7 +292,10 @@ public final class TrackEstimator implements ClusterObserver {
   private void take(Track track, EventBatch batch, long timeUs) {
     track.take(measurement.timeUs, timeUs);
     track.spreadPx = batch.spreadPx();
-    if (track.id == 0 && track.updates >= settings.life().updatesTillShown()) {
+    track.part.learn(batch);
+    if (track.id == 0
+        && track.part.wholeId == 0
+        && track.updates >= settings.life().updatesTillShown()) {
       track.id = tracks.nextId();
     }
     batch.clear(timeUs);
@@ -389,8 +372,10 @@ public final class TrackEstimator implements ClusterObserver {
       track.radiusPx = batch.radiusPx;
       track.events = batch.events;
       track.hold(batch);
-      if (settings.life().updatesTillShown() <= 1) {
-        track.id = tracks.nextId();
+      parts.begin(track, measurement, batch, timeUs);
+      if (track.part.wholeId == 0 && settings.life().updatesTillShown() <= 1) {
+        int returning = ends.returning(measurement, timeUs);
+        track.id = returning > 0 ? returning : tracks.nextId();
       }
     }
     batch.clear(timeUs);

@@ -189,8 +189,13 @@ final class TrackPairs {
       }
       double fromLost = Math.hypot(measurement.x - track.lostXPx, measurement.y - track.lostYPx);
       boolean justLost = timeUs - track.heardUs <= THROWN_BACK_US;
-      double reach = justLost ? THROWN_BACK_RADII * track.radiusPx : track.radiusPx;
-      if ((justLost || track.mayRest()) && fromLost < reach && fromLost < least) {
+      double reach =
+          justLost ? THROWN_BACK_RADII * track.radiusPx : track.radiusPx + track.stoppingPx();
+      boolean isThere =
+          fromLost < reach
+              || track.part.extent.distanceWhenLost(track, measurement.x, measurement.y)
+                  < track.part.extent.radiusPx();
+      if ((justLost || track.mayRest()) && isThere && fromLost < least) {
         nearest = track;
         least = fromLost;
       }

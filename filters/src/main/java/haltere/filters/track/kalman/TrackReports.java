@@ -76,7 +76,7 @@ final class TrackReports {
   /** A track if it is to be shown at a time, with its place on the plane, else null. */
   Track shown(int index, long timeUs) {
     Track track = tracks.get(index);
-    if (track.id == 0) {
+    if (track.id == 0 || track.part.isStill && !settings.things().standing()) {
       return null;
     }
     if (track.batch == null
@@ -86,16 +86,24 @@ final class TrackReports {
     }
     return plane.toPixels(track.at(timeUs))
             && picture.contains(plane.xPx, plane.yPx, 0.5)
-            && isSure(track)
+            && isPlaced(track)
         ? track
         : null;
+  }
+
+  /**
+   * Whether it is known where a track is, off the road, by far better than by one of its events.
+   */
+  static boolean isSure(Track track) {
+    double most = SURE_SPREADS * track.spreadPx;
+    return track.motion.covariance(0, 0) + track.motion.covariance(1, 1) < 2 * most * most;
   }
 
   /**
    * Whether it is known where a track is, by far better than by one of its events; behind another
    * track, to its size.
    */
-  private boolean isSure(Track track) {
+  private boolean isPlaced(Track track) {
     if (track.stands || settings.measurement().source() == MeasurementSource.CENTRE) {
       return true;
     }

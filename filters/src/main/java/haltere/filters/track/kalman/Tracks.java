@@ -81,6 +81,12 @@ final class Tracks {
     }
   }
 
+  /** Ends the identity of a track that goes on without one. */
+  void end(Track track) {
+    listener.ended(track.id);
+    track.id = 0;
+  }
+
   void dropAll() {
     while (count > 0) {
       drop(count - 1);

@@ -21,6 +21,11 @@ final class GivenClusters implements ClusterReadings {
     double outline;
 
     double outlineAheadX;
+
+    /** Direction of a line that goes on beyond the cluster, or 0. */
+    double lineX;
+
+    double lineY;
     double fedX = Double.NaN;
     double fedY = Double.NaN;
     double fedVx = Double.NaN;
@@ -119,6 +124,16 @@ final class GivenClusters implements ClusterReadings {
   @Override
   public double unseenVariance(int index) {
     return 0;
+  }
+
+  @Override
+  public double lineX(int index) {
+    return list.get(index).lineX;
+  }
+
+  @Override
+  public double lineY(int index) {
+    return list.get(index).lineY;
   }
 
   @Override
