@@ -21,7 +21,7 @@ final class ClusterMerging {
   private static final double TWO_NEAR = 0.85;
 
   /** How many radii apart clusters are seen as two. */
-  private static final double APART = 1.2;
+  static final double APART = 1.2;
 
   /** How many radii apart the edge in front and the one behind of a thing may be. */
   private static final double EDGES_APART = 2;

@@ -55,7 +55,7 @@ final class ClusterUpkeep {
       } else {
         motion.upkeep(cluster, timeUs);
         form.upkeep(cluster, timeUs, life.noiseShare(cluster));
-        lines.hold(cluster, timeUs);
+        lines.hold(cluster, clusters, timeUs);
         if (!clusters.isFull() && form.isParting(cluster, timeUs)) {
           parting.part(cluster, timeUs);
           ClusterLines.settle(cluster);
