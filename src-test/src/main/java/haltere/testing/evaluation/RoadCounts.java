@@ -44,6 +44,7 @@ final class RoadCounts {
   /** Of each kind: crossings, those missed, those with another speed, those that were hidden. */
   private final Map<String, int[]> kinds = new TreeMap<>();
 
+  private final CrossingSpeeds speeds = new CrossingSpeeds();
   private int surplus;
 
   RoadCounts(RoadMapping mapping) {
@@ -96,6 +97,7 @@ final class RoadCounts {
         sums[1]++;
       } else {
         double speed = 3.6 * Math.hypot(one.vehicle.vxMS(), one.vehicle.vyMS());
+        speeds.add(match.speedKmH(), match.sdSpeedKmH(), speed);
         sums[2] += Math.abs(match.speedKmH() - speed) > FAST_SHARE * speed ? 1 : 0;
       }
     }
@@ -146,6 +148,8 @@ final class RoadCounts {
                     sums[1],
                     sums[2],
                     sums[3])));
-    return text + String.format(Locale.ROOT, "counted though nobody crossed: %d%n", surplus);
+    return text
+        + String.format(Locale.ROOT, "counted though nobody crossed: %d%n", surplus)
+        + speeds;
   }
 }

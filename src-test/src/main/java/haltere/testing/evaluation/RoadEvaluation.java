@@ -68,27 +68,6 @@ public final class RoadEvaluation {
     }
   }
 
-  /** Mean and standard deviation of what was added. */
-  private static final class Spread {
-    private int count;
-    private double sum;
-    private double squares;
-
-    void add(double value) {
-      count++;
-      sum += value;
-      squares += value * value;
-    }
-
-    double mean() {
-      return sum / count;
-    }
-
-    double sd() {
-      return Math.sqrt(Math.max(0, squares / count - mean() * mean()));
-    }
-  }
-
   /**
    * Scores and prints.
    *
@@ -165,7 +144,7 @@ public final class RoadEvaluation {
               weightedRatios.add(ratio);
             });
     passages.addAll(
-        ratios.values().stream().filter(spread -> spread.count >= ENOUGH_MOMENTS).toList());
+        ratios.values().stream().filter(spread -> spread.count() >= ENOUGH_MOMENTS).toList());
   }
 
   private void countCrossings(RoadScene scene) {
@@ -267,9 +246,9 @@ public final class RoadEvaluation {
             + " a passage %.1f %% (%d, bias %.2f %%)",
         100 * (singles.mean() - 1),
         100 * singles.sd(),
-        singles.count,
+        singles.count(),
         100 * means.sd(),
-        means.count,
+        means.count(),
         100 * (means.mean() - 1));
     line(
         text,

@@ -34,32 +34,6 @@ final class RoadHonesty {
   private final Share across = new Share();
   private final Share innovations = new Share();
 
-  /** How many of some squares, each over what was stated, are below a limit. */
-  static final class Share {
-    private int count;
-    private int within;
-
-    private void add(double square, double limit) {
-      count++;
-      within += square < limit ? 1 : 0;
-    }
-
-    /** How many there are. */
-    int count() {
-      return count;
-    }
-
-    /** Share of those within their 95 %. */
-    double within() {
-      return (double) within / count;
-    }
-
-    /** By how much the share may differ from 0.95 by chance, in 95 % of cases. */
-    double chance() {
-      return 1.96 * Math.sqrt(0.95 * 0.05 / count);
-    }
-  }
-
   /** Compares an estimate with the truth, the end of a vehicle that is nearer to the camera. */
   void add(RoadTrackPoint track, RoadTruth vehicle, RoadMapping road) {
     double trueKmH = 3.6 * Math.hypot(vehicle.vxMS(), vehicle.vyMS());

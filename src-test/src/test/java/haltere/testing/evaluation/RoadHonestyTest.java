@@ -23,14 +23,14 @@ class RoadHonestyTest {
         () -> assertNotBelow95(honesty.innovations()));
   }
 
-  private static void assertIn95(RoadHonesty.Share share, String of) {
+  private static void assertIn95(Share share, String of) {
     assertEquals(0.95, share.within(), share.chance(), of);
   }
 
   /**
    * Rows are held to be less exact than simulated pixels are, for those of cameras are not so good.
    */
-  private static void assertNotBelow95(RoadHonesty.Share share) {
+  private static void assertNotBelow95(Share share) {
     assertTrue(share.within() >= 0.95 - share.chance(), "innovations: " + share.within());
   }
 }
