@@ -62,24 +62,14 @@ final class ClusterLife {
 
   /** Begins a life at the place of birth that was found last. */
   void begin(Cluster born, Cluster[] clusters, int count, long timeUs) {
-    born.id = 0;
-    born.bornUs = timeUs;
-    born.lastUs = timeUs;
-    born.atUs = timeUs;
+    startAnew(born, timeUs);
     born.x = places.bornX();
     born.y = places.bornY();
     born.mass = places.bornEvents();
     born.usualMass = 0;
     born.events = Math.round(places.bornEvents());
-    born.supportedUs = timeUs;
-    born.keptUntilUs = Long.MIN_VALUE;
     born.unseenUntilUs = isBeside(born, clusters, count) ? timeUs + PARTING_US : Long.MIN_VALUE;
     born.overlapped = false;
-    born.path.clear();
-    born.contour.end();
-    born.lineX = 0;
-    born.lineY = 0;
-    born.clearBatch(timeUs);
     setVelocity(born, clusters, count);
   }
 
@@ -105,21 +95,11 @@ final class ClusterLife {
     born.y = cluster.y + bornAt * cluster.sin;
     born.vx = cluster.vx;
     born.vy = cluster.vy;
-    born.atUs = timeUs;
-    born.bornUs = timeUs;
-    born.lastUs = timeUs;
-    born.id = 0;
+    startAnew(born, timeUs);
     born.events = Math.round(share * cluster.events);
     born.mass = share * cluster.mass;
-    born.supportedUs = timeUs;
-    born.keptUntilUs = Long.MIN_VALUE;
     born.unseenUntilUs = timeUs + PARTING_US;
     born.overlapped = true;
-    born.path.clear();
-    born.contour.end();
-    born.lineX = 0;
-    born.lineY = 0;
-    born.clearBatch(timeUs);
     born.usualMass = share * cluster.usualMass;
     cluster.contour.end();
     cluster.clearBatch(timeUs);
@@ -127,6 +107,21 @@ final class ClusterLife {
     cluster.y += stayAt * cluster.sin;
     cluster.mass *= 1 - share;
     cluster.usualMass *= 1 - share;
+  }
+
+  /** Forgets whatever was in a newborn cluster's slot before. */
+  private static void startAnew(Cluster born, long timeUs) {
+    born.id = 0;
+    born.bornUs = timeUs;
+    born.lastUs = timeUs;
+    born.atUs = timeUs;
+    born.supportedUs = timeUs;
+    born.keptUntilUs = Long.MIN_VALUE;
+    born.path.clear();
+    born.contour.end();
+    born.lineX = 0;
+    born.lineY = 0;
+    born.clearBatch(timeUs);
   }
 
   private static boolean isBeside(Cluster born, Cluster[] clusters, int count) {
