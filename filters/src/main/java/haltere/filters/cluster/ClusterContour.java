@@ -326,7 +326,7 @@ final class ClusterContour {
     offsetX += ((jyy + tight) * wx - jxy * wy) / determinant;
     offsetY += ((jxx + tight) * wy - jxy * wx) / determinant;
     offsetVariance = scatter / (tight + 0.5 * (jxx + jyy));
-    double length = Math.hypot(offsetX, offsetY);
+    double length = Math.sqrt(offsetX * offsetX + offsetY * offsetY);
     double most = cluster.radius();
     if (length > most) {
       offsetX *= most / length;

@@ -141,7 +141,7 @@ final class ClusterForm {
    * @param noise share of the cluster's events that are noise, evenly spread over its region
    */
   void upkeep(Cluster cluster, long timeUs, double noise) {
-    double settled = Math.min(memory(cluster), cluster.events + 8.0);
+    double settled = Math.min(memory(cluster, timeUs), cluster.events + 8.0);
     cluster.formGain = 1 / settled;
     boolean oneSided = Math.abs(cluster.balance) > ONE_SIDED;
     cluster.leadGain = edges && !oneSided ? 1 / settled : 0;
@@ -177,9 +177,12 @@ final class ClusterForm {
   /**
    * Over how many events the spread is averaged: as many as is set, but so many that all of a thing
    * has spoken. The pixels along a straight edge fire together, and where a thing is large, its
-   * next edge only hundreds of events later.
+   * next edge only hundreds of events later. A young cluster finds its size first.
    */
-  private double memory(Cluster cluster) {
+  private double memory(Cluster cluster, long timeUs) {
+    if (timeUs - cluster.bornUs <= SETTLED_US) {
+      return growth.events();
+    }
     double radius = Math.min(MOST_MEMORY, Math.max(cluster.radiusA, cluster.radiusB));
     double outlines = OUTLINES * 2 * Math.PI * radius;
     double pixels = PIXELS_SHARE * Math.PI * radius * radius;

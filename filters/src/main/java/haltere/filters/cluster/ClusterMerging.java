@@ -32,6 +32,12 @@ final class ClusterMerging {
   /** Two that were apart for this time are two things. */
   private static final int SEEN_APART_US = 60_000;
 
+  /** Two that parted and have stayed in one place since become one again after this time. */
+  private static final int PARTED_TOGETHER_US = 200_000;
+
+  /** Up to how much of their radii apart that is. */
+  private static final double ONE_PLACE = 0.35;
+
   private ClusterMergingSettings settings;
   private double differentCos;
   private int slots;
@@ -45,6 +51,9 @@ final class ClusterMerging {
   /** Until when each pair is kept from merging, microseconds, by slots. */
   private long[] keptApartUntilUs = new long[0];
 
+  /** Which pairs have parted and were not seen apart since, by slots. */
+  private boolean[] onlyParted = new boolean[0];
+
   void apply(ClusterMergingSettings newSettings, int mostClusters) {
     settings = newSettings;
     differentCos = StrictMath.cos(StrictMath.toRadians(settings.differentAngleDeg()));
@@ -52,6 +61,7 @@ final class ClusterMerging {
       slots = mostClusters;
       togetherUs = new int[slots * slots];
       apartUs = new int[slots * slots];
+      onlyParted = new boolean[slots * slots];
       keptApartUntilUs = new long[slots * slots];
       Arrays.fill(keptApartUntilUs, Long.MIN_VALUE);
     }
@@ -63,6 +73,7 @@ final class ClusterMerging {
       int pair = pair(cluster.slot, other);
       togetherUs[pair] = 0;
       apartUs[pair] = 0;
+      onlyParted[pair] = false;
       keptApartUntilUs[pair] = Long.MIN_VALUE;
     }
   }
@@ -72,14 +83,17 @@ final class ClusterMerging {
     keptApartUntilUs[pair(first.slot, second.slot)] = untilUs;
   }
 
-  /** Two that have just parted are two. */
+  /** Two that have just parted are two, unless they turn out to stay in one place. */
   void parted(Cluster first, Cluster second) {
-    apartUs[pair(first.slot, second.slot)] = SEEN_APART_US;
+    int pair = pair(first.slot, second.slot);
+    apartUs[pair] = SEEN_APART_US;
+    onlyParted[pair] = true;
   }
 
   void reset() {
     Arrays.fill(togetherUs, 0);
     Arrays.fill(apartUs, 0);
+    Arrays.fill(onlyParted, false);
     Arrays.fill(keptApartUntilUs, Long.MIN_VALUE);
   }
 
@@ -132,12 +146,16 @@ final class ClusterMerging {
       return false;
     }
     togetherUs[pair] = Math.min(1 << 30, togetherUs[pair] + upkeepUs);
+    if (onlyParted[pair] && distance < ONE_PLACE * reach) {
+      return togetherUs[pair] >= PARTED_TOGETHER_US;
+    }
     return togetherUs[pair] >= (two ? settings.seenApartUs() : settings.seenTogetherUs());
   }
 
   private void note(Cluster first, Cluster second, int upkeepUs) {
     int pair = pair(first.slot, second.slot);
     togetherUs[pair] = 0;
+    onlyParted[pair] = false;
     if (apartUs[pair] < SEEN_APART_US && first.isVisible() && second.isVisible()) {
       apartUs[pair] += upkeepUs;
     }
@@ -168,10 +186,16 @@ final class ClusterMerging {
     return two && product < differentCos * Math.sqrt(lengths);
   }
 
-  /** Whether the first of two clusters keeps its identity: a visible one, else the heavier one. */
-  static boolean isStronger(Cluster first, Cluster second) {
+  /**
+   * Whether the first of two clusters keeps its identity: a visible one, of two that had parted the
+   * one whose it was, else the heavier one.
+   */
+  boolean isStronger(Cluster first, Cluster second) {
     if (first.isVisible() != second.isVisible()) {
       return first.isVisible();
+    }
+    if (onlyParted[pair(first.slot, second.slot)]) {
+      return first.id < second.id;
     }
     return first.mass >= second.mass;
   }

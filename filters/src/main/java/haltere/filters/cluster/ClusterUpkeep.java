@@ -84,7 +84,7 @@ final class ClusterUpkeep {
         Cluster first = clusters.all[i];
         Cluster second = clusters.all[j];
         if (!merging.areFarApart(first, second) && merging.unite(first, second, timeUs, upkeepUs)) {
-          boolean firstStays = ClusterMerging.isStronger(first, second);
+          boolean firstStays = merging.isStronger(first, second);
           mergeInto(firstStays ? first : second, firstStays ? second : first, timeUs, observer);
           clusters.remove(firstStays ? j : i);
           // The others are looked at in the next upkeep.

@@ -138,8 +138,37 @@ class ClusterMergingTest {
   @Test
   void theVisibleOneStaysElseTheHeavierOne() {
     second.mass = 200;
-    assertFalse(ClusterMerging.isStronger(first, second));
+    assertFalse(merging.isStronger(first, second));
     second.id = 0;
-    assertTrue(ClusterMerging.isStronger(first, second));
+    assertTrue(merging.isStronger(first, second));
+  }
+
+  @Test
+  void twoThatHavePartedAndStayInOnePlaceAreSoonOneAgain() {
+    merging.parted(first, second);
+    second.x = 53;
+    assertEquals(200, untilOne());
+  }
+
+  @Test
+  void twoThatHavePartedAndAreSeenApartAreTwo() {
+    merging.parted(first, second);
+    seeApart();
+    assertEquals(1000, untilOne());
+  }
+
+  @Test
+  void twoThatHavePartedAndAreBesideEachOtherAreTwo() {
+    merging.parted(first, second);
+    second.x = 55;
+    assertEquals(1000, untilOne());
+  }
+
+  @Test
+  void ofTwoThatHavePartedTheOneWhoseIdentityItWasStays() {
+    second.mass = 200;
+    merging.parted(first, second);
+    assertTrue(merging.isStronger(first, second));
+    assertFalse(merging.isStronger(second, first));
   }
 }

@@ -53,7 +53,9 @@ final class StandingPlaces {
       if (track.part.moved || track.batch == null) {
         continue;
       }
-      double way = Math.hypot(track.nowXPx - track.part.bornXPx, track.nowYPx - track.part.bornYPx);
+      double dx = track.nowXPx - track.part.bornXPx;
+      double dy = track.nowYPx - track.part.bornYPx;
+      double way = Math.sqrt(dx * dx + dy * dy);
       double unsure = Math.sqrt(track.motion.covariance(0, 0) + track.motion.covariance(1, 1));
       double least =
           track.part.isStill

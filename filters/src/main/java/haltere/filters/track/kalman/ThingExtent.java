@@ -69,7 +69,9 @@ final class ThingExtent {
 
   /** How far a place is from the middle. */
   double distance(Track whole, double xPx, double yPx) {
-    return Math.hypot(xPx - whole.nowXPx - offsetX, yPx - whole.nowYPx - offsetY);
+    double dx = xPx - whole.nowXPx - offsetX;
+    double dy = yPx - whole.nowYPx - offsetY;
+    return Math.sqrt(dx * dx + dy * dy);
   }
 
   /** The same when the track lost its cluster. */

@@ -331,7 +331,7 @@ final class Track {
   }
 
   double speedPxS() {
-    return Math.hypot(nowVxPxS, nowVyPxS);
+    return Math.sqrt(nowVxPxS * nowVxPxS + nowVyPxS * nowVyPxS);
   }
 
   /**

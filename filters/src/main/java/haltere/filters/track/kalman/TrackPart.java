@@ -96,7 +96,9 @@ final class TrackPart {
 
   /** Whether it has turned, or has another form than when it began. */
   boolean hasTurned() {
-    return Math.hypot(formX - bornFormX, formY - bornFormY) > TURNED;
+    double x = formX - bornFormX;
+    double y = formY - bornFormY;
+    return x * x + y * y > TURNED * TURNED;
   }
 
   /** Whether the track has a round outline of its own. */

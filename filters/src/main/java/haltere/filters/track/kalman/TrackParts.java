@@ -299,9 +299,10 @@ final class TrackParts {
       }
       double dx = beside.nowXPx - track.nowXPx;
       double dy = beside.nowYPx - track.nowYPx;
+      double movedX = dx - track.part.besideXPx;
+      double movedY = dy - track.part.besideYPx;
       double most = QUIET_RADII * (track.radiusPx + beside.radiusPx);
-      if (beside != track.part.beside
-          || Math.hypot(dx - track.part.besideXPx, dy - track.part.besideYPx) > most) {
+      if (beside != track.part.beside || movedX * movedX + movedY * movedY > most * most) {
         track.part.beside = beside;
         track.part.besideXPx = dx;
         track.part.besideYPx = dy;
@@ -321,8 +322,9 @@ final class TrackParts {
     for (int j = 0; j < tracks.count(); j++) {
       Track other = tracks.get(j);
       int id = thingOf(other);
-      boolean isNear = touch(track, other) || !track.wasAlone() && isWithin(track, other);
-      if (id > 0 && id < track.id && isNear) {
+      if (id > 0
+          && id < track.id
+          && (touch(track, other) || !track.wasAlone() && isWithin(track, other))) {
         if (other == track.part.beside) {
           return other;
         }
