@@ -13,6 +13,12 @@ final class EventBatch {
    */
   private static final double LEAST_ROUND = 0.17;
 
+  /**
+   * How far the mean of the events may be from that middle, as a share of their distance from it,
+   * squared: 0.4 of half a ring, 0.5 of two sides of a square, 0 of a whole ring.
+   */
+  private static final double MOST_ONE_SIDED = 0.2;
+
   int clusterId;
   boolean seen;
 
@@ -144,7 +150,16 @@ final class EventBatch {
   boolean isRound() {
     double trace = outlineXx + outlineYy;
     return hasOutline()
-        && outlineXx * outlineYy - outlineXy * outlineXy > LEAST_ROUND * trace * trace;
+        && outlineXx * outlineYy - outlineXy * outlineXy > LEAST_ROUND * trace * trace
+        && surroundsCentre();
+  }
+
+  /** Whether its events are all around the middle, and not at a corner or on one side. */
+  private boolean surroundsCentre() {
+    double dx = meanX() - outlineCentreX();
+    double dy = meanY() - outlineCentreY();
+    double off = dx * dx + dy * dy;
+    return off < MOST_ONE_SIDED * (off + varianceX() + varianceY());
   }
 
   double outlineVarianceX() {
