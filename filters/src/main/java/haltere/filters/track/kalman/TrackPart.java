@@ -14,6 +14,15 @@ final class TrackPart {
   /** Share by which a measurement changes that. */
   private static final double ROUND_GAIN = 0.1;
 
+  /** What is longer than this has the form of an edge. */
+  private static final double LONG = 0.6;
+
+  /** Parts of one thing may differ in velocity by this share of it, for things turn and bend. */
+  private static final double UNLIKE = 0.5;
+
+  /** Standard deviations by which velocities are known to differ, or to be one. */
+  private static final double SIGMAS = 3;
+
   /** Identity of the thing that it is a part of, or 0. */
   int wholeId;
 
@@ -104,5 +113,63 @@ final class TrackPart {
   /** Whether the track has a round outline of its own. */
   boolean isRound() {
     return roundShare > ROUND;
+  }
+
+  /** Whether it is an edge, by its form: an edge is always one of something. */
+  boolean isEdge() {
+    return formX * formX + formY * formY > LONG * LONG;
+  }
+
+  /** Whether two that are not round are within so many of their radii. */
+  static boolean areNear(Track a, Track b, double radii) {
+    double reach = radii * (a.radiusPx + b.radiusPx);
+    double dx = a.nowXPx - b.nowXPx;
+    double dy = a.nowYPx - b.nowYPx;
+    boolean both =
+        a != b && a.batch != null && b.batch != null && !a.part.isRound() && !b.part.isRound();
+    return both && dx * dx + dy * dy < reach * reach;
+  }
+
+  /** Whether a track is known to move: by its radius in a second, at least. */
+  static boolean isMoving(Track track) {
+    double squared = track.nowVxPxS * track.nowVxPxS + track.nowVyPxS * track.nowVyPxS;
+    return squared > SIGMAS * SIGMAS * (track.nowVarianceVx + track.nowVarianceVy)
+        && squared > track.radiusPx * track.radiusPx;
+  }
+
+  /**
+   * Whether two tracks are known to move too differently to be parts of one thing. How an edge
+   * moves along itself nobody knows, and so two edges across each other never are.
+   */
+  static boolean moveApart(Track a, Track b) {
+    double dx = a.nowVxPxS - b.nowVxPxS;
+    double dy = a.nowVyPxS - b.nowVyPxS;
+    double seen =
+        a.part.isEdge()
+            ? a.part.across(dx, dy) * (b.part.isEdge() ? a.part.parallel(b.part) : 1)
+            : b.part.across(dx, dy);
+    double unsure = a.nowVarianceVx + a.nowVarianceVy + b.nowVarianceVx + b.nowVarianceVy;
+    double least = UNLIKE * Math.max(a.speedPxS(), b.speedPxS()) + SIGMAS * Math.sqrt(0.5 * unsure);
+    return seen > least * least;
+  }
+
+  /** Square of a vector, or of what is across the edge of it, if this is one. */
+  private double across(double dx, double dy) {
+    double squared = dx * dx + dy * dy;
+    if (!isEdge()) {
+      return squared;
+    }
+    double turned = formX * (dx * dx - dy * dy) + 2 * formY * dx * dy;
+    return 0.5 * (squared - turned / elongation());
+  }
+
+  /** Square of the cosine of the angle between two edges. */
+  private double parallel(TrackPart other) {
+    double both = elongation() * other.elongation();
+    return 0.5 * (1 + (formX * other.formX + formY * other.formY) / both);
+  }
+
+  private double elongation() {
+    return Math.sqrt(formX * formX + formY * formY);
   }
 }

@@ -8,10 +8,12 @@ import haltere.filters.track.KalmanTracksSettings;
  * of them, and the others have none and are not shown.
  *
  * <p>A track is a part of another from the beginning if it begins in touch with it: what was never
- * seen by itself is no thing. Two that were seen by themselves are one after they have been in
- * touch for as long as two clusters that were seen apart are before they merge. A part is a thing
- * of its own when it has not been in touch with the others for a while. What has a round outline of
- * its own is a whole and no part. If the track that is shown ends, the part with the most events
+ * seen by itself is no thing. So is what begins beside an edge that moves, or with it, until it is
+ * known to move otherwise: edges appear and vanish with the direction in which a thing moves. Two
+ * that were seen by themselves are one after they have been in touch for as long as two clusters
+ * that were seen apart are before they merge. A part is a thing of its own when it has not been in
+ * touch with the others for a while, and does not move with them either. What has a round outline
+ * of its own is a whole and no part. If the track that is shown ends, the part with the most events
  * goes on with its identity. Thread rule: that of its owner.
  */
 final class TrackParts {
@@ -20,6 +22,15 @@ final class TrackParts {
 
   /** The same of clusters that are one thing's already. */
   private static final double HOLDING_RADII = 2;
+
+  /** What moves with a thing is its part as far as this from it. */
+  private static final double TOGETHER_RADII = 5;
+
+  /** What begins beside an edge as near as this may be of its thing. */
+  private static final double BESIDE_RADII = 3;
+
+  /** The edges of a thing that begins to move appear within this time. */
+  private static final long APPEARING_US = 150_000;
 
   /** Apart from the others for so long, a part is a thing of its own. */
   private static final long APART_US = 60_000;
@@ -69,7 +80,9 @@ final class TrackParts {
     for (int i = 0; i < tracks.count(); i++) {
       Track other = tracks.get(i);
       int whole = thingOf(other);
-      if (other != born && whole > 0 && (touch(born, other) || isWithin(born, other))) {
+      if (other != born
+          && whole > 0
+          && (touch(born, other) || isWithin(born, other) || isBeside(born, other, timeUs))) {
         born.part.wholeId = whole;
         born.part.touchedUs = timeUs;
         return;
@@ -198,11 +211,6 @@ final class TrackParts {
     }
   }
 
-  private boolean isWithin(Track part) {
-    Track whole = find(part.part.wholeId);
-    return whole != null && isWithin(part, whole);
-  }
-
   /** What is reached already and in touch, of the same thing if there is such; or null. */
   private Track reachedBy(Track part) {
     Track found = null;
@@ -223,15 +231,36 @@ final class TrackParts {
     for (int i = 0; i < tracks.count(); i++) {
       Track part = tracks.get(i);
       if (part.part.wholeId > 0
-          && (part.part.isRound()
-              || !part.part.reached
-                  && timeUs - part.part.touchedUs >= (isWithin(part) ? WITHIN_US : APART_US))) {
+          && (part.part.isRound() || !part.part.reached && isApart(part, timeUs))) {
         part.part.wholeId = 0;
         part.id = tracks.nextId();
         part.part.reached = true;
         reach(timeUs);
       }
     }
+  }
+
+  /** Whether a part that is not in touch has been apart from its thing for long enough. */
+  private boolean isApart(Track part, long timeUs) {
+    Track whole = find(part.part.wholeId);
+    boolean isWhere = whole != null && isWithin(part, whole);
+    if (whole != null
+        && (isWhere || TrackPart.areNear(part, whole, TOGETHER_RADII))
+        && !TrackPart.moveApart(part, whole)) {
+      isWhere = true;
+      if (TrackPart.isMoving(part) && TrackPart.isMoving(whole)) {
+        part.part.touchedUs = timeUs;
+      }
+    }
+    return timeUs - part.part.touchedUs >= (isWhere ? WITHIN_US : APART_US);
+  }
+
+  /** Whether a newborn track may be another edge of the thing that an edge is of. */
+  private static boolean isBeside(Track born, Track other, long timeUs) {
+    boolean isPiece = other.part.isEdge() || other.id == 0 || other.part.extent.radiusPx() > 0;
+    return isPiece
+        && (timeUs - other.bornUs < APPEARING_US || TrackPart.isMoving(other))
+        && TrackPart.areNear(born, other, BESIDE_RADII);
   }
 
   /** Events of parts are the thing's. */
@@ -363,12 +392,7 @@ final class TrackParts {
 
   private static boolean touch(Track a, Track b) {
     int thing = thingOf(a);
-    double radii = thing > 0 && thing == thingOf(b) ? HOLDING_RADII : TOUCHING_RADII;
-    double reach = radii * (a.radiusPx + b.radiusPx);
-    double dx = a.nowXPx - b.nowXPx;
-    double dy = a.nowYPx - b.nowYPx;
-    boolean both =
-        a != b && a.batch != null && b.batch != null && !a.part.isRound() && !b.part.isRound();
-    return both && dx * dx + dy * dy < reach * reach;
+    return TrackPart.areNear(
+        a, b, thing > 0 && thing == thingOf(b) ? HOLDING_RADII : TOUCHING_RADII);
   }
 }

@@ -14,6 +14,10 @@ final class GivenClusters implements ClusterReadings {
     double newEvents = 20;
     double ageUs = 5000;
     double variance = 4;
+
+    /** How many times the variance across it is that up and down. */
+    double upright = 1;
+
     double radius = 12;
     boolean overlapped;
 
@@ -113,7 +117,7 @@ final class GivenClusters implements ClusterReadings {
 
   @Override
   public double eventVarianceY(int index) {
-    return list.get(index).variance;
+    return list.get(index).upright * list.get(index).variance;
   }
 
   @Override

@@ -103,6 +103,58 @@ class TrackPartsTest {
   }
 
   @Test
+  void aPartThatMovesWithItsThingIsItThoughNothingConnectsThem() {
+    clusters.add(1).at(20, 100);
+    step(5, 60);
+    clusters.add(2).at(45, 100);
+    step(250, 60, 75);
+    assertEquals(List.of(1), shown());
+  }
+
+  @Test
+  void anEdgeThatAppearsWhereAnotherMovesIsOfItsThingIfItMovesWithIt() {
+    edgesAt(40, 100);
+    step(100, 60, 60);
+    assertEquals(List.of(1), shown());
+  }
+
+  @Test
+  void anEdgeThatAppearsWhereAnotherMovesIsItselfIfItMovesOtherwise() {
+    edgesAt(100, 60);
+    step(30, 60, -60);
+    assertEquals(List.of(1, 2), shown());
+  }
+
+  @Test
+  void ofHowAnEdgeMovesAlongItselfNothingIsKnown() {
+    edgesAt(40, 100);
+    Given across = clusters.list.get(1);
+    across.variance = 48;
+    across.upright = 1 / 12.0;
+    step(100, 60, 90);
+    assertEquals(List.of(1), shown());
+  }
+
+  /** Two upright edges of which the second appears while the first moves. */
+  private void edgesAt(double firstX, double secondX) {
+    clusters.add(1).at(firstX, 100).upright = 12;
+    step(20, 60);
+    clusters.add(2).at(secondX, 100).upright = 12;
+  }
+
+  @Test
+  void cornersAreNotRoundThings() {
+    clusters.add(1).at(40, 100);
+    clusters.add(2).at(65, 100);
+    for (Given corner : clusters.list) {
+      corner.outline = 100;
+      corner.outlineAheadX = 2;
+    }
+    step(100, 40, 40);
+    assertEquals(List.of(1), shown());
+  }
+
+  @Test
   void twoThatWereSeenByThemselvesAreOneOnlyAfterTheyHaveBeenInTouchForLong() {
     clusters.add(1).at(20, 100);
     clusters.add(2).at(90, 100);
