@@ -59,6 +59,11 @@ final class LastRow {
     return share > FOLLOWED_SHARE;
   }
 
+  /** Which way it goes along the road: 1 away, -1 towards the camera. */
+  int forward() {
+    return forward;
+  }
+
   int row() {
     return row;
   }

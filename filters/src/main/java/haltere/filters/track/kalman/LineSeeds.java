@@ -11,7 +11,12 @@ import java.util.Arrays;
 final class LineSeeds {
   private static final double US = 1e-6;
   private static final int MOST = 4;
-  private static final int LEAST_COLUMNS = 3;
+
+  /** So many columns are a piece of a line; fewer may be one of a vehicle that is known. */
+  private static final int SURE_COLUMNS = 3;
+
+  private static final int LEAST_COLUMNS = 2;
+  private static final int LEAST_EVENTS = 3;
   private static final int WIDEST_GAP = 2;
   private static final double WIDEST_M = 4;
 
@@ -48,7 +53,7 @@ final class LineSeeds {
       }
     }
     for (int key = 0; key < inRow.length; key++) {
-      if (inRow[key] >= LEAST_COLUMNS && events.metresPerRow(key / 2) < MOST_ROW_M) {
+      if (inRow[key] >= LEAST_EVENTS && events.metresPerRow(key / 2) < MOST_ROW_M) {
         look(key, nowUs);
       }
     }
@@ -57,6 +62,11 @@ final class LineSeeds {
 
   LineSeed get(int index) {
     return seeds[index];
+  }
+
+  /** Whether one is so large a piece that there may be a vehicle of which nothing else is known. */
+  boolean isSure(int index) {
+    return seeds[index].columns >= SURE_COLUMNS;
   }
 
   private int key(long event) {

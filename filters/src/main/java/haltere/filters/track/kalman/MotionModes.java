@@ -119,6 +119,16 @@ final class MotionModes {
     combined = false;
   }
 
+  /** Goes on along the road in one direction only, 1 or -1, or stands. */
+  void goOnly(int forward) {
+    for (int j = 0; j < modes; j++) {
+      double[] x = filters[j].x;
+      x[3] = forward * Math.max(0, forward * x[3]);
+      x[4] = x[3] == 0 ? forward * Math.max(0, forward * x[4]) : x[4];
+    }
+    combined = false;
+  }
+
   /** Moves the place along the road, by what is known with a variance. */
   void shift(double byY, double variance) {
     for (int j = 0; j < modes; j++) {

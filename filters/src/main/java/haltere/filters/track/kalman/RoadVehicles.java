@@ -110,7 +110,9 @@ final class RoadVehicles {
     }
     int found = seeds.find(timeUs);
     for (int i = 0; i < found; i++) {
-      if (search.find(seeds.get(i), timeUs, passing.rowSdPx()) && !isPartOfKnown(timeUs)) {
+      if (search.find(seeds.get(i), timeUs, passing.rowSdPx())
+          && !isPartOfKnown(timeUs, seeds.isSure(i))
+          && seeds.isSure(i)) {
         launch(timeUs);
       }
     }
@@ -245,13 +247,15 @@ final class RoadVehicles {
   }
 
   /** Whether the line that was found is of a vehicle that is known, which then knows of it. */
-  private boolean isPartOfKnown(long timeUs) {
+  private boolean isPartOfKnown(long timeUs, boolean isSure) {
     if (departed.own(search.xM, search.yM, search.vyMS, search.halfWidthM, timeUs)) {
       search.take(DEPARTED);
       return true;
     }
     for (int i = 0; i < tracks.count(); i++) {
-      if (parts.isPartOf(tracks.get(i), timeUs)) {
+      Track track = tracks.get(i);
+      if ((isSure || track.line.halfWidthM < VehicleSize.NARROW_HALF_M)
+          && parts.isPartOf(track, timeUs)) {
         search.take(tracks.get(i).serial);
         return true;
       }

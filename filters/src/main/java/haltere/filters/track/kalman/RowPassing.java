@@ -143,6 +143,7 @@ final class RowPassing {
     measurement.yy = late ? LATE_VARIANCE : REST_VARIANCE;
     if (track.compare(measurement) < gate) {
       track.rest(timeUs);
+      track.motion.goOnly(line.last.forward());
     }
   }
 

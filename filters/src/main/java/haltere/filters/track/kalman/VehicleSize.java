@@ -10,6 +10,9 @@ final class VehicleSize {
   /** Half of the width of the widest car or van. */
   private static final double CAR_HALF_M = 1.05;
 
+  /** Half of the width of the shoulders of who rides a motorcycle, as they may seem. */
+  static final double NARROW_HALF_M = 0.7;
+
   private static final double CAR_LONG_M = 5.5;
   private static final double LORRY_LONG_M = 12;
   private static final double CAR_HIGH_M = 2.2;
