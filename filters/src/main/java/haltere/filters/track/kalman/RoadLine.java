@@ -94,6 +94,10 @@ final class RoadLine {
   private double columnNow;
   private double columnPerUs;
   private double lateralNow;
+
+  /** How far away its far end is at most. */
+  private double endM;
+
   private double perColumnM;
   private double halfPx;
   private double visiblePx;
@@ -151,6 +155,9 @@ final class RoadLine {
     rowPerUs = plane.vyPxS * US;
     columnPerUs = plane.vxPxS * US;
     lateralNow = track.motion.x() + track.motion.vx() * (timeUs - track.stateUs) * US;
+    double alongM = track.motion.y() + track.motion.vy() * (timeUs - track.stateUs) * US;
+    double half = isWidthKnown() ? halfWidthM : Double.POSITIVE_INFINITY;
+    endM = Math.max(1, alongM) + VehicleSize.longestWideM(half);
     perColumnM = metresPerColumn;
     halfPx = Math.max(1, halfWidthM / perColumnM);
     double left = Math.max(-0.5, columnNow - halfPx);
@@ -182,12 +189,18 @@ final class RoadLine {
     return ownPx;
   }
 
-  /** How far above the line an event is, or NaN if it is beside the vehicle, flat or upright. */
-  double above(long timeUs, int column, int row, double lateralM, double rowPerColumnM) {
+  /**
+   * How far above the line an event is, or NaN if it is beside the vehicle, upright or as flat as
+   * what is so far away may be.
+   */
+  double above(
+      long timeUs, int column, int row, double lateralM, double alongM, double rowPerColumnM) {
     double age = timeUs - nowUs;
     double upright = column - columnNow - columnPerUs * age;
-    double flat = (lateralM - lateralNow) / rowPerColumnM;
-    double flatHalf = halfWidthM / rowPerColumnM;
+    // What is farther away than the end of the vehicle is higher, and farther aside as well.
+    double scale = Math.max(1, alongM / endM);
+    double flat = (lateralM - scale * lateralNow) / rowPerColumnM;
+    double flatHalf = scale * halfWidthM / rowPerColumnM;
     boolean beside =
         Math.min(upright - halfPx, flat - flatHalf) > SIDE_PX
             || Math.max(upright + halfPx, flat + flatHalf) < -SIDE_PX;

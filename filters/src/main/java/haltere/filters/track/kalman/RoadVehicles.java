@@ -211,6 +211,7 @@ final class RoadVehicles {
     int row = events.row(event);
     boolean on = events.isOn(event);
     double lateralM = events.lateralM(column, row);
+    double alongM = events.distanceM(row);
     double perColumnM = events.metresPerColumn(row);
     Track line = null;
     Track body = null;
@@ -218,7 +219,7 @@ final class RoadVehicles {
     double bodyAbove = 0;
     for (int k = 0; k < tracks.count(); k++) {
       Track track = tracks.get(k);
-      double above = track.line.above(timeUs, column, row, lateralM, perColumnM);
+      double above = track.line.above(timeUs, column, row, lateralM, alongM, perColumnM);
       if (!track.line.isOnVehicle(above)) {
         continue;
       }

@@ -28,6 +28,11 @@ final class VehicleSize {
     return highM < CAR_HIGH_M ? CAR_LONG_M : LORRY_LONG_M;
   }
 
+  /** How long a vehicle may be whose width has a half of so many metres. */
+  static double longestWideM(double halfWidthM) {
+    return halfWidthM < CAR_HALF_M ? CAR_LONG_M : LORRY_LONG_M;
+  }
+
   /**
    * How many times as far away as it is the roof of a vehicle may seem, seen from a height.
    *
