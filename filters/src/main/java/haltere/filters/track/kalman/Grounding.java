@@ -1,6 +1,7 @@
 package haltere.filters.track.kalman;
 
 import haltere.core.event.SensorGeometry;
+import haltere.filters.track.LaneSettings;
 import haltere.filters.track.RoadMapping;
 
 /**
@@ -34,18 +35,31 @@ final class Grounding {
 
   private static final double NARROW_HALF_M = 0.55;
 
+  /** Standard deviation, as a share, of the speed of a line that is where no vehicle can be. */
+  private static final double BESIDE_SHARE = 0.3;
+
+  /** So far beside the lanes the side of a vehicle may seem to be. */
+  private static final double VERGE_M = 0.6;
+
+  /** Half of the width of a line that is wider than any vehicle, and what of a column it may be. */
+  private static final double WIDEST_HALF_M = 1.45;
+
+  private static final double COLUMN_SHARE = 0.5;
+
   /** A line so wide would have been seen on the road too. */
   private static final double SEEN_HALF_PX = 4;
 
   private boolean hasUpper;
   private boolean isHidden;
   private boolean isNarrow;
+  private boolean isBeside;
 
   /** Begins with a line of which nothing else is known. */
   void begin(boolean goesAway) {
     hasUpper = false;
     isHidden = goesAway;
     isNarrow = false;
+    isBeside = false;
   }
 
   /** Takes note of a higher line of the same vehicle. */
@@ -59,9 +73,24 @@ final class Grounding {
   }
 
   /** Takes note of where the line is now. */
-  void look(MotionModes motion, RoadLine line, RoadMapping road, SensorGeometry sensor) {
+  void look(
+      MotionModes motion,
+      RoadLine line,
+      RoadMapping road,
+      SensorGeometry sensor,
+      LaneSettings lanes) {
+    double perColumnM = line.halfWidthM / line.halfPx();
+    isBeside =
+        line.halfWidthM > WIDEST_HALF_M + COLUMN_SHARE * perColumnM
+            || lanes.lanes() > 0 && besideM(motion.x(), line.halfWidthM, lanes) > VERGE_M;
     isHidden &= mayBeOut(motion, line, road, sensor);
     isNarrow = !hasUpper && line.halfWidthM < NARROW_HALF_M && line.halfPx() < SEEN_HALF_PX;
+  }
+
+  /** How far the one side of what is on the road is beside the lanes. */
+  private static double besideM(double xM, double halfM, LaneSettings lanes) {
+    double rightEdgeM = lanes.leftEdgeM() + lanes.lanes() * lanes.widthM();
+    return halfM + Math.max(lanes.leftEdgeM() - xM, xM - rightEdgeM);
   }
 
   /** Whether the lower edge would be outside the picture if the line were on a car. */
@@ -89,8 +118,13 @@ final class Grounding {
     return isHidden;
   }
 
+  /** Whether the line is where no vehicle can be, wider than one or beside the lanes. */
+  boolean isBeside() {
+    return isBeside;
+  }
+
   /** Standard deviation that the speed has for this, as a share of it. */
   double speedShare() {
-    return isHidden ? HIDDEN_SHARE : isNarrow ? NARROW_SHARE : 0;
+    return isBeside ? BESIDE_SHARE : isHidden ? HIDDEN_SHARE : isNarrow ? NARROW_SHARE : 0;
   }
 }

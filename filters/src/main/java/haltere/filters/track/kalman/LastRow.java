@@ -20,6 +20,9 @@ final class LastRow {
   /** Of the last rows, the share that it was seen to pass. */
   private double share;
 
+  /** How many rows it was seen to pass since it is this line. */
+  private int passed;
+
   /** Begins as a vehicle that was found. */
   void begin() {
     share = 1;
@@ -28,6 +31,7 @@ final class LastRow {
   /** Goes on with a line that was found. */
   void turnTo(LineSearch found, long atUs) {
     row = found.lastRow;
+    passed = 0;
     forward = found.vyMS > 0 ? 1 : -1;
     column = found.lastColumn;
     speedMS = Math.abs(found.vyMS);
@@ -39,6 +43,7 @@ final class LastRow {
     int rows = Math.max(1, Math.abs(passedRow - row));
     share = share * Math.pow(1 - SHARE_GAIN, rows) + SHARE_GAIN;
     row = passedRow;
+    passed++;
     timeUs = atUs;
     column = atColumn;
     speedMS = Math.abs(alongMS);
@@ -62,6 +67,11 @@ final class LastRow {
   /** Which way it goes along the road: 1 away, -1 towards the camera. */
   int forward() {
     return forward;
+  }
+
+  /** How many rows it was seen to pass since it is this line. */
+  int passed() {
+    return passed;
   }
 
   int row() {

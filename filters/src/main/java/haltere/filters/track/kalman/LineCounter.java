@@ -92,6 +92,7 @@ final class LineCounter {
     double sd = Math.sqrt(motion.covariance(1, 1));
     boolean sure =
         !track.line.grounding.isHidden()
+            && !track.line.grounding.isBeside()
             && (back == null || track.updates >= SURE_UPDATES && track.line.last.isFollowed())
             && sd < SURE_M;
     double clear = Math.max(CLEAR_M, 2 * sd);

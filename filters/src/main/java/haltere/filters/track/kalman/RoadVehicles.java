@@ -186,7 +186,7 @@ final class RoadVehicles {
     Track track = tracks.get(index);
     MotionModes motion = track.motion;
     RoadLine line = track.line;
-    line.grounding.look(motion, line, road, sensor);
+    line.grounding.look(motion, line, road, sensor, settings.road().lanes());
     ends.look(track, timeUs);
     if (ends.isOver(track, timeUs)) {
       if (motion.vy() < -VehicleEnds.STANDING_M_S && (line.isCut() || motion.y() < leavingM)) {
