@@ -36,7 +36,7 @@ final class Grounding {
   private static final double NARROW_HALF_M = 0.55;
 
   /** Standard deviation, as a share, of the speed of a line that is where no vehicle can be. */
-  private static final double BESIDE_SHARE = 0.3;
+  private static final double BESIDE_SHARE = 0.35;
 
   /** So far beside the lanes the side of a vehicle may seem to be. */
   private static final double VERGE_M = 0.6;
@@ -49,10 +49,21 @@ final class Grounding {
   /** A line so wide would have been seen on the road too. */
   private static final double SEEN_HALF_PX = 4;
 
+  /** Half of the width of wheels, which would have been seen on the road where they are so wide. */
+  private static final double WHEELS_HALF_M = 0.18;
+
+  private static final double SEEN_WHEELS_PX = 1.5;
+
+  /** What is followed so surely is what would have been seen. */
+  private static final double FOLLOWED_DOUBT = 0.2;
+
   private boolean hasUpper;
   private boolean isHidden;
   private boolean isNarrow;
   private boolean isBeside;
+
+  /** Whether it was followed where anything below it would have been seen. */
+  private boolean isLow;
 
   /** Begins with a line of which nothing else is known. */
   void begin(boolean goesAway) {
@@ -60,6 +71,7 @@ final class Grounding {
     isHidden = goesAway;
     isNarrow = false;
     isBeside = false;
+    isLow = false;
   }
 
   /** Takes note of a higher line of the same vehicle. */
@@ -79,12 +91,15 @@ final class Grounding {
       RoadMapping road,
       SensorGeometry sensor,
       LaneSettings lanes) {
-    double perColumnM = line.halfWidthM / line.halfPx();
+    double height = road.settings().bridgeHeightM();
+    double perColumnM = road.pixelAngle() * Math.hypot(height, Math.max(0, motion.y()));
     isBeside =
         line.halfWidthM > WIDEST_HALF_M + COLUMN_SHARE * perColumnM
             || lanes.lanes() > 0 && besideM(motion.x(), line.halfWidthM, lanes) > VERGE_M;
     isHidden &= mayBeOut(motion, line, road, sensor);
-    isNarrow = !hasUpper && line.halfWidthM < NARROW_HALF_M && line.halfPx() < SEEN_HALF_PX;
+    isLow |= WHEELS_HALF_M > SEEN_WHEELS_PX * perColumnM && line.last.doubt() < FOLLOWED_DOUBT;
+    isNarrow =
+        !hasUpper && !isLow && line.halfWidthM < NARROW_HALF_M && line.halfPx() < SEEN_HALF_PX;
   }
 
   /** How far the one side of what is on the road is beside the lanes. */

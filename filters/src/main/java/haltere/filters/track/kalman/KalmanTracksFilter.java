@@ -187,6 +187,7 @@ public final class KalmanTracksFilter extends PublishingFilter<KalmanTracksSetti
     private RoadTrackPoint roadPoint(Track track, MotionModes motion, long timeUs) {
       // A line above the road is too fast, too far away and too far aside in one proportion.
       double unsure = track.line.grounding.speedShare();
+      double unsureSpeed = RoadSpeed.share(track);
       return new RoadTrackPoint(
           timeUs,
           track.id,
@@ -196,8 +197,8 @@ public final class KalmanTracksFilter extends PublishingFilter<KalmanTracksSetti
           motion.vy(),
           Math.hypot(Math.sqrt(motion.covariance(0, 0)), unsure * motion.x()),
           Math.hypot(Math.sqrt(motion.covariance(1, 1)), unsure * motion.y()),
-          Math.hypot(Math.sqrt(motion.covariance(2, 2)), unsure * motion.vx()),
-          Math.hypot(Math.sqrt(motion.covariance(3, 3)), unsure * motion.vy()),
+          Math.hypot(Math.sqrt(motion.covariance(2, 2)), unsureSpeed * motion.vx()),
+          Math.hypot(Math.sqrt(motion.covariance(3, 3)), unsureSpeed * motion.vy()),
           RoadSpeed.kmH(motion),
           RoadSpeed.sdKmH(track, motion),
           settings().road().lanes().laneAt(motion.x()));

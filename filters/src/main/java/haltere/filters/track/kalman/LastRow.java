@@ -7,6 +7,7 @@ package haltere.filters.track.kalman;
  */
 final class LastRow {
   private static final double SHARE_GAIN = 0.15;
+  private static final double DOUBT_KEPT = 0.8;
   private static final double FOLLOWED_SHARE = 0.45;
 
   private int row;
@@ -20,8 +21,8 @@ final class LastRow {
   /** Of the last rows, the share that it was seen to pass. */
   private double share;
 
-  /** How many rows it was seen to pass since it is this line. */
-  private int passed;
+  /** Whether it may be no line after all: from 1, when it was found, to 0. */
+  private double doubt;
 
   /** Begins as a vehicle that was found. */
   void begin() {
@@ -31,7 +32,7 @@ final class LastRow {
   /** Goes on with a line that was found. */
   void turnTo(LineSearch found, long atUs) {
     row = found.lastRow;
-    passed = 0;
+    doubt = 1;
     forward = found.vyMS > 0 ? 1 : -1;
     column = found.lastColumn;
     speedMS = Math.abs(found.vyMS);
@@ -43,7 +44,7 @@ final class LastRow {
     int rows = Math.max(1, Math.abs(passedRow - row));
     share = share * Math.pow(1 - SHARE_GAIN, rows) + SHARE_GAIN;
     row = passedRow;
-    passed++;
+    doubt *= DOUBT_KEPT;
     timeUs = atUs;
     column = atColumn;
     speedMS = Math.abs(alongMS);
@@ -69,9 +70,12 @@ final class LastRow {
     return forward;
   }
 
-  /** How many rows it was seen to pass since it is this line. */
-  int passed() {
-    return passed;
+  /**
+   * Whether it may be no line after all: 1 when it was found, and less with each row that it passes
+   * since.
+   */
+  double doubt() {
+    return doubt;
   }
 
   int row() {

@@ -94,10 +94,7 @@ final class RoadLine {
   private double columnNow;
   private double columnPerUs;
   private double lateralNow;
-
-  /** How far away its far end is at most. */
   private double endM;
-
   private double perColumnM;
   private double halfPx;
   private double visiblePx;
@@ -155,9 +152,6 @@ final class RoadLine {
     rowPerUs = plane.vyPxS * US;
     columnPerUs = plane.vxPxS * US;
     lateralNow = track.motion.x() + track.motion.vx() * (timeUs - track.stateUs) * US;
-    double alongM = track.motion.y() + track.motion.vy() * (timeUs - track.stateUs) * US;
-    double half = isWidthKnown() ? halfWidthM : Double.POSITIVE_INFINITY;
-    endM = Math.max(1, alongM) + VehicleSize.longestWideM(half);
     perColumnM = metresPerColumn;
     halfPx = Math.max(1, halfWidthM / perColumnM);
     double left = Math.max(-0.5, columnNow - halfPx);
@@ -178,10 +172,11 @@ final class RoadLine {
     Arrays.fill(rightmost, Double.NEGATIVE_INFINITY);
   }
 
-  /** Says how far above the line all that is seen is of the vehicle, and anything can be. */
-  void setOwn(double px, double newMostPx) {
+  /** Says up to where above the line all is of the vehicle, and may be, and where it ends. */
+  void setOwn(double px, double newMostPx, double newEndM) {
     ownPx = px;
     mostPx = newMostPx;
+    endM = newEndM;
   }
 
   /** Up to so far above the line all that is seen is of the vehicle, and of no other. */

@@ -26,6 +26,8 @@ final class RoadVehicles {
   /** A track that is older is no roof of something that has just left. */
   private static final long YOUNG_US = 700_000;
 
+  private static final double NEAREST_M = 1;
+
   /** Number of those that have left the picture. */
   private static final int DEPARTED = -1;
 
@@ -96,7 +98,7 @@ final class RoadVehicles {
       Track track = tracks.get(i);
       track.line.expect(track, plane, timeUs, metresPerColumn(track), sensor.width());
       double mostPx = mostPx(track);
-      track.line.setOwn(Math.min(ownPx(track), mostPx), mostPx);
+      track.line.setOwn(Math.min(ownPx(track), mostPx), mostPx, endM(track));
     }
     for (long i = events.from(); i < events.to(); i++) {
       give(i);
@@ -168,6 +170,13 @@ final class RoadVehicles {
     return track.line.grounding.hasUpper()
         ? Double.POSITIVE_INFINITY
         : road.rowOf(yM + OWN_M) - road.rowOf(yM);
+  }
+
+  /** How far away its far end is at most. */
+  private double endM(Track track) {
+    RoadLine line = track.line;
+    double half = line.isWidthKnown() ? line.halfWidthM : Double.POSITIVE_INFINITY;
+    return Math.max(NEAREST_M, road.distanceM(line.rowNow())) + VehicleSize.longestWideM(half);
   }
 
   /** How far above its line a vehicle may be seen if it is no higher than one so wide may be. */

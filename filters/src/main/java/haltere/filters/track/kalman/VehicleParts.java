@@ -42,6 +42,9 @@ final class VehicleParts {
   /** What is followed for longer is not taken for a part of another that is slower. */
   private static final long KNOWN_US = 1_500_000;
 
+  /** What has passed fewer than eight rows neither. */
+  private static final double KNOWN_DOUBT = 0.2;
+
   /** The speed of what was measured as often is known. */
   private static final int SURE_UPDATES = 3;
 
@@ -191,7 +194,9 @@ final class VehicleParts {
   private static boolean mayBeUpper(Track track, long timeUs) {
     RoadLine line = track.line;
     return line.grounding.isHidden()
+        || line.grounding.isBeside()
         || line.halfWidthM < NARROW_HALF_M
+        || line.last.doubt() > KNOWN_DOUBT
         || timeUs - line.sinceUs() < KNOWN_US;
   }
 

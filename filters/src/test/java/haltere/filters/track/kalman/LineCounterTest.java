@@ -3,12 +3,14 @@ package haltere.filters.track.kalman;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import haltere.core.event.SensorGeometry;
 import haltere.filters.track.CountingLineSettings;
 import haltere.filters.track.KalmanTracksSettings;
 import haltere.filters.track.LaneSettings;
 import haltere.filters.track.LineCrossing;
 import haltere.filters.track.LineCrossing.Direction;
 import haltere.filters.track.MeasurementSettings;
+import haltere.filters.track.RoadMapping;
 import haltere.filters.track.RoadSettings;
 import haltere.filters.track.RoadTracksSettings;
 import java.util.ArrayList;
@@ -197,6 +199,35 @@ class LineCounterTest {
     unsure.motion.shift(0, 9);
     counter.look(unsure, 10_000_000, SEEN);
     assertEquals(List.of(), crossings);
+  }
+
+  @Test
+  void aLineAboveTheRoadIsCountedOnceItsVehicleIsFoundBelow() {
+    LineCounter counter = new LineCounter(lines(1), crossings::add);
+    RoadMapping road = new RoadMapping(RoadSettings.defaults(), new SensorGeometry(128, 128));
+    SensorGeometry sensor = new SensorGeometry(128, 128);
+    Track track = found(1, 7.4, 25, 20, 4);
+    track.line.grounding.look(track.motion, track.line, road, sensor, LANES);
+    counter.look(track, 10_000_000, SEEN);
+    assertEquals(List.of(), crossings, "on the roof");
+    set(track, 5.3, 21, 15);
+    track.line.grounding.look(track.motion, track.line, road, sensor, LANES);
+    counter.look(track, 10_000_000, SEEN);
+    assertEquals(1, crossings.size());
+  }
+
+  @Test
+  void theSpeedOfALineThatWasJustFoundIsUnsureUntilItHasPassedRows() {
+    Track track = found(1, 1.75, 25, 15, 4);
+    LineSearch search = new LineSearch(null, 128);
+    search.vyMS = 15;
+    track.line.last.turnTo(search, 10_000_000);
+    double before = RoadSpeed.sdKmH(track, track.motion);
+    assertTrue(before > 0.15 * 54);
+    for (int row = 1; row <= 20; row++) {
+      track.line.last.pass(row, 10_000_000, 70, 15);
+    }
+    assertTrue(RoadSpeed.sdKmH(track, track.motion) < before / 10);
   }
 
   @Test
