@@ -360,6 +360,12 @@ final class Cluster {
     batchFromUs = timeUs;
   }
 
+  /** Variance of the events of one polarity in the direction in which it is the least. */
+  double leastVariance() {
+    double half = 0.5 * (cxx - cyy);
+    return 0.5 * (cxx + cyy) - Math.sqrt(half * half + cxy * cxy);
+  }
+
   /** Geometric mean of the half axes, pixels. */
   double radius() {
     return Math.sqrt(radiusA * radiusB);

@@ -40,6 +40,12 @@ final class ClusterContour {
 
   private static final double LEAST_SCATTER = 1.0 / 12;
 
+  /** Scatter up to which events lie on a ring as closely as blurred pixels let them. */
+  private static final double CLOSE_SCATTER = 0.2;
+
+  /** Variance of the middle over what the scatter is more than that. */
+  private static final double MISFIT = 5;
+
   /** What the reference may be off by, added to the scatter for the gate, pixels squared. */
   private static final double REFERENCE_VARIANCE = 0.15;
 
@@ -266,7 +272,7 @@ final class ClusterContour {
     double pulled = sums.r + known * expectedMove;
     double radiusMoves = (pulled - sums.xr * cx - sums.yr * cy) / (sums.count + known);
     learnScatter(cx, cy, radiusMoves, known);
-    curved = scatter < CURVED * leastVariance(cluster);
+    curved = scatter < CURVED * cluster.leastVariance();
     // With the centre taken out: what is left of the events to tell the radius.
     double kxx = sums.xx + loose;
     double kyy = sums.yy + loose;
@@ -293,12 +299,6 @@ final class ClusterContour {
     return Math.abs(cluster.balance) < TWO_SIDED
         && (radius > MOST_RADIUS * cluster.radius()
             || middleX * middleX + middleY * middleY > most * most);
-  }
-
-  /** Variance of the events of one polarity in the direction in which it is the least. */
-  private static double leastVariance(Cluster cluster) {
-    double half = 0.5 * (cluster.cxx - cluster.cyy);
-    return 0.5 * (cluster.cxx + cluster.cyy) - Math.sqrt(half * half + cluster.cxy * cluster.cxy);
   }
 
   /** Takes the mean square of what is left over, per degree of freedom. */
@@ -368,6 +368,14 @@ final class ClusterContour {
     offsetX = 0;
     offsetY = 0;
     offsetVariance = 0.25 * radius * radius;
+  }
+
+  /**
+   * Variance of where the middle of the thing is, however many events there are: what scatters more
+   * than pixels let it is no ring. Of two rings taken for one it is that of the middle of one.
+   */
+  double misfitVariance() {
+    return MISFIT * Math.max(0, scatter - CLOSE_SCATTER);
   }
 
   /** Whether it is known where the middle of the outline is. */

@@ -7,9 +7,12 @@ final class ClusterReader implements ClusterReadings {
 
   /**
    * Of such a thing the middle is between 0.64 (half a ring) and 1 ring radius away, which is 1
-   * over 1.2 of the cluster's: that squared, for one of two axes.
+   * over 1.2 of the cluster's: that squared, for one of two axes. Of what the border cuts off a
+   * part of, the same of that part.
    */
   private static final double UNSEEN = 0.23;
+
+  private static final double RING_RADII = 1.2;
 
   private final ClusterMerging merging;
   private Cluster[] visible = new Cluster[0];
@@ -154,12 +157,11 @@ final class ClusterReader implements ClusterReadings {
   public double unseenVariance(int index) {
     Cluster cluster = at(index);
     double reach = cluster.radius();
-    boolean cut =
-        cluster.x < reach
-            || cluster.y < reach
-            || cluster.x > width - 1 - reach
-            || cluster.y > height - 1 - reach;
-    return cut && Math.abs(cluster.balance) > ONE_SIDED ? UNSEEN * reach * reach : 0;
+    double toSides = Math.min(cluster.x, width - 1 - cluster.x);
+    double toBorder = Math.min(toSides, Math.min(cluster.y, height - 1 - cluster.y));
+    boolean oneSided = toBorder < reach && Math.abs(cluster.balance) > ONE_SIDED;
+    double unseen = oneSided ? reach : Math.max(0, reach / RING_RADII - toBorder);
+    return UNSEEN * unseen * unseen;
   }
 
   @Override
@@ -196,6 +198,11 @@ final class ClusterReader implements ClusterReadings {
             ? contour.informationXx * cluster.vx + contour.informationXy * cluster.vy
             : contour.informationXy * cluster.vx + contour.informationYy * cluster.vy;
     return vector + seconds * moved;
+  }
+
+  @Override
+  public double outlineMisfitVariance(int index) {
+    return at(index).contour.misfitVariance();
   }
 
   @Override

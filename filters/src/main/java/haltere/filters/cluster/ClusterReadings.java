@@ -131,7 +131,7 @@ public interface ClusterReadings {
 
   /**
    * Variance, along an axis, of where the middle of the thing is about the measured centre however
-   * many events there are: of what the border cuts off only one side may be seen.
+   * many events there are: of what the border cuts off only a part is seen.
    *
    * @param index of the cluster
    * @return pixels squared; 0 in the open
@@ -197,6 +197,16 @@ public interface ClusterReadings {
    * @return 1 over pixels
    */
   double outlineY(int index);
+
+  /**
+   * Variance, along an axis, of where the middle of the thing is about that of the outline however
+   * many events there are: those of two things taken for one lie on no ring as closely as those of
+   * one do.
+   *
+   * @param index of the cluster
+   * @return pixels squared; 0 where they lie on a ring as closely as pixels let them
+   */
+  double outlineMisfitVariance(int index);
 
   /**
    * Radius within which events belong to the cluster; of an ellipse the geometric mean of its half

@@ -6,7 +6,7 @@ import haltere.core.sink.Column;
  * One step of a track's filter with all that is between measurement and estimate, in the units of
  * the track: pixels, or metres on a road. Innovation, S and NIS are those of all models together,
  * weighted by the probabilities that they had before the measurement; the gain is that of the most
- * probable.
+ * probable. Where a measurement was refused, the estimates are those predicted for its time.
  *
  * @param timeUs time of the measurement on the clock of the events, microseconds
  * @param id identity of the track

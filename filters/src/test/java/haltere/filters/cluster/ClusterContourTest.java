@@ -23,6 +23,7 @@ class ClusterContourTest {
   private double outlineSquares;
   private double meanSquares;
   private double normalised;
+  private double misfits;
   private int readings;
   private int outlines;
 
@@ -44,6 +45,7 @@ class ClusterContourTest {
           double determinant = a * c - b * b;
           if (determinant > 0) {
             outlines++;
+            misfits += at.outlineMisfitVariance(0);
             double dx = (c * at.outlineX(0) - b * at.outlineY(0)) / determinant - truth;
             double dy = (a * at.outlineY(0) - b * at.outlineX(0)) / determinant - 60;
             outlineSquares += dx * dx;
@@ -56,13 +58,17 @@ class ClusterContourTest {
 
   /** OFF events at the edge in front of a disc, ON events at the one behind. */
   private static EventPacket disc(long seed, LongToDoubleFunction x) {
+    return disc(seed, x, 60);
+  }
+
+  private static EventPacket disc(long seed, LongToDoubleFunction x, double y) {
     SplittableRandom random = new SplittableRandom(seed);
     EventPacket events = new EventPacket(8192);
     for (long timeUs = 0; timeUs < 600_000; timeUs += STEP_US) {
       double across = random.nextDouble(-RADIUS, RADIUS);
       boolean on = random.nextBoolean();
       double ahead = Math.sqrt(RADIUS * RADIUS - across * across);
-      add(events, timeUs, x.applyAsDouble(timeUs) + (on ? -ahead : ahead), 60 + across, on);
+      add(events, timeUs, x.applyAsDouble(timeUs) + (on ? -ahead : ahead), y + across, on);
     }
     return events;
   }
@@ -102,6 +108,56 @@ class ClusterContourTest {
     double honesty = normalised / outlines;
     assertTrue(band.lower() < honesty && honesty < band.upper(), honesty + " in " + band);
     assertTrue(Math.sqrt(meanSquares / readings) > 1.5 * outlineRms, "mean " + meanSquares);
+  }
+
+  @Test
+  void twoDiscsThatAreTakenForOneAreKnownNoBetterThanTheyAreApart() {
+    LongToDoubleFunction between = timeUs -> x.applyAsDouble(timeUs) + 1.5;
+    for (long seed = 0; seed < 10; seed++) {
+      EventPacket first = disc(seed, x);
+      EventPacket second = disc(seed + 100, timeUs -> x.applyAsDouble(timeUs) + 3);
+      EventPacket both = new EventPacket(first.size() + second.size());
+      for (int i = 0; i < first.size(); i++) {
+        both.append(first, i, i + 1);
+        both.append(second, i, i + 1);
+      }
+      read(both, between, 200_000, 600_000);
+    }
+    assertTrue(outlines > 0.8 * readings, outlines + " of " + readings);
+    // Either disc is 1.5 px from the middle of both.
+    double misfit = Math.sqrt(misfits / outlines);
+    assertTrue(misfit > 1 && misfit < 3, "standard deviation " + misfit);
+  }
+
+  @Test
+  void oneDiscIsKnownAsWellAsItsOutline() {
+    for (long seed = 0; seed < 10; seed++) {
+      read(disc(seed, x), x, 100_000, 600_000);
+    }
+    assertEquals(0, misfits / outlines, 1e-3);
+  }
+
+  @Test
+  void theMeanOfWhatTheBorderCutsOffAPartOfIsAsUnsureAsItIsOff() {
+    for (int row = 0; row < 6; row++) {
+      int middle = row;
+      double[] sums = new double[2];
+      for (long seed = 0; seed < 5; seed++) {
+        ClusterTracker tracker =
+            new ClusterTracker(SENSOR, ClusterTrackerSettings.defaults(), timeUs -> {});
+        tracker.observe(
+            (timeUs, at) -> {
+              if (timeUs > 200_000 && at.count() == 1 && at.newEvents(0) > 0) {
+                sums[0] += at.unseenVariance(0);
+                sums[1] += Math.pow(at.measuredY(0) - middle, 2);
+              }
+            },
+            10_000);
+        tracker.track(disc(seed, x, middle));
+      }
+      double ratio = sums[0] / sums[1];
+      assertTrue(ratio > 0.4 && ratio < 3, "at row " + row + " stated over true " + ratio);
+    }
   }
 
   @Test

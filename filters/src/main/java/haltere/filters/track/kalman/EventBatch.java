@@ -39,6 +39,9 @@ final class EventBatch {
   /** Variance of the place of its middle that does not fall with the number of events. */
   double unseenVariance;
 
+  /** The same of the middle of its outline. */
+  double outlineMisfitVariance;
+
   /** Direction of the line along which its cluster's place is not known, or 0. */
   private double lineX;
 
@@ -90,6 +93,7 @@ final class EventBatch {
     seen = true;
     radiusPx = readings.radiusPx(i);
     unseenVariance = readings.unseenVariance(i);
+    outlineMisfitVariance = readings.outlineMisfitVariance(i);
     lineX = readings.lineX(i);
     lineY = readings.lineY(i);
     double n = readings.newEvents(i);

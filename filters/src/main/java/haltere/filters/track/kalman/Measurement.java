@@ -52,9 +52,9 @@ final class Measurement {
           settings.varianceFactor() * (track != null && track.contested ? CONTESTED_FACTOR : 1);
       x = batch.outlineCentreX();
       y = batch.outlineCentreY();
-      xx = more * batch.outlineVarianceX();
+      xx = more * batch.outlineVarianceX() + batch.outlineMisfitVariance;
       xy = more * batch.outlineCovarianceXy();
-      yy = more * batch.outlineVarianceY();
+      yy = more * batch.outlineVarianceY() + batch.outlineMisfitVariance;
       return;
     }
     x = batch.meanX();

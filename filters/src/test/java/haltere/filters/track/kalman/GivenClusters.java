@@ -26,6 +26,9 @@ final class GivenClusters implements ClusterReadings {
 
     double outlineAheadX;
 
+    /** Variance of the middle of the thing about that of the outline. */
+    double misfit;
+
     /** Direction of a line that goes on beyond the cluster, or 0. */
     double lineX;
 
@@ -128,6 +131,11 @@ final class GivenClusters implements ClusterReadings {
   @Override
   public double unseenVariance(int index) {
     return 0;
+  }
+
+  @Override
+  public double outlineMisfitVariance(int index) {
+    return list.get(index).misfit;
   }
 
   @Override

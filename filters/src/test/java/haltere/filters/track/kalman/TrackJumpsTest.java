@@ -1,10 +1,12 @@
 package haltere.filters.track.kalman;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.SensorGeometry;
 import haltere.filters.track.KalmanTracksSettings;
+import haltere.filters.track.TrackUpdate;
 import haltere.filters.track.kalman.GivenClusters.Given;
 import org.junit.jupiter.api.Test;
 
@@ -25,7 +27,7 @@ class TrackJumpsTest {
 
             @Override
             public void updated(Track track, Measurement measurement, boolean accepted) {
-              // looked at directly
+              last = track.lastUpdate(measurement.timeUs, accepted);
             }
 
             @Override
@@ -34,6 +36,7 @@ class TrackJumpsTest {
             }
           });
   private long timeUs;
+  private TrackUpdate last;
 
   /** A cluster at a place at a time, going to the right; its mean is half a step old. */
   private void step(int steps, Given cluster, double atX, double atY, double vx) {
@@ -60,6 +63,30 @@ class TrackJumpsTest {
     step(9, cluster, 20, 108, 120);
     assertEquals(0, only().vy(), 20);
     assertEquals(120, only().vx(), 20);
+  }
+
+  @Test
+  void whatIsSaidOfARefusedMeasurementIsWhereTheTrackWasExpectedAtItsTime() {
+    Given cluster = clusters.add(5);
+    step(40, cluster, 20, 100, 120);
+    step(2, cluster, 20, 120, 120);
+    assertFalse(last.accepted());
+    assertEquals(timeUs - STEP_US / 2, last.timeUs());
+    assertEquals(20 + 120e-6 * last.timeUs(), last.x(), 0.3);
+    assertEquals(100, last.y(), 0.3);
+    assertEquals(last.measuredX() - last.innovationX(), last.x(), 1e-9);
+    assertEquals(last.measuredY() - last.innovationY(), last.y(), 1e-9);
+  }
+
+  @Test
+  void aTrackOfTwoRingsTakenForOneIsUnsure() {
+    Given clear = clusters.add(5);
+    clear.outline = 100;
+    step(40, clear, 20, 100, 120);
+    double sure = only().covariance(0, 0);
+    clear.misfit = 2;
+    step(20, clear, 20, 100, 120);
+    assertTrue(only().covariance(0, 0) > 5 * sure, "variance " + only().covariance(0, 0));
   }
 
   @Test
