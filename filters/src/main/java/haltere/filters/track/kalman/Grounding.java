@@ -27,6 +27,9 @@ final class Grounding {
 
   private static final double[] BEFORE_M = {0, 3, 0, 9.5};
 
+  /** Half of the width of a car, of which a narrow line may be a piece. */
+  private static final double USUAL_HALF_M = 0.9;
+
   /** What is slower is not on the roof of a lorry. */
   private static final double FAST_M_S = 30;
 
@@ -120,7 +123,7 @@ final class Grounding {
         return true;
       }
       double x = motion.x() * share;
-      double half = line.halfWidthM * share;
+      double half = Math.max(USUAL_HALF_M, line.halfWidthM) * share;
       if (road.columnOf(x - half, y) < 0 || road.columnOf(x + half, y) > sensor.width() - 1) {
         return true;
       }

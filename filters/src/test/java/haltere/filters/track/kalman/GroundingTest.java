@@ -56,6 +56,20 @@ class GroundingTest {
   }
 
   @Test
+  void aPieceOfACarThatDrivesAwayMayBeAboveTheRoadUntilAllOfTheCarWouldBeInThePicture() {
+    assertTrue(away(5.7, 17).isHidden(), "the side of the picture may hide the rest");
+    assertFalse(away(5.7, 24).isHidden());
+    assertFalse(away(1.75, 17).isHidden(), "in the middle of the picture");
+  }
+
+  private Grounding away(double xM, double yM) {
+    line.halfWidthM = 0.27;
+    line.grounding.begin(true);
+    line.grounding.look(at(xM, yM, 15), line, road, SENSOR, LANES);
+    return line.grounding;
+  }
+
+  @Test
   void aNarrowLineMayBeShouldersUntilItWasFollowedWhereWheelsWouldBeSeen() {
     line.last.begin();
     LineSearch found = new LineSearch(new RoadEvents(road, SENSOR), 128);
