@@ -19,7 +19,7 @@ final class DepartedVehicles {
   private static final double LIKE_SHARE = 0.07;
   private static final double MOST_SCALE = 4.5;
   private static final double ASIDE_SHARE = 0.6;
-  private static final double ASIDE_M = 0.3;
+  private static final double ASIDE_M = 0.5;
 
   /** How far below the camera a vehicle may be whose roof is still in the picture. */
   private static final double BELOW_M = 10;

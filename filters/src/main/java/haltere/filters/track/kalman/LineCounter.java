@@ -30,6 +30,9 @@ final class LineCounter {
   /** It is sure that something is a vehicle once so many rows were passed. */
   private static final int SURE_UPDATES = 4;
 
+  /** What is found beyond a line is looked at for longer. */
+  private static final int LATE_UPDATES = 7;
+
   /** A place that is less sure than this is that of no vehicle. */
   private static final double SURE_M = 2;
 
@@ -111,6 +114,9 @@ final class LineCounter {
         continue;
       }
       boolean isLate = sides.isNew(i) && side == way && back != null && sides.isOnItsWay();
+      if (isLate && track.updates < LATE_UPDATES) {
+        continue;
+      }
       boolean hasCome = isLate && back.leadsTo(track, motion, lines.distanceM(i), timeUs);
       if (sides.cross(i, side, way, hasCome)) {
         count(i, track, motion, timeUs, isLate);

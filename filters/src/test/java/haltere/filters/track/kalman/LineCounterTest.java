@@ -162,13 +162,13 @@ class LineCounterTest {
   @Test
   void whatIsFoundBeyondALineIsCountedThereWhenItCrossedIfItWasSeenOnItsWay() {
     LineCounter counter = new LineCounter(lines(2), crossings::add);
-    Track track = found(1, -1.75, 17, -15, 3);
+    Track track = found(1, -1.75, 17, -15, 6);
     counter.look(track, 10_000_000, SEEN);
     assertEquals(List.of(), crossings, "not yet sure");
-    track.updates = 4;
+    track.updates = 7;
     counter.look(track, 10_000_000, NOT_SEEN);
     assertEquals(List.of(), crossings, "was not on its way");
-    counter.look(found(2, -1.75, 17, -15, 4), 10_000_000, SEEN);
+    counter.look(found(2, -1.75, 17, -15, 7), 10_000_000, SEEN);
     assertEquals(
         List.of("2 at 20.0 TOWARDS lane 1: 0/1", "2 at 40.0 TOWARDS lane 1: 0/1"),
         crossings.stream().map(LineCounterTest::text).toList());
@@ -179,12 +179,12 @@ class LineCounterTest {
   @Test
   void twoTracksOnOneVehicleCountOnceAndTheNextVehicleCountsToo() {
     LineCounter counter = new LineCounter(lines(1), crossings::add);
-    counter.look(found(1, 1.2, 25, 15, 4), 10_000_000, SEEN);
-    counter.look(found(2, 2.0, 23, 15, 4), 10_000_000, SEEN);
+    counter.look(found(1, 1.2, 25, 15, 7), 10_000_000, SEEN);
+    counter.look(found(2, 2.0, 23, 15, 7), 10_000_000, SEEN);
     assertEquals(1, crossings.size(), "within the car that was counted");
-    counter.look(found(3, 5.2, 25, 15, 4), 10_000_000, SEEN);
+    counter.look(found(3, 5.2, 25, 15, 7), 10_000_000, SEEN);
     assertEquals(2, crossings.size(), "beside it");
-    Track next = found(4, 1.2, 25, 15, 4);
+    Track next = found(4, 1.2, 25, 15, 7);
     next.stateUs = 11_000_000;
     counter.look(next, 11_000_000, SEEN);
     assertEquals(3, crossings.size(), "15 m behind it");
@@ -194,8 +194,8 @@ class LineCounterTest {
   @Test
   void whatIsBesideTheRoadOrAnywhereIsNotCounted() {
     LineCounter counter = new LineCounter(lines(1), crossings::add);
-    counter.look(found(1, 9.5, 25, 15, 4), 10_000_000, SEEN);
-    Track unsure = found(2, 1.75, 25, 15, 4);
+    counter.look(found(1, 9.5, 25, 15, 7), 10_000_000, SEEN);
+    Track unsure = found(2, 1.75, 25, 15, 7);
     unsure.motion.shift(0, 9);
     counter.look(unsure, 10_000_000, SEEN);
     assertEquals(List.of(), crossings);
@@ -206,7 +206,7 @@ class LineCounterTest {
     LineCounter counter = new LineCounter(lines(1), crossings::add);
     RoadMapping road = new RoadMapping(RoadSettings.defaults(), new SensorGeometry(128, 128));
     SensorGeometry sensor = new SensorGeometry(128, 128);
-    Track track = found(1, 7.4, 25, 20, 4);
+    Track track = found(1, 7.4, 25, 20, 7);
     track.line.grounding.look(track.motion, track.line, road, sensor, LANES);
     counter.look(track, 10_000_000, SEEN);
     assertEquals(List.of(), crossings, "on the roof");
@@ -218,7 +218,7 @@ class LineCounterTest {
 
   @Test
   void theSpeedOfALineThatWasJustFoundIsUnsureUntilItHasPassedRows() {
-    Track track = found(1, 1.75, 25, 15, 4);
+    Track track = found(1, 1.75, 25, 15, 7);
     LineSearch search = new LineSearch(null, 128);
     search.vyMS = 15;
     track.line.last.turnTo(search, 10_000_000);
@@ -233,7 +233,7 @@ class LineCounterTest {
   @Test
   void whatPassesTooFewRowsForItsSpeedIsNotCounted() {
     LineCounter counter = new LineCounter(lines(1), crossings::add);
-    Track track = found(1, 1.75, 25, 28, 4);
+    Track track = found(1, 1.75, 25, 28, 7);
     for (int row = 10; row < 50; row += 4) {
       track.line.last.pass(row, 10_000_000, 70, 28);
     }
@@ -249,7 +249,7 @@ class LineCounterTest {
   @Test
   void whatMayBeOnAnotherVehicleIsCountedOnceItIsNot() {
     LineCounter counter = new LineCounter(lines(1), crossings::add);
-    Track track = found(1, 1.75, 15, 15, 4);
+    Track track = found(1, 1.75, 15, 15, 7);
     counter.look(track, 10_000_000, ON_OTHER);
     set(track, 1.75, 25, 15);
     counter.look(track, 10_000_000, ON_OTHER);
