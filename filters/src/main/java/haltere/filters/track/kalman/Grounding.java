@@ -39,7 +39,7 @@ final class Grounding {
   private static final double NARROW_HALF_M = 0.55;
 
   /** Standard deviation, as a share, of the speed of a line that is where no vehicle can be. */
-  private static final double BESIDE_SHARE = 0.35;
+  private static final double BESIDE_SHARE = 0.3;
 
   /** So far beside the lanes the side of a vehicle may seem to be. */
   private static final double VERGE_M = 0.6;
@@ -58,7 +58,7 @@ final class Grounding {
   private static final double SEEN_WHEELS_PX = 1.5;
 
   /** What is followed so surely is what would have been seen. */
-  private static final double FOLLOWED_DOUBT = 0.2;
+  private static final double FOLLOWED_DOUBT = 0.005;
 
   private boolean hasUpper;
   private boolean isHidden;

@@ -7,7 +7,7 @@ package haltere.filters.track.kalman;
  */
 final class LastRow {
   private static final double SHARE_GAIN = 0.15;
-  private static final double DOUBT_KEPT = 0.8;
+  private static final double DOUBT_KEPT = 0.5;
   private static final double FOLLOWED_SHARE = 0.45;
 
   private int row;

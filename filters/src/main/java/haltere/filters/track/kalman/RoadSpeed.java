@@ -5,7 +5,7 @@ final class RoadSpeed {
   private static final double KM_H = 3.6;
 
   /** Standard deviation of the speed of a line that was just found, as a share. */
-  private static final double NEW_SHARE = 0.15;
+  private static final double NEW_SHARE = 0.1;
 
   private RoadSpeed() {}
 

@@ -43,7 +43,7 @@ final class VehicleParts {
   private static final long KNOWN_US = 1_500_000;
 
   /** What has passed fewer than eight rows neither. */
-  private static final double KNOWN_DOUBT = 0.2;
+  private static final double KNOWN_DOUBT = 0.005;
 
   /** The speed of what was measured as often is known. */
   private static final int SURE_UPDATES = 3;
