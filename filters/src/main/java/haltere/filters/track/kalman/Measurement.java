@@ -12,6 +12,9 @@ final class Measurement {
   /** Of two outlines in one place a part of the events is of the other. */
   private static final double CONTESTED_FACTOR = 10;
 
+  /** How many times as unsure as one event the middle of events of two things is. */
+  private static final double SWOLLEN_FACTOR = 10;
+
   private final MeasurementSettings settings;
   private final boolean outlines;
   long timeUs;
@@ -30,7 +33,8 @@ final class Measurement {
 
   /** What a batch says to a track, or to nobody yet. */
   void of(EventBatch batch, Track track, ClusterReadings readings, long nowUs) {
-    ofOutline = outlines && batch.hasOutline();
+    boolean swollen = track != null && batch.track == track && track.part.isSwollen();
+    ofOutline = outlines && batch.hasOutline() && !swollen;
     if (settings.source() == MeasurementSource.CENTRE) {
       timeUs = nowUs;
       x = readings.x(batch.index);
@@ -59,8 +63,10 @@ final class Measurement {
     }
     x = batch.meanX();
     y = batch.meanY();
-    // Of two tracks in one place each event may be the other's: as good as one event.
-    double share = track != null && track.contested ? 1 : settings.varianceFactor() / batch.events;
+    // Of two tracks in one place each event may be the other's: as good as one event. What another
+    // thing has run into is off for as long as that lasts.
+    boolean mixed = track != null && track.contested;
+    double share = swollen ? SWOLLEN_FACTOR : mixed ? 1 : settings.varianceFactor() / batch.events;
     double floor = settings.floorPx() * settings.floorPx() + batch.unseenVariance;
     xx = batch.varianceX() * share + batch.lineVarianceX() + floor;
     yy = batch.varianceY() * share + batch.lineVarianceY() + floor;

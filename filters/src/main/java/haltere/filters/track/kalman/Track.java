@@ -23,6 +23,7 @@ final class Track {
 
   private static final int ALONE_UPDATES = 50;
   private static final int LEAST_FREE_UPDATES = 10;
+  private static final int SETTLED_UPDATES = 20;
 
   /** A velocity of fewer updates than this is not kept where a track is found elsewhere. */
   private static final int TRUSTED_UPDATES = 10;
@@ -230,6 +231,11 @@ final class Track {
   /** Whether it has been seen by itself: what has not may be a part of another. */
   boolean wasFree() {
     return freeUpdates >= LEAST_FREE_UPDATES && (part.isRound() || wasAlone());
+  }
+
+  /** Whether it is known how large its cluster is by itself. */
+  boolean isSettled() {
+    return updates >= SETTLED_UPDATES && part.isRound() && !contested;
   }
 
   /** Whether it has been by itself for so long that it is a thing and no part of one. */

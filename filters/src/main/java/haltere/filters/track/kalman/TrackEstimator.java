@@ -268,8 +268,10 @@ public final class TrackEstimator implements ClusterObserver {
       if (track == null) {
         pairs.addBatch(batch);
       } else {
+        boolean jumps = batch.parted && !track.nearOther && !track.part.isSwollen();
+        track.part.compareSize(batch, track.isSettled() && !batch.parted, timeUs);
         measurement.of(batch, track, readings, timeUs);
-        if (batch.parted && !track.nearOther && measurement.map(plane)) {
+        if (jumps && measurement.map(plane)) {
           track.follow(measurement.timeUs, timeUs);
           batch.clear(timeUs);
           continue;

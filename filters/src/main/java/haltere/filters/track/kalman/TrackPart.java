@@ -23,6 +23,15 @@ final class TrackPart {
   /** Standard deviations by which velocities are known to differ, or to be one. */
   private static final double SIGMAS = 3;
 
+  /** By how many times its events' variance has to become larger for others' to be among them. */
+  private static final double SWOLLEN = 1.4;
+
+  /** What is so large for longer has become so. */
+  private static final long SWOLLEN_US = 300_000;
+
+  /** Share by which a measurement changes what is the usual variance. */
+  private static final double USUAL_GAIN = 0.1;
+
   /** Identity of the thing that it is a part of, or 0. */
   int wholeId;
 
@@ -71,6 +80,12 @@ final class TrackPart {
   /** Whether it is known to stand where it began. */
   boolean isStill;
 
+  /** Variance that its events usually have, both axes together. */
+  private double usualVariance;
+
+  private boolean swollen;
+  private long swollenSinceUs;
+
   void clear() {
     wholeId = 0;
     extent.clear();
@@ -81,6 +96,7 @@ final class TrackPart {
     roundShare = 0;
     moved = false;
     isStill = false;
+    swollen = false;
   }
 
   /** Begins with a measurement. */
@@ -89,6 +105,34 @@ final class TrackPart {
     learnForm(batch);
     bornFormX = formX;
     bornFormY = formY;
+    usualVariance = batch.varianceX() + batch.varianceY();
+  }
+
+  /**
+   * Compares the size of its cluster with the usual one.
+   *
+   * @param known whether that is known, and nothing that is known is in the way
+   */
+  void compareSize(EventBatch batch, boolean known, long timeUs) {
+    double variance = batch.varianceX() + batch.varianceY();
+    boolean larger = known && variance > SWOLLEN * usualVariance;
+    if (larger && !swollen) {
+      swollenSinceUs = timeUs;
+    }
+    swollen = larger && timeUs - swollenSinceUs < SWOLLEN_US;
+    if (larger && !swollen) {
+      usualVariance = variance;
+    } else if (!larger) {
+      usualVariance += USUAL_GAIN * (variance - usualVariance);
+    }
+  }
+
+  /**
+   * Whether its cluster is much larger at once than it was: it has run into what was not seen by
+   * itself, such as a thing that enters behind it.
+   */
+  boolean isSwollen() {
+    return swollen;
   }
 
   /** Learns of a measurement whether it is a round outline, and in which direction it is long. */

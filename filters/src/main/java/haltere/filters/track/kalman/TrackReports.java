@@ -107,7 +107,7 @@ final class TrackReports {
     if (track.stands || settings.measurement().source() == MeasurementSource.CENTRE) {
       return true;
     }
-    boolean behind = track.hidden || track.contested && track.wasFree();
+    boolean behind = track.hidden || track.part.isSwollen() || track.contested && track.wasFree();
     boolean cut = !picture.contains(plane.xPx, plane.yPx, -track.radiusPx);
     double most =
         behind

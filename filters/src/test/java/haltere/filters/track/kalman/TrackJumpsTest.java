@@ -78,6 +78,39 @@ class TrackJumpsTest {
     assertEquals(last.measuredY() - last.innovationY(), last.y(), 1e-9);
   }
 
+  /** A round thing on its way, into whose cluster another one has run that enters behind it. */
+  private Given runInto() {
+    Given cluster = clusters.add(5);
+    cluster.outline = 100;
+    step(40, cluster, 20, 100, 120);
+    cluster.variance = 10;
+    return cluster;
+  }
+
+  @Test
+  void aTrackWhoseClusterIsMuchLargerAtOnceGoesOnAsItWas() {
+    step(10, runInto(), 20, 105, 120);
+    assertEquals(20 + 120e-6 * timeUs, only().x(), 1);
+    assertEquals(100, only().y(), 1);
+  }
+
+  @Test
+  void whatStaysSoLargeHasBecomeSo() {
+    step(60, runInto(), 20, 105, 120);
+    assertEquals(105, only().y(), 0.5);
+  }
+
+  @Test
+  void whenThatClusterPartsTheTrackGoesOnWithTheOneThatIsWhereItIsExpected() {
+    Given cluster = runInto();
+    step(10, cluster, 20, 105, 120);
+    cluster.variance = 4;
+    estimator.clusterParted(timeUs, 5);
+    step(1, cluster, 20, 100, 120);
+    assertEquals(100, only().y(), 0.3);
+    assertEquals(120, only().vx(), 5);
+  }
+
   @Test
   void aTrackOfTwoRingsTakenForOneIsUnsure() {
     Given clear = clusters.add(5);
