@@ -52,7 +52,7 @@ final class ClusterContour {
   private static final double GATE = 9;
 
   /** Radius of a cluster over that of the ring that it is: see {@link ClusterForm}. */
-  private static final double RING_RADII = 1.2;
+  static final double RING_RADII = 1.2;
 
   /** How far the first radius may be wrong, as a share of it. */
   private static final double FIRST_RADIUS_SHARE = 0.4;

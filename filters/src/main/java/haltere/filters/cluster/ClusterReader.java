@@ -12,8 +12,6 @@ final class ClusterReader implements ClusterReadings {
    */
   private static final double UNSEEN = 0.23;
 
-  private static final double RING_RADII = 1.2;
-
   private final ClusterMerging merging;
   private Cluster[] visible = new Cluster[0];
   private int count;
@@ -160,7 +158,7 @@ final class ClusterReader implements ClusterReadings {
     double toSides = Math.min(cluster.x, width - 1 - cluster.x);
     double toBorder = Math.min(toSides, Math.min(cluster.y, height - 1 - cluster.y));
     boolean oneSided = toBorder < reach && Math.abs(cluster.balance) > ONE_SIDED;
-    double unseen = oneSided ? reach : Math.max(0, reach / RING_RADII - toBorder);
+    double unseen = oneSided ? reach : Math.max(0, reach / ClusterContour.RING_RADII - toBorder);
     return UNSEEN * unseen * unseen;
   }
 

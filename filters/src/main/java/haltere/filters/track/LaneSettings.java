@@ -40,6 +40,15 @@ public record LaneSettings(
   }
 
   /**
+   * Where the rightmost lane ends.
+   *
+   * @return metres to the right; the left edge if there are no lanes
+   */
+  public double rightEdgeM() {
+    return leftEdgeM + lanes * widthM;
+  }
+
+  /**
    * The lane that a place is in.
    *
    * @param lateralM metres to the right

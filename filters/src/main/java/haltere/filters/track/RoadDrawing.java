@@ -81,7 +81,7 @@ final class RoadDrawing {
     LaneSettings lanes = marks.lanes();
     return lanes.lanes() == 0
         ? marks.sensor().width() - 1
-        : columnOf(marks, lanes.leftEdgeM() + lanes.lanes() * lanes.widthM(), line);
+        : columnOf(marks, lanes.rightEdgeM(), line);
   }
 
   private static double columnOf(RoadMarks marks, double lateralM, RoadMarks.Line line) {

@@ -57,9 +57,6 @@ final class Grounding {
 
   private static final double SEEN_WHEELS_PX = 1.5;
 
-  /** What is followed so surely is what would have been seen. */
-  private static final double FOLLOWED_DOUBT = 0.005;
-
   private boolean hasUpper;
   private boolean isHidden;
   private boolean isNarrow;
@@ -100,15 +97,14 @@ final class Grounding {
         line.halfWidthM > WIDEST_HALF_M + COLUMN_SHARE * perColumnM
             || lanes.lanes() > 0 && besideM(motion.x(), line.halfWidthM, lanes) > VERGE_M;
     isHidden &= mayBeOut(motion, line, road, sensor);
-    isLow |= WHEELS_HALF_M > SEEN_WHEELS_PX * perColumnM && line.last.doubt() < FOLLOWED_DOUBT;
+    isLow |= WHEELS_HALF_M > SEEN_WHEELS_PX * perColumnM && line.last.isKnown();
     isNarrow =
         !hasUpper && !isLow && line.halfWidthM < NARROW_HALF_M && line.halfPx() < SEEN_HALF_PX;
   }
 
   /** How far the one side of what is on the road is beside the lanes. */
   private static double besideM(double xM, double halfM, LaneSettings lanes) {
-    double rightEdgeM = lanes.leftEdgeM() + lanes.lanes() * lanes.widthM();
-    return halfM + Math.max(lanes.leftEdgeM() - xM, xM - rightEdgeM);
+    return halfM + Math.max(lanes.leftEdgeM() - xM, xM - lanes.rightEdgeM());
   }
 
   /** Whether the lower edge would be outside the picture if the line were on a car. */

@@ -8,6 +8,10 @@ package haltere.filters.track.kalman;
 final class LastRow {
   private static final double SHARE_GAIN = 0.15;
   private static final double DOUBT_KEPT = 0.5;
+
+  /** That of what has passed eight rows is less. */
+  private static final double KNOWN_DOUBT = 0.005;
+
   private static final double FOLLOWED_SHARE = 0.45;
 
   private int row;
@@ -76,6 +80,11 @@ final class LastRow {
    */
   double doubt() {
     return doubt;
+  }
+
+  /** Whether it has passed so many rows that it is a line. */
+  boolean isKnown() {
+    return doubt < KNOWN_DOUBT;
   }
 
   int row() {

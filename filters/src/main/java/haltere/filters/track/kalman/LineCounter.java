@@ -162,9 +162,8 @@ final class LineCounter {
 
   /** Whether nothing that is on the road can be there. */
   private boolean isBeside(double lateralM, double halfM) {
-    double rightEdgeM = lanes.leftEdgeM() + lanes.lanes() * lanes.widthM();
     double most = halfM + VERGE_M;
     return lanes.lanes() > 0
-        && (lateralM < lanes.leftEdgeM() - most || lateralM > rightEdgeM + most);
+        && (lateralM < lanes.leftEdgeM() - most || lateralM > lanes.rightEdgeM() + most);
   }
 }

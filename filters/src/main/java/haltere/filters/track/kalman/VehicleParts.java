@@ -42,9 +42,6 @@ final class VehicleParts {
   /** What is followed for longer is not taken for a part of another that is slower. */
   private static final long KNOWN_US = 1_500_000;
 
-  /** What has passed fewer than eight rows neither. */
-  private static final double KNOWN_DOUBT = 0.005;
-
   /** The speed of what was measured as often is known. */
   private static final int SURE_UPDATES = 3;
 
@@ -196,7 +193,7 @@ final class VehicleParts {
     return line.grounding.isHidden()
         || line.grounding.isBeside()
         || line.halfWidthM < NARROW_HALF_M
-        || line.last.doubt() > KNOWN_DOUBT
+        || !line.last.isKnown()
         || timeUs - line.sinceUs() < KNOWN_US;
   }
 
