@@ -194,6 +194,11 @@ final class Cluster {
   double indexY;
   double indexSlack;
 
+  /** How far from there its cells are known, pixels. */
+  double indexReachX;
+
+  double indexReachY;
+
   Cluster(int slot) {
     this.slot = slot;
   }

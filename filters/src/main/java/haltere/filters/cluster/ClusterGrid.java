@@ -20,6 +20,9 @@ final class ClusterGrid {
   /** How far a cluster may move beside its velocity before its cells are looked for again. */
   private static final double SLACK_PX = 2;
 
+  /** The same for a velocity that changes on the way. */
+  private static final double TURN_PX = 1;
+
   private final int shift;
   private final int columns;
   private final int rows;
@@ -56,26 +59,52 @@ final class ClusterGrid {
    * Learns anew where all clusters are. Each may move by two pixels, and by its velocity, until the
    * next time.
    */
-  void index(Cluster[] clusters, int count, double seconds) {
+  void index(Clusters clusters, double seconds) {
+    clusters.changed = false;
     Arrays.fill(counts, (byte) 0);
-    for (int i = 0; i < count; i++) {
-      Cluster cluster = clusters[i];
+    for (int i = 0; i < clusters.count; i++) {
+      Cluster cluster = clusters.all[i];
       double speed = Math.abs(cluster.vx) + Math.abs(cluster.vy);
       cluster.indexX = cluster.x;
       cluster.indexY = cluster.y;
       cluster.indexSlack = SLACK_PX + speed * seconds;
-      // A pixel more, for a velocity that changes on the way.
-      double margin = SLACK_PX + 2 * speed * seconds + 1;
-      int left = cell(cluster.x - cluster.extentX - margin, columns);
-      int right = cell(cluster.x + cluster.extentX + margin, columns);
-      int bottom = cell(cluster.y - cluster.extentY - margin, rows);
-      int top = cell(cluster.y + cluster.extentY + margin, rows);
+      double margin = cluster.indexSlack + speed * seconds + TURN_PX;
+      cluster.indexReachX = cluster.extentX + margin;
+      cluster.indexReachY = cluster.extentY + margin;
+      int left = cell(cluster.x - cluster.indexReachX, columns);
+      int right = cell(cluster.x + cluster.indexReachX, columns);
+      int bottom = cell(cluster.y - cluster.indexReachY, rows);
+      int top = cell(cluster.y + cluster.indexReachY, rows);
       for (int row = bottom; row <= top; row++) {
         for (int column = left; column <= right; column++) {
           add(row * columns + column, i);
         }
       }
     }
+  }
+
+  /** The same, if there are other clusters or some have gone too far or grown too large for it. */
+  void refresh(Clusters clusters, double seconds) {
+    if (clusters.changed || !holds(clusters, seconds)) {
+      index(clusters, seconds);
+    }
+  }
+
+  /** Whether each may go on until it has left what is free for it in the cells that it has. */
+  private boolean holds(Clusters clusters, double seconds) {
+    for (int i = 0; i < clusters.count; i++) {
+      Cluster cluster = clusters.all[i];
+      double way = (Math.abs(cluster.vx) + Math.abs(cluster.vy)) * seconds;
+      double free =
+          Math.min(cluster.indexReachX - cluster.extentX, cluster.indexReachY - cluster.extentY);
+      cluster.indexSlack = free - way - TURN_PX;
+      double gone = Math.abs(cluster.x - cluster.indexX) + Math.abs(cluster.y - cluster.indexY);
+      // Not so if a place is not a number.
+      if (!(gone + way <= cluster.indexSlack)) {
+        return false;
+      }
+    }
+    return true;
   }
 
   private void add(int cell, int index) {

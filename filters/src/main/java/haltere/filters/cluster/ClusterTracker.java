@@ -89,7 +89,7 @@ public final class ClusterTracker {
     observedSomething = false;
     places.reset();
     merging.reset();
-    grid.index(clusters.all, 0, 0);
+    index();
   }
 
   /**
@@ -354,7 +354,7 @@ public final class ClusterTracker {
   }
 
   private void index() {
-    grid.index(clusters.all, clusters.count, upkeepUs * 1e-6);
+    grid.index(clusters, upkeepUs * 1e-6);
   }
 
   /** Lets everything happen that is due until an event. */
@@ -367,7 +367,7 @@ public final class ClusterTracker {
       }
       if (times.isUpkeepNext()) {
         upkeep.run(times.takeUpkeep(), observer);
-        index();
+        grid.refresh(clusters, upkeepUs * 1e-6);
       } else if (times.isObservationNext()) {
         observation(times.takeObservation());
       } else {
@@ -394,7 +394,7 @@ public final class ClusterTracker {
     }
     reader.close();
     if (reader.wasFedBack()) {
-      index();
+      grid.refresh(clusters, upkeepUs * 1e-6);
     }
   }
 }

@@ -7,17 +7,22 @@ final class Clusters {
 
   int count;
 
+  /** Whether there have been others, or in another order, since this was last set to false. */
+  boolean changed;
+
   boolean isFull() {
     return count == all.length;
   }
 
   /** One more, in which nothing is set yet. */
   Cluster add() {
+    changed = true;
     return all[count++];
   }
 
   /** Takes a cluster out; the order of the others stays. */
   void remove(int index) {
+    changed = true;
     Cluster removed = all[index];
     System.arraycopy(all, index + 1, all, index, count - index - 1);
     all[--count] = removed;

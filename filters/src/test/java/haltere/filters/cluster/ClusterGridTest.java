@@ -17,33 +17,83 @@ class ClusterGridTest {
   void atEachPixelTheGridNamesAllClustersThatALookAtEveryOneFinds() {
     SplittableRandom random = new SplittableRandom(1);
     for (int round = 0; round < 30; round++) {
-      Cluster[] clusters = clusters(random, random.nextInt(1, 30));
+      Clusters clusters = clusters(random, random.nextInt(1, 30));
       ClusterGrid grid = new ClusterGrid(SENSOR);
-      grid.index(clusters, clusters.length, UPKEEP_US * 1e-6);
-      long timeUs = random.nextInt(UPKEEP_US);
-      for (int y = 0; y < SENSOR.height(); y++) {
-        for (int x = 0; x < SENSOR.width(); x++) {
-          List<Integer> all = new ArrayList<>();
-          for (int i = 0; i < clusters.length; i++) {
-            if (clusters[i].distance(x, y, timeUs, false) < 1) {
-              all.add(i);
-            }
-          }
-          assertTrue(named(grid, x, y, clusters.length).containsAll(all), x + ", " + y);
+      grid.index(clusters, UPKEEP_US * 1e-6);
+      assertNamesAll(grid, clusters, random.nextInt(UPKEEP_US));
+    }
+  }
+
+  @Test
+  void clustersThatMoveAndGrowAndChangeTheirVelocityAreFoundAfterEachRefreshing() {
+    SplittableRandom random = new SplittableRandom(3);
+    for (int round = 0; round < 10; round++) {
+      Clusters clusters = clusters(random, 12);
+      ClusterGrid grid = new ClusterGrid(SENSOR);
+      grid.index(clusters, UPKEEP_US * 1e-6);
+      for (int upkeep = 1; upkeep <= 20; upkeep++) {
+        for (int i = 0; i < clusters.count; i++) {
+          Cluster cluster = clusters.all[i];
+          cluster.moveTo((long) upkeep * UPKEEP_US);
+          cluster.vx += random.nextDouble(-500, 500);
+          double wider = random.nextDouble(0.97, 1.03);
+          cluster.m11 /= wider;
+          cluster.m12 /= wider;
+          cluster.m21 /= wider;
+          cluster.m22 /= wider;
+          cluster.extentX *= wider;
+          cluster.extentY *= wider;
         }
+        if (upkeep % 7 == 0) {
+          clusters.remove(random.nextInt(clusters.count));
+        }
+        grid.refresh(clusters, UPKEEP_US * 1e-6);
+        assertNamesAll(grid, clusters, (long) upkeep * UPKEEP_US + random.nextInt(UPKEEP_US));
+      }
+    }
+  }
+
+  @Test
+  void clustersThatHaveHardlyMovedKeepTheirCells() {
+    Clusters clusters = clusters(new SplittableRandom(4), 1);
+    Cluster cluster = clusters.all[0];
+    cluster.vx = 0;
+    cluster.vy = 0;
+    ClusterGrid grid = new ClusterGrid(SENSOR);
+    grid.index(clusters, UPKEEP_US * 1e-6);
+    double x = cluster.indexX;
+    cluster.x += 1.5;
+    grid.refresh(clusters, UPKEEP_US * 1e-6);
+    assertEquals(x, cluster.indexX, "the cells are those of before");
+    cluster.x += 1;
+    grid.refresh(clusters, UPKEEP_US * 1e-6);
+    assertEquals(cluster.x, cluster.indexX, "it has got new cells");
+  }
+
+  private static void assertNamesAll(ClusterGrid grid, Clusters clusters, long timeUs) {
+    for (int y = 0; y < SENSOR.height(); y++) {
+      for (int x = 0; x < SENSOR.width(); x++) {
+        List<Integer> all = new ArrayList<>();
+        for (int i = 0; i < clusters.count; i++) {
+          if (clusters.all[i].distance(x, y, timeUs, false) < 1) {
+            all.add(i);
+          }
+        }
+        assertTrue(named(grid, x, y, clusters.count).containsAll(all), x + ", " + y);
       }
     }
   }
 
   @Test
   void farFromAllClustersTheGridNamesNone() {
-    Cluster[] clusters = clusters(new SplittableRandom(2), 1);
-    clusters[0].x = 20;
-    clusters[0].y = 20;
+    Clusters clusters = clusters(new SplittableRandom(2), 1);
+    clusters.all[0].x = 20;
+    clusters.all[0].y = 20;
     ClusterGrid grid = new ClusterGrid(SENSOR);
-    grid.index(clusters, 1, UPKEEP_US * 1e-6);
+    grid.index(clusters, UPKEEP_US * 1e-6);
     assertEquals(List.of(), named(grid, 150, 100, 1));
-    grid.index(clusters, 0, UPKEEP_US * 1e-6);
+    clusters.count = 0;
+    grid.index(clusters, UPKEEP_US * 1e-6);
     assertEquals(List.of(), named(grid, 20, 20, 1));
   }
 
@@ -57,11 +107,12 @@ class ClusterGridTest {
     return named;
   }
 
-  private static Cluster[] clusters(SplittableRandom random, int count) {
+  private static Clusters clusters(SplittableRandom random, int count) {
     ClusterForm form = new ClusterForm(SENSOR, ClusterTrackerSettings.defaults());
-    Cluster[] clusters = new Cluster[count];
+    Clusters clusters = new Clusters();
+    clusters.setMost(count);
     for (int i = 0; i < count; i++) {
-      Cluster cluster = new Cluster(i);
+      Cluster cluster = clusters.add();
       cluster.x = random.nextDouble(SENSOR.width());
       cluster.y = random.nextDouble(SENSOR.height());
       cluster.vx = random.nextDouble(-5000, 5000);
@@ -71,7 +122,6 @@ class ClusterGridTest {
       cluster.cxx *= random.nextDouble(0.1, 3);
       cluster.cyy *= random.nextDouble(0.1, 3);
       form.settle(cluster, 0);
-      clusters[i] = cluster;
     }
     return clusters;
   }
