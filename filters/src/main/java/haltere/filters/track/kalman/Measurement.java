@@ -10,7 +10,7 @@ import haltere.filters.track.MeasurementSource;
  */
 final class Measurement {
   /** Of two outlines in one place a part of the events is of the other. */
-  private static final double CONTESTED_FACTOR = 10;
+  private static final double CONTESTED_FACTOR = 4;
 
   /** How many times as unsure as one event the middle of events of two things is. */
   private static final double SWOLLEN_FACTOR = 10;
