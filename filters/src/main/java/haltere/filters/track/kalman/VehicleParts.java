@@ -146,7 +146,10 @@ final class VehicleParts {
       line.grounding.foundUpper();
       return true;
     }
-    if (mayBeUpper(track, timeUs) && lower.isAbove(upper, -gapPx / line.halfPx()) && isFilled()) {
+    if (mayBeUpper(track, timeUs)
+        && (track.updates < SURE_UPDATES || !isFarAbove())
+        && lower.isAbove(upper, -gapPx / line.halfPx())
+        && isFilled()) {
       line.stretchTo(lower.behindM(upper));
       line.grounding.foundUpper();
       line.change(search, -gapPx, timeUs);
@@ -167,13 +170,18 @@ final class VehicleParts {
     return isFilled();
   }
 
+  /** Whether one of the two lines is so high above the other that it is on a lorry. */
+  private boolean isFarAbove() {
+    double scale = upper.vyMS() / lower.vyMS();
+    return Math.max(scale, 1 / scale) > SURE_SCALE;
+  }
+
   /**
    * Whether there is something of the vehicle between the two lines, not empty road as between a
    * vehicle and a faster one before it. What seems to be so much faster is on a lorry.
    */
   private boolean isFilled() {
-    double scale = upper.vyMS() / lower.vyMS();
-    if (Math.max(scale, 1 / scale) > SURE_SCALE) {
+    if (isFarAbove()) {
       return true;
     }
     LineInSpace low = lower.yM() < upper.yM() ? lower : upper;
@@ -241,6 +249,7 @@ final class VehicleParts {
     RoadLine line = other.line;
     double gapPx = track.line.rowNow() - line.rowNow();
     if (mayBeUpper(track, timeUs)
+        && (other.updates >= SURE_UPDATES || !isFarAbove())
         && line.mayReach(gapPx)
         && upper.isAbove(lower, gapPx / line.halfPx())
         && isFilled()) {
