@@ -21,6 +21,9 @@ final class VehicleEnds {
   /** What is not known to be within a vehicle's length, standard deviation, is no longer known. */
   private static final double NOWHERE_M = 5;
 
+  /** What has passed fewer rows has not stopped: it was no vehicle. */
+  private static final int SURE_UPDATES = 6;
+
   private static final double LEAVING_S = 0.15;
   private static final double SHOWN_S = 0.1;
   private static final double ROWS = 3;
@@ -57,7 +60,8 @@ final class VehicleEnds {
     track.look(timeUs);
     double speed = Math.hypot(track.motion.vx(), track.motion.vy());
     track.stands = speed < STANDING_M_S && mayStand(road.distancePerY(plane.yPx));
-    double shownS = track.stands ? restS() : Math.min(restS(), SHOWN_S + rowsS());
+    double shownS =
+        track.stands && hasStopped(track) ? restS() : Math.min(restS(), SHOWN_S + rowsS());
     track.shownUntilUs = track.heardUs + Math.round(shownS * 1e6);
     track.radiusPx = track.line.halfPx();
     track.spreadPx = Math.max(1, track.radiusPx / Math.sqrt(3));
@@ -74,8 +78,16 @@ final class VehicleEnds {
     if (!isInPicture(plane, sensor)) {
       return timeUs - Math.max(track.heardUs, line.bodyUs()) > LEAVING_S * 1e6;
     }
-    double mostS = track.stands ? restS() : Math.min(restS(), life.coastTimeS() + rowsS());
+    double mostS =
+        !track.stands
+            ? Math.min(restS(), life.coastTimeS() + rowsS())
+            : hasStopped(track) ? restS() : life.restTimeS();
     return timeUs - track.heardUs > mostS * 1e6 || track.gatedInARow > MOST_GATED;
+  }
+
+  /** Whether what stands is a vehicle that has come there, and no line that was none. */
+  private static boolean hasStopped(Track track) {
+    return track.updates >= SURE_UPDATES && !track.line.grounding.isBeside();
   }
 
   private double restS() {
