@@ -16,6 +16,9 @@ final class Grounding {
   /** Standard deviation, as a share, of the speed of a line that may be on the roof of a car. */
   private static final double HIDDEN_SHARE = 0.2;
 
+  /** The same of one that has passed so many rows that a lower one would have been found. */
+  private static final double KNOWN_HIDDEN_SHARE = 0.05;
+
   /** The same of a narrow line, which may be the shoulders of who rides a motorcycle. */
   private static final double NARROW_SHARE = 0.1;
 
@@ -41,6 +44,15 @@ final class Grounding {
   /** Standard deviation, as a share, of the speed of a line that is where no vehicle can be. */
   private static final double BESIDE_SHARE = 0.3;
 
+  /** The same where vehicles seldom are: their higher lines seem to be farther aside. */
+  private static final double OFF_SHARE = 0.07;
+
+  /** So far from the middle of a lane, of its width, vehicles seldom are. */
+  private static final double OFF_WIDTHS = 0.15;
+
+  /** The same of what is faster than most vehicles, unless nothing lower could be missed. */
+  private static final double FAST_SHARE = 0.3;
+
   /** So far beside the lanes the side of a vehicle may seem to be. */
   private static final double VERGE_M = 0.6;
 
@@ -61,6 +73,9 @@ final class Grounding {
   private boolean isHidden;
   private boolean isNarrow;
   private boolean isBeside;
+  private boolean isKnown;
+  private boolean isOff;
+  private boolean isFast;
 
   /** Whether it was followed where anything below it would have been seen. */
   private boolean isLow;
@@ -71,6 +86,9 @@ final class Grounding {
     isHidden = goesAway;
     isNarrow = false;
     isBeside = false;
+    isKnown = false;
+    isOff = false;
+    isFast = false;
     isLow = false;
   }
 
@@ -96,8 +114,11 @@ final class Grounding {
     isBeside =
         line.halfWidthM > WIDEST_HALF_M + COLUMN_SHARE * perColumnM
             || lanes.lanes() > 0 && besideM(motion.x(), line.halfWidthM, lanes) > VERGE_M;
+    isKnown = line.last.isKnown();
     isHidden &= mayBeOut(motion, line, road, sensor);
-    isLow |= WHEELS_HALF_M > SEEN_WHEELS_PX * perColumnM && line.last.isKnown();
+    isLow |= WHEELS_HALF_M > SEEN_WHEELS_PX * perColumnM && isKnown;
+    isOff = lanes.lanes() > 0 && offM(motion.x(), lanes) > OFF_WIDTHS * lanes.widthM();
+    isFast = !isLow && Math.abs(motion.vy()) > FAST_M_S;
     isNarrow =
         !hasUpper && !isLow && line.halfWidthM < NARROW_HALF_M && line.halfPx() < SEEN_HALF_PX;
   }
@@ -105,6 +126,13 @@ final class Grounding {
   /** How far the one side of what is on the road is beside the lanes. */
   private static double besideM(double xM, double halfM, LaneSettings lanes) {
     return halfM + Math.max(lanes.leftEdgeM() - xM, xM - lanes.rightEdgeM());
+  }
+
+  /** How far a place is from the middle of the lane that is nearest. */
+  private static double offM(double xM, LaneSettings lanes) {
+    double lane = Math.floor((xM - lanes.leftEdgeM()) / lanes.widthM());
+    double nearest = Math.max(0, Math.min(lanes.lanes() - 1, lane));
+    return Math.abs(xM - lanes.leftEdgeM() - (nearest + 0.5) * lanes.widthM());
   }
 
   /** Whether the lower edge would be outside the picture if the line were on a car. */
@@ -139,6 +167,8 @@ final class Grounding {
 
   /** Standard deviation that the speed has for this, as a share of it. */
   double speedShare() {
-    return isBeside ? BESIDE_SHARE : isHidden ? HIDDEN_SHARE : isNarrow ? NARROW_SHARE : 0;
+    double hidden = isKnown ? KNOWN_HIDDEN_SHARE : HIDDEN_SHARE;
+    double share = isBeside ? BESIDE_SHARE : isHidden ? hidden : isNarrow ? NARROW_SHARE : 0;
+    return Math.hypot(Math.hypot(share, isOff ? OFF_SHARE : 0), isFast ? FAST_SHARE : 0);
   }
 }

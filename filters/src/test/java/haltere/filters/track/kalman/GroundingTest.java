@@ -62,6 +62,19 @@ class GroundingTest {
     assertFalse(away(1.75, 17).isHidden(), "in the middle of the picture");
   }
 
+  @Test
+  void theDoubtOfWhatDrivesAwayIsSmallOnceItHasPassedManyRows() {
+    line.last.begin();
+    LineSearch found = new LineSearch(new RoadEvents(road, SENSOR), 128);
+    found.vyMS = 15;
+    line.last.turnTo(found, 0);
+    assertEquals(0.2, away(5.7, 17).speedShare(), 1e-9);
+    for (int row = 1; row <= 8; row++) {
+      line.last.pass(row, row, 64, 15);
+    }
+    assertEquals(0.05, away(5.7, 17).speedShare(), 1e-9);
+  }
+
   private Grounding away(double xM, double yM) {
     line.halfWidthM = 0.27;
     line.grounding.begin(true);
@@ -86,5 +99,29 @@ class GroundingTest {
     assertEquals(0, grounding.speedShare());
     grounding.look(at(1.75, 40, 15), line, road, SENSOR, LANES);
     assertEquals(0, grounding.speedShare(), "was seen before");
+  }
+
+  @Test
+  void aLineBetweenTwoLanesIsDoubtedForItMayBeAHigherOneOfWhatIsNearer() {
+    assertEquals(0, look(-1.5, 30, 0.9, LANES).speedShare(), "in its lane");
+    assertEquals(0.07, look(-2.6, 30, 0.9, LANES).speedShare(), 1e-9);
+    assertEquals(0, look(-2.6, 30, 0.9, LaneSettings.defaults()).speedShare(), "no lanes known");
+  }
+
+  @Test
+  void aLineFasterThanMostVehiclesIsDoubtedUntilAllBelowItWouldHaveBeenSeen() {
+    line.last.begin();
+    LineSearch found = new LineSearch(new RoadEvents(road, SENSOR), 128);
+    found.vyMS = -48;
+    line.last.turnTo(found, 0);
+    line.halfWidthM = 0.9;
+    line.grounding.begin(false);
+    line.grounding.look(at(-1.75, 50, -48), line, road, SENSOR, LANES);
+    assertEquals(0.3, line.grounding.speedShare(), 1e-9);
+    for (int row = 100; row >= 90; row--) {
+      line.last.pass(row, 1, 64, -48);
+    }
+    line.grounding.look(at(-1.75, 15, -48), line, road, SENSOR, LANES);
+    assertEquals(0, line.grounding.speedShare(), 1e-9);
   }
 }
