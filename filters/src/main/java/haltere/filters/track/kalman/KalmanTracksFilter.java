@@ -86,7 +86,8 @@ public final class KalmanTracksFilter extends PublishingFilter<KalmanTracksSetti
    * Where the tracks on a road come out.
    *
    * @return a result for each track that is shown, at each report, right after that of {@link
-   *     #points}; nothing without a road
+   *     #points}; nothing without a road, and nothing for a track on a line above the road, wider
+   *     than any vehicle or beside the lanes, for that is not where it would be on the road
    */
   public Outlet<RoadTrackPoint> roadPoints() {
     return roadPoints;
@@ -139,7 +140,7 @@ public final class KalmanTracksFilter extends PublishingFilter<KalmanTracksSetti
           TrackPoint point = point(track, timeUs);
           points.publish(point);
           MotionModes motion = track.at(timeUs);
-          boolean onRoad = estimator.road() != null;
+          boolean onRoad = estimator.road() != null && !track.line.grounding.isBeside();
           if (onRoad && roadPoints.hasSubscribers()) {
             roadPoints.publish(roadPoint(track, motion, timeUs));
           }

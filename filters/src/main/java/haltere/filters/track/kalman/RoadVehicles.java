@@ -3,6 +3,7 @@ package haltere.filters.track.kalman;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.filters.track.KalmanTracksSettings;
+import haltere.filters.track.LaneSettings;
 import haltere.filters.track.RoadMapping;
 
 /**
@@ -195,8 +196,7 @@ final class RoadVehicles {
     Track track = tracks.get(index);
     MotionModes motion = track.motion;
     RoadLine line = track.line;
-    line.grounding.look(motion, line, road, sensor, settings.road().lanes());
-    ends.look(track, timeUs);
+    look(track, timeUs);
     if (ends.isOver(track, timeUs)) {
       if (motion.vy() < -VehicleEnds.STANDING_M_S && (line.isCut() || motion.y() < leavingM)) {
         departed.add(track.at(timeUs), line, timeUs);
@@ -285,6 +285,13 @@ final class RoadVehicles {
     if (settings.life().updatesTillShown() <= 1) {
       track.id = tracks.nextId();
     }
+    look(track, timeUs);
+  }
+
+  /** Notes where a vehicle is, and whether it can be there. */
+  private void look(Track track, long timeUs) {
+    LaneSettings lanes = settings.road().lanes();
+    track.line.grounding.look(track.motion, track.line, road, sensor, lanes);
     ends.look(track, timeUs);
   }
 }

@@ -130,6 +130,7 @@ final class Track {
     stateUs = timeUs;
     heardUs = stepUs;
     updates = 1;
+    line.grounding.begin(false);
     freeUpdates = 0;
     displacedAt = 0;
     gatedInARow = 0;

@@ -19,6 +19,7 @@ import haltere.filters.track.RoadMapping;
 import haltere.filters.track.RoadSettings;
 import haltere.filters.track.RoadTrackPoint;
 import haltere.filters.track.RoadTracksSettings;
+import haltere.filters.track.TrackPoint;
 import haltere.filters.track.VanishingPoint;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -51,6 +52,7 @@ class RoadVehiclesTest {
   private static final double LINE_ROW = new RoadMapping(VIEW, SENSOR).rowOf(25);
 
   private final List<RoadTrackPoint> points = new ArrayList<>();
+  private final List<TrackPoint> inPicture = new ArrayList<>();
   private final List<LineCrossing> crossings = new ArrayList<>();
   private RoadScene scene;
   private KalmanTracksFilter filter;
@@ -71,7 +73,9 @@ class RoadVehiclesTest {
             new CountingLineSettings(1, 25, 10));
     filter = new KalmanTracksFilter(SENSOR, KalmanTracksSettings.defaults().onRoad(road));
     points.clear();
+    inPicture.clear();
     crossings.clear();
+    filter.points().subscribe(inPicture::add);
     filter.roadPoints().subscribe(points::add);
     filter.crossings().subscribe(crossings::add);
     StreamHandler handler =
@@ -238,6 +242,22 @@ class RoadVehiclesTest {
         .forEach(one -> counted.merge(one.direction().name(), 1, Integer::sum));
     assertTrue(kinds.containsAll(Set.of("MOTORCYCLE true", "MOTORCYCLE false")), "" + kinds);
     assertEquals(passed, counted);
+  }
+
+  @Test
+  void whatIsWhereNoVehicleCanBeHasAPlaceInThePictureButNoneOnTheRoad() {
+    watch(
+        cars(
+            "vehicles.heightShare=1",
+            "vehicles.cars=0",
+            "vehicles.lorries=1",
+            "traffic.encounters.stop=0",
+            "run.seed=600015",
+            "run.durationS=6"),
+        4096);
+    assertTrue(points.size() > 100);
+    assertTrue(inPicture.size() > points.size());
+    assertEquals(List.of(), points.stream().filter(one -> Math.abs(one.xM()) > 7.6).toList());
   }
 
   @Test
