@@ -15,6 +15,7 @@ final class Cluster {
 
   final ClusterPath path = new ClusterPath();
   final ClusterContour contour = new ClusterContour();
+  final GapProbe probe = new GapProbe();
 
   /** Identity, 0 until the cluster is visible. */
   int id;
@@ -188,6 +189,12 @@ final class Cluster {
   /** Events until one of them is for the outline. */
   int untilOutline;
 
+  /** The same for the probe, and for either of them. */
+  private int untilProbe;
+
+  private int untilSample;
+  private int sampleStep;
+
   /** Centre where the index knows it, and how far it may go from there, pixels. */
   double indexX;
 
@@ -267,9 +274,31 @@ final class Cluster {
     batchY += ownY;
     batchTimes += timeUs - batchFromUs;
     learn(ex, ey, sign);
-    if (--untilOutline <= 0) {
-      contour.take(this, eventX, eventY, px, py, 1);
+    if (--untilSample <= 0) {
+      sample(eventX, eventY, px, py, 1);
     }
+  }
+
+  /** Gives an event to those that look at some of them. */
+  private void sample(double eventX, double eventY, double px, double py, double weight) {
+    untilOutline -= sampleStep;
+    untilProbe -= sampleStep;
+    if (untilOutline <= 0) {
+      contour.take(this, eventX, eventY, px, py, weight);
+    }
+    if (untilProbe <= 0) {
+      untilProbe = probe.take(eventX, eventY);
+    }
+    sampleStep = Math.min(untilOutline, untilProbe);
+    untilSample = sampleStep;
+  }
+
+  /** The next event is for those that look at some of them. */
+  void sampleSoon() {
+    untilOutline = 1;
+    untilProbe = 1;
+    sampleStep = 1;
+    untilSample = 1;
   }
 
   /** Counts an event that does not move it. */
@@ -330,8 +359,8 @@ final class Cluster {
     batchX += share * ownX;
     batchY += share * ownY;
     batchTimes += share * (timeUs - batchFromUs);
-    if (--untilOutline <= 0) {
-      contour.take(this, eventX, eventY, px, py, share);
+    if (--untilSample <= 0) {
+      sample(eventX, eventY, px, py, share);
     }
   }
 

@@ -348,7 +348,7 @@ final class ClusterContour {
     first.clear();
     firstReadings = Math.max(0, firstReadings - 1);
     expectedMove = 0;
-    cluster.untilOutline = 1;
+    cluster.sampleSoon();
     fromUs = timeUs;
     baseX = cluster.x + offsetX;
     baseY = cluster.y + offsetY;

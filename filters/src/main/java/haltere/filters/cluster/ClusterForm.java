@@ -110,6 +110,11 @@ final class ClusterForm {
     return form.outline() == Outline.BOX;
   }
 
+  /** Whether the size of clusters follows their events. */
+  boolean isSizeFree() {
+    return growth.size();
+  }
+
   /** Radius that a cluster begins with, pixels. */
   double startRadius() {
     return startRadius;

@@ -91,10 +91,17 @@ final class ClusterLife {
       bornAt = stayAt;
       stayAt = place;
     }
+    part(cluster, born, share, timeUs);
     born.x = cluster.x + bornAt * cluster.cos;
     born.y = cluster.y + bornAt * cluster.sin;
     born.vx = cluster.vx;
     born.vy = cluster.vy;
+    cluster.x += stayAt * cluster.cos;
+    cluster.y += stayAt * cluster.sin;
+  }
+
+  /** Gives a newborn cluster a share of the life of the one that it was a part of. */
+  void part(Cluster cluster, Cluster born, double share, long timeUs) {
     startAnew(born, timeUs);
     born.events = Math.round(share * cluster.events);
     born.mass = share * cluster.mass;
@@ -103,14 +110,12 @@ final class ClusterLife {
     born.usualMass = share * cluster.usualMass;
     cluster.contour.end();
     cluster.clearBatch(timeUs);
-    cluster.x += stayAt * cluster.cos;
-    cluster.y += stayAt * cluster.sin;
     cluster.mass *= 1 - share;
     cluster.usualMass *= 1 - share;
   }
 
   /** Forgets whatever was in a newborn cluster's slot before. */
-  private static void startAnew(Cluster born, long timeUs) {
+  static void startAnew(Cluster born, long timeUs) {
     born.id = 0;
     born.bornUs = timeUs;
     born.lastUs = timeUs;
@@ -119,6 +124,7 @@ final class ClusterLife {
     born.keptUntilUs = Long.MIN_VALUE;
     born.path.clear();
     born.contour.end();
+    born.probe.end();
     born.lineX = 0;
     born.lineY = 0;
     born.clearBatch(timeUs);

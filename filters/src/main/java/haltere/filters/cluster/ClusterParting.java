@@ -23,8 +23,21 @@ final class ClusterParting {
     life = newLife;
   }
 
+  /** Makes two of a cluster, if its events are at two places. */
+  boolean partIfDue(Cluster cluster, long timeUs) {
+    if (form.isParting(cluster, timeUs)) {
+      part(cluster, timeUs);
+      return true;
+    }
+    if (form.isSizeFree() && cluster.probe.findsAnother(cluster, timeUs)) {
+      partByGap(cluster, timeUs);
+      return true;
+    }
+    return false;
+  }
+
   /**
-   * Makes two of a cluster, if there is room for one more. Where one of its two places is that of
+   * Makes two of a cluster whose spread has two ends. Where one of its two places is that of
    * another cluster, with which it has shared the events there, it goes to the other place and
    * nothing is born: its own thing is there, and that of the other one has its cluster.
    */
@@ -35,6 +48,37 @@ final class ClusterParting {
     form.part(cluster, born, timeUs);
     motion.part(cluster, born);
     merging.parted(cluster, born);
+    keepWhatIsNotTaken(cluster, born);
+  }
+
+  /** Makes one of the place that a cluster's probe has found, and leaves all the rest to it. */
+  private void partByGap(Cluster cluster, long timeUs) {
+    Cluster born = clusters.add();
+    merging.forget(born);
+    double share = cluster.probe.share;
+    life.part(cluster, born, share, timeUs);
+    born.balance = 0;
+    become(cluster, cluster.probe.far, timeUs);
+    become(born, cluster.probe.near, timeUs);
+    motion.part(cluster, born);
+    merging.parted(cluster, born);
+    keepWhatIsNotTaken(cluster, born);
+  }
+
+  private void become(Cluster cluster, GapProbe.Part part, long timeUs) {
+    cluster.x = part.x;
+    cluster.y = part.y;
+    cluster.vx = part.vx;
+    cluster.vy = part.vy;
+    cluster.cxx = part.xx;
+    cluster.cxy = part.xy;
+    cluster.cyy = part.yy;
+    cluster.leadX = 0;
+    cluster.leadY = 0;
+    form.settle(cluster, timeUs);
+  }
+
+  private void keepWhatIsNotTaken(Cluster cluster, Cluster born) {
     boolean isStayTaken = isTaken(cluster, cluster, born);
     if (isStayTaken != isTaken(born, cluster, born)) {
       if (isStayTaken) {

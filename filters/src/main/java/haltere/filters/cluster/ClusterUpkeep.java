@@ -56,8 +56,7 @@ final class ClusterUpkeep {
         motion.upkeep(cluster, timeUs);
         form.upkeep(cluster, timeUs, life.noiseShare(cluster));
         lines.hold(cluster, clusters, timeUs);
-        if (!clusters.isFull() && form.isParting(cluster, timeUs)) {
-          parting.part(cluster, timeUs);
+        if (!clusters.isFull() && parting.partIfDue(cluster, timeUs)) {
           ClusterLines.settle(cluster);
           if (observer != null && cluster.isVisible()) {
             observer.clusterParted(timeUs, cluster.id);

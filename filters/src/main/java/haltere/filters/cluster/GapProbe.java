@@ -1,0 +1,251 @@
+package haltere.filters.cluster;
+
+import java.util.Arrays;
+
+/**
+ * Whether the events of a large cluster are those of things with a gap between that near or part:
+ * in a crowd, a cluster that began over several things shares them for as long as they stay within
+ * it, however they move.
+ *
+ * <p>Some of the events of a while are counted by their distance from one of them. Where these
+ * distances leave out some, the events nearer than that are at a place of their own, which is
+ * followed over further whiles. A thing whose parts have a gap between keeps it as it is, also when
+ * it turns; where the distance from the place to all the rest changes, the place is another
+ * thing's. Thread rule: that of its owner.
+ */
+final class GapProbe {
+  /** Bins of distance; the last one is for all that is farther. */
+  private static final int BINS = 33;
+
+  private static final double BINS_PER_RADIUS = 16;
+
+  /** A gap is at least as wide as so many bins, and pixels. */
+  private static final double GAP_BINS = 2;
+
+  private static final double GAP_PX = 4;
+
+  /** Share of the events that may be noise in a gap. */
+  private static final double NOISE = 0.02;
+
+  /** Share of the events that are on either side of it at least. */
+  private static final double PLACE = 0.08;
+
+  /** Events of a while, and how long it is at least and at most. */
+  private static final int EVENTS = 160;
+
+  private static final long LEAST_US = 4_000;
+  private static final long MOST_US = 40_000;
+
+  /** About as long as a while is to be. */
+  private static final double USUAL_S = 0.01;
+
+  /** A place is followed for so long. */
+  private static final long FOLLOWED_US = 150_000;
+
+  /** Share by which the distance changes where things part or near. */
+  private static final double CHANGED = 0.3;
+
+  /** By what factor its share of the events may change as long as it is the same place. */
+  private static final double SAME = 4;
+
+  /** A young cluster finds its size first, and a smaller one has no room for several things. */
+  private static final long YOUNG_US = 80_000;
+
+  private static final double LEAST_RADIUS_PX = 8;
+
+  private static final int NUMBERS = 6;
+
+  private final double[] sums = new double[NUMBERS * BINS];
+  private boolean on;
+  private boolean placed;
+  private double fromX;
+  private double fromY;
+  private double binsPerPixel;
+  private double gapBins;
+  private int stride;
+  private int events;
+  private long fromUs;
+
+  // The place as it was first.
+  private long followedFromUs;
+  private double firstDistance;
+  private double firstShare;
+
+  /** The place, and all the rest: as of the last while, and as of the one before. */
+  final Part near = new Part();
+
+  final Part far = new Part();
+  private final Part nearBefore = new Part();
+  private final Part farBefore = new Part();
+  private boolean following;
+  private long beforeUs;
+
+  /** Share of the events that are at the place. */
+  double share;
+
+  /** Mean and covariance of some events, and how they move. */
+  static final class Part {
+    double count;
+    double x;
+    double y;
+    double xx;
+    double xy;
+    double yy;
+    double vx;
+    double vy;
+
+    private void of(double[] sums, int fromBin, int toBin) {
+      count = sum(sums, 0, fromBin, toBin);
+      x = sum(sums, 1, fromBin, toBin) / count;
+      y = sum(sums, 2, fromBin, toBin) / count;
+      xx = sum(sums, 3, fromBin, toBin) / count - x * x;
+      xy = sum(sums, 4, fromBin, toBin) / count - x * y;
+      yy = sum(sums, 5, fromBin, toBin) / count - y * y;
+    }
+
+    private static double sum(double[] sums, int number, int fromBin, int toBin) {
+      double sum = 0;
+      for (int bin = fromBin; bin < toBin; bin++) {
+        sum += sums[NUMBERS * bin + number];
+      }
+      return sum;
+    }
+
+    private void take(Part other) {
+      x = other.x;
+      y = other.y;
+    }
+
+    private void setVelocity(Part before, double seconds) {
+      vx = (x - before.x) / seconds;
+      vy = (y - before.y) / seconds;
+    }
+  }
+
+  void end() {
+    on = false;
+    following = false;
+  }
+
+  private void begin(Cluster cluster, long timeUs) {
+    on = true;
+    placed = following;
+    events = 0;
+    fromUs = timeUs;
+    Arrays.fill(sums, 0);
+    if (!following) {
+      binsPerPixel = BINS_PER_RADIUS / cluster.radius();
+      gapBins = Math.max(GAP_BINS, GAP_PX * binsPerPixel);
+      stride = (int) Math.max(1, cluster.rateHz * USUAL_S / EVENTS);
+    }
+  }
+
+  /** Takes an event, and says how many later the next one is to be taken. */
+  int take(double x, double y) {
+    if (!on) {
+      return Integer.MAX_VALUE;
+    }
+    if (!placed) {
+      placed = true;
+      fromX = x;
+      fromY = y;
+    }
+    double dx = x - fromX;
+    double dy = y - fromY;
+    int bin = (int) Math.min(BINS - 1, binsPerPixel * Math.sqrt(dx * dx + dy * dy));
+    int at = NUMBERS * bin;
+    sums[at]++;
+    sums[at + 1] += dx;
+    sums[at + 2] += dy;
+    sums[at + 3] += dx * dx;
+    sums[at + 4] += dx * dy;
+    sums[at + 5] += dy * dy;
+    events++;
+    return stride;
+  }
+
+  /** Looks at a cluster at an upkeep, and says whether a place in it is another thing's. */
+  boolean findsAnother(Cluster cluster, long timeUs) {
+    if (timeUs - cluster.bornUs < YOUNG_US || cluster.radius() < LEAST_RADIUS_PX) {
+      end();
+      return false;
+    }
+    if (!on) {
+      begin(cluster, timeUs);
+      cluster.sampleSoon();
+      return false;
+    }
+    long lastedUs = timeUs - fromUs;
+    if (events < EVENTS || lastedUs < LEAST_US) {
+      if (lastedUs > MOST_US) {
+        following = false;
+        begin(cluster, timeUs);
+      }
+      return false;
+    }
+    boolean found = compare(timeUs);
+    begin(cluster, timeUs);
+    return found;
+  }
+
+  private boolean compare(long timeUs) {
+    int bin = gap();
+    if (bin == 0) {
+      following = false;
+      return false;
+    }
+    near.of(sums, 0, bin);
+    far.of(sums, bin, BINS);
+    share = near.count / events;
+    double distance = Math.hypot(near.x - far.x, near.y - far.y);
+    near.x += fromX;
+    near.y += fromY;
+    far.x += fromX;
+    far.y += fromY;
+    double middleUs = 0.5 * (fromUs + timeUs);
+    boolean another = false;
+    if (!following) {
+      following = true;
+      followedFromUs = timeUs;
+      firstDistance = distance;
+      firstShare = share;
+    } else {
+      double seconds = (middleUs - beforeUs) * 1e-6;
+      near.setVelocity(nearBefore, seconds);
+      far.setVelocity(farBefore, seconds);
+      boolean same = share < SAME * firstShare && firstShare < SAME * share;
+      another =
+          same && Math.abs(distance - firstDistance) > CHANGED * Math.max(distance, firstDistance);
+      following = same && !another && timeUs - followedFromUs < FOLLOWED_US;
+    }
+    nearBefore.take(near);
+    farBefore.take(far);
+    beforeUs = (long) middleUs;
+    fromX = near.x;
+    fromY = near.y;
+    return another;
+  }
+
+  /** The first bin of the first gap that has enough events on both sides, or 0. */
+  private int gap() {
+    double least = PLACE * events;
+    double noise = NOISE * events;
+    double before = 0;
+    double within = 0;
+    int from = 0;
+    for (int bin = 0; bin < BINS && events - before - within >= least; bin++) {
+      double here = sums[NUMBERS * bin];
+      if (within + here > noise) {
+        before += within + here;
+        within = 0;
+        from = bin + 1;
+        continue;
+      }
+      within += here;
+      if (before >= least && bin + 1 - from >= gapBins && events - before - within >= least) {
+        return from;
+      }
+    }
+    return 0;
+  }
+}

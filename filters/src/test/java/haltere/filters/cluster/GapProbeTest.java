@@ -1,0 +1,120 @@
+package haltere.filters.cluster;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.core.event.SensorGeometry;
+import java.util.SplittableRandom;
+import java.util.function.DoubleUnaryOperator;
+import org.junit.jupiter.api.Test;
+
+/** A cluster of 30 pixels, old enough, with 50,000 events a second at places of three pixels. */
+class GapProbeTest {
+  private static final long BORN_US = 1_000_000;
+  private static final long OLD_US = BORN_US + 100_000;
+  private static final int UPKEEP_US = 1000;
+  private static final int EVENTS_PER_UPKEEP = 50;
+  private static final double EXTENT_PX = 3;
+
+  private final SplittableRandom random = new SplittableRandom(1);
+  private final Cluster cluster = new Cluster(0);
+
+  /** Where a place is, pixels, at seconds after the probe has begun. */
+  private record Place(DoubleUnaryOperator x, DoubleUnaryOperator y) {
+    static Place moving(double x, double y, double vx, double vy) {
+      return new Place(s -> x + vx * s, s -> y + vy * s);
+    }
+
+    static Place turning(double radius, double angleRad, double radPerS) {
+      return new Place(
+          s -> 100 + radius * StrictMath.cos(angleRad + radPerS * s),
+          s -> 100 + radius * StrictMath.sin(angleRad + radPerS * s));
+    }
+  }
+
+  GapProbeTest() {
+    new ClusterForm(new SensorGeometry(240, 180), ClusterTrackerSettings.defaults()).begin(cluster);
+    cluster.bornUs = BORN_US;
+    cluster.radiusA = 30;
+    cluster.radiusB = 30;
+    cluster.rateHz = 1e6 * EVENTS_PER_UPKEEP / UPKEEP_US;
+  }
+
+  /** When the probe finds another thing, in milliseconds, or -1 for never. */
+  private int foundAfterMs(int mostMs, Place... places) {
+    GapProbe probe = cluster.probe;
+    for (int ms = 0; ms < mostMs; ms++) {
+      double seconds = ms * 1e-3;
+      for (int i = 0; i < EVENTS_PER_UPKEEP; i++) {
+        Place place = places[random.nextInt(places.length)];
+        probe.take(
+            place.x().applyAsDouble(seconds) + random.nextDouble(-EXTENT_PX, EXTENT_PX),
+            place.y().applyAsDouble(seconds) + random.nextDouble(-EXTENT_PX, EXTENT_PX));
+      }
+      if (probe.findsAnother(cluster, OLD_US + (long) ms * UPKEEP_US)) {
+        return ms;
+      }
+    }
+    return -1;
+  }
+
+  @Test
+  void aPlaceThatGoesAwayFromAllTheRestIsAnotherThing() {
+    int ms =
+        foundAfterMs(
+            500,
+            Place.moving(84, 103, 0, 0),
+            Place.moving(86, 105, 0, 0),
+            Place.moving(88, 107, 0, 0),
+            Place.moving(110, 95, 200, 0));
+    assertTrue(ms > 0 && ms < 120, "found after " + ms + " ms");
+    GapProbe.Part parted = cluster.probe.near.x > 100 ? cluster.probe.near : cluster.probe.far;
+    GapProbe.Part rest = cluster.probe.near.x > 100 ? cluster.probe.far : cluster.probe.near;
+    double share = cluster.probe.near.x > 100 ? cluster.probe.share : 1 - cluster.probe.share;
+    assertEquals(110 + 0.2 * ms, parted.x, 3);
+    assertEquals(95, parted.y, 1);
+    assertEquals(200, parted.vx, 250, "of two means within some milliseconds");
+    assertEquals(86, rest.x, 1.5);
+    assertEquals(105, rest.y, 1.5);
+    assertEquals(0, rest.vx, 250);
+    assertEquals(0.25, share, 0.08);
+    assertEquals(EXTENT_PX * EXTENT_PX / 3, parted.xx, 2);
+  }
+
+  @Test
+  void aThingWhosePartsHaveGapsIsOneThingAsItMovesAndAsItTurns() {
+    assertEquals(
+        -1,
+        foundAfterMs(
+            400,
+            Place.moving(80, 100, 300, 100),
+            Place.moving(100, 120, 300, 100),
+            Place.moving(120, 95, 300, 100)));
+    assertEquals(
+        -1,
+        foundAfterMs(
+            400, Place.turning(20, 0, 10), Place.turning(20, 2, 10), Place.turning(20, 4, 10)));
+  }
+
+  @Test
+  void eventsWithoutAGapAreOneThingHoweverTheyMove() {
+    Place[] places = new Place[12];
+    for (int i = 0; i < places.length; i++) {
+      places[i] = Place.moving(75 + 4.5 * i, 100, -150 + 30 * i, 0);
+    }
+    assertEquals(-1, foundAfterMs(50, places));
+  }
+
+  @Test
+  void aYoungClusterAndASmallOneAreNotProbed() {
+    Place[] places = {Place.moving(80, 100, 0, 0), Place.moving(110, 95, 200, 0)};
+    cluster.bornUs = OLD_US;
+    assertEquals(-1, foundAfterMs(70, places));
+    cluster.bornUs = BORN_US;
+    cluster.radiusA = 5;
+    cluster.radiusB = 5;
+    assertEquals(-1, foundAfterMs(70, places));
+    assertFalse(cluster.probe.findsAnother(cluster, OLD_US));
+  }
+}
