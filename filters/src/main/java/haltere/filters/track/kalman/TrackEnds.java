@@ -9,6 +9,9 @@ final class TrackEnds {
   /** Nearer to the border than this, what loses its cluster is taken to have left. */
   private static final double LEAVING_SPREADS = 1.3;
 
+  /** Standard deviations of its place by which it is outside. */
+  private static final double SURE_SIGMAS = 2;
+
   /** What was not seen for so long does not leave. */
   private static final long UNSEEN_US = 150_000;
 
@@ -35,6 +38,24 @@ final class TrackEnds {
   /** The identity of what has left at a place and was not gone since, or 0. */
   int returning(Measurement measurement, long timeUs) {
     return departures.returning(measurement.x, measurement.y, timeUs);
+  }
+
+  /**
+   * Ends a track that has left the picture while its cluster has stayed, as that of what comes in
+   * where it went out.
+   *
+   * @return whether it was one
+   */
+  boolean dropIfReplaced(Track track) {
+    double unsure =
+        SURE_SIGMAS
+            * Math.sqrt(Math.max(track.motion.covariance(0, 0), track.motion.covariance(1, 1)));
+    if (picture.contains(track.nowXPx, track.nowYPx, unsure)) {
+      return false;
+    }
+    parts.passOn(track);
+    tracks.drop(track);
+    return true;
   }
 
   /** What has left takes no cluster of what is at the border after it. */

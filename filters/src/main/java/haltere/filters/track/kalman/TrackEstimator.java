@@ -347,6 +347,10 @@ public final class TrackEstimator implements ClusterObserver {
       track.compare(measurement);
       listener.updated(track, measurement, false);
     }
+    if (road == null && ends.dropIfReplaced(track)) {
+      launch(batch, readings, timeUs);
+      return;
+    }
     batch.clear(timeUs);
     if (track.gatedInARow >= GATED_TILL_RELAUNCH) {
       if (measurement.map(plane)) {

@@ -112,6 +112,23 @@ class TrackJumpsTest {
   }
 
   @Test
+  void whatComesInWhereATrackWentOutIsAnotherThing() {
+    Given cluster = clusters.add(5);
+    cluster.outline = 100;
+    step(60, cluster, 120, 100, 120);
+    int gone = estimator.shown(0, timeUs).id;
+    cluster.variance = 10;
+    step(10, cluster, 192, 100, 0);
+    cluster.variance = 4;
+    double backwards = 190 + 120e-6 * timeUs;
+    step(20, cluster, backwards, 100, -120);
+    assertEquals(1, estimator.trackCount());
+    assertEquals(gone + 1, estimator.shown(0, timeUs).id);
+    assertEquals(backwards - 120e-6 * timeUs, only().x(), 1);
+    assertEquals(-120, only().vx(), 10);
+  }
+
+  @Test
   void aTrackOfTwoRingsTakenForOneIsUnsure() {
     Given clear = clusters.add(5);
     clear.outline = 100;
