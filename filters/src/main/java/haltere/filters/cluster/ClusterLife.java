@@ -115,7 +115,7 @@ final class ClusterLife {
   }
 
   /** Forgets whatever was in a newborn cluster's slot before. */
-  static void startAnew(Cluster born, long timeUs) {
+  private static void startAnew(Cluster born, long timeUs) {
     born.id = 0;
     born.bornUs = timeUs;
     born.lastUs = timeUs;
