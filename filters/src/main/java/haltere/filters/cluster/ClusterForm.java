@@ -67,7 +67,8 @@ final class ClusterForm {
   /** Share of the spread in one direction, given that in the other, that may be between parts. */
   private static final double MOST_BETWEEN = 0.97;
 
-  private static final long SETTLED_US = 80_000;
+  /** A younger cluster finds its size first. */
+  static final long SETTLED_US = 80_000;
 
   private final ClusterFormSettings form;
   private final ClusterGrowthSettings growth;

@@ -48,9 +48,7 @@ final class GapProbe {
   /** By what factor its share of the events may change as long as it is the same place. */
   private static final double SAME = 4;
 
-  /** A young cluster finds its size first, and a smaller one has no room for several things. */
-  private static final long YOUNG_US = 80_000;
-
+  /** A smaller cluster has no room for several things. */
   private static final double LEAST_RADIUS_PX = 8;
 
   private static final int NUMBERS = 6;
@@ -71,12 +69,12 @@ final class GapProbe {
   private double firstDistance;
   private double firstShare;
 
-  /** The place, and all the rest: as of the last while, and as of the one before. */
+  /** The place, as of the last while. */
   final Part near = new Part();
 
+  /** All the rest. */
   final Part far = new Part();
-  private final Part nearBefore = new Part();
-  private final Part farBefore = new Part();
+
   private boolean following;
   private long beforeUs;
 
@@ -94,13 +92,19 @@ final class GapProbe {
     double vx;
     double vy;
 
-    private void of(double[] sums, int fromBin, int toBin) {
+    /** Takes some bins, whose sums are of offsets from a place, so long after the ones before. */
+    private void of(
+        double[] sums, int fromBin, int toBin, double fromX, double fromY, double seconds) {
       count = sum(sums, 0, fromBin, toBin);
-      x = sum(sums, 1, fromBin, toBin) / count;
-      y = sum(sums, 2, fromBin, toBin) / count;
-      xx = sum(sums, 3, fromBin, toBin) / count - x * x;
-      xy = sum(sums, 4, fromBin, toBin) / count - x * y;
-      yy = sum(sums, 5, fromBin, toBin) / count - y * y;
+      double dx = sum(sums, 1, fromBin, toBin) / count;
+      double dy = sum(sums, 2, fromBin, toBin) / count;
+      xx = sum(sums, 3, fromBin, toBin) / count - dx * dx;
+      xy = sum(sums, 4, fromBin, toBin) / count - dx * dy;
+      yy = sum(sums, 5, fromBin, toBin) / count - dy * dy;
+      vx = (fromX + dx - x) / seconds;
+      vy = (fromY + dy - y) / seconds;
+      x = fromX + dx;
+      y = fromY + dy;
     }
 
     private static double sum(double[] sums, int number, int fromBin, int toBin) {
@@ -109,16 +113,6 @@ final class GapProbe {
         sum += sums[NUMBERS * bin + number];
       }
       return sum;
-    }
-
-    private void take(Part other) {
-      x = other.x;
-      y = other.y;
-    }
-
-    private void setVelocity(Part before, double seconds) {
-      vx = (x - before.x) / seconds;
-      vy = (y - before.y) / seconds;
     }
   }
 
@@ -166,7 +160,7 @@ final class GapProbe {
 
   /** Looks at a cluster at an upkeep, and says whether a place in it is another thing's. */
   boolean findsAnother(Cluster cluster, long timeUs) {
-    if (timeUs - cluster.bornUs < YOUNG_US || cluster.radius() < LEAST_RADIUS_PX) {
+    if (timeUs - cluster.bornUs < ClusterForm.SETTLED_US || cluster.radius() < LEAST_RADIUS_PX) {
       end();
       return false;
     }
@@ -194,15 +188,12 @@ final class GapProbe {
       following = false;
       return false;
     }
-    near.of(sums, 0, bin);
-    far.of(sums, bin, BINS);
+    long middleUs = (fromUs + timeUs) / 2;
+    double seconds = (middleUs - beforeUs) * 1e-6;
+    near.of(sums, 0, bin, fromX, fromY, seconds);
+    far.of(sums, bin, BINS, fromX, fromY, seconds);
     share = near.count / events;
     double distance = Math.hypot(near.x - far.x, near.y - far.y);
-    near.x += fromX;
-    near.y += fromY;
-    far.x += fromX;
-    far.y += fromY;
-    double middleUs = 0.5 * (fromUs + timeUs);
     boolean another = false;
     if (!following) {
       following = true;
@@ -210,17 +201,12 @@ final class GapProbe {
       firstDistance = distance;
       firstShare = share;
     } else {
-      double seconds = (middleUs - beforeUs) * 1e-6;
-      near.setVelocity(nearBefore, seconds);
-      far.setVelocity(farBefore, seconds);
       boolean same = share < SAME * firstShare && firstShare < SAME * share;
       another =
           same && Math.abs(distance - firstDistance) > CHANGED * Math.max(distance, firstDistance);
       following = same && !another && timeUs - followedFromUs < FOLLOWED_US;
     }
-    nearBefore.take(near);
-    farBefore.take(far);
-    beforeUs = (long) middleUs;
+    beforeUs = middleUs;
     fromX = near.x;
     fromY = near.y;
     return another;

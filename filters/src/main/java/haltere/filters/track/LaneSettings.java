@@ -55,7 +55,23 @@ public record LaneSettings(
    * @return from 0 for the leftmost, or {@link #BESIDE}
    */
   public int laneAt(double lateralM) {
-    double lane = Math.floor((lateralM - leftEdgeM) / widthM);
+    double lane = number(lateralM);
     return lane >= 0 && lane < lanes ? (int) lane : BESIDE;
+  }
+
+  /**
+   * The middle of the lane that a place is in, or of the nearest one where it is beside them all.
+   *
+   * @param lateralM metres to the right
+   * @return metres to the right; of no use if there are no lanes
+   */
+  public double nearestMiddleM(double lateralM) {
+    double lane = Math.max(0, Math.min(lanes - 1, number(lateralM)));
+    return leftEdgeM + (lane + 0.5) * widthM;
+  }
+
+  /** Number of the lane at a place if lanes went on to both sides. */
+  private double number(double lateralM) {
+    return Math.floor((lateralM - leftEdgeM) / widthM);
   }
 }

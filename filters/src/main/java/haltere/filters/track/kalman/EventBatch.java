@@ -153,8 +153,7 @@ final class EventBatch {
   /** Whether that outline is round: of a part of a large ring it is known in one direction only. */
   boolean isRound() {
     double trace = outlineXx + outlineYy;
-    return trace > 0
-        && outlineXx * outlineYy - outlineXy * outlineXy > LEAST_ROUND * trace * trace
+    return outlineXx * outlineYy - outlineXy * outlineXy > LEAST_ROUND * trace * trace
         && surroundsCentre();
   }
 

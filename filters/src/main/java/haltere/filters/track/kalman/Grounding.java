@@ -117,7 +117,8 @@ final class Grounding {
     isKnown = line.last.isKnown();
     isHidden &= mayBeOut(motion, line, road, sensor);
     isLow |= WHEELS_HALF_M > SEEN_WHEELS_PX * perColumnM && isKnown;
-    isOff = lanes.lanes() > 0 && offM(motion.x(), lanes) > OFF_WIDTHS * lanes.widthM();
+    double offM = Math.abs(motion.x() - lanes.nearestMiddleM(motion.x()));
+    isOff = lanes.lanes() > 0 && offM > OFF_WIDTHS * lanes.widthM();
     isFast = !isLow && Math.abs(motion.vy()) > FAST_M_S;
     isNarrow =
         !hasUpper && !isLow && line.halfWidthM < NARROW_HALF_M && line.halfPx() < SEEN_HALF_PX;
@@ -126,13 +127,6 @@ final class Grounding {
   /** How far the one side of what is on the road is beside the lanes. */
   private static double besideM(double xM, double halfM, LaneSettings lanes) {
     return halfM + Math.max(lanes.leftEdgeM() - xM, xM - lanes.rightEdgeM());
-  }
-
-  /** How far a place is from the middle of the lane that is nearest. */
-  private static double offM(double xM, LaneSettings lanes) {
-    double lane = Math.floor((xM - lanes.leftEdgeM()) / lanes.widthM());
-    double nearest = Math.max(0, Math.min(lanes.lanes() - 1, lane));
-    return Math.abs(xM - lanes.leftEdgeM() - (nearest + 0.5) * lanes.widthM());
   }
 
   /** Whether the lower edge would be outside the picture if the line were on a car. */
