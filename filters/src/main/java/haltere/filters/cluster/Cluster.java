@@ -169,7 +169,7 @@ final class Cluster {
 
   long keptUntilUs;
 
-  /** Before this it is not seen: it may turn out to be a part of another one. */
+  /** Before this it is not seen beside another one: it may turn out to be a part of that. */
   long unseenUntilUs;
 
   boolean overlapped;

@@ -34,7 +34,10 @@ final class ClusterLife {
   /** How many radii from another cluster a newborn one may be a part of it. */
   private static final double BESIDE = 2;
 
-  /** What may be a part of another cluster is seen when it has stayed apart for this time. */
+  /** The same later, when both are nearer to their own size, where the other is no large thing. */
+  private static final double STILL_BESIDE = 1.5;
+
+  /** What stays beside another cluster is seen when it has not become one with it in this time. */
   private static final long PARTING_US = 60_000;
 
   private static final double MOST_NOISE = 0.9;
@@ -68,7 +71,8 @@ final class ClusterLife {
     born.mass = places.bornEvents();
     born.usualMass = 0;
     born.events = Math.round(places.bornEvents());
-    born.unseenUntilUs = isBeside(born, clusters, count) ? timeUs + PARTING_US : Long.MIN_VALUE;
+    born.unseenUntilUs =
+        isBeside(born, BESIDE, clusters, count) ? timeUs + PARTING_US : Long.MIN_VALUE;
     born.overlapped = false;
     setVelocity(born, clusters, count);
   }
@@ -130,12 +134,19 @@ final class ClusterLife {
     born.clearBatch(timeUs);
   }
 
-  private static boolean isBeside(Cluster born, Cluster[] clusters, int count) {
+  /**
+   * Whether a cluster is so near to another one that it may be a part of it. Parts appear beside
+   * what has been there for a while and has no round outline.
+   */
+  private static boolean isBeside(Cluster born, double radii, Cluster[] clusters, int count) {
     for (int i = 0; i < count; i++) {
       Cluster other = clusters[i];
+      boolean mayBeLarge =
+          !other.contour.isPlaced() && born.bornUs - other.bornUs > ClusterForm.SETTLED_US;
+      double reach = mayBeLarge ? BESIDE : radii;
       if (other != born
-          && Math.abs(other.x - born.x) < BESIDE * other.extentX
-          && Math.abs(other.y - born.y) < BESIDE * other.extentY) {
+          && Math.abs(other.x - born.x) < reach * other.extentX
+          && Math.abs(other.y - born.y) < reach * other.extentY) {
         return true;
       }
     }
@@ -237,9 +248,10 @@ final class ClusterLife {
         || cluster.y + reachY > top;
   }
 
-  /** Whether a cluster is to become visible. */
-  boolean isToBeSeen(Cluster cluster, long timeUs) {
-    if (timeUs < cluster.unseenUntilUs) {
+  /** Whether a cluster is to become visible, among those that there are. */
+  boolean isToBeSeen(Cluster cluster, Clusters clusters, long timeUs) {
+    if (timeUs < cluster.unseenUntilUs
+        && isBeside(cluster, STILL_BESIDE, clusters.all, clusters.count)) {
       return false;
     }
     double pixels = Math.PI * cluster.radiusA * cluster.radiusB;

@@ -68,7 +68,7 @@ final class ClusterUpkeep {
     merge(timeUs, observer);
     for (int i = 0; i < clusters.count; i++) {
       Cluster cluster = clusters.all[i];
-      if (!cluster.isVisible() && life.isToBeSeen(cluster, timeUs)) {
+      if (!cluster.isVisible() && life.isToBeSeen(cluster, clusters, timeUs)) {
         cluster.id = ++lastId;
       }
     }

@@ -124,6 +124,20 @@ class ClusterTrackerFilterTest extends EventFilterContract {
   }
 
   @Test
+  void twoThingsThatAppearAtOnceAreBothSeenAsSoonAsTheirSizeShowsThatTheyAreApart() {
+    BlobPath left = new BlobPath(55, 64, 0, SECOND_US, 2);
+    BlobPath right = new BlobPath(72, 64, 0, SECOND_US, 2);
+    run(
+        merged(
+            EventPackets.blob(SENSOR, 5, 100_000, left, 6_000, 0),
+            EventPackets.blob(SENSOR, 6, 100_000, right, 6_000, 0)));
+    long bothUs =
+        tracks.stream().filter(track -> track.id() == 2).findFirst().orElseThrow().timeUs();
+    assertTrue(bothUs <= 40_000, "the second one after " + bothUs + " us");
+    assertEquals(Set.of(1, 2), identities());
+  }
+
+  @Test
   void noiseAloneShowsNothingAndDoesNotHideABlob() {
     run(EventPackets.uniform(SENSOR, 5, 50_000, 0, 60));
     assertTrue(tracks.isEmpty(), "clusters in pure noise: " + tracks.size());
