@@ -12,6 +12,7 @@ public final class Interruption extends Thread {
 
   private final Thread worker;
   private final CountDownLatch done = new CountDownLatch(1);
+  private volatile boolean stopping;
 
   private Interruption(Thread worker) {
     super("interruption");
@@ -25,9 +26,16 @@ public final class Interruption extends Thread {
     return interruption;
   }
 
-  /** The work is done, however it ended. */
+  /**
+   * The work is done, however it ended. This does not return where the process has been told to
+   * stop: it ends with the status of that.
+   */
   public void finished() {
     done.countDown();
+    if (stopping) {
+      // Waits for the exit that is under way; one with the status of a failure would overtake it.
+      System.exit(0);
+    }
   }
 
   @Override
@@ -35,6 +43,7 @@ public final class Interruption extends Thread {
     if (done.getCount() == 0) {
       return;
     }
+    stopping = true;
     worker.interrupt();
     try {
       done.await(PATIENCE_S, TimeUnit.SECONDS);
