@@ -64,17 +64,16 @@ final class ClusterLife {
   }
 
   /** Begins a life at the place of birth that was found last. */
-  void begin(Cluster born, Cluster[] clusters, int count, long timeUs) {
+  void begin(Cluster born, Clusters clusters, long timeUs) {
     startAnew(born, timeUs);
     born.x = places.bornX();
     born.y = places.bornY();
     born.mass = places.bornEvents();
     born.usualMass = 0;
     born.events = Math.round(places.bornEvents());
-    born.unseenUntilUs =
-        isBeside(born, BESIDE, clusters, count) ? timeUs + PARTING_US : Long.MIN_VALUE;
+    born.unseenUntilUs = isBeside(born, BESIDE, clusters) ? timeUs + PARTING_US : Long.MIN_VALUE;
     born.overlapped = false;
-    setVelocity(born, clusters, count);
+    setVelocity(born, clusters);
   }
 
   /**
@@ -138,9 +137,9 @@ final class ClusterLife {
    * Whether a cluster is so near to another one that it may be a part of it. Parts appear beside
    * what has been there for a while and has no round outline.
    */
-  private static boolean isBeside(Cluster born, double radii, Cluster[] clusters, int count) {
-    for (int i = 0; i < count; i++) {
-      Cluster other = clusters[i];
+  private static boolean isBeside(Cluster born, double radii, Clusters clusters) {
+    for (int i = 0; i < clusters.count; i++) {
+      Cluster other = clusters.all[i];
       boolean mayBeLarge =
           !other.contour.isPlaced() && born.bornUs - other.bornUs > ClusterForm.SETTLED_US;
       double reach = mayBeLarge ? BESIDE : radii;
@@ -153,7 +152,7 @@ final class ClusterLife {
     return false;
   }
 
-  private void setVelocity(Cluster born, Cluster[] clusters, int count) {
+  private void setVelocity(Cluster born, Clusters clusters) {
     born.vx = 0;
     born.vy = 0;
     double visible = 0;
@@ -162,11 +161,11 @@ final class ClusterLife {
     if (start == Start.EVENTS) {
       places.setVelocity(born);
     }
-    for (int i = 0; start == Start.MEAN && i < count; i++) {
-      if (clusters[i].isVisible() && clusters[i] != born) {
+    for (int i = 0; start == Start.MEAN && i < clusters.count; i++) {
+      if (clusters.all[i].isVisible() && clusters.all[i] != born) {
         visible++;
-        vx += clusters[i].vx;
-        vy += clusters[i].vy;
+        vx += clusters.all[i].vx;
+        vy += clusters.all[i].vy;
       }
     }
     if (visible > 0) {
@@ -203,11 +202,11 @@ final class ClusterLife {
    * Measures the noise wherever there is no cluster, and within clusters that are so thin that they
    * may be noise themselves.
    */
-  void measureNoise(Cluster[] clusters, int count) {
+  void measureNoise(Clusters clusters) {
     double thinEvents = 0;
     double densePixels = 0;
-    for (int i = 0; i < count; i++) {
-      Cluster cluster = clusters[i];
+    for (int i = 0; i < clusters.count; i++) {
+      Cluster cluster = clusters.all[i];
       double pixels = Math.PI * cluster.extentX * cluster.extentY;
       if (cluster.mass < THIN * places.noiseOf(pixels)) {
         thinEvents += cluster.fresh;
@@ -250,8 +249,7 @@ final class ClusterLife {
 
   /** Whether a cluster is to become visible, among those that there are. */
   boolean isToBeSeen(Cluster cluster, Clusters clusters, long timeUs) {
-    if (timeUs < cluster.unseenUntilUs
-        && isBeside(cluster, STILL_BESIDE, clusters.all, clusters.count)) {
+    if (timeUs < cluster.unseenUntilUs && isBeside(cluster, STILL_BESIDE, clusters)) {
       return false;
     }
     double pixels = Math.PI * cluster.radiusA * cluster.radiusB;
@@ -275,10 +273,10 @@ final class ClusterLife {
   }
 
   /** The invisible cluster with the fewest recent events, or null: it gives way to a newborn. */
-  Cluster weakest(Cluster[] clusters, int count) {
+  Cluster weakest(Clusters clusters) {
     Cluster weakest = null;
-    for (int i = 0; i < count; i++) {
-      Cluster cluster = clusters[i];
+    for (int i = 0; i < clusters.count; i++) {
+      Cluster cluster = clusters.all[i];
       if (!cluster.isVisible()
           && cluster.mass < places.bornEvents()
           && (weakest == null || cluster.mass < weakest.mass)) {

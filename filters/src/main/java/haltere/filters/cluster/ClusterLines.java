@@ -30,9 +30,6 @@ final class ClusterLines {
   /** What is older has entered, and grows only where it is longer than the cluster. */
   private static final long GROWN_US = 400_000;
 
-  /** Before this its form is not known. */
-  private static final long SETTLED_US = 80_000;
-
   private final double right;
   private final double top;
 
@@ -49,7 +46,7 @@ final class ClusterLines {
     double along = mean + root;
     cluster.lineX = 0;
     cluster.lineY = 0;
-    if (timeUs - cluster.bornUs > SETTLED_US
+    if (timeUs - cluster.bornUs > ClusterForm.SETTLED_US
         && along > SLENDER * (mean - root + PIXEL_VARIANCE)
         && !cluster.contour.isPlaced()) {
       double ux = half >= 0 ? half + root : cluster.cxy;

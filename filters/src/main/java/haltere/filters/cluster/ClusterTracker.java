@@ -340,13 +340,13 @@ public final class ClusterTracker {
   }
 
   private void birth(int x, int y, long timeUs) {
-    Cluster born = clusters.isFull() ? life.weakest(clusters.all, clusters.count) : clusters.add();
+    Cluster born = clusters.isFull() ? life.weakest(clusters) : clusters.add();
     if (born == null) {
       places.clearBirth(x, y);
       return;
     }
     merging.forget(born);
-    life.begin(born, clusters.all, clusters.count, timeUs);
+    life.begin(born, clusters, timeUs);
     form.begin(born);
     motion.begin(born, places.bornEvents(), (timeUs - places.bornFirstUs()) * 1e-6);
     places.clearBirth(x, y);

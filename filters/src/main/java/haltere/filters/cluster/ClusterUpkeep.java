@@ -46,7 +46,7 @@ final class ClusterUpkeep {
    * @param observer hears of visible clusters that become one or two; null for nobody
    */
   void run(long timeUs, ClusterObserver observer) {
-    life.measureNoise(clusters.all, clusters.count);
+    life.measureNoise(clusters);
     for (int i = clusters.count - 1; i >= 0; i--) {
       Cluster cluster = clusters.all[i];
       cluster.moveTo(timeUs);
