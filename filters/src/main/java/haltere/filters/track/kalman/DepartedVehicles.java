@@ -1,5 +1,7 @@
 package haltere.filters.track.kalman;
 
+import haltere.filters.track.motion.MotionModes;
+
 /**
  * Vehicles whose lower edge has left the picture at the bottom. Their roofs are in it for some time
  * more, and are no vehicles.

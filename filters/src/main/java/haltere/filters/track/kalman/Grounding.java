@@ -3,6 +3,7 @@ package haltere.filters.track.kalman;
 import haltere.core.event.SensorGeometry;
 import haltere.filters.track.LaneSettings;
 import haltere.filters.track.RoadMapping;
+import haltere.filters.track.motion.MotionModes;
 
 /**
  * How sure it is that the line that a track follows is on the road. A line above the road is too

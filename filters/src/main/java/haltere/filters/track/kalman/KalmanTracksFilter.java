@@ -15,6 +15,7 @@ import haltere.filters.track.TrackOverlay;
 import haltere.filters.track.TrackPoint;
 import haltere.filters.track.TrackSnapshot;
 import haltere.filters.track.TrackUpdate;
+import haltere.filters.track.motion.MotionModes;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.HashMap;

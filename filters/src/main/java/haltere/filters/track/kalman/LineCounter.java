@@ -5,6 +5,7 @@ import haltere.filters.track.LaneSettings;
 import haltere.filters.track.LineCrossing;
 import haltere.filters.track.RoadMarks;
 import haltere.filters.track.RoadTracksSettings;
+import haltere.filters.track.motion.MotionModes;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;

@@ -1,5 +1,7 @@
 package haltere.filters.track.kalman;
 
+import haltere.filters.track.motion.MotionModes;
+
 /**
  * A line across the road as if it were on the ground. What is at height z above it, seen from
  * height h, seems to be s = h / (h − z) times as far away, as far aside and as fast as it is.

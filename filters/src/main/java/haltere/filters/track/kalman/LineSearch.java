@@ -1,5 +1,6 @@
 package haltere.filters.track.kalman;
 
+import haltere.filters.track.motion.MotionModes;
 import java.util.Arrays;
 
 /**
@@ -28,6 +29,18 @@ final class LineSearch {
   private static final double ON_LINE_PX = 0.4;
   private static final double BESIDE_M = 0.3;
   private static final int LEAST_ROWS = 3;
+
+  /** By how much of its standard deviation a line of so few rows is less sure. */
+  private static final double ROW_DOUBT = 2;
+
+  /** How well it is known where the middle of a line is that was found, m². */
+  private static final double VARIANCE_X = 0.1;
+
+  /** How fast a vehicle may be across the road, standard deviation. */
+  private static final double LATERAL_SD_M_S = 1.5;
+
+  /** Of the place of a vehicle whose other line is seen from now on, m². */
+  private static final double PLACE_VARIANCE = 25;
 
   /** Half of the width of the narrowest line. */
   private static final double NARROWEST_M = 0.15;
@@ -276,6 +289,32 @@ final class LineSearch {
       halfWidthM += hidden;
     }
     return halfWidthM > NARROWEST_M;
+  }
+
+  /** Lets a motion begin with what was found, whose place and speed along the road are known. */
+  void launch(MotionModes motion) {
+    double more = doubt();
+    motion.launch(xM, yM, VARIANCE_X, 0, more * varianceY, LATERAL_SD_M_S * LATERAL_SD_M_S);
+    motion.setAlong(vyMS, more * covarianceYvy, more * varianceVy);
+  }
+
+  /** Lets a motion go on with what was found as another line, which tells of its speed as well. */
+  void rejoin(MotionModes motion) {
+    motion.shift(0, PLACE_VARIANCE);
+    if (!Double.isNaN(motion.innovate(xM, yM, VARIANCE_X, 0, varianceY))) {
+      motion.correct();
+    }
+    motion.correctAlong(vyMS, doubt() * varianceVy);
+  }
+
+  /**
+   * By how much the variances are larger than the fit to the rows says: of few rows one may have
+   * been passed by another line, which the fit does not know of.
+   */
+  private double doubt() {
+    double few = (double) LEAST_ROWS / rows;
+    double doubt = 1 + ROW_DOUBT * few * few;
+    return doubt * doubt;
   }
 
   /** Says that the events of what was found belong to the vehicle of a number. */

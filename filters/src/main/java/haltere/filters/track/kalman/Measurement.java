@@ -3,6 +3,7 @@ package haltere.filters.track.kalman;
 import haltere.filters.cluster.ClusterReadings;
 import haltere.filters.track.MeasurementSettings;
 import haltere.filters.track.MeasurementSource;
+import haltere.filters.track.motion.MotionModes;
 
 /**
  * One measurement of a place in pixels, made of what a cluster has gathered. Thread rule: that of

@@ -1,6 +1,7 @@
 package haltere.filters.track.kalman;
 
 import haltere.filters.track.RoadMapping;
+import haltere.filters.track.motion.MotionModes;
 
 /**
  * The plane in which tracks live, and the way to it from pixels: the picture itself, or the road.

@@ -1,5 +1,7 @@
 package haltere.filters.track.kalman;
 
+import haltere.filters.track.motion.MotionModes;
+
 /** Speed of a track on a road. */
 final class RoadSpeed {
   private static final double KM_H = 3.6;

@@ -5,6 +5,7 @@ import haltere.core.event.SensorGeometry;
 import haltere.filters.track.KalmanTracksSettings;
 import haltere.filters.track.LaneSettings;
 import haltere.filters.track.RoadMapping;
+import haltere.filters.track.motion.MotionModes;
 
 /**
  * Follows vehicles on a road by the edge at which each meets the road nearest to the camera.

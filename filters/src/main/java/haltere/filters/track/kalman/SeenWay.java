@@ -1,6 +1,7 @@
 package haltere.filters.track.kalman;
 
 import haltere.filters.track.RoadMapping;
+import haltere.filters.track.motion.MotionModes;
 import java.util.Arrays;
 
 /**

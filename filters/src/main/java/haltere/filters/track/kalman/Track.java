@@ -2,6 +2,9 @@ package haltere.filters.track.kalman;
 
 import haltere.filters.track.MeasurementSettings;
 import haltere.filters.track.TrackUpdate;
+import haltere.filters.track.motion.CombinedInnovation;
+import haltere.filters.track.motion.MotionModes;
+import haltere.filters.track.motion.MotionNoise;
 
 /**
  * One track: its filter, what it holds on to and since when. Its bookkeeping is that of {@link
@@ -14,12 +17,6 @@ final class Track {
 
   /** Within this time a track that has lost its events has stopped, if it has. */
   private static final double REST_S = 0.05;
-
-  /** How well it is known where the middle of a line is that was found. */
-  private static final double VARIANCE_X = 0.1;
-
-  /** How fast a vehicle may be across the road, standard deviation. */
-  private static final double LATERAL_SD_M_S = 1.5;
 
   private static final int ALONE_UPDATES = 50;
   private static final int LEAST_FREE_UPDATES = 10;
@@ -150,7 +147,7 @@ final class Track {
   /** Begins with a line that was found, whose speed is known. */
   void launchLine(LineSearch found, long stepUs) {
     begin(stepUs, stepUs);
-    motion.launchLine(found, VARIANCE_X, LATERAL_SD_M_S * LATERAL_SD_M_S);
+    found.launch(motion);
   }
 
   /** Takes over the identity of another track of the same thing, if that has the older one. */
@@ -169,7 +166,7 @@ final class Track {
     stateUs = stepUs;
     heardUs = stepUs;
     gatedInARow = 0;
-    motion.launchLine(found, VARIANCE_X, LATERAL_SD_M_S * LATERAL_SD_M_S);
+    found.launch(motion);
   }
 
   /** Goes on with another line of the vehicle that was found, with the speed that it has. */
@@ -180,7 +177,7 @@ final class Track {
     stateUs = stepUs;
     heardUs = stepUs;
     gatedInARow = 0;
-    motion.rejoinLine(found, VARIANCE_X);
+    found.rejoin(motion);
   }
 
   /** Takes in what {@link #compare} has compared, which was not heard but silence. */
@@ -367,24 +364,22 @@ final class Track {
   /** What the last comparison has come to; the gain is that of the likeliest model. */
   TrackUpdate lastUpdate(long timeUs, boolean accepted) {
     MotionModes compared = accepted ? motion : ahead;
-    PlaneFilter model = compared.likeliest();
-    CombinedInnovation innovation = new CombinedInnovation();
-    compared.combineInnovations(innovation);
+    CombinedInnovation innovation = compared.innovation();
     return new TrackUpdate(
         timeUs,
         id,
         plane.x,
         plane.y,
-        innovation.x,
-        innovation.y,
-        innovation.xx,
-        innovation.xy,
-        innovation.yy,
+        innovation.x(),
+        innovation.y(),
+        innovation.xx(),
+        innovation.xy(),
+        innovation.yy(),
         innovation.nis(),
-        accepted ? model.gain(0, 0) : 0,
-        accepted ? model.gain(1, 1) : 0,
-        accepted ? model.gain(2, 0) : 0,
-        accepted ? model.gain(3, 1) : 0,
+        accepted ? compared.gain(0, 0) : 0,
+        accepted ? compared.gain(1, 1) : 0,
+        accepted ? compared.gain(2, 0) : 0,
+        accepted ? compared.gain(3, 1) : 0,
         compared.x(),
         compared.y(),
         compared.vx(),

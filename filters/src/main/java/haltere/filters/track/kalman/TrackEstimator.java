@@ -9,6 +9,7 @@ import haltere.filters.cluster.ClusterTrackerSettings;
 import haltere.filters.track.KalmanTracksSettings;
 import haltere.filters.track.MeasurementSource;
 import haltere.filters.track.RoadMapping;
+import haltere.filters.track.motion.MotionNoise;
 import java.util.Objects;
 
 /**

@@ -1,6 +1,7 @@
 package haltere.filters.track.kalman;
 
 import haltere.filters.track.MeasurementSettings;
+import haltere.filters.track.motion.MotionNoise;
 import java.util.Arrays;
 
 /** The tracks that there are, in the order of their births. Thread rule: that of its owner. */

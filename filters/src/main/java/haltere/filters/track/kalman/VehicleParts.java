@@ -1,6 +1,7 @@
 package haltere.filters.track.kalman;
 
 import haltere.filters.track.RoadMapping;
+import haltere.filters.track.motion.MotionModes;
 
 /**
  * Which lines, and which tracks on lines, are parts of one vehicle: what moves alike one behind the

@@ -1,5 +1,7 @@
 package haltere.filters.track.kalman;
 
+import haltere.filters.track.motion.MotionModes;
+
 /** Tells where vehicles have come from, and which are none. Thread rule: that of its owner. */
 interface WayBack {
   /**

@@ -10,6 +10,8 @@ import haltere.filters.track.LaneSettings;
 import haltere.filters.track.RoadMapping;
 import haltere.filters.track.RoadSettings;
 import haltere.filters.track.VanishingPoint;
+import haltere.filters.track.motion.MotionModes;
+import haltere.filters.track.motion.MotionNoise;
 import org.junit.jupiter.api.Test;
 
 /** How sure it is that a line is on the road, seen from a bridge of 5 m over four lanes. */

@@ -13,6 +13,8 @@ import haltere.filters.track.MeasurementSettings;
 import haltere.filters.track.RoadMapping;
 import haltere.filters.track.RoadSettings;
 import haltere.filters.track.RoadTracksSettings;
+import haltere.filters.track.motion.MotionModes;
+import haltere.filters.track.motion.MotionNoise;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;

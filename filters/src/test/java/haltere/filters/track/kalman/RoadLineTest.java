@@ -10,6 +10,8 @@ import haltere.filters.track.MeasurementSettings;
 import haltere.filters.track.RoadMapping;
 import haltere.filters.track.RoadSettings;
 import haltere.filters.track.VanishingPoint;
+import haltere.filters.track.motion.MotionModes;
+import haltere.filters.track.motion.MotionNoise;
 import org.junit.jupiter.api.Test;
 
 /** A vehicle 23 m away in the left lane, seen from a bridge of 5 m. */

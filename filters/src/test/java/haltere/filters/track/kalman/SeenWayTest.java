@@ -10,6 +10,7 @@ import haltere.filters.track.MeasurementSettings;
 import haltere.filters.track.RoadMapping;
 import haltere.filters.track.RoadSettings;
 import haltere.filters.track.VanishingPoint;
+import haltere.filters.track.motion.MotionNoise;
 import java.util.Random;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;

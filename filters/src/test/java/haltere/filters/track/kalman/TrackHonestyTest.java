@@ -7,6 +7,7 @@ import haltere.filters.estimation.Consistency;
 import haltere.filters.estimation.Interval;
 import haltere.filters.track.KalmanTracksSettings;
 import haltere.filters.track.TrackUpdate;
+import haltere.filters.track.motion.MotionModes;
 import java.util.SplittableRandom;
 import org.ejml.data.DMatrixRMaj;
 import org.junit.jupiter.api.Test;

@@ -8,6 +8,7 @@ import haltere.core.event.SensorGeometry;
 import haltere.filters.track.KalmanTracksSettings;
 import haltere.filters.track.TrackUpdate;
 import haltere.filters.track.kalman.GivenClusters.Given;
+import haltere.filters.track.motion.MotionModes;
 import org.junit.jupiter.api.Test;
 
 /** Clusters that are elsewhere at once, for a reason that the cluster tracker knows. */

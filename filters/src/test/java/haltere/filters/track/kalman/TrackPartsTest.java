@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import haltere.core.event.SensorGeometry;
 import haltere.filters.track.KalmanTracksSettings;
 import haltere.filters.track.kalman.GivenClusters.Given;
+import haltere.filters.track.motion.MotionModes;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;

@@ -11,6 +11,7 @@ import haltere.filters.track.MeasurementSettings;
 import haltere.filters.track.RoadMapping;
 import haltere.filters.track.RoadSettings;
 import haltere.filters.track.VanishingPoint;
+import haltere.filters.track.motion.MotionNoise;
 import org.junit.jupiter.api.Test;
 
 /** Tracks that stand and are not heard, 25 m from a bridge of 5 m. */

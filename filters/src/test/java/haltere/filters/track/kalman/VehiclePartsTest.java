@@ -10,6 +10,7 @@ import haltere.filters.track.MeasurementSettings;
 import haltere.filters.track.RoadMapping;
 import haltere.filters.track.RoadSettings;
 import haltere.filters.track.VanishingPoint;
+import haltere.filters.track.motion.MotionNoise;
 import org.junit.jupiter.api.Test;
 
 /** A lorry that comes at 15 m/s and is 38 m away, seen from a bridge of 5 m. */

@@ -1,4 +1,4 @@
-package haltere.filters.track.kalman;
+package haltere.filters.track.motion;
 
 /**
  * A vehicle that brakes or speeds up along the road: the fifth state of a {@link PlaneFilter} is

@@ -1,4 +1,4 @@
-package haltere.filters.track.kalman;
+package haltere.filters.track.motion;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;

@@ -1,4 +1,4 @@
-package haltere.filters.track.kalman;
+package haltere.filters.track.motion;
 
 import haltere.filters.estimation.SineCosine;
 import java.util.Arrays;

@@ -1,11 +1,11 @@
-package haltere.filters.track.kalman;
+package haltere.filters.track.motion;
 
 import haltere.filters.track.MotionModel;
 import haltere.filters.track.MotionSettings;
 import haltere.filters.track.ProcessNoise;
 
 /** The numbers of {@link MotionModes}, taken from settings once. Thread rule: immutable. */
-final class MotionNoise {
+public final class MotionNoise {
   /** A rate of turning that is unknown: 8 rad/s, three quarters of a second for a circle. */
   private static final double TURN_RATE_VARIANCE = 64;
 
@@ -54,8 +54,13 @@ final class MotionNoise {
     this.along = along;
   }
 
-  /** Of tracks in pixels. */
-  static MotionNoise inPixels(MotionSettings settings) {
+  /**
+   * Of targets in pixels.
+   *
+   * @param settings how they move, densities in px²/s³
+   * @return its numbers
+   */
+  public static MotionNoise inPixels(MotionSettings settings) {
     double launch = settings.launchSpeedPxS();
     if (settings.model() == MotionModel.STRAIGHT) {
       return new MotionNoise(
@@ -77,8 +82,14 @@ final class MotionNoise {
         null);
   }
 
-  /** Of tracks in metres: a vehicle goes straight on, or brakes and steers. */
-  static MotionNoise onRoad(MotionSettings settings, double processVariance) {
+  /**
+   * Of vehicles in metres: they go straight on, or brake and steer.
+   *
+   * @param settings which modes there are, and how long each lasts
+   * @param processVariance density of white acceleration, m²/s³
+   * @return its numbers
+   */
+  public static MotionNoise onRoad(MotionSettings settings, double processVariance) {
     double[] one = {processVariance};
     double[] two = {processVariance, ROAD_AGILE_FACTOR * processVariance};
     boolean brakes = settings.model() != MotionModel.STRAIGHT;

@@ -1,20 +1,20 @@
-package haltere.filters.track.kalman;
-
-import java.util.Arrays;
+package haltere.filters.track.motion;
 
 /**
  * Interacting multiple models of one target in a plane, of fixed size: straight on, turning, and
  * anything goes, or only the first of them. The same algorithm as {@link
  * haltere.filters.estimation.InteractingMultipleModels} (Blom and Bar-Shalom 1988; Bar-Shalom, Li
- * and Kirubarajan 2001, section 11.6.6), written out for {@link PlaneFilter}, and with one
+ * and Kirubarajan 2001, section 11.6.6), written out for {@code PlaneFilter}, and with one
  * addition: a mode that goes straight knows nothing of a rate of turning, or of an acceleration, so
  * what it hands to a mode that has one is that of a target that has just begun, 0 with its full
  * variance (Granström, Willett and Bar-Shalom 2015, on mixing states of unequal size).
  *
+ * <p>Units are those of the plane, pixels or metres, with seconds. On a road y is along it.
+ *
  * <p>Allocates nothing after its construction. Thread rule: not safe for use by two threads at a
  * time.
  */
-final class MotionModes {
+public final class MotionModes {
   private static final int N = PlaneFilter.STATES;
   private static final double LEAST_PROBABILITY = 1e-9;
 
@@ -23,15 +23,6 @@ final class MotionModes {
 
   /** Share of the speed of a new target by which one that is displaced may be faster or slower. */
   private static final double DISPLACED_SHARE = 0.25;
-
-  /** A line is found by this many rows at least. */
-  private static final int LEAST_ROWS = 3;
-
-  /** By how much of its standard deviation a line of so few rows is less sure. */
-  private static final double ROW_DOUBT = 2;
-
-  /** Of the place of a vehicle whose other line is seen from now on, m². */
-  private static final double PLACE_VARIANCE = 25;
 
   private final MotionNoise noise;
   private final int modes;
@@ -42,15 +33,19 @@ final class MotionModes {
   private final double[] prior;
 
   private final double[] next;
-  private final double[] leave;
-  private final double[] weights;
+  private final ModeMixture mixture;
 
   // Mean and covariance of all modes, as soon as somebody asks for them.
   private final double[] state = new double[N];
   private final double[] covariance = new double[PlaneFilter.ENTRIES];
   private boolean combined;
 
-  MotionModes(MotionNoise noise) {
+  /**
+   * Modes that have yet to be launched.
+   *
+   * @param noise how a target moves
+   */
+  public MotionModes(MotionNoise noise) {
     this.noise = noise;
     modes = noise.modes();
     filters = new PlaneFilter[modes];
@@ -60,23 +55,46 @@ final class MotionModes {
     probability = new double[modes];
     prior = new double[modes];
     next = new double[modes];
-    leave = new double[modes];
-    weights = new double[modes];
+    mixture = new ModeMixture(noise);
   }
 
-  /** Begins at a place, with a velocity of 0 that is unknown. */
-  void launch(double atX, double atY, double xx, double xy, double yy) {
+  /**
+   * Begins at a place, with a velocity of 0 that is unknown.
+   *
+   * @param atX measured place
+   * @param atY measured place
+   * @param xx entry of its covariance
+   * @param xy entry of its covariance
+   * @param yy entry of its covariance
+   */
+  public void launch(double atX, double atY, double xx, double xy, double yy) {
     launch(atX, atY, xx, xy, yy, noise.launchVelocityVariance());
   }
 
-  /** Begins again at a place, with a velocity that is hardly larger than it was. */
-  void relaunch(double atX, double atY, double xx, double xy, double yy) {
+  /**
+   * Begins again at a place, with a velocity that is hardly larger than it was.
+   *
+   * @param atX measured place
+   * @param atY measured place
+   * @param xx entry of its covariance
+   * @param xy entry of its covariance
+   * @param yy entry of its covariance
+   */
+  public void relaunch(double atX, double atY, double xx, double xy, double yy) {
     double speed = Math.hypot(vx(), vy()) + RELAUNCH_SHARE * noise.launchSpeed();
     launch(atX, atY, xx, xy, yy, speed * speed);
   }
 
-  /** Goes on at a place where it was not expected, with about the velocity that it has. */
-  void displace(double atX, double atY, double xx, double xy, double yy) {
+  /**
+   * Goes on at a place where it was not expected, with about the velocity that it has.
+   *
+   * @param atX measured place
+   * @param atY measured place
+   * @param xx entry of its covariance
+   * @param xy entry of its covariance
+   * @param yy entry of its covariance
+   */
+  public void displace(double atX, double atY, double xx, double xy, double yy) {
     double vx = vx();
     double vy = vy();
     double unsure = DISPLACED_SHARE * noise.launchSpeed();
@@ -88,39 +106,38 @@ final class MotionModes {
   }
 
   /**
-   * Begins with a line across the road whose place and speed along it are known. Of few rows one
-   * may have been passed by another line, which the fit does not know of.
+   * Sets what is known of the velocity along y.
+   *
+   * @param velocity along y
+   * @param covarianceYvy its covariance with the place along y
+   * @param variance its variance
    */
-  void launchLine(LineSearch found, double varianceX, double varianceVx) {
-    double more = doubt(found);
-    launch(found.xM, found.yM, varianceX, 0, more * found.varianceY, varianceVx);
+  public void setAlong(double velocity, double covarianceYvy, double variance) {
     for (int j = 0; j < modes; j++) {
-      filters[j].setAlong(found.vyMS, more * found.covarianceYvy, more * found.varianceVy);
+      filters[j].setAlong(velocity, covarianceYvy, variance);
     }
     combined = false;
   }
 
-  /** By how much the variances of a line are larger than the fit to its rows says. */
-  private static double doubt(LineSearch found) {
-    double few = (double) LEAST_ROWS / found.rows;
-    double doubt = 1 + ROW_DOUBT * few * few;
-    return doubt * doubt;
-  }
-
-  /** Goes on with another line of the same vehicle, which tells of its speed as well. */
-  void rejoinLine(LineSearch found, double varianceX) {
-    shift(0, PLACE_VARIANCE);
-    if (!Double.isNaN(innovate(found.xM, found.yM, varianceX, 0, found.varianceY))) {
-      correct();
-    }
+  /**
+   * Takes in a measured velocity along y, whatever the modes.
+   *
+   * @param velocity along y
+   * @param variance its variance
+   */
+  public void correctAlong(double velocity, double variance) {
     for (int j = 0; j < modes; j++) {
-      filters[j].correctAlong(found.vyMS, doubt(found) * found.varianceVy);
+      filters[j].correctAlong(velocity, variance);
     }
     combined = false;
   }
 
-  /** Goes on along the road in one direction only, 1 or -1, or stands. */
-  void goOnly(int forward) {
+  /**
+   * Goes on along y in one direction only, or stands.
+   *
+   * @param forward 1 or -1
+   */
+  public void goOnly(int forward) {
     for (int j = 0; j < modes; j++) {
       double[] x = filters[j].x;
       x[3] = forward * Math.max(0, forward * x[3]);
@@ -129,15 +146,30 @@ final class MotionModes {
     combined = false;
   }
 
-  /** Moves the place along the road, by what is known with a variance. */
-  void shift(double byY, double variance) {
+  /**
+   * Moves the place along y.
+   *
+   * @param byY by so much
+   * @param variance of how far that is
+   */
+  public void shift(double byY, double variance) {
     for (int j = 0; j < modes; j++) {
       filters[j].shift(byY, variance);
     }
     combined = false;
   }
 
-  private void launch(
+  /**
+   * Begins at a place, with a velocity of 0 of a variance.
+   *
+   * @param atX measured place
+   * @param atY measured place
+   * @param xx entry of its covariance
+   * @param xy entry of its covariance
+   * @param yy entry of its covariance
+   * @param velocityVariance of each velocity
+   */
+  public void launch(
       double atX, double atY, double xx, double xy, double yy, double velocityVariance) {
     for (int j = 0; j < modes; j++) {
       filters[j].launch(atX, atY, xx, xy, yy, velocityVariance, noise.rateVariance(j));
@@ -146,7 +178,12 @@ final class MotionModes {
     combined = false;
   }
 
-  void copyFrom(MotionModes other) {
+  /**
+   * Takes over what another one knows.
+   *
+   * @param other of the same noise, stays as it is
+   */
+  public void copyFrom(MotionModes other) {
     for (int j = 0; j < modes; j++) {
       filters[j].copyFrom(other.filters[j]);
       probability[j] = other.probability[j];
@@ -161,7 +198,7 @@ final class MotionModes {
    * @param dtS seconds, not negative
    * @param noiseFactor the process noise is this many times the usual one
    */
-  void predictFrom(MotionModes other, double dtS, double noiseFactor) {
+  public void predictFrom(MotionModes other, double dtS, double noiseFactor) {
     if (modes > 1 && dtS > 0) {
       mixFrom(other, dtS);
       combined = false;
@@ -171,8 +208,13 @@ final class MotionModes {
     coast(dtS, noiseFactor);
   }
 
-  /** Predicts without a thought that the target may change its way of moving. */
-  void coast(double dtS, double noiseFactor) {
+  /**
+   * Predicts without a thought that the target may change its way of moving.
+   *
+   * @param dtS seconds, not negative
+   * @param noiseFactor the process noise is this many times the usual one
+   */
+  public void coast(double dtS, double noiseFactor) {
     if (!(dtS > 0)) {
       return;
     }
@@ -194,8 +236,17 @@ final class MotionModes {
     combined = false;
   }
 
-  /** Compares a measurement with all modes; gives back the least normalised innovation squared. */
-  double innovate(double zX, double zY, double xx, double xy, double yy) {
+  /**
+   * Compares a measurement with all modes.
+   *
+   * @param zX measured place
+   * @param zY measured place
+   * @param xx entry of its covariance
+   * @param xy entry of its covariance
+   * @param yy entry of its covariance
+   * @return the least normalised innovation squared, NaN if it cannot be compared
+   */
+  public double innovate(double zX, double zY, double xx, double xy, double yy) {
     double least = Double.POSITIVE_INFINITY;
     for (int j = 0; j < modes; j++) {
       if (!filters[j].innovate(zX, zY, xx, xy, yy)) {
@@ -207,8 +258,12 @@ final class MotionModes {
     return least;
   }
 
-  /** Logarithm of the likelihood of what {@link #innovate} has compared. */
-  double logLikelihood() {
+  /**
+   * How likely what {@link #innovate} has compared is.
+   *
+   * @return logarithm of the likelihood
+   */
+  public double logLikelihood() {
     double greatest = Double.NEGATIVE_INFINITY;
     for (int j = 0; j < modes; j++) {
       greatest = Math.max(greatest, filters[j].logLikelihood());
@@ -221,7 +276,7 @@ final class MotionModes {
   }
 
   /** Takes in what {@link #innovate} has compared. */
-  void correct() {
+  public void correct() {
     if (modes > 1) {
       weigh();
     }
@@ -254,13 +309,27 @@ final class MotionModes {
     }
   }
 
-  /** What all modes together had expected of what {@link #innovate} has compared. */
-  void combineInnovations(CombinedInnovation into) {
-    into.of(filters, prior);
+  /**
+   * What all modes together had expected of what {@link #innovate} has compared.
+   *
+   * @return of the last comparison
+   */
+  public CombinedInnovation innovation() {
+    return CombinedInnovation.of(filters, prior);
   }
 
-  /** The mode that is the most probable. */
-  PlaneFilter likeliest() {
+  /**
+   * The gain of the mode that is the most probable, as of the last measurement taken in.
+   *
+   * @param row of the state: x, y, vx, vy, rate
+   * @param column of the measurement: x, y
+   * @return entry of the gain
+   */
+  public double gain(int row, int column) {
+    return likeliest().gain(row, column);
+  }
+
+  private PlaneFilter likeliest() {
     int best = 0;
     for (int j = 1; j < modes; j++) {
       best = probability[j] > probability[best] ? j : best;
@@ -268,52 +337,63 @@ final class MotionModes {
     return filters[best];
   }
 
-  double modeProbability(int mode) {
-    return probability[mode];
-  }
-
-  double x() {
+  /**
+   * Place, the mean of all modes.
+   *
+   * @return first coordinate
+   */
+  public double x() {
     combine();
     return state[0];
   }
 
-  double y() {
+  /**
+   * Place, the mean of all modes.
+   *
+   * @return second coordinate
+   */
+  public double y() {
     combine();
     return state[1];
   }
 
-  double vx() {
+  /**
+   * Velocity, the mean of all modes.
+   *
+   * @return along x
+   */
+  public double vx() {
     combine();
     return state[2];
   }
 
-  double vy() {
+  /**
+   * Velocity, the mean of all modes.
+   *
+   * @return along y
+   */
+  public double vy() {
     combine();
     return state[3];
   }
 
-  double covariance(int row, int column) {
+  /**
+   * How sure that is, of all modes together.
+   *
+   * @param row 0 to 3: x, y, vx, vy
+   * @param column the same
+   * @return entry of the covariance
+   */
+  public double covariance(int row, int column) {
     combine();
     return covariance[PlaneFilter.place(row, column)];
   }
 
   private void mixFrom(MotionModes other, double dtS) {
-    // All but the last are left at the same rate.
-    double usual = noise.leave(0, dtS);
-    for (int i = 0; i < modes; i++) {
-      leave[i] = i < modes - 1 ? usual : noise.leave(i, dtS);
-    }
+    mixture.goOn(dtS);
     for (int j = 0; j < modes; j++) {
-      double sum = 0;
-      for (int i = 0; i < modes; i++) {
-        weights[i] = other.probability[i] * noise.transition(i, j, leave[i]);
-        sum += weights[i];
-      }
-      for (int i = 0; i < modes; i++) {
-        weights[i] /= sum;
-      }
-      next[j] = sum;
-      mixture(other.filters, filters[j].x, filters[j].p, noise.rateVariance(j));
+      next[j] = mixture.weighTransitions(other.probability, j);
+      mixture.mix(other.filters, filters[j].x, filters[j].p, noise.rateVariance(j));
     }
     System.arraycopy(next, 0, probability, 0, modes);
   }
@@ -328,61 +408,7 @@ final class MotionModes {
       System.arraycopy(filters[0].p, 0, covariance, 0, PlaneFilter.ENTRIES);
       return;
     }
-    System.arraycopy(probability, 0, weights, 0, modes);
-    mixture(filters, state, covariance, 0);
-  }
-
-  /**
-   * Mean and covariance of the modes. A rate is mixed only where one is wanted: the variance of an
-   * unknown one, or 0 for none.
-   */
-  private void mixture(PlaneFilter[] of, double[] mean, double[] spread, double unknownRate) {
-    boolean rates = unknownRate > 0;
-    Arrays.fill(mean, 0);
-    Arrays.fill(spread, 0);
-    for (int i = 0; i < modes; i++) {
-      double w = weights[i];
-      double[] x = of[i].x;
-      mean[0] += w * x[0];
-      mean[1] += w * x[1];
-      mean[2] += w * x[2];
-      mean[3] += w * x[3];
-      mean[4] += rates ? w * x[4] : 0;
-    }
-    for (int i = 0; i < modes; i++) {
-      addSpread(of[i], mean, weights[i], spread, rates);
-      if (rates && noise.rateVariance(i) == 0) {
-        spread[PlaneFilter.ENTRIES - 1] += weights[i] * unknownRate;
-      }
-    }
-  }
-
-  /** Adds the weight times P + (x - mean) (x - mean)ᵀ; in the order of the entries of P. */
-  private static void addSpread(
-      PlaneFilter of, double[] mean, double weight, double[] spread, boolean rates) {
-    double[] x = of.x;
-    double[] p = of.p;
-    double d0 = x[0] - mean[0];
-    double d1 = x[1] - mean[1];
-    double d2 = x[2] - mean[2];
-    double d3 = x[3] - mean[3];
-    spread[0] += weight * (p[0] + d0 * d0);
-    spread[1] += weight * (p[1] + d0 * d1);
-    spread[2] += weight * (p[2] + d0 * d2);
-    spread[3] += weight * (p[3] + d0 * d3);
-    spread[4] += weight * (p[4] + d1 * d1);
-    spread[5] += weight * (p[5] + d1 * d2);
-    spread[6] += weight * (p[6] + d1 * d3);
-    spread[7] += weight * (p[7] + d2 * d2);
-    spread[8] += weight * (p[8] + d2 * d3);
-    spread[9] += weight * (p[9] + d3 * d3);
-    if (rates) {
-      double d4 = x[4] - mean[4];
-      spread[10] += weight * (p[10] + d0 * d4);
-      spread[11] += weight * (p[11] + d1 * d4);
-      spread[12] += weight * (p[12] + d2 * d4);
-      spread[13] += weight * (p[13] + d3 * d4);
-      spread[14] += weight * (p[14] + d4 * d4);
-    }
+    mixture.weigh(probability);
+    mixture.mix(filters, state, covariance, 0);
   }
 }
