@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import haltere.filters.estimation.Interval;
 import org.junit.jupiter.api.Test;
 
-/** A small sample of the evaluation whose figures are in docs/tracking.md. */
+/** A small sample of the evaluation whose figures are in docs/tracking-figures.md. */
 class TrackEvaluationTest {
   @Test
   void tracksOfAFewScenesAreWhereTheDiscsAreAndKeepTheirIdentities() {
