@@ -231,12 +231,19 @@ class ArchitectureTest {
         "a fly is found whoever wants it");
     knowsNoneOf(
         "haltere.filters.track",
-        Set.of("haltere.filters.track.motion", "haltere.filters.track.kalman"),
+        Set.of(
+            "haltere.filters.track.motion",
+            "haltere.filters.track.road",
+            "haltere.filters.track.kalman"),
         "results and settings are read without an estimator");
     knowsNoneOf(
         "haltere.filters.track.motion",
-        Set.of("haltere.filters.track.kalman"),
+        Set.of("haltere.filters.track.road", "haltere.filters.track.kalman"),
         "a point moves whoever follows it");
+    knowsNoneOf(
+        "haltere.filters.track.road",
+        Set.of("haltere.filters.track.kalman"),
+        "a line is found whoever follows it");
     knowsNoneOf(
         "haltere.ui.command.results", Set.of("haltere.ui.command"), "tables know no command");
     knowsNoneOf(

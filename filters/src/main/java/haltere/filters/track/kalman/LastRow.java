@@ -1,5 +1,7 @@
 package haltere.filters.track.kalman;
 
+import haltere.filters.track.road.FoundLine;
+
 /**
  * The row that a line has passed last, and of how many it was seen to pass them.
  *
@@ -34,12 +36,12 @@ final class LastRow {
   }
 
   /** Goes on with a line that was found. */
-  void turnTo(LineSearch found, long atUs) {
-    row = found.lastRow;
+  void turnTo(FoundLine found, long atUs) {
+    row = found.lastRow();
     doubt = 1;
-    forward = found.vyMS > 0 ? 1 : -1;
-    column = found.lastColumn;
-    speedMS = Math.abs(found.vyMS);
+    forward = found.vyMS() > 0 ? 1 : -1;
+    column = found.lastColumn();
+    speedMS = Math.abs(found.vyMS());
     timeUs = atUs;
   }
 

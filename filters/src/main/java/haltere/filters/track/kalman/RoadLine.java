@@ -1,5 +1,6 @@
 package haltere.filters.track.kalman;
 
+import haltere.filters.track.road.FoundLine;
 import java.util.Arrays;
 
 /**
@@ -116,9 +117,9 @@ final class RoadLine {
   private final double[] rightmost = new double[ROWS];
 
   /** Begins as a line that was found. */
-  void begin(LineSearch found, long timeUs) {
-    halfWidthM = found.halfWidthM;
-    seenHalfM = found.seenHalfM;
+  void begin(FoundLine found, long timeUs) {
+    halfWidthM = found.halfWidthM();
+    seenHalfM = found.seenHalfM();
     extentPx = 0;
     lengthM = USUAL_LENGTH_M;
     recent = 0;
@@ -129,15 +130,15 @@ final class RoadLine {
   }
 
   /** Goes over to another line of the same vehicle, so far below. */
-  void change(LineSearch found, double byPx, long timeUs) {
-    halfWidthM = Math.max(halfWidthM, found.halfWidthM);
-    seenHalfM = Math.max(seenHalfM, found.seenHalfM);
+  void change(FoundLine found, double byPx, long timeUs) {
+    halfWidthM = Math.max(halfWidthM, found.halfWidthM());
+    seenHalfM = Math.max(seenHalfM, found.seenHalfM());
     extentPx = Math.max(0, extentPx + byPx);
     turnTo(found, timeUs);
   }
 
-  private void turnTo(LineSearch found, long timeUs) {
-    on = found.on;
+  private void turnTo(FoundLine found, long timeUs) {
+    on = found.isOn();
     sinceUs = timeUs;
     last.turnTo(found, timeUs);
   }

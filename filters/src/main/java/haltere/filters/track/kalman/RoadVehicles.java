@@ -6,6 +6,11 @@ import haltere.filters.track.KalmanTracksSettings;
 import haltere.filters.track.LaneSettings;
 import haltere.filters.track.RoadMapping;
 import haltere.filters.track.motion.MotionModes;
+import haltere.filters.track.road.FoundLine;
+import haltere.filters.track.road.LineSearch;
+import haltere.filters.track.road.LineSeeds;
+import haltere.filters.track.road.RoadEvents;
+import haltere.filters.track.road.VehicleSize;
 
 /**
  * Follows vehicles on a road by the edge at which each meets the road nearest to the camera.
@@ -40,6 +45,7 @@ final class RoadVehicles {
   private final RoadEvents events;
   private final LineSeeds seeds;
   private final LineSearch search;
+  private final FoundLine found;
   private final RowPassing passing;
   private final VehicleEnds ends;
   private final DepartedVehicles departed = new DepartedVehicles();
@@ -64,9 +70,10 @@ final class RoadVehicles {
     leavingM = road.distanceM(0) + LEAVING_M;
     seeds = new LineSeeds(events, sensor.width());
     search = new LineSearch(events, sensor.width());
+    found = search.found();
     passing = new RowPassing(road, sensor, tracks, plane, listener);
     ends = new VehicleEnds(road, sensor, plane);
-    parts = new VehicleParts(road, events, search);
+    parts = new VehicleParts(road, events, found);
     way = new SeenWay(road, events);
     this.listener = listener;
   }
@@ -112,8 +119,8 @@ final class RoadVehicles {
     for (int i = tracks.count() - 1; i >= 0; i--) {
       end(i, timeUs);
     }
-    int found = seeds.find(timeUs);
-    for (int i = 0; i < found; i++) {
+    int pieces = seeds.find(timeUs);
+    for (int i = 0; i < pieces; i++) {
       if (search.find(seeds.get(i), timeUs, passing.rowSdPx())
           && !isPartOfKnown(timeUs, seeds.isSure(i))
           && seeds.isSure(i)) {
@@ -259,7 +266,7 @@ final class RoadVehicles {
 
   /** Whether the line that was found is of a vehicle that is known, which then knows of it. */
   private boolean isPartOfKnown(long timeUs, boolean isSure) {
-    if (departed.own(search.xM, search.yM, search.vyMS, search.halfWidthM, timeUs)) {
+    if (departed.own(found.xM(), found.yM(), found.vyMS(), found.halfWidthM(), timeUs)) {
       search.take(DEPARTED);
       return true;
     }
@@ -275,13 +282,13 @@ final class RoadVehicles {
   }
 
   private void launch(long timeUs) {
-    if (tracks.isFull() || search.isCut) {
+    if (tracks.isFull() || found.isCut()) {
       return;
     }
     Track track = tracks.add();
-    track.launchLine(search, timeUs);
-    track.line.begin(search, timeUs);
-    track.line.grounding.begin(search.vyMS > 0);
+    track.launchLine(found, timeUs);
+    track.line.begin(found, timeUs);
+    track.line.grounding.begin(found.vyMS() > 0);
     search.take(track.serial);
     if (settings.life().updatesTillShown() <= 1) {
       track.id = tracks.nextId();

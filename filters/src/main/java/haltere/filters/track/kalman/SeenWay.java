@@ -2,6 +2,7 @@ package haltere.filters.track.kalman;
 
 import haltere.filters.track.RoadMapping;
 import haltere.filters.track.motion.MotionModes;
+import haltere.filters.track.road.RoadEvents;
 import java.util.Arrays;
 
 /**

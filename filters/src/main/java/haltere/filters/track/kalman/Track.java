@@ -5,6 +5,7 @@ import haltere.filters.track.TrackUpdate;
 import haltere.filters.track.motion.CombinedInnovation;
 import haltere.filters.track.motion.MotionModes;
 import haltere.filters.track.motion.MotionNoise;
+import haltere.filters.track.road.FoundLine;
 
 /**
  * One track: its filter, what it holds on to and since when. Its bookkeeping is that of {@link
@@ -145,7 +146,7 @@ final class Track {
   }
 
   /** Begins with a line that was found, whose speed is known. */
-  void launchLine(LineSearch found, long stepUs) {
+  void launchLine(FoundLine found, long stepUs) {
     begin(stepUs, stepUs);
     found.launch(motion);
   }
@@ -162,7 +163,7 @@ final class Track {
   }
 
   /** Goes on with a line that was found, as the same track. */
-  void moveOn(LineSearch found, long stepUs) {
+  void moveOn(FoundLine found, long stepUs) {
     stateUs = stepUs;
     heardUs = stepUs;
     gatedInARow = 0;
@@ -170,7 +171,7 @@ final class Track {
   }
 
   /** Goes on with another line of the vehicle that was found, with the speed that it has. */
-  void rejoin(LineSearch found, long stepUs) {
+  void rejoin(FoundLine found, long stepUs) {
     MotionModes now = at(stepUs);
     ahead = motion;
     motion = now;

@@ -2,6 +2,9 @@ package haltere.filters.track.kalman;
 
 import haltere.filters.track.RoadMapping;
 import haltere.filters.track.motion.MotionModes;
+import haltere.filters.track.road.FoundLine;
+import haltere.filters.track.road.LineInSpace;
+import haltere.filters.track.road.RoadEvents;
 
 /**
  * Which lines, and which tracks on lines, are parts of one vehicle: what moves alike one behind the
@@ -52,14 +55,14 @@ final class VehicleParts {
 
   private final RoadMapping road;
   private final RoadEvents events;
-  private final LineSearch search;
+  private final FoundLine found;
   private final LineInSpace upper;
   private final LineInSpace lower;
 
-  VehicleParts(RoadMapping road, RoadEvents events, LineSearch search) {
+  VehicleParts(RoadMapping road, RoadEvents events, FoundLine found) {
     this.road = road;
     this.events = events;
-    this.search = search;
+    this.found = found;
     upper = new LineInSpace(road.settings().bridgeHeightM());
     lower = new LineInSpace(road.settings().bridgeHeightM());
   }
@@ -70,30 +73,30 @@ final class VehicleParts {
     if (isPartOfTall(track, motion, timeUs)) {
       return true;
     }
-    double wide = Math.max(search.halfWidthM, track.line.halfWidthM) + SIDE_M;
-    return Math.abs(search.xM - motion.x()) <= wide
+    double wide = Math.max(found.halfWidthM(), track.line.halfWidthM) + SIDE_M;
+    return Math.abs(found.xM() - motion.x()) <= wide
         && (isFoundAgain(track, motion, timeUs) || isPartOfFlat(track, motion, timeUs));
   }
 
   /** Whether the vehicle has lost its line, or stood, and goes on with the one that was found. */
   private boolean isFoundAgain(Track track, MotionModes motion, long timeUs) {
     RoadLine line = track.line;
-    double apartM = Math.abs(search.yM - motion.y());
-    double perRow = events.metresPerRow(search.lastRow);
-    boolean sameWay = search.vyMS * motion.vy() > 0;
+    double apartM = Math.abs(found.yM() - motion.y());
+    double perRow = events.metresPerRow(found.lastRow());
+    boolean sameWay = found.vyMS() * motion.vy() > 0;
     boolean isNew = track.updates < SURE_UPDATES;
     boolean lost = line.isLost() && !line.isOut() && sameWay && (isNew || isAsFast(motion));
     boolean isThere = motion.covariance(1, 1) < OTHER_EDGE_M * OTHER_EDGE_M;
     double startsM = Math.max(OTHER_EDGE_M, STARTED_ROWS * perRow);
     boolean starts =
-        track.stands && isThere && line.last.goes(search.vyMS) && mayHaveReached(startsM);
+        track.stands && isThere && line.last.goes(found.vyMS()) && mayHaveReached(startsM);
     double seenM = Math.min(line.lengthM() + SAME_EDGE_M, line.extentPx() * perRow);
     if (lost && apartM < Math.max(OTHER_EDGE_M, seenM) || starts && apartM < startsM) {
-      line.change(search, (motion.y() - search.yM) / perRow, timeUs);
+      line.change(found, (motion.y() - found.yM()) / perRow, timeUs);
       if (isNew || starts) {
-        track.moveOn(search, timeUs);
+        track.moveOn(found, timeUs);
       } else {
-        track.rejoin(search, timeUs);
+        track.rejoin(found, timeUs);
       }
       return true;
     }
@@ -102,32 +105,32 @@ final class VehicleParts {
 
   /** Whether what has stood so far away may be as fast by now as the line that was found. */
   private boolean mayHaveReached(double awayM) {
-    return search.vyMS * search.vyMS < 2 * STARTING_M_S2 * awayM;
+    return found.vyMS() * found.vyMS() < 2 * STARTING_M_S2 * awayM;
   }
 
   /** Whether the line that was found is about as fast as a vehicle. */
   private boolean isAsFast(MotionModes motion) {
-    double sd = Math.sqrt(motion.covariance(3, 3) + search.varianceVy);
-    double unlike = Math.abs(search.vyMS - motion.vy());
+    double sd = Math.sqrt(motion.covariance(3, 3) + found.varianceVy());
+    double unlike = Math.abs(found.vyMS() - motion.vy());
     return unlike <= LIKE_SHARE * Math.abs(motion.vy()) + 3 * sd;
   }
 
   /** Whether the line moves as the vehicle does, within what it may be long. */
   private boolean isPartOfFlat(Track track, MotionModes motion, long timeUs) {
     RoadLine line = track.line;
-    double higherM = search.yM - motion.y();
-    double perRow = events.metresPerRow(search.lastRow);
+    double higherM = found.yM() - motion.y();
+    double perRow = events.metresPerRow(found.lastRow());
     double filledM = line.extentPx() * perRow + SAME_EDGE_M;
-    double gapM = search.on == line.on() ? SAME_EDGE_M : OTHER_EDGE_M;
+    double gapM = found.isOn() == line.on() ? SAME_EDGE_M : OTHER_EDGE_M;
     if (!isAsFast(motion)
         || higherM <= -gapM
         || higherM >= Math.max(gapM, Math.min(LONGEST_M, filledM))) {
       return false;
     }
-    if (higherM < 0 && search.halfWidthM > WIDTH_SHARE * line.halfWidthM) {
+    if (higherM < 0 && found.halfWidthM() > WIDTH_SHARE * line.halfWidthM) {
       line.stretchTo(line.lengthM() - higherM);
-      line.change(search, -higherM / perRow, timeUs);
-      track.motion.shift(higherM, search.varianceY);
+      line.change(found, -higherM / perRow, timeUs);
+      track.motion.shift(higherM, found.varianceY());
     } else {
       line.reachTo(higherM / perRow);
       line.stretchTo(higherM);
@@ -137,10 +140,10 @@ final class VehicleParts {
 
   /** Whether the line is as much farther, faster and wider as a higher one of a vehicle is. */
   private boolean isPartOfTall(Track track, MotionModes motion, long timeUs) {
-    upper.set(search.xM, search.yM, search.vyMS, search.varianceVy, search.halfWidthM);
-    lower.set(track, motion);
+    upper.set(found);
+    lower.set(motion, track.line.halfWidthM);
     RoadLine line = track.line;
-    double gapPx = road.rowOf(search.yM) - road.rowOf(motion.y());
+    double gapPx = road.rowOf(found.yM()) - road.rowOf(motion.y());
     if (line.mayReach(gapPx) && upper.isAbove(lower, gapPx / line.halfPx()) && isFilled()) {
       line.reachTo(gapPx);
       line.stretchTo(upper.behindM(lower));
@@ -153,8 +156,8 @@ final class VehicleParts {
         && isFilled()) {
       line.stretchTo(lower.behindM(upper));
       line.grounding.foundUpper();
-      line.change(search, -gapPx, timeUs);
-      track.moveOn(search, timeUs);
+      line.change(found, -gapPx, timeUs);
+      track.moveOn(found, timeUs);
       return true;
     }
     return false;
@@ -166,8 +169,8 @@ final class VehicleParts {
         || track.line.rowNow() <= other.line.rowNow()) {
       return false;
     }
-    upper.set(track, motion);
-    lower.set(other, under);
+    upper.set(motion, track.line.halfWidthM);
+    lower.set(under, other.line.halfWidthM);
     return isFilled();
   }
 
@@ -210,10 +213,10 @@ final class VehicleParts {
   void unite(Tracks tracks, long timeUs) {
     for (int i = tracks.count() - 1; i >= 0; i--) {
       Track track = tracks.get(i);
-      upper.set(track, track.at(timeUs));
+      upper.set(track.at(timeUs), track.line.halfWidthM);
       for (int k = 0; k < tracks.count(); k++) {
         Track other = tracks.get(k);
-        lower.set(other, other.at(timeUs));
+        lower.set(other.at(timeUs), other.line.halfWidthM);
         if (k != i && isDrivenThrough(track, other)) {
           if (other.bornUs > track.heardUs) {
             other.nameAfter(track);

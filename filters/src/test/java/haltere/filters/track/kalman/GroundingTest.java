@@ -12,6 +12,7 @@ import haltere.filters.track.RoadSettings;
 import haltere.filters.track.VanishingPoint;
 import haltere.filters.track.motion.MotionModes;
 import haltere.filters.track.motion.MotionNoise;
+import haltere.filters.track.road.GivenLine;
 import org.junit.jupiter.api.Test;
 
 /** How sure it is that a line is on the road, seen from a bridge of 5 m over four lanes. */
@@ -67,9 +68,7 @@ class GroundingTest {
   @Test
   void theDoubtOfWhatDrivesAwayIsSmallOnceItHasPassedManyRows() {
     line.last.begin();
-    LineSearch found = new LineSearch(new RoadEvents(road, SENSOR), 128);
-    found.vyMS = 15;
-    line.last.turnTo(found, 0);
+    line.last.turnTo(GivenLine.ofSpeed(15), 0);
     assertEquals(0.2, away(5.7, 17).speedShare(), 1e-9);
     for (int row = 1; row <= 8; row++) {
       line.last.pass(row, row, 64, 15);
@@ -87,9 +86,7 @@ class GroundingTest {
   @Test
   void aNarrowLineMayBeShouldersUntilItWasFollowedWhereWheelsWouldBeSeen() {
     line.last.begin();
-    LineSearch found = new LineSearch(new RoadEvents(road, SENSOR), 128);
-    found.vyMS = 15;
-    line.last.turnTo(found, 0);
+    line.last.turnTo(GivenLine.ofSpeed(15), 0);
     Grounding grounding = look(1.75, 15, 0.2, LANES);
     assertTrue(grounding.speedShare() > 0);
     for (int row = 1; row <= 8; row++) {
@@ -113,9 +110,7 @@ class GroundingTest {
   @Test
   void aLineFasterThanMostVehiclesIsDoubtedUntilAllBelowItWouldHaveBeenSeen() {
     line.last.begin();
-    LineSearch found = new LineSearch(new RoadEvents(road, SENSOR), 128);
-    found.vyMS = -48;
-    line.last.turnTo(found, 0);
+    line.last.turnTo(GivenLine.ofSpeed(-48), 0);
     line.halfWidthM = 0.9;
     line.grounding.begin(false);
     line.grounding.look(at(-1.75, 50, -48), line, road, SENSOR, LANES);

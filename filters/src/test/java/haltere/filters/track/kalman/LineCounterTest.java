@@ -15,6 +15,7 @@ import haltere.filters.track.RoadSettings;
 import haltere.filters.track.RoadTracksSettings;
 import haltere.filters.track.motion.MotionModes;
 import haltere.filters.track.motion.MotionNoise;
+import haltere.filters.track.road.GivenLine;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -221,9 +222,7 @@ class LineCounterTest {
   @Test
   void theSpeedOfALineThatWasJustFoundIsUnsureUntilItHasPassedRows() {
     Track track = found(1, 1.75, 25, 15, 7);
-    LineSearch search = new LineSearch(null, 128);
-    search.vyMS = 15;
-    track.line.last.turnTo(search, 10_000_000);
+    track.line.last.turnTo(GivenLine.ofSpeed(15), 10_000_000);
     double before = RoadSpeed.sdKmH(track, track.motion);
     assertTrue(before > 0.1 * 54);
     for (int row = 1; row <= 20; row++) {

@@ -11,6 +11,7 @@ import haltere.filters.track.RoadMapping;
 import haltere.filters.track.RoadSettings;
 import haltere.filters.track.VanishingPoint;
 import haltere.filters.track.motion.MotionNoise;
+import haltere.filters.track.road.RoadEvents;
 import java.util.Random;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;

@@ -11,6 +11,9 @@ import haltere.filters.track.RoadMapping;
 import haltere.filters.track.RoadSettings;
 import haltere.filters.track.VanishingPoint;
 import haltere.filters.track.motion.MotionNoise;
+import haltere.filters.track.road.FoundLine;
+import haltere.filters.track.road.GivenLine;
+import haltere.filters.track.road.RoadEvents;
 import org.junit.jupiter.api.Test;
 
 /** A lorry that comes at 15 m/s and is 38 m away, seen from a bridge of 5 m. */
@@ -23,8 +26,8 @@ class VehiclePartsTest {
       new RoadMapping(new RoadSettings(5, 6, 300, VanishingPoint.at(63.5, 127)), SENSOR);
   private final MeasurementPlane plane = new MeasurementPlane(road);
   private final RoadEvents events = new RoadEvents(road, SENSOR);
-  private final LineSearch search = new LineSearch(events, SENSOR.width());
-  private final VehicleParts parts = new VehicleParts(road, events, search);
+  private final FoundLine found = GivenLine.ofSpeed(SPEED_M_S);
+  private final VehicleParts parts = new VehicleParts(road, events, found);
   private final Track lorry =
       new Track(
           MotionNoise.onRoad(KalmanTracksSettings.defaults().motion(), 0.02),
@@ -32,22 +35,14 @@ class VehiclePartsTest {
           MeasurementSettings.defaults());
 
   private void find(double xM, double yM, double speedMS, double halfM) {
-    search.xM = xM;
-    search.yM = yM;
-    search.vyMS = speedMS;
-    search.rows = 5;
-    search.varianceY = 0.01;
-    search.varianceVy = 0.01;
-    search.halfWidthM = halfM;
-    search.seenHalfM = halfM;
-    search.lastRow = (int) Math.round(road.rowOf(yM));
+    GivenLine.set(found, xM, yM, speedMS, halfM, (int) Math.round(road.rowOf(yM)));
   }
 
   /** Begins to follow the lorry by a line, with so many rows that were passed since. */
   private void follow(int updates) {
     find(-1.9, Y_M, SPEED_M_S, 1.5);
-    lorry.launchLine(search, 0);
-    lorry.line.begin(search, 0);
+    lorry.launchLine(found, 0);
+    lorry.line.begin(found, 0);
     lorry.line.grounding.begin(false);
     lorry.updates = updates;
     double perColumnM = road.pixelAngle() * Math.hypot(5, Y_M);

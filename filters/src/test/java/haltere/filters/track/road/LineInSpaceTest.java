@@ -1,4 +1,4 @@
-package haltere.filters.track.kalman;
+package haltere.filters.track.road;
 
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;

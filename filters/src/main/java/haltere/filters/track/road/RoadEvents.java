@@ -1,4 +1,4 @@
-package haltere.filters.track.kalman;
+package haltere.filters.track.road;
 
 import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
@@ -11,9 +11,9 @@ import java.util.Arrays;
  * Events come in by packets and are counted from 0 on; a step takes those before its time, whatever
  * packets they came in. Allocates only when a packet is larger than any before.
  *
- * <p>Thread rule: that of its owner.
+ * <p>Thread rule: not safe for use by two threads at a time.
  */
-final class RoadEvents {
+public final class RoadEvents {
   /** This many events before a step are looked back at, at most. */
   private static final int MOST_BACK = 1 << 14;
 
@@ -39,7 +39,13 @@ final class RoadEvents {
   private long from;
   private long to;
 
-  RoadEvents(RoadMapping road, SensorGeometry sensor) {
+  /**
+   * None so far.
+   *
+   * @param road what each pixel sees of it
+   * @param sensor whose events they are
+   */
+  public RoadEvents(RoadMapping road, SensorGeometry sensor) {
     this.road = road;
     int rows = sensor.height();
     columns = sensor.width();
@@ -55,13 +61,18 @@ final class RoadEvents {
     }
   }
 
-  void clear() {
+  /** Forgets all of them. */
+  public void clear() {
     from = added;
     to = added;
   }
 
-  /** Adds the events of a packet that see the road, for steps to come. */
-  void add(EventPacket packet) {
+  /**
+   * Adds the events of a packet that see the road, for steps to come.
+   *
+   * @param packet only read
+   */
+  public void add(EventPacket packet) {
     int needed = Integer.highestOneBit(Math.max(1, packet.size()) + MOST_KEPT) * 2;
     if (needed > mask + 1) {
       grow(needed);
@@ -96,21 +107,33 @@ final class RoadEvents {
     }
   }
 
-  /** Goes on to the events since the last step and before a time. */
-  void step(long timeUs) {
+  /**
+   * Goes on to the events since the last step and before a time.
+   *
+   * @param timeUs the time of the step
+   */
+  public void step(long timeUs) {
     from = to;
     while (to < added && timesUs[(int) to & mask] < timeUs) {
       to++;
     }
   }
 
-  /** The first event of the step. */
-  long from() {
+  /**
+   * The first event of the step.
+   *
+   * @return its number among all events
+   */
+  public long from() {
     return from;
   }
 
-  /** Behind the last event of the step. */
-  long to() {
+  /**
+   * Where the events of the step end.
+   *
+   * @return the number behind that of the last one
+   */
+  public long to() {
     return to;
   }
 
@@ -119,54 +142,108 @@ final class RoadEvents {
     return event >= 0 && event >= to - MOST_BACK && timeUs(event) >= sinceUs;
   }
 
-  /** Whether an event of the step is kept, and is not too long ago. */
-  boolean isKept(long event, long sinceUs) {
+  /**
+   * Whether an event up to the step is still kept, and is not too long ago.
+   *
+   * @param event its number
+   * @param sinceUs a time
+   * @return true if it is not before that time
+   */
+  public boolean isKept(long event, long sinceUs) {
     return event >= 0 && event >= to - MOST_KEPT && timeUs(event) >= sinceUs;
   }
 
-  /** Whether there is anything that a step at a time would take, or may look back at. */
-  boolean isWaiting(long timeUs) {
+  /**
+   * Whether there is anything that a step would take, or may look back at.
+   *
+   * @param timeUs the time of the step
+   * @return true if so
+   */
+  public boolean isWaiting(long timeUs) {
     return to < added && timeUs(to) < timeUs
         || to > 0 && isRemembered(to - 1, timeUs - LONGEST_BACK_US);
   }
 
-  long timeUs(long event) {
+  /**
+   * When an event was.
+   *
+   * @param event its number
+   * @return microseconds
+   */
+  public long timeUs(long event) {
     return timesUs[(int) event & mask];
   }
 
-  int column(long event) {
+  /**
+   * Where an event was.
+   *
+   * @param event its number
+   * @return column of the picture
+   */
+  public int column(long event) {
     return EventAddress.x(addresses[(int) event & mask]);
   }
 
-  int row(long event) {
+  /**
+   * Where an event was.
+   *
+   * @param event its number
+   * @return row of the picture
+   */
+  public int row(long event) {
     return EventAddress.y(addresses[(int) event & mask]);
   }
 
-  boolean isOn(long event) {
+  /**
+   * Polarity of an event.
+   *
+   * @param event its number
+   * @return true if it became brighter
+   */
+  public boolean isOn(long event) {
     return EventAddress.isOn(addresses[(int) event & mask]);
   }
 
-  /** Whether it belongs to a vehicle that is known. */
+  /** Whether an event belongs to a vehicle that is known. */
   boolean isTaken(long event) {
     return owners[(int) event & mask] != NOBODY;
   }
 
-  /** Whether it belongs to another vehicle than that of a number. */
-  boolean isOfOther(long event, int serial) {
+  /**
+   * Whether an event belongs to another vehicle than a certain one.
+   *
+   * @param event its number
+   * @param serial the number of that vehicle
+   * @return false also if it belongs to none
+   */
+  public boolean isOfOther(long event, int serial) {
     int owner = owners[(int) event & mask];
     return owner != NOBODY && owner != serial;
   }
 
-  /** Says that it belongs to the vehicle of a number, which is not 0. */
-  void take(long event, int serial) {
+  /**
+   * Says that an event belongs to a vehicle.
+   *
+   * @param event its number
+   * @param serial the number of the vehicle, not 0
+   */
+  public void take(long event, int serial) {
     owners[(int) event & mask] = serial;
   }
 
   /**
    * Share of the rows strictly between two in which there were events of late, in a band from the
    * one row's columns to the other's.
+   *
+   * @param low the one row
+   * @param high the other, above it
+   * @param lowLateralM the middle of the band in the one row, metres to the right
+   * @param highLateralM the same in the other
+   * @param halfM half of the width of the band, metres
+   * @return from 0 to 1; 1 if there is no row between them
    */
-  double filledShare(int low, int high, double lowLateralM, double highLateralM, double halfM) {
+  public double filledShare(
+      int low, int high, double lowLateralM, double highLateralM, double halfM) {
     int rows = high - low - 1;
     if (rows <= 0) {
       return 1;
@@ -188,29 +265,62 @@ final class RoadEvents {
     return (double) filled / rows;
   }
 
-  /** Metres to the right of the road that a pixel sees. */
-  double lateralM(double column, int row) {
+  /**
+   * Where the road is that a pixel sees, across.
+   *
+   * @param column of the picture
+   * @param row of the picture, which sees the road
+   * @return metres to the right
+   */
+  public double lateralM(double column, int row) {
     return (column - road.vanishingX()) * metresPerColumn[row];
   }
 
-  /** Metres ahead of the road that a row sees. */
-  double distanceM(int row) {
+  /**
+   * Where the road is that a row sees, along.
+   *
+   * @param row of the picture
+   * @return metres ahead, NaN if it does not see the road
+   */
+  public double distanceM(int row) {
     return distanceM[row];
   }
 
-  double metresPerColumn(int row) {
+  /**
+   * How much of the road a column is worth.
+   *
+   * @param row of the picture
+   * @return metres across, NaN if it does not see the road
+   */
+  public double metresPerColumn(int row) {
     return metresPerColumn[row];
   }
 
-  double metresPerRow(int row) {
+  /**
+   * How much of the road a row is worth.
+   *
+   * @param row of the picture
+   * @return metres along, NaN if it does not see the road
+   */
+  public double metresPerRow(int row) {
     return metresPerRow[row];
   }
 
-  int rows() {
+  /**
+   * Rows of the sensor.
+   *
+   * @return as many as there are, with those that do not see the road
+   */
+  public int rows() {
     return distanceM.length;
   }
 
-  int columns() {
+  /**
+   * Columns of the sensor.
+   *
+   * @return as many as there are
+   */
+  public int columns() {
     return columns;
   }
 }

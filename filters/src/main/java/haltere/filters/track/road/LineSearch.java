@@ -1,6 +1,5 @@
-package haltere.filters.track.kalman;
+package haltere.filters.track.road;
 
-import haltere.filters.track.motion.MotionModes;
 import java.util.Arrays;
 
 /**
@@ -9,9 +8,10 @@ import java.util.Arrays;
  * is taken, if they are of several rows. A row is passed at a moment that the events tell far
  * better than a pixel is wide, so three rows are enough.
  *
- * <p>Thread rule: that of its owner.
+ * <p>Allocates nothing after its construction. Thread rule: not safe for use by two threads at a
+ * time.
  */
-final class LineSearch {
+public final class LineSearch {
   private static final double US = 1e-6;
   private static final int MOST_EVENTS = 512;
   private static final int ROWS = 64;
@@ -28,19 +28,7 @@ final class LineSearch {
   private static final double LONGEST_S = 1;
   private static final double ON_LINE_PX = 0.4;
   private static final double BESIDE_M = 0.3;
-  private static final int LEAST_ROWS = 3;
-
-  /** By how much of its standard deviation a line of so few rows is less sure. */
-  private static final double ROW_DOUBT = 2;
-
-  /** How well it is known where the middle of a line is that was found, m². */
-  private static final double VARIANCE_X = 0.1;
-
-  /** How fast a vehicle may be across the road, standard deviation. */
-  private static final double LATERAL_SD_M_S = 1.5;
-
-  /** Of the place of a vehicle whose other line is seen from now on, m². */
-  private static final double PLACE_VARIANCE = 25;
+  private static final int LEAST_ROWS = FoundLine.LEAST_ROWS;
 
   /** Half of the width of the narrowest line. */
   private static final double NARROWEST_M = 0.15;
@@ -61,6 +49,7 @@ final class LineSearch {
   private static final double OTHER_SHARE = 0.2;
 
   private final RoadEvents events;
+  private final FoundLine found = new FoundLine();
   private final double[] ageS = new double[MOST_EVENTS];
   private final double[] distance = new double[MOST_EVENTS];
   private final double[] tolerance = new double[MOST_EVENTS];
@@ -72,30 +61,13 @@ final class LineSearch {
   private final int[] rowEvents = new int[ROWS];
   private final double[] rowAge = new double[ROWS];
 
-  /** What was found: the line at the time of the search. */
-  double xM;
-
-  double yM;
-  double vyMS;
-  double varianceY;
-  double covarianceYvy;
-  double varianceVy;
-  double halfWidthM;
-
-  /** How many rows tell of it. */
-  int rows;
-
-  /** Whether the side of the picture hides a part of it. */
-  boolean isCut;
-
-  /** Half of the width that is seen of it. */
-  double seenHalfM;
-
-  boolean on;
-  int lastRow;
-  double lastColumn;
-
-  LineSearch(RoadEvents events, int width) {
+  /**
+   * A search that has found nothing.
+   *
+   * @param events to search in
+   * @param width columns of the sensor
+   */
+  public LineSearch(RoadEvents events, int width) {
     this.events = events;
     this.width = width;
   }
@@ -108,7 +80,7 @@ final class LineSearch {
    * @param sdPx how well an event tells where the line is
    * @return false if there is no line with a speed of its own
    */
-  boolean find(LineSeed seed, long nowUs, double sdPx) {
+  public boolean find(LineSeed seed, long nowUs, double sdPx) {
     double usualS = ROWS_BACK * events.metresPerRow(seed.row) / USUAL_M_S;
     double backS = Math.max(SHORTEST_S, Math.min(LONGEST_S, usualS));
     double slowBackS = Math.min(LONGEST_S, SLOW_FACTOR * usualS);
@@ -125,11 +97,11 @@ final class LineSearch {
     if (Double.isNaN(speed)) {
       return false;
     }
-    on = seed.on;
-    lastRow = seedRow;
-    lastColumn = seed.column;
+    found.isOn = seed.on;
+    found.lastRow = seedRow;
+    found.lastColumn = seed.column;
     return refine(seedM - speed * seed.ageS, speed, seedRow, sdPx)
-        && refine(yM, vyMS, seedRow, sdPx)
+        && refine(found.yM, found.vyMS, seedRow, sdPx)
         && measureAcross();
   }
 
@@ -216,7 +188,7 @@ final class LineSearch {
     double wtt = 0;
     double wy = 0;
     double wty = 0;
-    rows = 0;
+    int rows = 0;
     for (int k = 0; k < ROWS; k++) {
       if (rowEvents[k] < 2) {
         continue;
@@ -237,11 +209,12 @@ final class LineSearch {
     if (rows < LEAST_ROWS || !(determinant > 0)) {
       return false;
     }
-    yM = (wtt * wy - wt * wty) / determinant;
-    vyMS = (w * wty - wt * wy) / determinant;
-    varianceY = wtt / determinant;
-    varianceVy = w / determinant;
-    covarianceYvy = -wt / determinant;
+    found.rows = rows;
+    found.yM = (wtt * wy - wt * wty) / determinant;
+    found.vyMS = (w * wty - wt * wy) / determinant;
+    found.varianceY = wtt / determinant;
+    found.varianceVy = w / determinant;
+    found.covarianceYvy = -wt / determinant;
     return misfit(seedRow, sdPx) <= MOST_MISFIT * (rows - 2);
   }
 
@@ -252,7 +225,7 @@ final class LineSearch {
       if (rowEvents[k] >= 2) {
         int row = k + seedRow - ROWS / 2;
         double ageS = rowAge[k] / rowEvents[k];
-        double off = events.distanceM(row) - yM - vyMS * ageS;
+        double off = events.distanceM(row) - found.yM - found.vyMS * ageS;
         double sds = off / (sdPx * events.metresPerRow(row));
         misfit += sds * sds;
       }
@@ -265,7 +238,7 @@ final class LineSearch {
     double squares = 0;
     int n = 0;
     for (int i = 0; i < count; i++) {
-      if (Math.abs(distance[i] - yM - vyMS * ageS[i]) < tolerance[i]) {
+      if (isOnLine(i)) {
         double x = events.lateralM(events.column(which[i]), rowOf[i]);
         sum += x;
         squares += x * x;
@@ -275,52 +248,42 @@ final class LineSearch {
     if (n < 2 * LEAST_ROWS) {
       return false;
     }
-    xM = sum / n;
-    halfWidthM = Math.sqrt(3 * Math.max(0, squares / n - xM * xM));
-    double left = events.lateralM(1, lastRow);
-    double right = events.lateralM(width - 2, lastRow);
+    double xM = sum / n;
+    double halfWidthM = Math.sqrt(3 * Math.max(0, squares / n - xM * xM));
+    double left = events.lateralM(1, found.lastRow);
+    double right = events.lateralM(width - 2, found.lastRow);
     boolean isCutLeft = xM - halfWidthM < left;
     boolean isCutRight = xM + halfWidthM > right;
-    isCut = isCutLeft || isCutRight;
-    double hidden = Math.max(0, USUAL_HALF_M - halfWidthM);
-    seenHalfM = halfWidthM;
-    if (isCutLeft != isCutRight) {
-      xM += isCutLeft ? -hidden : hidden;
-      halfWidthM += hidden;
-    }
-    return halfWidthM > NARROWEST_M;
+    found.isCut = isCutLeft || isCutRight;
+    double hidden = isCutLeft == isCutRight ? 0 : Math.max(0, USUAL_HALF_M - halfWidthM);
+    found.seenHalfM = halfWidthM;
+    found.xM = xM + (isCutLeft ? -hidden : hidden);
+    found.halfWidthM = halfWidthM + hidden;
+    return found.halfWidthM > NARROWEST_M;
   }
 
-  /** Lets a motion begin with what was found, whose place and speed along the road are known. */
-  void launch(MotionModes motion) {
-    double more = doubt();
-    motion.launch(xM, yM, VARIANCE_X, 0, more * varianceY, LATERAL_SD_M_S * LATERAL_SD_M_S);
-    motion.setAlong(vyMS, more * covarianceYvy, more * varianceVy);
-  }
-
-  /** Lets a motion go on with what was found as another line, which tells of its speed as well. */
-  void rejoin(MotionModes motion) {
-    motion.shift(0, PLACE_VARIANCE);
-    if (!Double.isNaN(motion.innovate(xM, yM, VARIANCE_X, 0, varianceY))) {
-      motion.correct();
-    }
-    motion.correctAlong(vyMS, doubt() * varianceVy);
+  /** Whether one of the gathered events is on the line that was found. */
+  private boolean isOnLine(int i) {
+    return Math.abs(distance[i] - found.yM - found.vyMS * ageS[i]) < tolerance[i];
   }
 
   /**
-   * By how much the variances are larger than the fit to the rows says: of few rows one may have
-   * been passed by another line, which the fit does not know of.
+   * What was found last.
+   *
+   * @return the same for all searches, written by each
    */
-  private double doubt() {
-    double few = (double) LEAST_ROWS / rows;
-    double doubt = 1 + ROW_DOUBT * few * few;
-    return doubt * doubt;
+  public FoundLine found() {
+    return found;
   }
 
-  /** Says that the events of what was found belong to the vehicle of a number. */
-  void take(int serial) {
+  /**
+   * Says that the events of what was found belong to a vehicle.
+   *
+   * @param serial the number of the vehicle, not 0
+   */
+  public void take(int serial) {
     for (int i = 0; i < count; i++) {
-      if (Math.abs(distance[i] - yM - vyMS * ageS[i]) < tolerance[i]) {
+      if (isOnLine(i)) {
         events.take(which[i], serial);
       }
     }

@@ -1,4 +1,4 @@
-package haltere.filters.track.kalman;
+package haltere.filters.track.road;
 
 import java.util.Arrays;
 
@@ -6,9 +6,10 @@ import java.util.Arrays;
  * The pieces of lines across the road that a step shows: runs of events of one row and polarity
  * that belong to no vehicle yet, the longest first.
  *
- * <p>Thread rule: that of its owner.
+ * <p>Allocates nothing after its construction. Thread rule: not safe for use by two threads at a
+ * time.
  */
-final class LineSeeds {
+public final class LineSeeds {
   private static final double US = 1e-6;
   private static final int MOST = 4;
 
@@ -34,7 +35,13 @@ final class LineSeeds {
   private final LineSeed[] seeds = new LineSeed[MOST];
   private int count;
 
-  LineSeeds(RoadEvents events, int width) {
+  /**
+   * None found so far.
+   *
+   * @param events to look at
+   * @param width columns of the sensor
+   */
+  public LineSeeds(RoadEvents events, int width) {
     this.events = events;
     inRow = new int[2 * events.rows()];
     columns = new boolean[width + WIDEST_GAP + 1];
@@ -43,8 +50,13 @@ final class LineSeeds {
     }
   }
 
-  /** Finds those of the present step; gives back how many. */
-  int find(long nowUs) {
+  /**
+   * Finds those of the present step.
+   *
+   * @param nowUs the time of the step
+   * @return how many there are
+   */
+  public int find(long nowUs) {
     count = 0;
     Arrays.fill(inRow, 0);
     for (long i = events.from(); i < events.to(); i++) {
@@ -60,12 +72,23 @@ final class LineSeeds {
     return count;
   }
 
-  LineSeed get(int index) {
+  /**
+   * One of them.
+   *
+   * @param index from 0 on, the longest first
+   * @return as it is until the next step
+   */
+  public LineSeed get(int index) {
     return seeds[index];
   }
 
-  /** Whether one is so large a piece that there may be a vehicle of which nothing else is known. */
-  boolean isSure(int index) {
+  /**
+   * Whether one is so large a piece that there may be a vehicle of which nothing else is known.
+   *
+   * @param index from 0 on
+   * @return true if so
+   */
+  public boolean isSure(int index) {
     return seeds[index].columns >= SURE_COLUMNS;
   }
 

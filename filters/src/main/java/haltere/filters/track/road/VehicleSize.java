@@ -1,4 +1,4 @@
-package haltere.filters.track.kalman;
+package haltere.filters.track.road;
 
 /**
  * How long and how high vehicles are: what is not so high that it is a lorry is no longer than a
@@ -6,12 +6,12 @@ package haltere.filters.track.kalman;
  *
  * <p>Thread rule: constants only.
  */
-final class VehicleSize {
+public final class VehicleSize {
   /** Half of the width of the widest car or van. */
   private static final double CAR_HALF_M = 1.05;
 
-  /** Half of the width of the shoulders of who rides a motorcycle, as they may seem. */
-  static final double NARROW_HALF_M = 0.7;
+  /** Half of the width of the shoulders of who rides a motorcycle, as they may seem, metres. */
+  public static final double NARROW_HALF_M = 0.7;
 
   private static final double CAR_LONG_M = 5.5;
   private static final double LORRY_LONG_M = 12;
@@ -23,22 +23,34 @@ final class VehicleSize {
 
   private VehicleSize() {}
 
-  /** How far from its nearer end a vehicle may have a line that is so high, both in metres. */
-  static double longestM(double highM) {
+  /**
+   * How far from its nearer end a vehicle may have a line.
+   *
+   * @param highM how high the line is, metres
+   * @return metres
+   */
+  public static double longestM(double highM) {
     return highM < CAR_HIGH_M ? CAR_LONG_M : LORRY_LONG_M;
   }
 
-  /** How long a vehicle may be whose width has a half of so many metres. */
-  static double longestWideM(double halfWidthM) {
+  /**
+   * How long a vehicle may be.
+   *
+   * @param halfWidthM half of its width, metres; infinite if that is not known
+   * @return metres
+   */
+  public static double longestWideM(double halfWidthM) {
     return halfWidthM < CAR_HALF_M ? CAR_LONG_M : LORRY_LONG_M;
   }
 
   /**
    * How many times as far away as it is the roof of a vehicle may seem, seen from a height.
    *
-   * @param halfWidthM half of its width, infinite if that is not known
+   * @param halfWidthM half of its width, metres; infinite if that is not known
+   * @param fromM the height, metres
+   * @return at least 1
    */
-  static double mostScale(double halfWidthM, double fromM) {
+  public static double mostScale(double halfWidthM, double fromM) {
     double highM = halfWidthM < CAR_HALF_M ? CAR_HIGH_M : LORRY_HIGH_M;
     return highM < fromM ? Math.min(MOST_SCALE, fromM / (fromM - highM)) : MOST_SCALE;
   }
