@@ -49,18 +49,23 @@ final class TimeIndex {
     long[] state = new long[cursor.stateLongs()];
     long segmentFirstUs = 0;
     boolean inSegment = false;
+    int eventsInARow = 0;
     EventCursor.Stop stop;
     do {
       if (Thread.currentThread().isInterrupted()) {
         throw new InterruptedIOException("interrupted while indexing " + path);
       }
-      // beside a window that is to answer meanwhile
-      Thread.yield();
+      if (eventsInARow >= SCAN_EVENTS) {
+        // beside a window that is to answer meanwhile
+        Thread.yield();
+        eventsInARow = 0;
+      }
       cursor.save(state, 0);
       long lastUs = cursor.times().lastUs();
       long offset = cursor.positionBytes();
       packet.clear();
       stop = cursor.read(packet, SCAN_EVENTS);
+      eventsInARow += packet.size();
       if (!packet.isEmpty()) {
         if (!inSegment) {
           inSegment = true;
