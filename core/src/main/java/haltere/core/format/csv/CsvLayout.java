@@ -30,6 +30,7 @@ record CsvLayout(
   private static final int LOOK_ROWS = 2000;
   private static final int MAX_COLUMNS = 32;
   private static final double SMALLEST_NS = 1e17;
+  private static final String BLANKS = " \t\n\u000b\f\r";
 
   CsvLayout {
     roles = List.copyOf(roles);
@@ -123,7 +124,23 @@ record CsvLayout(
 
   private static String[] fields(String line) {
     boolean marked = line.chars().anyMatch(c -> c == ',' || c == ';');
-    return line.strip().split(marked ? "\\s*[,;]\\s*" : "\\s+", MAX_COLUMNS + 1);
+    String[] fields = line.strip().split(marked ? "[,;]" : "\\s+", MAX_COLUMNS + 1);
+    for (int i = 0; i < fields.length; i++) {
+      fields[i] = withoutBlanks(fields[i]);
+    }
+    return fields;
+  }
+
+  private static String withoutBlanks(String field) {
+    int from = 0;
+    int to = field.length();
+    while (from < to && BLANKS.indexOf(field.charAt(from)) >= 0) {
+      from++;
+    }
+    while (to > from && BLANKS.indexOf(field.charAt(to - 1)) >= 0) {
+      to--;
+    }
+    return field.substring(from, to);
   }
 
   private static int size(String field) {

@@ -82,6 +82,7 @@ class CsvReadingTest extends RecordingFormatContract {
             "NaN,inf,1,1",
             ",,,",
             "1,2",
+            "5,1" + " ".repeat(300_000) + "1,1",
             "1".repeat(300_000),
             "1,".repeat(300_000))) {
       lies.add((text + line + "\n" + line).getBytes(StandardCharsets.US_ASCII));
