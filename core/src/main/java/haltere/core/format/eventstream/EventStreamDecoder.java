@@ -34,6 +34,7 @@ public final class EventStreamDecoder implements StreamDecoder {
   private static final int COLOUR_BYTES = 8;
   private static final int RESET = 0xfe;
   private static final int OVERFLOW = 0xff;
+  private static final long EIGHT_OVERFLOWS = -1;
   private static final int DVS_OVERFLOW_US = 0x7f;
   private static final int WIDE_OVERFLOW_US = 0xfe;
   private static final int ATIS_OVERFLOW = 0xfc;
@@ -115,6 +116,9 @@ public final class EventStreamDecoder implements StreamDecoder {
           violations.add(Violation.OUTSIDE_SENSOR, from + position);
         }
         position += EVENT_BYTES;
+      } else if (position + Long.BYTES <= end && in.getLong(position) == EIGHT_OVERFLOWS) {
+        now += Long.BYTES * DVS_OVERFLOW_US;
+        position += Long.BYTES;
       } else {
         now += first == OVERFLOW ? DVS_OVERFLOW_US : 0;
         position++;

@@ -23,6 +23,7 @@ import java.util.List;
 final class EventStreamWriter implements RecordingWriter {
   private static final int EVENT_BYTES = 5;
   private static final int OVERFLOW_US = 0x7f;
+  private static final long EIGHT_OVERFLOWS = -1;
   private static final long LONGEST_LEAP_US = 86_400_000_000L;
 
   private final OutputBuffer output;
@@ -104,6 +105,10 @@ final class EventStreamWriter implements RecordingWriter {
     }
     long overflows = (timeUs - baseUs - writtenUs) / OVERFLOW_US;
     writtenUs += overflows * OVERFLOW_US;
+    for (; overflows >= Long.BYTES; overflows -= Long.BYTES) {
+      output.room(Long.BYTES);
+      buffer.putLong(EIGHT_OVERFLOWS);
+    }
     for (; overflows > 0; overflows--) {
       output.room(1);
       buffer.put((byte) 0xff);
