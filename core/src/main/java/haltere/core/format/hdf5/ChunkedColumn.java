@@ -34,6 +34,12 @@ final class ChunkedColumn {
   private final byte[] chunk;
   private final byte[] sorted;
   private byte[] packed;
+  private int packedBytes;
+  private final byte[] evenRow;
+
+  /** Bytes of the last chunk before it was packed if all its rows were {@link #evenRow}, else 0. */
+  private int evenBytes;
+
   private final ByteBuffer chunkBuffer;
   private int chunkRows = CHUNK_ROWS;
   private int filled;
@@ -61,6 +67,7 @@ final class ChunkedColumn {
     chunkBuffer = ByteBuffer.wrap(chunk);
     sorted = level > 0 && size > 1 ? new byte[chunk.length] : chunk;
     packed = level > 0 ? new byte[chunk.length + chunk.length / 8 + 64] : chunk;
+    evenRow = new byte[size];
     deflater = level > 0 ? new Deflater(level) : null;
   }
 
@@ -139,6 +146,13 @@ final class ChunkedColumn {
   }
 
   private ByteBuffer pack(int bytes) {
+    // While nothing happens, chunk after chunk of an index says the same row throughout.
+    boolean even = Arrays.equals(chunk, 0, bytes - size, chunk, size, bytes);
+    if (even && bytes == evenBytes && Arrays.equals(chunk, 0, size, evenRow, 0, size)) {
+      return ByteBuffer.wrap(packed, 0, packedBytes);
+    }
+    evenBytes = even ? bytes : 0;
+    System.arraycopy(chunk, 0, evenRow, 0, size);
     if (sorted != chunk) {
       ByteShuffle.apply(chunk, sorted, bytes, size);
     }
@@ -152,6 +166,7 @@ final class ChunkedColumn {
       }
       length += deflater.deflate(packed, length, packed.length - length);
     }
+    packedBytes = length;
     return ByteBuffer.wrap(packed, 0, length);
   }
 
