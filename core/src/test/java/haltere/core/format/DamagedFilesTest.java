@@ -103,7 +103,11 @@ class DamagedFilesTest {
   }
 
   private EventPacket read(RecordingFormat format, byte[] bytes) throws IOException {
-    Path file = Files.write(folder.resolve("damaged"), bytes);
+    Path file = folder.resolve("damaged");
+    // A file that is cut to nothing and written anew waits, on ext4, for the disk to have the old
+    // one.
+    Files.deleteIfExists(file);
+    Files.write(file, bytes);
     StreamRecorder recorder = new StreamRecorder();
     ReadOptions options = ReadOptions.DEFAULT.withSensor(SmallFiles.sensor(format));
     try (RecordingReader reader = format.open(file, options)) {
