@@ -1,7 +1,5 @@
 package haltere.filters.track.kalman;
 
-import java.util.Arrays;
-
 /**
  * Which tracks have never moved: places that flicker make events and are no things that move. A
  * track that has not left its place for a second is at such a place, which is remembered: what
@@ -26,16 +24,10 @@ final class StandingPlaces {
   /** The last so many are remembered. */
   private static final int ROOM = 32;
 
-  private final long[] seenUs = new long[ROOM];
-  private final double[] places = new double[3 * ROOM];
-  private int next;
-
-  StandingPlaces() {
-    clear();
-  }
+  private final RecentPlaces places = new RecentPlaces(ROOM);
 
   void clear() {
-    Arrays.fill(seenUs, Long.MIN_VALUE);
+    places.clear();
   }
 
   /** A track begins; it stands until it has moved if something has stood there. */
@@ -43,7 +35,7 @@ final class StandingPlaces {
     born.part.bornXPx = born.nowXPx;
     born.part.bornYPx = born.nowYPx;
     born.part.moved = false;
-    born.part.isStill = find(born.nowXPx, born.nowYPx, timeUs) < ROOM;
+    born.part.isStill = places.find(born.nowXPx, born.nowYPx, timeUs) != RecentPlaces.NONE;
   }
 
   /** Looks who has moved and who has not. */
@@ -72,26 +64,13 @@ final class StandingPlaces {
   }
 
   private void remember(Track track, long timeUs) {
-    int i = find(track.nowXPx, track.nowYPx, timeUs);
-    if (i == ROOM) {
-      i = next;
-      next = (next + 1) % ROOM;
-      places[3 * i] = track.nowXPx;
-      places[3 * i + 1] = track.nowYPx;
+    int place = places.find(track.nowXPx, track.nowYPx, timeUs);
+    long beforeUs = timeUs + REMEMBERED_US;
+    if (place == RecentPlaces.NONE) {
+      places.add(track.nowXPx, track.nowYPx, track.radiusPx, timeUs, beforeUs);
+    } else {
+      places.resize(place, track.radiusPx);
+      places.see(place, timeUs, beforeUs);
     }
-    places[3 * i + 2] = track.radiusPx;
-    seenUs[i] = timeUs;
-  }
-
-  private int find(double xPx, double yPx, long timeUs) {
-    int i = 0;
-    while (i < ROOM
-        && !(seenUs[i] > Long.MIN_VALUE
-            && seenUs[i] <= timeUs
-            && timeUs - seenUs[i] < REMEMBERED_US
-            && Math.hypot(xPx - places[3 * i], yPx - places[3 * i + 1]) < places[3 * i + 2])) {
-      i++;
-    }
-    return i;
   }
 }
