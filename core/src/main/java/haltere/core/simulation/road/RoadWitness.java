@@ -11,6 +11,10 @@ import java.util.List;
  */
 final class RoadWitness {
   private static final int SAMPLES = 24;
+
+  /** What rounding may hide of the box around a vehicle, and far more. */
+  private static final double MARGIN_PX = 1;
+
   private static final double DIFFERENCE_S = 1e-4;
   private static final double US = 1e-6;
 
@@ -24,39 +28,63 @@ final class RoadWitness {
     this.plan = plan;
   }
 
+  /** A vehicle at a time. */
+  private record Seen(Vehicle vehicle, double x, double near, RoadView view) {
+    boolean mayHide(Seen other) {
+      return other != this
+          && !(view.toX < other.view.fromX - MARGIN_PX
+              || view.fromX > other.view.toX + MARGIN_PX
+              || view.toY < other.view.fromY - MARGIN_PX
+              || view.fromY > other.view.toY + MARGIN_PX);
+    }
+
+    double meet(Ray ray) {
+      double nearest = PaintedBox.NOWHERE;
+      for (int i = 0; i < vehicle.parts.size(); i++) {
+        nearest = Math.min(nearest, vehicle.parts.get(i).meet(x, near, ray));
+      }
+      return nearest;
+    }
+  }
+
   List<RoadTruth> rows(long timeUs) {
     double seconds = (timeUs - settings.run().startUs()) * US;
     List<Vehicle> there = new ArrayList<>();
     plan.collect(seconds, there);
-    List<RoadTruth> rows = new ArrayList<>(there.size());
-    RoadView view = new RoadView();
+    List<Seen> seen = new ArrayList<>(there.size());
     for (Vehicle vehicle : there) {
-      view.see(camera, vehicle, vehicle.x(seconds), vehicle.near(seconds));
-      if (view.touches(settings.sensor())) {
-        rows.add(row(timeUs, seconds, vehicle, there, view));
+      Seen here = new Seen(vehicle, vehicle.x(seconds), vehicle.near(seconds), new RoadView());
+      here.view.see(camera, vehicle, here.x, here.near);
+      seen.add(here);
+    }
+    List<RoadTruth> rows = new ArrayList<>(there.size());
+    for (Seen each : seen) {
+      if (each.view.touches(settings.sensor())) {
+        rows.add(row(timeUs, seconds, each, seen));
       }
     }
     return rows;
   }
 
-  private RoadTruth row(
-      long timeUs, double seconds, Vehicle vehicle, List<Vehicle> there, RoadView view) {
-    double width = view.toX - view.fromX;
-    double height = view.toY - view.fromY;
-    double visible = visibleShare(seconds, vehicle, there, view);
-    double column = (view.fromX + view.toX) / 2;
-    double row = (view.fromY + view.toY) / 2;
+  private RoadTruth row(long timeUs, double seconds, Seen seen, List<Seen> all) {
+    Vehicle vehicle = seen.vehicle;
+    double width = seen.view.toX - seen.view.fromX;
+    double height = seen.view.toY - seen.view.fromY;
+    double visible = visibleShare(seen, all);
+    double column = (seen.view.fromX + seen.view.toX) / 2;
+    double row = (seen.view.fromY + seen.view.toY) / 2;
+    RoadView view = new RoadView();
     double[] before = centre(vehicle, seconds - DIFFERENCE_S, view);
     double[] after = centre(vehicle, seconds + DIFFERENCE_S, view);
     double perS = 1 / (2 * DIFFERENCE_S);
-    double x = vehicle.x(seconds);
+    double x = seen.x;
     return new RoadTruth(
         timeUs,
         vehicle.id,
         vehicle.kind,
         lane(x),
         x,
-        vehicle.near(seconds) + vehicle.lengthM / 2,
+        seen.near + vehicle.lengthM / 2,
         vehicle.speedX(seconds),
         vehicle.speedY(seconds),
         column,
@@ -83,7 +111,14 @@ final class RoadWitness {
     return Math.max(0, Math.min(traffic.lanesAway() + traffic.lanesTowards() - 1, lane));
   }
 
-  private double visibleShare(double seconds, Vehicle vehicle, List<Vehicle> there, RoadView view) {
+  private double visibleShare(Seen seen, List<Seen> all) {
+    List<Seen> before = new ArrayList<>();
+    for (Seen other : all) {
+      if (other.mayHide(seen)) {
+        before.add(other);
+      }
+    }
+    RoadView view = seen.view;
     Ray ray = new Ray(camera.heightM);
     int own = 0;
     int visible = 0;
@@ -99,11 +134,10 @@ final class RoadWitness {
         double column = view.fromX + (j + 0.5) / SAMPLES * (view.toX - view.fromX);
         ray.tangent = camera.tangent(column);
         ray.inverseTangent = ray.tangent == 0 ? RoadPainter.STEEP : 1 / ray.tangent;
-        double range = meet(vehicle, seconds, ray);
+        double range = seen.meet(ray);
         if (range < PaintedBox.NOWHERE) {
           own++;
-          visible +=
-              isOnSensor(column, row) && !isHidden(range, vehicle, seconds, there, ray) ? 1 : 0;
+          visible += isOnSensor(column, row) && !isHidden(range, before, ray) ? 1 : 0;
         }
       }
     }
@@ -117,20 +151,9 @@ final class RoadWitness {
         && row < settings.sensor().heightPx() - 0.5;
   }
 
-  private static double meet(Vehicle vehicle, double seconds, Ray ray) {
-    double x = vehicle.x(seconds);
-    double near = vehicle.near(seconds);
-    double nearest = PaintedBox.NOWHERE;
-    for (PaintedBox part : vehicle.parts) {
-      nearest = Math.min(nearest, part.meet(x, near, ray));
-    }
-    return nearest;
-  }
-
-  private static boolean isHidden(
-      double range, Vehicle vehicle, double seconds, List<Vehicle> there, Ray ray) {
-    for (Vehicle other : there) {
-      if (other != vehicle && meet(other, seconds, ray) < range) {
+  private static boolean isHidden(double range, List<Seen> before, Ray ray) {
+    for (int i = 0; i < before.size(); i++) {
+      if (before.get(i).meet(ray) < range) {
         return true;
       }
     }
