@@ -132,11 +132,12 @@ public abstract class EventFilterContract {
 
   @Test
   void afterEachCauseOfAResetAndAfterANewStartTimeMayGoBack() {
+    EventPacket first = EventPackets.shifted(stream(SENSOR, 4), 10 * SECOND_US);
     EventPacket second = stream(SENSOR, 5);
     Results expected = anonymous(run(create(SENSOR), List.of(EventPackets.copy(second))));
     for (StreamNotification notification : startsAndResets()) {
       EventFilter used = create(SENSOR);
-      used.process(EventPackets.shifted(stream(SENSOR, 4), 10 * SECOND_US));
+      used.process(EventPackets.copy(first));
       used.notified(notification);
       Results after = run(used, List.of(EventPackets.copy(second)));
       assertSame(expected, anonymous(after), "after " + notification);
@@ -163,12 +164,13 @@ public abstract class EventFilterContract {
     notifications.add(new DeviceLost("the test", 1000));
     notifications.add(new EndOfStream(1000));
     notifications.add(new EndOfStream(StreamNotification.NO_TIME_US));
+    EventPacket stream = stream(SENSOR, 6);
     for (StreamNotification notification : notifications) {
       EventFilter filter = create(SENSOR);
       assertDoesNotThrow(
           () -> {
             filter.notified(notification);
-            for (EventPacket packet : EventPackets.cut(stream(SENSOR, 6), 6)) {
+            for (EventPacket packet : EventPackets.cut(stream, 6)) {
               filter.process(packet);
               filter.notified(notification);
             }
@@ -268,7 +270,8 @@ public abstract class EventFilterContract {
                 packet.append(stream, 0, stream.size());
                 filter.process(packet);
               }
-            });
+            },
+            (long) passes * stream.size() - 1);
     double perEvent = (double) bytes / passes / stream.size();
     // The smallest object has 16 bytes. What is left is results, which are made a few times a
     // second.
@@ -324,10 +327,11 @@ public abstract class EventFilterContract {
     assertEquals(expected.events, actual.events, "events " + when);
     assertEquals(expected.published.size(), actual.published.size(), "results published " + when);
     for (int i = 0; i < expected.published.size(); i++) {
-      assertEquals(
-          Fingerprint.of(expected.published.get(i)),
-          Fingerprint.of(actual.published.get(i)),
-          "result " + i + " " + when);
+      Object one = expected.published.get(i);
+      Object other = actual.published.get(i);
+      if (!Fingerprint.same(one, other)) {
+        assertEquals(Fingerprint.of(one), Fingerprint.of(other), "result " + i + " " + when);
+      }
     }
   }
 }
