@@ -7,12 +7,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import haltere.core.event.EventPacket;
 import haltere.core.stream.StreamGrammar;
 import haltere.testing.EventPackets;
+import haltere.testing.NewFile;
 import haltere.testing.StreamRecorder;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -103,11 +103,7 @@ class DamagedFilesTest {
   }
 
   private EventPacket read(RecordingFormat format, byte[] bytes) throws IOException {
-    Path file = folder.resolve("damaged");
-    // A file that is cut to nothing and written anew waits, on ext4, for the disk to have the old
-    // one.
-    Files.deleteIfExists(file);
-    Files.write(file, bytes);
+    Path file = NewFile.write(folder.resolve("damaged"), bytes);
     StreamRecorder recorder = new StreamRecorder();
     ReadOptions options = ReadOptions.DEFAULT.withSensor(SmallFiles.sensor(format));
     try (RecordingReader reader = format.open(file, options)) {
