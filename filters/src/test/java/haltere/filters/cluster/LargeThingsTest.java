@@ -57,6 +57,8 @@ class LargeThingsTest {
 
   private static EventPacket square(Random random, double direction, double turned) {
     LongStream.Builder codes = LongStream.builder();
+    double cos = Math.cos(turned);
+    double sin = Math.sin(turned);
     int reach = (int) (1.5 * HALF_SIDE_PX) + 2;
     boolean[] covered = new boolean[SENSOR.width() * SENSOR.height()];
     for (long timeUs = 0; timeUs < DURATION_US; timeUs += STEP_US) {
@@ -65,7 +67,7 @@ class LargeThingsTest {
       double middleY = 360 + way * Math.sin(direction);
       for (int y = (int) middleY - reach; y <= middleY + reach; y++) {
         for (int x = (int) middleX - reach; x <= middleX + reach; x++) {
-          boolean inside = isInside(x - middleX, y - middleY, turned);
+          boolean inside = isInside(x - middleX, y - middleY, cos, sin);
           int pixel = y * SENSOR.width() + x;
           for (int k = 0; timeUs > 0 && inside != covered[pixel] && k < EVENTS_OF_AN_EDGE; k++) {
             long eventUs = timeUs + random.nextInt((int) STEP_US);
@@ -92,9 +94,9 @@ class LargeThingsTest {
     return packet;
   }
 
-  private static boolean isInside(double x, double y, double turned) {
-    double along = x * Math.cos(turned) + y * Math.sin(turned);
-    double across = y * Math.cos(turned) - x * Math.sin(turned);
+  private static boolean isInside(double x, double y, double cos, double sin) {
+    double along = x * cos + y * sin;
+    double across = y * cos - x * sin;
     return Math.max(Math.abs(along), Math.abs(across)) < HALF_SIDE_PX;
   }
 }
