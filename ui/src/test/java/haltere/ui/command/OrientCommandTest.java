@@ -13,6 +13,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -21,31 +22,39 @@ class OrientCommandTest {
   private static final String COLUMNS =
       "t_us,object,x_m,y_m,z_m,ux,uy,uz,sd_axis_rad,p_rad_s,q_rad_s,r_rad_s,used,rejected";
 
+  private static final FlightScene FLIGHT =
+      new FlightScene(FlightSettings.defaults().with("run.startUs=5000000"));
+
+  @TempDir static Path simulated;
   @TempDir Path folder;
 
   private Path seen;
   private Path cameras;
   private Path out;
 
-  @BeforeEach
-  void simulate() {
-    seen = folder.resolve("seen.csv");
-    cameras = folder.resolve("cameras.json");
-    out = folder.resolve("orientation.csv");
+  @BeforeAll
+  static void simulate() {
     CommandRun made =
         CommandRun.of(
             "simulate",
             "flight",
-            folder.resolve("camera-0.aedat"),
+            simulated.resolve("camera-0.aedat"),
             "--duration",
             "1",
             "--set",
             "run.startUs=5000000",
             "--observations",
-            seen,
+            simulated.resolve("seen.csv"),
             "--cameras",
-            cameras);
+            simulated.resolve("cameras.json"));
     assertEquals(0, made.status(), made.err());
+  }
+
+  @BeforeEach
+  void copy() throws IOException {
+    seen = Files.copy(simulated.resolve("seen.csv"), folder.resolve("seen.csv"));
+    cameras = Files.copy(simulated.resolve("cameras.json"), folder.resolve("cameras.json"));
+    out = folder.resolve("orientation.csv");
   }
 
   private CommandRun orient(Object... more) {
@@ -60,8 +69,7 @@ class OrientCommandTest {
   }
 
   private static double errorDeg(String[] row) {
-    FlightScene scene = new FlightScene(FlightSettings.defaults().with("run.startUs=5000000"));
-    FlightTruth truth = scene.truthAt(Long.parseLong(row[0]));
+    FlightTruth truth = FLIGHT.truthAt(Long.parseLong(row[0]));
     double dot =
         truth.ux() * Double.parseDouble(row[5])
             + truth.uy() * Double.parseDouble(row[6])
