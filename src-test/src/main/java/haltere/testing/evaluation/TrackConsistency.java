@@ -14,7 +14,8 @@ import java.util.SplittableRandom;
 /**
  * Whether tracks on {@link TrackingScene}s are as sure as they say: normalised innovations squared
  * (NIS, two degrees of freedom) and normalised estimation errors squared of place and velocity
- * along an axis (NEES, two degrees of freedom, two axes).
+ * along an axis (NEES, two degrees of freedom, two axes), of the object that a track is on; see
+ * {@link FollowedObjects}.
  *
  * <p>Of a consistent filter 95 % of each are below the 95 % quantile of chi squared: that is what
  * an ellipse of 95 % promises. The errors of one track follow each other, so bands are those of as
@@ -49,7 +50,7 @@ public final class TrackConsistency {
     scene.truth().forEach(point -> truth.put(key(point.timeUs(), point.id()), point));
     Map<Long, Integer> objectOf = new HashMap<>();
     Frames frames = TrackingScores.frames(scene, rows);
-    for (Match match : new Correspondences(frames, TrackingScores.GATE_PX).matches()) {
+    for (Match match : FollowedObjects.of(frames, TrackingScores.GATE_PX)) {
       objectOf.put(key(match.track().timeUs(), match.track().id()), match.truth().id());
     }
     Map<Integer, List<TrackUpdate>> ofTracks = new HashMap<>();

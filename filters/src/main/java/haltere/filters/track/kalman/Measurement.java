@@ -10,6 +10,9 @@ import haltere.filters.track.motion.MotionModes;
  * its owner.
  */
 final class Measurement {
+  /** Squared errors of outlines over what the scatter of their events says. */
+  private static final double OUTLINE_SHARE = 0.95;
+
   /** Of two outlines in one place a part of the events is of the other. */
   private static final double CONTESTED_FACTOR = 4;
 
@@ -54,7 +57,9 @@ final class Measurement {
     timeUs = batch.meanTimeUs();
     if (ofOutline) {
       double more =
-          settings.varianceFactor() * (track != null && track.contested ? CONTESTED_FACTOR : 1);
+          OUTLINE_SHARE
+              * settings.varianceFactor()
+              * (track != null && track.contested ? CONTESTED_FACTOR : 1);
       x = batch.outlineCentreX();
       y = batch.outlineCentreY();
       xx = more * batch.outlineVarianceX() + batch.outlineMisfitVariance;

@@ -6,8 +6,8 @@ import haltere.filters.track.ProcessNoise;
 
 /** The numbers of {@link MotionModes}, taken from settings once. Thread rule: immutable. */
 public final class MotionNoise {
-  /** A rate of turning that is unknown: 8 rad/s, three quarters of a second for a circle. */
-  private static final double TURN_RATE_VARIANCE = 64;
+  /** A rate of turning that is unknown: 6 rad/s, about a second for a circle. */
+  private static final double TURN_RATE_VARIANCE = 36;
 
   /** Share of a track's way of moving on a road that brakes or changes lanes: m²/s³. */
   private static final double ROAD_AGILE_FACTOR = 300;
