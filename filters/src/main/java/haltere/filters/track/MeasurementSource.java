@@ -4,7 +4,8 @@ package haltere.filters.track;
 public enum MeasurementSource {
   /**
    * The middle of the round outline on which the events lie, of which no more than a part need be
-   * seen. Where there is no such outline, and on a road, as with {@link #EVENTS}.
+   * seen. Where there is no such outline, as with {@link #EVENTS}. On a road, the edge at which a
+   * vehicle meets it nearest to the camera.
    */
   OUTLINE,
   /**

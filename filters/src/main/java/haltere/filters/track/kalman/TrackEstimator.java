@@ -29,7 +29,7 @@ import java.util.Objects;
  *
  * <p>Thread rule: not safe for use by two threads at a time.
  */
-public final class TrackEstimator implements ClusterObserver {
+final class TrackEstimator implements ClusterObserver {
   /**
    * A track near others takes its own cluster without a thought of them up to this normalised
    * innovation squared: 95 % of good measurements are below it.
