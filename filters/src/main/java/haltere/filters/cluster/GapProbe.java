@@ -30,11 +30,15 @@ final class GapProbe {
   /** Share of the events that are on either side of it at least. */
   private static final double PLACE = 0.08;
 
-  /** Events of a while, and how long it is at least and at most. */
-  private static final int EVENTS = 160;
+  /** Events of a while: as many as come in the usual time, at least and at most. */
+  private static final int FEWEST_EVENTS = 80;
 
+  private static final int MOST_EVENTS = 160;
+
+  /** How long a while is at least and at most. */
   private static final long LEAST_US = 4_000;
-  private static final long MOST_US = 40_000;
+
+  private static final long MOST_US = 60_000;
 
   /** About as long as a while is to be. */
   private static final double USUAL_S = 0.01;
@@ -61,6 +65,7 @@ final class GapProbe {
   private double binsPerPixel;
   private double gapBins;
   private int stride;
+  private int wanted;
   private int events;
   private long fromUs;
 
@@ -130,7 +135,9 @@ final class GapProbe {
     if (!following) {
       binsPerPixel = BINS_PER_RADIUS / cluster.radius();
       gapBins = Math.max(GAP_BINS, GAP_PX * binsPerPixel);
-      stride = (int) Math.max(1, cluster.rateHz * USUAL_S / EVENTS);
+      double usual = cluster.rateHz * USUAL_S;
+      wanted = (int) Math.max(FEWEST_EVENTS, Math.min(MOST_EVENTS, usual));
+      stride = (int) Math.max(1, usual / wanted);
     }
   }
 
@@ -170,7 +177,7 @@ final class GapProbe {
       return false;
     }
     long lastedUs = timeUs - fromUs;
-    if (events < EVENTS || lastedUs < LEAST_US) {
+    if (events < wanted || lastedUs < LEAST_US) {
       if (lastedUs > MOST_US) {
         following = false;
         begin(cluster, timeUs);
