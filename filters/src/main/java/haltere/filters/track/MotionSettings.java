@@ -68,6 +68,6 @@ public record MotionSettings(
    */
   public static MotionSettings defaults() {
     return new MotionSettings(
-        MotionModel.MANOEUVRING, ProcessNoise.DENSITY, 1.4, 10, 20_000, 1, 400, 3);
+        MotionModel.MANOEUVRING, ProcessNoise.DENSITY, 1.4, 10, 20_000, 1, 400, 6);
   }
 }
