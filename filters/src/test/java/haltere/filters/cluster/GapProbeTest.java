@@ -9,16 +9,16 @@ import java.util.SplittableRandom;
 import java.util.function.DoubleUnaryOperator;
 import org.junit.jupiter.api.Test;
 
-/** A cluster of 30 pixels, old enough, with 50,000 events a second at places of three pixels. */
+/** A cluster of 30 pixels, old enough, mostly with 50,000 events a second at places of 3 pixels. */
 class GapProbeTest {
   private static final long BORN_US = 1_000_000;
   private static final long OLD_US = BORN_US + 100_000;
   private static final int UPKEEP_US = 1000;
-  private static final int EVENTS_PER_UPKEEP = 50;
   private static final double EXTENT_PX = 3;
 
   private final SplittableRandom random = new SplittableRandom(1);
   private final Cluster cluster = new Cluster(0);
+  private int eventsPerUpkeep;
 
   /** Where a place is, pixels, at seconds after the probe has begun. */
   private record Place(DoubleUnaryOperator x, DoubleUnaryOperator y) {
@@ -38,7 +38,12 @@ class GapProbeTest {
     cluster.bornUs = BORN_US;
     cluster.radiusA = 30;
     cluster.radiusB = 30;
-    cluster.rateHz = 1e6 * EVENTS_PER_UPKEEP / UPKEEP_US;
+    makeEvents(50);
+  }
+
+  private void makeEvents(int perUpkeep) {
+    eventsPerUpkeep = perUpkeep;
+    cluster.rateHz = 1e6 * perUpkeep / UPKEEP_US;
   }
 
   /** When the probe finds another thing, in milliseconds, or -1 for never. */
@@ -46,7 +51,7 @@ class GapProbeTest {
     GapProbe probe = cluster.probe;
     for (int ms = 0; ms < mostMs; ms++) {
       double seconds = ms * 1e-3;
-      for (int i = 0; i < EVENTS_PER_UPKEEP; i++) {
+      for (int i = 0; i < eventsPerUpkeep; i++) {
         Place place = places[random.nextInt(places.length)];
         probe.take(
             place.x().applyAsDouble(seconds) + random.nextDouble(-EXTENT_PX, EXTENT_PX),
@@ -80,6 +85,28 @@ class GapProbeTest {
     assertEquals(0, rest.vx, 250);
     assertEquals(0.25, share, 0.08);
     assertEquals(EXTENT_PX * EXTENT_PX / 3, parted.xx, 2);
+  }
+
+  @Test
+  void whereEventsAreFewAQuarterOfPlacesThatMoveAnyhowIsFoundWithin120Milliseconds() {
+    makeEvents(6);
+    int soon = 0;
+    int scenes = 100;
+    for (int scene = 0; scene < scenes; scene++) {
+      Place[] places = new Place[3];
+      for (int i = 0; i < places.length; i++) {
+        double angle = 2 * Math.PI * (i + random.nextDouble(0.5)) / places.length;
+        places[i] =
+            Place.moving(
+                100 + 22 * StrictMath.cos(angle),
+                100 + 22 * StrictMath.sin(angle),
+                random.nextDouble(-150, 150),
+                random.nextDouble(-150, 150));
+      }
+      cluster.probe.end();
+      soon += foundAfterMs(120, places) > 0 ? 1 : 0;
+    }
+    assertTrue(soon >= 25, soon + " of " + scenes);
   }
 
   @Test
