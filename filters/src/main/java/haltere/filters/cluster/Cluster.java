@@ -28,6 +28,9 @@ final class Cluster {
   /** Time of the last event taken, microseconds. */
   long lastUs;
 
+  /** Events taken for itself alone that have yet to be added up. */
+  int taken;
+
   // Motion.
 
   /** Centre at {@link #atUs}, pixels. */
@@ -181,8 +184,10 @@ final class Cluster {
   double batchX;
   double batchY;
 
-  /** Sum of the times since {@link #batchFromUs}, microseconds. */
-  double batchTimes;
+  /** Sums of the times since {@link #batchFromUs}, microseconds, of its own and shared events. */
+  private long batchOwnTimes;
+
+  private double batchSharedTimes;
 
   long batchFromUs;
 
@@ -214,15 +219,16 @@ final class Cluster {
     return id > 0;
   }
 
-  /** How far the velocity carries the centre until a time, in its own measure of time. */
-  double carried(long timeUs) {
-    return (timeUs - atUs) * carry;
+  /** Time since that of the centre, microseconds: no longer than between two upkeeps. */
+  private int elapsedUs(long timeUs) {
+    return (int) (timeUs - atUs);
   }
 
   /** Squared distance of a place from the centre, 1 at the outline of what is taken. */
   double distance(double placeX, double placeY, long timeUs, boolean box) {
-    double dt = carried(timeUs);
-    return distance(placeX - (x + vx * dt), placeY - (y + vy * dt), box);
+    int elapsedUs = elapsedUs(timeUs);
+    return distance(
+        placeX - (x + carry * vx * elapsedUs), placeY - (y + carry * vy * elapsedUs), box);
   }
 
   /** The same of an offset from the centre. */
@@ -239,18 +245,18 @@ final class Cluster {
    * Student distribution with four degrees of freedom, because things have no Gaussian form.
    */
   double likelihood(int eventX, int eventY, int sign, long timeUs) {
-    double dt = (timeUs - atUs) * carry;
-    double dx = eventX - sign * leadX - x - vx * dt;
-    double dy = eventY - sign * leadY - y - vy * dt;
+    int elapsedUs = elapsedUs(timeUs);
+    double dx = eventX - sign * leadX - x - carry * vx * elapsedUs;
+    double dy = eventY - sign * leadY - y - carry * vy * elapsedUs;
     double tail = 1 + 0.25 * (dx * (ixx * dx + 2 * ixy * dy) + iyy * dy * dy);
     return density / (tail * tail * tail);
   }
 
   /** Takes an event that is nobody else's. */
   void take(int eventX, int eventY, int sign, long timeUs) {
-    double dt = carried(timeUs);
-    double px = x + vx * dt;
-    double py = y + vy * dt;
+    int elapsedUs = elapsedUs(timeUs);
+    double px = x + carry * vx * elapsedUs;
+    double py = y + carry * vy * elapsedUs;
     double ownX = eventX - sign * leadX;
     double ownY = eventY - sign * leadY;
     double ex = ownX - px;
@@ -265,17 +271,25 @@ final class Cluster {
     vx += velocityGain * ex;
     vy += velocityGain * ey;
     atUs = timeUs;
-    lastUs = timeUs;
-    mass++;
-    fresh++;
-    events++;
-    batchEvents++;
+    taken++;
     batchX += ownX;
     batchY += ownY;
-    batchTimes += timeUs - batchFromUs;
+    batchOwnTimes += timeUs - batchFromUs;
     learn(ex, ey, sign);
     if (--untilSample <= 0) {
       sample(eventX, eventY, px, py, 1);
+    }
+  }
+
+  /** Adds up the events that it has taken for itself alone. */
+  void addUp() {
+    if (taken > 0) {
+      lastUs = Math.max(lastUs, atUs);
+      mass += taken;
+      fresh += taken;
+      events += taken;
+      batchEvents += taken;
+      taken = 0;
     }
   }
 
@@ -335,9 +349,9 @@ final class Cluster {
   void take(int eventX, int eventY, int sign, long timeUs, double share) {
     double ownX = eventX - sign * leadX;
     double ownY = eventY - sign * leadY;
-    double dt = (timeUs - atUs) * carry;
-    double px = x + vx * dt;
-    double py = y + vy * dt;
+    int elapsedUs = elapsedUs(timeUs);
+    double px = x + carry * vx * elapsedUs;
+    double py = y + carry * vy * elapsedUs;
     double ex = ownX - px;
     double ey = ownY - py;
     if (gainByWeights) {
@@ -358,14 +372,15 @@ final class Cluster {
     batchContested += share;
     batchX += share * ownX;
     batchY += share * ownY;
-    batchTimes += share * (timeUs - batchFromUs);
+    batchSharedTimes += share * (timeUs - batchFromUs);
     if (--untilSample <= 0) {
       sample(eventX, eventY, px, py, share);
     }
   }
 
-  /** Moves the centre on to a time. */
+  /** Moves the centre on to a time, and adds up what it has taken. */
   void moveTo(long timeUs) {
+    addUp();
     double dt = (timeUs - atUs) * carry;
     x += vx * dt;
     y += vy * dt;
@@ -390,8 +405,14 @@ final class Cluster {
     batchContested = 0;
     batchX = 0;
     batchY = 0;
-    batchTimes = 0;
+    batchOwnTimes = 0;
+    batchSharedTimes = 0;
     batchFromUs = timeUs;
+  }
+
+  /** Mean time of the events of the measurement, microseconds after it has begun. */
+  double batchMeanUs() {
+    return (batchOwnTimes + batchSharedTimes) / batchEvents;
   }
 
   /** Variance of the events of one polarity in the direction in which it is the least. */

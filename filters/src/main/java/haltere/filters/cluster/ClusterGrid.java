@@ -14,8 +14,8 @@ final class ClusterGrid {
   /** Clusters that a cell names; where there are more, all have to be looked at. */
   private static final int NAMED = 4;
 
-  /** What {@link #count} says of a cell that more clusters reach than it can name. */
-  static final int ALL = NAMED + 1;
+  /** What a cell says if more clusters reach it than it can name. */
+  static final int ALL = -1;
 
   /** How far a cluster may move beside its velocity before its cells are looked for again. */
   private static final double SLACK_PX = 2;
@@ -26,8 +26,11 @@ final class ClusterGrid {
   private final int shift;
   private final int columns;
   private final int rows;
-  private final byte[] counts;
-  private final short[] names;
+
+  /**
+   * One more than the place in the list of each cluster of a cell, a byte each, the first lowest.
+   */
+  private final int[] cells;
 
   ClusterGrid(SensorGeometry geometry) {
     int bits = 2;
@@ -37,22 +40,22 @@ final class ClusterGrid {
     shift = bits;
     columns = (geometry.width() - 1 >> shift) + 1;
     rows = (geometry.height() - 1 >> shift) + 1;
-    counts = new byte[columns * rows];
-    names = new short[columns * rows * NAMED];
+    cells = new int[columns * rows];
   }
 
-  int cellOf(int x, int y) {
-    return (y >> shift) * columns + (x >> shift);
+  /** Which clusters may take an event: 0 for none, {@link #ALL}, or for {@link #name}. */
+  int at(int x, int y) {
+    return cells[(y >> shift) * columns + (x >> shift)];
   }
 
-  /** How many clusters reach a cell, or {@link #ALL} for more than it names. */
-  int count(int cell) {
-    return counts[cell];
+  /** How many clusters a cell names, if it is not {@link #ALL}. */
+  static int count(int cell) {
+    return Integer.SIZE + 7 - Integer.numberOfLeadingZeros(cell) >> 3;
   }
 
-  /** Place in the list of one of the clusters of a cell. */
-  int name(int cell, int number) {
-    return names[cell * NAMED + number];
+  /** Place in the list of one of the clusters that a cell names. */
+  static int name(int cell, int number) {
+    return (cell >> 8 * number & 0xff) - 1;
   }
 
   /**
@@ -61,7 +64,7 @@ final class ClusterGrid {
    */
   void index(Clusters clusters, double seconds) {
     clusters.changed = false;
-    Arrays.fill(counts, (byte) 0);
+    Arrays.fill(cells, 0);
     for (int i = 0; i < clusters.count; i++) {
       Cluster cluster = clusters.all[i];
       double speed = Math.abs(cluster.vx) + Math.abs(cluster.vy);
@@ -77,7 +80,7 @@ final class ClusterGrid {
       int top = cell(cluster.y + cluster.indexReachY, rows);
       for (int row = bottom; row <= top; row++) {
         for (int column = left; column <= right; column++) {
-          add(row * columns + column, i);
+          cells[row * columns + column] = with(cells[row * columns + column], i);
         }
       }
     }
@@ -107,14 +110,9 @@ final class ClusterGrid {
     return true;
   }
 
-  private void add(int cell, int index) {
-    int count = counts[cell];
-    if (count < NAMED) {
-      names[cell * NAMED + count] = (short) index;
-      counts[cell] = (byte) (count + 1);
-    } else {
-      counts[cell] = ALL;
-    }
+  private static int with(int cell, int index) {
+    int count = count(cell);
+    return count < NAMED ? cell | index + 1 << 8 * count : ALL;
   }
 
   private int cell(double place, int cells) {

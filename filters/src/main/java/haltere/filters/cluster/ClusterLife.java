@@ -120,6 +120,7 @@ final class ClusterLife {
   /** Forgets whatever was in a newborn cluster's slot before. */
   private static void startAnew(Cluster born, long timeUs) {
     born.id = 0;
+    born.taken = 0;
     born.bornUs = timeUs;
     born.lastUs = timeUs;
     born.atUs = timeUs;
@@ -277,6 +278,7 @@ final class ClusterLife {
     Cluster weakest = null;
     for (int i = 0; i < clusters.count; i++) {
       Cluster cluster = clusters.all[i];
+      cluster.addUp();
       if (!cluster.isVisible()
           && cluster.mass < places.bornEvents()
           && (weakest == null || cluster.mass < weakest.mass)) {

@@ -123,7 +123,7 @@ final class ClusterReader implements ClusterReadings {
   }
 
   private double ageUs(Cluster cluster) {
-    return timeUs - cluster.batchFromUs - cluster.batchTimes / cluster.batchEvents;
+    return timeUs - cluster.batchFromUs - cluster.batchMeanUs();
   }
 
   @Override
@@ -189,7 +189,7 @@ final class ClusterReader implements ClusterReadings {
 
   /** The vector of information at the mean time of the new events. */
   private static double shifted(Cluster cluster, double vector, boolean first) {
-    double seconds = cluster.batchTimes / cluster.batchEvents * 1e-6;
+    double seconds = cluster.batchMeanUs() * 1e-6;
     ClusterContour contour = cluster.contour;
     double moved =
         first

@@ -131,6 +131,7 @@ public final class ClusterTracker {
     }
     for (int i = 0; i < clusters.count; i++) {
       Cluster cluster = clusters.all[i];
+      cluster.addUp();
       form.upkeep(cluster, cluster.atUs, 0);
       motion.setGains(cluster);
     }
@@ -168,7 +169,8 @@ public final class ClusterTracker {
       int to = packet.indexAtOrAfter(times.nextUs(), from);
       if (onlyClustered) {
         for (int i = from; i < to; i++) {
-          if (take(addresses[i], timesUs[i])) {
+          Cluster taker = take(addresses[i], timesUs[i]);
+          if (taker != null && taker.isVisible()) {
             packet.move(i, kept++);
           }
         }
@@ -203,32 +205,28 @@ public final class ClusterTracker {
     return reports.snapshot(timeUs);
   }
 
-  /** Takes an event, and says whether it is in a visible cluster. */
-  private boolean take(int address, long timeUs) {
+  /** Takes an event, and says which cluster it is in, or null. */
+  private Cluster take(int address, long timeUs) {
     if ((address & EventAddress.ON_BIT) == otherPolarity) {
-      return false;
+      return null;
     }
     int x = EventAddress.x(address);
     int y = EventAddress.y(address);
     int sign = 2 * (address & EventAddress.ON_BIT) - 1;
-    int cell = grid.cellOf(x, y);
-    int candidates = grid.count(cell);
-    if (candidates > 0) {
-      Cluster first = clusters.all[grid.name(cell, 0)];
+    int cell = grid.at(x, y);
+    if (cell != 0) {
       Cluster taker =
-          switch (candidates) {
-            case 1 -> takeAlone(first, x, y, sign, timeUs);
-            case 2 -> takeOfTwo(first, clusters.all[grid.name(cell, 1)], x, y, sign, timeUs);
-            default -> takeOfMany(cell, candidates, x, y, sign, timeUs);
-          };
+          ClusterGrid.count(cell) == 1
+              ? takeAlone(clusters.all[ClusterGrid.name(cell, 0)], x, y, sign, timeUs)
+              : takeOfMany(cell, x, y, sign, timeUs);
       if (taker != null) {
-        return taker.isVisible();
+        return taker;
       }
     }
     if (places.add(x, y, timeUs)) {
       birth(x, y, timeUs);
     }
-    return false;
+    return null;
   }
 
   /** Gives an event to a cluster if it is in its region, else to none, which is null. */
@@ -241,38 +239,18 @@ public final class ClusterTracker {
     return only;
   }
 
-  /** Gives an event to one of two clusters, or to both; to the one that is more likely its own. */
-  private Cluster takeOfTwo(Cluster first, Cluster second, int x, int y, int sign, long timeUs) {
-    double distance = first.distance(x, y, timeUs, box);
-    if (!(distance < 1)) {
-      return takeAlone(second, x, y, sign, timeUs);
-    }
-    double other = second.distance(x, y, timeUs, box);
-    if (!(other < 1)) {
-      give(first, x, y, sign, timeUs, distance);
-      return first;
-    }
-    double likelihood = first.likelihood(x, y, sign, timeUs);
-    double otherLikelihood = second.likelihood(x, y, sign, timeUs);
-    if (otherLikelihood > likelihood) {
-      share(second, first, x, y, sign, timeUs, otherLikelihood, likelihood, other);
-      return second;
-    }
-    share(first, second, x, y, sign, timeUs, likelihood, otherLikelihood, distance);
-    return first;
-  }
-
   /** Shares an event among the two clusters that it is most likely to belong to. */
-  private Cluster takeOfMany(int cell, int candidates, int x, int y, int sign, long timeUs) {
+  private Cluster takeOfMany(int cell, int x, int y, int sign, long timeUs) {
     Cluster first = null;
     Cluster second = null;
     double firstDistance = 0;
     // Not worked out as long as there is only one.
     double best = Double.NaN;
     double next = 0;
-    int most = candidates == ClusterGrid.ALL ? clusters.count : candidates;
-    for (int i = 0; i < most; i++) {
-      Cluster cluster = clusters.all[candidates == ClusterGrid.ALL ? i : grid.name(cell, i)];
+    boolean all = cell == ClusterGrid.ALL;
+    int candidates = all ? clusters.count : ClusterGrid.count(cell);
+    for (int i = 0; i < candidates; i++) {
+      Cluster cluster = clusters.all[all ? i : ClusterGrid.name(cell, i)];
       double distance = cluster.distance(x, y, timeUs, box);
       if (!(distance < 1)) {
         continue;

@@ -46,10 +46,12 @@ final class ClusterUpkeep {
    * @param observer hears of visible clusters that become one or two; null for nobody
    */
   void run(long timeUs, ClusterObserver observer) {
+    for (int i = 0; i < clusters.count; i++) {
+      clusters.all[i].moveTo(timeUs);
+    }
     life.measureNoise(clusters);
     for (int i = clusters.count - 1; i >= 0; i--) {
       Cluster cluster = clusters.all[i];
-      cluster.moveTo(timeUs);
       if (life.isOver(cluster, timeUs)) {
         clusters.remove(i);
       } else {

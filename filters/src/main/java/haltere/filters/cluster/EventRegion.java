@@ -40,6 +40,7 @@ final class EventRegion {
   /** Whether an event at a squared distance moves a cluster; where it does not, it is counted. */
   boolean moves(Cluster cluster, long timeUs, double distance) {
     if (inhibition > 0 && distance > cluster.surroundFrom) {
+      cluster.addUp();
       // The event itself adds one again.
       cluster.mass = Math.max(0, cluster.mass - inhibition) - 1;
     }

@@ -99,10 +99,10 @@ class ClusterGridTest {
 
   private static List<Integer> named(ClusterGrid grid, int x, int y, int clusters) {
     List<Integer> named = new ArrayList<>();
-    int cell = grid.cellOf(x, y);
-    boolean all = grid.count(cell) == ClusterGrid.ALL;
-    for (int i = 0; i < (all ? clusters : grid.count(cell)); i++) {
-      named.add(all ? i : grid.name(cell, i));
+    int cell = grid.at(x, y);
+    boolean all = cell == ClusterGrid.ALL;
+    for (int i = 0; i < (all ? clusters : ClusterGrid.count(cell)); i++) {
+      named.add(all ? i : ClusterGrid.name(cell, i));
     }
     return named;
   }
