@@ -277,7 +277,7 @@ final class Cluster {
     batchOwnTimes += timeUs - batchFromUs;
     learn(ex, ey, sign);
     if (--untilSample <= 0) {
-      sample(eventX, eventY, px, py, 1);
+      sample(eventX, eventY, sign, px, py, 1);
     }
   }
 
@@ -294,14 +294,14 @@ final class Cluster {
   }
 
   /** Gives an event to those that look at some of them. */
-  private void sample(double eventX, double eventY, double px, double py, double weight) {
+  private void sample(double eventX, double eventY, int sign, double px, double py, double weight) {
     untilOutline -= sampleStep;
     untilProbe -= sampleStep;
     if (untilOutline <= 0) {
       contour.take(this, eventX, eventY, px, py, weight);
     }
     if (untilProbe <= 0) {
-      untilProbe = probe.take(eventX, eventY);
+      untilProbe = probe.take(eventX, eventY, sign);
     }
     sampleStep = Math.min(untilOutline, untilProbe);
     untilSample = sampleStep;
@@ -374,7 +374,7 @@ final class Cluster {
     batchY += share * ownY;
     batchSharedTimes += share * (timeUs - batchFromUs);
     if (--untilSample <= 0) {
-      sample(eventX, eventY, px, py, share);
+      sample(eventX, eventY, sign, px, py, share);
     }
   }
 

@@ -51,15 +51,18 @@ final class ClusterParting {
     keepWhatIsNotTaken(cluster, born);
   }
 
-  /** Makes one of the place that a cluster's probe has found, and leaves all the rest to it. */
+  /**
+   * Makes two of the place that a cluster's probe has found and all the rest; it has the larger.
+   */
   private void partByGap(Cluster cluster, long timeUs) {
     Cluster born = clusters.add();
     merging.forget(born);
-    double share = cluster.probe.share;
-    life.part(cluster, born, share, timeUs);
+    GapProbe probe = cluster.probe;
+    boolean staysNear = probe.share > 0.5;
+    life.part(cluster, born, Math.min(probe.share, 1 - probe.share), timeUs);
     born.balance = 0;
-    become(cluster, cluster.probe.far, timeUs);
-    become(born, cluster.probe.near, timeUs);
+    become(cluster, staysNear ? probe.near : probe.far, timeUs);
+    become(born, staysNear ? probe.far : probe.near, timeUs);
     motion.part(cluster, born);
     merging.parted(cluster, born);
     keepWhatIsNotTaken(cluster, born);

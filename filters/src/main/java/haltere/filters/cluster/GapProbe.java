@@ -3,15 +3,17 @@ package haltere.filters.cluster;
 import java.util.Arrays;
 
 /**
- * Whether the events of a large cluster are those of things with a gap between that near or part:
- * in a crowd, a cluster that began over several things shares them for as long as they stay within
- * it, however they move.
+ * Whether the events of a large cluster are those of several things with a gap between: in a crowd,
+ * a cluster that began over several things shares them for as long as they stay within it, however
+ * they move.
  *
  * <p>Some of the events of a while are counted by their distance from one of them. Where these
  * distances leave out some, the events nearer than that are at a place of their own, which is
- * followed over further whiles. A thing whose parts have a gap between keeps it as it is, also when
- * it turns; where the distance from the place to all the rest changes, the place is another
- * thing's. Thread rule: that of its owner.
+ * followed over further whiles. The edges of one thing in front and behind have a gap between as
+ * well, but then each has one polarity, and they keep their distance, also when the thing turns. So
+ * the place is another thing's if it is still there a little later and then both it and all the
+ * rest have both polarities, or if the distance between them changes. Thread rule: that of its
+ * owner.
  */
 final class GapProbe {
   /** Bins of distance; the last one is for all that is farther. */
@@ -46,6 +48,12 @@ final class GapProbe {
   /** A place is followed for so long. */
   private static final long FOLLOWED_US = 150_000;
 
+  /** Balance below which events have both polarities. */
+  private static final double TWO_SIDED = 0.4;
+
+  /** How long a place is there at least: edges of which few pixels fire at a time have gaps. */
+  private static final long LASTING_US = 15_000;
+
   /** Share by which the distance changes where things part or near. */
   private static final double CHANGED = 0.3;
 
@@ -55,7 +63,7 @@ final class GapProbe {
   /** A smaller cluster has no room for several things. */
   private static final double LEAST_RADIUS_PX = 8;
 
-  private static final int NUMBERS = 6;
+  private static final int NUMBERS = 7;
 
   private final double[] sums = new double[NUMBERS * BINS];
   private boolean on;
@@ -86,7 +94,7 @@ final class GapProbe {
   /** Share of the events that are at the place. */
   double share;
 
-  /** Mean and covariance of some events, and how they move. */
+  /** Mean and covariance of some events, their balance, and how they move. */
   static final class Part {
     double count;
     double x;
@@ -94,6 +102,10 @@ final class GapProbe {
     double xx;
     double xy;
     double yy;
+
+    /** Share of ON events less that of OFF events, -1 to 1. */
+    double balance;
+
     double vx;
     double vy;
 
@@ -106,10 +118,15 @@ final class GapProbe {
       xx = sum(sums, 3, fromBin, toBin) / count - dx * dx;
       xy = sum(sums, 4, fromBin, toBin) / count - dx * dy;
       yy = sum(sums, 5, fromBin, toBin) / count - dy * dy;
+      balance = sum(sums, 6, fromBin, toBin) / count;
       vx = (fromX + dx - x) / seconds;
       vy = (fromY + dy - y) / seconds;
       x = fromX + dx;
       y = fromY + dy;
+    }
+
+    private boolean isTwoSided() {
+      return Math.abs(balance) < TWO_SIDED;
     }
 
     private static double sum(double[] sums, int number, int fromBin, int toBin) {
@@ -142,7 +159,7 @@ final class GapProbe {
   }
 
   /** Takes an event, and says how many later the next one is to be taken. */
-  int take(double x, double y) {
+  int take(double x, double y, int sign) {
     if (!on) {
       return Integer.MAX_VALUE;
     }
@@ -161,6 +178,7 @@ final class GapProbe {
     sums[at + 3] += dx * dx;
     sums[at + 4] += dx * dy;
     sums[at + 5] += dy * dy;
+    sums[at + 6] += sign;
     events++;
     return stride;
   }
@@ -209,8 +227,10 @@ final class GapProbe {
       firstShare = share;
     } else {
       boolean same = share < SAME * firstShare && firstShare < SAME * share;
-      another =
-          same && Math.abs(distance - firstDistance) > CHANGED * Math.max(distance, firstDistance);
+      boolean lasts = timeUs - followedFromUs >= LASTING_US;
+      boolean areTwo = lasts && near.isTwoSided() && far.isTwoSided();
+      double changed = Math.abs(distance - firstDistance);
+      another = same && (areTwo || changed > CHANGED * Math.max(distance, firstDistance));
       following = same && !another && timeUs - followedFromUs < FOLLOWED_US;
     }
     beforeUs = middleUs;

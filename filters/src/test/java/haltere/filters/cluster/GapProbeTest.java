@@ -20,16 +20,20 @@ class GapProbeTest {
   private final Cluster cluster = new Cluster(0);
   private int eventsPerUpkeep;
 
-  /** Where a place is, pixels, at seconds after the probe has begun. */
-  private record Place(DoubleUnaryOperator x, DoubleUnaryOperator y) {
-    static Place moving(double x, double y, double vx, double vy) {
-      return new Place(s -> x + vx * s, s -> y + vy * s);
+  /**
+   * Where a place is, pixels, at seconds after the probe has begun, and its polarity: 1, -1, or 0
+   * for both.
+   */
+  private record Place(DoubleUnaryOperator x, DoubleUnaryOperator y, int sign) {
+    static Place moving(double x, double y, double vx, double vy, int sign) {
+      return new Place(s -> x + vx * s, s -> y + vy * s, sign);
     }
 
-    static Place turning(double radius, double angleRad, double radPerS) {
+    static Place turning(double radius, double angleRad, double radPerS, int sign) {
       return new Place(
           s -> 100 + radius * StrictMath.cos(angleRad + radPerS * s),
-          s -> 100 + radius * StrictMath.sin(angleRad + radPerS * s));
+          s -> 100 + radius * StrictMath.sin(angleRad + radPerS * s),
+          sign);
     }
   }
 
@@ -55,7 +59,8 @@ class GapProbeTest {
         Place place = places[random.nextInt(places.length)];
         probe.take(
             place.x().applyAsDouble(seconds) + random.nextDouble(-EXTENT_PX, EXTENT_PX),
-            place.y().applyAsDouble(seconds) + random.nextDouble(-EXTENT_PX, EXTENT_PX));
+            place.y().applyAsDouble(seconds) + random.nextDouble(-EXTENT_PX, EXTENT_PX),
+            place.sign() == 0 ? 2 * random.nextInt(2) - 1 : place.sign());
       }
       if (probe.findsAnother(cluster, OLD_US + (long) ms * UPKEEP_US)) {
         return ms;
@@ -69,10 +74,10 @@ class GapProbeTest {
     int ms =
         foundAfterMs(
             500,
-            Place.moving(84, 103, 0, 0),
-            Place.moving(86, 105, 0, 0),
-            Place.moving(88, 107, 0, 0),
-            Place.moving(110, 95, 200, 0));
+            Place.moving(84, 103, 0, 0, 1),
+            Place.moving(86, 105, 0, 0, 1),
+            Place.moving(88, 107, 0, 0, 1),
+            Place.moving(110, 95, 200, 0, -1));
     assertTrue(ms > 0 && ms < 120, "found after " + ms + " ms");
     GapProbe.Part parted = cluster.probe.near.x > 100 ? cluster.probe.near : cluster.probe.far;
     GapProbe.Part rest = cluster.probe.near.x > 100 ? cluster.probe.far : cluster.probe.near;
@@ -101,7 +106,8 @@ class GapProbeTest {
                 100 + 22 * StrictMath.cos(angle),
                 100 + 22 * StrictMath.sin(angle),
                 random.nextDouble(-150, 150),
-                random.nextDouble(-150, 150));
+                random.nextDouble(-150, 150),
+                1);
       }
       cluster.probe.end();
       soon += foundAfterMs(120, places) > 0 ? 1 : 0;
@@ -110,32 +116,41 @@ class GapProbeTest {
   }
 
   @Test
-  void aThingWhosePartsHaveGapsIsOneThingAsItMovesAndAsItTurns() {
+  void theEdgesOfAThingAreOneThingAsItMovesAndAsItTurns() {
     assertEquals(
         -1,
         foundAfterMs(
             400,
-            Place.moving(80, 100, 300, 100),
-            Place.moving(100, 120, 300, 100),
-            Place.moving(120, 95, 300, 100)));
+            Place.moving(80, 100, 300, 100, -1),
+            Place.moving(100, 120, 300, 100, 1),
+            Place.moving(120, 95, 300, 100, 1)));
     assertEquals(
         -1,
         foundAfterMs(
-            400, Place.turning(20, 0, 10), Place.turning(20, 2, 10), Place.turning(20, 4, 10)));
+            400,
+            Place.turning(20, 0, 10, 1),
+            Place.turning(20, 2, 10, 1),
+            Place.turning(20, 4, 10, -1)));
+  }
+
+  @Test
+  void aPlaceAndAllTheRestWithBothPolaritiesEachAreTwoThingsThoughTheyKeepTheirDistance() {
+    int ms = foundAfterMs(100, Place.moving(85, 100, 50, 0, 0), Place.moving(115, 90, 50, 0, 0));
+    assertTrue(ms > 0 && ms < 40, "found after " + ms + " ms");
   }
 
   @Test
   void eventsWithoutAGapAreOneThingHoweverTheyMove() {
     Place[] places = new Place[12];
     for (int i = 0; i < places.length; i++) {
-      places[i] = Place.moving(75 + 4.5 * i, 100, -150 + 30 * i, 0);
+      places[i] = Place.moving(75 + 4.5 * i, 100, -150 + 30 * i, 0, 0);
     }
     assertEquals(-1, foundAfterMs(50, places));
   }
 
   @Test
   void aYoungClusterAndASmallOneAreNotProbed() {
-    Place[] places = {Place.moving(80, 100, 0, 0), Place.moving(110, 95, 200, 0)};
+    Place[] places = {Place.moving(80, 100, 0, 0, 0), Place.moving(110, 95, 200, 0, 0)};
     cluster.bornUs = OLD_US;
     assertEquals(-1, foundAfterMs(70, places));
     cluster.bornUs = BORN_US;
