@@ -28,7 +28,8 @@ final class ClusterGrid {
   private final int rows;
 
   /**
-   * One more than the place in the list of each cluster of a cell, a byte each, the first lowest.
+   * One more than the place in the list of each cluster of a cell, a byte each, the first lowest:
+   * there are never as many as 255 clusters, see {@link ClusterOutputSettings#mostClusters}.
    */
   private final int[] cells;
 
