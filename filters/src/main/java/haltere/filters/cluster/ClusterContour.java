@@ -199,8 +199,9 @@ final class ClusterContour {
       if (distance < LEAST_DISTANCE || off * off > gate) {
         continue;
       }
-      double nx = dx / distance;
-      double ny = dy / distance;
+      double perDistance = 1 / distance;
+      double nx = dx * perDistance;
+      double ny = dy * perDistance;
       double m = off + nx * events[at + 2] + ny * events[at + 3];
       sums.add(nx, ny, m, events[at + 4]);
     }

@@ -14,6 +14,7 @@ final class ClusterReader implements ClusterReadings {
 
   private final ClusterMerging merging;
   private Cluster[] visible = new Cluster[0];
+  private boolean[] measured = new boolean[0];
   private int count;
   private long timeUs;
   private double width;
@@ -28,6 +29,7 @@ final class ClusterReader implements ClusterReadings {
   void open(Cluster[] clusters, int clusterCount, long readingUs, int widthPx, int heightPx) {
     if (visible.length < clusters.length) {
       visible = new Cluster[clusters.length];
+      measured = new boolean[clusters.length];
     }
     timeUs = readingUs;
     width = widthPx;
@@ -37,8 +39,7 @@ final class ClusterReader implements ClusterReadings {
     for (int i = 0; i < clusterCount; i++) {
       if (clusters[i].isVisible()) {
         clusters[i].moveTo(readingUs);
-        clusters[i].contour.read(clusters[i]);
-        ClusterLines.hold(clusters[i], ageUs(clusters[i]) * 1e-6);
+        measured[count] = false;
         visible[count++] = clusters[i];
       }
     }
@@ -47,8 +48,10 @@ final class ClusterReader implements ClusterReadings {
   /** Ends the measurements that were read. */
   void close() {
     for (int i = 0; i < count; i++) {
-      visible[i].clearBatch(timeUs);
-      visible[i].contour.next(visible[i], timeUs);
+      if (measured[i]) {
+        visible[i].clearBatch(timeUs);
+        visible[i].contour.next(visible[i], timeUs);
+      }
       visible[i] = null;
     }
     count = 0;
@@ -105,6 +108,16 @@ final class ClusterReader implements ClusterReadings {
   @Override
   public double contestedEvents(int index) {
     return at(index).batchContested;
+  }
+
+  @Override
+  public void measure(int index) {
+    Cluster cluster = at(index);
+    if (!measured[index]) {
+      measured[index] = true;
+      cluster.contour.read(cluster);
+      ClusterLines.hold(cluster, ageUs(cluster) * 1e-6);
+    }
   }
 
   @Override

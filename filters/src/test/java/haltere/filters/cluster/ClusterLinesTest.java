@@ -27,7 +27,11 @@ class ClusterLinesTest {
     tracker.observe(
         (timeUs, at) -> {
           for (int i = 0; i < at.count(); i++) {
-            if (timeUs < 250_000 || !(at.newEvents(i) > 0)) {
+            if (!(at.newEvents(i) > 0)) {
+              continue;
+            }
+            at.measure(i);
+            if (timeUs < 250_000) {
               continue;
             }
             readings++;

@@ -3,8 +3,8 @@ package haltere.filters.track.kalman;
 import haltere.filters.cluster.ClusterReadings;
 
 /**
- * The events of one cluster since its track was last updated: their number, mean place, mean time
- * and scatter. Thread rule: that of its owner.
+ * The events of one cluster since its track was last updated: their number, and, once it is
+ * measured, their mean place, mean time, scatter and outline. Thread rule: that of its owner.
  */
 final class EventBatch {
   /**
@@ -25,10 +25,10 @@ final class EventBatch {
   /** Index in the present readings. */
   int index;
 
-  /** Since when it collects. */
+  /** When it was last measured, or when its cluster began. */
   long sinceUs;
 
-  /** A cluster may have a share of an event only. */
+  /** Events since then; a cluster may have a share of an event only. */
   double events;
 
   double radiusPx;
@@ -36,23 +36,33 @@ final class EventBatch {
   /** Whether its cluster has just turned out to be one of two, and is elsewhere. */
   boolean parted;
 
+  /** The track that has it, or null. */
+  Track track;
+
+  // What the cluster says of those events.
+
   /** Variance of the place of its middle that does not fall with the number of events. */
   double unseenVariance;
 
   /** The same of the middle of its outline. */
   double outlineMisfitVariance;
 
+  /** Mean time of the events, whole microseconds. */
+  long meanTimeUs;
+
+  double meanX;
+  double meanY;
+
+  /** Covariance of the place of one event. */
+  double varianceX;
+
+  double covarianceXy;
+  double varianceY;
+
   /** Direction of the line along which its cluster's place is not known, or 0. */
   private double lineX;
 
   private double lineY;
-  private double sumX;
-  private double sumY;
-  private double sumAgeUs;
-  private double sumXx;
-  private double sumXy;
-  private double sumYy;
-  private long baseUs;
 
   // Information on the centre of a round outline, and that times the centre.
   private double outlineXx;
@@ -60,9 +70,6 @@ final class EventBatch {
   private double outlineYy;
   private double outlineX;
   private double outlineY;
-
-  /** The track that has it, or null. */
-  Track track;
 
   void begin(int id, long timeUs) {
     clusterId = id;
@@ -73,73 +80,35 @@ final class EventBatch {
   void clear(long timeUs) {
     sinceUs = timeUs;
     events = 0;
-    sumX = 0;
-    sumY = 0;
-    sumAgeUs = 0;
-    sumXx = 0;
-    sumXy = 0;
-    sumYy = 0;
-    baseUs = timeUs;
     parted = false;
-    outlineXx = 0;
-    outlineXy = 0;
-    outlineYy = 0;
-    outlineX = 0;
-    outlineY = 0;
   }
 
-  void add(long timeUs, ClusterReadings readings, int i) {
-    index = i;
+  /** Sees its cluster, and how many events that has by now. */
+  void see(ClusterReadings readings, int newIndex) {
+    index = newIndex;
     seen = true;
-    radiusPx = readings.radiusPx(i);
-    unseenVariance = readings.unseenVariance(i);
-    outlineMisfitVariance = readings.outlineMisfitVariance(i);
-    lineX = readings.lineX(i);
-    lineY = readings.lineY(i);
-    double n = readings.newEvents(i);
-    if (!(n > 0)) {
-      return;
-    }
-    events += n;
-    sumX += n * readings.measuredX(i);
-    sumY += n * readings.measuredY(i);
-    sumAgeUs += n * (timeUs - readings.measuredAgeUs(i) - baseUs);
-    sumXx += n * readings.eventVarianceX(i);
-    sumXy += n * readings.eventCovarianceXy(i);
-    sumYy += n * readings.eventVarianceY(i);
-    if (readings.outlineXx(i) > 0) {
-      outlineXx += readings.outlineXx(i);
-      outlineXy += readings.outlineXy(i);
-      outlineYy += readings.outlineYy(i);
-      outlineX += readings.outlineX(i);
-      outlineY += readings.outlineY(i);
-    }
+    radiusPx = readings.radiusPx(index);
+    events = readings.newEvents(index);
   }
 
-  double meanX() {
-    return sumX / events;
-  }
-
-  double meanY() {
-    return sumY / events;
-  }
-
-  /** Mean time of the events, whole microseconds. */
-  long meanTimeUs() {
-    return baseUs + Math.round(sumAgeUs / events);
-  }
-
-  /** Variance of the column of one event. */
-  double varianceX() {
-    return sumXx / events;
-  }
-
-  double covarianceXy() {
-    return sumXy / events;
-  }
-
-  double varianceY() {
-    return sumYy / events;
+  /** Takes what the cluster says of its events, of which there are some; later ones are new. */
+  void measure(long timeUs, ClusterReadings readings) {
+    readings.measure(index);
+    unseenVariance = readings.unseenVariance(index);
+    outlineMisfitVariance = readings.outlineMisfitVariance(index);
+    lineX = readings.lineX(index);
+    lineY = readings.lineY(index);
+    meanTimeUs = Math.round(timeUs - readings.measuredAgeUs(index));
+    meanX = readings.measuredX(index);
+    meanY = readings.measuredY(index);
+    varianceX = readings.eventVarianceX(index);
+    covarianceXy = readings.eventCovarianceXy(index);
+    varianceY = readings.eventVarianceY(index);
+    outlineXx = readings.outlineXx(index);
+    outlineXy = readings.outlineXy(index);
+    outlineYy = readings.outlineYy(index);
+    outlineX = readings.outlineX(index);
+    outlineY = readings.outlineY(index);
   }
 
   /** Whether the outline tells the centre better than the mean of the events does. */
@@ -147,7 +116,7 @@ final class EventBatch {
     double determinant = outlineXx * outlineYy - outlineXy * outlineXy;
     return determinant > 0
         && (outlineXx + outlineYy) / determinant
-            < (sumXx + sumYy) / (events * events) + 2 * unseenVariance;
+            < (varianceX + varianceY) / events + 2 * unseenVariance;
   }
 
   /** Whether that outline is round: of a part of a large ring it is known in one direction only. */
@@ -159,10 +128,10 @@ final class EventBatch {
 
   /** Whether its events are all around the middle, and not at a corner or on one side. */
   private boolean surroundsCentre() {
-    double dx = meanX() - outlineCentreX();
-    double dy = meanY() - outlineCentreY();
+    double dx = meanX - outlineCentreX();
+    double dy = meanY - outlineCentreY();
     double off = dx * dx + dy * dy;
-    return off < MOST_ONE_SIDED * (off + varianceX() + varianceY());
+    return off < MOST_ONE_SIDED * (off + varianceX + varianceY);
   }
 
   double outlineVarianceX() {
@@ -203,13 +172,11 @@ final class EventBatch {
   }
 
   private double lineVariance() {
-    return lineX * lineX * varianceX()
-        + 2 * lineX * lineY * covarianceXy()
-        + lineY * lineY * varianceY();
+    return lineX * lineX * varianceX + 2 * lineX * lineY * covarianceXy + lineY * lineY * varianceY;
   }
 
   /** Standard deviation of an event about the centre, both axes taken together. */
   double spreadPx() {
-    return Math.sqrt((varianceX() + varianceY()) / 2);
+    return Math.sqrt((varianceX + varianceY) / 2);
   }
 }

@@ -2,7 +2,9 @@ package haltere.filters.track.kalman;
 
 import haltere.filters.cluster.ClusterReadings;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 
 /** Clusters that a test puts where it wants them, for a {@link TrackEstimator} to read. */
 final class GivenClusters implements ClusterReadings {
@@ -12,6 +14,10 @@ final class GivenClusters implements ClusterReadings {
     double x;
     double y;
     double newEvents = 20;
+
+    /** New ones, with those before that were not measured. */
+    double kept;
+
     double ageUs = 5000;
     double variance = 4;
 
@@ -51,6 +57,19 @@ final class GivenClusters implements ClusterReadings {
   }
 
   final List<Given> list = new ArrayList<>();
+  private final Set<Integer> measured = new HashSet<>();
+
+  /** Lets an estimator read them once all have got their new events. */
+  void read(TrackEstimator estimator, long timeUs) {
+    for (Given given : list) {
+      given.kept += given.newEvents;
+    }
+    estimator.clustersRead(timeUs, this);
+    for (int index : measured) {
+      list.get(index).kept = 0;
+    }
+    measured.clear();
+  }
 
   Given add(int id) {
     Given given = new Given(id);
@@ -90,12 +109,17 @@ final class GivenClusters implements ClusterReadings {
 
   @Override
   public double newEvents(int index) {
-    return list.get(index).newEvents;
+    return list.get(index).kept;
+  }
+
+  @Override
+  public void measure(int index) {
+    measured.add(index);
   }
 
   @Override
   public double contestedEvents(int index) {
-    return list.get(index).overlapped ? list.get(index).newEvents : 0;
+    return list.get(index).overlapped ? list.get(index).kept : 0;
   }
 
   @Override

@@ -56,7 +56,7 @@ class TrackEstimatorTest {
         double seconds = (timeUs - STEP_US / 2) * 1e-6;
         m.cluster.at(m.x(seconds), m.y(seconds));
       }
-      estimator.clustersRead(timeUs, clusters);
+      clusters.read(estimator, timeUs);
     }
   }
 
@@ -392,7 +392,9 @@ class TrackEstimatorTest {
     Measurement measurement = new Measurement(estimator.settings().measurement(), false);
     EventBatch batch = new EventBatch();
     batch.begin(1, timeUs);
-    batch.add(timeUs, clusters, 0);
+    batch.see(clusters, 0);
+    batch.events = 20;
+    batch.measure(timeUs, clusters);
     Track track = only();
     assertNotNull(track);
     measurement.of(batch, track, clusters, timeUs);
