@@ -26,7 +26,10 @@ final class ClusterFeedback {
       }
       for (int j = i + 1; track.nearUnlike && j < tracks.count(); j++) {
         Track other = tracks.get(j);
-        if (other.nearUnlike && other.hasSeenCluster() && track.movesUnlike(other)) {
+        if (other.nearUnlike
+            && TrackPairs.areNear(track, other)
+            && other.hasSeenCluster()
+            && track.movesUnlike(other)) {
           readings.keepApart(index, other.batch.index, timeUs + settings.updateIntervalUs());
         }
       }

@@ -36,6 +36,11 @@ final class MeasurementPlane {
   double varianceVxPx2S2;
   double varianceVyPx2S2;
 
+  // How pixels change with the place on the road, where that was worked out last.
+  private double columnsPerX;
+  private double columnsPerY;
+  private double rowsPerY;
+
   /** The picture itself if there is no road. */
   MeasurementPlane(RoadMapping road) {
     this.road = road;
@@ -105,12 +110,19 @@ final class MeasurementPlane {
     yy = c * c * t;
   }
 
-  /** Works out what a state is in pixels; false if it is not in the picture's half of the road. */
+  /** Works out all of a state in pixels; false if it is not in the picture's half of the road. */
   boolean toPixels(MotionModes state) {
-    return toPixels(state, 0);
+    boolean inPicture = toPixels(state, 0);
+    if (inPicture) {
+      placeSpread(state);
+    }
+    return inPicture;
   }
 
-  /** The same a time later if the velocity stays; the covariance is that of the state. */
+  /**
+   * The same a time later if the velocity stays, without how sure the place is; how sure the
+   * velocity is is that of the state.
+   */
   boolean toPixels(MotionModes state, double dtS) {
     double laterX = state.x() + dtS * state.vx();
     double laterY = state.y() + dtS * state.vy();
@@ -119,9 +131,6 @@ final class MeasurementPlane {
       yPx = laterY;
       vxPxS = state.vx();
       vyPxS = state.vy();
-      varianceXPx2 = state.covariance(0, 0);
-      covarianceXyPx2 = state.covariance(0, 1);
-      varianceYPx2 = state.covariance(1, 1);
       varianceVxPx2S2 = state.covariance(2, 2);
       varianceVyPx2S2 = state.covariance(3, 3);
       return true;
@@ -135,22 +144,36 @@ final class MeasurementPlane {
       return false;
     }
     // The inverse of J = [a b; 0 c] is [1/a −b/(ac); 0 1/c].
-    double a = 1 / road.lateralPerX(yPx);
-    double c = 1 / road.distancePerY(yPx);
-    double b = -road.lateralPerY(xPx, yPx) * a * c;
-    vxPxS = a * state.vx() + b * state.vy();
-    vyPxS = c * state.vy();
+    columnsPerX = 1 / road.lateralPerX(yPx);
+    rowsPerY = 1 / road.distancePerY(yPx);
+    columnsPerY = -road.lateralPerY(xPx, yPx) * columnsPerX * rowsPerY;
+    vxPxS = columnsPerX * state.vx() + columnsPerY * state.vy();
+    vyPxS = rowsPerY * state.vy();
+    varianceVxPx2S2 =
+        varianceOfColumn(state.covariance(2, 2), state.covariance(2, 3), state.covariance(3, 3));
+    varianceVyPx2S2 = rowsPerY * rowsPerY * state.covariance(3, 3);
+    return true;
+  }
+
+  /** Works out how sure the place of a state is, at the place that was worked out last. */
+  void placeSpread(MotionModes state) {
     double p00 = state.covariance(0, 0);
     double p01 = state.covariance(0, 1);
     double p11 = state.covariance(1, 1);
-    varianceXPx2 = a * a * p00 + 2 * a * b * p01 + b * b * p11;
-    covarianceXyPx2 = c * (a * p01 + b * p11);
-    varianceYPx2 = c * c * p11;
-    varianceVxPx2S2 =
-        a * a * state.covariance(2, 2)
-            + 2 * a * b * state.covariance(2, 3)
-            + b * b * state.covariance(3, 3);
-    varianceVyPx2S2 = c * c * state.covariance(3, 3);
-    return true;
+    if (road == null) {
+      varianceXPx2 = p00;
+      covarianceXyPx2 = p01;
+      varianceYPx2 = p11;
+      return;
+    }
+    varianceXPx2 = varianceOfColumn(p00, p01, p11);
+    covarianceXyPx2 = rowsPerY * (columnsPerX * p01 + columnsPerY * p11);
+    varianceYPx2 = rowsPerY * rowsPerY * p11;
+  }
+
+  private double varianceOfColumn(double ofX, double ofBoth, double ofY) {
+    return columnsPerX * columnsPerX * ofX
+        + 2 * columnsPerX * columnsPerY * ofBoth
+        + columnsPerY * columnsPerY * ofY;
   }
 }

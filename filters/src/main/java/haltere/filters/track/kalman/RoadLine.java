@@ -161,6 +161,7 @@ final class RoadLine {
     isCutLeft = columnNow - halfPx < 1;
     isCutRight = columnNow + halfPx > width - 2;
     lastColumnPx = width - 1;
+    plane.placeSpread(track.motion);
     double sd = Math.sqrt(plane.varianceYPx2);
     gatePx = Math.min(WIDEST_GATE_PX, LEAST_GATE_PX + GATE_SIGMAS * sd);
     firstRow = (int) Math.floor(rowNow) - ROWS / 2;

@@ -19,6 +19,10 @@ final class Track {
   /** Within this time a track that has lost its events has stopped, if it has. */
   private static final double REST_S = 0.05;
 
+  /** Squared difference of two velocities that are unlike, over the product of the speeds. */
+  private static final double UNLIKE = 0.01;
+
+  private static final double UNLIKE_SIGMAS = 4;
   private static final int ALONE_UPDATES = 50;
   private static final int LEAST_FREE_UPDATES = 10;
   private static final int SETTLED_UPDATES = 20;
@@ -336,7 +340,11 @@ final class Track {
   }
 
   double speedPxS() {
-    return Math.sqrt(nowVxPxS * nowVxPxS + nowVyPxS * nowVyPxS);
+    return Math.sqrt(squaredSpeed());
+  }
+
+  private double squaredSpeed() {
+    return nowVxPxS * nowVxPxS + nowVyPxS * nowVyPxS;
   }
 
   /**
@@ -356,10 +364,14 @@ final class Track {
   boolean movesUnlike(Track other) {
     double dx = nowVxPxS - other.nowVxPxS;
     double dy = nowVyPxS - other.nowVyPxS;
+    double squared = dx * dx + dy * dy;
+    if (!(squared * squared > UNLIKE * UNLIKE * squaredSpeed() * other.squaredSpeed())) {
+      return false;
+    }
     double apart =
         dx * dx / (nowVarianceVx + other.nowVarianceVx)
             + dy * dy / (nowVarianceVy + other.nowVarianceVy);
-    return apart > 16 && dx * dx + dy * dy > 0.01 * speedPxS() * other.speedPxS();
+    return apart > UNLIKE_SIGMAS * UNLIKE_SIGMAS;
   }
 
   /** What the last comparison has come to; the gain is that of the likeliest model. */

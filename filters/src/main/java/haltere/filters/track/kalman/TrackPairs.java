@@ -66,24 +66,33 @@ final class TrackPairs {
   }
 
   private static void markPair(Track a, Track b) {
-    double dx = a.nowXPx - b.nowXPx;
-    double dy = a.nowYPx - b.nowYPx;
-    double reach = CONTESTED_SPREADS * (a.spreadPx + b.spreadPx);
-    double far = Math.max(NEAR_FACTOR * reach, a.radiusPx + b.radiusPx);
-    double distance = dx * dx + dy * dy;
-    if (!(distance < far * far) || a.id == 0 || b.id == 0) {
+    if (!areNear(a, b) || a.id == 0 || b.id == 0) {
       return;
     }
     a.nearOther = true;
     b.nearOther = true;
-    if (a.movesUnlike(b)) {
+    if (!(a.nearUnlike && b.nearUnlike) && a.movesUnlike(b)) {
       a.nearUnlike = true;
       b.nearUnlike = true;
     }
-    if (distance < reach * reach) {
+    double reach = CONTESTED_SPREADS * (a.spreadPx + b.spreadPx);
+    if (squaredDistance(a, b) < reach * reach) {
       a.contested = true;
       b.contested = true;
     }
+  }
+
+  /** Whether which of two tracks is which may be in question. */
+  static boolean areNear(Track a, Track b) {
+    double reach = CONTESTED_SPREADS * (a.spreadPx + b.spreadPx);
+    double far = Math.max(NEAR_FACTOR * reach, a.radiusPx + b.radiusPx);
+    return squaredDistance(a, b) < far * far;
+  }
+
+  private static double squaredDistance(Track a, Track b) {
+    double dx = a.nowXPx - b.nowXPx;
+    double dy = a.nowYPx - b.nowYPx;
+    return dx * dx + dy * dy;
   }
 
   void start() {

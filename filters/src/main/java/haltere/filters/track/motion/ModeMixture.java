@@ -8,6 +8,10 @@ import java.util.Arrays;
  */
 final class ModeMixture {
   private final MotionNoise noise;
+  private final int modes;
+
+  /** Which share of the targets that leave a mode, a row each, goes on in each other one. */
+  private final double[] shares;
 
   /** The share of each mode; they add up to 1. */
   private final double[] weights;
@@ -17,13 +21,20 @@ final class ModeMixture {
 
   ModeMixture(MotionNoise noise) {
     this.noise = noise;
-    weights = new double[noise.modes()];
-    leave = new double[noise.modes()];
+    modes = noise.modes();
+    weights = new double[modes];
+    leave = new double[modes];
+    shares = new double[modes * modes];
+    for (int i = 0; i < modes; i++) {
+      for (int j = 0; j < modes; j++) {
+        shares[modes * i + j] = i == j ? 0 : noise.share(i, j);
+      }
+    }
   }
 
   /** Lets modes be left for a time. */
   void goOn(double dtS) {
-    int last = leave.length - 1;
+    int last = modes - 1;
     // All but the last are left at the same rate.
     double usual = noise.leave(0, dtS);
     for (int i = 0; i < last; i++) {
@@ -40,19 +51,16 @@ final class ModeMixture {
    */
   double weighTransitions(double[] probability, int to) {
     double sum = 0;
-    for (int i = 0; i < weights.length; i++) {
-      weights[i] = probability[i] * noise.transition(i, to, leave[i]);
+    for (int i = 0; i < modes; i++) {
+      double stays = i == to ? 1 - leave[i] : leave[i] * shares[modes * i + to];
+      weights[i] = probability[i] * stays;
       sum += weights[i];
     }
-    for (int i = 0; i < weights.length; i++) {
-      weights[i] /= sum;
+    double perSum = 1 / sum;
+    for (int i = 0; i < modes; i++) {
+      weights[i] *= perSum;
     }
     return sum;
-  }
-
-  /** Weighs modes by how probable each is. */
-  void weigh(double[] probability) {
-    System.arraycopy(probability, 0, weights, 0, weights.length);
   }
 
   /**
@@ -67,7 +75,7 @@ final class ModeMixture {
     boolean rates = unknownRate > 0;
     Arrays.fill(mean, 0);
     Arrays.fill(spread, 0);
-    for (int i = 0; i < weights.length; i++) {
+    for (int i = 0; i < modes; i++) {
       double w = weights[i];
       double[] x = of[i].x;
       mean[0] += w * x[0];
@@ -76,7 +84,7 @@ final class ModeMixture {
       mean[3] += w * x[3];
       mean[4] += rates ? w * x[4] : 0;
     }
-    for (int i = 0; i < weights.length; i++) {
+    for (int i = 0; i < modes; i++) {
       addSpread(of[i], mean, weights[i], spread, rates);
       if (rates && noise.rateVariance(i) == 0) {
         spread[PlaneFilter.ENTRIES - 1] += weights[i] * unknownRate;

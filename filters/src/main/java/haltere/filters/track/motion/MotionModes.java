@@ -15,7 +15,6 @@ package haltere.filters.track.motion;
  * time.
  */
 public final class MotionModes {
-  private static final int N = PlaneFilter.STATES;
   private static final double LEAST_PROBABILITY = 1e-9;
 
   /** Share of the speed of a new target by which one that is thrown back may be faster. */
@@ -35,10 +34,13 @@ public final class MotionModes {
   private final double[] next;
   private final ModeMixture mixture;
 
-  // Mean and covariance of all modes, as soon as somebody asks for them.
-  private final double[] state = new double[N];
-  private final double[] covariance = new double[PlaneFilter.ENTRIES];
+  /** Mean of all modes, as soon as somebody asks for it. */
+  private final double[] state = new double[PlaneFilter.STATES];
+
   private boolean combined;
+
+  /** Time since modes were mixed, seconds. */
+  private double unmixedS;
 
   /**
    * Modes that have yet to be launched.
@@ -175,6 +177,7 @@ public final class MotionModes {
       filters[j].launch(atX, atY, xx, xy, yy, velocityVariance, noise.rateVariance(j));
       probability[j] = 1.0 / modes;
     }
+    unmixedS = 0;
     combined = false;
   }
 
@@ -188,6 +191,7 @@ public final class MotionModes {
       filters[j].copyFrom(other.filters[j]);
       probability[j] = other.probability[j];
     }
+    unmixedS = other.unmixedS;
     combined = false;
   }
 
@@ -199,11 +203,14 @@ public final class MotionModes {
    * @param noiseFactor the process noise is this many times the usual one
    */
   public void predictFrom(MotionModes other, double dtS, double noiseFactor) {
-    if (modes > 1 && dtS > 0) {
-      mixFrom(other, dtS);
+    double goneS = other.unmixedS + dtS;
+    if (modes > 1 && dtS > 0 && goneS >= noise.mixedEveryS()) {
+      mixFrom(other, goneS);
+      unmixedS = 0;
       combined = false;
     } else {
       copyFrom(other);
+      unmixedS = goneS;
     }
     coast(dtS, noiseFactor);
   }
@@ -295,17 +302,19 @@ public final class MotionModes {
     double sum = 0;
     for (int j = 0; j < modes; j++) {
       PlaneFilter filter = filters[j];
-      next[j] =
-          probability[j] * Math.exp(0.5 * (least - filter.nis())) / Math.sqrt(filter.determinant());
+      double more = filter.nis() - least;
+      double likelihood = more == 0 ? 1 : Math.exp(-0.5 * more);
+      next[j] = probability[j] * likelihood / Math.sqrt(filter.determinant());
       sum += next[j];
     }
     double kept = 0;
     for (int j = 0; j < modes; j++) {
-      probability[j] = Math.max(LEAST_PROBABILITY, next[j] / sum);
+      probability[j] = Math.max(LEAST_PROBABILITY * sum, next[j]);
       kept += probability[j];
     }
+    double perKept = 1 / kept;
     for (int j = 0; j < modes; j++) {
-      probability[j] /= kept;
+      probability[j] *= perKept;
     }
   }
 
@@ -386,7 +395,14 @@ public final class MotionModes {
    */
   public double covariance(int row, int column) {
     combine();
-    return covariance[PlaneFilter.place(row, column)];
+    int place = PlaneFilter.place(row, column);
+    double sum = 0;
+    for (int j = 0; j < modes; j++) {
+      double[] x = filters[j].x;
+      double apart = (x[row] - state[row]) * (x[column] - state[column]);
+      sum += probability[j] * (filters[j].p[place] + apart);
+    }
+    return sum;
   }
 
   private void mixFrom(MotionModes other, double dtS) {
@@ -403,12 +419,12 @@ public final class MotionModes {
       return;
     }
     combined = true;
-    if (modes == 1) {
-      System.arraycopy(filters[0].x, 0, state, 0, N);
-      System.arraycopy(filters[0].p, 0, covariance, 0, PlaneFilter.ENTRIES);
-      return;
+    for (int i = 0; i < 4; i++) {
+      double mean = 0;
+      for (int j = 0; j < modes; j++) {
+        mean += probability[j] * filters[j].x[i];
+      }
+      state[i] = mean;
     }
-    mixture.weigh(probability);
-    mixture.mix(filters, state, covariance, 0);
   }
 }

@@ -26,6 +26,16 @@ public final class MotionNoise {
   /** Share of the changes between more than two modes that lead to doing anything. */
   private static final double AGILE_ENTRY = 0.1;
 
+  /** Times over those that a mode lasts up to which a series is as good as an exponential. */
+  private static final double SHORT = 0.05;
+
+  /**
+   * Three modes are mixed after this time at the earliest, so at every second update where these
+   * come as often as they can: with seconds between changes that is as good, and mixing takes as
+   * long as half of the rest.
+   */
+  private static final double MIXED_EVERY_S = 0.015;
+
   private final boolean perStep;
   private final double[] acceleration;
   private final boolean[] turns;
@@ -146,26 +156,29 @@ public final class MotionNoise {
     return launchSpeed * launchSpeed;
   }
 
+  /** The time after which modes are mixed, at the earliest. */
+  double mixedEveryS() {
+    return modes() > 2 ? MIXED_EVERY_S : 0;
+  }
+
   /** Probability that a target has left a mode after a time. */
   double leave(int mode, double dtS) {
     boolean agile = mode > 0 && mode == acceleration.length - 1;
-    return 1 - Math.exp(-dtS / (agile ? stayS * agileStay : stayS));
+    double stays = dtS / (agile ? stayS * agileStay : stayS);
+    // The approximation of Padé of order 2, 2, within 1e-9 up to there.
+    return stays < SHORT ? stays / (1 + stays / 2 + stays * stays / 12) : 1 - Math.exp(-stays);
   }
 
   /**
-   * Probability that a target is in a mode, given the mode that it was in before and the
-   * probability that it has left that. The last of several modes, in which anything goes, is rarely
-   * entered and soon left.
+   * Share of the targets that leave a mode that goes on in a certain other one. The last of several
+   * modes, in which anything goes, is rarely entered.
    */
-  double transition(int from, int to, double leave) {
-    if (to == from) {
-      return 1 - leave;
-    }
+  double share(int from, int to) {
     int last = acceleration.length - 1;
     if (from == last) {
-      return leave / last;
+      return 1.0 / last;
     }
-    double agile = last == 1 ? leave : leave * AGILE_ENTRY;
-    return to == last ? agile : (leave - agile) / (last - 1);
+    double agile = last == 1 ? 1 : AGILE_ENTRY;
+    return to == last ? agile : (1 - agile) / (last - 1);
   }
 }
