@@ -91,9 +91,6 @@ final class ClusterContour {
   /** Radius up to which a ring can be the cluster's, over the cluster's own. */
   private static final double MOST_RADIUS = 1.2;
 
-  /** Share of the way to the middle that a centre goes at an upkeep. */
-  private static final double CENTRING = 0.1;
-
   /** Numbers of an event that waits, and how many of these there may be. */
   private static final int NUMBERS = 5;
 
@@ -393,10 +390,11 @@ final class ClusterContour {
    * outline, and says how far ahead of it they are.
    *
    * @param side 1 if the events are ON events, -1 if they are OFF events
+   * @param share of the way that it goes
    */
-  void centre(Cluster cluster, int side) {
-    double moveX = CENTRING * offsetX;
-    double moveY = CENTRING * offsetY;
+  void centre(Cluster cluster, int side, double share) {
+    double moveX = share * offsetX;
+    double moveY = share * offsetY;
     cluster.x += moveX;
     cluster.y += moveY;
     cluster.leadX -= side * moveX;
