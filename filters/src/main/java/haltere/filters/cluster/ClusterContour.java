@@ -91,6 +91,9 @@ final class ClusterContour {
   /** Radius up to which a ring can be the cluster's, over the cluster's own. */
   private static final double MOST_RADIUS = 1.2;
 
+  /** Share of the way to the middle that a centre goes at an upkeep. */
+  private static final double CENTRING = 0.1;
+
   /** Numbers of an event that waits, and how many of these there may be. */
   private static final int NUMBERS = 5;
 
@@ -196,9 +199,8 @@ final class ClusterContour {
       if (distance < LEAST_DISTANCE || off * off > gate) {
         continue;
       }
-      double perDistance = 1 / distance;
-      double nx = dx * perDistance;
-      double ny = dy * perDistance;
+      double nx = dx / distance;
+      double ny = dy / distance;
       double m = off + nx * events[at + 2] + ny * events[at + 3];
       sums.add(nx, ny, m, events[at + 4]);
     }
@@ -390,11 +392,10 @@ final class ClusterContour {
    * outline, and says how far ahead of it they are.
    *
    * @param side 1 if the events are ON events, -1 if they are OFF events
-   * @param share of the way that it goes
    */
-  void centre(Cluster cluster, int side, double share) {
-    double moveX = share * offsetX;
-    double moveY = share * offsetY;
+  void centre(Cluster cluster, int side) {
+    double moveX = CENTRING * offsetX;
+    double moveY = CENTRING * offsetY;
     cluster.x += moveX;
     cluster.y += moveY;
     cluster.leadX -= side * moveX;

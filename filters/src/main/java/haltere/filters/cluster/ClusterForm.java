@@ -58,11 +58,8 @@ final class ClusterForm {
   /** Balance from which on a cluster has one polarity only. */
   private static final double ONE_SIDED = 0.95;
 
-  /** The lead then fades by the factor e in this time. */
-  private static final double LEAD_FADES_US = 100_000;
-
-  /** In which a centre goes that much of its way to the middle of an outline. */
-  private static final double CENTRING_US = 10_000;
+  /** Share of the lead that then fades with each upkeep. */
+  private static final double LEAD_FADING = 0.01;
 
   /** Share of the spread along the two places that is the distance between them. */
   static final double WITHIN = 0.85;
@@ -84,8 +81,6 @@ final class ClusterForm {
   private final double growthFactor;
   private final double youngGrowthFactor;
   private final double usualGain;
-  private final double leadFading;
-  private final double centring;
   private final double surround;
   private final double fixedCos;
   private final double fixedSin;
@@ -102,8 +97,6 @@ final class ClusterForm {
     growthFactor = StrictMath.exp(all.output().upkeepUs() / GROWTH_TIME_US);
     youngGrowthFactor = StrictMath.exp(all.output().upkeepUs() / YOUNG_GROWTH_TIME_US);
     usualGain = 1 - StrictMath.exp(-all.output().upkeepUs() / USUAL_TIME_US);
-    leadFading = 1 - StrictMath.exp(-all.output().upkeepUs() / LEAD_FADES_US);
-    centring = 1 - StrictMath.exp(-all.output().upkeepUs() / CENTRING_US);
     surround = surround(all);
     fixedCos = StrictMath.cos(StrictMath.toRadians(form.angleDeg()));
     fixedSin = StrictMath.sin(StrictMath.toRadians(form.angleDeg()));
@@ -206,16 +199,16 @@ final class ClusterForm {
    * Where there is one polarity only, how far its events are from the centre is known if they are a
    * part of a round outline. Otherwise the lead fades, and the centre goes to where the events are.
    */
-  private void forgetLead(Cluster cluster) {
+  private static void forgetLead(Cluster cluster) {
     if (cluster.contour.isPlaced()) {
-      cluster.contour.centre(cluster, cluster.balance > 0 ? 1 : -1, centring);
+      cluster.contour.centre(cluster, cluster.balance > 0 ? 1 : -1);
       return;
     }
-    double side = cluster.balance > 0 ? leadFading : -leadFading;
+    double side = cluster.balance > 0 ? LEAD_FADING : -LEAD_FADING;
     cluster.x += side * cluster.leadX;
     cluster.y += side * cluster.leadY;
-    cluster.leadX -= leadFading * cluster.leadX;
-    cluster.leadY -= leadFading * cluster.leadY;
+    cluster.leadX -= LEAD_FADING * cluster.leadX;
+    cluster.leadY -= LEAD_FADING * cluster.leadY;
   }
 
   /** Takes from a variance what evenly spread noise adds: a quarter of the squared half axis. */

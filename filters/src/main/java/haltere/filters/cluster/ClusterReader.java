@@ -14,7 +14,6 @@ final class ClusterReader implements ClusterReadings {
 
   private final ClusterMerging merging;
   private Cluster[] visible = new Cluster[0];
-  private boolean[] measured = new boolean[0];
   private int count;
   private long timeUs;
   private double width;
@@ -29,7 +28,6 @@ final class ClusterReader implements ClusterReadings {
   void open(Cluster[] clusters, int clusterCount, long readingUs, int widthPx, int heightPx) {
     if (visible.length < clusters.length) {
       visible = new Cluster[clusters.length];
-      measured = new boolean[clusters.length];
     }
     timeUs = readingUs;
     width = widthPx;
@@ -39,7 +37,8 @@ final class ClusterReader implements ClusterReadings {
     for (int i = 0; i < clusterCount; i++) {
       if (clusters[i].isVisible()) {
         clusters[i].moveTo(readingUs);
-        measured[count] = false;
+        clusters[i].contour.read(clusters[i]);
+        ClusterLines.hold(clusters[i], ageUs(clusters[i]) * 1e-6);
         visible[count++] = clusters[i];
       }
     }
@@ -48,10 +47,8 @@ final class ClusterReader implements ClusterReadings {
   /** Ends the measurements that were read. */
   void close() {
     for (int i = 0; i < count; i++) {
-      if (measured[i]) {
-        visible[i].clearBatch(timeUs);
-        visible[i].contour.next(visible[i], timeUs);
-      }
+      visible[i].clearBatch(timeUs);
+      visible[i].contour.next(visible[i], timeUs);
       visible[i] = null;
     }
     count = 0;
@@ -108,16 +105,6 @@ final class ClusterReader implements ClusterReadings {
   @Override
   public double contestedEvents(int index) {
     return at(index).batchContested;
-  }
-
-  @Override
-  public void measure(int index) {
-    Cluster cluster = at(index);
-    if (!measured[index]) {
-      measured[index] = true;
-      cluster.contour.read(cluster);
-      ClusterLines.hold(cluster, ageUs(cluster) * 1e-6);
-    }
   }
 
   @Override

@@ -6,10 +6,9 @@ package haltere.filters.cluster;
  * the call that hands it out.
  *
  * <p>For each cluster there is the tracker's own estimate (position, velocity), which is smoothed
- * and so correlated in time, and, on demand, a measurement: the mean place of its new events, those
- * that it has taken since it was measured last, at their mean time, and the middle of their
- * outline. Two measurements have no event in common: their errors are independent, which is what a
- * Kalman filter asks for.
+ * and so correlated in time, and the raw measurement: the mean place of the events that it has
+ * taken since the last reading, at their mean time. The measurements of two readings have no event
+ * in common: their errors are independent, which is what a Kalman filter asks for.
  *
  * <p>Thread rule: only within the call.
  */
@@ -62,9 +61,9 @@ public interface ClusterReadings {
   double vy(int index);
 
   /**
-   * New events: those that the cluster has taken since it was measured last, or since its birth,
-   * and, once it is measured, those of the measurement. Where clusters overlap an event is shared
-   * among them by how likely it is each one's, so this need not be a whole number.
+   * Events in the measurement: those that the cluster has taken since the last reading, at the
+   * first one since its birth. Where clusters overlap an event is shared among them by how likely
+   * it is each one's, so this need not be a whole number.
    *
    * @param index of the cluster
    * @return at least 0; at 0 there is no measurement
@@ -78,18 +77,6 @@ public interface ClusterReadings {
    * @return 0 to {@link #newEvents}
    */
   double contestedEvents(int index);
-
-  /**
-   * Measures a cluster: works out what its new events say together, and lets those that come after
-   * this reading be the new ones. What is called measured, and all of the outline, is of the last
-   * measurement, so ask for it only after this. Once more in the same reading it does nothing.
-   * Where there are few events it is better to wait for more than to put measurements together: one
-   * knows the middle best in one direction, the next one, where the thing has gone on to, in
-   * another.
-   *
-   * @param index of a cluster with new events
-   */
-  void measure(int index);
 
   /**
    * Column of the measured centre: mean over the new events, each without the mean offset of its

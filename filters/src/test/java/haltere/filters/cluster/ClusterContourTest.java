@@ -29,21 +29,11 @@ class ClusterContourTest {
 
   /** Reads what a tracker finds out about a thing that goes to the right, for half a second. */
   private void read(EventPacket events, LongToDoubleFunction trueX, long fromUs, long toUs) {
-    read(events, trueX, fromUs, toUs, 1);
-  }
-
-  /** The same, measured as soon as there are so many new events. */
-  private void read(
-      EventPacket events, LongToDoubleFunction trueX, long fromUs, long toUs, double newEvents) {
     ClusterTracker tracker =
         new ClusterTracker(SENSOR, ClusterTrackerSettings.defaults(), timeUs -> {});
     tracker.observe(
         (timeUs, at) -> {
-          if (at.count() != 1 || !(at.newEvents(0) >= newEvents)) {
-            return;
-          }
-          at.measure(0);
-          if (timeUs < fromUs || timeUs > toUs) {
+          if (at.count() != 1 || !(at.newEvents(0) > 0) || timeUs < fromUs || timeUs > toUs) {
             return;
           }
           readings++;
@@ -106,28 +96,6 @@ class ClusterContourTest {
   }
 
   @Test
-  void aFewEventsThatAreLeftToALaterReadingAreMeasuredTogetherOnTheirWay() {
-    LongToDoubleFunction fast = timeUs -> 10 + 180e-6 * timeUs;
-    for (long seed = 0; seed < 20; seed++) {
-      // Five events between readings, in which it goes on by 1.8 px.
-      read(thinned(disc(seed, fast), 10), fast, 300_000, 600_000, 11);
-    }
-    assertTrue(readings > 120 && readings < 250, "readings " + readings);
-    assertTrue(outlines > 0.7 * readings, outlines + " of " + readings);
-    double outlineRms = Math.sqrt(outlineSquares / outlines);
-    assertTrue(outlineRms < 0.45, "RMS " + outlineRms);
-    assertTrue(normalised / outlines < 3, normalised / outlines + "");
-  }
-
-  private static EventPacket thinned(EventPacket all, int every) {
-    EventPacket some = new EventPacket(all.size() / every + 1);
-    for (int i = 0; i < all.size(); i += every) {
-      some.append(all, i, i + 1);
-    }
-    return some;
-  }
-
-  @Test
   void whatIsHalfInThePictureIsWhereItIsAndNotWhereItIsSeen() {
     for (long seed = 0; seed < 20; seed++) {
       // Its middle is in the picture from 90 ms on, its rear edge from 150 ms on.
@@ -179,9 +147,6 @@ class ClusterContourTest {
             new ClusterTracker(SENSOR, ClusterTrackerSettings.defaults(), timeUs -> {});
         tracker.observe(
             (timeUs, at) -> {
-              if (at.count() == 1 && at.newEvents(0) > 0) {
-                at.measure(0);
-              }
               if (timeUs > 200_000 && at.count() == 1 && at.newEvents(0) > 0) {
                 sums[0] += at.unseenVariance(0);
                 sums[1] += Math.pow(at.measuredY(0) - middle, 2);
@@ -264,10 +229,6 @@ class ClusterContourTest {
     tracker.observe(
         (timeUs, at) -> {
           for (int i = 0; i < at.count(); i++) {
-            if (!(at.newEvents(i) > 0)) {
-              continue;
-            }
-            at.measure(i);
             double a = at.outlineXx(i);
             double b = at.outlineXy(i);
             double c = at.outlineYy(i);

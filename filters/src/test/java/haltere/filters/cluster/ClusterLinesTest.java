@@ -27,11 +27,7 @@ class ClusterLinesTest {
     tracker.observe(
         (timeUs, at) -> {
           for (int i = 0; i < at.count(); i++) {
-            if (!(at.newEvents(i) > 0)) {
-              continue;
-            }
-            at.measure(i);
-            if (timeUs < 250_000) {
+            if (timeUs < 250_000 || !(at.newEvents(i) > 0)) {
               continue;
             }
             readings++;

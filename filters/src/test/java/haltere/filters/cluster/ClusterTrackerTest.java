@@ -166,8 +166,6 @@ class ClusterTrackerTest {
           for (int i = 0; i < readings.count(); i++) {
             events[0] += readings.newEvents(i);
             if (readings.newEvents(i) > 0) {
-              readings.measure(i);
-              readings.measure(i);
               long at = timeUs - Math.round(readings.measuredAgeUs(i));
               assertEquals(CIRCLE.x(at), readings.measuredX(i), 4);
               assertEquals(CIRCLE.y(at), readings.measuredY(i), 4);
@@ -182,28 +180,6 @@ class ClusterTrackerTest {
     observed.track(blob);
     assertTrue(times.stream().allMatch(time -> time % 2000 == 0));
     assertEquals(blob.size(), events[0], 0.05 * blob.size());
-  }
-
-  @Test
-  void eventsAreNewUntilTheyAreMeasured() {
-    ClusterTracker observed = tracker();
-    double[] before = {0, 0};
-    observed.observe(
-        (timeUs, readings) -> {
-          if (readings.count() == 1) {
-            assertTrue(readings.newEvents(0) > before[0], "at " + timeUs);
-            before[0] = readings.newEvents(0);
-            if (timeUs % 50_000 == 0) {
-              readings.measure(0);
-              assertEquals(25_000, readings.measuredAgeUs(0), timeUs > 100_000 ? 3000 : 40_000);
-              before[0] = 0;
-              before[1]++;
-            }
-          }
-        },
-        10_000);
-    observed.track(blob(11, 500_000));
-    assertTrue(before[1] >= 8, before[1] + " measurements");
   }
 
   @Test

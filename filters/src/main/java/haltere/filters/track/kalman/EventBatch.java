@@ -3,8 +3,8 @@ package haltere.filters.track.kalman;
 import haltere.filters.cluster.ClusterReadings;
 
 /**
- * The events of one cluster since its track was last updated: their number, and, once it is
- * measured, their mean place, mean time, scatter and outline. Thread rule: that of its owner.
+ * The events of one cluster since its track was last updated: their number, mean place, mean time
+ * and scatter. Thread rule: that of its owner.
  */
 final class EventBatch {
   /**
@@ -19,16 +19,18 @@ final class EventBatch {
    */
   private static final double MOST_ONE_SIDED = 0.2;
 
+  private static final double US = 1e-6;
+
   int clusterId;
   boolean seen;
 
   /** Index in the present readings. */
   int index;
 
-  /** When it was last measured, or when its cluster began. */
+  /** Since when it collects. */
   long sinceUs;
 
-  /** Events since then; a cluster may have a share of an event only. */
+  /** A cluster may have a share of an event only. */
   double events;
 
   double radiusPx;
@@ -36,40 +38,40 @@ final class EventBatch {
   /** Whether its cluster has just turned out to be one of two, and is elsewhere. */
   boolean parted;
 
-  /** The track that has it, or null. */
-  Track track;
-
-  // What the cluster says of those events.
-
   /** Variance of the place of its middle that does not fall with the number of events. */
   double unseenVariance;
 
   /** The same of the middle of its outline. */
   double outlineMisfitVariance;
 
-  /** Mean time of the events, whole microseconds. */
-  long meanTimeUs;
-
-  double meanX;
-  double meanY;
-
-  /** Covariance of the place of one event. */
-  double varianceX;
-
-  double covarianceXy;
-  double varianceY;
-
   /** Direction of the line along which its cluster's place is not known, or 0. */
   private double lineX;
 
   private double lineY;
+  private double sumX;
+  private double sumY;
+  private double sumAgeUs;
+  private double sumXx;
+  private double sumXy;
+  private double sumYy;
+  private long baseUs;
 
-  // Information on the centre of a round outline, and that times the centre.
+  // Information on the centre of a round outline, and that times the centre when the batch began.
+  // One reading knows the centre best in one direction and the next one, where the thing has gone
+  // on to, in another: to be put together they have to be of one time.
   private double outlineXx;
   private double outlineXy;
   private double outlineYy;
   private double outlineX;
   private double outlineY;
+
+  /** Velocity of the cluster at the last reading that had an outline, pixels a second. */
+  private double vx;
+
+  private double vy;
+
+  /** The track that has it, or null. */
+  Track track;
 
   void begin(int id, long timeUs) {
     clusterId = id;
@@ -80,35 +82,85 @@ final class EventBatch {
   void clear(long timeUs) {
     sinceUs = timeUs;
     events = 0;
+    sumX = 0;
+    sumY = 0;
+    sumAgeUs = 0;
+    sumXx = 0;
+    sumXy = 0;
+    sumYy = 0;
+    baseUs = timeUs;
     parted = false;
+    outlineXx = 0;
+    outlineXy = 0;
+    outlineYy = 0;
+    outlineX = 0;
+    outlineY = 0;
   }
 
-  /** Sees its cluster, and how many events that has by now. */
-  void see(ClusterReadings readings, int newIndex) {
-    index = newIndex;
+  void add(long timeUs, ClusterReadings readings, int i) {
+    index = i;
     seen = true;
-    radiusPx = readings.radiusPx(index);
-    events = readings.newEvents(index);
+    radiusPx = readings.radiusPx(i);
+    unseenVariance = readings.unseenVariance(i);
+    outlineMisfitVariance = readings.outlineMisfitVariance(i);
+    lineX = readings.lineX(i);
+    lineY = readings.lineY(i);
+    double n = readings.newEvents(i);
+    if (!(n > 0)) {
+      return;
+    }
+    events += n;
+    sumX += n * readings.measuredX(i);
+    sumY += n * readings.measuredY(i);
+    sumAgeUs += n * (timeUs - readings.measuredAgeUs(i) - baseUs);
+    sumXx += n * readings.eventVarianceX(i);
+    sumXy += n * readings.eventCovarianceXy(i);
+    sumYy += n * readings.eventVarianceY(i);
+    if (readings.outlineXx(i) > 0) {
+      outlineXx += readings.outlineXx(i);
+      outlineXy += readings.outlineXy(i);
+      outlineYy += readings.outlineYy(i);
+      vx = readings.vx(i);
+      vy = readings.vy(i);
+      double laterS = US * (timeUs - readings.measuredAgeUs(i) - baseUs);
+      double wayX = laterS * vx;
+      double wayY = laterS * vy;
+      outlineX +=
+          readings.outlineX(i) - readings.outlineXx(i) * wayX - readings.outlineXy(i) * wayY;
+      outlineY +=
+          readings.outlineY(i) - readings.outlineXy(i) * wayX - readings.outlineYy(i) * wayY;
+    }
   }
 
-  /** Takes what the cluster says of its events, of which there are some; later ones are new. */
-  void measure(long timeUs, ClusterReadings readings) {
-    readings.measure(index);
-    unseenVariance = readings.unseenVariance(index);
-    outlineMisfitVariance = readings.outlineMisfitVariance(index);
-    lineX = readings.lineX(index);
-    lineY = readings.lineY(index);
-    meanTimeUs = Math.round(timeUs - readings.measuredAgeUs(index));
-    meanX = readings.measuredX(index);
-    meanY = readings.measuredY(index);
-    varianceX = readings.eventVarianceX(index);
-    covarianceXy = readings.eventCovarianceXy(index);
-    varianceY = readings.eventVarianceY(index);
-    outlineXx = readings.outlineXx(index);
-    outlineXy = readings.outlineXy(index);
-    outlineYy = readings.outlineYy(index);
-    outlineX = readings.outlineX(index);
-    outlineY = readings.outlineY(index);
+  double meanX() {
+    return sumX / events;
+  }
+
+  double meanY() {
+    return sumY / events;
+  }
+
+  /** Mean time of the events, whole microseconds. */
+  long meanTimeUs() {
+    return baseUs + Math.round(sumAgeUs / events);
+  }
+
+  /** How long after the beginning of the batch the mean of its events is, seconds. */
+  private double meanAfterS() {
+    return US * sumAgeUs / events;
+  }
+
+  /** Variance of the column of one event. */
+  double varianceX() {
+    return sumXx / events;
+  }
+
+  double covarianceXy() {
+    return sumXy / events;
+  }
+
+  double varianceY() {
+    return sumYy / events;
   }
 
   /** Whether the outline tells the centre better than the mean of the events does. */
@@ -116,7 +168,7 @@ final class EventBatch {
     double determinant = outlineXx * outlineYy - outlineXy * outlineXy;
     return determinant > 0
         && (outlineXx + outlineYy) / determinant
-            < (varianceX + varianceY) / events + 2 * unseenVariance;
+            < (sumXx + sumYy) / (events * events) + 2 * unseenVariance;
   }
 
   /** Whether that outline is round: of a part of a large ring it is known in one direction only. */
@@ -128,10 +180,10 @@ final class EventBatch {
 
   /** Whether its events are all around the middle, and not at a corner or on one side. */
   private boolean surroundsCentre() {
-    double dx = meanX - outlineCentreX();
-    double dy = meanY - outlineCentreY();
+    double dx = meanX() - outlineCentreX();
+    double dy = meanY() - outlineCentreY();
     double off = dx * dx + dy * dy;
-    return off < MOST_ONE_SIDED * (off + varianceX + varianceY);
+    return off < MOST_ONE_SIDED * (off + varianceX() + varianceY());
   }
 
   double outlineVarianceX() {
@@ -147,11 +199,11 @@ final class EventBatch {
   }
 
   double outlineCentreX() {
-    return (outlineYy * outlineX - outlineXy * outlineY) / determinant();
+    return (outlineYy * outlineX - outlineXy * outlineY) / determinant() + vx * meanAfterS();
   }
 
   double outlineCentreY() {
-    return (outlineXx * outlineY - outlineXy * outlineX) / determinant();
+    return (outlineXx * outlineY - outlineXy * outlineX) / determinant() + vy * meanAfterS();
   }
 
   private double determinant() {
@@ -172,11 +224,13 @@ final class EventBatch {
   }
 
   private double lineVariance() {
-    return lineX * lineX * varianceX + 2 * lineX * lineY * covarianceXy + lineY * lineY * varianceY;
+    return lineX * lineX * varianceX()
+        + 2 * lineX * lineY * covarianceXy()
+        + lineY * lineY * varianceY();
   }
 
   /** Standard deviation of an event about the centre, both axes taken together. */
   double spreadPx() {
-    return Math.sqrt((varianceX + varianceY) / 2);
+    return Math.sqrt((varianceX() + varianceY()) / 2);
   }
 }

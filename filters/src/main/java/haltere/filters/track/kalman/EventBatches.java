@@ -48,18 +48,18 @@ final class EventBatches {
     return null;
   }
 
-  /** Looks at what clusters have seen; a track whose cluster is gone is without one. */
+  /** Adds what clusters have seen; a track whose cluster is gone is without one. */
   void gather(long timeUs, ClusterReadings readings) {
     for (int i = 0; i < count; i++) {
       batches[i].seen = false;
     }
-    eventsOfAll = 0;
     int readingCount = readings.count();
     for (int i = 0; i < readingCount; i++) {
       EventBatch batch = of(readings.id(i), i, timeUs);
-      batch.see(readings, i);
-      eventsOfAll += batch.events;
+      batch.add(timeUs, readings, i);
+      eventsOfAll += readings.newEvents(i);
       if (batch.track != null) {
+        batch.track.events += readings.newEvents(i);
         batch.track.radiusPx = batch.radiusPx;
       }
     }
@@ -112,5 +112,12 @@ final class EventBatches {
 
   private boolean areAllEnough() {
     return eventsOfAll >= settings.eventsTillTrack();
+  }
+
+  /** Once the events of all clusters together were enough, they are counted anew. */
+  void endUpdate() {
+    if (areAllEnough()) {
+      eventsOfAll = 0;
+    }
   }
 }

@@ -54,7 +54,7 @@ final class Measurement {
       xy = 0;
       return;
     }
-    timeUs = batch.meanTimeUs;
+    timeUs = batch.meanTimeUs();
     if (ofOutline) {
       double more =
           OUTLINE_SHARE
@@ -67,16 +67,16 @@ final class Measurement {
       yy = more * batch.outlineVarianceY() + batch.outlineMisfitVariance;
       return;
     }
-    x = batch.meanX;
-    y = batch.meanY;
+    x = batch.meanX();
+    y = batch.meanY();
     // Of two tracks in one place each event may be the other's: as good as one event. What another
     // thing has run into is off for as long as that lasts.
     boolean mixed = track != null && track.contested;
     double share = swollen ? SWOLLEN_FACTOR : mixed ? 1 : settings.varianceFactor() / batch.events;
     double floor = settings.floorPx() * settings.floorPx() + batch.unseenVariance;
-    xx = batch.varianceX * share + batch.lineVarianceX() + floor;
-    yy = batch.varianceY * share + batch.lineVarianceY() + floor;
-    xy = batch.covarianceXy * share + batch.lineCovarianceXy();
+    xx = batch.varianceX() * share + batch.lineVarianceX() + floor;
+    yy = batch.varianceY() * share + batch.lineVarianceY() + floor;
+    xy = batch.covarianceXy() * share + batch.lineCovarianceXy();
   }
 
   /** Maps it to the plane of the tracks; false if it is not on it. */

@@ -265,13 +265,11 @@ final class TrackEstimator implements ClusterObserver {
       if (!batches.isDue(batch, timeUs)) {
         continue;
       }
-      batch.measure(timeUs, readings);
       Track track = batch.track;
       if (track == null) {
         pairs.addBatch(batch);
       } else {
         boolean jumps = batch.parted && !track.nearOther && !track.part.isSwollen();
-        track.events += batch.events;
         track.part.compareSize(batch, track.isSettled() && !batch.parted, timeUs);
         measurement.of(batch, track, readings, timeUs);
         if (jumps && measurement.map(plane)) {
@@ -291,6 +289,7 @@ final class TrackEstimator implements ClusterObserver {
     if (pairs.batchCount() > 0) {
       assign(timeUs, readings);
     }
+    batches.endUpdate();
   }
 
   private void take(Track track, EventBatch batch, long timeUs) {

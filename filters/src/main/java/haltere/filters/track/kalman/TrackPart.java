@@ -105,7 +105,7 @@ final class TrackPart {
     learnForm(batch);
     bornFormX = formX;
     bornFormY = formY;
-    usualVariance = batch.varianceX + batch.varianceY;
+    usualVariance = batch.varianceX() + batch.varianceY();
   }
 
   /**
@@ -114,7 +114,7 @@ final class TrackPart {
    * @param known whether that is known, and nothing that is known is in the way
    */
   void compareSize(EventBatch batch, boolean known, long timeUs) {
-    double variance = batch.varianceX + batch.varianceY;
+    double variance = batch.varianceX() + batch.varianceY();
     boolean larger = known && variance > SWOLLEN * usualVariance;
     if (larger && !swollen) {
       swollenSinceUs = timeUs;
@@ -142,9 +142,9 @@ final class TrackPart {
   }
 
   private void learnForm(EventBatch batch) {
-    double trace = batch.varianceX + batch.varianceY;
-    formX = (batch.varianceX - batch.varianceY) / trace;
-    formY = 2 * batch.covarianceXy / trace;
+    double trace = batch.varianceX() + batch.varianceY();
+    formX = (batch.varianceX() - batch.varianceY()) / trace;
+    formY = 2 * batch.covarianceXy() / trace;
   }
 
   /** Whether it has turned, or has another form than when it began. */

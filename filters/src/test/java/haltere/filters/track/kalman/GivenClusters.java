@@ -2,9 +2,7 @@ package haltere.filters.track.kalman;
 
 import haltere.filters.cluster.ClusterReadings;
 import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.List;
-import java.util.Set;
 
 /** Clusters that a test puts where it wants them, for a {@link TrackEstimator} to read. */
 final class GivenClusters implements ClusterReadings {
@@ -13,11 +11,9 @@ final class GivenClusters implements ClusterReadings {
     final int id;
     double x;
     double y;
+    double vx;
+    double vy;
     double newEvents = 20;
-
-    /** New ones, with those before that were not measured. */
-    double kept;
-
     double ageUs = 5000;
     double variance = 4;
 
@@ -31,6 +27,9 @@ final class GivenClusters implements ClusterReadings {
     double outline;
 
     double outlineAheadX;
+
+    /** How many times the information on its column that on its row is. */
+    double outlineUpright = 1;
 
     /** Variance of the middle of the thing about that of the outline. */
     double misfit;
@@ -57,19 +56,6 @@ final class GivenClusters implements ClusterReadings {
   }
 
   final List<Given> list = new ArrayList<>();
-  private final Set<Integer> measured = new HashSet<>();
-
-  /** Lets an estimator read them once all have got their new events. */
-  void read(TrackEstimator estimator, long timeUs) {
-    for (Given given : list) {
-      given.kept += given.newEvents;
-    }
-    estimator.clustersRead(timeUs, this);
-    for (int index : measured) {
-      list.get(index).kept = 0;
-    }
-    measured.clear();
-  }
 
   Given add(int id) {
     Given given = new Given(id);
@@ -99,27 +85,22 @@ final class GivenClusters implements ClusterReadings {
 
   @Override
   public double vx(int index) {
-    return 0;
+    return list.get(index).vx;
   }
 
   @Override
   public double vy(int index) {
-    return 0;
+    return list.get(index).vy;
   }
 
   @Override
   public double newEvents(int index) {
-    return list.get(index).kept;
-  }
-
-  @Override
-  public void measure(int index) {
-    measured.add(index);
+    return list.get(index).newEvents;
   }
 
   @Override
   public double contestedEvents(int index) {
-    return list.get(index).overlapped ? list.get(index).kept : 0;
+    return list.get(index).overlapped ? list.get(index).newEvents : 0;
   }
 
   @Override
@@ -184,7 +165,7 @@ final class GivenClusters implements ClusterReadings {
 
   @Override
   public double outlineYy(int index) {
-    return list.get(index).outline;
+    return list.get(index).outlineUpright * list.get(index).outline;
   }
 
   @Override
@@ -194,7 +175,7 @@ final class GivenClusters implements ClusterReadings {
 
   @Override
   public double outlineY(int index) {
-    return list.get(index).outline * list.get(index).y;
+    return outlineYy(index) * list.get(index).y;
   }
 
   @Override

@@ -66,13 +66,13 @@ class RoadTracksTest {
         return;
       }
       double row = road.rowOf(distance);
-      cluster.newEvents = random.nextInt(6, 35);
+      cluster.newEvents = random.nextInt(5, 35);
       cluster.variance = Math.pow(1.3 / road.distancePerY(row), 2) + 0.3;
       double sd = Math.sqrt(cluster.variance / cluster.newEvents);
       cluster.at(
           road.columnOf(lateralM, distance) + sd * random.nextGaussian(),
           row + sd * random.nextGaussian());
-      clusters.read(estimator, k * STEP_US);
+      estimator.clustersRead(k * STEP_US, clusters);
       if (k > SETTLED_STEPS) {
         Track track = estimator.shown(0, k * STEP_US);
         double ratio = Math.hypot(track.motion.vx(), track.motion.vy()) / Math.abs(speed);

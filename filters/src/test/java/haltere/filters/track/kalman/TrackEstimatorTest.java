@@ -56,7 +56,7 @@ class TrackEstimatorTest {
         double seconds = (timeUs - STEP_US / 2) * 1e-6;
         m.cluster.at(m.x(seconds), m.y(seconds));
       }
-      clusters.read(estimator, timeUs);
+      estimator.clustersRead(timeUs, clusters);
     }
   }
 
@@ -392,9 +392,7 @@ class TrackEstimatorTest {
     Measurement measurement = new Measurement(estimator.settings().measurement(), false);
     EventBatch batch = new EventBatch();
     batch.begin(1, timeUs);
-    batch.see(clusters, 0);
-    batch.events = 20;
-    batch.measure(timeUs, clusters);
+    batch.add(timeUs, clusters, 0);
     Track track = only();
     assertNotNull(track);
     measurement.of(batch, track, clusters, timeUs);

@@ -70,7 +70,7 @@ class TrackHonestyTest {
       cluster.ageUs = 0;
       double sd = Math.sqrt(cluster.variance / cluster.newEvents);
       cluster.at(x + sd * random.nextGaussian(), y + sd * random.nextGaussian());
-      clusters.read(estimator, k * STEP_US);
+      estimator.clustersRead(k * STEP_US, clusters);
       if (k < STEPS) {
         double dt = STEP_US * 1e-6;
         double[] ax = wander(dt);

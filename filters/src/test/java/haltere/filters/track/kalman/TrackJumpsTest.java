@@ -44,7 +44,7 @@ class TrackJumpsTest {
     for (int k = 0; k < steps; k++) {
       timeUs += STEP_US;
       cluster.at(atX + vx * (timeUs - STEP_US / 2) * 1e-6, atY);
-      clusters.read(estimator, timeUs);
+      estimator.clustersRead(timeUs, clusters);
     }
   }
 
@@ -191,7 +191,7 @@ class TrackJumpsTest {
       second.at(100 - way / 2, 102);
       first.ageUs = 0;
       second.ageUs = 0;
-      clusters.read(estimator, timeUs);
+      estimator.clustersRead(timeUs, clusters);
       Track track = estimator.shown(0, timeUs);
       met |= way == 0 && track.contested;
       lasting += way > reach && track.contested ? 1 : 0;

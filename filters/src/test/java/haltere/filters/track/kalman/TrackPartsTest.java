@@ -48,7 +48,7 @@ class TrackPartsTest {
         Given cluster = clusters.list.get(i);
         cluster.at(cluster.x + velocities[i] * 1e-6 * STEP_US, cluster.y);
       }
-      clusters.read(estimator, timeUs);
+      estimator.clustersRead(timeUs, clusters);
     }
   }
 
