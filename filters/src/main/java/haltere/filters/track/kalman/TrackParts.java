@@ -82,7 +82,9 @@ final class TrackParts {
       int whole = thingOf(other);
       if (other != born
           && whole > 0
-          && (touch(born, other) || isWithin(born, other) || isBeside(born, other, timeUs))) {
+          && (touch(born, other)
+              || isWithin(born, other)
+              || isBeside(born, other, timeUs) && !isWhereOneWasLost(born, other))) {
         born.part.wholeId = whole;
         born.part.touchedUs = timeUs;
         return;
@@ -261,6 +263,21 @@ final class TrackParts {
     return isPiece
         && (timeUs - other.bornUs < APPEARING_US || TrackPart.isMoving(other))
         && TrackPart.areNear(born, other, BESIDE_RADII);
+  }
+
+  /** Whether what is born is where another thing is expected that has lost its cluster. */
+  private boolean isWhereOneWasLost(Track born, Track other) {
+    for (int i = 0; i < tracks.count(); i++) {
+      Track lost = tracks.get(i);
+      double reach = TOUCHING_RADII * (born.radiusPx + lost.radiusPx);
+      if (lost != other
+          && lost.id > 0
+          && lost.batch == null
+          && Math.hypot(lost.nowXPx - born.nowXPx, lost.nowYPx - born.nowYPx) < reach) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /** Events of parts are the thing's. */

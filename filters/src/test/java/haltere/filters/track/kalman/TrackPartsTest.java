@@ -127,6 +127,22 @@ class TrackPartsTest {
   }
 
   @Test
+  void whatAppearsWhereAThingWasLostIsNoEdgeOfAnotherThatIsFartherAway() {
+    Given edge = clusters.add(1).at(40, 100);
+    edge.upright = 8;
+    clusters.add(2).at(120, 100);
+    step(60, 30, -6);
+    Given lost = clusters.list.remove(1);
+    step(20, 30);
+    // Too far from where that was lost to be held for it, and about as far from the edge as others
+    // that are taken for parts of its thing.
+    clusters.add(3).at(lost.x + 10, 124);
+    step(2, 30, 0);
+    assertEquals(2, shown().size(), "shown " + shown());
+    assertTrue(shown().contains(3), "shown " + shown());
+  }
+
+  @Test
   void ofHowAnEdgeMovesAlongItselfNothingIsKnown() {
     edgesAt(40, 100);
     Given across = clusters.list.get(1);
