@@ -2,6 +2,7 @@ package haltere.testing.benchmark;
 
 import haltere.core.chain.EventFilter;
 import haltere.core.event.EventPacket;
+import java.io.IOException;
 import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
@@ -38,16 +39,18 @@ public class TracksBenchmark {
   @Param({"0", "0.5"})
   public double noiseShare;
 
-  private final EventPacket packet = new EventPacket(Workload.PACKET_EVENTS);
-  private TwentyDots dots;
+  private Workload workload;
   private EventFilter tested;
-  private int next;
 
-  /** Makes the filter and the events. */
+  /**
+   * Makes the filter and the events.
+   *
+   * @throws IOException never, for the scene is simulated
+   */
   @Setup
-  public void setUp() {
-    dots = new TwentyDots(noiseShare);
-    tested = filter.equals("clusters") ? dots.clusters() : dots.tracks();
+  public void setUp() throws IOException {
+    workload = TwentyDots.events(noiseShare);
+    tested = filter.equals("clusters") ? TwentyDots.clusters() : TwentyDots.tracks();
   }
 
   /**
@@ -58,10 +61,10 @@ public class TracksBenchmark {
   @Benchmark
   @OperationsPerInvocation(Workload.PACKET_EVENTS)
   public int filter() {
-    if (next == 0) {
+    if (workload.atStart()) {
       tested.reset();
     }
-    next = dots.fill(packet, next);
+    EventPacket packet = workload.nextPacket();
     tested.process(packet);
     return packet.size();
   }

@@ -1,7 +1,6 @@
 package haltere.testing.benchmark;
 
 import haltere.core.chain.EventFilter;
-import haltere.core.event.EventPacket;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
@@ -19,16 +18,13 @@ import java.util.Locale;
  */
 public final class TracksByTurns {
   private static final int PIECE_PACKETS = 16;
-  private static final int STREAM_PIECES = 16;
-  private static final int WARMING_PIECES = 20 * STREAM_PIECES;
-  private static final int PIECES = 30 * STREAM_PIECES;
+  private static final int WARMING_PIECES = 320;
+  private static final int PIECES = 480;
 
-  private final TwentyDots dots;
-  private final EventPacket packet = new EventPacket(Workload.PACKET_EVENTS);
+  /** So many pieces in a row are filtered first by the same filter. */
+  private static final int FIRST_PIECES = 16;
 
-  private TracksByTurns(double noiseShare) {
-    dots = new TwentyDots(noiseShare);
-  }
+  private TracksByTurns() {}
 
   /**
    * Runs programs that measure, or measures.
@@ -38,7 +34,7 @@ public final class TracksByTurns {
    */
   public static void main(String[] arguments) throws IOException {
     if (arguments[0].equals("measure")) {
-      new TracksByTurns(Double.parseDouble(arguments[1])).measure();
+      measure(TwentyDots.events(Double.parseDouble(arguments[1])));
       return;
     }
     int runs = Integer.parseInt(arguments[0]);
@@ -73,18 +69,17 @@ public final class TracksByTurns {
     }
   }
 
-  private void measure() {
-    EventFilter clusters = dots.clusters();
-    EventFilter tracks = dots.tracks();
+  private static void measure(Workload events) {
+    Turn clusters = new Turn(TwentyDots.clusters(), events);
+    Turn tracks = new Turn(TwentyDots.tracks(), events.again());
     double[] ofClusters = new double[PIECES];
     double[] ofTracks = new double[PIECES];
     double[] ratios = new double[PIECES];
     for (int piece = -WARMING_PIECES; piece < PIECES; piece++) {
-      int from = Math.floorMod(piece, STREAM_PIECES) * PIECE_PACKETS * Workload.PACKET_EVENTS;
       // The first of the two finds the events less near, so they take turns at that as well.
-      boolean clustersFirst = Math.floorMod(piece / STREAM_PIECES, 2) == 0;
-      double first = nanosecondsAnEvent(clustersFirst ? clusters : tracks, from);
-      double second = nanosecondsAnEvent(clustersFirst ? tracks : clusters, from);
+      boolean clustersFirst = Math.floorMod(piece / FIRST_PIECES, 2) == 0;
+      double first = (clustersFirst ? clusters : tracks).nanosecondsAnEvent();
+      double second = (clustersFirst ? tracks : clusters).nanosecondsAnEvent();
       if (piece >= 0) {
         ofClusters[piece] = clustersFirst ? first : second;
         ofTracks[piece] = clustersFirst ? second : first;
@@ -94,17 +89,19 @@ public final class TracksByTurns {
     System.out.println(median(ofClusters) + " " + median(ofTracks) + " " + median(ratios));
   }
 
-  private double nanosecondsAnEvent(EventFilter filter, int from) {
-    if (from == 0) {
-      filter.reset();
+  /** One of the two filters, and where it is in the events. */
+  private record Turn(EventFilter filter, Workload events) {
+    /** Filters the next piece. */
+    double nanosecondsAnEvent() {
+      long startNs = System.nanoTime();
+      for (int k = 0; k < PIECE_PACKETS; k++) {
+        if (events.atStart()) {
+          filter.reset();
+        }
+        filter.process(events.nextPacket());
+      }
+      return (System.nanoTime() - startNs) / (double) (PIECE_PACKETS * Workload.PACKET_EVENTS);
     }
-    int next = from;
-    long startNs = System.nanoTime();
-    for (int k = 0; k < PIECE_PACKETS; k++) {
-      next = dots.fill(packet, next);
-      filter.process(packet);
-    }
-    return (System.nanoTime() - startNs) / (double) (PIECE_PACKETS * Workload.PACKET_EVENTS);
   }
 
   private static double median(double[] values) {

@@ -68,6 +68,16 @@ final class Workload {
     }
   }
 
+  /** All events of a source. */
+  static Workload of(EventSource source) throws IOException {
+    return new Workload(source.geometry(), read(source));
+  }
+
+  /** The same events once more, from their beginning. */
+  Workload again() {
+    return new Workload(geometry, stream);
+  }
+
   private static SensorGeometry size(String name) {
     String[] size = name.substring(name.indexOf('-') + 1).split("x");
     return new SensorGeometry(Integer.parseInt(size[0]), Integer.parseInt(size[1]));

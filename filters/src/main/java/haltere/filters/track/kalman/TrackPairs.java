@@ -75,7 +75,7 @@ final class TrackPairs {
       a.nearUnlike = true;
       b.nearUnlike = true;
     }
-    double reach = CONTESTED_SPREADS * (a.spreadPx + b.spreadPx);
+    double reach = contestedReach(a, b);
     if (squaredDistance(a, b) < reach * reach) {
       a.contested = true;
       b.contested = true;
@@ -84,9 +84,12 @@ final class TrackPairs {
 
   /** Whether which of two tracks is which may be in question. */
   static boolean areNear(Track a, Track b) {
-    double reach = CONTESTED_SPREADS * (a.spreadPx + b.spreadPx);
-    double far = Math.max(NEAR_FACTOR * reach, a.radiusPx + b.radiusPx);
+    double far = Math.max(NEAR_FACTOR * contestedReach(a, b), a.radiusPx + b.radiusPx);
     return squaredDistance(a, b) < far * far;
+  }
+
+  private static double contestedReach(Track a, Track b) {
+    return CONTESTED_SPREADS * (a.spreadPx + b.spreadPx);
   }
 
   private static double squaredDistance(Track a, Track b) {

@@ -7,7 +7,8 @@ package haltere.filters.track.motion;
  * and Kirubarajan 2001, section 11.6.6), written out for {@code PlaneFilter}, and with one
  * addition: a mode that goes straight knows nothing of a rate of turning, or of an acceleration, so
  * what it hands to a mode that has one is that of a target that has just begun, 0 with its full
- * variance (Granström, Willett and Bar-Shalom 2015, on mixing states of unequal size).
+ * variance (Granström, Willett and Bar-Shalom 2015, on mixing states of unequal size). Three modes
+ * are not mixed at every prediction, see {@code MotionNoise}.
  *
  * <p>Units are those of the plane, pixels or metres, with seconds. On a road y is along it.
  *
