@@ -65,6 +65,12 @@ final class EventBatch {
   private double outlineX;
   private double outlineY;
 
+  /** One over the determinant of that information. */
+  private double perOutline;
+
+  /** One over the number of events. */
+  private double perEvent;
+
   /** Velocity of the cluster at the last reading that had an outline, pixels a second. */
   private double vx;
 
@@ -110,65 +116,68 @@ final class EventBatch {
       return;
     }
     events += n;
+    perEvent = 1 / events;
+    double meanUs = timeUs - readings.measuredAgeUs(i) - baseUs;
     sumX += n * readings.measuredX(i);
     sumY += n * readings.measuredY(i);
-    sumAgeUs += n * (timeUs - readings.measuredAgeUs(i) - baseUs);
+    sumAgeUs += n * meanUs;
     sumXx += n * readings.eventVarianceX(i);
     sumXy += n * readings.eventCovarianceXy(i);
     sumYy += n * readings.eventVarianceY(i);
-    if (readings.outlineXx(i) > 0) {
-      outlineXx += readings.outlineXx(i);
-      outlineXy += readings.outlineXy(i);
-      outlineYy += readings.outlineYy(i);
+    double informationXx = readings.outlineXx(i);
+    if (informationXx > 0) {
+      double informationXy = readings.outlineXy(i);
+      double informationYy = readings.outlineYy(i);
       vx = readings.vx(i);
       vy = readings.vy(i);
-      double laterS = US * (timeUs - readings.measuredAgeUs(i) - baseUs);
-      double wayX = laterS * vx;
-      double wayY = laterS * vy;
-      outlineX +=
-          readings.outlineX(i) - readings.outlineXx(i) * wayX - readings.outlineXy(i) * wayY;
-      outlineY +=
-          readings.outlineY(i) - readings.outlineXy(i) * wayX - readings.outlineYy(i) * wayY;
+      double wayX = US * meanUs * vx;
+      double wayY = US * meanUs * vy;
+      outlineXx += informationXx;
+      outlineXy += informationXy;
+      outlineYy += informationYy;
+      outlineX += readings.outlineX(i) - informationXx * wayX - informationXy * wayY;
+      outlineY += readings.outlineY(i) - informationXy * wayX - informationYy * wayY;
+      perOutline = 1 / (outlineXx * outlineYy - outlineXy * outlineXy);
     }
   }
 
   double meanX() {
-    return sumX / events;
+    return sumX * perEvent;
   }
 
   double meanY() {
-    return sumY / events;
+    return sumY * perEvent;
   }
 
   /** Mean time of the events, whole microseconds. */
   long meanTimeUs() {
-    return baseUs + Math.round(sumAgeUs / events);
+    return baseUs + Math.round(sumAgeUs * perEvent);
   }
 
   /** How long after the beginning of the batch the mean of its events is, seconds. */
   private double meanAfterS() {
-    return US * sumAgeUs / events;
+    return US * sumAgeUs * perEvent;
   }
 
   /** Variance of the column of one event. */
   double varianceX() {
-    return sumXx / events;
+    return sumXx * perEvent;
   }
 
   double covarianceXy() {
-    return sumXy / events;
+    return sumXy * perEvent;
   }
 
   double varianceY() {
-    return sumYy / events;
+    return sumYy * perEvent;
   }
 
   /** Whether the outline tells the centre better than the mean of the events does. */
   boolean hasOutline() {
-    double determinant = outlineXx * outlineYy - outlineXy * outlineXy;
-    return determinant > 0
-        && (outlineXx + outlineYy) / determinant
-            < (sumXx + sumYy) / (events * events) + 2 * unseenVariance;
+    return outlineXx > 0
+        && perOutline > 0
+        && (outlineXx + outlineYy) * perOutline
+            < (sumXx + sumYy) * perEvent * perEvent + 2 * unseenVariance;
   }
 
   /** Whether that outline is round: of a part of a large ring it is known in one direction only. */
@@ -187,27 +196,23 @@ final class EventBatch {
   }
 
   double outlineVarianceX() {
-    return outlineYy / determinant();
+    return outlineYy * perOutline;
   }
 
   double outlineCovarianceXy() {
-    return -outlineXy / determinant();
+    return -outlineXy * perOutline;
   }
 
   double outlineVarianceY() {
-    return outlineXx / determinant();
+    return outlineXx * perOutline;
   }
 
   double outlineCentreX() {
-    return (outlineYy * outlineX - outlineXy * outlineY) / determinant() + vx * meanAfterS();
+    return (outlineYy * outlineX - outlineXy * outlineY) * perOutline + vx * meanAfterS();
   }
 
   double outlineCentreY() {
-    return (outlineXx * outlineY - outlineXy * outlineX) / determinant() + vy * meanAfterS();
-  }
-
-  private double determinant() {
-    return outlineXx * outlineYy - outlineXy * outlineXy;
+    return (outlineXx * outlineY - outlineXy * outlineX) * perOutline + vy * meanAfterS();
   }
 
   /** What the place along a line is uncertain by, as the variance of one event along it. */

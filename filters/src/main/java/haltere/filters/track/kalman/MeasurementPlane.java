@@ -115,14 +115,12 @@ final class MeasurementPlane {
     boolean inPicture = toPixels(state, 0);
     if (inPicture) {
       placeSpread(state);
+      velocitySpread(state);
     }
     return inPicture;
   }
 
-  /**
-   * The same a time later if the velocity stays, without how sure the place is; how sure the
-   * velocity is is that of the state.
-   */
+  /** Place and velocity a time later, if the velocity stays, without how sure they are. */
   boolean toPixels(MotionModes state, double dtS) {
     double laterX = state.x() + dtS * state.vx();
     double laterY = state.y() + dtS * state.vy();
@@ -131,8 +129,6 @@ final class MeasurementPlane {
       yPx = laterY;
       vxPxS = state.vx();
       vyPxS = state.vy();
-      varianceVxPx2S2 = state.covariance(2, 2);
-      varianceVyPx2S2 = state.covariance(3, 3);
       return true;
     }
     if (!(laterY > 0)) {
@@ -149,9 +145,6 @@ final class MeasurementPlane {
     columnsPerY = -road.lateralPerY(xPx, yPx) * columnsPerX * rowsPerY;
     vxPxS = columnsPerX * state.vx() + columnsPerY * state.vy();
     vyPxS = rowsPerY * state.vy();
-    varianceVxPx2S2 =
-        varianceOfColumn(state.covariance(2, 2), state.covariance(2, 3), state.covariance(3, 3));
-    varianceVyPx2S2 = rowsPerY * rowsPerY * state.covariance(3, 3);
     return true;
   }
 
@@ -169,6 +162,19 @@ final class MeasurementPlane {
     varianceXPx2 = varianceOfColumn(p00, p01, p11);
     covarianceXyPx2 = rowsPerY * (columnsPerX * p01 + columnsPerY * p11);
     varianceYPx2 = rowsPerY * rowsPerY * p11;
+  }
+
+  /** Works out how sure the velocity of a state is, at the place that was worked out last. */
+  void velocitySpread(MotionModes state) {
+    double p22 = state.covariance(2, 2);
+    double p33 = state.covariance(3, 3);
+    if (road == null) {
+      varianceVxPx2S2 = p22;
+      varianceVyPx2S2 = p33;
+      return;
+    }
+    varianceVxPx2S2 = varianceOfColumn(p22, state.covariance(2, 3), p33);
+    varianceVyPx2S2 = rowsPerY * rowsPerY * p33;
   }
 
   private double varianceOfColumn(double ofX, double ofBoth, double ofY) {

@@ -94,8 +94,12 @@ final class Track {
   double nowYPx;
   double nowVxPxS;
   double nowVyPxS;
-  double nowVarianceVx;
-  double nowVarianceVy;
+  private double varianceVxPx2S2;
+  private double varianceVyPx2S2;
+
+  /** Whether these were worked out since it has last looked where it is. */
+  private boolean knowsVelocitySpread;
+
   boolean inView;
 
   /** Where it is among the counting lines. */
@@ -330,8 +334,28 @@ final class Track {
     nowYPx = plane.yPx;
     nowVxPxS = plane.vxPxS;
     nowVyPxS = plane.vyPxS;
-    nowVarianceVx = plane.varianceVxPx2S2;
-    nowVarianceVy = plane.varianceVyPx2S2;
+    knowsVelocitySpread = false;
+  }
+
+  /** Variance of its velocity in pixels along x, as soon as somebody asks for it. */
+  double varianceVxPx2S2() {
+    findVelocitySpread();
+    return varianceVxPx2S2;
+  }
+
+  /** The same along y. */
+  double varianceVyPx2S2() {
+    findVelocitySpread();
+    return varianceVyPx2S2;
+  }
+
+  private void findVelocitySpread() {
+    if (!knowsVelocitySpread && plane.toPixels(motion, 0)) {
+      plane.velocitySpread(motion);
+      varianceVxPx2S2 = plane.varianceVxPx2S2;
+      varianceVyPx2S2 = plane.varianceVyPx2S2;
+      knowsVelocitySpread = true;
+    }
   }
 
   /** Whether it is shown and its cluster is among the present readings. */
@@ -369,8 +393,8 @@ final class Track {
       return false;
     }
     double apart =
-        dx * dx / (nowVarianceVx + other.nowVarianceVx)
-            + dy * dy / (nowVarianceVy + other.nowVarianceVy);
+        dx * dx / (varianceVxPx2S2() + other.varianceVxPx2S2())
+            + dy * dy / (varianceVyPx2S2() + other.varianceVyPx2S2());
     return apart > UNLIKE_SIGMAS * UNLIKE_SIGMAS;
   }
 

@@ -177,7 +177,7 @@ final class TrackPart {
   /** Whether a track is known to move: by its radius in a second, at least. */
   static boolean isMoving(Track track) {
     double squared = track.nowVxPxS * track.nowVxPxS + track.nowVyPxS * track.nowVyPxS;
-    return squared > SIGMAS * SIGMAS * (track.nowVarianceVx + track.nowVarianceVy)
+    return squared > SIGMAS * SIGMAS * (track.varianceVxPx2S2() + track.varianceVyPx2S2())
         && squared > track.radiusPx * track.radiusPx;
   }
 
@@ -192,7 +192,8 @@ final class TrackPart {
         a.part.isEdge()
             ? a.part.across(dx, dy) * (b.part.isEdge() ? a.part.parallel(b.part) : 1)
             : b.part.across(dx, dy);
-    double unsure = a.nowVarianceVx + a.nowVarianceVy + b.nowVarianceVx + b.nowVarianceVy;
+    double unsure =
+        a.varianceVxPx2S2() + a.varianceVyPx2S2() + b.varianceVxPx2S2() + b.varianceVyPx2S2();
     double least = UNLIKE * Math.max(a.speedPxS(), b.speedPxS()) + SIGMAS * Math.sqrt(0.5 * unsure);
     return seen > least * least;
   }

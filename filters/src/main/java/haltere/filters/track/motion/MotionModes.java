@@ -305,7 +305,7 @@ public final class MotionModes {
       PlaneFilter filter = filters[j];
       double more = filter.nis() - least;
       double likelihood = more == 0 ? 1 : Math.exp(-0.5 * more);
-      next[j] = probability[j] * likelihood / Math.sqrt(filter.determinant());
+      next[j] = probability[j] * likelihood * Math.sqrt(filter.squaredDensity());
       sum += next[j];
     }
     double kept = 0;

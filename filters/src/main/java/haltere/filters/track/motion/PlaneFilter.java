@@ -17,7 +17,11 @@ import java.util.Arrays;
  * </pre>
  *
  * <p>and, where ω is 0 and stays 0, constant velocity. The process noise is white acceleration of a
- * density per axis, integrated over Δt, and a random walk of ω. The update is Joseph's form.
+ * density per axis, integrated over Δt, and a random walk of ω.
+ *
+ * <p>Update: since P Hᵀ = K S, (I − K H) P Hᵀ = K (S − H P Hᵀ) = K R. So all that has to do with
+ * the place is a product, in which nothing cancels, and only among velocities and ω something is
+ * subtracted. It is a quarter of the arithmetic of Joseph's form.
  *
  * <p>Of the covariance the upper triangle is kept, so it is symmetric by construction; first the
  * entries of place and velocity, then those of ω, which are 0 and are left alone as long as ω is
@@ -59,7 +63,10 @@ final class PlaneFilter {
   private double rXx;
   private double rXy;
   private double rYy;
-  private double determinant = Double.NaN;
+
+  /** One over the determinant of the covariance of the innovation. */
+  private double perDeterminant = Double.NaN;
+
   private double nis = Double.NaN;
 
   /** Where an entry of a covariance is among those that are kept. */
@@ -243,8 +250,9 @@ final class PlaneFilter {
     sXx = p[0] + xx;
     sXy = p[1] + xy;
     sYy = p[4] + yy;
-    determinant = sXx * sYy - sXy * sXy;
-    nis = (sYy * yX * yX - 2 * sXy * yX * yY + sXx * yY * yY) / determinant;
+    double determinant = sXx * sYy - sXy * sXy;
+    perDeterminant = 1 / determinant;
+    nis = (sYy * yX * yX - 2 * sXy * yX * yY + sXx * yY * yY) * perDeterminant;
     return sXx > 0
         && determinant > 0
         && determinant < Double.POSITIVE_INFINITY
@@ -254,19 +262,20 @@ final class PlaneFilter {
 
   /** Takes in what {@link #innovate} has compared. */
   void correct() {
-    double inverse = 1 / determinant;
-    double iXx = sYy * inverse;
-    double iXy = -sXy * inverse;
-    double iYy = sXx * inverse;
+    double iXx = sYy * perDeterminant;
+    double iXy = -sXy * perDeterminant;
+    double iYy = sXx * perDeterminant;
     boolean turns = turns();
-    for (int i = 0; i < 4; i++) {
-      setGain(i, p[i], i == 0 ? p[1] : p[3 + i], iXx, iXy, iYy);
-    }
+    setGain(0, p[0], p[1], iXx, iXy, iYy);
+    setGain(1, p[1], p[4], iXx, iXy, iYy);
+    setGain(2, p[2], p[5], iXx, iXy, iYy);
+    setGain(3, p[3], p[6], iXx, iXy, iYy);
     setGain(4, turns ? p[10] : 0, turns ? p[11] : 0, iXx, iXy, iYy);
     if (turns) {
       correctTurnRate();
     }
-    correctPlaceAndVelocity();
+    correctVelocity();
+    correctPlace();
   }
 
   /** Takes in a measured second velocity. */
@@ -292,81 +301,51 @@ final class PlaneFilter {
     x[row] += k * yX + l * yY;
   }
 
-  /**
-   * The column of ω, as {@link #correctPlaceAndVelocity}, before it: it needs the other entries as
-   * they were.
-   */
+  /** What is known of ω, before the rest: it needs the entries as they were. */
   private void correctTurnRate() {
-    double f4 = p[10];
-    double s4 = p[11];
     double k4 = gain[8];
     double l4 = gain[9];
-    for (int i = 0; i < STATES; i++) {
-      double k = gain[2 * i];
-      double l = gain[2 * i + 1];
-      double first = i < 4 ? p[i] : f4;
-      double second = i == 0 ? p[1] : i < 4 ? p[3 + i] : s4;
-      double u = k * rXx + l * rXy - (first - k * p[0] - l * p[1]);
-      double v = k * rXy + l * rYy - (second - k * p[1] - l * p[4]);
-      p[10 + i] = p[10 + i] - k * f4 - l * s4 + u * k4 + v * l4;
-    }
+    double p04 = p[10];
+    double p14 = p[11];
+    p[10] = k4 * rXx + l4 * rXy;
+    p[11] = k4 * rXy + l4 * rYy;
+    p[12] -= gain[4] * p04 + gain[5] * p14;
+    p[13] -= gain[6] * p04 + gain[7] * p14;
+    p[14] -= k4 * p04 + l4 * p14;
   }
 
-  /**
-   * Joseph's form: with A = (I − K H) P it is A (I − K H)ᵀ + K R Kᵀ = A + (K R − A Hᵀ) Kᵀ. In exact
-   * arithmetic the bracket (u, v) is zero; here it is the rounding error of A that is taken back.
-   */
-  private void correctPlaceAndVelocity() {
-    double k0 = gain[0];
-    double l0 = gain[1];
-    double k1 = gain[2];
-    double l1 = gain[3];
+  /** What is known of the velocity; it needs the entries of the place as they were. */
+  private void correctVelocity() {
     double k2 = gain[4];
     double l2 = gain[5];
     double k3 = gain[6];
     double l3 = gain[7];
-    double p00 = p[0];
-    double p01 = p[1];
-    double p02 = p[2];
-    double p03 = p[3];
-    double p11 = p[4];
-    double p12 = p[5];
-    double p13 = p[6];
-    double a00 = p00 - k0 * p00 - l0 * p01;
-    double a01 = p01 - k0 * p01 - l0 * p11;
-    double a10 = p01 - k1 * p00 - l1 * p01;
-    double a11 = p11 - k1 * p01 - l1 * p11;
-    double u0 = k0 * rXx + l0 * rXy - a00;
-    double v0 = k0 * rXy + l0 * rYy - a01;
-    double u1 = k1 * rXx + l1 * rXy - a10;
-    double v1 = k1 * rXy + l1 * rYy - a11;
-    double u2 = k2 * rXx + l2 * rXy - (p02 - k2 * p00 - l2 * p01);
-    double v2 = k2 * rXy + l2 * rYy - (p12 - k2 * p01 - l2 * p11);
-    double u3 = k3 * rXx + l3 * rXy - (p03 - k3 * p00 - l3 * p01);
-    double v3 = k3 * rXy + l3 * rYy - (p13 - k3 * p01 - l3 * p11);
-    p[0] = a00 + u0 * k0 + v0 * l0;
-    p[1] = a01 + u0 * k1 + v0 * l1;
-    p[2] = p02 - k0 * p02 - l0 * p12 + u0 * k2 + v0 * l2;
-    p[3] = p03 - k0 * p03 - l0 * p13 + u0 * k3 + v0 * l3;
-    p[4] = a11 + u1 * k1 + v1 * l1;
-    p[5] = p12 - k1 * p02 - l1 * p12 + u1 * k2 + v1 * l2;
-    p[6] = p13 - k1 * p03 - l1 * p13 + u1 * k3 + v1 * l3;
-    p[7] = p[7] - k2 * p02 - l2 * p12 + u2 * k2 + v2 * l2;
-    p[8] = p[8] - k2 * p03 - l2 * p13 + u2 * k3 + v2 * l3;
-    p[9] = p[9] - k3 * p03 - l3 * p13 + u3 * k3 + v3 * l3;
+    p[7] -= k2 * p[2] + l2 * p[5];
+    p[8] -= k2 * p[3] + l2 * p[6];
+    p[9] -= k3 * p[3] + l3 * p[6];
+  }
+
+  private void correctPlace() {
+    p[0] = gain[0] * rXx + gain[1] * rXy;
+    p[1] = gain[0] * rXy + gain[1] * rYy;
+    p[4] = gain[2] * rXy + gain[3] * rYy;
+    p[2] = gain[4] * rXx + gain[5] * rXy;
+    p[5] = gain[4] * rXy + gain[5] * rYy;
+    p[3] = gain[6] * rXx + gain[7] * rXy;
+    p[6] = gain[6] * rXy + gain[7] * rYy;
   }
 
   double nis() {
     return nis;
   }
 
-  /** Determinant of the covariance of the innovation. */
-  double determinant() {
-    return determinant;
+  /** How likely the innovation is, but for the square and a factor that all filters share. */
+  double squaredDensity() {
+    return perDeterminant;
   }
 
   double logLikelihood() {
-    return -0.5 * (nis + Math.log(determinant)) - LOG_TWO_PI;
+    return -0.5 * (nis - Math.log(perDeterminant)) - LOG_TWO_PI;
   }
 
   double innovationX() {
