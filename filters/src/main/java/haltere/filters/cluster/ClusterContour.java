@@ -74,10 +74,10 @@ final class ClusterContour {
   private static final double LEAST_EVENTS = 15;
 
   /** Events taken between two readings where there are very many. */
-  private static final double ENOUGH = 12;
+  private static final double ENOUGH = 4;
 
   /** Up to the root of this and some more, all events are taken; above, fewer of more. */
-  private static final double MANY = 1000;
+  private static final double MANY = 1700;
 
   /** Variance of the middle from which on it is known, pixels squared. */
   private static final double SURE_VARIANCE = 1;
@@ -199,8 +199,9 @@ final class ClusterContour {
       if (distance < LEAST_DISTANCE || off * off > gate) {
         continue;
       }
-      double nx = dx / distance;
-      double ny = dy / distance;
+      double perDistance = 1 / distance;
+      double nx = dx * perDistance;
+      double ny = dy * perDistance;
       double m = off + nx * events[at + 2] + ny * events[at + 3];
       sums.add(nx, ny, m, events[at + 4]);
     }

@@ -281,11 +281,7 @@ final class Track {
 
   /** The state at a later time, for a look only. */
   MotionModes at(long timeUs) {
-    ahead.copyFrom(motion);
-    double dtS = (timeUs - stateUs) * US;
-    if (dtS > 0) {
-      ahead.coast(dtS, noiseFactor(timeUs));
-    }
+    ahead.coastFrom(motion, Math.max(0, (timeUs - stateUs) * US), noiseFactor(timeUs));
     return ahead;
   }
 

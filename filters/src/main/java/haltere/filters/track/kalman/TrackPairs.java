@@ -56,8 +56,12 @@ final class TrackPairs {
       track.contested = false;
     }
     for (int i = 0; i < all.count(); i++) {
-      for (int j = i + 1; j < all.count(); j++) {
-        markPair(all.get(i), all.get(j));
+      Track track = all.get(i);
+      for (int j = i + 1; track.id > 0 && j < all.count(); j++) {
+        Track other = all.get(j);
+        if (other.id > 0 && areNear(track, other)) {
+          markPair(track, other);
+        }
       }
     }
     for (int i = 0; i < all.count(); i++) {
@@ -66,9 +70,6 @@ final class TrackPairs {
   }
 
   private static void markPair(Track a, Track b) {
-    if (!areNear(a, b) || a.id == 0 || b.id == 0) {
-      return;
-    }
     a.nearOther = true;
     b.nearOther = true;
     if (!(a.nearUnlike && b.nearUnlike) && a.movesUnlike(b)) {

@@ -208,12 +208,11 @@ public final class MotionModes {
     if (modes > 1 && dtS > 0 && goneS >= noise.mixedEveryS()) {
       mixFrom(other, goneS);
       unmixedS = 0;
-      combined = false;
+      coast(dtS, noiseFactor);
     } else {
-      copyFrom(other);
+      coastFrom(other, dtS, noiseFactor);
       unmixedS = goneS;
     }
-    coast(dtS, noiseFactor);
   }
 
   /**
@@ -223,17 +222,33 @@ public final class MotionModes {
    * @param noiseFactor the process noise is this many times the usual one
    */
   public void coast(double dtS, double noiseFactor) {
+    coastFrom(this, dtS, noiseFactor);
+  }
+
+  /**
+   * Becomes what another one predicts without a thought that the target may change its way of
+   * moving.
+   *
+   * @param other stays as it is
+   * @param dtS seconds, not negative
+   * @param noiseFactor the process noise is this many times the usual one
+   */
+  public void coastFrom(MotionModes other, double dtS, double noiseFactor) {
     if (!(dtS > 0)) {
+      copyFrom(other);
       return;
     }
+    unmixedS = other.unmixedS;
     for (int j = 0; j < modes; j++) {
+      probability[j] = other.probability[j];
       AlongAcceleration along = noise.along(j);
       if (along != null) {
+        filters[j].copyFrom(other.filters[j]);
         along.evolve(filters[j], dtS);
         along.addNoise(filters[j], dtS, noise.acceleration(j) * noiseFactor);
         continue;
       }
-      filters[j].evolve(dtS);
+      filters[j].evolveFrom(other.filters[j], dtS);
       if (noise.perStep()) {
         filters[j].addStepNoise(noise.acceleration(j) * noiseFactor);
       } else {

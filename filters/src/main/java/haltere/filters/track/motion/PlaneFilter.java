@@ -36,6 +36,9 @@ final class PlaneFilter {
   /** Entries of the upper triangle. */
   static final int ENTRIES = 15;
 
+  /** The first entry of what is known of ω. */
+  private static final int TURN_ENTRIES = 10;
+
   private static final int[] PLACE = {
     0, 1, 2, 3, 10,
     1, 4, 5, 6, 11,
@@ -117,32 +120,53 @@ final class PlaneFilter {
 
   /** Evolves without noise; with a turn rate that is known to be 0, in a straight line. */
   void evolve(double dtS) {
-    if (turns()) {
-      turn(dtS);
+    evolveFrom(this, dtS);
+  }
+
+  /** Becomes what another one, which stays as it is, evolves to. */
+  void evolveFrom(PlaneFilter other, double dtS) {
+    if (other.turns()) {
+      turn(other.x, other.p, dtS);
     } else {
-      goStraight(dtS);
+      x[4] = 0;
+      Arrays.fill(p, TURN_ENTRIES, ENTRIES, 0);
+      goStraight(other.x, other.p, dtS);
     }
   }
 
   /** Evolves place and velocity in a straight line; what is known of ω stays. */
   void goStraight(double dtS) {
-    x[0] += dtS * x[2];
-    x[1] += dtS * x[3];
-    double p02 = p[2] + dtS * p[7];
-    double p03 = p[3] + dtS * p[8];
-    double p12 = p[5] + dtS * p[8];
-    double p13 = p[6] + dtS * p[9];
-    p[0] += dtS * (p[2] + p02);
-    p[1] += dtS * (p[5] + p03);
-    p[4] += dtS * (p[6] + p13);
+    goStraight(x, p, dtS);
+  }
+
+  private void goStraight(double[] fromX, double[] fromP, double dtS) {
+    double vx = fromX[2];
+    double vy = fromX[3];
+    x[0] = fromX[0] + dtS * vx;
+    x[1] = fromX[1] + dtS * vy;
+    x[2] = vx;
+    x[3] = vy;
+    double p22 = fromP[7];
+    double p23 = fromP[8];
+    double p33 = fromP[9];
+    double p02 = fromP[2] + dtS * p22;
+    double p03 = fromP[3] + dtS * p23;
+    double p12 = fromP[5] + dtS * p23;
+    double p13 = fromP[6] + dtS * p33;
+    p[0] = fromP[0] + dtS * (fromP[2] + p02);
+    p[1] = fromP[1] + dtS * (fromP[5] + p03);
+    p[4] = fromP[4] + dtS * (fromP[6] + p13);
     p[2] = p02;
     p[3] = p03;
     p[5] = p12;
     p[6] = p13;
+    p[7] = p22;
+    p[8] = p23;
+    p[9] = p33;
   }
 
-  private void turn(double dtS) {
-    double w = x[4];
+  private void turn(double[] fromX, double[] fromP, double dtS) {
+    double w = fromX[4];
     double angle = w * dtS;
     turned.of(angle);
     double sin = turned.sine();
@@ -164,39 +188,56 @@ final class PlaneFilter {
       aByW = (dtS * cos - a) * perW;
       bByW = (dtS * sin - b) * perW;
     }
-    double vx = x[2];
-    double vy = x[3];
-    x[0] += a * vx - b * vy;
-    x[1] += b * vx + a * vy;
+    double vx = fromX[2];
+    double vy = fromX[3];
+    x[0] = fromX[0] + a * vx - b * vy;
+    x[1] = fromX[1] + b * vx + a * vy;
     x[2] = cos * vx - sin * vy;
     x[3] = sin * vx + cos * vy;
+    x[4] = w;
     transform(
-        a, b, cos, sin, aByW * vx - bByW * vy, bByW * vx + aByW * vy, -dtS * x[3], dtS * x[2]);
+        fromP,
+        a,
+        b,
+        cos,
+        sin,
+        aByW * vx - bByW * vy,
+        bByW * vx + aByW * vy,
+        -dtS * x[3],
+        dtS * x[2]);
   }
 
   /** P ← F P Fᵀ with F = [1 0 a −b e; 0 1 b a f; 0 0 c −s g; 0 0 s c h; 0 0 0 0 1]. */
   private void transform(
-      double a, double b, double c, double s, double e, double f, double g, double h) {
-    double p04 = p[10];
-    double p14 = p[11];
-    double p24 = p[12];
-    double p34 = p[13];
-    double p44 = p[14];
+      double[] from,
+      double a,
+      double b,
+      double c,
+      double s,
+      double e,
+      double f,
+      double g,
+      double h) {
+    double p04 = from[10];
+    double p14 = from[11];
+    double p24 = from[12];
+    double p34 = from[13];
+    double p44 = from[14];
     // M = F P, as far as it is needed.
-    double m00 = p[0] + a * p[2] - b * p[3] + e * p04;
-    double m01 = p[1] + a * p[5] - b * p[6] + e * p14;
-    double m02 = p[2] + a * p[7] - b * p[8] + e * p24;
-    double m03 = p[3] + a * p[8] - b * p[9] + e * p34;
+    double m00 = from[0] + a * from[2] - b * from[3] + e * p04;
+    double m01 = from[1] + a * from[5] - b * from[6] + e * p14;
+    double m02 = from[2] + a * from[7] - b * from[8] + e * p24;
+    double m03 = from[3] + a * from[8] - b * from[9] + e * p34;
     double m04 = p04 + a * p24 - b * p34 + e * p44;
-    double m11 = p[4] + b * p[5] + a * p[6] + f * p14;
-    double m12 = p[5] + b * p[7] + a * p[8] + f * p24;
-    double m13 = p[6] + b * p[8] + a * p[9] + f * p34;
+    double m11 = from[4] + b * from[5] + a * from[6] + f * p14;
+    double m12 = from[5] + b * from[7] + a * from[8] + f * p24;
+    double m13 = from[6] + b * from[8] + a * from[9] + f * p34;
     double m14 = p14 + b * p24 + a * p34 + f * p44;
-    double m22 = c * p[7] - s * p[8] + g * p24;
-    double m23 = c * p[8] - s * p[9] + g * p34;
+    double m22 = c * from[7] - s * from[8] + g * p24;
+    double m23 = c * from[8] - s * from[9] + g * p34;
     double m24 = c * p24 - s * p34 + g * p44;
-    double m32 = s * p[7] + c * p[8] + h * p24;
-    double m33 = s * p[8] + c * p[9] + h * p34;
+    double m32 = s * from[7] + c * from[8] + h * p24;
+    double m33 = s * from[8] + c * from[9] + h * p34;
     double m34 = s * p24 + c * p34 + h * p44;
     p[0] = m00 + a * m02 - b * m03 + e * m04;
     p[1] = m01 + b * m02 + a * m03 + f * m04;
@@ -212,6 +253,7 @@ final class PlaneFilter {
     p[11] = m14;
     p[12] = m24;
     p[13] = m34;
+    p[14] = p44;
   }
 
   /** Adds what white acceleration and a random walk of the turn rate do in a time. */
