@@ -30,11 +30,11 @@ public final class MotionNoise {
   private static final double SHORT = 0.05;
 
   /**
-   * Three modes are mixed after this time at the earliest, so at every second update where these
+   * Three modes are mixed after this time at the earliest, so at every third update where these
    * come as often as they can: with seconds between changes that is as good, and mixing takes as
    * long as half of the rest.
    */
-  private static final double MIXED_EVERY_S = 0.015;
+  private static final double MIXED_EVERY_S = 0.025;
 
   private final boolean perStep;
   private final double[] acceleration;
