@@ -132,6 +132,9 @@ final class Cluster {
 
   double radiusB;
 
+  /** Geometric mean of the half axes, pixels. */
+  double radius;
+
   double cos;
 
   double sin;
@@ -190,6 +193,9 @@ final class Cluster {
   private double batchSharedTimes;
 
   long batchFromUs;
+
+  /** Mean time of its events, once it has ended, microseconds after it has begun. */
+  double batchMeanUs;
 
   /** Events until one of them is for the outline. */
   int untilOutline;
@@ -410,9 +416,9 @@ final class Cluster {
     batchFromUs = timeUs;
   }
 
-  /** Mean time of the events of the measurement, microseconds after it has begun. */
-  double batchMeanUs() {
-    return (batchOwnTimes + batchSharedTimes) / batchEvents;
+  /** Works out the mean time of the events of the measurement, which ends now. */
+  void endBatch() {
+    batchMeanUs = (batchOwnTimes + batchSharedTimes) / batchEvents;
   }
 
   /** Variance of the events of one polarity in the direction in which it is the least. */
@@ -421,9 +427,11 @@ final class Cluster {
     return 0.5 * (cxx + cyy) - Math.sqrt(half * half + cxy * cxy);
   }
 
-  /** Geometric mean of the half axes, pixels. */
-  double radius() {
-    return Math.sqrt(radiusA * radiusB);
+  /** Takes on half axes, pixels. */
+  void setRadii(double along, double across) {
+    radiusA = along;
+    radiusB = across;
+    radius = Math.sqrt(along * across);
   }
 
   /** Distance of the outline from the centre in a direction, a vector of any length but 0. */

@@ -209,7 +209,7 @@ final class ClusterContour {
 
   /** Looks for the circle about which the events are to be fitted, where it is not known yet. */
   private void fitFirst(Cluster cluster) {
-    if (!first.fit(cluster.vx, cluster.vy, radius, ridge(), scatter, 2 * cluster.radius())) {
+    if (!first.fit(cluster.vx, cluster.vy, radius, ridge(), scatter, 2 * cluster.radius)) {
       sums.clear();
       return;
     }
@@ -243,7 +243,7 @@ final class ClusterContour {
     double jyy = sums.yy - sums.yr * sums.yr * share;
     double ux = sums.x - sums.xr * pulled * share;
     double uy = sums.y - sums.yr * pulled * share;
-    boolean isOutline = learn(cluster, jxx, jxy, jyy, ux, uy);
+    boolean isOutline = learn(cluster, known, jxx, jxy, jyy, ux, uy);
     if (isOutline && isThin()) {
       double perVariance = 1 / scatter;
       informationXx = jxx * perVariance;
@@ -263,16 +263,17 @@ final class ClusterContour {
   }
 
   /** Learns from the sums, and says whether they can be of the outline of the cluster's events. */
-  private boolean learn(Cluster cluster, double jxx, double jxy, double jyy, double ux, double uy) {
+  private boolean learn(
+      Cluster cluster, double known, double jxx, double jxy, double jyy, double ux, double uy) {
     // The centre, if it is where it was expected give or take a few pixels.
     double loose = scatter / PLACE_VARIANCE;
-    double determinant = (jxx + loose) * (jyy + loose) - jxy * jxy;
-    double cx = ((jyy + loose) * ux - jxy * uy) / determinant;
-    double cy = ((jxx + loose) * uy - jxy * ux) / determinant;
-    double known = ridge();
+    double perDeterminant = 1 / ((jxx + loose) * (jyy + loose) - jxy * jxy);
+    double cx = ((jyy + loose) * ux - jxy * uy) * perDeterminant;
+    double cy = ((jxx + loose) * uy - jxy * ux) * perDeterminant;
+    double share = 1 / (sums.count + known);
     double pulled = sums.r + known * expectedMove;
-    double radiusMoves = (pulled - sums.xr * cx - sums.yr * cy) / (sums.count + known);
-    learnScatter(cx, cy, radiusMoves, known);
+    double radiusMoves = (pulled - sums.xr * cx - sums.yr * cy) * share;
+    learnScatter(cx, cy, radiusMoves, sums.count * share);
     curved = scatter < CURVED * cluster.leastVariance();
     // With the centre taken out: what is left of the events to tell the radius.
     double kxx = sums.xx + loose;
@@ -284,7 +285,7 @@ final class ClusterContour {
     if (radiusVariance < SURE_SHARE * radius * radius) {
       firstReadings = 0;
     }
-    radius = Math.min(2 * cluster.radius(), Math.max(1, radius + radiusMoves));
+    radius = Math.min(2 * cluster.radius, Math.max(1, radius + radiusMoves));
     boolean isThere = !isElsewhere(cluster, offsetX + cx, offsetY + cy);
     moveReference(cluster, jxx, jxy, jyy, ux, uy);
     return isThere && !isElsewhere(cluster, offsetX, offsetY);
@@ -298,13 +299,13 @@ final class ClusterContour {
   private boolean isElsewhere(Cluster cluster, double middleX, double middleY) {
     double most = MOST_OFFSET * radius;
     return Math.abs(cluster.balance) < TWO_SIDED
-        && (radius > MOST_RADIUS * cluster.radius()
+        && (radius > MOST_RADIUS * cluster.radius
             || middleX * middleX + middleY * middleY > most * most);
   }
 
   /** Takes the mean square of what is left over, per degree of freedom. */
-  private void learnScatter(double cx, double cy, double radiusMoves, double known) {
-    double degrees = sums.count - 2 - sums.count / (sums.count + known);
+  private void learnScatter(double cx, double cy, double radiusMoves, double ofRadius) {
+    double degrees = sums.count - 2 - ofRadius;
     if (!(degrees > 0)) {
       return;
     }
@@ -318,20 +319,21 @@ final class ClusterContour {
   private void moveReference(
       Cluster cluster, double jxx, double jxy, double jyy, double ux, double uy) {
     double tight = scatter / offsetVariance;
-    double determinant = (jxx + tight) * (jyy + tight) - jxy * jxy;
+    double perDeterminant = 1 / ((jxx + tight) * (jyy + tight) - jxy * jxy);
     double seconds = (cluster.atUs - fromUs) * US;
     double nowX = cluster.x + offsetX - baseX - cluster.vx * seconds;
     double nowY = cluster.y + offsetY - baseY - cluster.vy * seconds;
     double wx = ux - jxx * nowX - jxy * nowY;
     double wy = uy - jxy * nowX - jyy * nowY;
-    offsetX += ((jyy + tight) * wx - jxy * wy) / determinant;
-    offsetY += ((jxx + tight) * wy - jxy * wx) / determinant;
+    offsetX += ((jyy + tight) * wx - jxy * wy) * perDeterminant;
+    offsetY += ((jxx + tight) * wy - jxy * wx) * perDeterminant;
     offsetVariance = scatter / (tight + 0.5 * (jxx + jyy));
-    double length = Math.sqrt(offsetX * offsetX + offsetY * offsetY);
-    double most = cluster.radius();
-    if (length > most) {
-      offsetX *= most / length;
-      offsetY *= most / length;
+    double squared = offsetX * offsetX + offsetY * offsetY;
+    double most = cluster.radius;
+    if (squared > most * most) {
+      double shortened = most / Math.sqrt(squared);
+      offsetX *= shortened;
+      offsetY *= shortened;
     }
   }
 
@@ -361,7 +363,7 @@ final class ClusterContour {
     curved = false;
     firstReadings = FIRST_READINGS;
     stride = 1;
-    radius = cluster.radius() / RING_RADII;
+    radius = cluster.radius / RING_RADII;
     radius = Math.max(1, radius);
     radiusVariance = FIRST_RADIUS_SHARE * radius * FIRST_RADIUS_SHARE * radius;
     scatter = FIRST_SCATTER;

@@ -131,8 +131,7 @@ final class ClusterForm {
     cluster.leadX = 0;
     cluster.leadY = 0;
     cluster.balance = 0;
-    cluster.radiusA = radius;
-    cluster.radiusB = radius;
+    cluster.setRadii(radius, radius);
     cluster.cos = fixedCos;
     cluster.sin = fixedSin;
     invert(cluster);
@@ -267,8 +266,7 @@ final class ClusterForm {
     born.balance = cluster.balance;
     born.cos = c;
     born.sin = s;
-    born.radiusA = cluster.radiusA;
-    born.radiusB = cluster.radiusB;
+    born.setRadii(cluster.radiusA, cluster.radiusB);
     upkeep(cluster, timeUs, 0);
     upkeep(born, timeUs, 0);
     cluster.usualSquare = cluster.square;
@@ -297,8 +295,7 @@ final class ClusterForm {
         cluster.cxx * cluster.cos * cluster.cos
             + 2 * cluster.cxy * cluster.cos * cluster.sin
             + cluster.cyy * cluster.sin * cluster.sin);
-    cluster.radiusA = Double.POSITIVE_INFINITY;
-    cluster.radiusB = Double.POSITIVE_INFINITY;
+    cluster.setRadii(Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY);
     upkeep(cluster, timeUs, 0);
     cluster.usualSquare = cluster.square;
   }
@@ -329,8 +326,7 @@ final class ClusterForm {
       a *= correction;
       b *= correction;
     }
-    cluster.radiusA = a;
-    cluster.radiusB = b;
+    cluster.setRadii(a, b);
   }
 
   /** Chooses the direction of the first half axis. */

@@ -97,7 +97,7 @@ final class ClusterParting {
       if (other != cluster
           && other != born
           && other.isVisible()
-          && Math.hypot(other.x - part.x, other.y - part.y) < TAKEN_RADII * other.radius()) {
+          && Math.hypot(other.x - part.x, other.y - part.y) < TAKEN_RADII * other.radius) {
         return true;
       }
     }

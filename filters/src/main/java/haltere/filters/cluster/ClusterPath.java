@@ -44,7 +44,7 @@ final class ClusterPath {
     numbers[at++] = cluster.y;
     numbers[at++] = cluster.vx;
     numbers[at++] = cluster.vy;
-    numbers[at++] = cluster.radius();
+    numbers[at++] = cluster.radius;
     numbers[at++] = cluster.radiusA / cluster.radiusB;
     numbers[at++] = cluster.cos == 0 ? Math.PI / 2 : Math.atan(cluster.sin / cluster.cos);
     numbers[at++] = cluster.mass;

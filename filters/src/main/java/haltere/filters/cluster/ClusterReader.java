@@ -37,6 +37,7 @@ final class ClusterReader implements ClusterReadings {
     for (int i = 0; i < clusterCount; i++) {
       if (clusters[i].isVisible()) {
         clusters[i].moveTo(readingUs);
+        clusters[i].endBatch();
         clusters[i].contour.read(clusters[i]);
         ClusterLines.hold(clusters[i], ageUs(clusters[i]) * 1e-6);
         visible[count++] = clusters[i];
@@ -123,7 +124,7 @@ final class ClusterReader implements ClusterReadings {
   }
 
   private double ageUs(Cluster cluster) {
-    return timeUs - cluster.batchFromUs - cluster.batchMeanUs();
+    return timeUs - cluster.batchFromUs - cluster.batchMeanUs;
   }
 
   @Override
@@ -154,7 +155,7 @@ final class ClusterReader implements ClusterReadings {
   @Override
   public double unseenVariance(int index) {
     Cluster cluster = at(index);
-    double reach = cluster.radius();
+    double reach = cluster.radius;
     double toSides = Math.min(cluster.x, width - 1 - cluster.x);
     double toBorder = Math.min(toSides, Math.min(cluster.y, height - 1 - cluster.y));
     boolean oneSided = toBorder < reach && Math.abs(cluster.balance) > ONE_SIDED;
@@ -189,7 +190,7 @@ final class ClusterReader implements ClusterReadings {
 
   /** The vector of information at the mean time of the new events. */
   private static double shifted(Cluster cluster, double vector, boolean first) {
-    double seconds = cluster.batchMeanUs() * 1e-6;
+    double seconds = cluster.batchMeanUs * 1e-6;
     ClusterContour contour = cluster.contour;
     double moved =
         first
@@ -205,7 +206,7 @@ final class ClusterReader implements ClusterReadings {
 
   @Override
   public double radiusPx(int index) {
-    return at(index).radius();
+    return at(index).radius;
   }
 
   @Override
@@ -231,7 +232,7 @@ final class ClusterReader implements ClusterReadings {
   @Override
   public void feedBack(int index, double xPx, double yPx, double vxPxPerS, double vyPxPerS) {
     Cluster cluster = at(index);
-    double radius = cluster.radius();
+    double radius = cluster.radius;
     boolean inside =
         xPx > -radius && yPx > -radius && xPx < width + radius && yPx < height + radius;
     if (inside && Double.isFinite(vxPxPerS) && Double.isFinite(vyPxPerS)) {

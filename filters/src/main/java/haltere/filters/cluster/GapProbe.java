@@ -150,7 +150,7 @@ final class GapProbe {
     fromUs = timeUs;
     Arrays.fill(sums, 0);
     if (!following) {
-      binsPerPixel = BINS_PER_RADIUS / cluster.radius();
+      binsPerPixel = BINS_PER_RADIUS / cluster.radius;
       gapBins = Math.max(GAP_BINS, GAP_PX * binsPerPixel);
       double usual = cluster.rateHz * USUAL_S;
       wanted = (int) Math.max(FEWEST_EVENTS, Math.min(MOST_EVENTS, usual));
@@ -185,7 +185,7 @@ final class GapProbe {
 
   /** Looks at a cluster at an upkeep, and says whether a place in it is another thing's. */
   boolean findsAnother(Cluster cluster, long timeUs) {
-    if (timeUs - cluster.bornUs < ClusterForm.SETTLED_US || cluster.radius() < LEAST_RADIUS_PX) {
+    if (timeUs - cluster.bornUs < ClusterForm.SETTLED_US || cluster.radius < LEAST_RADIUS_PX) {
       end();
       return false;
     }

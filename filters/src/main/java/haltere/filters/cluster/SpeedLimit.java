@@ -37,7 +37,7 @@ final class SpeedLimit {
       Cluster other = clusters.all[j];
       double dx = other.x - cluster.x;
       double dy = other.y - cluster.y;
-      double reach = reachRadii * (cluster.radius() + other.radius());
+      double reach = reachRadii * (cluster.radius + other.radius);
       if (other != cluster && other.isVisible() && dx * dx + dy * dy < reach * reach) {
         double speed = Math.sqrt(other.vx * other.vx + other.vy * other.vy);
         fastest = Math.max(fastest, speed + SIGMAS * Math.sqrt(other.velocityVariance));

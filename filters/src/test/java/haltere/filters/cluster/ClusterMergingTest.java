@@ -26,8 +26,7 @@ class ClusterMergingTest {
     cluster.x = 50;
     cluster.y = 50;
     cluster.cos = 1;
-    cluster.radiusA = 5;
-    cluster.radiusB = 5;
+    cluster.setRadii(5, 5);
     cluster.extentX = 6.5;
     cluster.extentY = 6.5;
     cluster.mass = 100;

@@ -40,8 +40,7 @@ class GapProbeTest {
   GapProbeTest() {
     new ClusterForm(new SensorGeometry(240, 180), ClusterTrackerSettings.defaults()).begin(cluster);
     cluster.bornUs = BORN_US;
-    cluster.radiusA = 30;
-    cluster.radiusB = 30;
+    cluster.setRadii(30, 30);
     makeEvents(50);
   }
 
@@ -154,8 +153,7 @@ class GapProbeTest {
     cluster.bornUs = OLD_US;
     assertEquals(-1, foundAfterMs(70, places));
     cluster.bornUs = BORN_US;
-    cluster.radiusA = 5;
-    cluster.radiusB = 5;
+    cluster.setRadii(5, 5);
     assertEquals(-1, foundAfterMs(70, places));
     assertFalse(cluster.probe.findsAnother(cluster, OLD_US));
   }
