@@ -31,7 +31,8 @@ final class Track {
   private static final int TRUSTED_UPDATES = 10;
 
   MotionModes motion;
-  private MotionModes ahead;
+  private MotionModes later;
+  private final Comparison compared;
   private final MeasurementPlane plane;
   private final MeasurementSettings settings;
 
@@ -117,11 +118,16 @@ final class Track {
   /** Whether it is a vehicle that has stopped. */
   boolean stands;
 
-  Track(MotionNoise noise, MeasurementPlane plane, MeasurementSettings settings) {
+  Track(
+      MotionNoise noise,
+      MeasurementPlane plane,
+      MeasurementSettings settings,
+      Comparison compared) {
     this.plane = plane;
+    this.compared = compared;
     this.settings = settings;
     motion = new MotionModes(noise);
-    ahead = new MotionModes(noise);
+    later = new MotionModes(noise);
   }
 
   /** Begins with the measurement that the plane has mapped. */
@@ -181,7 +187,7 @@ final class Track {
   /** Goes on with another line of the vehicle that was found, with the speed that it has. */
   void rejoin(FoundLine found, long stepUs) {
     MotionModes now = at(stepUs);
-    ahead = motion;
+    later = motion;
     motion = now;
     stateUs = stepUs;
     heardUs = stepUs;
@@ -281,8 +287,8 @@ final class Track {
 
   /** The state at a later time, for a look only. */
   MotionModes at(long timeUs) {
-    ahead.coastFrom(motion, Math.max(0, (timeUs - stateUs) * US), noiseFactor(timeUs));
-    return ahead;
+    later.coastFrom(motion, Math.max(0, (timeUs - stateUs) * US), noiseFactor(timeUs));
+    return later;
   }
 
   /**
@@ -293,6 +299,7 @@ final class Track {
    */
   double compare(Measurement measured) {
     double dtS = Math.max(0, (measured.timeUs - stateUs) * US);
+    MotionModes ahead = compared.ahead;
     ahead.predictFrom(motion, dtS, noiseFactor(measured.timeUs));
     if (!measured.map(plane, ahead)) {
       return Double.NaN;
@@ -302,7 +309,7 @@ final class Track {
 
   /** Logarithm of the likelihood of what {@link #compare} has compared. */
   double logLikelihood() {
-    return ahead.logLikelihood();
+    return compared.ahead.logLikelihood();
   }
 
   /** Takes in what {@link #compare} has compared. */
@@ -316,10 +323,10 @@ final class Track {
   }
 
   private void correct() {
-    ahead.correct();
     MotionModes before = motion;
-    motion = ahead;
-    ahead = before;
+    motion = compared.ahead;
+    motion.correct();
+    compared.ahead = before;
   }
 
   /** Works out about where it is in the picture at the time of a step: straight on from here. */
@@ -396,8 +403,8 @@ final class Track {
 
   /** What the last comparison has come to; the gain is that of the likeliest model. */
   TrackUpdate lastUpdate(long timeUs, boolean accepted) {
-    MotionModes compared = accepted ? motion : ahead;
-    CombinedInnovation innovation = compared.innovation();
+    MotionModes last = accepted ? motion : compared.ahead;
+    CombinedInnovation innovation = last.innovation();
     return new TrackUpdate(
         timeUs,
         id,
@@ -409,20 +416,20 @@ final class Track {
         innovation.xy(),
         innovation.yy(),
         innovation.nis(),
-        accepted ? compared.gain(0, 0) : 0,
-        accepted ? compared.gain(1, 1) : 0,
-        accepted ? compared.gain(2, 0) : 0,
-        accepted ? compared.gain(3, 1) : 0,
-        compared.x(),
-        compared.y(),
-        compared.vx(),
-        compared.vy(),
-        compared.covariance(0, 0),
-        compared.covariance(0, 2),
-        compared.covariance(2, 2),
-        compared.covariance(1, 1),
-        compared.covariance(1, 3),
-        compared.covariance(3, 3),
+        accepted ? last.gain(0, 0) : 0,
+        accepted ? last.gain(1, 1) : 0,
+        accepted ? last.gain(2, 0) : 0,
+        accepted ? last.gain(3, 1) : 0,
+        last.x(),
+        last.y(),
+        last.vx(),
+        last.vy(),
+        last.covariance(0, 0),
+        last.covariance(0, 2),
+        last.covariance(2, 2),
+        last.covariance(1, 1),
+        last.covariance(1, 3),
+        last.covariance(3, 3),
         accepted);
   }
 }

@@ -10,6 +10,7 @@ final class Tracks {
   private MotionNoise noise;
   private MeasurementPlane plane;
   private MeasurementSettings measurement;
+  private Comparison compared;
 
   /** Behind those that there are: ended ones, to be used again. */
   private Track[] tracks = new Track[0];
@@ -28,6 +29,7 @@ final class Tracks {
     noise = newNoise;
     plane = newPlane;
     measurement = newMeasurement;
+    compared = new Comparison(noise);
   }
 
   /** Changes how many there may be, which is no less than there are. */
@@ -56,7 +58,7 @@ final class Tracks {
   Track add() {
     Track track = tracks[count];
     if (track == null) {
-      track = new Track(noise, plane, measurement);
+      track = new Track(noise, plane, measurement, compared);
       tracks[count] = track;
     }
     count++;

@@ -5,16 +5,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.SensorGeometry;
 import haltere.filters.track.CountingLineSettings;
-import haltere.filters.track.KalmanTracksSettings;
 import haltere.filters.track.LaneSettings;
 import haltere.filters.track.LineCrossing;
 import haltere.filters.track.LineCrossing.Direction;
-import haltere.filters.track.MeasurementSettings;
 import haltere.filters.track.RoadMapping;
 import haltere.filters.track.RoadSettings;
 import haltere.filters.track.RoadTracksSettings;
 import haltere.filters.track.motion.MotionModes;
-import haltere.filters.track.motion.MotionNoise;
 import haltere.filters.track.road.GivenLine;
 import java.util.ArrayList;
 import java.util.List;
@@ -31,9 +28,7 @@ class LineCounterTest {
   }
 
   private static Track vehicle(int id) {
-    MotionNoise noise =
-        MotionNoise.onRoad(KalmanTracksSettings.defaults().motion(), lines(0).processVariance());
-    Track track = new Track(noise, new MeasurementPlane(null), MeasurementSettings.defaults());
+    Track track = GivenTrack.in(new MeasurementPlane(null));
     track.id = id;
     return track;
   }

@@ -5,13 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.SensorGeometry;
-import haltere.filters.track.KalmanTracksSettings;
-import haltere.filters.track.MeasurementSettings;
 import haltere.filters.track.RoadMapping;
 import haltere.filters.track.RoadSettings;
 import haltere.filters.track.VanishingPoint;
 import haltere.filters.track.motion.MotionModes;
-import haltere.filters.track.motion.MotionNoise;
 import org.junit.jupiter.api.Test;
 
 /** A vehicle 23 m away in the left lane, seen from a bridge of 5 m. */
@@ -25,11 +22,7 @@ class RoadLineTest {
 
   private final RoadMapping road = new RoadMapping(VIEW, SENSOR);
   private final MeasurementPlane plane = new MeasurementPlane(road);
-  private final Track track =
-      new Track(
-          MotionNoise.onRoad(KalmanTracksSettings.defaults().motion(), 0.02),
-          plane,
-          MeasurementSettings.defaults());
+  private final Track track = GivenTrack.in(plane);
 
   private boolean isBeside(double xM, double yM) {
     int row = (int) Math.round(road.rowOf(yM));

@@ -5,12 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.filters.track.KalmanTracksSettings;
-import haltere.filters.track.MeasurementSettings;
 import haltere.filters.track.RoadMapping;
 import haltere.filters.track.RoadSettings;
 import haltere.filters.track.VanishingPoint;
-import haltere.filters.track.motion.MotionNoise;
 import haltere.filters.track.road.RoadEvents;
 import java.util.Random;
 import java.util.TreeMap;
@@ -33,8 +30,7 @@ class SeenWayTest {
   private final TreeMap<Long, int[]> pixels = new TreeMap<>();
 
   private Track track(double halfM) {
-    MotionNoise noise = MotionNoise.onRoad(KalmanTracksSettings.defaults().motion(), 0.02);
-    Track track = new Track(noise, new MeasurementPlane(road), MeasurementSettings.defaults());
+    Track track = GivenTrack.in(new MeasurementPlane(road));
     track.serial = 7;
     track.bornUs = NOW_US;
     track.stateUs = NOW_US;

@@ -4,14 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.SensorGeometry;
-import haltere.filters.track.KalmanTracksSettings;
 import haltere.filters.track.LaneSettings;
 import haltere.filters.track.LifeSettings;
-import haltere.filters.track.MeasurementSettings;
 import haltere.filters.track.RoadMapping;
 import haltere.filters.track.RoadSettings;
 import haltere.filters.track.VanishingPoint;
-import haltere.filters.track.motion.MotionNoise;
 import org.junit.jupiter.api.Test;
 
 /** Tracks that stand and are not heard, 25 m from a bridge of 5 m. */
@@ -23,11 +20,7 @@ class VehicleEndsTest {
       new RoadMapping(new RoadSettings(5, 6, 300, VanishingPoint.at(63.5, 127)), SENSOR);
   private final MeasurementPlane plane = new MeasurementPlane(road);
   private final VehicleEnds ends = new VehicleEnds(road, SENSOR, plane);
-  private final Track track =
-      new Track(
-          MotionNoise.onRoad(KalmanTracksSettings.defaults().motion(), 0.02),
-          plane,
-          MeasurementSettings.defaults());
+  private final Track track = GivenTrack.in(plane);
 
   /** Whether it is gone when it has stood for so long. */
   private boolean isOverAfter(double seconds, int updates, double xM) {

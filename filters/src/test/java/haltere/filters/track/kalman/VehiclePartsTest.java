@@ -5,12 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.SensorGeometry;
-import haltere.filters.track.KalmanTracksSettings;
-import haltere.filters.track.MeasurementSettings;
 import haltere.filters.track.RoadMapping;
 import haltere.filters.track.RoadSettings;
 import haltere.filters.track.VanishingPoint;
-import haltere.filters.track.motion.MotionNoise;
 import haltere.filters.track.road.FoundLine;
 import haltere.filters.track.road.GivenLine;
 import haltere.filters.track.road.RoadEvents;
@@ -28,11 +25,7 @@ class VehiclePartsTest {
   private final RoadEvents events = new RoadEvents(road, SENSOR);
   private final FoundLine found = GivenLine.ofSpeed(SPEED_M_S);
   private final VehicleParts parts = new VehicleParts(road, events, found);
-  private final Track lorry =
-      new Track(
-          MotionNoise.onRoad(KalmanTracksSettings.defaults().motion(), 0.02),
-          plane,
-          MeasurementSettings.defaults());
+  private final Track lorry = GivenTrack.in(plane);
 
   private void find(double xM, double yM, double speedMS, double halfM) {
     GivenLine.set(found, xM, yM, speedMS, halfM, (int) Math.round(road.rowOf(yM)));
