@@ -236,21 +236,15 @@ final class ClusterContour {
       return;
     }
     double known = ridge();
-    double share = 1 / (sums.count + known);
-    double pulled = sums.r + known * expectedMove;
-    double jxx = sums.xx - sums.xr * sums.xr * share;
-    double jxy = sums.xy - sums.xr * sums.yr * share;
-    double jyy = sums.yy - sums.yr * sums.yr * share;
-    double ux = sums.x - sums.xr * pulled * share;
-    double uy = sums.y - sums.yr * pulled * share;
-    boolean isOutline = learn(cluster, known, jxx, jxy, jyy, ux, uy);
+    sums.takeOutRadius(known, expectedMove);
+    boolean isOutline = learn(cluster, known);
     if (isOutline && isThin()) {
       double perVariance = 1 / scatter;
-      informationXx = jxx * perVariance;
-      informationXy = jxy * perVariance;
-      informationYy = jyy * perVariance;
-      vectorX = ux * perVariance + informationXx * baseX + informationXy * baseY;
-      vectorY = uy * perVariance + informationXy * baseX + informationYy * baseY;
+      informationXx = sums.middleXx * perVariance;
+      informationXy = sums.middleXy * perVariance;
+      informationYy = sums.middleYy * perVariance;
+      vectorX = sums.middleX * perVariance + informationXx * baseX + informationXy * baseY;
+      vectorY = sums.middleY * perVariance + informationXy * baseX + informationYy * baseY;
     }
     if (!isOutline) {
       end();
@@ -263,17 +257,17 @@ final class ClusterContour {
   }
 
   /** Learns from the sums, and says whether they can be of the outline of the cluster's events. */
-  private boolean learn(
-      Cluster cluster, double known, double jxx, double jxy, double jyy, double ux, double uy) {
+  private boolean learn(Cluster cluster, double known) {
     // The centre, if it is where it was expected give or take a few pixels.
     double loose = scatter / PLACE_VARIANCE;
-    double perDeterminant = 1 / ((jxx + loose) * (jyy + loose) - jxy * jxy);
-    double cx = ((jyy + loose) * ux - jxy * uy) * perDeterminant;
-    double cy = ((jxx + loose) * uy - jxy * ux) * perDeterminant;
-    double share = 1 / (sums.count + known);
-    double pulled = sums.r + known * expectedMove;
-    double radiusMoves = (pulled - sums.xr * cx - sums.yr * cy) * share;
-    learnScatter(cx, cy, radiusMoves, sums.count * share);
+    double jxx = sums.middleXx + loose;
+    double jxy = sums.middleXy;
+    double jyy = sums.middleYy + loose;
+    double perDeterminant = 1 / (jxx * jyy - jxy * jxy);
+    double cx = (jyy * sums.middleX - jxy * sums.middleY) * perDeterminant;
+    double cy = (jxx * sums.middleY - jxy * sums.middleX) * perDeterminant;
+    double radiusMoves = sums.radiusMove(cx, cy);
+    learnScatter(cx, cy, radiusMoves);
     curved = scatter < CURVED * cluster.leastVariance();
     // With the centre taken out: what is left of the events to tell the radius.
     double kxx = sums.xx + loose;
@@ -287,7 +281,7 @@ final class ClusterContour {
     }
     radius = Math.min(2 * cluster.radius, Math.max(1, radius + radiusMoves));
     boolean isThere = !isElsewhere(cluster, offsetX + cx, offsetY + cy);
-    moveReference(cluster, jxx, jxy, jyy, ux, uy);
+    moveReference(cluster);
     return isThere && !isElsewhere(cluster, offsetX, offsetY);
   }
 
@@ -304,8 +298,8 @@ final class ClusterContour {
   }
 
   /** Takes the mean square of what is left over, per degree of freedom. */
-  private void learnScatter(double cx, double cy, double radiusMoves, double ofRadius) {
-    double degrees = sums.count - 2 - ofRadius;
+  private void learnScatter(double cx, double cy, double radiusMoves) {
+    double degrees = sums.count - 2 - sums.shareOfRadius();
     if (!(degrees > 0)) {
       return;
     }
@@ -316,15 +310,17 @@ final class ClusterContour {
   }
 
   /** Says where to look for the outline next time, relative to the cluster's centre. */
-  private void moveReference(
-      Cluster cluster, double jxx, double jxy, double jyy, double ux, double uy) {
+  private void moveReference(Cluster cluster) {
+    double jxx = sums.middleXx;
+    double jxy = sums.middleXy;
+    double jyy = sums.middleYy;
     double tight = scatter / offsetVariance;
     double perDeterminant = 1 / ((jxx + tight) * (jyy + tight) - jxy * jxy);
     double seconds = (cluster.atUs - fromUs) * US;
     double nowX = cluster.x + offsetX - baseX - cluster.vx * seconds;
     double nowY = cluster.y + offsetY - baseY - cluster.vy * seconds;
-    double wx = ux - jxx * nowX - jxy * nowY;
-    double wy = uy - jxy * nowX - jyy * nowY;
+    double wx = sums.middleX - jxx * nowX - jxy * nowY;
+    double wy = sums.middleY - jxy * nowX - jyy * nowY;
     offsetX += ((jyy + tight) * wx - jxy * wy) * perDeterminant;
     offsetY += ((jxx + tight) * wy - jxy * wx) * perDeterminant;
     offsetVariance = scatter / (tight + 0.5 * (jxx + jyy));

@@ -203,17 +203,14 @@ final class FirstOutline {
   /** One step of Gauss and Newton. */
   private void step(double vx, double vy, double expected, double ridge, double gate, double most) {
     gather(vx, vy, gate);
-    double pulled = sums.r + ridge * (expected - radius);
-    double share = 1 / (sums.count + ridge);
-    double jxx = sums.xx - sums.xr * sums.xr * share + ridge;
-    double jxy = sums.xy - sums.xr * sums.yr * share;
-    double jyy = sums.yy - sums.yr * sums.yr * share + ridge;
-    double ux = sums.x - sums.xr * pulled * share;
-    double uy = sums.y - sums.yr * pulled * share;
+    sums.takeOutRadius(ridge, expected - radius);
+    double jxx = sums.middleXx + ridge;
+    double jxy = sums.middleXy;
+    double jyy = sums.middleYy + ridge;
     double determinant = jxx * jyy - jxy * jxy;
-    double moveX = (jyy * ux - jxy * uy) / determinant;
-    double moveY = (jxx * uy - jxy * ux) / determinant;
-    radius += (pulled - sums.xr * moveX - sums.yr * moveY) * share;
+    double moveX = (jyy * sums.middleX - jxy * sums.middleY) / determinant;
+    double moveY = (jxx * sums.middleY - jxy * sums.middleX) / determinant;
+    radius += sums.radiusMove(moveX, moveY);
     radius = Math.min(most, Math.max(1, radius));
     x += moveX;
     y += moveY;

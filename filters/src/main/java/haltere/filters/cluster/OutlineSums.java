@@ -17,6 +17,16 @@ final class OutlineSums {
   double r;
   double squares;
 
+  // With the radius taken out: information on the middle, and that times how far it moves.
+  double middleXx;
+  double middleXy;
+  double middleYy;
+  double middleX;
+  double middleY;
+
+  private double pulled;
+  private double share;
+
   void clear() {
     count = 0;
     xx = 0;
@@ -43,6 +53,32 @@ final class OutlineSums {
     y += wy * m;
     r += weight * m;
     squares += weight * m * m;
+  }
+
+  /**
+   * Takes the radius out of the equations, as far as the events tell it.
+   *
+   * @param known what is known of it before, in units of an event
+   * @param expectedMove by how much it is expected to be larger than the one that they are about
+   */
+  void takeOutRadius(double known, double expectedMove) {
+    share = 1 / (count + known);
+    pulled = r + known * expectedMove;
+    middleXx = xx - xr * xr * share;
+    middleXy = xy - xr * yr * share;
+    middleYy = yy - yr * yr * share;
+    middleX = x - xr * pulled * share;
+    middleY = y - yr * pulled * share;
+  }
+
+  /** By how much the radius is larger if the middle moves so far. */
+  double radiusMove(double moveX, double moveY) {
+    return (pulled - xr * moveX - yr * moveY) * share;
+  }
+
+  /** How much of the radius is known from the events, and not from before: 0 to 1. */
+  double shareOfRadius() {
+    return count * share;
   }
 
   /** What is left of m² with the middle and the radius moved. */
