@@ -1,6 +1,6 @@
 package haltere.testing.objects;
 
-import haltere.filters.estimation.ChiSquare;
+import haltere.filters.estimation.Gate;
 import haltere.testing.evaluation.Accuracy;
 import haltere.testing.evaluation.Correspondences;
 import haltere.testing.evaluation.Frames;
@@ -73,7 +73,7 @@ public record ObjectScore(
    * @param inside those within
    */
   public record Within(long count, long inside) {
-    private static final double QUANTILE = ChiSquare.quantile(0.95, 2);
+    private static final double QUANTILE = Gate.probability(0.95).threshold(2);
 
     /**
      * Both together.
