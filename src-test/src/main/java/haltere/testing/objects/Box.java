@@ -104,4 +104,18 @@ public record Box(double x0, double y0, double x1, double y1) {
   public double gapTo(Box other) {
     return Math.max(Math.max(other.x0 - x1, x0 - other.x1), Math.max(other.y0 - y1, y0 - other.y1));
   }
+
+  /**
+   * The smallest box around this and another.
+   *
+   * @param other another box
+   * @return a box that holds both
+   */
+  public Box with(Box other) {
+    return new Box(
+        Math.min(x0, other.x0),
+        Math.min(y0, other.y0),
+        Math.max(x1, other.x1),
+        Math.max(y1, other.y1));
+  }
 }

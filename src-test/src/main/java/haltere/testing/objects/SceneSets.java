@@ -37,6 +37,13 @@ public final class SceneSets {
     switch (set) {
       case "recordings" ->
           LabelledRecording.all().forEach(recording -> scenes.add(recording::scene));
+      case "composites" -> {
+        for (Composites.Kind kind : Composites.Kind.values()) {
+          for (long seed : range) {
+            scenes.add(() -> Composites.scene(kind, seed));
+          }
+        }
+      }
       case "discs" -> {
         for (long seed : range) {
           scenes.add(() -> Discs.scene(seed));

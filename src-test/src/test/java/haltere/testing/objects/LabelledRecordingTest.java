@@ -14,8 +14,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 class LabelledRecordingTest {
-  private static final long NEAR_US = 50_000;
-
   static Stream<LabelledRecording> withObjectsInsideThePicture() {
     return LabelledRecording.all().stream().filter(one -> !one.file().startsWith("davis240c"));
   }
@@ -24,35 +22,7 @@ class LabelledRecordingTest {
   @MethodSource("withObjectsInsideThePicture")
   void eventsAreDenserInBoxesThanElsewhere(LabelledRecording recording) throws IOException {
     Recorded.file(recording.file());
-    Footage footage = recording.footage();
-    EventPacket events = footage.events();
-    long inside = 0;
-    long outside = 0;
-    double insideArea = 0;
-    double outsideArea = 0;
-    for (TruthMoment moment : footage.truth()) {
-      if (moment.objects().isEmpty()) {
-        continue;
-      }
-      for (int i = events.indexAtOrAfter(moment.timeUs() - NEAR_US);
-          i < events.size() && events.timeUs(i) < moment.timeUs() + NEAR_US;
-          i++) {
-        int x = events.x(i);
-        int y = events.y(i);
-        if (moment.objects().stream().anyMatch(o -> o.box().contains(x, y, 0.5))) {
-          inside++;
-        } else if (moment.ignored().stream().noneMatch(box -> box.contains(x, y, 0.5))) {
-          outside++;
-        }
-      }
-      double boxes =
-          moment.objects().stream()
-              .mapToDouble(o -> (o.box().width() + 1) * (o.box().height() + 1))
-              .sum();
-      insideArea += boxes;
-      outsideArea += footage.geometry().pixels() - boxes;
-    }
-    double ratio = inside / insideArea * outsideArea / outside;
+    double ratio = EventDensity.of(recording.scene()).ratio();
     assertTrue(ratio > 4, recording.file() + ": " + ratio);
   }
 
