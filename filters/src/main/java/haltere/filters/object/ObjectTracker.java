@@ -17,7 +17,7 @@ public final class ObjectTracker {
     return said == null ? value : Double.parseDouble(said);
   }
 
-  static final double JOINNOW = p("joinnow", 0);
+  static final double JOINNOW = p("joinnow", 3);
   static final boolean DEBUG = System.getProperty("dbg") != null;
   static final long TICK_US = 10_000;
   static final double DT = TICK_US * 1e-6;
@@ -30,6 +30,9 @@ public final class ObjectTracker {
   final double stopHz = p("stop", 1);
   final double goneHz = p("gone", 0.1);
   final double goneSpeed = p("gonespeed", 0);
+  final double uncertain = p("uncertain", 1);
+  final double maxSize = p("maxsize", 0);
+  final double joinAt = p("joinat", 1);
   final double outHz = p("out", 20);
   final double returns = p("returns", 2.3);
   final double joinNovel = p("joinnovel", 10);
@@ -42,7 +45,7 @@ public final class ObjectTracker {
   final double rho = p("rho", 0.15);
   final double evidenceS = p("evidence", 1);
   final double keepNat = p("keep", 3);
-  final double travel = p("travel", 0.3);
+  final double travel = p("travel", 0);
   final double minShare = p("share", 0.1);
   final double infoScale = p("info", 0.2);
 
@@ -54,7 +57,7 @@ public final class ObjectTracker {
   private final float[] recent;
   private final float[] recentCells;
   private double level = 1;
-  final double again = p("again", 0.2);
+  final double again = p("again", 0);
   final double stillFloor = p("still", 0.02);
   final double novel = p("novel", 20);
   final double againS = p("againS", 0.3);
@@ -690,7 +693,7 @@ public final class ObjectTracker {
         }
         double total = gapLog(a, b) + a.evidence.getOrDefault(b.serial, 0.0);
         boolean bothOld = a.id > 0 && b.id > 0;
-        if (total > (bothOld ? keepNat : 0) && Math.min(a.age, b.age) > (total > JOINNOW ? ticks / 3 : ticks)) {
+        if (total > (bothOld ? Math.max(keepNat, joinAt) : joinAt) && Math.min(a.age, b.age) > (total > JOINNOW ? ticks / 3 : ticks)) {
           Obj into = a.id == 0 && b.id > 0 || b.id > 0 && b.id < a.id ? b : a;
           Obj from = into == a ? b : a;
           join(into, from);
@@ -706,33 +709,53 @@ public final class ObjectTracker {
   }
 
   private double gapLog(Obj a, Obj b) {
-    return gapLog(
-        a.middleX() - b.middleX(),
-        a.middleY() - b.middleY(),
-        a.shape.halfX + b.shape.halfX,
-        a.shape.halfY + b.shape.halfY,
-        Math.max(a.shape.size(), b.shape.size()));
+    double box =
+        Math.hypot(
+            gap(a.middleX() - b.middleX(), a.shape.halfX + b.shape.halfX),
+            gap(a.middleY() - b.middleY(), a.shape.halfY + b.shape.halfY));
+    double size = Math.sqrt(a.shape.size() * b.shape.size());
+    double prior = gapLog(box, size);
+    return prior < -20 ? prior : gapLog(a.shape.distance(b.shape, b.x() - a.x(), b.y() - a.y()), size);
   }
 
-  private double gapLog(double x, double y, double reachX, double reachY, double size) {
-    double gap = Math.max(0, Math.hypot(gap(x, reachX), gap(y, reachY)) - 3);
-    return odds - gap / (kappa * size);
+  private double gapLog(double distance, double size) {
+    return odds - Math.max(0, distance - 3) / (kappa * size);
   }
 
   private double motionLog(Obj a, Obj b, int n) {
+    double t2 = n * DT * n * DT * uncertain;
+    double xx = (a.s.covariance(1, 1) + b.s.covariance(1, 1)) * t2;
+    double xy = (a.s.covariance(1, 3) + b.s.covariance(1, 3)) * t2;
+    double yy = (a.s.covariance(3, 3) + b.s.covariance(3, 3)) * t2;
     return motionLog(
         a.displacementX(n),
         a.displacementY(n),
         b.displacementX(n),
         b.displacementY(n),
-        Math.max(a.shape.size(), b.shape.size()));
+        xx,
+        xy,
+        yy,
+        maxSize > 0
+            ? Math.max(a.shape.size(), b.shape.size())
+            : Math.sqrt(a.shape.size() * b.shape.size()));
   }
 
-  private double motionLog(double ax, double ay, double bx, double by, double size) {
-    double one = rho * rho * size * size + 2;
-    double two = one + 0.5 * (ax * ax + ay * ay + bx * bx + by * by);
-    double slip = (ax - bx) * (ax - bx) + (ay - by) * (ay - by);
-    return Math.log(two / one) - 0.5 * slip * (1 / one - 1 / two);
+  /** Log ratio of a slip under one motion and under two, with the covariance of its measurement. */
+  private double motionLog(
+      double ax, double ay, double bx, double by, double xx, double xy, double yy, double size) {
+    double bend = rho * rho * size * size + 2;
+    double apart = 0.5 * (ax * ax + ay * ay + bx * bx + by * by);
+    double dx = ax - bx;
+    double dy = ay - by;
+    double oneXx = xx + bend;
+    double oneYy = yy + bend;
+    double oneDet = oneXx * oneYy - xy * xy;
+    double twoXx = oneXx + apart;
+    double twoYy = oneYy + apart;
+    double twoDet = twoXx * twoYy - xy * xy;
+    double one = (oneYy * dx * dx - 2 * xy * dx * dy + oneXx * dy * dy) / oneDet;
+    double two = (twoYy * dx * dx - 2 * xy * dx * dy + twoXx * dy * dy) / twoDet;
+    return 0.5 * Math.log(twoDet / oneDet) - 0.5 * (one - two);
   }
 
   // ---- components and splits
@@ -741,7 +764,10 @@ public final class ObjectTracker {
   private final int[] label = new int[ShapeTemplate.CELLS];
   private final int[] stack = new int[ShapeTemplate.CELLS];
 
+  private long now0;
+
   private void splitObjects(long now) {
+    now0 = now;
     if (tick % EVERY != 0) {
       return;
     }
@@ -763,7 +789,7 @@ public final class ObjectTracker {
     int labels = 0;
     List<double[]> found = new ArrayList<>();
     for (int c = 0; c < ShapeTemplate.CELLS; c++) {
-      if (!t.solid[c] || label[c] != 0) {
+      if (!t.core[c] || label[c] != 0) {
         continue;
       }
       labels++;
@@ -795,7 +821,7 @@ public final class ObjectTracker {
             int ny = hy + dy;
             if (nx >= 0 && ny >= 0 && nx < ShapeTemplate.SIDE && ny < ShapeTemplate.SIDE) {
               int q = ny * ShapeTemplate.SIDE + nx;
-              if (t.solid[q] && label[q] == 0) {
+              if (t.core[q] && label[q] == 0) {
                 label[q] = labels;
                 stack[top++] = q;
               }
@@ -810,6 +836,17 @@ public final class ObjectTracker {
               m, mx / m * cell, my / m * cell, (x1 - x0 + 1) * cell / 2, (y1 - y0 + 1) * cell / 2, labels
             });
       }
+    }
+    if (DEBUG && System.getProperty("map") != null && o.id == 1 && tick % 20 == 0) {
+      StringBuilder b = new StringBuilder("map " + now0 + " labels " + labels + " found " + found.size() + " cell " + t.cellPx + "\n");
+      for (int r = ShapeTemplate.SIDE - 1; r >= 0; r--) {
+        for (int c = 0; c < ShapeTemplate.SIDE; c++) {
+          int q = r * ShapeTemplate.SIDE + c;
+          b.append(t.solid[q] ? (char) ('0' + Math.min(9, (int) (t.density[q] * 200))) : '.');
+        }
+        b.append('\n');
+      }
+      System.out.print(b);
     }
     if (DEBUG && found.size() != 1) System.out.println("found " + found.size() + " in " + o.id + " labels " + labels + " size " + t.size() + " cell " + t.cellPx + " total " + t.solidTotal);
     for (Component c : o.components) {
@@ -864,14 +901,16 @@ public final class ObjectTracker {
         Component b = all.get(j);
         Component first = a.serial < b.serial ? a : b;
         Component second = first == a ? b : a;
-        double size = Math.max(a.size(), b.size());
-        double prior = gapLog(a.x - b.x, a.y - b.y, a.halfX + b.halfX, a.halfY + b.halfY, size);
+        double size = Math.sqrt(a.size() * b.size());
+        double prior =
+            gapLog(
+                Math.hypot(gap(a.x - b.x, a.halfX + b.halfX), gap(a.y - b.y, a.halfY + b.halfY)), size);
         double e = first.evidence.getOrDefault(second.serial, 0.0) * fade;
         int m = Math.min(ticks, Math.min(a.age, b.age) - 1);
         if (m > ticks / 3) {
           e +=
               motionLog(
-                      a.displacementX(m), a.displacementY(m), b.displacementX(m), b.displacementY(m), size)
+                      a.displacementX(m), a.displacementY(m), b.displacementX(m), b.displacementY(m), 0, 0, 0, size)
                   * EVERY * DT / decideS;
         }
         first.evidence.put(second.serial, e);
@@ -902,6 +941,24 @@ public final class ObjectTracker {
     }
   }
 
+  private int nearestLabel(Obj o, List<Component> all, int k) {
+    if (label[k] != 0 || o.shape.mass[k] == 0) {
+      return label[k];
+    }
+    double x = ShapeTemplate.x(k) * o.shape.cellPx;
+    double y = ShapeTemplate.y(k) * o.shape.cellPx;
+    int best = 0;
+    double least = Double.POSITIVE_INFINITY;
+    for (Component c : all) {
+      double d = Math.hypot(gap(x - c.x, c.halfX), gap(y - c.y, c.halfY));
+      if (d < least) {
+        least = d;
+        best = c.label;
+      }
+    }
+    return best;
+  }
+
   private void leave(Obj o, List<Component> all, int[] group, int g, long now) {
     Obj n = new Obj();
     n.s.set(o.s);
@@ -915,7 +972,7 @@ public final class ObjectTracker {
       }
       Component c = all.get(i);
       for (int k = 0; k < ShapeTemplate.CELLS; k++) {
-        if (label[k] == c.label) {
+        if (nearestLabel(o, all, k) == c.label) {
           n.shape.add(k, o.shape.mass[k]);
           o.shape.total -= o.shape.mass[k];
           o.shape.mass[k] = 0;

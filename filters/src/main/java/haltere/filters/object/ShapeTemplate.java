@@ -28,6 +28,8 @@ final class ShapeTemplate {
 
   /** Cells of the extent. */
   final boolean[] solid = new boolean[CELLS];
+  final boolean[] core = new boolean[CELLS];
+  static final double CORE = ObjectTracker.p("core", 0.3);
 
   /** Cells that an object's longer side should span: between both, it is not rescaled. */
   private static final double MIN_SPAN = SIDE * 0.33;
@@ -209,6 +211,7 @@ final class ShapeTemplate {
     Arrays.fill(marginalY, 0);
     for (int i = 0; i < CELLS; i++) {
       solid[i] = density[i] > threshold;
+      core[i] = density[i] > CORE * mean;
       if (solid[i]) {
         float m = mass[i];
         marginalX[i % SIDE] += m;
@@ -334,5 +337,38 @@ final class ShapeTemplate {
         spread(dx + x(i) * other.cellPx, dy + y(i) * other.cellPx, other.mass[i], other.cellPx);
       }
     }
+  }
+
+  /** Least distance between solid cells of this and another template whose grid stands elsewhere. */
+  double distance(ShapeTemplate other, double dx, double dy) {
+    double least = Double.POSITIVE_INFINITY;
+    for (int i = 0; i < CELLS; i++) {
+      if (!solid[i] || isInner(i)) {
+        continue;
+      }
+      double px = x(i) * cellPx - dx;
+      double py = y(i) * cellPx - dy;
+      for (int j = 0; j < CELLS; j++) {
+        if (other.solid[j]) {
+          double qx = px - x(j) * other.cellPx;
+          double qy = py - y(j) * other.cellPx;
+          least = Math.min(least, qx * qx + qy * qy);
+        }
+      }
+    }
+    return Math.max(0, Math.sqrt(least) - 0.5 * (cellPx + other.cellPx));
+  }
+
+  private boolean isInner(int i) {
+    int c = i % SIDE;
+    int r = i / SIDE;
+    return c > 0
+        && r > 0
+        && c < SIDE - 1
+        && r < SIDE - 1
+        && solid[i - 1]
+        && solid[i + 1]
+        && solid[i - SIDE]
+        && solid[i + SIDE];
   }
 }
