@@ -16,10 +16,11 @@ final class Obj {
   double walkedX;
   double walkedY;
   int age;
+  int index;
   long bornUs;
   int bornTick;
   long seenUs;
-  int id;
+  Group group;
   double rate;
   double events;
   double moving = 0.9;
@@ -40,7 +41,6 @@ final class Obj {
   final java.util.List<Component> components = new java.util.ArrayList<>();
   double shownX;
   double shownY;
-  final java.util.List<double[]> history = new java.util.ArrayList<>();
 
   double x() {
     return s.mean(0);

@@ -17,7 +17,6 @@ public final class ObjectTracker {
     return said == null ? value : Double.parseDouble(said);
   }
 
-  static final double JOINNOW = p("joinnow", 3);
   static final boolean DEBUG = System.getProperty("dbg") != null;
   static final long TICK_US = 10_000;
   static final double DT = TICK_US * 1e-6;
@@ -33,6 +32,11 @@ public final class ObjectTracker {
   final double uncertain = p("uncertain", 1);
   final double maxSize = p("maxsize", 0);
   final double joinAt = p("joinat", 1);
+  final double joinNow = p("joinnow", 3);
+  final double partS = p("parts", 0.5);
+  final int apartTimes = (int) p("apart", 3);
+  final double gapMax = p("gapmax", 0);
+  final double gapRate = p("gaprate", 0);
   final double outHz = p("out", 20);
   final double returns = p("returns", 2.3);
   final double joinNovel = p("joinnovel", 10);
@@ -70,7 +74,7 @@ public final class ObjectTracker {
   private long tickStartUs = Long.MIN_VALUE;
   private int tick;
   private final List<Obj> objects = new ArrayList<>();
-  private final List<Obj> lost = new ArrayList<>();
+  private final List<Group> groups = new ArrayList<>();
   private int ids;
   private final List<Row> rows = new ArrayList<>();
   // recent unexplained tiles
@@ -131,7 +135,7 @@ public final class ObjectTracker {
       tickStartUs += TICK_US;
       grid.next();
       tick++;
-      if (objects.isEmpty() && lost.isEmpty() && t > tickStartUs + 1_000_000) {
+      if (groups.isEmpty() && t > tickStartUs + 1_000_000) {
         tickStartUs = Math.floorDiv(t, TICK_US) * TICK_US;
       }
     }
@@ -602,56 +606,83 @@ public final class ObjectTracker {
   }
 
   private void resumeOrAdd(Obj o, long now) {
-    Obj best = null;
+    Group best = null;
     double bestLog = 0;
-    for (int list = 0; list < 2; list++) {
-      for (Obj old : list == 0 ? objects : lost) {
-        if (old.id == 0) {
-          continue;
-        }
-        double quiet = old.moving >= 0.5 ? 0 : (now - old.seenUs) * 1e-6;
-        double size = Math.max(old.shape.size(), o.shape.size());
-        double sd = size * (0.5 + Math.min(quiet, 1)) * 0.5;
-        double dx = gap(o.middleX() - old.middleX(), o.shape.halfX + old.shape.halfX);
-        double dy = gap(o.middleY() - old.middleY(), o.shape.halfY + old.shape.halfY);
-        double log =
-            returns
-                + Math.log(width * (double) height / (2 * Math.PI * sd * sd + size * size))
-                - (dx * dx + dy * dy) / (2 * sd * sd);
-        if (log > bestLog) {
-          bestLog = log;
-          best = old;
-        }
+    for (Group g : groups) {
+      if (g.id == 0) {
+        continue;
       }
-    }
-    if (best != null && (best.moving < 0.5 || lost.contains(best))) {
-      if (DEBUG) System.out.printf("t %d resume %d by (%d) at %.0f,%.0f log %.1f%n", now, best.id, o.serial, o.middleX(), o.middleY(), bestLog);
-      // it goes on as the old one
-      Obj old = best;
-      double dx = o.middleX() - old.middleX();
-      double dy = o.middleY() - old.middleY();
-      double shiftX = Math.signum(dx) * gap(dx, Math.max(0, old.shape.halfX - o.shape.halfX));
-      double shiftY = Math.signum(dy) * gap(dy, Math.max(0, old.shape.halfY - o.shape.halfY));
-      old.s.setMean(0, old.x() + shiftX);
-      old.s.setMean(2, old.y() + shiftY);
-      old.walkedX += shiftX;
-      old.walkedY += shiftY;
-      old.moving = 0.9;
-      old.resting = 0.05;
-      old.gone = 0.05;
-      old.seenUs = now;
-      double r = old.rate;
-      join(old, o);
-      old.rate = Math.max(o.rate, 0.5 * r);
-      old.s.setMean(1, o.vx());
-      old.s.setMean(3, o.vy());
-      old.s.covariance().setTo(o.s.covariance());
-      if (lost.remove(old)) {
-        objects.add(old);
+      g.box();
+      double quiet = g.isMoving() ? 0 : (now - g.seenUs) * 1e-6;
+      double size = Math.max(g.size(), o.shape.size());
+      double sd = size * (0.5 + Math.min(quiet, 1)) * 0.5;
+      double dx = gap(o.middleX() - 0.5 * (g.lowX + g.highX), o.shape.halfX + 0.5 * (g.highX - g.lowX));
+      double dy = gap(o.middleY() - 0.5 * (g.lowY + g.highY), o.shape.halfY + 0.5 * (g.highY - g.lowY));
+      double log =
+          returns
+              + Math.log(width * (double) height / (2 * Math.PI * sd * sd + size * size))
+              - (dx * dx + dy * dy) / (2 * sd * sd);
+      if (log > bestLog) {
+        bestLog = log;
+        best = g;
       }
-      return;
     }
     objects.add(o);
+    if (best == null || best.isMoving()) {
+      Group g = new Group();
+      g.bornUs = now;
+      g.seenUs = now;
+      g.parts.add(o);
+      o.group = g;
+      groups.add(g);
+      return;
+    }
+    if (DEBUG) System.out.printf("t %d resume %d by (%d) at %.0f,%.0f log %.1f%n", now, best.id, o.serial, o.middleX(), o.middleY(), bestLog);
+    // the whole group goes on, moved to where this part is within it
+    double dx = o.middleX() - 0.5 * (best.lowX + best.highX);
+    double dy = o.middleY() - 0.5 * (best.lowY + best.highY);
+    double shiftX = Math.signum(dx) * gap(dx, Math.max(0, 0.5 * (best.highX - best.lowX) - o.shape.halfX));
+    double shiftY = Math.signum(dy) * gap(dy, Math.max(0, 0.5 * (best.highY - best.lowY) - o.shape.halfY));
+    Obj nearest = null;
+    double least = Double.POSITIVE_INFINITY;
+    for (Obj p : best.parts) {
+      p.s.setMean(0, p.x() + shiftX);
+      p.s.setMean(2, p.y() + shiftY);
+      p.walkedX += shiftX;
+      p.walkedY += shiftY;
+      double d =
+          Math.hypot(
+              gap(p.middleX() - o.middleX(), p.shape.halfX + o.shape.halfX),
+              gap(p.middleY() - o.middleY(), p.shape.halfY + o.shape.halfY));
+      if (d < least) {
+        least = d;
+        nearest = p;
+      }
+      if (best.lost) {
+        objects.add(p);
+      }
+      p.resting = 0.5;
+      p.moving = 0.4;
+      p.gone = 0.1;
+    }
+    best.lost = false;
+    best.seenUs = now;
+    if (nearest != null && least < 3) {
+      double r = nearest.rate;
+      fuse(nearest, o);
+      nearest.rate = Math.max(o.rate, 0.5 * r);
+      nearest.s.setMean(1, o.vx());
+      nearest.s.setMean(3, o.vy());
+      nearest.s.covariance().setTo(o.s.covariance());
+      nearest.moving = 0.9;
+      nearest.resting = 0.05;
+      nearest.gone = 0.05;
+      nearest.seenUs = now;
+      objects.remove(o);
+    } else {
+      best.parts.add(o);
+      o.group = best;
+    }
   }
 
   private static double gap(double d, double reach) {
@@ -660,44 +691,129 @@ public final class ObjectTracker {
 
   // ---- relations
 
+  private double[][] prior = new double[0][];
+  private double[][] motion = new double[0][];
+
   private void relate() {
     int ticks = (int) Math.round(decideS / DT);
     double fade = Math.exp(-DT / evidenceS);
-    for (int i = 0; i < objects.size(); i++) {
+    int n = objects.size();
+    if (prior.length < n) {
+      prior = new double[2 * n][2 * n];
+      motion = new double[2 * n][2 * n];
+    }
+    for (int i = 0; i < n; i++) {
+      objects.get(i).index = i;
+    }
+    for (int i = 0; i < n; i++) {
       Obj a = objects.get(i);
-      for (int j = i + 1; j < objects.size(); j++) {
+      for (int j = i + 1; j < n; j++) {
         Obj b = objects.get(j);
         double gapLog = gapLog(a, b);
+        prior[i][j] = gapLog;
+        prior[j][i] = gapLog;
+        Obj first = a.serial < b.serial ? a : b;
+        Obj second = first == a ? b : a;
+        double e = first.evidence.getOrDefault(second.serial, 0.0);
         if (gapLog < -20) {
-          a.evidence.remove(b.serial);
-          continue;
+          first.evidence.remove(second.serial);
+          e = 0;
+        } else if (a.moving >= 0.5 && b.moving >= 0.5) {
+          e *= fade;
+          int m = Math.min(ticks, Math.min(a.age, b.age) - 1);
+          if (m > ticks / 3) {
+            e += motionLog(a, b, m) * DT / decideS;
+          }
+          e += gapRate * DT * Math.min(0, gapLog);
+          first.evidence.put(second.serial, e);
         }
-        if (a.moving < 0.5 || b.moving < 0.5) {
-          continue;
-        }
-        int n = Math.min(ticks, Math.min(a.age, b.age) - 1);
-        double old = a.evidence.getOrDefault(b.serial, 0.0);
-        double now = old * fade;
-        if (n > ticks / 3) {
-          now += motionLog(a, b, n) * DT / decideS;
-        }
-        a.evidence.put(b.serial, now);
+        motion[i][j] = e;
+        motion[j][i] = e;
       }
     }
-    for (int i = 0; i < objects.size(); i++) {
-      Obj a = objects.get(i);
-      for (int j = i + 1; j < objects.size(); j++) {
-        Obj b = objects.get(j);
-        if (a.moving < 0.5 || b.moving < 0.5 || a.novelty < joinNovel || b.novelty < joinNovel) {
+    splitGroups();
+    joinGroups(ticks);
+    fuseParts(ticks);
+  }
+
+  /** Log odds that two sets of parts are one object. */
+  private double score(List<Obj> a, List<Obj> b) {
+    double gap = -99;
+    double sum = 0;
+    double weights = 1e-9;
+    for (Obj o : a) {
+      for (Obj u : b) {
+        if (o == u) {
           continue;
         }
-        double total = gapLog(a, b) + a.evidence.getOrDefault(b.serial, 0.0);
-        boolean bothOld = a.id > 0 && b.id > 0;
-        if (total > (bothOld ? Math.max(keepNat, joinAt) : joinAt) && Math.min(a.age, b.age) > (total > JOINNOW ? ticks / 3 : ticks)) {
-          Obj into = a.id == 0 && b.id > 0 || b.id > 0 && b.id < a.id ? b : a;
-          Obj from = into == a ? b : a;
-          join(into, from);
-          objects.remove(from);
+        gap = Math.max(gap, prior[o.index][u.index]);
+        double w = o.rate * u.rate * o.moving * u.moving;
+        sum += w * motion[o.index][u.index];
+        weights += w;
+      }
+    }
+    return gap + sum / weights;
+  }
+
+  private void splitGroups() {
+    for (int k = groups.size() - 1; k >= 0; k--) {
+      Group g = groups.get(k);
+      if (g.lost || g.parts.size() < 2) {
+        continue;
+      }
+      List<Obj> byRate = new ArrayList<>(g.parts);
+      byRate.sort((a, b) -> Double.compare(a.rate, b.rate));
+      for (Obj o : byRate) {
+        if (o.moving < 0.5 || g.parts.size() < 2) {
+          continue;
+        }
+        List<Obj> rest = new ArrayList<>();
+        for (Obj u : g.parts) {
+          if (u != o && u.moving >= 0.5) {
+            rest.add(u);
+          }
+        }
+        if (!rest.isEmpty() && score(List.of(o), rest) < -keepNat) {
+          if (DEBUG) System.out.printf("t %d split (%d) from %d at %.0f,%.0f score %.1f%n", tickStartUs, o.serial, g.id, o.middleX(), o.middleY(), score(List.of(o), rest));
+          g.parts.remove(o);
+          Group n = new Group();
+          n.bornUs = o.bornUs;
+          n.seenUs = g.seenUs;
+          n.parts.add(o);
+          o.group = n;
+          groups.add(n);
+        }
+      }
+    }
+  }
+
+  private void joinGroups(int ticks) {
+    for (int i = 0; i < groups.size(); i++) {
+      Group a = groups.get(i);
+      if (a.lost || !a.isMoving() || a.novelty() < joinNovel) {
+        continue;
+      }
+      for (int j = i + 1; j < groups.size(); j++) {
+        Group b = groups.get(j);
+        if (b.lost || !b.isMoving() || b.novelty() < joinNovel) {
+          continue;
+        }
+        int age = Math.min(age(a), age(b));
+        if (age < ticks / 3) {
+          continue;
+        }
+        double total = score(a.parts, b.parts);
+        boolean both = a.id > 0 && b.id > 0;
+        if (total > (both ? Math.max(keepNat, joinAt) : joinAt) && age > (total > joinNow ? ticks / 3 : ticks)) {
+          Group into = a.id == 0 && b.id > 0 || b.id > 0 && b.id < a.id ? b : a;
+          Group from = into == a ? b : a;
+          if (DEBUG) System.out.printf("t %d join %d and %d at %.0f,%.0f %.0f,%.0f total %.1f%n", tickStartUs, into.id, from.id, into.parts.get(0).middleX(), into.parts.get(0).middleY(), from.parts.get(0).middleX(), from.parts.get(0).middleY(), total);
+          for (Obj o : from.parts) {
+            o.group = into;
+          }
+          into.parts.addAll(from.parts);
+          into.bornUs = Math.min(into.bornUs, from.bornUs);
+          groups.remove(from);
           if (from == a) {
             i--;
             break;
@@ -708,12 +824,50 @@ public final class ObjectTracker {
     }
   }
 
+  private static int age(Group g) {
+    int age = 0;
+    for (Obj o : g.parts) {
+      age = Math.max(age, o.age);
+    }
+    return age;
+  }
+
+  /** Parts of one object that touch and go together are one part. */
+  private void fuseParts(int ticks) {
+    for (Group g : groups) {
+      if (g.lost) {
+        continue;
+      }
+      for (int i = 0; i < g.parts.size(); i++) {
+        Obj a = g.parts.get(i);
+        for (int j = i + 1; j < g.parts.size(); j++) {
+          Obj b = g.parts.get(j);
+          if (prior[a.index][b.index] >= odds && motion[a.index][b.index] > -1) {
+            Obj into = a.rate * a.age >= b.rate * b.age ? a : b;
+            Obj from = into == a ? b : a;
+            fuse(into, from);
+            g.parts.remove(from);
+            objects.remove(from);
+            if (from == a) {
+              i--;
+              break;
+            }
+            j--;
+          }
+        }
+      }
+    }
+  }
+
   private double gapLog(Obj a, Obj b) {
     double box =
         Math.hypot(
             gap(a.middleX() - b.middleX(), a.shape.halfX + b.shape.halfX),
             gap(a.middleY() - b.middleY(), a.shape.halfY + b.shape.halfY));
-    double size = Math.sqrt(a.shape.size() * b.shape.size());
+    double size =
+        gapMax > 0
+            ? Math.max(a.shape.size(), b.shape.size())
+            : Math.sqrt(a.shape.size() * b.shape.size());
     double prior = gapLog(box, size);
     return prior < -20 ? prior : gapLog(a.shape.distance(b.shape, b.x() - a.x(), b.y() - a.y()), size);
   }
@@ -837,7 +991,7 @@ public final class ObjectTracker {
             });
       }
     }
-    if (DEBUG && System.getProperty("map") != null && o.id == 1 && tick % 20 == 0) {
+    if (DEBUG && System.getProperty("map") != null && o.serial == 1 && tick % 20 == 0) {
       StringBuilder b = new StringBuilder("map " + now0 + " labels " + labels + " found " + found.size() + " cell " + t.cellPx + "\n");
       for (int r = ShapeTemplate.SIDE - 1; r >= 0; r--) {
         for (int c = 0; c < ShapeTemplate.SIDE; c++) {
@@ -848,7 +1002,7 @@ public final class ObjectTracker {
       }
       System.out.print(b);
     }
-    if (DEBUG && found.size() != 1) System.out.println("found " + found.size() + " in " + o.id + " labels " + labels + " size " + t.size() + " cell " + t.cellPx + " total " + t.solidTotal);
+    if (DEBUG && found.size() != 1) System.out.println("found " + found.size() + " in " + o.serial + " labels " + labels + " size " + t.size() + " cell " + t.cellPx + " total " + t.solidTotal);
     for (Component c : o.components) {
       c.seen = false;
     }
@@ -885,58 +1039,17 @@ public final class ObjectTracker {
   }
 
   private void split(Obj o, long now) {
-    int ticks = (int) Math.round(decideS / DT / EVERY);
-    double fade = Math.exp(-EVERY * DT / evidenceS);
     List<Component> all = o.components.stream().filter(c -> c.seen).toList();
     if (all.size() < 2) {
       return;
     }
-    int[] group = new int[all.size()];
-    for (int i = 0; i < group.length; i++) {
-      group[i] = i;
+    Component first = all.get(0);
+    for (Component c : all) {
+      first = c.mass > first.mass ? c : first;
     }
-    for (int i = 0; i < all.size(); i++) {
-      Component a = all.get(i);
-      for (int j = i + 1; j < all.size(); j++) {
-        Component b = all.get(j);
-        Component first = a.serial < b.serial ? a : b;
-        Component second = first == a ? b : a;
-        double size = Math.sqrt(a.size() * b.size());
-        double prior =
-            gapLog(
-                Math.hypot(gap(a.x - b.x, a.halfX + b.halfX), gap(a.y - b.y, a.halfY + b.halfY)), size);
-        double e = first.evidence.getOrDefault(second.serial, 0.0) * fade;
-        int m = Math.min(ticks, Math.min(a.age, b.age) - 1);
-        if (m > ticks / 3) {
-          e +=
-              motionLog(
-                      a.displacementX(m), a.displacementY(m), b.displacementX(m), b.displacementY(m), 0, 0, 0, size)
-                  * EVERY * DT / decideS;
-        }
-        first.evidence.put(second.serial, e);
-        if (DEBUG) System.out.printf("t %d o %d c %d %d at %.0f,%.0f prior %.1f e %.1f m %d%n", now, o.id, a.serial, b.serial, a.x-b.x, a.y-b.y, prior, e, m);
-        if (prior + e > -keepNat) {
-          int from = Math.max(group[i], group[j]);
-          int to = Math.min(group[i], group[j]);
-          for (int k = 0; k < group.length; k++) {
-            if (group[k] == from) {
-              group[k] = to;
-            }
-          }
-        }
-      }
-    }
-    double[] mass = new double[all.size()];
-    int largest = 0;
-    for (int i = 0; i < group.length; i++) {
-      mass[group[i]] += all.get(i).mass;
-    }
-    for (int i = 0; i < mass.length; i++) {
-      largest = mass[i] > mass[largest] ? i : largest;
-    }
-    for (int g = 0; g < group.length; g++) {
-      if (g != largest && mass[g] > 0) {
-        leave(o, all, group, g, now);
+    for (Component c : all) {
+      if (c != first && c.age >= apartTimes && first.age >= apartTimes) {
+        leave(o, all, c, now);
       }
     }
   }
@@ -959,50 +1072,45 @@ public final class ObjectTracker {
     return best;
   }
 
-  private void leave(Obj o, List<Component> all, int[] group, int g, long now) {
+  private void leave(Obj o, List<Component> all, Component c, long now) {
     Obj n = new Obj();
     n.s.set(o.s);
     n.shape.clear(o.shape.cellPx);
-    double relX = 0;
-    double relY = 0;
-    double total = 0;
-    for (int i = 0; i < group.length; i++) {
-      if (group[i] != g) {
-        continue;
+    for (int k = 0; k < ShapeTemplate.CELLS; k++) {
+      if (nearestLabel(o, all, k) == c.label) {
+        n.shape.add(k, o.shape.mass[k]);
+        o.shape.total -= o.shape.mass[k];
+        o.shape.mass[k] = 0;
       }
-      Component c = all.get(i);
-      for (int k = 0; k < ShapeTemplate.CELLS; k++) {
-        if (nearestLabel(o, all, k) == c.label) {
-          n.shape.add(k, o.shape.mass[k]);
-          o.shape.total -= o.shape.mass[k];
-          o.shape.mass[k] = 0;
-        }
-      }
-      int m = Math.min(6, c.age - 1);
-      if (m > 1) {
-        relX += c.mass * (c.displacementX(m) / (m * EVERY * DT) - o.displacementX(m * EVERY) / (m * EVERY * DT));
-        relY += c.mass * (c.displacementY(m) / (m * EVERY * DT) - o.displacementY(m * EVERY) / (m * EVERY * DT));
-        total += c.mass;
-      }
-      o.components.remove(c);
     }
-    if (total > 0) {
-      n.s.setMean(1, n.vx() + relX / total);
-      n.s.setMean(3, n.vy() + relY / total);
+    int m = Math.min(6, c.age - 1);
+    if (m > 1) {
+      double s = m * EVERY * DT;
+      n.s.setMean(1, n.vx() + (c.displacementX(m) - o.displacementX(m * EVERY)) / s);
+      n.s.setMean(3, n.vy() + (c.displacementY(m) - o.displacementY(m * EVERY)) / s);
     }
+    o.components.remove(c);
+    for (Obj u : objects) {
+      if (u != o) {
+        Obj first = u.serial < o.serial ? u : o;
+        double e = first.evidence.getOrDefault(first == u ? o.serial : u.serial, 0.0);
+        u.evidence.put(n.serial, e);
+      }
+    }
+    n.group = o.group;
+    o.group.parts.add(n);
     double share = n.shape.total / (n.shape.total + o.shape.total);
     n.rate = o.rate * share;
     o.rate *= 1 - share;
-    n.events = 40;
+    n.events = o.events * share;
+    n.novelty = o.novelty * share;
     n.farthest = o.farthest;
-    n.bornUs = now - (long) (0.5 * decideS * 1e6);
+    n.bornUs = o.bornUs;
     n.bornTick = tick;
     n.seenUs = now;
     n.moving = o.moving;
     n.resting = o.resting;
     n.gone = o.gone;
-    n.evidence.put(o.serial, -2 * keepNat);
-    o.evidence.put(n.serial, -2 * keepNat);
     n.shape.refresh();
     o.shape.refresh();
     recentre(n);
@@ -1012,8 +1120,7 @@ public final class ObjectTracker {
     objects.add(n);
   }
 
-  private void join(Obj into, Obj from) {
-    if (DEBUG) System.out.printf("t %d join %d (%d) and %d (%d) at %.0f,%.0f %.0f,%.0f gap %.1f ev %.1f%n", tickStartUs, into.id, into.serial, from.id, from.serial, into.middleX(), into.middleY(), from.middleX(), from.middleY(), gapLog(into, from), into.evidence.getOrDefault(from.serial, from.evidence.getOrDefault(into.serial, 0.0)));
+  private void fuse(Obj into, Obj from) {
     double dx = from.x() - into.x();
     double dy = from.y() - into.y();
     double half = into.shape.cellPx * ShapeTemplate.SIDE / 2;
@@ -1029,6 +1136,14 @@ public final class ObjectTracker {
     into.s.setMean(3, into.vy() + share * (from.vy() - into.vy()));
     into.rate += from.rate;
     into.events += from.events;
+    into.novelty += from.novelty;
+    if (from.moving > into.moving) {
+      into.moving = from.moving;
+      into.resting = from.resting;
+      into.gone = from.gone;
+    }
+    into.seenUs = Math.max(into.seenUs, from.seenUs);
+    into.bornUs = Math.min(into.bornUs, from.bornUs);
     into.shape.refresh();
     recentre(into);
     into.shape.refresh();
@@ -1037,40 +1152,76 @@ public final class ObjectTracker {
   // ---- life
 
   private void live(long now) {
-    for (int i = 0; i < objects.size(); i++) {
-      Obj o = objects.get(i);
-      if (o.id == 0) {
-        if (o.moving < 0.5) {
-          objects.remove(i--);
+    for (int k = 0; k < groups.size(); k++) {
+      Group g = groups.get(k);
+      if (g.lost) {
+        if ((now - g.seenUs) * 1e-6 > rememberS) {
+          groups.remove(k--);
+        }
+        continue;
+      }
+      boolean moving = g.isMoving();
+      if (moving) {
+        g.seenUs = now;
+        double vx = g.vx();
+        double vy = g.vy();
+        for (int i = g.parts.size() - 1; i >= 0; i--) {
+          Obj o = g.parts.get(i);
+          if (o.moving < 0.5) {
+            // it goes along with the others
+            o.s.setMean(1, vx);
+            o.s.setMean(3, vy);
+            if ((now - o.seenUs) * 1e-6 > partS || o.gone > 0.5) {
+              g.parts.remove(i);
+              objects.remove(o);
+            }
+          }
+        }
+      }
+      if (g.id == 0) {
+        if (!moving) {
+          groups.remove(k--);
+          objects.removeAll(g.parts);
           continue;
         }
-        boolean old = now - o.bornUs >= decideS * 1e6 && o.events >= 40;
-        if (old && o.novelty > novel && o.farthest > travel * o.shape.size() + 1 && isApart(o)) {
-          o.id = ++ids;
-          for (double[] h : o.history) {
-            rows.add(row((long) h[0], o.id, h));
+        boolean old = now - g.bornUs >= decideS * 1e6 && g.events() >= 40;
+        if (old && g.novelty() > novel && isApart(g)) {
+          g.id = ++ids;
+          for (double[] h : g.history) {
+            rows.add(row((long) h[0], g.id, h));
           }
-          if (DEBUG) System.out.printf("show %d (%d) t %d at %.0f,%.0f size %.0f novelty %.1f events %.0f per event %.2f far %.1f rate %.1f%n", o.id, o.serial, now, o.middleX(), o.middleY(), o.shape.size(), o.novelty, o.events, o.novelty / o.events, o.farthest, o.rate);
+          g.history.clear();
+          if (DEBUG) System.out.printf("show %d t %d parts %d at %.0f,%.0f novelty %.1f events %.0f%n", g.id, now, g.parts.size(), g.parts.get(0).middleX(), g.parts.get(0).middleY(), g.novelty(), g.events());
+          if (DEBUG) {
+            for (Group other : groups) {
+              if (other != g && other.id > 0 && !other.lost && other.isMoving()) {
+                Obj a = g.parts.get(0);
+                Obj b = other.parts.get(0);
+                int m = Math.min(30, Math.min(a.age, b.age) - 1);
+                System.out.printf("   against %d prior %.1f motion %.1f u %.1f,%.1f and %.1f,%.1f sd %.1f %.1f sizes %.0f %.0f ages %d %d%n", other.id, prior[a.index][b.index], motion[a.index][b.index], a.displacementX(m), a.displacementY(m), b.displacementX(m), b.displacementY(m), a.s.sd(1) * m * DT, a.s.sd(3) * m * DT, a.shape.size(), b.shape.size(), a.age, b.age);
+              }
+            }
+          }
         }
-      } else if (o.existence() < 0.5) {
-        if (DEBUG) System.out.printf("lose %d (%d) t %d at %.0f,%.0f v %.0f,%.0f size %.0f m %.2f s %.2f quiet %.2f%n", o.id, o.serial, now, o.middleX(), o.middleY(), o.vx(), o.vy(), o.shape.size(), o.moving, o.resting, (now - o.seenUs) * 1e-6);
-        objects.remove(i--);
-        lost.add(o);
+      } else if (g.existence() < 0.5) {
+        if (DEBUG) System.out.printf("lose %d t %d at %.0f,%.0f%n", g.id, now, g.parts.get(0).middleX(), g.parts.get(0).middleY());
+        g.lost = true;
+        objects.removeAll(g.parts);
       }
     }
-    lost.removeIf(o -> (now - o.seenUs) * 1e-6 > rememberS);
   }
 
-  private boolean isApart(Obj o) {
-    for (Obj other : objects) {
-      if (other != o && other.id > 0 && other.moving >= 0.5) {
-        double e = o.evidence.getOrDefault(other.serial, other.evidence.getOrDefault(o.serial, 0.0));
-        if (gapLog(o, other) + e > -keepNat) {
-          return false;
-        }
+  private boolean isApart(Group g) {
+    for (Group other : groups) {
+      if (other != g && other.id > 0 && !other.lost && other.isMoving() && scoreIndexed(g, other) > -keepNat) {
+        return false;
       }
     }
     return true;
+  }
+
+  private double scoreIndexed(Group a, Group b) {
+    return score(a.parts, b.parts);
   }
 
   private static Row row(long t, int id, double[] h) {
@@ -1078,23 +1229,38 @@ public final class ObjectTracker {
   }
 
   private void publish(long now) {
-    for (Obj o : objects) {
+    for (Group g : groups) {
+      if (g.lost || g.parts.isEmpty()) {
+        continue;
+      }
+      g.box();
+      Obj main = g.parts.get(0);
+      double major = main.shape.major;
+      double minor = main.shape.minor;
+      double angle = main.shape.angle;
+      if (g.parts.size() > 1) {
+        double hx = 0.5 * (g.highX - g.lowX);
+        double hy = 0.5 * (g.highY - g.lowY);
+        major = Math.max(hx, hy);
+        minor = Math.min(hx, hy);
+        angle = hx >= hy ? 0 : Math.PI / 2;
+      }
       double[] h = {
         now,
-        Math.max(0, Math.min(width - 1, o.middleX())),
-        Math.max(0, Math.min(height - 1, o.middleY())),
-        o.vx(),
-        o.vy(),
-        o.shape.major,
-        o.shape.minor,
-        o.shape.angle,
-        o.existence(),
-        o.rate
+        Math.max(0, Math.min(width - 1, 0.5 * (g.lowX + g.highX))),
+        Math.max(0, Math.min(height - 1, 0.5 * (g.lowY + g.highY))),
+        g.vx(),
+        g.vy(),
+        major,
+        minor,
+        angle,
+        g.existence(),
+        g.weight()
       };
-      if (o.id > 0) {
-        rows.add(row(now, o.id, h));
+      if (g.id > 0) {
+        rows.add(row(now, g.id, h));
       } else {
-        o.history.add(h);
+        g.history.add(h);
       }
     }
   }

@@ -32,9 +32,9 @@ final class ShapeTemplate {
   static final double CORE = ObjectTracker.p("core", 0.3);
 
   /** Cells that an object's longer side should span: between both, it is not rescaled. */
-  private static final double MIN_SPAN = SIDE * 0.33;
+  private static final double MIN_SPAN = SIDE * ObjectTracker.p("minspan", 0.5);
 
-  private static final double MAX_SPAN = SIDE * 0.7;
+  private static final double MAX_SPAN = SIDE * ObjectTracker.p("maxspan", 0.8);
 
   /** Share of the weight beyond either end of an extent. */
   private static final double TAIL = 0.02;
@@ -343,13 +343,13 @@ final class ShapeTemplate {
   double distance(ShapeTemplate other, double dx, double dy) {
     double least = Double.POSITIVE_INFINITY;
     for (int i = 0; i < CELLS; i++) {
-      if (!solid[i] || isInner(i)) {
+      if (!core[i] || isInner(i)) {
         continue;
       }
       double px = x(i) * cellPx - dx;
       double py = y(i) * cellPx - dy;
       for (int j = 0; j < CELLS; j++) {
-        if (other.solid[j]) {
+        if (other.core[j]) {
           double qx = px - x(j) * other.cellPx;
           double qy = py - y(j) * other.cellPx;
           least = Math.min(least, qx * qx + qy * qy);
@@ -366,9 +366,9 @@ final class ShapeTemplate {
         && r > 0
         && c < SIDE - 1
         && r < SIDE - 1
-        && solid[i - 1]
-        && solid[i + 1]
-        && solid[i - SIDE]
-        && solid[i + SIDE];
+        && core[i - 1]
+        && core[i + 1]
+        && core[i - SIDE]
+        && core[i + SIDE];
   }
 }
