@@ -217,10 +217,7 @@ final class Composites {
 
   /** Share of a box that is in the picture. */
   private double visible(Box box) {
-    Box clipped = clipped(box);
-    return clipped == null
-        ? 0
-        : (clipped.width() + 1) * (clipped.height() + 1) / ((box.width() + 1) * (box.height() + 1));
+    return box.shareIn(new Box(0, 0, geometry.width() - 1, geometry.height() - 1));
   }
 
   private Box clipped(Box box) {

@@ -44,6 +44,22 @@ public final class SceneSets {
           }
         }
       }
+      case "looks" -> {
+        for (Looks.Look look : Looks.Look.values()) {
+          for (long seed : range) {
+            scenes.add(() -> Looks.scene(look, seed));
+          }
+        }
+      }
+      case "roads" -> {
+        for (Roads.Traffic traffic : Roads.Traffic.values()) {
+          for (Roads.Events events : Roads.Events.values()) {
+            for (long seed : range) {
+              scenes.add(() -> Roads.scene(traffic, events, seed));
+            }
+          }
+        }
+      }
       case "discs" -> {
         for (long seed : range) {
           scenes.add(() -> Discs.scene(seed));
