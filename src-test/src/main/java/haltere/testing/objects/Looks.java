@@ -16,9 +16,7 @@ import java.util.SplittableRandom;
  * is at most a share of the event density of the faintest object, so that a person sees all of
  * them.
  *
- * <p>An object counts while half of it or more is in the picture and before or beside what hides
- * it, and while it moves or has rested for less than 0.2 s; else its region is ignored. The same
- * seed makes the same scene.
+ * <p>{@link SimulatedTruth} tells which objects count. The same seed makes the same scene.
  */
 final class Looks {
   /** What objects look like, or what is in the picture with them. */
@@ -46,7 +44,7 @@ final class Looks {
   }
 
   private static final double DURATION_S = 10;
-  private static final long STEP_US = 20_000;
+  private static final long STEP_US = SimulatedTruth.STEP_US;
   private static final int[][] SENSORS = {
     {128, 128}, {240, 180}, {346, 260}, {640, 480}, {1280, 720}
   };
@@ -60,14 +58,12 @@ final class Looks {
   private static final int MOST_LEAVES = 200;
   private static final double LEAST_SEEN_S = 4;
   private static final double LEAST_PASSING_S = 5;
-  private static final double LEAST_VISIBLE = 0.5;
-  private static final double AT_REST_S = 0.2;
 
   /** Fewer events of an object are not seen by a person. */
   private static final double LEAST_EVENTS_PER_S = 300;
 
   private static final double MOST_NOISE_SHARE = 0.3;
-  private static final double MOST_NOISE_EVENTS_PER_S = 8e5;
+  private static final double MOST_NOISE_EVENTS_PER_S = 3e5;
 
   private final Look look;
   private final SplittableRandom random;
@@ -76,10 +72,10 @@ final class Looks {
   private final BrightnessSensor sensor;
   private final List<Sprite> objects = new ArrayList<>();
 
-  private Looks(Look look, long seed) {
+  private Looks(Look look, long seed, int sensors) {
     this.look = look;
     random = new SplittableRandom(seed * 31 + look.ordinal());
-    int[] size = SENSORS[random.nextInt(SENSORS.length)];
+    int[] size = SENSORS[random.nextInt(sensors)];
     geometry = new SensorGeometry(size[0], size[1]);
     side = Math.min(size[0], size[1]);
     sensor = new BrightnessSensor(geometry, random.split());
@@ -91,9 +87,14 @@ final class Looks {
 
   /** Makes a scene. */
   static ObjectScene scene(Look look, long seed) {
+    return scene(look, seed, SENSORS.length);
+  }
+
+  /** Makes a scene on one of the smaller sensors. */
+  static ObjectScene scene(Look look, long seed, int sensors) {
     String name = look.name().toLowerCase(Locale.ROOT);
     for (long i = 0; ; i++) {
-      ObjectScene scene = new Looks(look, seed * 1000 + i).scene(name, seed);
+      ObjectScene scene = new Looks(look, seed * 1000 + i, sensors).scene(name, seed);
       if (scene != null) {
         return scene;
       }
@@ -176,7 +177,6 @@ final class Looks {
     double aspect = Math.sqrt(between(0.6, 1.7));
     double a = radius * aspect;
     double b = radius / aspect;
-    boolean texture = look == Look.TEXTURED;
     Shape shape =
         switch (look) {
           case FILLED, TEXTURED -> filled(plain, a, b);
@@ -202,15 +202,16 @@ final class Looks {
     boolean edges = shape.kind() == Shape.Kind.EDGES;
     boolean walker = look == Look.WALKER;
     Sprite sprite =
-        Sprite.plain(
+        new Sprite(
             motion,
             shape,
             edges || !walker && random.nextBoolean(),
             walker ? 0 : random.nextDouble(Math.PI),
             random.nextBoolean() ? contrast : -contrast);
-    return texture
-        ? sprite.textured(random, random.nextDouble(0.4, 1), random.nextDouble(2, 2 + radius / 2))
-        : sprite;
+    if (look == Look.TEXTURED) {
+      sprite.addTexture(random, random.nextDouble(0.4, 1), random.nextDouble(2, 2 + radius / 2));
+    }
+    return sprite;
   }
 
   private static Shape filled(boolean ellipse, double a, double b) {
@@ -350,36 +351,24 @@ final class Looks {
               amplitude * random.nextDouble(2, 12));
       Shape leaf = new Shape(Shape.Kind.ELLIPSE, reach * between(1, 2), reach * between(1, 2), 0);
       double level = random.nextDouble(0.3, 0.8) * (random.nextBoolean() ? 1 : -1);
-      sprites.add(Sprite.plain(sway, leaf, false, random.nextDouble(Math.PI), level));
+      sprites.add(new Sprite(sway, leaf, false, random.nextDouble(Math.PI), level));
     }
   }
 
   private List<TruthMoment> truth() {
-    List<TruthMoment> truth = new ArrayList<>();
+    SimulatedTruth truth = new SimulatedTruth(geometry);
     for (long timeUs = STEP_US; timeUs < DURATION_S * 1e6; timeUs += STEP_US) {
       double s = timeUs * 1e-6;
       objects.forEach(object -> object.moveTo(s));
-      List<TrueObject> there = new ArrayList<>();
-      List<Box> ignored = new ArrayList<>();
       for (int k = 0; k < objects.size(); k++) {
-        Motion motion = objects.get(k).motion();
         Box box = objects.get(k).box(s);
-        double visible = visible(box, k);
-        boolean moves = motion.pace(s) > 0.05 || motion.pace(s - AT_REST_S) > 0.05;
-        if (visible >= LEAST_VISIBLE && moves) {
-          there.add(new TrueObject(k, box, motion.vx(s), motion.vy(s)));
-        } else if (visible > 0 || objectIsNear(box)) {
-          ignored.add(
-              Box.around(box.centreX(), box.centreY(), 0.7 * box.width(), 0.7 * box.height()));
-        }
+        Motion motion = objects.get(k).motion();
+        TrueObject object = new TrueObject(k, box, motion.vx(s), motion.vy(s));
+        truth.add(object, visible(box, k), motion, s);
       }
-      truth.add(new TruthMoment(timeUs, there, ignored));
+      truth.end(timeUs);
     }
-    return truth;
-  }
-
-  private boolean objectIsNear(Box box) {
-    return box.gapTo(new Box(0, 0, geometry.width() - 1, geometry.height() - 1)) < 0;
+    return truth.moments();
   }
 
   /** Share of an object's box that is in the picture and neither hidden nor behind another one. */

@@ -12,9 +12,8 @@ import java.util.SplittableRandom;
 /**
  * Simulated roads seen from above, by rules of their own: a car is a leading and a trailing edge,
  * each of which makes a stated mean number of events at each pixel that it passes. Cars have a size
- * and a speed in pixels; there is no perspective. A car counts while half of it or more is in the
- * picture and it moves or has rested for less than 0.2 s; else its region is ignored. The same seed
- * makes the same scene.
+ * and a speed in pixels; there is no perspective. {@link SimulatedTruth} tells which cars count.
+ * The same seed makes the same scene.
  */
 final class Roads {
   /** How cars drive. */
@@ -44,10 +43,7 @@ final class Roads {
   }
 
   private static final double DURATION_S = 10;
-  private static final long STEP_US = 20_000;
   private static final int[][] SENSORS = {{128, 128}, {240, 180}, {346, 260}};
-  private static final double LEAST_VISIBLE = 0.5;
-  private static final double AT_REST_S = 0.2;
 
   /** The longest cars, in widths. */
   private static final double LONGEST = 2.5;
@@ -204,30 +200,23 @@ final class Roads {
   }
 
   private List<TruthMoment> truth() {
-    List<TruthMoment> truth = new ArrayList<>();
-    Box road = new Box(-0.5, -0.5, along - 0.5, across - 0.5);
-    for (long timeUs = STEP_US; timeUs < DURATION_S * 1e6; timeUs += STEP_US) {
+    SimulatedTruth truth = new SimulatedTruth(geometry);
+    for (long timeUs = SimulatedTruth.STEP_US;
+        timeUs < DURATION_S * 1e6;
+        timeUs += SimulatedTruth.STEP_US) {
       double s = timeUs * 1e-6;
-      List<TrueObject> there = new ArrayList<>();
-      List<Box> ignored = new ArrayList<>();
       for (int k = 0; k < cars.size(); k++) {
         Motion motion = cars.get(k).motion;
         Box box = cars.get(k).box(s);
-        boolean moves = motion.pace(s) > 0.05 || motion.pace(s - AT_REST_S) > 0.05;
-        Box turned = turned(box);
-        if (box.shareIn(road) >= LEAST_VISIBLE && moves) {
-          double v = motion.vx(s);
-          there.add(new TrueObject(k, turned, upright ? 0 : v, upright ? v : 0));
-        } else if (box.gapTo(road) < 0) {
-          ignored.add(turned);
-        }
+        TrueObject car =
+            upright
+                ? new TrueObject(
+                    k, new Box(box.y0(), box.x0(), box.y1(), box.x1()), 0, motion.vx(s))
+                : new TrueObject(k, box, motion.vx(s), 0);
+        truth.add(car, 1, motion, s);
       }
-      truth.add(new TruthMoment(timeUs, there, ignored));
+      truth.end(timeUs);
     }
-    return truth;
-  }
-
-  private Box turned(Box box) {
-    return upright ? new Box(box.y0(), box.x0(), box.y1(), box.x1()) : box;
+    return truth.moments();
   }
 }

@@ -14,11 +14,11 @@ final class Sprite {
   private final boolean followsHeading;
   private final double angleRad;
   private final double level;
-  private final boolean isShadow;
-  private final double offsetX;
-  private final double offsetY;
-  private final double[] texture;
-  private final double texturePx;
+  private boolean isShadow;
+  private double offsetX;
+  private double offsetY;
+  private double[] texture = {};
+  private double texturePx = 1;
 
   // The state at the time that is drawn.
   private double x;
@@ -27,64 +27,44 @@ final class Sprite {
   private double sin;
   private double gaitRad;
 
-  private Sprite(
-      Motion motion,
-      Shape shape,
-      boolean followsHeading,
-      double angleRad,
-      double level,
-      boolean isShadow,
-      double offsetX,
-      double offsetY,
-      double[] texture,
-      double texturePx) {
+  /**
+   * A form of one brightness.
+   *
+   * @param motion its way
+   * @param shape its form
+   * @param followsHeading whether it turns with its way
+   * @param angleRad how it is turned if it does not, radians
+   * @param level logarithmic brightness over the background's
+   */
+  Sprite(Motion motion, Shape shape, boolean followsHeading, double angleRad, double level) {
     this.motion = motion;
     this.shape = shape;
     this.followsHeading = followsHeading;
     this.angleRad = angleRad;
     this.level = level;
-    this.isShadow = isShadow;
-    this.offsetX = offsetX;
-    this.offsetY = offsetY;
-    this.texture = texture;
-    this.texturePx = texturePx;
   }
 
-  /** A form of one brightness. */
-  static Sprite plain(
-      Motion motion, Shape shape, boolean followsHeading, double angleRad, double level) {
-    return new Sprite(
-        motion, shape, followsHeading, angleRad, level, false, 0, 0, new double[0], 1);
-  }
-
-  /** The same with a random texture. */
-  Sprite textured(SplittableRandom random, double contrast, double cellPx) {
-    double[] cells = new double[TEXTURE * TEXTURE];
-    for (int i = 0; i < cells.length; i++) {
-      cells[i] = random.nextDouble(-contrast, contrast);
-    }
-    return new Sprite(motion, shape, followsHeading, angleRad, level, false, 0, 0, cells, cellPx);
+  /** Gives this a random texture. */
+  void addTexture(SplittableRandom random, double contrast, double cellPx) {
+    texture = random.doubles(TEXTURE * TEXTURE, -contrast, contrast).toArray();
+    texturePx = cellPx;
   }
 
   /** The same on another way. */
   Sprite on(Motion other) {
-    return new Sprite(
-        other,
-        shape,
-        followsHeading,
-        angleRad,
-        level,
-        isShadow,
-        offsetX,
-        offsetY,
-        texture,
-        texturePx);
+    Sprite sprite = new Sprite(other, shape, followsHeading, angleRad, level);
+    sprite.texture = texture;
+    sprite.texturePx = texturePx;
+    return sprite;
   }
 
   /** The shadow of this, which darkens what is below it. */
   Sprite shadow(double darkening, double dx, double dy) {
-    return new Sprite(
-        motion, shape, followsHeading, angleRad, -darkening, true, dx, dy, new double[0], 1);
+    Sprite shadow = new Sprite(motion, shape, followsHeading, angleRad, -darkening);
+    shadow.isShadow = true;
+    shadow.offsetX = dx;
+    shadow.offsetY = dy;
+    return shadow;
   }
 
   Motion motion() {

@@ -1,6 +1,7 @@
 package haltere.testing.objects;
 
 import haltere.core.event.EventPacket;
+import haltere.core.event.Origin;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.Recordings;
 import haltere.core.format.WriteOptions;
@@ -28,8 +29,8 @@ import java.util.Optional;
  *       outlet}, the name of its outlet;
  *   <li>{@code tracks}: a folder with a table SCENE.csv for each scene, instead of a chain;
  *   <li>{@code sheets}: a folder for contact sheets of the scenes;
- *   <li>{@code export}: a folder for the events of each scene as SCENE.aedat4 and its boxes as
- *       SCENE.boxes.csv, in which case nothing is judged.
+ *   <li>{@code export}: a folder for the events of each scene as SCENE.events.csv, y upwards, and
+ *       its boxes as SCENE.boxes.csv, in which case nothing is judged.
  * </ul>
  */
 public final class ObjectEvaluation {
@@ -119,11 +120,13 @@ public final class ObjectEvaluation {
       moment.objects().forEach(o -> boxes.append(line(moment, o.box(), "" + o.id())));
     }
     Files.writeString(folder.resolve(scene.name() + ".boxes.csv"), boxes);
-    Path file = folder.resolve(scene.name() + ".aedat4");
+    Path file = folder.resolve(scene.name() + ".events.csv");
     try (EventSource events = scene.events().open();
         RecordingWriter writer =
             Recordings.forWriting(file)
-                .create(file, new WriteOptions(events.geometry(), true, Optional.empty(), Map.of()))
+                .create(
+                    file,
+                    new WriteOptions(events.geometry(), true, Optional.of(Origin.BOTTOM), Map.of()))
                 .orElseThrow()) {
       events.drainTo(
           new StreamHandler() {
