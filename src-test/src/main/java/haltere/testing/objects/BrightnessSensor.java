@@ -97,7 +97,7 @@ final class BrightnessSensor {
   /** Shows sprites, the first one at the back, from 0 to a time. */
   void show(List<Sprite> sprites, double durationS, EventList events) {
     double fastest =
-        sprites.stream().mapToDouble(sprite -> sprite.motion().mostSpeed()).max().orElse(1);
+        sprites.stream().mapToDouble(sprite -> sprite.motion().maxSpeed()).max().orElse(1);
     double stepS = Math.min(LONGEST_STEP_S, STEP_PX / fastest);
     Box[] last = new Box[sprites.size()];
     Box[] changed = new Box[sprites.size()];

@@ -19,7 +19,7 @@ import java.util.SplittableRandom;
  * <p>{@link SimulatedTruth} tells which objects count. The same seed makes the same scene.
  */
 final class Looks {
-  /** What objects look like, or what is in the picture with them. */
+  /** Appearance of the objects, or clutter in the picture. */
   enum Look {
     /** Ellipses and rectangles of one brightness. */
     FILLED,
@@ -48,22 +48,22 @@ final class Looks {
   private static final int[][] SENSORS = {
     {128, 128}, {240, 180}, {346, 260}, {640, 480}, {1280, 720}
   };
-  private static final int MOST_OBJECTS = 8;
+  private static final int MAX_OBJECTS = 8;
 
-  /** Objects cover at most this share of the picture, and so many pixels: drawing takes time. */
-  private static final double MOST_COVERED = 0.12;
+  /** Limits of the covered area, as a share of the picture and in pixels: they bound the time. */
+  private static final double MAX_COVERED = 0.12;
 
-  private static final double MOST_COVERED_PX = 16_000;
-  private static final double MOST_COVERED_BY_WALKERS_PX = 8_000;
-  private static final int MOST_LEAVES = 200;
-  private static final double LEAST_SEEN_S = 4;
-  private static final double LEAST_PASSING_S = 5;
+  private static final double MAX_COVERED_PX = 16_000;
+  private static final double MAX_COVERED_BY_WALKERS_PX = 8_000;
+  private static final int MAX_LEAVES = 200;
+  private static final double MIN_SEEN_S = 4;
+  private static final double MIN_PASSING_S = 5;
 
   /** Fewer events of an object are not seen by a person. */
-  private static final double LEAST_EVENTS_PER_S = 300;
+  private static final double MIN_EVENTS_PER_S = 300;
 
-  private static final double MOST_NOISE_SHARE = 0.3;
-  private static final double MOST_NOISE_EVENTS_PER_S = 3e5;
+  private static final double MAX_NOISE_SHARE = 0.3;
+  private static final double MAX_NOISE_EVENTS_PER_S = 3e5;
 
   private final Look look;
   private final SplittableRandom random;
@@ -79,7 +79,7 @@ final class Looks {
     geometry = new SensorGeometry(size[0], size[1]);
     side = Math.min(size[0], size[1]);
     sensor = new BrightnessSensor(geometry, random.split());
-    int wanted = random.nextInt(2, MOST_OBJECTS + 1);
+    int wanted = random.nextInt(2, MAX_OBJECTS + 1);
     for (int tries = 0; objects.size() < 2 || objects.size() < wanted && tries < 100; tries++) {
       addObjects(wanted);
     }
@@ -101,8 +101,8 @@ final class Looks {
     }
   }
 
-  private double between(double least, double most) {
-    return least * Math.pow(most / least, random.nextDouble());
+  private double between(double min, double max) {
+    return min * Math.pow(max / min, random.nextDouble());
   }
 
   private void addObjects(int wanted) {
@@ -110,13 +110,13 @@ final class Looks {
     double y = geometry.height() * random.nextDouble(0.25, 0.75);
     double angle = random.nextDouble(2 * Math.PI);
     double meetingS = DURATION_S * random.nextDouble(0.25, 0.75);
-    double most = Math.sqrt(mostCoveredPx() / wanted) / 2;
-    double radius = Math.max(4, Math.min(most, side * between(0.03, 0.1)));
+    double maxRadius = Math.sqrt(maxCoveredPx() / wanted) / 2;
+    double radius = Math.max(4, Math.min(maxRadius, side * between(0.03, 0.1)));
     double speed = Math.max(12, 2 * radius * between(0.7, 5));
-    double mostOnLine = Math.hypot(geometry.width(), geometry.height()) / LEAST_PASSING_S;
+    double maxLineSpeed = Math.hypot(geometry.width(), geometry.height()) / MIN_PASSING_S;
     boolean pair = objects.size() + 1 < wanted && random.nextBoolean();
     if (pair) {
-      speed = Math.min(speed, mostOnLine / 1.5);
+      speed = Math.min(speed, maxLineSpeed / 1.5);
       Motion line = Motion.line(random, x, y, angle, speed, meetingS);
       Sprite first = sprite(line, radius);
       boolean overtakes = random.nextBoolean();
@@ -126,17 +126,19 @@ final class Looks {
         second = overtaking(first, second, angle);
       } else {
         double other = angle + (random.nextBoolean() ? 1 : -1) * random.nextDouble(0.5, Math.PI);
-        double otherSpeed = Math.min(mostOnLine, speed * between(0.5, 2));
+        double otherSpeed = Math.min(maxLineSpeed, speed * between(0.5, 2));
         double when = meetingS + random.nextDouble(-0.05, 0.05);
         second =
             sprite(Motion.line(random, x, y, other, otherSpeed, when), radius * between(0.7, 1.4));
       }
-      if (isGood(first, objects) && isGood(second, objects) && isGood(second, List.of(first))) {
+      if (isAccepted(first, objects)
+          && isAccepted(second, objects)
+          && isAccepted(second, List.of(first))) {
         objects.add(first);
         objects.add(second);
       }
     } else {
-      boolean line = speed < mostOnLine && random.nextInt(3) > 0;
+      boolean line = speed < maxLineSpeed && random.nextInt(3) > 0;
       double halfWidth = random.nextDouble(0.15, 0.4) * geometry.width();
       double halfHeight = random.nextDouble(0.15, 0.4) * geometry.height();
       Motion motion =
@@ -147,13 +149,13 @@ final class Looks {
         motion = motion.stopping(random.nextDouble(1.5, DURATION_S - 4));
       }
       Sprite alone = sprite(motion, radius);
-      if (isGood(alone, objects)) {
+      if (isAccepted(alone, objects)) {
         objects.add(alone);
       }
     }
   }
 
-  /** The second one on the way of the first, faster and beside it with a gap of half a width. */
+  /** The second object beside the path of the first, faster, with a gap of half a width. */
   private Sprite overtaking(Sprite first, Sprite second, double angle) {
     double one = across(first, angle);
     double other = across(second, angle);
@@ -222,13 +224,16 @@ final class Looks {
     return new Shape(ellipse ? Shape.Kind.RING : Shape.Kind.FRAME, a, b, stroke);
   }
 
-  /** Whether it is in the picture for long, and neither begins on others nor stays on them. */
-  private boolean isGood(Sprite sprite, List<Sprite> others) {
+  /**
+   * Whether it is in the picture for long, begins apart from others, and overlaps one at a time and
+   * not for long.
+   */
+  private boolean isAccepted(Sprite sprite, List<Sprite> others) {
     double covered = area(sprite);
     for (Sprite other : objects) {
       covered += area(other);
     }
-    if (covered > mostCoveredPx()) {
+    if (covered > maxCoveredPx()) {
       return false;
     }
     double seenS = 0;
@@ -238,23 +243,25 @@ final class Looks {
       if (!geometry.contains((int) Math.round(box.centreX()), (int) Math.round(box.centreY()))) {
         continue;
       }
+      int overlaps = 0;
       for (int k = 0; k < onS.length; k++) {
         if (box.gapTo(others.get(k).box(s)) < 0) {
           onS[k] += 0.05;
-          if (seenS < 0.5 || onS[k] > 0.25 * DURATION_S) {
+          overlaps++;
+          if (seenS < 0.5 || onS[k] > 0.25 * DURATION_S || overlaps > 1) {
             return false;
           }
         }
       }
       seenS += sprite.motion().pace(s) > 0 ? 0.05 : 0;
     }
-    return seenS > LEAST_SEEN_S;
+    return seenS > MIN_SEEN_S;
   }
 
-  private double mostCoveredPx() {
+  private double maxCoveredPx() {
     return Math.min(
-        MOST_COVERED * geometry.pixels(),
-        look == Look.WALKER ? MOST_COVERED_BY_WALKERS_PX : MOST_COVERED_PX);
+        MAX_COVERED * geometry.pixels(),
+        look == Look.WALKER ? MAX_COVERED_BY_WALKERS_PX : MAX_COVERED_PX);
   }
 
   private static double area(Sprite sprite) {
@@ -306,7 +313,7 @@ final class Looks {
     double noiseHz =
         Math.min(
             between(0.05, 5),
-            Math.min(MOST_NOISE_SHARE * faintest, MOST_NOISE_EVENTS_PER_S / geometry.pixels()));
+            Math.min(MAX_NOISE_SHARE * faintest, MAX_NOISE_EVENTS_PER_S / geometry.pixels()));
     sensor.noise(noiseHz, random.nextInt(6), random.nextDouble(10, 100), DURATION_S, events);
     EventPacket packet = events.sorted(0, (long) (DURATION_S * 1e6));
     return new ObjectScene(
@@ -322,13 +329,13 @@ final class Looks {
     boolean upright = random.nextBoolean();
     for (int i = 0; i < bars; i++) {
       double half = radius * random.nextDouble(0.5, 1.5);
-      double place = random.nextDouble(0.2, 0.8);
+      double position = random.nextDouble(0.2, 0.8);
       double w = geometry.width();
       double h = geometry.height();
       sensor.hide(
           upright
-              ? new Box(place * w - half, 0, place * w + half, h)
-              : new Box(0, place * h - half, w, place * h + half));
+              ? new Box(position * w - half, 0, position * w + half, h)
+              : new Box(0, position * h - half, w, position * h + half));
     }
   }
 
@@ -338,7 +345,7 @@ final class Looks {
     double w = geometry.width() * (upright ? share : 1);
     double h = geometry.height() * (upright ? 1 : share);
     double reach = Math.sqrt(side / 128);
-    int leaves = (int) Math.min(MOST_LEAVES, w * h / (reach * reach * between(30, 120)));
+    int leaves = (int) Math.min(MAX_LEAVES, w * h / (reach * reach * between(30, 120)));
     for (int i = 0; i < leaves; i++) {
       double amplitude = random.nextDouble(0.5, 1.5) * reach;
       Motion sway =
@@ -409,7 +416,7 @@ final class Looks {
     }
     double faintest = Double.POSITIVE_INFINITY;
     for (int k = 0; k < counts.length; k++) {
-      boolean seen = seconds[k] > 0 && counts[k] / seconds[k] >= LEAST_EVENTS_PER_S;
+      boolean seen = seconds[k] > 0 && counts[k] / seconds[k] >= MIN_EVENTS_PER_S;
       faintest = Math.min(faintest, seen ? counts[k] / areas[k] : 0);
     }
     return faintest;

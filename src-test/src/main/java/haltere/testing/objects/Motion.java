@@ -3,7 +3,7 @@ package haltere.testing.objects;
 import java.util.SplittableRandom;
 
 /**
- * The way of a simulated object: a wavy line through a point, or an ellipse around it; with or
+ * Motion of a simulated object along a wavy line through a point, or an ellipse around it, with or
  * without a stop of {@value #STOP_S} s.
  *
  * @param orbit whether it is an ellipse
@@ -49,7 +49,7 @@ record Motion(
         false, x, y, vx, vy, -vy * wave, vx * wave, rate, phase, meetingS, Double.NaN);
   }
 
-  /** An ellipse that is passed at a mean speed. */
+  /** An ellipse at a mean speed. */
   static Motion orbit(
       SplittableRandom random,
       double x,
@@ -62,7 +62,7 @@ record Motion(
     return new Motion(true, x, y, halfWidth, 0, 0, halfHeight, rate, phase, 0, Double.NaN);
   }
 
-  /** The same way with a stop. */
+  /** The same path with a stop. */
   Motion stopping(double atS) {
     return new Motion(orbit, x, y, ax, ay, bx, by, rateRadS, phaseRad, meetingS, atS);
   }
@@ -93,7 +93,7 @@ record Motion(
     return Math.max(0, Math.max(1 - since / RAMP_S, until / RAMP_S));
   }
 
-  /** Time on its way without stops, seconds. */
+  /** Time along the path without stops, seconds. */
   double progressS(double s) {
     double since = s - stopS;
     if (Double.isNaN(stopS) || since <= 0) {
@@ -139,13 +139,13 @@ record Motion(
     return a * first + b * rateRadS * Math.cos(turn(s));
   }
 
-  /** Direction of the way, radians, also during a stop. */
+  /** Direction of the path, radians, also during a stop. */
   double headingRad(double s) {
     return Math.atan2(slope(ay, by, s), slope(ax, bx, s));
   }
 
-  /** The greatest speed there may be, pixels a second. */
-  double mostSpeed() {
+  /** Upper bound of the speed, pixels a second. */
+  double maxSpeed() {
     double b = Math.hypot(bx, by) * Math.abs(rateRadS);
     return orbit ? Math.max(b, Math.hypot(ax, ay) * Math.abs(rateRadS)) : Math.hypot(ax, ay) + b;
   }

@@ -58,22 +58,22 @@ final class Roads {
      * When a point at an offset from the centre passes a column; bisection, for it never returns.
      */
     double passingS(double offset, double column) {
-      double least = 0;
-      double most = DURATION_S;
+      double from = 0;
+      double to = DURATION_S;
       double sign = Math.signum(motion.ax());
-      if (sign * (motion.x(most) + offset - column) < 0
-          || sign * (motion.x(least) + offset - column) > 0) {
+      if (sign * (motion.x(to) + offset - column) < 0
+          || sign * (motion.x(from) + offset - column) > 0) {
         return Double.NaN;
       }
       for (int i = 0; i < 40; i++) {
-        double middle = (least + most) / 2;
+        double middle = (from + to) / 2;
         if (sign * (motion.x(middle) + offset - column) < 0) {
-          least = middle;
+          from = middle;
         } else {
-          most = middle;
+          to = middle;
         }
       }
-      return least;
+      return from;
     }
   }
 
@@ -191,9 +191,9 @@ final class Roads {
 
   /** Knuth (1969), for small means. */
   private int poisson(double mean) {
-    double least = Math.exp(-mean);
+    double limit = Math.exp(-mean);
     int n = 0;
-    for (double product = random.nextDouble(); product > least; n++) {
+    for (double product = random.nextDouble(); product > limit; n++) {
       product *= random.nextDouble();
     }
     return n;

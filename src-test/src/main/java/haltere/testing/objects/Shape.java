@@ -3,7 +3,7 @@ package haltere.testing.objects;
 /**
  * The form of a simulated object in its own coordinates, whose origin is the middle of its extent.
  *
- * @param kind what it is
+ * @param kind type of the form
  * @param a half extent along u, pixels
  * @param b half extent along v, pixels
  * @param strokePx width of lines, pixels
@@ -33,9 +33,9 @@ record Shape(Kind kind, double a, double b, double strokePx) {
   /** Distance a walker covers in a cycle of the gait, in heights. */
   private static final double STRIDE = 0.86;
 
-  /** Phase of a walker's limbs after some way, radians. */
-  double gaitRad(double wayPx) {
-    return 2 * Math.PI * wayPx / (STRIDE * 2 * b);
+  /** Phase of a walker's limbs after a distance, radians. */
+  double gaitRad(double distancePx) {
+    return 2 * Math.PI * distancePx / (STRIDE * 2 * b);
   }
 
   /** How much of a pixel is covered, 0 to 1, with borders one pixel wide. */

@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Collects what is true of simulated objects. An object counts while half of it or more is visible,
+ * Collects the truth of simulated objects. An object counts while half of it or more is visible,
  * and while it moves or has rested for less than {@value #AT_REST_S} s; else its region, a little
  * grown, is ignored. Thread rule: one thread at a time.
  */
@@ -14,10 +14,10 @@ final class SimulatedTruth {
   static final long STEP_US = 20_000;
 
   private static final double AT_REST_S = 0.2;
-  private static final double LEAST_VISIBLE = 0.5;
+  private static final double MIN_VISIBLE = 0.5;
 
   /** Share of its full speed below which an object makes hardly any events. */
-  private static final double LEAST_PACE = 0.05;
+  private static final double MIN_PACE = 0.05;
 
   private static final double GROWTH = 1.4;
 
@@ -33,8 +33,8 @@ final class SimulatedTruth {
   /** Adds an object to the moment, of which a share is visible so far as it is in the picture. */
   void add(TrueObject object, double visible, Motion motion, double s) {
     Box box = object.box();
-    boolean moves = motion.pace(s) > LEAST_PACE || motion.pace(s - AT_REST_S) > LEAST_PACE;
-    if (moves && Math.min(visible, box.shareIn(picture)) >= LEAST_VISIBLE) {
+    boolean moves = motion.pace(s) > MIN_PACE || motion.pace(s - AT_REST_S) > MIN_PACE;
+    if (moves && Math.min(visible, box.shareIn(picture)) >= MIN_VISIBLE) {
       there.add(object);
     } else if (box.gapTo(picture) < 0) {
       ignored.add(

@@ -3,7 +3,7 @@ package haltere.testing.objects;
 import java.util.SplittableRandom;
 
 /**
- * Something in a simulated picture that changes its logarithmic brightness: an object, a shadow or
+ * An element of a simulated picture that changes its logarithmic brightness: an object, a shadow or
  * a leaf. Thread rule: one thread at a time.
  */
 final class Sprite {
@@ -30,9 +30,9 @@ final class Sprite {
   /**
    * A form of one brightness.
    *
-   * @param motion its way
+   * @param motion where it is
    * @param shape its form
-   * @param followsHeading whether it turns with its way
+   * @param followsHeading whether it turns with its direction
    * @param angleRad how it is turned if it does not, radians
    * @param level logarithmic brightness over the background's
    */
@@ -50,7 +50,7 @@ final class Sprite {
     texturePx = cellPx;
   }
 
-  /** The same on another way. */
+  /** The same with another motion. */
   Sprite on(Motion other) {
     Sprite sprite = new Sprite(other, shape, followsHeading, angleRad, level);
     sprite.texture = texture;
@@ -58,7 +58,7 @@ final class Sprite {
     return sprite;
   }
 
-  /** The shadow of this, which darkens what is below it. */
+  /** The shadow of this, which darkens the layers below. */
   Sprite shadow(double darkening, double dx, double dy) {
     Sprite shadow = new Sprite(motion, shape, followsHeading, angleRad, -darkening);
     shadow.isShadow = true;
@@ -103,7 +103,7 @@ final class Sprite {
     return shape.coverage(dx * cos + dy * sin, dy * cos - dx * sin, gaitRad);
   }
 
-  /** Logarithmic brightness of a pixel with this over what was there. */
+  /** Logarithmic brightness of a pixel with this over the layers below. */
   double over(double under, double px, double py) {
     double cover = coverage(px, py);
     if (cover == 0) {

@@ -68,7 +68,7 @@ class LooksTest {
       double s = random.nextDouble(0.1, 8);
       assertEquals((stopping.x(s + h) - stopping.x(s - h)) / (2 * h), stopping.vx(s), 0.02);
       assertEquals((stopping.y(s + h) - stopping.y(s - h)) / (2 * h), stopping.vy(s), 0.02);
-      assertTrue(Math.hypot(stopping.vx(s), stopping.vy(s)) <= stopping.mostSpeed() + 1e-9);
+      assertTrue(Math.hypot(stopping.vx(s), stopping.vy(s)) <= stopping.maxSpeed() + 1e-9);
     }
   }
 

@@ -93,6 +93,8 @@ public final class ObjectEvaluation {
         }
       }
     }
+    boolean isHeldOut = firstSeed >= SceneSets.FIRST_HELD_OUT_SEED;
+    System.out.println(isHeldOut ? "Held-out seeds" : "Tuning seeds");
     System.out.println(table);
   }
 
