@@ -45,6 +45,8 @@ final class Roads {
   private static final double DURATION_S = 10;
   private static final int[][] SENSORS = {{128, 128}, {240, 180}, {346, 260}};
 
+  private static final int MAX_LANES = 4;
+
   /** The longest cars, in widths. */
   private static final double LONGEST = 2.5;
 
@@ -92,7 +94,7 @@ final class Roads {
     along = upright ? size[1] : size[0];
     across = upright ? size[0] : size[1];
     double y = 10 + random.nextDouble(10);
-    while (y < across - 10) {
+    for (int lane = 0; lane < MAX_LANES && y < across - 10; lane++) {
       double width = random.nextDouble(6, 12);
       double direction = random.nextBoolean() ? 1 : -1;
       // From one side to the other in 2 to 6 s.
@@ -109,7 +111,7 @@ final class Roads {
           width = other;
         }
       }
-      y += width + random.nextDouble(12, 30);
+      y += width + random.nextDouble(12, across / 3);
     }
   }
 
