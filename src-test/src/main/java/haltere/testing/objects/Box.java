@@ -118,4 +118,16 @@ public record Box(double x0, double y0, double x1, double y1) {
         Math.max(x1, other.x1),
         Math.max(y1, other.y1));
   }
+
+  /**
+   * Share of this box that is in another.
+   *
+   * @param other another box
+   * @return 0 to 1; NaN if this has no area
+   */
+  public double shareIn(Box other) {
+    double across = Math.min(x1, other.x1) - Math.max(x0, other.x0);
+    double upwards = Math.min(y1, other.y1) - Math.max(y0, other.y0);
+    return Math.max(0, across) * Math.max(0, upwards) / (width() * height());
+  }
 }

@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.SplittableRandom;
 
 /**
- * A stretch of a recording with one object, on a clock from 0, without what lies far from the
- * object's path.
+ * A stretch of a recording with one object, on a clock from 0, without events far from the object's
+ * path.
  *
  * @param events those near the path
  * @param boxes where the object is at each step, null where nobody can tell
@@ -36,7 +36,7 @@ record CompositeSource(
 
   private static final double WIDE_PX = 16;
 
-  /** Where something else moves close by. */
+  /** For recordings in which another object moves close by. */
   private static final double NARROW_PX = 3;
 
   private static final List<Choice> CHOICES =
@@ -98,8 +98,8 @@ record CompositeSource(
   }
 
   /**
-   * How long the object has been known to move by a time: what slides it across a picture does so
-   * while it moves, and rests with it.
+   * Duration of known motion up to a time: an object slides across a picture while it moves, and
+   * rests where it rests.
    *
    * @param timeUs from 0 to the duration
    * @return seconds

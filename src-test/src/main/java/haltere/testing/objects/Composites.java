@@ -29,14 +29,14 @@ final class Composites {
 
   private static final int OBJECTS = 3;
   private static final int TRIES = 4000;
-  private static final double APART_PX = 10;
-  private static final double MOST_BESIDE_PX = 10;
-  private static final double LEAST_BESIDE_PX = 2;
+  private static final double MIN_APART_GAP_PX = 10;
+  private static final double MAX_BESIDE_GAP_PX = 10;
+  private static final double MIN_BESIDE_GAP_PX = 2;
 
   /** Copies of an event in a scaled-up picture come within this time, microseconds. */
   private static final int COPIES_WITHIN_US = 500;
 
-  private static final double LEAST_VISIBLE = 0.5;
+  private static final double MIN_VISIBLE = 0.5;
 
   /** Where an object whose box is unknown may be beyond the last known one, pixels. */
   private static final double UNKNOWN_PX = 12;
@@ -74,7 +74,9 @@ final class Composites {
     }
   }
 
-  /** How a source is laid into the picture: scale, negative where mirrored, place and slide. */
+  /**
+   * How a source is laid into the picture: scale, negative where mirrored, position and velocity.
+   */
   private record Slide(
       CompositeSource source, double sx, double sy, double x, double y, double vx, double vy) {
     double x(double movingS) {
@@ -123,7 +125,7 @@ final class Composites {
       if (kind == Kind.BESIDE) {
         slides.set(1, beside(slides.get(0), slides.get(1)));
       }
-      if (isGood(slides)) {
+      if (isAccepted(slides)) {
         return slides;
       }
     }
@@ -149,7 +151,7 @@ final class Composites {
   /** The second object moved along x or y until it is near the first one, at the nearest step. */
   private Slide beside(Slide first, Slide second) {
     boolean alongX = random.nextBoolean();
-    double wanted = random.nextDouble(LEAST_BESIDE_PX, MOST_BESIDE_PX) * factor;
+    double wanted = random.nextDouble(MIN_BESIDE_GAP_PX, MAX_BESIDE_GAP_PX) * factor;
     double overlap = Double.NEGATIVE_INFINITY;
     for (int i = 0; i < CompositeSource.STEPS; i++) {
       Box a = first.box(i);
@@ -167,7 +169,7 @@ final class Composites {
         second.vy);
   }
 
-  private boolean isGood(List<Slide> slides) {
+  private boolean isAccepted(List<Slide> slides) {
     for (int k = 0; k < OBJECTS; k++) {
       for (int i = 0; i < CompositeSource.STEPS; i += 4) {
         if (visible(slides.get(k).box(i)) < 0.9) {
@@ -181,7 +183,7 @@ final class Composites {
     }
     int rest = kind == Kind.APART ? 0 : 1;
     for (int k = rest; k < OBJECTS; k++) {
-      if (least(gaps[k]) < APART_PX * factor) {
+      if (minimum(gaps[k]) < MIN_APART_GAP_PX * factor) {
         return false;
       }
     }
@@ -189,20 +191,20 @@ final class Composites {
     return switch (kind) {
       case APART -> true;
       case CROSSING ->
-          least(pair) < 0
-              && pair[0] > APART_PX * factor
-              && pair[pair.length - 1] > APART_PX * factor;
+          minimum(pair) < 0
+              && pair[0] > MIN_APART_GAP_PX * factor
+              && pair[pair.length - 1] > MIN_APART_GAP_PX * factor;
       case BESIDE -> {
         double[] sorted = pair.clone();
         Arrays.sort(sorted);
         Box box = slides.get(0).box(0);
-        yield sorted[0] > LEAST_BESIDE_PX / 2.0
+        yield sorted[0] > MIN_BESIDE_GAP_PX / 2.0
             && sorted[sorted.length / 2] < (box.width() + box.height()) / 2;
       }
     };
   }
 
-  private static double least(double[] values) {
+  private static double minimum(double[] values) {
     return Arrays.stream(values).min().orElseThrow();
   }
 
@@ -217,10 +219,7 @@ final class Composites {
 
   /** Share of a box that is in the picture. */
   private double visible(Box box) {
-    Box clipped = clipped(box);
-    return clipped == null
-        ? 0
-        : (clipped.width() + 1) * (clipped.height() + 1) / ((box.width() + 1) * (box.height() + 1));
+    return box.shareIn(new Box(0, 0, geometry.width() - 1, geometry.height() - 1));
   }
 
   private Box clipped(Box box) {
@@ -246,7 +245,7 @@ final class Composites {
                   box.y0() - UNKNOWN_PX,
                   box.x1() + UNKNOWN_PX,
                   box.y1() + UNKNOWN_PX));
-        } else if (visible(box) < LEAST_VISIBLE) {
+        } else if (visible(box) < MIN_VISIBLE) {
           ignored.add(box);
         } else {
           objects.add(new TrueObject(k + 1, clipped(box)));

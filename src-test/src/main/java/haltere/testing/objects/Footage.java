@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A stretch of events in memory and what is true of its objects.
+ * A stretch of events in memory and the truth of its objects.
  *
  * @param geometry of the sensor
  * @param events in ascending time; whoever filters in place takes a copy
@@ -31,7 +31,7 @@ record Footage(SensorGeometry geometry, EventPacket events, List<TruthMoment> tr
     return mapped(1, shiftUs);
   }
 
-  /** Backwards from a time on: what got brighter gets darker. */
+  /** Backwards from a time on: ON and OFF change places. */
   Footage reversed(long turnUs) {
     return mapped(-1, 2 * turnUs);
   }

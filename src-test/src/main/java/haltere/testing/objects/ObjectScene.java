@@ -7,10 +7,10 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * Events and what is true of the objects in them.
+ * Events and the truth of the objects in them.
  *
  * @param name unique, fit for a file's name
- * @param kind what its scores are reported with
+ * @param kind class of scenes under which its scores are reported
  * @param events opens them at their start
  * @param truth in the order of time
  * @param matching when a track is on an object

@@ -63,7 +63,7 @@ public record ObjectScore(
     Accuracy accuracy,
     Within position,
     Within velocity) {
-  private static final double LEAST_SIDE_PX = 8;
+  private static final double MIN_SIDE_PX = 8;
   private static final long SETTLED_US = 500_000;
 
   /**
@@ -180,8 +180,8 @@ public record ObjectScore(
 
     private static double distanceInSides(Box box, TrackRow row) {
       return Math.hypot(
-          (row.xPx() - box.centreX()) / Math.max(box.width(), LEAST_SIDE_PX),
-          (row.yPx() - box.centreY()) / Math.max(box.height(), LEAST_SIDE_PX));
+          (row.xPx() - box.centreX()) / Math.max(box.width(), MIN_SIDE_PX),
+          (row.yPx() - box.centreY()) / Math.max(box.height(), MIN_SIDE_PX));
     }
 
     ObjectScore score() {

@@ -10,6 +10,10 @@ public final class SceneSets {
   /** First seed of scenes that nobody tunes on. Seeds below it are free for tuning. */
   public static final long FIRST_HELD_OUT_SEED = 1_000_000;
 
+  /** Names of all sets. */
+  public static final List<String> NAMES =
+      List.of("recordings", "composites", "looks", "roads", "discs");
+
   /** Makes a scene when it is needed, so that few are in memory. */
   public interface Later {
     /**
@@ -26,7 +30,7 @@ public final class SceneSets {
   /**
    * The scenes of a set.
    *
-   * @param set recordings, composites, looks, roads, discs or all
+   * @param set one of {@link #NAMES}
    * @param firstSeed of each kind of scene; recordings have none
    * @param seeds how many scenes of each kind
    * @return those of one kind one after the other
@@ -44,14 +48,27 @@ public final class SceneSets {
           }
         }
       }
+      case "looks" -> {
+        for (Looks.Look look : Looks.Look.values()) {
+          for (long seed : range) {
+            scenes.add(() -> Looks.scene(look, seed));
+          }
+        }
+      }
+      case "roads" -> {
+        for (Roads.Traffic traffic : Roads.Traffic.values()) {
+          for (Roads.Events events : Roads.Events.values()) {
+            for (long seed : range) {
+              scenes.add(() -> Roads.scene(traffic, events, seed));
+            }
+          }
+        }
+      }
       case "discs" -> {
         for (long seed : range) {
           scenes.add(() -> Discs.scene(seed));
         }
       }
-      case "all" ->
-          List.of("recordings", "composites", "looks", "roads", "discs")
-              .forEach(one -> scenes.addAll(of(one, firstSeed, seeds)));
       default -> throw new IllegalArgumentException("there is no set " + set);
     }
     return scenes;

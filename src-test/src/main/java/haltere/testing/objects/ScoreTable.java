@@ -26,7 +26,7 @@ public final class ScoreTable {
   /**
    * Adds a scene.
    *
-   * @param kind what it is reported with
+   * @param kind class of scenes under which it is reported
    * @param score its score
    */
   public void add(String kind, ObjectScore score) {

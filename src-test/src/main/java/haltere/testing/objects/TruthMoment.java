@@ -3,7 +3,7 @@ package haltere.testing.objects;
 import java.util.List;
 
 /**
- * What is true at one time.
+ * The truth at one time.
  *
  * @param timeUs on the clock of the events, microseconds
  * @param objects those that a tracker has to show, each identity once
@@ -22,7 +22,7 @@ public record TruthMoment(long timeUs, List<TrueObject> objects, List<Box> ignor
    *
    * @param x column of the track, pixels
    * @param y row of the track, pixels
-   * @param matching what near means
+   * @param matching distance of tracks and objects
    * @return true if it is left out of all scores
    */
   boolean ignores(double x, double y, Matching matching) {

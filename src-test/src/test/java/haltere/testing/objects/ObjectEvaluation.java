@@ -1,14 +1,12 @@
 package haltere.testing.objects;
 
-import haltere.core.event.EventPacket;
+import haltere.core.event.Origin;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.Recordings;
 import haltere.core.format.WriteOptions;
 import haltere.core.stream.EventSource;
-import haltere.core.stream.StreamHandler;
-import haltere.core.stream.StreamNotification;
+import haltere.testing.SceneEvents;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
@@ -28,8 +26,8 @@ import java.util.Optional;
  *       outlet}, the name of its outlet;
  *   <li>{@code tracks}: a folder with a table SCENE.csv for each scene, instead of a chain;
  *   <li>{@code sheets}: a folder for contact sheets of the scenes;
- *   <li>{@code export}: a folder for the events of each scene as SCENE.aedat4 and its boxes as
- *       SCENE.boxes.csv, in which case nothing is judged.
+ *   <li>{@code export}: a folder for the events of each scene as SCENE.events.csv, y upwards, and
+ *       its boxes as SCENE.boxes.csv, in which case nothing is judged.
  * </ul>
  */
 public final class ObjectEvaluation {
@@ -59,40 +57,45 @@ public final class ObjectEvaluation {
   private void run() throws IOException {
     long firstSeed = Long.parseLong(setting("firstSeed", "1"));
     int seeds = Integer.parseInt(setting("seeds", "10"));
-    TrackerUnderTest tracker = tracker();
-    Optional<Path> sheets = folder("sheets");
-    Optional<Path> export = folder("export");
-    ScoreTable table = new ScoreTable();
-    for (String set : setting("set", "recordings").split(",")) {
+    String sets = setting("set", "recordings");
+    StringBuilder tables = new StringBuilder();
+    for (String set : sets.equals("all") ? SceneSets.NAMES : List.of(sets.split(","))) {
+      ScoreTable table = new ScoreTable();
       for (SceneSets.Later later : SceneSets.of(set, firstSeed, seeds)) {
-        ObjectScene scene = later.make();
-        if (export.isPresent()) {
-          export(scene, export.get());
-          continue;
-        }
-        List<TrackRow> rows;
-        try (EventSource events = scene.events().open()) {
-          rows = tracker.track(scene.name(), events);
-        }
-        ObjectScore score = ObjectScore.of(scene, rows);
-        table.add(scene.kind(), score);
-        System.out.printf(
-            Locale.ROOT,
-            "%s: IDF1 %.3f MOTA %.3f covered %.3f tracks on it %.2f identities %.1f elsewhere %.3f off centre %.2f%n",
-            scene.name(),
-            score.idf1(),
-            score.mota(),
-            score.covered(),
-            score.tracksOnIt(),
-            score.identities(),
-            score.elsewhere(),
-            score.offCentre());
-        if (sheets.isPresent()) {
-          ContactSheet.draw(scene, rows, sheets.get());
-        }
+        judge(later.make(), table);
       }
+      tables.append(System.lineSeparator()).append(table);
     }
-    System.out.println(table);
+    boolean isHeldOut = firstSeed >= SceneSets.FIRST_HELD_OUT_SEED;
+    System.out.println((isHeldOut ? "Held-out seeds" : "Tuning seeds") + tables);
+  }
+
+  private void judge(ObjectScene scene, ScoreTable table) throws IOException {
+    Optional<Path> export = folder("export");
+    if (export.isPresent()) {
+      export(scene, export.get());
+      return;
+    }
+    List<TrackRow> rows;
+    try (EventSource events = scene.events().open()) {
+      rows = tracker().track(scene.name(), events);
+    }
+    ObjectScore score = ObjectScore.of(scene, rows);
+    table.add(scene.kind(), score);
+    System.out.printf(
+        Locale.ROOT,
+        "%s: IDF1 %.3f MOTA %.3f covered %.3f tracks on it %.2f identities %.1f elsewhere %.3f%n",
+        scene.name(),
+        score.idf1(),
+        score.mota(),
+        score.covered(),
+        score.tracksOnIt(),
+        score.identities(),
+        score.elsewhere());
+    Optional<Path> sheets = folder("sheets");
+    if (sheets.isPresent()) {
+      ContactSheet.draw(scene, rows, sheets.get());
+    }
   }
 
   private Optional<Path> folder(String name) throws IOException {
@@ -119,28 +122,15 @@ public final class ObjectEvaluation {
       moment.objects().forEach(o -> boxes.append(line(moment, o.box(), "" + o.id())));
     }
     Files.writeString(folder.resolve(scene.name() + ".boxes.csv"), boxes);
-    Path file = folder.resolve(scene.name() + ".aedat4");
+    Path file = folder.resolve(scene.name() + ".events.csv");
     try (EventSource events = scene.events().open();
         RecordingWriter writer =
             Recordings.forWriting(file)
-                .create(file, new WriteOptions(events.geometry(), true, Optional.empty(), Map.of()))
+                .create(
+                    file,
+                    new WriteOptions(events.geometry(), true, Optional.of(Origin.BOTTOM), Map.of()))
                 .orElseThrow()) {
-      events.drainTo(
-          new StreamHandler() {
-            @Override
-            public void packet(EventPacket packet) {
-              try {
-                writer.write(packet);
-              } catch (IOException problem) {
-                throw new UncheckedIOException(problem);
-              }
-            }
-
-            @Override
-            public void notified(StreamNotification notification) {
-              // scenes have one segment
-            }
-          });
+      writer.write(SceneEvents.of(events));
       writer.finish();
     }
   }
