@@ -74,24 +74,46 @@ final class Group {
   double lowY;
   double highY;
 
-  /** Box around the parts, those that are present first. */
+  private static final double TAIL = ObjectTracker.p("grouptail", 0.04);
+
+  /** Box of all but the tails of the parts' events, a part being evenly filled. */
   void box() {
-    lowX = Double.POSITIVE_INFINITY;
-    lowY = lowX;
-    highX = -lowX;
-    highY = -lowX;
-    boolean any = false;
-    for (int round = 0; round < 2 && !any; round++) {
+    lowX = quantile(TAIL, true);
+    highX = quantile(1 - TAIL, true);
+    lowY = quantile(TAIL, false);
+    highY = quantile(1 - TAIL, false);
+  }
+
+  private double quantile(double share, boolean alongX) {
+    double low = Double.POSITIVE_INFINITY;
+    double high = Double.NEGATIVE_INFINITY;
+    for (Obj o : parts) {
+      double m = alongX ? o.middleX() : o.middleY();
+      double h = alongX ? o.shape.halfX : o.shape.halfY;
+      low = Math.min(low, m - h);
+      high = Math.max(high, m + h);
+    }
+    if (parts.size() == 1) {
+      return share < 0.5 ? low : high;
+    }
+    for (int k = 0; k < 20; k++) {
+      double middle = 0.5 * (low + high);
+      double sum = 0;
+      double all = 0;
       for (Obj o : parts) {
-        if (round > 0 || o.gone < 0.5) {
-          any = true;
-          lowX = Math.min(lowX, o.middleX() - o.shape.halfX);
-          highX = Math.max(highX, o.middleX() + o.shape.halfX);
-          lowY = Math.min(lowY, o.middleY() - o.shape.halfY);
-          highY = Math.max(highY, o.middleY() + o.shape.halfY);
-        }
+        double m = alongX ? o.middleX() : o.middleY();
+        double h = alongX ? o.shape.halfX : o.shape.halfY;
+        double w = o.rate * Math.max(o.moving, 0.05);
+        sum += w * Math.max(0, Math.min(1, (middle - m + h) / (2 * h)));
+        all += w;
+      }
+      if (sum < share * all) {
+        low = middle;
+      } else {
+        high = middle;
       }
     }
+    return 0.5 * (low + high);
   }
 
   double size() {

@@ -37,6 +37,10 @@ public final class ObjectTracker {
   final int apartTimes = (int) p("apart", 3);
   final double gapMax = p("gapmax", 0);
   final double gapRate = p("gaprate", 0);
+  final double cauchy = p("cauchy", 2);
+  final double fuseNat = p("fuse", -1);
+  final double turn = p("turn", 1);
+  final double limboS = p("limbo", 1);
   final double outHz = p("out", 20);
   final double returns = p("returns", 2.3);
   final double joinNovel = p("joinnovel", 10);
@@ -804,7 +808,7 @@ public final class ObjectTracker {
         }
         double total = score(a.parts, b.parts);
         boolean both = a.id > 0 && b.id > 0;
-        if (total > (both ? Math.max(keepNat, joinAt) : joinAt) && age > (total > joinNow ? ticks / 3 : ticks)) {
+        if (total > (both ? keepNat : age > limboS / DT ? joinAt : joinNow)) {
           Group into = a.id == 0 && b.id > 0 || b.id > 0 && b.id < a.id ? b : a;
           Group from = into == a ? b : a;
           if (DEBUG) System.out.printf("t %d join %d and %d at %.0f,%.0f %.0f,%.0f total %.1f%n", tickStartUs, into.id, from.id, into.parts.get(0).middleX(), into.parts.get(0).middleY(), from.parts.get(0).middleX(), from.parts.get(0).middleY(), total);
@@ -842,7 +846,7 @@ public final class ObjectTracker {
         Obj a = g.parts.get(i);
         for (int j = i + 1; j < g.parts.size(); j++) {
           Obj b = g.parts.get(j);
-          if (prior[a.index][b.index] >= odds && motion[a.index][b.index] > -1) {
+          if (prior[a.index][b.index] >= odds && motion[a.index][b.index] > fuseNat) {
             Obj into = a.rate * a.age >= b.rate * b.age ? a : b;
             Obj from = into == a ? b : a;
             fuse(into, from);
@@ -869,11 +873,12 @@ public final class ObjectTracker {
             ? Math.max(a.shape.size(), b.shape.size())
             : Math.sqrt(a.shape.size() * b.shape.size());
     double prior = gapLog(box, size);
-    return prior < -20 ? prior : gapLog(a.shape.distance(b.shape, b.x() - a.x(), b.y() - a.y()), size);
+    return box > 8 * size + 50 ? -99 : prior < -20 ? prior : gapLog(a.shape.distance(b.shape, b.x() - a.x(), b.y() - a.y()), size);
   }
 
   private double gapLog(double distance, double size) {
-    return odds - Math.max(0, distance - 3) / (kappa * size);
+    double g = Math.max(0, distance - 3) / (kappa * size);
+    return cauchy > 0 ? odds - cauchy * 0.5 * Math.log1p(g * g) : odds - g;
   }
 
   private double motionLog(Obj a, Obj b, int n) {
@@ -889,6 +894,9 @@ public final class ObjectTracker {
         xx,
         xy,
         yy,
+        b.middleX() - a.middleX(),
+        b.middleY() - a.middleY(),
+        n * DT,
         maxSize > 0
             ? Math.max(a.shape.size(), b.shape.size())
             : Math.sqrt(a.shape.size() * b.shape.size()));
@@ -896,19 +904,32 @@ public final class ObjectTracker {
 
   /** Log ratio of a slip under one motion and under two, with the covariance of its measurement. */
   private double motionLog(
-      double ax, double ay, double bx, double by, double xx, double xy, double yy, double size) {
+      double ax,
+      double ay,
+      double bx,
+      double by,
+      double xx,
+      double xy,
+      double yy,
+      double lineX,
+      double lineY,
+      double seconds,
+      double size) {
     double bend = rho * rho * size * size + 2;
     double apart = 0.5 * (ax * ax + ay * ay + bx * bx + by * by);
     double dx = ax - bx;
     double dy = ay - by;
-    double oneXx = xx + bend;
-    double oneYy = yy + bend;
-    double oneDet = oneXx * oneYy - xy * xy;
+    double turned = turn * turn * seconds * seconds;
+    // a turn moves parts across the line between them
+    double oneXx = xx + bend + turned * lineY * lineY;
+    double oneYy = yy + bend + turned * lineX * lineX;
+    double oneXy = xy - turned * lineX * lineY;
+    double oneDet = oneXx * oneYy - oneXy * oneXy;
     double twoXx = oneXx + apart;
     double twoYy = oneYy + apart;
-    double twoDet = twoXx * twoYy - xy * xy;
-    double one = (oneYy * dx * dx - 2 * xy * dx * dy + oneXx * dy * dy) / oneDet;
-    double two = (twoYy * dx * dx - 2 * xy * dx * dy + twoXx * dy * dy) / twoDet;
+    double twoDet = twoXx * twoYy - oneXy * oneXy;
+    double one = (oneYy * dx * dx - 2 * oneXy * dx * dy + oneXx * dy * dy) / oneDet;
+    double two = (twoYy * dx * dx - 2 * oneXy * dx * dy + twoXx * dy * dy) / twoDet;
     return 0.5 * Math.log(twoDet / oneDet) - 0.5 * (one - two);
   }
 
@@ -1213,7 +1234,7 @@ public final class ObjectTracker {
 
   private boolean isApart(Group g) {
     for (Group other : groups) {
-      if (other != g && other.id > 0 && !other.lost && other.isMoving() && scoreIndexed(g, other) > -keepNat) {
+      if (other != g && other.id > 0 && !other.lost && other.isMoving() && scoreIndexed(g, other) > ((tickStartUs - g.bornUs) * 1e-6 > limboS ? joinAt : -keepNat)) {
         return false;
       }
     }
