@@ -11,30 +11,37 @@ import java.util.Arrays;
  */
 final class ShapeTemplate {
   /** Cells of a side. */
-  static final int SIDE = Integer.getInteger("o.side", 24);
+  static final int SIDE = 24;
 
   static final int CELLS = SIDE * SIDE;
 
   /** Least side of a cell: pixels are not known better. */
   static final double MIN_CELL_PX = 1.5;
 
-  /** Share of an object's events that may come from anywhere in its grid: it grows or bends. */
-  static final double GROWTH = ObjectTracker.p("growth", 0.05);
+  /** Memory of the shape, seconds: limbs and turns change it within. */
+  static final double MEMORY_S = 0.3;
+
+  /** Share of the events that come from beside the shape seen so far: it grows or bends. */
+  private static final double GROWTH = 0.05;
 
   private static final int RADIUS = 2;
 
-  /** Share of the mean density below which a cell is no part of the extent. */
-  static final double FAINT = ObjectTracker.p("faint", 0.1);
+  /** Share of the mean density below which a cell does not belong to the extent. */
+  private static final double FAINT = 0.1;
+
+  /** Share of the mean density below which a cell does not connect two others. */
+  private static final double SPARSE = 0.3;
 
   /** Cells of the extent. */
-  final boolean[] solid = new boolean[CELLS];
+  private final boolean[] solid = new boolean[CELLS];
+
+  /** Cells that connect: those of the extent that are not sparse. */
   final boolean[] core = new boolean[CELLS];
-  static final double CORE = ObjectTracker.p("core", 0.3);
 
   /** Cells that an object's longer side should span: between both, it is not rescaled. */
-  private static final double MIN_SPAN = SIDE * ObjectTracker.p("minspan", 0.5);
+  private static final double MIN_SPAN = SIDE * 0.5;
 
-  private static final double MAX_SPAN = SIDE * ObjectTracker.p("maxspan", 0.8);
+  private static final double MAX_SPAN = SIDE * 0.8;
 
   /** Share of the weight beyond either end of an extent. */
   private static final double TAIL = 0.02;
@@ -58,9 +65,12 @@ final class ShapeTemplate {
   double middleX;
 
   double middleY;
-  double major;
-  double minor;
-  double angle;
+
+  /** Covariance of the extent's events, px². */
+  double varianceX;
+
+  double covarianceXy;
+  double varianceY;
 
   /** Half sides of the box along x and y. */
   double halfX;
@@ -211,7 +221,7 @@ final class ShapeTemplate {
     Arrays.fill(marginalY, 0);
     for (int i = 0; i < CELLS; i++) {
       solid[i] = density[i] > threshold;
-      core[i] = density[i] > CORE * mean;
+      core[i] = density[i] > SPARSE * mean;
       if (solid[i]) {
         float m = mass[i];
         marginalX[i % SIDE] += m;
@@ -246,17 +256,10 @@ final class ShapeTemplate {
     middleY = 0.5 * (lowY + highY) * cellPx;
     halfX = Math.max(0.5 * (highX - lowX) * cellPx, 1);
     halfY = Math.max(0.5 * (highY - lowY) * cellPx, 1);
-    // an ellipse of the events' orientation that fits the box
-    angle = 0.5 * Math.atan2(2 * xy, xx - yy);
-    double spread = Math.hypot(0.5 * (xx - yy), xy);
-    double half = 0.5 * (xx + yy);
-    double ratio = Math.sqrt(Math.max(0.04, (half - spread) / (half + spread)));
-    double cos = Math.cos(angle);
-    double sin = Math.sin(angle);
-    double boxX = Math.sqrt(cos * cos + ratio * ratio * sin * sin);
-    double boxY = Math.sqrt(sin * sin + ratio * ratio * cos * cos);
-    major = Math.sqrt((halfX * halfX + halfY * halfY) / (boxX * boxX + boxY * boxY));
-    minor = ratio * major;
+    double scale = cellPx * cellPx / solidTotal;
+    varianceX = xx * scale;
+    covarianceXy = xy * scale;
+    varianceY = yy * scale;
   }
 
   /** Where a marginal reaches a share of its sum, cells from the middle. */
@@ -271,6 +274,16 @@ final class ShapeTemplate {
       sum = next;
     }
     return SIDE / 2.0;
+  }
+
+  /** Half a side of the grid, pixels. */
+  double reach() {
+    return 0.5 * SIDE * cellPx;
+  }
+
+  /** Cell size one step up. */
+  double coarser() {
+    return cellPx * Math.sqrt(2);
   }
 
   double size() {

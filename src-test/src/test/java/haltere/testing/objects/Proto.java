@@ -4,7 +4,7 @@ import haltere.core.event.EventPacket;
 import haltere.core.stream.EventSource;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
-import haltere.filters.object.ObjectTracker;
+import haltere.filters.object.*;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -30,24 +30,19 @@ public final class Proto {
       long start = System.nanoTime();
       long[] events = {0};
       try (EventSource source = scene.events().open()) {
-        ObjectTracker tracker = new ObjectTracker(source.geometry());
+        ObjectTrackerFilter tracker = new ObjectTrackerFilter(source.geometry(), ObjectTrackerSettings.defaults());
+        tracker.tracks().subscribe(r -> rows.add(new TrackRow(r.timeUs(), r.id(), r.xPx(), r.yPx(), r.vxPxS(), r.vyPxS(), r.sdXPx(), r.sdYPx(), r.sdVxPxS(), r.sdVyPxS(), r.majorPx(), r.minorPx(), r.angleRad())));
         source.drainTo(
             new StreamHandler() {
               @Override
               public void packet(EventPacket packet) {
-                tracker.track(packet);
+                tracker.process(packet);
                 events[0] += packet.size();
               }
 
               @Override
-              public void notified(StreamNotification notification) {}
+              public void notified(StreamNotification notification) { tracker.notified(notification); }
             });
-        for (ObjectTracker.Row r : tracker.rows()) {
-          rows.add(
-              new TrackRow(
-                  r.timeUs(), r.id(), r.x(), r.y(), r.vx(), r.vy(), Double.NaN, Double.NaN,
-                  Double.NaN, Double.NaN, r.major(), r.minor(), r.angle()));
-        }
       }
       double ns = (System.nanoTime() - start) / (double) Math.max(1, events[0]);
       ObjectScore score = ObjectScore.of(scene, rows);
