@@ -186,7 +186,7 @@ final class TrackCommand extends Subcommand {
       return chain;
     }
     try {
-      return ChainFile.read(chainFile, geometry);
+      return ChainFile.read(chainFile, geometry, this::warning);
     } catch (CharacterCodingException notText) {
       throw Failures.notText(chainFile, notText);
     }
