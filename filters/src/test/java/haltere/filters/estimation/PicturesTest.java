@@ -2,10 +2,10 @@ package haltere.filters.estimation;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import haltere.core.sink.SvgPlot;
 import haltere.filters.estimation.WorkedExamples.Spring;
 import haltere.filters.estimation.motion.ConstantVelocity;
 import haltere.filters.estimation.motion.DampedOscillator;
-import haltere.testing.SvgPlot;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
