@@ -1,0 +1,251 @@
+package haltere.filters.estimation.example;
+
+import static haltere.filters.estimation.motion.DampedOscillator.DAMPING;
+import static haltere.filters.estimation.motion.DampedOscillator.FREQUENCY;
+import static haltere.filters.estimation.motion.DampedOscillator.POSITION;
+import static haltere.filters.estimation.motion.DampedOscillator.VELOCITY;
+
+import haltere.filters.estimation.BatchLeastSquares;
+import haltere.filters.estimation.BatchLeastSquares.Solution;
+import haltere.filters.estimation.Consistency;
+import haltere.filters.estimation.Estimate;
+import haltere.filters.estimation.ExtendedKalmanFilter;
+import haltere.filters.estimation.FilterOptions;
+import haltere.filters.estimation.GapPolicy;
+import haltere.filters.estimation.MeasurementModel;
+import haltere.filters.estimation.motion.DampedOscillator;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.CommonOps_DDRM;
+import org.ejml.dense.row.MatrixFeatures_DDRM;
+
+/**
+ * Damping and frequency of a weight on a spring: state (s, v, ζ, ω) of {@link DampedOscillator}
+ * without process noise. Start as in Casper (2012): s = 0 ± 1 m, v = 0.6 ± 10 m/s, ζ = 0.1 ± 10, ω
+ * = 3 rad/s with a variance of 1,000 rad²/s².
+ *
+ * <p>From so wide a start an extended Kalman filter diverges. It linearises the first measurements
+ * at wrong v, ζ and ω, where they seem to tell of ζ and ω what they do not, and its covariance
+ * shrinks for good. Here {@link BatchLeastSquares} over all measurements so far replaces the
+ * filter's state and covariance each time their number has grown by a quarter. It begins at the
+ * trajectory found before, and also at the start where the residuals of that one are no noise (χ²,
+ * 95 %); the better fit is taken. (ζ, ω) and (−ζ, −ω) are the same motion; the one with ω ≥ 0 is
+ * given.
+ *
+ * <p>Thread rule: one thread at a time.
+ */
+public final class Oscillator {
+  static final double START_FREQUENCY_RAD_S = 3;
+
+  private final MeasurementSeries series;
+  private final MeasurementModel model;
+  private final DMatrixRMaj mean;
+  private final DMatrixRMaj covariance = CommonOps_DDRM.diag(1, 100, 100, 1000);
+  private final DampedOscillator motion = new DampedOscillator(0, 0, 0);
+  private final List<Estimate> estimates = new ArrayList<>();
+  private Optional<Solution> solution = Optional.empty();
+
+  /** Displacement, or displacement and acceleration, with the covariance R. */
+  private record Measured(DMatrixRMaj r) implements MeasurementModel {
+    @Override
+    public int size() {
+      return r.numRows;
+    }
+
+    @Override
+    public void expected(DMatrixRMaj x, DMatrixRMaj z) {
+      z.set(0, 0, x.get(POSITION));
+      if (size() > 1) {
+        z.set(1, 0, acceleration(x));
+      }
+    }
+
+    @Override
+    public void jacobian(DMatrixRMaj x, DMatrixRMaj h) {
+      h.zero();
+      h.set(0, POSITION, 1);
+      if (size() > 1) {
+        CommonOps_DDRM.insert(accelerationSlope(x), h, 1, 0);
+      }
+    }
+
+    @Override
+    public void noise(DMatrixRMaj x, DMatrixRMaj noise) {
+      noise.setTo(r);
+    }
+  }
+
+  /**
+   * Estimates.
+   *
+   * @param series measurements, displacements from rest
+   */
+  public Oscillator(MeasurementSeries series) {
+    this(series, START_FREQUENCY_RAD_S);
+  }
+
+  Oscillator(MeasurementSeries series, double startFrequencyRadS) {
+    this.series = series;
+    model = new Measured(series.noise());
+    mean = new DMatrixRMaj(4, 1, true, 0, 0.6, 0.1, startFrequencyRadS);
+    BatchLeastSquares batch = new BatchLeastSquares(motion, model, mean, covariance);
+    ExtendedKalmanFilter filter = filter();
+    int window = motion.stateSize();
+    for (int k = 0; k < series.size(); k++) {
+      batch.add(series.dtS(k), series.z(k));
+      boolean refit = k + 1 == window || k + 1 == series.size();
+      try {
+        filter.predict(series.dtS(k));
+        filter.update(model, series.z(k));
+      } catch (ArithmeticException diverged) {
+        refit = true;
+      }
+      if (refit) {
+        solution = better(batch, (k + 1) * model.size());
+        solution.ifPresent(found -> launch(filter, found.last()));
+        window = k + 1 + Math.max(1, k / 4);
+      }
+      estimates.add(refit && solution.isPresent() ? solution.get().last() : filter.estimate());
+    }
+  }
+
+  private ExtendedKalmanFilter filter() {
+    return new ExtendedKalmanFilter(
+        motion, mean, covariance, FilterOptions.DEFAULT.withGap(GapPolicy.UNLIMITED));
+  }
+
+  private static void launch(ExtendedKalmanFilter filter, Estimate found) {
+    DMatrixRMaj p = found.covariance().toMatrix();
+    // That of a trajectory that grows without bound may be singular to rounding.
+    if (MatrixFeatures_DDRM.isPositiveDefinite(p)) {
+      filter.launch(found.state().toMatrix(), p);
+    }
+  }
+
+  private Optional<Solution> better(BatchLeastSquares batch, int numbers) {
+    Optional<Solution> next =
+        solution.flatMap(before -> fit(batch, before.first().state().toMatrix()));
+    double upper = Consistency.meanBand(1, numbers, 0.95).upper();
+    if (next.isPresent() && next.get().cost() <= upper * numbers) {
+      return next;
+    }
+    return Stream.concat(next.stream(), fit(batch, mean).stream())
+        .min(Comparator.comparingDouble(Solution::cost));
+  }
+
+  private static Optional<Solution> fit(BatchLeastSquares batch, DMatrixRMaj start) {
+    Optional<Solution> found = batch.fit(start);
+    if (found.isEmpty() || found.get().first().value(FREQUENCY) >= 0) {
+      return found;
+    }
+    DMatrixRMaj mirrored = found.get().first().state().toMatrix();
+    mirrored.set(DAMPING, 0, -mirrored.get(DAMPING));
+    mirrored.set(FREQUENCY, 0, -mirrored.get(FREQUENCY));
+    return batch.fit(mirrored);
+  }
+
+  /** (s, v, ζ, ω) at each measurement, from those up to it. */
+  List<Estimate> estimates() {
+    return List.copyOf(estimates);
+  }
+
+  /**
+   * The extended Kalman filter of Casper (2012), which linearises each measurement once: (s, v, ζ,
+   * ω) at each measurement, up to where the state leaves the numbers.
+   */
+  List<Estimate> plainFilter(double noiseM) {
+    DMatrixRMaj r = series.noise();
+    r.set(0, 0, noiseM * noiseM);
+    ExtendedKalmanFilter filter = filter();
+    List<Estimate> all = new ArrayList<>();
+    try {
+      for (int k = 0; k < series.size(); k++) {
+        filter.predict(series.dtS(k));
+        filter.update(new Measured(r), series.z(k));
+        all.add(filter.estimate());
+      }
+    } catch (ArithmeticException diverged) {
+      return all;
+    }
+    return all;
+  }
+
+  /**
+   * All results, a row for each measurement.
+   *
+   * @return {@code s, v, a, damping, frequency} with deviations and gains: from the measurements up
+   *     to the row's; {@code fit}: the trajectory that fits all measurements, unknown if none does;
+   *     {@code difference}: finite differences, unknown at both ends; {@code plain}: the filter
+   *     that linearises once, unknown once it diverged
+   */
+  public ExampleTable table() {
+    double variance = series.noise().get(0, 0);
+    List<Estimate> plain = plainFilter(series.noiseM());
+    List<DMatrixRMaj> fit = new ArrayList<>();
+    fit.add(
+        solution
+            .map(found -> found.first().state().toMatrix())
+            .orElse(new DMatrixRMaj(4, 1, true, Double.NaN, Double.NaN, 0, 0)));
+    for (int k = 1; k < series.size(); k++) {
+      fit.add(new DMatrixRMaj(4, 1));
+      motion.evolve(fit.get(k - 1), series.dtS(k), fit.get(k));
+    }
+    return new ExampleTable(series.size())
+        .add("t_s", k -> series.get(k).tS())
+        .add("x_m", k -> series.get(k).xM())
+        .add("s_m", k -> estimates.get(k).value(POSITION))
+        .add("sd_s_m", k -> estimates.get(k).standardDeviation(POSITION))
+        .add("v_m_s", k -> estimates.get(k).value(VELOCITY))
+        .add("sd_v_m_s", k -> estimates.get(k).standardDeviation(VELOCITY))
+        .add("a_m_s2", k -> acceleration(estimates.get(k).state().toMatrix()))
+        .add("sd_a_m_s2", k -> accelerationDeviation(estimates.get(k)))
+        .add("damping", k -> estimates.get(k).value(DAMPING))
+        .add("sd_damping", k -> estimates.get(k).standardDeviation(DAMPING))
+        .add("frequency_rad_s", k -> estimates.get(k).value(FREQUENCY))
+        .add("sd_frequency_rad_s", k -> estimates.get(k).standardDeviation(FREQUENCY))
+        .add("gain_s", k -> estimates.get(k).covariance().get(POSITION, 0) / variance)
+        .add("gain_v_per_s", k -> estimates.get(k).covariance().get(VELOCITY, 0) / variance)
+        .add("gain_damping_per_m", k -> estimates.get(k).covariance().get(DAMPING, 0) / variance)
+        .add("gain_frequency_rad_s_m", k -> estimates.get(k).covariance().get(3, 0) / variance)
+        .add("fit_s_m", k -> fit.get(k).get(POSITION))
+        .add("fit_v_m_s", k -> fit.get(k).get(VELOCITY))
+        .add("difference_v_m_s", series::velocity)
+        .add("difference_a_m_s2", series::acceleration)
+        .add("plain_damping", k -> k < plain.size() ? plain.get(k).value(DAMPING) : Double.NaN)
+        .add(
+            "plain_frequency_rad_s",
+            k -> k < plain.size() ? plain.get(k).value(FREQUENCY) : Double.NaN);
+  }
+
+  /** a = −ω² s − 2 ζ ω v. */
+  private static double acceleration(DMatrixRMaj x) {
+    double omega = x.get(FREQUENCY);
+    return -omega * omega * x.get(POSITION) - 2 * x.get(DAMPING) * omega * x.get(VELOCITY);
+  }
+
+  private static double accelerationDeviation(Estimate estimate) {
+    DMatrixRMaj slope = accelerationSlope(estimate.state().toMatrix());
+    DMatrixRMaj slopeP = new DMatrixRMaj(1, 4);
+    CommonOps_DDRM.mult(slope, estimate.covariance().toMatrix(), slopeP);
+    return Math.sqrt(CommonOps_DDRM.dot(slopeP, slope));
+  }
+
+  /** ∂a/∂x, a row. */
+  private static DMatrixRMaj accelerationSlope(DMatrixRMaj x) {
+    double omega = x.get(FREQUENCY);
+    double zeta = x.get(DAMPING);
+    double v = x.get(VELOCITY);
+    return new DMatrixRMaj(
+        1,
+        4,
+        true,
+        -omega * omega,
+        -2 * zeta * omega,
+        -2 * omega * v,
+        -2 * omega * x.get(POSITION) - 2 * zeta * v);
+  }
+}
