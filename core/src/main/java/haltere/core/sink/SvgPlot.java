@@ -30,6 +30,7 @@ public final class SvgPlot {
   private final StringBuilder marks = new StringBuilder();
   private final List<String> names = new ArrayList<>();
   private final List<String> colours = new ArrayList<>();
+  private boolean legendLeft;
 
   /**
    * A plot of a range.
@@ -69,6 +70,16 @@ public final class SvgPlot {
         width > 0 ? across.getMax() : across.getMin() + 1,
         min - margin,
         max + margin);
+  }
+
+  /**
+   * Puts the legend at the left edge instead of the right one.
+   *
+   * @return this plot
+   */
+  public SvgPlot legendLeft() {
+    legendLeft = true;
+    return this;
   }
 
   /**
@@ -186,7 +197,11 @@ public final class SvgPlot {
             (TOP + HEIGHT - BOTTOM) / 2, label(0, 0, "middle", yLabel)));
     for (int i = 0; i < names.size(); i++) {
       svg.append(text("<g fill=\"%s\">%n", colours.get(i)));
-      svg.append(label(WIDTH - RIGHT - 6, TOP + 16 + 14 * i, "end", names.get(i)));
+      int y = TOP + 16 + 14 * i;
+      svg.append(
+          legendLeft
+              ? label(LEFT + 6, y, "start", names.get(i))
+              : label(WIDTH - RIGHT - 6, y, "end", names.get(i)));
       svg.append("</g>\n");
     }
     return svg.append("</svg>\n").toString().replace(System.lineSeparator(), "\n");
@@ -216,7 +231,7 @@ public final class SvgPlot {
 
   /** Four to ten round numbers. */
   private static List<Double> ticks(double from, double to) {
-    double step = Math.pow(10, Math.floor(Math.log10((to - from) / 2)));
+    double step = Math.pow(10, Math.floor(Math.log10((to - from) / 4)));
     while ((to - from) / step > 10) {
       step *= (to - from) / step > 20 ? 5 : 2;
     }
