@@ -216,11 +216,10 @@ public final class BatchLeastSquares {
     return cost;
   }
 
-  private static DMatrixRMaj inverse(DMatrixRMaj covariance) {
-    DMatrixRMaj inverse = new DMatrixRMaj(covariance.numRows, covariance.numCols);
-    if (!CommonOps_DDRM.invertSPD(covariance, inverse)) {
-      throw new ArithmeticException("not positive definite: " + covariance);
-    }
+  /** Of a matrix that is known to be positive definite. */
+  private static DMatrixRMaj inverse(DMatrixRMaj matrix) {
+    DMatrixRMaj inverse = new DMatrixRMaj(matrix.numRows, matrix.numCols);
+    CommonOps_DDRM.invertSPD(matrix, inverse);
     return inverse;
   }
 }

@@ -12,9 +12,6 @@ import haltere.ui.command.terminal.Quantities;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
-import java.util.Iterator;
-import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
@@ -41,8 +38,7 @@ final class ExampleCommand extends Subcommand {
   @Parameters(
       index = "0",
       paramLabel = "EXAMPLE",
-      completionCandidates = Names.class,
-      description = "Which one: ${COMPLETION-CANDIDATES}.")
+      description = "Which one: " + FALLING_WEIGHT + " or " + OSCILLATOR + ".")
   String name;
 
   @Option(
@@ -79,14 +75,6 @@ final class ExampleCommand extends Subcommand {
     super(surroundings);
   }
 
-  /** The examples, for the usage. */
-  static final class Names implements Iterable<String> {
-    @Override
-    public Iterator<String> iterator() {
-      return List.of(FALLING_WEIGHT, OSCILLATOR).iterator();
-    }
-  }
-
   @Override
   public Integer call() throws IOException {
     boolean falls = name.equals(FALLING_WEIGHT);
@@ -98,8 +86,14 @@ final class ExampleCommand extends Subcommand {
       throw wrongArguments("--seed is of simulated measurements; --data gives others");
     }
     check(out);
-    MeasurementSeries series = series(falls);
-    ExampleTable table = falls ? new FallingWeight(series).table() : new Oscillator(series).table();
+    MeasurementSeries series;
+    ExampleTable table;
+    try {
+      series = series(falls);
+      table = falls ? new FallingWeight(series).table() : new Oscillator(series).table();
+    } catch (IllegalArgumentException | ArithmeticException useless) {
+      throw new CommandProblem(data + ": " + useless.getMessage(), useless);
+    }
     Map<Path, String> files = new TreeMap<>();
     if (plots != null) {
       Map<String, String> drawn =
@@ -149,14 +143,8 @@ final class ExampleCommand extends Subcommand {
   private void tell(ExampleTable table, double noiseM, boolean falls) {
     result(text("%-26s %.2g mm", "noise of the displacement", 1000 * noiseM));
     if (falls) {
-      double[] each =
-          Arrays.stream(table.column("difference_a_m_s2")).filter(Double::isFinite).toArray();
-      double mean = Arrays.stream(each).average().orElseThrow();
-      double variance =
-          Arrays.stream(each).map(a -> (a - mean) * (a - mean)).average().orElseThrow();
       result(estimate("acceleration", table, "a_m_s2", "m/s²"));
       result(estimate("  least squares", table, "fit_a_m_s2", "m/s²"));
-      result(estimate("  each finite difference", mean, Math.sqrt(variance), "m/s²"));
     } else {
       result(estimate("damping ratio", table, "damping", ""));
       result(estimate("frequency", table, "frequency_rad_s", "rad/s"));
@@ -184,16 +172,13 @@ final class ExampleCommand extends Subcommand {
     }
   }
 
-  private static String estimate(String label, ExampleTable table, String column, String unit) {
-    return estimate(label, last(table, column), last(table, "sd_" + column), unit);
-  }
-
   /** Two digits of the deviation, and the value to the same place. */
-  private static String estimate(String label, double value, double deviation, String unit) {
+  private static String estimate(String label, ExampleTable table, String column, String unit) {
+    double deviation = last(table, "sd_" + column);
     int digits = (int) Math.max(0, Math.min(9, 1 - Math.floor(Math.log10(deviation))));
     String number = "%." + digits + "f";
-    return text("%-26s " + number + " ± " + number + " %s", label, value, deviation, unit)
-        .stripTrailing();
+    String form = "%-26s " + number + " ± " + number + " %s";
+    return text(form, label, last(table, column), deviation, unit).stripTrailing();
   }
 
   private static double last(ExampleTable table, String column) {

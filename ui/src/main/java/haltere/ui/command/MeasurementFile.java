@@ -35,6 +35,7 @@ final class MeasurementFile {
    * Reads a table.
    *
    * @throws CommandProblem if it is no such table; the message names the file and the line
+   * @throws IllegalArgumentException if its measurements never change
    */
   static MeasurementSeries read(Path file) throws IOException {
     try (BufferedReader in = Files.newBufferedReader(file)) {
@@ -56,8 +57,6 @@ final class MeasurementFile {
       return new MeasurementSeries(table.measurements);
     } catch (CharacterCodingException notText) {
       throw Failures.notText(file, notText);
-    } catch (IllegalArgumentException useless) {
-      throw new CommandProblem(file + ": " + useless.getMessage(), useless);
     }
   }
 

@@ -219,6 +219,16 @@ class ExampleCommandTest {
   }
 
   @Test
+  void anOscillationNeedsAMeasurementASecond() throws IOException {
+    Files.writeString(data, "t_s,x_m\n0,1\n1,2\n2,1\n3,0\n4,1\n7,2\n8,1\n9,0\n");
+    Object[] command = {"example", "oscillator", "--data", data, "--out", out};
+    assertFailed(CommandRun.of(command), 1, data + ": ", "for 3.0 s before t_s = 7.0");
+    assertFalse(Files.exists(out));
+    command[1] = "falling-weight";
+    assertEquals(0, CommandRun.of(command).status());
+  }
+
+  @Test
   void whatExistsIsRefusedAndStaysAsItWas() throws IOException {
     Files.writeString(out, "mine");
     Object[] command = {"example", "falling-weight", "--out", out, "--plots", plots};

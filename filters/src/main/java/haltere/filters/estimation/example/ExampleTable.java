@@ -1,17 +1,24 @@
 package haltere.filters.estimation.example;
 
+import haltere.filters.estimation.Estimate;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.function.IntToDoubleFunction;
 
-/** Columns of numbers by name, all of the same length. Immutable once it is handed out. */
+/** Columns of numbers by name, all of the same length; not changed once they are handed out. */
 public final class ExampleTable {
   private final Map<String, double[]> columns = new LinkedHashMap<>();
   private final int rows;
 
-  ExampleTable(int rows) {
-    this.rows = rows;
+  /** The measurements, with their finite differences. */
+  ExampleTable(MeasurementSeries series) {
+    rows = series.size();
+    add("t_s", k -> series.get(k).tS());
+    add("x_m", k -> series.get(k).xM());
+    add("difference_v_m_s", series::velocity);
+    add("difference_a_m_s2", series::acceleration);
   }
 
   ExampleTable add(String name, IntToDoubleFunction value) {
@@ -19,6 +26,17 @@ public final class ExampleTable {
     Arrays.setAll(values, value);
     columns.put(name, values);
     return this;
+  }
+
+  /** An entry of the state with its standard deviation. */
+  ExampleTable add(String name, List<Estimate> estimates, int entry) {
+    add(name, k -> estimates.get(k).value(entry));
+    return add("sd_" + name, k -> estimates.get(k).standardDeviation(entry));
+  }
+
+  /** An entry of the gain of the displacement, the first entry: P Hᵀ R⁻¹, P after the update. */
+  ExampleTable addGain(String name, List<Estimate> estimates, int entry, double noise) {
+    return add(name, k -> estimates.get(k).covariance().get(entry, 0) / (noise * noise));
   }
 
   /**

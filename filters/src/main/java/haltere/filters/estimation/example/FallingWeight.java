@@ -12,7 +12,9 @@ import haltere.filters.estimation.RtsSmoother;
 import haltere.filters.estimation.motion.ConstantAcceleration;
 import haltere.filters.estimation.motion.WhiteJerk;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
+import java.util.function.DoubleUnaryOperator;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 
@@ -70,7 +72,10 @@ public final class FallingWeight {
       fit.add(series.dtS(k), series.get(k).xM());
     }
     smoothed = RtsSmoother.smooth(steps);
-    parabola = fit.fit(new DMatrixRMaj(3, 1)).orElseThrow().first();
+    parabola =
+        fit.fit(new DMatrixRMaj(3, 1))
+            .orElseThrow(() -> new ArithmeticException("no parabola fits the measurements"))
+            .first();
   }
 
   /** (s, v, a) at each measurement, from those up to it. */
@@ -86,32 +91,20 @@ public final class FallingWeight {
    *     {@code difference}: finite differences, unknown at both ends
    */
   public ExampleTable table() {
-    double variance = series.noise().get(0, 0);
-    Estimate fit = parabola;
+    DoubleUnaryOperator fitV = t -> parabola.value(1) + parabola.value(2) * t;
+    DoubleUnaryOperator fitS =
+        t -> parabola.value(0) + t * (parabola.value(1) + fitV.applyAsDouble(t)) / 2;
     double startS = series.get(0).tS();
-    return new ExampleTable(series.size())
-        .add("t_s", k -> series.get(k).tS())
-        .add("x_m", k -> series.get(k).xM())
-        .add("s_m", k -> estimates.get(k).value(0))
-        .add("sd_s_m", k -> estimates.get(k).standardDeviation(0))
-        .add("v_m_s", k -> estimates.get(k).value(1))
-        .add("sd_v_m_s", k -> estimates.get(k).standardDeviation(1))
-        .add("a_m_s2", k -> estimates.get(k).value(2))
-        .add("sd_a_m_s2", k -> estimates.get(k).standardDeviation(2))
-        .add("gain_s", k -> estimates.get(k).covariance().get(0, 0) / variance)
-        .add("gain_v_per_s", k -> estimates.get(k).covariance().get(1, 0) / variance)
-        .add("gain_a_per_s2", k -> estimates.get(k).covariance().get(2, 0) / variance)
-        .add("smoothed_a_m_s2", k -> smoothed.get(k).value(2))
-        .add("sd_smoothed_a_m_s2", k -> smoothed.get(k).standardDeviation(2))
-        .add("fit_s_m", k -> parabola(fit, series.get(k).tS() - startS))
-        .add("fit_v_m_s", k -> fit.value(1) + fit.value(2) * (series.get(k).tS() - startS))
-        .add("fit_a_m_s2", k -> fit.value(2))
-        .add("sd_fit_a_m_s2", k -> fit.standardDeviation(2))
-        .add("difference_v_m_s", series::velocity)
-        .add("difference_a_m_s2", series::acceleration);
-  }
-
-  private static double parabola(Estimate fit, double t) {
-    return fit.value(0) + fit.value(1) * t + fit.value(2) * t * t / 2;
+    return new ExampleTable(series)
+        .add("s_m", estimates, 0)
+        .add("v_m_s", estimates, 1)
+        .add("a_m_s2", estimates, 2)
+        .addGain("gain_s", estimates, 0, series.noiseM())
+        .addGain("gain_v_per_s", estimates, 1, series.noiseM())
+        .addGain("gain_a_per_s2", estimates, 2, series.noiseM())
+        .add("smoothed_a_m_s2", smoothed, 2)
+        .add("fit_s_m", k -> fitS.applyAsDouble(series.get(k).tS() - startS))
+        .add("fit_v_m_s", k -> fitV.applyAsDouble(series.get(k).tS() - startS))
+        .add("fit_a_m_s2", Collections.nCopies(series.size(), parabola), 2);
   }
 }

@@ -9,6 +9,14 @@ public final class MeasurementSeries {
   /** Fewest measurements: twice the unknowns of a weight on a spring. */
   public static final int MIN_SIZE = 8;
 
+  /**
+   * Noise that no instrument goes below, in m or m/s²: a picometre, the size of an atom over 100.
+   */
+  private static final double MIN_NOISE = 1e-12;
+
+  /** Noise that says nothing of a motion on the earth: its radius is 6e6 m. */
+  private static final double MAX_NOISE = 1e7;
+
   private final List<Measurement> measurements;
   private final DMatrixRMaj noise;
 
@@ -110,7 +118,11 @@ public final class MeasurementSeries {
       squares += difference * difference / weights;
     }
     double step = step(measurements.stream().mapToDouble(value).distinct().sorted().toArray());
-    return Math.max(squares / (size() - 3), step * step / 12);
+    double variance = Math.max(squares / (size() - 3), step * step / 12);
+    if (!(variance >= MIN_NOISE * MIN_NOISE && variance <= MAX_NOISE * MAX_NOISE)) {
+      throw new IllegalArgumentException("the measurements are too large or too small");
+    }
+    return variance;
   }
 
   /** Greatest common divisor of all differences, by Euclid, to a billionth of the greatest. */

@@ -13,6 +13,7 @@ import haltere.filters.estimation.ExtendedKalmanFilter;
 import haltere.filters.estimation.FilterOptions;
 import haltere.filters.estimation.GapPolicy;
 import haltere.filters.estimation.MeasurementModel;
+import haltere.filters.estimation.ProcessModel;
 import haltere.filters.estimation.motion.DampedOscillator;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -34,20 +35,58 @@ import org.ejml.dense.row.MatrixFeatures_DDRM;
  * filter's state and covariance each time their number has grown by a quarter. It begins at the
  * trajectory found before, and also at the start where the residuals of that one are no noise (χ²,
  * 95 %); the better fit is taken. (ζ, ω) and (−ζ, −ω) are the same motion; the one with ω ≥ 0 is
- * given.
+ * given. A state that oscillates or decays faster than once between two measurements is none.
  *
  * <p>Thread rule: one thread at a time.
  */
 public final class Oscillator {
   static final double START_FREQUENCY_RAD_S = 3;
 
+  /** Longest time between measurements: half an oscillation at the start's frequency (Nyquist). */
+  private static final double MAX_STEP_S = Math.PI / START_FREQUENCY_RAD_S;
+
   private final MeasurementSeries series;
   private final MeasurementModel model;
   private final DMatrixRMaj mean;
   private final DMatrixRMaj covariance = CommonOps_DDRM.diag(1, 100, 100, 1000);
-  private final DampedOscillator motion = new DampedOscillator(0, 0, 0);
+  private final Motion motion;
   private final List<Estimate> estimates = new ArrayList<>();
   private Optional<Solution> solution = Optional.empty();
+
+  /** The motion without noise, unknown where it is faster than measurements can follow. */
+  private record Motion(DampedOscillator exact, double maxRateRadS) implements ProcessModel {
+    private boolean isTooFast(DMatrixRMaj x) {
+      return !(Math.abs(x.get(FREQUENCY)) * (1 + Math.abs(x.get(DAMPING))) <= maxRateRadS);
+    }
+
+    @Override
+    public int stateSize() {
+      return exact.stateSize();
+    }
+
+    @Override
+    public void evolve(DMatrixRMaj x, double dtS, DMatrixRMaj evolved) {
+      if (isTooFast(x)) {
+        evolved.fill(Double.NaN);
+      } else {
+        exact.evolve(x, dtS, evolved);
+      }
+    }
+
+    @Override
+    public void jacobian(DMatrixRMaj x, double dtS, DMatrixRMaj f) {
+      if (isTooFast(x)) {
+        f.fill(Double.NaN);
+      } else {
+        exact.jacobian(x, dtS, f);
+      }
+    }
+
+    @Override
+    public void noise(DMatrixRMaj x, double dtS, DMatrixRMaj q) {
+      q.zero();
+    }
+  }
 
   /** Displacement, or displacement and acceleration, with the covariance R. */
   private record Measured(DMatrixRMaj r) implements MeasurementModel {
@@ -83,6 +122,7 @@ public final class Oscillator {
    * Estimates.
    *
    * @param series measurements, displacements from rest
+   * @throws IllegalArgumentException if two are more than a second apart
    */
   public Oscillator(MeasurementSeries series) {
     this(series, START_FREQUENCY_RAD_S);
@@ -91,11 +131,21 @@ public final class Oscillator {
   Oscillator(MeasurementSeries series, double startFrequencyRadS) {
     this.series = series;
     model = new Measured(series.noise());
+    double meanStepS = (series.get(series.size() - 1).tS() - series.get(0).tS()) / series.size();
+    motion = new Motion(new DampedOscillator(0, 0, 0), 2 * Math.PI / meanStepS);
     mean = new DMatrixRMaj(4, 1, true, 0, 0.6, 0.1, startFrequencyRadS);
     BatchLeastSquares batch = new BatchLeastSquares(motion, model, mean, covariance);
     ExtendedKalmanFilter filter = filter();
     int window = motion.stateSize();
     for (int k = 0; k < series.size(); k++) {
+      if (series.dtS(k) > MAX_STEP_S) {
+        throw new IllegalArgumentException(
+            "there are no measurements for "
+                + (float) series.dtS(k)
+                + " s before t_s = "
+                + series.get(k).tS()
+                + "; an oscillation needs one a second");
+      }
       batch.add(series.dtS(k), series.z(k));
       boolean refit = k + 1 == window || k + 1 == series.size();
       try {
@@ -120,8 +170,8 @@ public final class Oscillator {
 
   private static void launch(ExtendedKalmanFilter filter, Estimate found) {
     DMatrixRMaj p = found.covariance().toMatrix();
-    // That of a trajectory that grows without bound may be singular to rounding.
-    if (MatrixFeatures_DDRM.isPositiveDefinite(p)) {
+    // That of a trajectory that grows without bound may be singular to rounding, or overflow.
+    if (!MatrixFeatures_DDRM.hasUncountable(p) && MatrixFeatures_DDRM.isPositiveDefinite(p)) {
       filter.launch(found.state().toMatrix(), p);
     }
   }
@@ -183,8 +233,8 @@ public final class Oscillator {
    *     that linearises once, unknown once it diverged
    */
   public ExampleTable table() {
-    double variance = series.noise().get(0, 0);
-    List<Estimate> plain = plainFilter(series.noiseM());
+    double noise = series.noiseM();
+    List<Estimate> plain = plainFilter(noise);
     List<DMatrixRMaj> fit = new ArrayList<>();
     fit.add(
         solution
@@ -194,31 +244,25 @@ public final class Oscillator {
       fit.add(new DMatrixRMaj(4, 1));
       motion.evolve(fit.get(k - 1), series.dtS(k), fit.get(k));
     }
-    return new ExampleTable(series.size())
-        .add("t_s", k -> series.get(k).tS())
-        .add("x_m", k -> series.get(k).xM())
-        .add("s_m", k -> estimates.get(k).value(POSITION))
-        .add("sd_s_m", k -> estimates.get(k).standardDeviation(POSITION))
-        .add("v_m_s", k -> estimates.get(k).value(VELOCITY))
-        .add("sd_v_m_s", k -> estimates.get(k).standardDeviation(VELOCITY))
+    return new ExampleTable(series)
+        .add("s_m", estimates, POSITION)
+        .add("v_m_s", estimates, VELOCITY)
         .add("a_m_s2", k -> acceleration(estimates.get(k).state().toMatrix()))
         .add("sd_a_m_s2", k -> accelerationDeviation(estimates.get(k)))
-        .add("damping", k -> estimates.get(k).value(DAMPING))
-        .add("sd_damping", k -> estimates.get(k).standardDeviation(DAMPING))
-        .add("frequency_rad_s", k -> estimates.get(k).value(FREQUENCY))
-        .add("sd_frequency_rad_s", k -> estimates.get(k).standardDeviation(FREQUENCY))
-        .add("gain_s", k -> estimates.get(k).covariance().get(POSITION, 0) / variance)
-        .add("gain_v_per_s", k -> estimates.get(k).covariance().get(VELOCITY, 0) / variance)
-        .add("gain_damping_per_m", k -> estimates.get(k).covariance().get(DAMPING, 0) / variance)
-        .add("gain_frequency_rad_s_m", k -> estimates.get(k).covariance().get(3, 0) / variance)
+        .add("damping", estimates, DAMPING)
+        .add("frequency_rad_s", estimates, FREQUENCY)
+        .addGain("gain_s", estimates, POSITION, noise)
+        .addGain("gain_v_per_s", estimates, VELOCITY, noise)
+        .addGain("gain_damping_per_m", estimates, DAMPING, noise)
+        .addGain("gain_frequency_rad_s_m", estimates, FREQUENCY, noise)
         .add("fit_s_m", k -> fit.get(k).get(POSITION))
         .add("fit_v_m_s", k -> fit.get(k).get(VELOCITY))
-        .add("difference_v_m_s", series::velocity)
-        .add("difference_a_m_s2", series::acceleration)
-        .add("plain_damping", k -> k < plain.size() ? plain.get(k).value(DAMPING) : Double.NaN)
-        .add(
-            "plain_frequency_rad_s",
-            k -> k < plain.size() ? plain.get(k).value(FREQUENCY) : Double.NaN);
+        .add("plain_damping", k -> valueOrNaN(plain, k, DAMPING))
+        .add("plain_frequency_rad_s", k -> valueOrNaN(plain, k, FREQUENCY));
+  }
+
+  private static double valueOrNaN(List<Estimate> estimates, int k, int entry) {
+    return k < estimates.size() ? estimates.get(k).value(entry) : Double.NaN;
   }
 
   /** a = −ω² s − 2 ζ ω v. */
