@@ -147,19 +147,25 @@ public final class Oscillator {
                 + "; an oscillation needs one a second");
       }
       batch.add(series.dtS(k), series.z(k));
-      boolean refit = k + 1 == window || k + 1 == series.size();
-      try {
-        filter.predict(series.dtS(k));
-        filter.update(model, series.z(k));
-      } catch (ArithmeticException diverged) {
-        refit = true;
-      }
-      if (refit) {
+      advance(filter, model, k);
+      boolean isSearched = k + 1 == window || k + 1 == series.size();
+      if (isSearched) {
         solution = better(batch, (k + 1) * model.size());
         solution.ifPresent(found -> launch(filter, found.last()));
         window = k + 1 + Math.max(1, k / 4);
       }
-      estimates.add(refit && solution.isPresent() ? solution.get().last() : filter.estimate());
+      estimates.add(isSearched && solution.isPresent() ? solution.get().last() : filter.estimate());
+    }
+  }
+
+  /** Takes in a measurement; false if the filter has diverged and stays so until it is launched. */
+  private boolean advance(ExtendedKalmanFilter filter, MeasurementModel measured, int k) {
+    try {
+      filter.predict(series.dtS(k));
+      filter.update(measured, series.z(k));
+      return true;
+    } catch (ArithmeticException diverged) {
+      return false;
     }
   }
 
@@ -212,14 +218,8 @@ public final class Oscillator {
     r.set(0, 0, noiseM * noiseM);
     ExtendedKalmanFilter filter = filter();
     List<Estimate> all = new ArrayList<>();
-    try {
-      for (int k = 0; k < series.size(); k++) {
-        filter.predict(series.dtS(k));
-        filter.update(new Measured(r), series.z(k));
-        all.add(filter.estimate());
-      }
-    } catch (ArithmeticException diverged) {
-      return all;
+    for (int k = 0; k < series.size() && advance(filter, new Measured(r), k); k++) {
+      all.add(filter.estimate());
     }
     return all;
   }
@@ -228,9 +228,9 @@ public final class Oscillator {
    * All results, a row for each measurement.
    *
    * @return {@code s, v, a, damping, frequency} with deviations and gains: from the measurements up
-   *     to the row's; {@code fit}: the trajectory that fits all measurements, unknown if none does;
-   *     {@code difference}: finite differences, unknown at both ends; {@code plain}: the filter
-   *     that linearises once, unknown once it diverged
+   *     to the row's, unknown where the filter has diverged; {@code fit}: the trajectory that fits
+   *     all measurements, unknown if none does; {@code difference}: finite differences, unknown at
+   *     both ends; {@code plain}: the filter that linearises once, unknown once it diverged
    */
   public ExampleTable table() {
     double noise = series.noiseM();
