@@ -50,14 +50,4 @@ public record RoadViewSettings(
   public static RoadViewSettings defaults() {
     return new RoadViewSettings(5, 2, 300, VanishingPoint.defaults());
   }
-
-  /**
-   * The same with another vanishing point, as after a click.
-   *
-   * @param point where the road vanishes
-   * @return new settings
-   */
-  public RoadViewSettings withVanishingPoint(VanishingPoint point) {
-    return new RoadViewSettings(bridgeHeightM, nearestM, farthestM, point);
-  }
 }

@@ -89,8 +89,7 @@ class RoadMappingTest {
 
   @Test
   void rowsAtOrAboveTheVanishingPointAreOffTheRoad() {
-    RoadViewSettings road =
-        RoadViewSettings.defaults().withVanishingPoint(VanishingPoint.at(64, 100));
+    RoadViewSettings road = new RoadViewSettings(5, 2, 300, VanishingPoint.at(64, 100));
     RoadMapping mapping = new RoadMapping(road, SENSORS.get(0));
     assertTrue(mapping.seesPlane(0, 0));
     assertTrue(mapping.seesPlane(0, Math.nextDown(100.0)));

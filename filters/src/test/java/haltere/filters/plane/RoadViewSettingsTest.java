@@ -1,6 +1,5 @@
 package haltere.filters.plane;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -24,13 +23,5 @@ class RoadViewSettingsTest extends SettingsContract {
           assertThrows(SettingsProblem.class, () -> new RoadViewSettings(5, 50, farthest, any));
       assertTrue(problem.getMessage().contains("farthestM"), problem.getMessage());
     }
-  }
-
-  @Test
-  void aClickChangesTheVanishingPointOnly() {
-    RoadViewSettings before = new RoadViewSettings(6, 3, 200, VanishingPoint.defaults());
-    assertEquals(
-        new RoadViewSettings(6, 3, 200, new VanishingPoint(true, 40, 90)),
-        before.withVanishingPoint(VanishingPoint.at(40, 90)));
   }
 }

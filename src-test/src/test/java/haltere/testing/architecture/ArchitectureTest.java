@@ -234,20 +234,11 @@ class ArchitectureTest {
         Set.of("haltere.filters.wing.tracker"),
         "a fly is found whoever wants it");
     knowsNoneOf(
-        "haltere.filters.track",
-        Set.of(
-            "haltere.filters.track.motion",
-            "haltere.filters.track.road",
-            "haltere.filters.track.kalman"),
-        "results and settings are read without an estimator");
+        "haltere.filters.plane",
+        Set.of("haltere.filters.cluster", "haltere.filters.track"),
+        "a plane is mapped whoever tracks on it");
     knowsNoneOf(
-        "haltere.filters.track.motion",
-        Set.of("haltere.filters.track.road", "haltere.filters.track.kalman"),
-        "a point moves whoever follows it");
-    knowsNoneOf(
-        "haltere.filters.track.road",
-        Set.of("haltere.filters.track.kalman"),
-        "a line is found whoever follows it");
+        "haltere.filters.cluster", Set.of("haltere.filters.track"), "clusters know no filter");
     knowsNoneOf(
         "haltere.ui.command.results", Set.of("haltere.ui.command"), "tables know no command");
     knowsNoneOf(

@@ -6,17 +6,19 @@ import haltere.core.chain.ChainStage;
 import haltere.core.chain.ConfigurableFilter;
 import haltere.core.chain.FilterChain;
 import haltere.core.chain.Filters;
+import haltere.core.chain.Outlet;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.RecordingReader;
 import haltere.core.pipeline.Pipeline;
 import haltere.core.pipeline.PipelineCounters;
+import haltere.core.settings.SettingsProblem;
 import haltere.core.sink.CsvSink;
 import haltere.filters.cluster.ClusterTrackerFilter;
+import haltere.filters.plane.PlanePoint;
+import haltere.filters.track.KalmanTracksFilter;
 import haltere.filters.track.KalmanTracksSettings;
-import haltere.filters.track.LineCrossing;
 import haltere.filters.track.RoadTracksSettings;
 import haltere.filters.track.TrackPoint;
-import haltere.filters.track.kalman.KalmanTracksFilter;
 import haltere.ui.command.results.RoadTrackRow;
 import haltere.ui.command.terminal.ProgressBar;
 import haltere.ui.command.terminal.Quantities;
@@ -81,27 +83,25 @@ final class TrackCommand extends Subcommand {
       names = "--preset",
       paramLabel = "NAME",
       description =
-          "original: the Kalman filter on clusters of the source with its defaults, for comparison;"
-              + " not with --chain.")
+          "original: the Kalman filter on clusters of Cardinale (2006) with its defaults, for"
+              + " comparison; not with --chain.")
   String preset;
+
+  @Option(
+      names = "--set",
+      paramLabel = "name=value",
+      description = "A setting of " + TRACKS + ", see: haltere filters; may be repeated.")
+  List<String> assignments = List.of();
 
   @Option(
       names = "--road",
       paramLabel = "ROAD.json",
       description = {
-        "The road that the camera looks along: adds columns in metres. Keys: bridgeHeightM,"
-            + " nearestM, farthestM, vanishingPoint {xPx, yPx}, lanes {lanes, leftEdgeM, widthM},"
-            + " countingLines {lines, firstM, apartM}; all may be left out."
+        "The road that the camera looks along: tracks are on it, and columns in metres are added."
+            + " Keys: bridgeHeightM, nearestM, farthestM, vanishingPoint {xPx, yPx}; all may be"
+            + " left out."
       })
   Path roadFile;
-
-  @Option(
-      names = "--crossings",
-      paramLabel = "CROSSINGS.csv",
-      description =
-          "Where goes who crossed which counting line of the road (--road), when, in which lane and"
-              + " direction, how fast, and how many had by then.")
-  Path crossings;
 
   @Mixin CameraOptionsGroup cameras;
   @Mixin PublishingOptions publishing;
@@ -123,13 +123,6 @@ final class TrackCommand extends Subcommand {
     cameras.checkOneSource(file);
     publishing.check();
     writing.check(out);
-    if (crossings != null) {
-      if (roadFile == null) {
-        throw wrongArguments("--crossings needs a road with counting lines, see --road");
-      }
-      writing.check(crossings);
-      WritingOptions.checkDifferent(out, crossings);
-    }
     if (preset != null) {
       if (chainFile != null) {
         throw wrongArguments("--preset and --chain both say what " + TRACKS + " does");
@@ -138,9 +131,6 @@ final class TrackCommand extends Subcommand {
     }
     for (Path input : inputs()) {
       WritingOptions.checkDifferent(input, out);
-      if (crossings != null) {
-        WritingOptions.checkDifferent(input, crossings);
-      }
     }
     if (cameras.given()) {
       trackCamera();
@@ -194,7 +184,7 @@ final class TrackCommand extends Subcommand {
 
   private RoadTracksSettings road(RoadTracksSettings usual) throws IOException {
     try {
-      return roadFile == null ? usual : RoadFile.read(roadFile, usual);
+      return roadFile == null ? usual : RoadFile.read(roadFile, usual, this::warning);
     } catch (CharacterCodingException notText) {
       throw Failures.notText(roadFile, notText);
     }
@@ -231,48 +221,42 @@ final class TrackCommand extends Subcommand {
   private void track(FilterChain chain, Feed feed) throws IOException {
     KalmanTracksFilter tracks = tracks(chain);
     KalmanTracksSettings from = start == null ? tracks.settings() : start;
-    tracks.apply(from.onRoad(road(from.road())).withReportRate(rateHz));
+    tracks.apply(assigned(from.onRoad(road(from.road()))));
     long rows;
     if (roadFile == null) {
       try (CsvSink<TrackPoint> table = CsvSink.create(out, TrackPoint.class, writing.overwrite)) {
-        tracks.points().subscribe(table);
+        outlet(tracks, TrackPoint.class).subscribe(table);
         rows = run(feed, chain, table);
       }
     } else {
       try (CsvSink<RoadTrackRow> table =
-              CsvSink.create(out, RoadTrackRow.class, writing.overwrite);
-          CsvSink<LineCrossing> counts = counts(tracks)) {
+          CsvSink.create(out, RoadTrackRow.class, writing.overwrite)) {
         // A track's place in the picture is published before its place on the road.
         TrackPoint[] inPicture = new TrackPoint[1];
-        tracks.points().subscribe(point -> inPicture[0] = point);
-        tracks
-            .roadPoints()
+        outlet(tracks, TrackPoint.class).subscribe(point -> inPicture[0] = point);
+        outlet(tracks, PlanePoint.class)
             .subscribe(onRoad -> table.accept(RoadTrackRow.of(inPicture[0], onRoad)));
         rows = run(feed, chain, table);
-        finish(counts);
       }
     }
     message("wrote " + out + " (" + Quantities.count(rows) + " rows)");
   }
 
-  /** The table of crossings, or null if none is wanted. */
-  private CsvSink<LineCrossing> counts(KalmanTracksFilter tracks) throws IOException {
-    if (crossings == null) {
-      return null;
+  private KalmanTracksSettings assigned(KalmanTracksSettings settings) {
+    try {
+      return settings
+          .with(assignments.toArray(new String[0]))
+          .with("clusters.output.reportRateHz=" + rateHz);
+    } catch (SettingsProblem problem) {
+      throw wrongArguments(problem.getMessage());
     }
-    if (tracks.settings().road().countingLines().lines() == 0) {
-      throw wrongArguments("--crossings needs counting lines, and " + roadFile + " has none");
-    }
-    CsvSink<LineCrossing> counts = CsvSink.create(crossings, LineCrossing.class, writing.overwrite);
-    tracks.crossings().subscribe(counts);
-    return counts;
   }
 
-  private void finish(CsvSink<LineCrossing> counts) throws IOException {
-    if (counts != null) {
-      counts.finish();
-      message("wrote " + crossings + " (" + Quantities.count(counts.rows()) + " rows)");
-    }
+  /** The outlet of a filter that publishes results of a type. */
+  @SuppressWarnings("unchecked")
+  private static <T> Outlet<T> outlet(KalmanTracksFilter tracks, Class<T> type) {
+    return (Outlet<T>)
+        tracks.outlets().stream().filter(one -> one.type() == type).findFirst().orElseThrow();
   }
 
   private static long run(Feed feed, FilterChain chain, CsvSink<?> table) throws IOException {

@@ -1,7 +1,7 @@
 package haltere.ui.command.results;
 
 import haltere.core.sink.Column;
-import haltere.filters.track.RoadTrackPoint;
+import haltere.filters.plane.PlanePoint;
 import haltere.filters.track.TrackPoint;
 
 /** A row of the table of tracks where there is a road; units are in the names of the columns. */
@@ -24,12 +24,9 @@ public record RoadTrackRow(
     @Column(value = "sd_x_m", decimals = 4) double sdXM,
     @Column(value = "sd_y_m", decimals = 4) double sdYM,
     @Column(value = "sd_vx_m_s", decimals = 4) double sdVxMS,
-    @Column(value = "sd_vy_m_s", decimals = 4) double sdVyMS,
-    @Column(decimals = 3) double speedKmH,
-    @Column(decimals = 3) double sdSpeedKmH,
-    int lane) {
+    @Column(value = "sd_vy_m_s", decimals = 4) double sdVyMS) {
   /** A track in the picture and on the road at one time. */
-  public static RoadTrackRow of(TrackPoint inPicture, RoadTrackPoint onRoad) {
+  public static RoadTrackRow of(TrackPoint inPicture, PlanePoint onRoad) {
     return new RoadTrackRow(
         inPicture.timeUs(),
         inPicture.id(),
@@ -49,9 +46,6 @@ public record RoadTrackRow(
         onRoad.sdXM(),
         onRoad.sdYM(),
         onRoad.sdVxMS(),
-        onRoad.sdVyMS(),
-        onRoad.speedKmH(),
-        onRoad.sdSpeedKmH(),
-        onRoad.lane());
+        onRoad.sdVyMS());
   }
 }
