@@ -69,6 +69,7 @@ public record ClusterTrackerSettings(
             "shape.size=0.15",
             "motion.mixingFactor=0.01",
             "motion.predict=false",
+            "life.supportedBy=mass",
             "life.lifetimeUs=10000",
             "life.border=never",
             "merging.differentAngleDeg=180",

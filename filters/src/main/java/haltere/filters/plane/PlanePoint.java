@@ -27,4 +27,28 @@ public record PlanePoint(
     @Column(value = "sd_x_m", decimals = 4) double sdXM,
     @Column(value = "sd_y_m", decimals = 4) double sdYM,
     @Column(value = "sd_vx_m_s", decimals = 4) double sdVxMS,
-    @Column(value = "sd_vy_m_s", decimals = 4) double sdVyMS) {}
+    @Column(value = "sd_vy_m_s", decimals = 4) double sdVyMS) {
+  private static final double KM_H_PER_M_S = 3.6;
+
+  /**
+   * Speed on the plane.
+   *
+   * @return kilometres an hour
+   */
+  public double speedKmH() {
+    return KM_H_PER_M_S * Math.hypot(vxMS, vyMS);
+  }
+
+  /**
+   * Standard deviation of the speed, to first order and with uncorrelated velocities.
+   *
+   * @return kilometres an hour; that of a point at rest is the larger one of its velocities
+   */
+  public double sdSpeedKmH() {
+    double speed = Math.hypot(vxMS, vyMS);
+    return KM_H_PER_M_S
+        * (speed == 0
+            ? Math.max(sdVxMS, sdVyMS)
+            : Math.hypot(vxMS * sdVxMS, vyMS * sdVyMS) / speed);
+  }
+}

@@ -96,12 +96,12 @@ public record KalmanTracksSettings(
   static Map<String, String> formerNames() {
     Map<String, String> names = new LinkedHashMap<>();
     names.put("updateIntervalUs", "life.trackIntervalUs");
-    for (String name : List.of("noise", "minProcessVariance", "launchSpeedPxS")) {
-      names.put("motion." + name, "filter." + name);
-    }
-    for (String name : List.of("maxMeasurementVariance", "dynamicVariances")) {
-      names.put("measurement." + name, "filter." + name);
-    }
+    names.put("motion.noise", "filter.noise");
+    names.put("motion.launchSpeedPxS", "filter.launchSpeedPxS");
+    names.put("measurement.dynamicVariances", "filter.dynamicVariances");
+    // They were those of one of three motions, and of one of three measurements.
+    names.put("motion.minProcessVariance", "use filter.minProcessVariance");
+    names.put("measurement.maxMeasurementVariance", "use filter.maxMeasurementVariance");
     names.put("measurement.eventsTillTrack", "life.eventsTillTrack");
     names.put("measurement.eventsOf", "life.eventsOf");
     names.put("measurement.rampTimeS", "use filter.varianceMixingFactor");
@@ -113,8 +113,8 @@ public record KalmanTracksSettings(
     for (String name : List.of("motion", "measurement", "things", "life.restTimeS")) {
       names.put(name, "left to object-tracker");
     }
-    names.put("road.lanes", "there are no lanes in kalman-tracks");
-    names.put("road.countingLines", "there are no counting lines in kalman-tracks");
+    names.put("road.lanes", "use the road file of track");
+    names.put("road.countingLines", "use the road file of track");
     return names;
   }
 }

@@ -4,7 +4,6 @@ import haltere.core.overlay.MarkStyle;
 import haltere.core.overlay.MarkStyle.Role;
 import haltere.core.overlay.Overlay;
 import haltere.core.overlay.OverlayCanvas;
-import haltere.filters.plane.PlanePoint;
 import java.util.Locale;
 
 /**
@@ -20,8 +19,6 @@ public final class TrackOverlay implements Overlay<TrackSnapshot> {
 
   /** Square root of the chi-square quantile of 0.95 with two degrees of freedom, −2 ln 0.05. */
   private static final double RADII_OF_95_PERCENT = Math.sqrt(-2 * Math.log(0.05));
-
-  private static final double KM_H_PER_M_S = 3.6;
 
   @Override
   public void draw(TrackSnapshot snapshot, OverlayCanvas canvas) {
@@ -47,12 +44,10 @@ public final class TrackOverlay implements Overlay<TrackSnapshot> {
 
   private static String label(TrackSnapshot.Shown track) {
     String id = Integer.toString(track.now().id());
-    return track.onRoad().map(point -> id + speed(point)).orElse(id);
-  }
-
-  private static String speed(PlanePoint point) {
-    double speed = KM_H_PER_M_S * Math.hypot(point.vxMS(), point.vyMS());
-    return String.format(Locale.ROOT, ": %.0f km/h", speed);
+    return track
+        .onRoad()
+        .map(point -> String.format(Locale.ROOT, "%s: %.0f km/h", id, point.speedKmH()))
+        .orElse(id);
   }
 
   /** Half axes and direction are the eigenvalues and an eigenvector of the covariance. */

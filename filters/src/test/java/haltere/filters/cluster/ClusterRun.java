@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
 
-/** A cluster tracker with the rows that it has reported. */
+/** A cluster tracker with the rows that it has reported; the mass is the support of clusters. */
 final class ClusterRun {
   static final SensorGeometry SENSOR = new SensorGeometry(128, 128);
 
@@ -23,7 +23,7 @@ final class ClusterRun {
     tracker =
         new ClusterTracker(
             sensor,
-            ClusterTrackerSettings.defaults().with(changes),
+            ClusterTrackerSettings.defaults().with("life.supportedBy=mass").with(changes),
             new ClusterListener() {
               @Override
               public void reported(long timeUs) {

@@ -235,8 +235,12 @@ class ArchitectureTest {
         "a fly is found whoever wants it");
     knowsNoneOf(
         "haltere.filters.plane",
-        Set.of("haltere.filters.cluster", "haltere.filters.track"),
+        Set.of("haltere.filters.cluster", "haltere.filters.track", "haltere.filters.road"),
         "a plane is mapped whoever tracks on it");
+    knowsNoneOf(
+        "haltere.filters.road",
+        Set.of("haltere.filters.cluster", "haltere.filters.track"),
+        "crossings are counted whoever tracks");
     knowsNoneOf(
         "haltere.filters.cluster", Set.of("haltere.filters.track"), "clusters know no filter");
     knowsNoneOf(

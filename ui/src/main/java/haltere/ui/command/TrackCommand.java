@@ -15,9 +15,10 @@ import haltere.core.settings.SettingsProblem;
 import haltere.core.sink.CsvSink;
 import haltere.filters.cluster.ClusterTrackerFilter;
 import haltere.filters.plane.PlanePoint;
+import haltere.filters.road.LineCounter;
+import haltere.filters.road.LineCrossing;
 import haltere.filters.track.KalmanTracksFilter;
 import haltere.filters.track.KalmanTracksSettings;
-import haltere.filters.track.RoadTracksSettings;
 import haltere.filters.track.TrackPoint;
 import haltere.ui.command.results.RoadTrackRow;
 import haltere.ui.command.terminal.ProgressBar;
@@ -98,10 +99,18 @@ final class TrackCommand extends Subcommand {
       paramLabel = "ROAD.json",
       description = {
         "The road that the camera looks along: tracks are on it, and columns in metres are added."
-            + " Keys: bridgeHeightM, nearestM, farthestM, vanishingPoint {xPx, yPx}; all may be"
-            + " left out."
+            + " Keys: bridgeHeightM, nearestM, farthestM, vanishingPoint {xPx, yPx}, lanes {lanes,"
+            + " leftEdgeM, widthM}, countingLines {lines, firstM, apartM}; all may be left out."
       })
   Path roadFile;
+
+  @Option(
+      names = "--crossings",
+      paramLabel = "CROSSINGS.csv",
+      description =
+          "Table of the tracks that crossed a counting line of the road (--road): time, lane,"
+              + " direction, speed and counts.")
+  Path crossings;
 
   @Mixin CameraOptionsGroup cameras;
   @Mixin PublishingOptions publishing;
@@ -123,6 +132,13 @@ final class TrackCommand extends Subcommand {
     cameras.checkOneSource(file);
     publishing.check();
     writing.check(out);
+    if (crossings != null) {
+      if (roadFile == null) {
+        throw wrongArguments("--crossings needs a road with counting lines, see --road");
+      }
+      writing.check(crossings);
+      WritingOptions.checkDifferent(out, crossings);
+    }
     if (preset != null) {
       if (chainFile != null) {
         throw wrongArguments("--preset and --chain both say what " + TRACKS + " does");
@@ -131,6 +147,9 @@ final class TrackCommand extends Subcommand {
     }
     for (Path input : inputs()) {
       WritingOptions.checkDifferent(input, out);
+      if (crossings != null) {
+        WritingOptions.checkDifferent(input, crossings);
+      }
     }
     if (cameras.given()) {
       trackCamera();
@@ -182,9 +201,17 @@ final class TrackCommand extends Subcommand {
     }
   }
 
-  private RoadTracksSettings road(RoadTracksSettings usual) throws IOException {
+  /** The road, or null if there is none. */
+  private RoadFile road() throws IOException {
+    if (roadFile == null) {
+      return null;
+    }
     try {
-      return roadFile == null ? usual : RoadFile.read(roadFile, usual, this::warning);
+      RoadFile road = RoadFile.read(roadFile);
+      if (crossings != null && road.lines().lines() == 0) {
+        throw wrongArguments("--crossings needs counting lines, and " + roadFile + " has none");
+      }
+      return road;
     } catch (CharacterCodingException notText) {
       throw Failures.notText(roadFile, notText);
     }
@@ -220,26 +247,42 @@ final class TrackCommand extends Subcommand {
 
   private void track(FilterChain chain, Feed feed) throws IOException {
     KalmanTracksFilter tracks = tracks(chain);
-    KalmanTracksSettings from = start == null ? tracks.settings() : start;
-    tracks.apply(assigned(from.onRoad(road(from.road()))));
-    long rows;
-    if (roadFile == null) {
+    KalmanTracksSettings settings = start == null ? tracks.settings() : start;
+    RoadFile road = road();
+    if (road == null) {
+      tracks.apply(assigned(settings));
       try (CsvSink<TrackPoint> table = CsvSink.create(out, TrackPoint.class, writing.overwrite)) {
         outlet(tracks, TrackPoint.class).subscribe(table);
-        rows = run(feed, chain, table);
+        feed.run(chain);
+        finish(table, out);
       }
-    } else {
-      try (CsvSink<RoadTrackRow> table =
-          CsvSink.create(out, RoadTrackRow.class, writing.overwrite)) {
-        // A track's place in the picture is published before its place on the road.
-        TrackPoint[] inPicture = new TrackPoint[1];
-        outlet(tracks, TrackPoint.class).subscribe(point -> inPicture[0] = point);
-        outlet(tracks, PlanePoint.class)
-            .subscribe(onRoad -> table.accept(RoadTrackRow.of(inPicture[0], onRoad)));
-        rows = run(feed, chain, table);
+      return;
+    }
+    tracks.apply(assigned(settings.onRoad(road.tracks(settings.road()))));
+    try (CsvSink<RoadTrackRow> table = CsvSink.create(out, RoadTrackRow.class, writing.overwrite);
+        CsvSink<LineCrossing> counts = counts(tracks, road)) {
+      // A track's position in the picture is published before its position on the road.
+      TrackPoint[] inPicture = new TrackPoint[1];
+      outlet(tracks, TrackPoint.class).subscribe(point -> inPicture[0] = point);
+      outlet(tracks, PlanePoint.class)
+          .subscribe(onRoad -> table.accept(RoadTrackRow.of(inPicture[0], onRoad, road.lanes())));
+      feed.run(chain);
+      finish(table, out);
+      if (counts != null) {
+        finish(counts, crossings);
       }
     }
-    message("wrote " + out + " (" + Quantities.count(rows) + " rows)");
+  }
+
+  /** The table of crossings, or null if none is wanted. */
+  private CsvSink<LineCrossing> counts(KalmanTracksFilter tracks, RoadFile road)
+      throws IOException {
+    if (crossings == null) {
+      return null;
+    }
+    CsvSink<LineCrossing> counts = CsvSink.create(crossings, LineCrossing.class, writing.overwrite);
+    outlet(tracks, PlanePoint.class).subscribe(new LineCounter(road.lanes(), road.lines(), counts));
+    return counts;
   }
 
   private KalmanTracksSettings assigned(KalmanTracksSettings settings) {
@@ -259,10 +302,9 @@ final class TrackCommand extends Subcommand {
         tracks.outlets().stream().filter(one -> one.type() == type).findFirst().orElseThrow();
   }
 
-  private static long run(Feed feed, FilterChain chain, CsvSink<?> table) throws IOException {
-    feed.run(chain);
+  private void finish(CsvSink<?> table, Path path) throws IOException {
     table.finish();
-    return table.rows();
+    message("wrote " + path + " (" + Quantities.count(table.rows()) + " rows)");
   }
 
   private void run(RecordingReader reader, FilterChain chain) throws IOException {

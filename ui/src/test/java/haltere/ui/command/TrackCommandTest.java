@@ -134,13 +134,28 @@ class TrackCommandTest {
          "lanes": {"lanes": 4, "leftEdgeM": -7, "widthM": 3.5}, "countingLines": {"lines": 2}}
         """);
     // Vehicles are narrower than the clusters' usual size.
+    Path crossings = folder.resolve("crossings.csv");
     CommandRun run =
         CommandRun.of(
-            "track", cars, "--out", out, "--road", road, "--set", "clusters.shape.size=0.03");
+            "track",
+            cars,
+            "--out",
+            out,
+            "--road",
+            road,
+            "--crossings",
+            crossings,
+            "--set",
+            "clusters.shape.size=0.03");
     assertEquals(0, run.status(), run.err());
-    assertTrue(run.err().contains("kalman-tracks has no lanes, skipped"), run.err());
+    List<String> crossed = Files.readAllLines(crossings);
     assertEquals(
-        COLUMNS + ",x_m,y_m,vx_m_s,vy_m_s,sd_x_m,sd_y_m,sd_vx_m_s,sd_vy_m_s",
+        "t_us,id,line_m,direction,lane,speed_km_h,sd_speed_km_h,count_away,count_towards",
+        crossed.get(0));
+    assertTrue(crossed.size() > 1, "nobody crossed a line");
+    assertEquals(
+        COLUMNS
+            + ",x_m,y_m,vx_m_s,vy_m_s,sd_x_m,sd_y_m,sd_vx_m_s,sd_vy_m_s,speed_km_h,sd_speed_km_h,lane",
         Files.readAllLines(out).get(0));
     List<String[]> rows = rows(out);
     assertTrue(rows.size() > 100, rows.size() + " rows");
@@ -250,6 +265,10 @@ class TrackCommandTest {
             "{\"bridgeHeightM\": -1}",
             "{\"bridge\": 5}",
             "{\"nearestM\": 50, \"farthestM\": 20}",
+            "{\"lanes\": 4}",
+            "{\"lanes\": {\"lanes\": -1}}",
+            "{\"countingLines\": 20}",
+            "{\"countingLines\": {\"apartM\": 0}}",
             "{\"vanishingPoint\": {\"yPx\": 0}}")) {
       Files.writeString(json, text);
       assertFails(1, json.toString(), "track", in, "--out", out, "--road", json);
@@ -259,6 +278,8 @@ class TrackCommandTest {
     assertFails(1, "none.json", "track", in, "--out", out, "--chain", none);
     assertFails(1, "none.json", "track", none, "--out", out);
     assertFails(1, "same file", "track", in, "--out", in, "--overwrite");
+    Path counts = folder.resolve("counts.csv");
+    assertFails(2, "--road", "track", in, "--out", out, "--crossings", counts);
     try (Stream<Path> files = Files.list(folder)) {
       assertEquals(
           List.of("dots.aedat", "x.json"),

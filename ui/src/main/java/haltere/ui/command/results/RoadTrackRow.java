@@ -2,6 +2,7 @@ package haltere.ui.command.results;
 
 import haltere.core.sink.Column;
 import haltere.filters.plane.PlanePoint;
+import haltere.filters.road.LaneSettings;
 import haltere.filters.track.TrackPoint;
 
 /** A row of the table of tracks where there is a road; units are in the names of the columns. */
@@ -24,9 +25,12 @@ public record RoadTrackRow(
     @Column(value = "sd_x_m", decimals = 4) double sdXM,
     @Column(value = "sd_y_m", decimals = 4) double sdYM,
     @Column(value = "sd_vx_m_s", decimals = 4) double sdVxMS,
-    @Column(value = "sd_vy_m_s", decimals = 4) double sdVyMS) {
+    @Column(value = "sd_vy_m_s", decimals = 4) double sdVyMS,
+    @Column(decimals = 3) double speedKmH,
+    @Column(decimals = 3) double sdSpeedKmH,
+    int lane) {
   /** A track in the picture and on the road at one time. */
-  public static RoadTrackRow of(TrackPoint inPicture, PlanePoint onRoad) {
+  public static RoadTrackRow of(TrackPoint inPicture, PlanePoint onRoad, LaneSettings lanes) {
     return new RoadTrackRow(
         inPicture.timeUs(),
         inPicture.id(),
@@ -46,6 +50,9 @@ public record RoadTrackRow(
         onRoad.sdXM(),
         onRoad.sdYM(),
         onRoad.sdVxMS(),
-        onRoad.sdVyMS());
+        onRoad.sdVyMS(),
+        onRoad.speedKmH(),
+        onRoad.sdSpeedKmH(),
+        lanes.laneAt(onRoad.xM()));
   }
 }
