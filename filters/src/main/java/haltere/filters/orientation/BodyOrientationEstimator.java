@@ -184,11 +184,14 @@ public final class BodyOrientationEstimator {
       }
     }
     if (!hasAxis) {
-      if (!finds(timeUs)) {
+      boolean isOpen = settings.gate().angleDeg() > 0;
+      if (!isOpen || !finds(timeUs)) {
+        counts.add(OrientationCount.REJECTED, isOpen ? 0 : count);
         counts.add(OrientationCount.NO_AXIS, 1);
         return Optional.empty();
       }
-      taken = start(count);
+      start(count);
+      taken = count;
     }
     return Optional.of(estimate(timeUs, dtS, taken, count - taken + skipped));
   }
@@ -240,22 +243,18 @@ public final class BodyOrientationEstimator {
     return sign * Vectors.dot(found, tip) / speed + Vectors.dot(found, uAgreed) < 0;
   }
 
-  /** Begins with what was found; returns how many lines of this instant have started it. */
-  private int start(int count) {
+  /** Initialises the axis with the lines of this instant. */
+  private void start(int count) {
     if (hadAxis) {
       head.doubt();
       counts.add(OrientationCount.RELAUNCHED, 1);
     }
     axis.launch(search);
     hasAxis = true;
-    // a gate that rejects all rejects these too
-    int taken = settings.gate().angleDeg() > 0 ? count : 0;
-    counts.add(OrientationCount.USED, taken);
-    counts.add(OrientationCount.REJECTED, count - taken);
-    for (int i = 0; i < taken; i++) {
+    counts.add(OrientationCount.USED, count);
+    for (int i = 0; i < count; i++) {
       used[lines[i].camera] = true;
     }
-    return taken;
   }
 
   /** Counts what became of the lines and learns their noise; returns how many were used. */

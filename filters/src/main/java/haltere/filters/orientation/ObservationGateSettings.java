@@ -16,7 +16,8 @@ import haltere.core.settings.Unit;
 public record ObservationGateSettings(
     @Help(
             "An observation is used if its line is less than this away from the expected one: 0"
-                + " rejects all, 90 and more accept all, whatever the outlier share is.")
+                + " rejects all, those of the start included; 90 and more accept all, whatever the"
+                + " outlier share is.")
         @Range(min = 0, max = 180)
         @Unit("deg")
         double angleDeg,

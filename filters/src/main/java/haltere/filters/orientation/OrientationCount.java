@@ -23,8 +23,10 @@ public enum OrientationCount {
   /** Instants at which the place was not known: fewer than two cameras, or all in one line. */
   NO_PLACE(
       "instants without a place: fewer than two cameras, or all of them in line with the body"),
-  /** Instants with a place but no axis: fewer than two lines, or lines that tell the same. */
-  NO_AXIS("instants without an axis: fewer than two lines, lines that tell the same or contradict"),
+  /** Times with a position but no axis: fewer than two accepted lines, or lines of one plane. */
+  NO_AXIS(
+      "instants without an axis: fewer than two accepted lines, lines that tell the same or"
+          + " contradict"),
   /** How often an axis was found anew after one was lost. */
   RELAUNCHED("times that a lost axis was found anew");
 

@@ -291,7 +291,7 @@ final class SphereFilter implements AxisFilter {
 
   @Override
   public boolean doubts(LineMeasurement[] lines, int count) {
-    return gateRad > 0 && unknown > WORTH_A_TRY;
+    return unknown > WORTH_A_TRY;
   }
 
   @Override

@@ -160,16 +160,19 @@ class BodyOrientationEstimatorTest {
         BodyOrientationEstimator body =
             new BodyOrientationEstimator(
                 Flights.cameras(scene), USUAL.with("gate.angleDeg=" + gate, "form=" + form));
-        int used = 0;
-        int rejected = 0;
+        int estimates = 0;
         for (long k = 0; k < 100; k++) {
           Optional<OrientationEstimate> now = body.update(scene.pictureTimeUs(k), seen(scene, k));
-          used += now.map(OrientationEstimate::used).orElse(0);
-          rejected += now.map(OrientationEstimate::rejected).orElse(0);
           now.ifPresent(BodyOrientationEstimatorTest::assertSound);
+          estimates += now.isPresent() ? 1 : 0;
+          assertEquals(0, now.map(OrientationEstimate::rejected).orElse(0), form + " " + gate);
         }
+        long used = body.count(OrientationCount.USED);
+        long rejected = body.count(OrientationCount.REJECTED);
+        assertEquals(gate == 0 ? 0 : 100, estimates, form + " " + gate);
         assertEquals(0, gate == 0 ? used : rejected, form + " " + gate);
         assertTrue((gate == 0 ? rejected : used) > 200, form + " " + gate);
+        assertEquals(gate == 0 ? 100 : 0, body.count(OrientationCount.NO_AXIS));
       }
     }
   }

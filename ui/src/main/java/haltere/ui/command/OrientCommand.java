@@ -59,7 +59,7 @@ final class OrientCommand extends Subcommand {
       paramLabel = "DEG",
       description =
           "Lines this far and further from the expected one are rejected; 40 if not given, 0"
-              + " rejects all, 180 accepts all.")
+              + " rejects all, so that there is no orientation, 180 accepts all.")
   Double gateAngleDeg;
 
   @Option(
@@ -132,8 +132,10 @@ final class OrientCommand extends Subcommand {
       if (table.rows() == 0) {
         warning(
             file
-                + ": no orientation could be found; at least two cameras that look from different"
-                + " sides must see a body at nearly the same time");
+                + (settings.gate().angleDeg() == 0
+                    ? ": no orientation: a gate angle of 0 degrees rejects every line"
+                    : ": no orientation could be found; at least two cameras that look from"
+                        + " different sides must see a body at nearly the same time"));
       }
     }
     return OK;

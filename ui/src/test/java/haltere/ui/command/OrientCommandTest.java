@@ -139,9 +139,12 @@ class OrientCommandTest {
 
   @Test
   void aGateOfZeroRejectsAllAndOneOf180AcceptsAll() throws IOException {
-    assertEquals(0, orient("--gate-angle", "0").status());
-    for (String[] row : rows(out)) {
-      assertEquals("0", row[12]);
+    for (String mode : new String[] {"--quiet", "--smooth"}) {
+      CommandRun none = orient("--gate-angle", "0", "--overwrite", mode);
+      assertEquals(0, none.status(), none.err());
+      assertEquals(List.of(COLUMNS), Files.readAllLines(out));
+      assertTrue(none.err().contains("a gate angle of 0 degrees rejects every line"), none.err());
+      assertTrue(none.out().contains(" 0 used for the axis"), none.out());
     }
     assertEquals(0, orient("--gate-angle", "180", "--overwrite").status());
     List<String[]> rows = rows(out);
