@@ -43,6 +43,21 @@ public record OrientationEstimate(
   /** Root of the mean squared angle between a direction and a random one. */
   static final double RANDOM_SD = Math.sqrt((Math.PI * Math.PI - 4) / 2);
 
+  /**
+   * The line through the position along the axis, in Plücker coordinates as Hartley and Zisserman
+   * (2004, section 3.2.2) order them and Flydra stores them in {@code hz_line0} to {@code
+   * hz_line5}: the entries 12, 13, 14, 23, 42, 34 of A Bᵀ − B Aᵀ, with the homogeneous points A =
+   * (position, 1) and B = (position + axis, 1).
+   *
+   * @return six numbers: three of the moment m = position × axis in metres, three of the axis u, as
+   *     (m_z, −m_y, −u_x, m_x, u_y, −u_z)
+   */
+  public double[] hzLine() {
+    double[] moment = new double[3];
+    Vectors.cross(new double[] {xM, yM, zM}, new double[] {ux, uy, uz}, moment);
+    return new double[] {moment[2], -moment[1], -ux, moment[0], uy, -uz};
+  }
+
   /** What a tip velocity means in the frame of a body whose back is up: q and r. */
   static double[] rates(double[] axis, double[] tipVelocity) {
     double[] turning = new double[3];

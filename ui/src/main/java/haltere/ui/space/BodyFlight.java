@@ -3,11 +3,10 @@ package haltere.ui.space;
 import haltere.filters.orientation.BodyOrientationEstimator;
 import haltere.filters.orientation.OrientationEstimate;
 import haltere.filters.orientation.OrientationSettings;
-import haltere.filters.orientation.camera.BraidzFile;
-import haltere.filters.orientation.camera.CameraFile;
 import haltere.filters.orientation.camera.CameraModel;
 import haltere.filters.orientation.camera.LineObservation;
-import haltere.filters.orientation.camera.ObservationTable;
+import haltere.filters.orientation.camera.ObservationFile;
+import haltere.filters.orientation.camera.ObservationListener;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -49,25 +48,16 @@ public record BodyFlight(List<CameraModel> cameras, List<Moment> moments) {
   /**
    * Follows the body that was seen first.
    *
-   * @param observations a table or a {@code .braidz} file
+   * @param observations a table, a {@code .braidz} file or HDF5 of Flydra
    * @param calibration the cameras; may be empty for a {@code .braidz} file
    * @return its flight; without a moment if no orientation could be found
    * @throws IOException if a file cannot be read or is another; the message names it
    */
   public static BodyFlight load(Path observations, Optional<Path> calibration) throws IOException {
     Map<Long, List<LineObservation>> seen = new LinkedHashMap<>();
-    Collector collector = new Collector(seen);
-    BraidzFile braidz = BraidzFile.isZip(observations) ? BraidzFile.read(observations) : null;
-    CameraFile cameras =
-        calibration.isPresent() || braidz == null
-            ? CameraFile.read(calibration.orElse(observations))
-            : braidz.cameras();
-    if (braidz != null) {
-      braidz.seen().forEach(each -> collector.seen(each.timeUs(), each.object(), each.line()));
-    } else {
-      ObservationTable.read(observations, cameras.cameras(), collector);
-    }
-    return follow(cameras.cameras(), seen);
+    ObservationFile file = ObservationFile.open(observations, calibration);
+    file.read(new Collector(seen));
+    return follow(file.cameras().cameras(), seen);
   }
 
   private static BodyFlight follow(
@@ -92,7 +82,7 @@ public record BodyFlight(List<CameraModel> cameras, List<Moment> moments) {
   }
 
   /** Keeps what was seen of the first body. */
-  private static final class Collector implements ObservationTable.Listener {
+  private static final class Collector implements ObservationListener {
     private final Map<Long, List<LineObservation>> seen;
     private String first;
 
@@ -109,7 +99,7 @@ public record BodyFlight(List<CameraModel> cameras, List<Moment> moments) {
     }
 
     @Override
-    public void bad(long lineNumber, String why) {
+    public void bad(String where, String why) {
       // the command line tells of each; here the rest is shown
     }
   }

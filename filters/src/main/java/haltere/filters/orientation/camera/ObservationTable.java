@@ -17,53 +17,25 @@ import java.util.Map;
  * row is one body in one camera; rows ascend in time; an empty field is unknown. A row that cannot
  * be understood is told to the listener and left out.
  */
-public final class ObservationTable {
-  /** Takes rows. */
-  public interface Listener {
-    /**
-     * A row.
-     *
-     * @param timeUs microseconds, not before the last row's
-     * @param object name of the body
-     * @param line what was seen
-     */
-    void seen(long timeUs, String object, LineObservation line);
-
-    /**
-     * A row that was left out.
-     *
-     * @param lineNumber in the file, from 1
-     * @param why what is wrong with it
-     */
-    void bad(long lineNumber, String why);
-  }
-
+final class ObservationTable {
   private static final List<String> COLUMNS =
       List.of("t_us", "camera", "object", "x_px", "y_px", "angle_rad", "area_px", "eccentricity");
 
   private final Map<String, Integer> cameras = new HashMap<>();
   private final int[] places = new int[COLUMNS.size()];
-  private final Listener listener;
+  private final ObservationListener listener;
   private boolean hasTime;
   private long lastUs;
 
-  private ObservationTable(List<CameraModel> models, Listener listener) {
+  private ObservationTable(List<CameraModel> models, ObservationListener listener) {
     for (CameraModel camera : models) {
       cameras.put(camera.id(), cameras.size());
     }
     this.listener = listener;
   }
 
-  /**
-   * Reads a table.
-   *
-   * @param file UTF-8 text
-   * @param cameras whose names the rows have
-   * @param listener takes the rows, in order
-   * @throws TableProblem if it is no such table; the message names the file
-   * @throws IOException if it cannot be read
-   */
-  public static void read(Path file, List<CameraModel> cameras, Listener listener)
+  /** Reads a table of UTF-8 text. */
+  static void read(Path file, List<CameraModel> cameras, ObservationListener listener)
       throws IOException {
     try (BufferedReader in = Files.newBufferedReader(file, StandardCharsets.UTF_8)) {
       new ObservationTable(cameras, listener).read(file, in);
@@ -98,7 +70,7 @@ public final class ObservationTable {
 
   private void row(long number, List<String> fields, int columns) {
     if (fields.size() != columns) {
-      listener.bad(number, "it has " + fields.size() + " fields, not " + columns);
+      bad(number, "it has " + fields.size() + " fields, not " + columns);
       return;
     }
     String time = fields.get(places[0]).strip();
@@ -106,12 +78,12 @@ public final class ObservationTable {
     try {
       timeUs = Long.parseLong(time);
     } catch (NumberFormatException noTime) {
-      listener.bad(number, "t_us is \"" + time + "\", not a whole number of microseconds");
+      bad(number, "t_us is \"" + time + "\", not a whole number of microseconds");
       return;
     }
     Integer camera = cameras.get(fields.get(places[1]).strip());
     if (camera == null) {
-      listener.bad(number, "there is no camera \"" + fields.get(places[1]) + "\"");
+      bad(number, "there is no camera \"" + fields.get(places[1]) + "\"");
       return;
     }
     double[] values = new double[5];
@@ -120,12 +92,12 @@ public final class ObservationTable {
       try {
         values[i] = text.isEmpty() ? Double.NaN : number(text);
       } catch (NumberFormatException noNumber) {
-        listener.bad(number, COLUMNS.get(3 + i) + " is \"" + text + "\", not a number");
+        bad(number, COLUMNS.get(3 + i) + " is \"" + text + "\", not a number");
         return;
       }
     }
     if (hasTime && timeUs < lastUs) {
-      listener.bad(number, "its time " + timeUs + " us is before " + lastUs + " us of a row above");
+      bad(number, "its time " + timeUs + " us is before " + lastUs + " us of a row above");
       return;
     }
     hasTime = true;
@@ -134,6 +106,10 @@ public final class ObservationTable {
         timeUs,
         fields.get(places[2]).strip(),
         new LineObservation(camera, values[0], values[1], values[2], values[3], values[4]));
+  }
+
+  private void bad(long number, String why) {
+    listener.bad("line " + number, why);
   }
 
   /** As Java reads it, and in the ways in which other programs write what is no number. */
