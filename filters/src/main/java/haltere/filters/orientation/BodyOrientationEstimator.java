@@ -375,6 +375,16 @@ public final class BodyOrientationEstimator {
     return used[camera];
   }
 
+  /**
+   * What a camera observed at the last instant.
+   *
+   * @param camera its index
+   * @return empty if it observed nothing then
+   */
+  public Optional<LineObservation> observation(int camera) {
+    return intake.usable().stream().filter(each -> each.camera() == camera).findAny();
+  }
+
   /** State of the axis after the last instant; without a covariance if it is of quaternions. */
   AxisState axisState() {
     return axis.state();

@@ -14,6 +14,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 /**
  * Where a body was and which way it pointed, time by time, with what each camera saw otherwise.
@@ -25,17 +26,22 @@ public record BodyFlight(List<CameraModel> cameras, List<Moment> moments) {
   /**
    * One time.
    *
-   * @param estimate place and axis from what was seen up to then
-   * @param residualsDeg for each camera, the angle from the expected to the observed line, degrees;
-   *     NaN where it saw none
-   * @param used for each camera, whether its line was used
+   * @param estimate position and axis from what was seen up to then
+   * @param lines for each camera, what it observed and what was expected
    */
-  public record Moment(
-      OrientationEstimate estimate, List<Double> residualsDeg, List<Boolean> used) {
+  public record Moment(OrientationEstimate estimate, List<CameraLine> lines) {
     /** Copies. */
     public Moment {
-      residualsDeg = List.copyOf(residualsDeg);
-      used = List.copyOf(used);
+      lines = List.copyOf(lines);
+    }
+
+    static Moment of(
+        OrientationEstimate now, BodyOrientationEstimator body, List<CameraModel> cameras) {
+      return new Moment(
+          now,
+          IntStream.range(0, cameras.size())
+              .mapToObj(i -> CameraLine.of(i, cameras.get(i), now, body))
+              .toList());
     }
   }
 
@@ -67,16 +73,7 @@ public record BodyFlight(List<CameraModel> cameras, List<Moment> moments) {
     List<Moment> moments = new ArrayList<>();
     for (Map.Entry<Long, List<LineObservation>> each : seen.entrySet()) {
       body.update(each.getKey(), each.getValue())
-          .ifPresent(
-              now -> {
-                List<Double> residuals = new ArrayList<>();
-                List<Boolean> used = new ArrayList<>();
-                for (int i = 0; i < cameras.size(); i++) {
-                  residuals.add(Math.toDegrees(body.residualRad(i)));
-                  used.add(body.used(i));
-                }
-                moments.add(new Moment(now, residuals, used));
-              });
+          .ifPresent(now -> moments.add(Moment.of(now, body, cameras)));
     }
     return new BodyFlight(cameras, moments);
   }
