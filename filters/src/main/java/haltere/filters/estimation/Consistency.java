@@ -1,5 +1,6 @@
 package haltere.filters.estimation;
 
+import org.apache.commons.statistics.distribution.ChiSquaredDistribution;
 import org.ejml.data.DMatrixRMaj;
 
 /**
@@ -69,8 +70,11 @@ public final class Consistency {
   public static Interval meanBand(int dimension, int samples, double confidence) {
     Require.atLeast("dimension", 1, dimension);
     Require.atLeast("samples", 1, samples);
-    Interval sum = ChiSquare.band(confidence, (double) dimension * samples);
-    return new Interval(sum.lower() / samples, sum.upper() / samples);
+    double tail = (1 - Require.share("confidence", confidence)) / 2;
+    ChiSquaredDistribution sum = ChiSquaredDistribution.of((double) dimension * samples);
+    return new Interval(
+        sum.inverseCumulativeProbability(tail) / samples,
+        sum.inverseSurvivalProbability(tail) / samples);
   }
 
   /**
@@ -103,7 +107,9 @@ public final class Consistency {
    */
   public static Interval whitenessBand(int innovations, double confidence) {
     Require.atLeast("innovations", 2, innovations);
-    double half = Math.sqrt(ChiSquare.quantile(confidence, 1) / (innovations - 1));
+    double rejected = 1 - Require.share("confidence", confidence);
+    double quantile = ChiSquaredDistribution.of(1).inverseSurvivalProbability(rejected);
+    double half = Math.sqrt(quantile / (innovations - 1));
     return new Interval(-half, half);
   }
 }

@@ -1,12 +1,10 @@
 package haltere.filters.estimation;
 
-/**
- * Changes a number of a covariance so that it stays one: symmetric, without a negative variance in
- * any direction.
- *
- * <p>Thread rule: stateless.
- */
-public final class CovarianceEdit {
+import org.ejml.data.DMatrixRMaj;
+
+/** Changes a number of a covariance so that it stays symmetric and positive semidefinite. */
+final class CovarianceEdit {
+  /** What rounding may take from an eigenvalue of the correlation matrix. */
   private static final double SLACK = 1e-9;
 
   private CovarianceEdit() {}
@@ -15,61 +13,46 @@ public final class CovarianceEdit {
    * A covariance with another number. A variance takes its row and column along, so that the
    * correlations stay; a covariance changes its counterpart as well.
    *
-   * @param p square, row by row; stays as it is
-   * @param size number of rows
-   * @param row from 0
-   * @param column from 0
-   * @param value the new number
-   * @return a new covariance
+   * @return a new covariance; p stays as it is
    * @throws IllegalArgumentException if no covariance has such a number there
    */
-  public static double[] with(double[] p, int size, int row, int column, double value) {
-    double[] edited = p.clone();
+  static DMatrixRMaj with(DMatrixRMaj p, int row, int column, double value) {
+    DMatrixRMaj edited = p.copy();
     if (row == column) {
       if (!(value >= 0)) {
         throw new IllegalArgumentException("a variance cannot be negative: " + value);
       }
-      double before = p[row * size + row];
+      double before = p.get(row, row);
       double scale = before > 0 ? Math.sqrt(value / before) : 0;
-      for (int i = 0; i < size; i++) {
-        edited[row * size + i] *= scale;
-        edited[i * size + row] *= scale;
+      for (int i = 0; i < p.numRows; i++) {
+        edited.set(row, i, scale * p.get(row, i));
+        edited.set(i, row, scale * p.get(i, row));
       }
-      edited[row * size + row] = value;
-    } else {
-      edited[row * size + column] = value;
-      edited[column * size + row] = value;
-      if (!isCovariance(edited, size)) {
-        throw new IllegalArgumentException(
-            value + " is more than the variances of its row and its column allow");
-      }
+      edited.set(row, row, value);
+      return edited;
+    }
+    edited.set(row, column, value);
+    edited.set(column, row, value);
+    if (!isCovariance(edited)) {
+      throw new IllegalArgumentException(
+          value + " is more than the variances of its row and its column allow");
     }
     return edited;
   }
 
-  /** By Cholesky's decomposition of the correlations, a little of which may be lost to rounding. */
-  private static boolean isCovariance(double[] p, int size) {
-    double[][] l = new double[size][size];
-    for (int i = 0; i < size; i++) {
-      for (int j = 0; j <= i; j++) {
-        double scale = Math.sqrt(p[i * size + i] * p[j * size + j]);
-        if (scale == 0 && i != j && p[i * size + j] != 0) {
+  /** By Cholesky's decomposition of the correlations. */
+  private static boolean isCovariance(DMatrixRMaj p) {
+    int n = p.numRows;
+    DMatrixRMaj correlations = new DMatrixRMaj(n, n);
+    for (int i = 0; i < n; i++) {
+      for (int j = 0; j < n; j++) {
+        double scale = Math.sqrt(p.get(i, i) * p.get(j, j));
+        if (scale == 0 && i != j && p.get(i, j) != 0) {
           return false;
         }
-        double sum = scale > 0 ? p[i * size + j] / scale : i == j ? 1 : p[i * size + j];
-        for (int k = 0; k < j; k++) {
-          sum -= l[i][k] * l[j][k];
-        }
-        if (i == j) {
-          if (!(sum >= -SLACK)) {
-            return false;
-          }
-          l[i][i] = Math.sqrt(Math.max(sum, SLACK));
-        } else {
-          l[i][j] = sum / l[j][j];
-        }
+        correlations.set(i, j, i == j ? 1 + SLACK : scale == 0 ? 0 : p.get(i, j) / scale);
       }
     }
-    return true;
+    return new PositiveDefinite().factor(correlations);
   }
 }

@@ -11,10 +11,8 @@ import org.ejml.data.DMatrixRMaj;
  * {@link UpdateOutcome#UNUSABLE} and leaves the estimate as it is.
  *
  * <p>Thread rule: not safe for use by two threads at a time.
- *
- * @param <M> measurements that it takes
  */
-public interface Estimator<M extends MeasurementModel> {
+public interface Estimator {
   /**
    * Dimension of the state.
    *
@@ -46,7 +44,7 @@ public interface Estimator<M extends MeasurementModel> {
    * @throws ArithmeticException if the state leaves the numbers, as that of a diverged extended
    *     filter may; launch anew
    */
-  UpdateOutcome update(M model, DMatrixRMaj z);
+  UpdateOutcome update(MeasurementModel model, DMatrixRMaj z);
 
   /**
    * Takes in a measurement given as numbers; allocates.
@@ -55,7 +53,7 @@ public interface Estimator<M extends MeasurementModel> {
    * @param z the measurement
    * @return what became of it
    */
-  default UpdateOutcome update(M model, double... z) {
+  default UpdateOutcome update(MeasurementModel model, double... z) {
     return update(model, new DMatrixRMaj(z.length, 1, true, Arrays.copyOf(z, z.length)));
   }
 

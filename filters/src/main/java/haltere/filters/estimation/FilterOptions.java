@@ -5,31 +5,18 @@ import java.util.Objects;
 /**
  * How an estimator works, whatever its model.
  *
- * @param form how the covariance is held
  * @param gap what happens after a long time without measurements
  * @param lossAfter gated innovations in a row that mean a loss of lock, at least 1
  */
-public record FilterOptions(CovarianceForm form, GapPolicy gap, int lossAfter) {
-  /** Joseph's form, predictions of at most ten seconds, lock lost after 20 gated innovations. */
+public record FilterOptions(GapPolicy gap, int lossAfter) {
+  /** Predictions of at most ten seconds, lock lost after 20 gated innovations. */
   public static final FilterOptions DEFAULT =
-      new FilterOptions(
-          CovarianceForm.JOSEPH, GapPolicy.DEFAULT, InnovationMonitor.DEFAULT_LOSS_AFTER);
+      new FilterOptions(GapPolicy.DEFAULT, InnovationMonitor.DEFAULT_LOSS_AFTER);
 
   /** Validates. */
   public FilterOptions {
-    Objects.requireNonNull(form, "form");
     Objects.requireNonNull(gap, "gap");
     Require.atLeast("gated innovations until lock is lost", 1, lossAfter);
-  }
-
-  /**
-   * The same with another form.
-   *
-   * @param newForm how the covariance is held
-   * @return a copy
-   */
-  public FilterOptions withForm(CovarianceForm newForm) {
-    return new FilterOptions(newForm, gap, lossAfter);
   }
 
   /**
@@ -39,7 +26,7 @@ public record FilterOptions(CovarianceForm form, GapPolicy gap, int lossAfter) {
    * @return a copy
    */
   public FilterOptions withGap(GapPolicy newGap) {
-    return new FilterOptions(form, newGap, lossAfter);
+    return new FilterOptions(newGap, lossAfter);
   }
 
   /**
@@ -49,6 +36,6 @@ public record FilterOptions(CovarianceForm form, GapPolicy gap, int lossAfter) {
    * @return a copy
    */
   public FilterOptions withLossAfter(int newLossAfter) {
-    return new FilterOptions(form, gap, newLossAfter);
+    return new FilterOptions(gap, newLossAfter);
   }
 }

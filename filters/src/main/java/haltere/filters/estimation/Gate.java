@@ -1,5 +1,7 @@
 package haltere.filters.estimation;
 
+import org.apache.commons.statistics.distribution.ChiSquaredDistribution;
+
 /**
  * Which innovations are believed: those whose normalised square yᵀ S⁻¹ y is at most a threshold.
  *
@@ -33,7 +35,7 @@ public final class Gate {
     if (!(g > 0 && g <= 30)) {
       throw new IllegalArgumentException("a gate must have more than 0 and up to 30 sigma: " + g);
     }
-    Gate gate = new Gate(ChiSquare.exceedance(g * g, 1));
+    Gate gate = new Gate(ChiSquaredDistribution.of(1).survivalProbability(g * g));
     gate.thresholds[1] = g * g;
     return gate;
   }
@@ -75,6 +77,6 @@ public final class Gate {
   private double computed(int dimension) {
     return rejected == 0
         ? Double.POSITIVE_INFINITY
-        : ChiSquare.quantileOfExceedance(rejected, dimension);
+        : ChiSquaredDistribution.of(dimension).inverseSurvivalProbability(rejected);
   }
 }

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.ejml.data.DMatrixRMaj;
-import org.ejml.dense.row.CommonOps_DDRM;
 
 /**
  * Several models of one target at once, such as straight ahead and turning: each has its filter,
@@ -20,20 +19,19 @@ import org.ejml.dense.row.CommonOps_DDRM;
  * <p>All models have one state, of the same size, meaning and units. Thread rule: not safe for use
  * by two threads at a time.
  */
-public final class InteractingMultipleModels implements Estimator<MeasurementModel> {
+public final class InteractingMultipleModels implements Estimator {
   private final ModeSwitching switching;
   private final GapPolicy gap;
   private final InnovationMonitor monitor;
-  private final List<ExtendedKalmanFilter> filters = new ArrayList<>();
+  private final List<KalmanFilter> filters = new ArrayList<>();
+  private final GaussianState[] beliefs;
+  private final GaussianState[] starts;
+  private final GaussianState combined;
   private final double[] logProbability;
-  private final double[] logInitial;
-  private final double[] mixed;
-  private final DMatrixRMaj[] mixedState;
-  private final DMatrixRMaj[] mixedCovariance;
+  private final double[] logNext;
+  private final double[] weights;
   private final DMatrixRMaj launchState;
   private final DMatrixRMaj launchCovariance;
-  private final DMatrixRMaj x;
-  private final DMatrixRMaj p;
   private final int n;
   private double timeS;
   private double gapS;
@@ -47,7 +45,7 @@ public final class InteractingMultipleModels implements Estimator<MeasurementMod
    * @param switching how the target changes between them
    * @param x state to launch from
    * @param p its covariance, positive definite
-   * @param options form, gap policy, loss of lock
+   * @param options gap policy, loss of lock
    */
   public InteractingMultipleModels(
       List<? extends ProcessModel> models,
@@ -64,26 +62,25 @@ public final class InteractingMultipleModels implements Estimator<MeasurementMod
     n = models.get(0).stateSize();
     gap = options.gap();
     monitor = new InnovationMonitor(options.lossAfter());
-    mixedState = new DMatrixRMaj[modes];
-    mixedCovariance = new DMatrixRMaj[modes];
+    beliefs = new GaussianState[modes];
+    starts = new GaussianState[modes];
     for (int j = 0; j < modes; j++) {
       if (models.get(j).stateSize() != n) {
         throw new IllegalArgumentException(
             "models have states of " + n + " and " + models.get(j).stateSize() + " entries");
       }
-      filters.add(
-          new ExtendedKalmanFilter(models.get(j), x, p, options.withGap(GapPolicy.UNLIMITED)));
-      mixedState[j] = new DMatrixRMaj(n, 1);
-      mixedCovariance[j] = new DMatrixRMaj(n, n);
+      filters.add(new KalmanFilter(models.get(j), x, p, options.withGap(GapPolicy.UNLIMITED)));
+      beliefs[j] = filters.get(j).belief();
+      starts[j] = new GaussianState(n);
     }
-    logInitial = new double[modes];
-    Arrays.fill(logInitial, -Math.log(modes));
-    logProbability = logInitial.clone();
-    mixed = new double[modes];
+    logProbability = new double[modes];
+    Arrays.fill(logProbability, -Math.log(modes));
+    logNext = new double[modes];
+    weights = new double[modes];
+    combined = new GaussianState(n);
     launchState = x.copy();
     launchCovariance = p.copy();
-    this.x = x.copy();
-    this.p = p.copy();
+    combine();
   }
 
   @Override
@@ -93,12 +90,12 @@ public final class InteractingMultipleModels implements Estimator<MeasurementMod
 
   @Override
   public void launch(DMatrixRMaj state, DMatrixRMaj covariance) {
-    for (ExtendedKalmanFilter filter : filters) {
+    for (KalmanFilter filter : filters) {
       filter.launch(state, covariance);
     }
     launchState.setTo(state);
     launchCovariance.setTo(covariance);
-    System.arraycopy(logInitial, 0, logProbability, 0, logInitial.length);
+    Arrays.fill(logProbability, -Math.log(logProbability.length));
     gapS = 0;
     monitor.endRun();
     combine();
@@ -117,7 +114,7 @@ public final class InteractingMultipleModels implements Estimator<MeasurementMod
     gapS += dtS;
     if (stepS > 0) {
       mix(switching.probabilities(stepS));
-      for (ExtendedKalmanFilter filter : filters) {
+      for (KalmanFilter filter : filters) {
         filter.predict(stepS);
       }
       combine();
@@ -127,7 +124,7 @@ public final class InteractingMultipleModels implements Estimator<MeasurementMod
   @Override
   public UpdateOutcome update(MeasurementModel model, DMatrixRMaj z) {
     double least = Double.POSITIVE_INFINITY;
-    for (ExtendedKalmanFilter filter : filters) {
+    for (KalmanFilter filter : filters) {
       if (!filter.innovate(model, z)) {
         return monitor.noteUnusable();
       }
@@ -135,20 +132,20 @@ public final class InteractingMultipleModels implements Estimator<MeasurementMod
     }
     boolean passes = model.gate().passes(least, model.size());
     for (int j = 0; j < filters.size(); j++) {
-      ExtendedKalmanFilter filter = filters.get(j);
-      mixed[j] = logProbability[j] + filter.logLikelihood();
+      KalmanFilter filter = filters.get(j);
+      logNext[j] = logProbability[j] + filter.logLikelihood();
       if (passes) {
         filter.correct();
       } else {
         filter.refuse();
       }
     }
-    logLikelihood = logSum(mixed);
+    logLikelihood = logSum(logNext);
     if (!passes) {
       return monitor.noteGated();
     }
-    for (int j = 0; j < mixed.length; j++) {
-      logProbability[j] = mixed[j] - logLikelihood;
+    for (int j = 0; j < logNext.length; j++) {
+      logProbability[j] = logNext[j] - logLikelihood;
     }
     combine();
     gapS = 0;
@@ -172,7 +169,7 @@ public final class InteractingMultipleModels implements Estimator<MeasurementMod
    * @param mode from 0, in the order of the models
    * @return the filter; do not predict, update or launch it
    */
-  public GaussianFilter<MeasurementModel> mode(int mode) {
+  public KalmanFilter mode(int mode) {
     return filters.get(mode);
   }
 
@@ -187,17 +184,18 @@ public final class InteractingMultipleModels implements Estimator<MeasurementMod
 
   @Override
   public double state(int index) {
-    return x.get(index);
+    return combined.mean(index);
   }
 
   @Override
   public double covariance(int row, int column) {
-    return p.get(row, column);
+    return combined.covariance(row, column);
   }
 
   @Override
   public Estimate estimate() {
-    return new Estimate(timeS, ConstMatrix.copyOf(x), ConstMatrix.copyOf(p));
+    return new Estimate(
+        timeS, ConstMatrix.copyOf(combined.mean()), ConstMatrix.copyOf(combined.covariance()));
   }
 
   @Override
@@ -214,52 +212,36 @@ public final class InteractingMultipleModels implements Estimator<MeasurementMod
    * Gives each filter the mixture of all that it would start from if the target were in its mode.
    */
   private void mix(DMatrixRMaj transition) {
-    int modes = filters.size();
-    double[][] logWeights = new double[modes][modes];
-    double[] logNext = new double[modes];
+    int modes = beliefs.length;
     for (int j = 0; j < modes; j++) {
       for (int i = 0; i < modes; i++) {
-        logWeights[j][i] = Math.log(transition.get(i, j)) + logProbability[i];
+        weights[i] = Math.log(transition.get(i, j)) + logProbability[i];
       }
-      logNext[j] = logSum(logWeights[j]);
+      logNext[j] = logSum(weights);
       if (logNext[j] == Double.NEGATIVE_INFINITY) {
-        // A mode that cannot be reached keeps its own estimate.
-        logWeights[j][j] = 0;
-        mixture(logWeights[j], 0, mixedState[j], mixedCovariance[j]);
+        // a mode that cannot be reached keeps its own estimate
+        starts[j].set(beliefs[j]);
       } else {
-        mixture(logWeights[j], logNext[j], mixedState[j], mixedCovariance[j]);
+        mix(starts[j], logNext[j]);
       }
     }
     for (int j = 0; j < modes; j++) {
-      filters.get(j).set(mixedState[j], mixedCovariance[j]);
+      filters.get(j).set(starts[j].mean(), starts[j].covariance());
       logProbability[j] = logNext[j];
     }
   }
 
   private void combine() {
-    mixture(logProbability, 0, x, p);
+    System.arraycopy(logProbability, 0, weights, 0, weights.length);
+    mix(combined, 0);
   }
 
-  /** Mean and covariance of the filters' estimates, weighted. */
-  private void mixture(double[] logWeights, double logTotal, DMatrixRMaj mean, DMatrixRMaj spread) {
-    mean.zero();
-    spread.zero();
-    for (int i = 0; i < filters.size(); i++) {
-      CommonOps_DDRM.addEquals(
-          mean, Math.exp(logWeights[i] - logTotal), filters.get(i).stateView());
+  /** Mixes the filters' beliefs by {@link #weights}, which are logarithms. */
+  private void mix(GaussianState into, double logTotal) {
+    for (int i = 0; i < weights.length; i++) {
+      weights[i] = Math.exp(weights[i] - logTotal);
     }
-    for (int i = 0; i < filters.size(); i++) {
-      double weight = Math.exp(logWeights[i] - logTotal);
-      DMatrixRMaj state = filters.get(i).stateView();
-      DMatrixRMaj covariance = filters.get(i).covarianceView();
-      for (int row = 0; row < n; row++) {
-        double rowApart = state.get(row) - mean.get(row);
-        for (int column = 0; column < n; column++) {
-          double columnApart = state.get(column) - mean.get(column);
-          spread.add(row, column, weight * (covariance.get(row, column) + rowApart * columnApart));
-        }
-      }
-    }
+    into.mix(beliefs, weights);
   }
 
   private static double logSum(double[] logs) {

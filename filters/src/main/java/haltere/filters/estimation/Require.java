@@ -14,6 +14,13 @@ public final class Require {
     return value;
   }
 
+  static double share(String name, double value) {
+    if (!(value > 0 && value < 1)) {
+      throw new IllegalArgumentException(name + " must be between 0 and 1: " + value);
+    }
+    return value;
+  }
+
   static double positive(String name, double value) {
     if (!(value > 0) || Double.isInfinite(value)) {
       throw new IllegalArgumentException(name + " must be positive and finite: " + value);

@@ -23,7 +23,7 @@ public final class RtsSmoother {
   /**
    * Smooths.
    *
-   * @param steps all steps in order, as {@link GaussianFilter#observe} hands them out
+   * @param steps all steps in order, as {@link KalmanFilter#observe} hands them out
    * @return an estimate for each time at which the filter stood: one at the beginning and one per
    *     prediction, in order
    */
@@ -55,37 +55,55 @@ public final class RtsSmoother {
 
   private static Estimate back(Estimate at, Prediction lead, Estimate later) {
     DMatrixRMaj p = at.covariance().toMatrix();
-    DMatrixRMaj predicted = lead.estimate().covariance().toMatrix();
-    DMatrixRMaj f = lead.transition().toMatrix();
-    int n = p.numRows;
-    PositiveDefinite factored = new PositiveDefinite();
-    if (!factored.factor(predicted)) {
+    DMatrixRMaj x = at.state().toMatrix();
+    DMatrixRMaj change = later.state().toMatrix();
+    CommonOps_DDRM.subtractEquals(change, lead.estimate().state().toMatrix());
+    boolean done =
+        back(
+            p,
+            lead.transition().toMatrix(),
+            lead.estimate().covariance().toMatrix(),
+            later.covariance().toMatrix(),
+            change);
+    if (!done) {
       throw new IllegalArgumentException(
           "predicted covariance at " + lead.estimate().timeS() + " s is not positive definite");
     }
-    // P⁻ Cᵀ = F P
-    DMatrixRMaj fp = new DMatrixRMaj(n, n);
-    DMatrixRMaj gainTransposed = new DMatrixRMaj(n, n);
-    CommonOps_DDRM.mult(f, p, fp);
-    factored.solve(fp, gainTransposed);
-    // xˢ = x + C (xˢ₊ − x⁻)
-    DMatrixRMaj x = at.state().toMatrix();
-    DMatrixRMaj stateChange = later.state().toMatrix();
-    CommonOps_DDRM.subtractEquals(stateChange, lead.estimate().state().toMatrix());
-    CommonOps_DDRM.multAddTransA(gainTransposed, stateChange, x);
-    // Pˢ = P + C (Pˢ₊ − P⁻) Cᵀ
-    DMatrixRMaj covarianceChange = later.covariance().toMatrix();
-    CommonOps_DDRM.subtractEquals(covarianceChange, predicted);
+    CommonOps_DDRM.addEquals(x, change);
+    return new Estimate(at.timeS(), ConstMatrix.copyOf(x), ConstMatrix.copyOf(p));
+  }
+
+  /**
+   * One step back, for states whose sums and differences are the caller's.
+   *
+   * @param p filtered covariance P; becomes Pˢ
+   * @param f transition F of the prediction that followed
+   * @param predicted P⁻, the covariance after that prediction
+   * @param later Pˢ₊, the smoothed covariance at that time
+   * @param change xˢ₊ − x⁻; becomes C (xˢ₊ − x⁻), which the filtered state is to be moved by
+   * @return false, and nothing is changed, where P⁻ is not positive definite
+   */
+  public static boolean back(
+      DMatrixRMaj p, DMatrixRMaj f, DMatrixRMaj predicted, DMatrixRMaj later, DMatrixRMaj change) {
+    PositiveDefinite factored = new PositiveDefinite();
+    if (!factored.factor(predicted)) {
+      return false;
+    }
+    int n = p.numRows;
     DMatrixRMaj half = new DMatrixRMaj(n, n);
+    DMatrixRMaj gainTransposed = new DMatrixRMaj(n, n);
+    // P⁻ Cᵀ = F P
+    CommonOps_DDRM.mult(f, p, half);
+    factored.solve(half, gainTransposed);
+    DMatrixRMaj moved = new DMatrixRMaj(n, 1);
+    CommonOps_DDRM.multTransA(gainTransposed, change, moved);
+    change.setTo(moved);
+    // P + C (Pˢ₊ − P⁻) Cᵀ
+    DMatrixRMaj covarianceChange = later.copy();
+    CommonOps_DDRM.subtractEquals(covarianceChange, predicted);
     CommonOps_DDRM.multTransA(gainTransposed, covarianceChange, half);
     CommonOps_DDRM.multAdd(half, gainTransposed, p);
-    for (int i = 0; i < n; i++) {
-      for (int j = 0; j < i; j++) {
-        double mean = 0.5 * (p.get(i, j) + p.get(j, i));
-        p.set(i, j, mean);
-        p.set(j, i, mean);
-      }
-    }
-    return new Estimate(at.timeS(), ConstMatrix.copyOf(x), ConstMatrix.copyOf(p));
+    GaussianState.symmetrise(p);
+    return true;
   }
 }

@@ -1,21 +1,19 @@
 /**
  * Estimators that state how sure they are: linear and extended Kalman filters, interacting multiple
- * models, a smoother, and the tools that tell whether their covariances are honest.
+ * models, a smoother, and tests of their consistency.
  *
  * <ul>
  *   <li>A model is one method per equation: {@link haltere.filters.estimation.ProcessModel}
  *       (evolution, Jacobian, noise for a time step) and {@link
  *       haltere.filters.estimation.MeasurementModel} (expectation, Jacobian, noise, residual,
  *       gate). Motions that are often needed stand in {@code motion}.
- *   <li>{@link haltere.filters.estimation.KalmanFilter} and {@link
- *       haltere.filters.estimation.ExtendedKalmanFilter} are the clear form, on matrices; {@link
- *       haltere.filters.estimation.InteractingMultipleModels} mixes several.
- *   <li>{@link haltere.filters.estimation.ConstantVelocityAxis}, {@link
- *       haltere.filters.estimation.ConstantVelocityPlane} and {@link
- *       haltere.filters.estimation.FourStateEkf} are the fast form, written out on primitive fields
- *       for use at every event; tests hold them against the clear form.
- *   <li>{@link haltere.filters.estimation.Consistency} (NEES, NIS, whiteness) and {@link
- *       haltere.filters.estimation.ChiSquare} judge an estimator.
+ *   <li>{@link haltere.filters.estimation.GaussianState} is the kernel: mean and covariance with
+ *       the operations on them, allocation-free, for use at every event. Every estimator keeps its
+ *       covariance there.
+ *   <li>{@link haltere.filters.estimation.KalmanFilter} runs it over models; {@link
+ *       haltere.filters.estimation.InteractingMultipleModels} mixes several; {@link
+ *       haltere.filters.estimation.RtsSmoother} goes back over recorded steps.
+ *   <li>{@link haltere.filters.estimation.Consistency} (NEES, NIS, whiteness) judges an estimator.
  * </ul>
  *
  * <p>Nothing here knows of events or of the chain; times are seconds, angles radians, and noise is

@@ -1,9 +1,9 @@
 package haltere.filters.orientation;
 
-import haltere.filters.estimation.FourStateEkf;
-import haltere.filters.estimation.Gate;
+import haltere.filters.estimation.GaussianState;
 import haltere.filters.orientation.camera.Vectors;
 import java.util.Arrays;
+import org.ejml.data.DMatrixRMaj;
 
 /**
  * One guess of where an axis points and how it turns: a point u of the unit sphere with two
@@ -38,8 +38,11 @@ final class AxisHypothesis {
   final double[] e2 = new double[3];
   double va;
   double vb;
-  final FourStateEkf error = new FourStateEkf(Gate.OPEN, 1);
+  final GaussianState error = new GaussianState(4);
+
+  private final double[] row = new double[4];
   final double[] transition = new double[16];
+  private final DMatrixRMaj f = DMatrixRMaj.wrap(4, 4, transition);
 
   /** Logarithm of its probability up to a number that all have in common, while lines come in. */
   double logWeight;
@@ -70,8 +73,6 @@ final class AxisHypothesis {
 
   AxisState predicted;
 
-  private final double[] buffer = new double[16];
-
   void copy(AxisHypothesis other) {
     System.arraycopy(other.u, 0, u, 0, 3);
     System.arraycopy(other.e1, 0, e1, 0, 3);
@@ -79,7 +80,7 @@ final class AxisHypothesis {
     System.arraycopy(other.transition, 0, transition, 0, 16);
     va = other.va;
     vb = other.vb;
-    error.copy(other.error);
+    error.set(other.error);
     logWeight = other.logWeight;
     weight = other.weight;
     saccadeShare = other.saccadeShare;
@@ -103,15 +104,13 @@ final class AxisHypothesis {
     Vectors.cross(u, e1, e2);
     va = 0;
     vb = 0;
-    Arrays.fill(buffer, 0);
-    buffer[0] = Vectors.quadratic(covariance, e1, e1);
-    buffer[2] = Vectors.quadratic(covariance, e1, e2);
-    buffer[8] = buffer[2];
-    buffer[10] = Vectors.quadratic(covariance, e2, e2);
-    buffer[5] = rateVariance;
-    buffer[15] = rateVariance;
-    error.setCovariance(buffer);
-    error.setState(0, 0, 0, 0);
+    error.setVariances(
+        Vectors.quadratic(covariance, e1, e1),
+        rateVariance,
+        Vectors.quadratic(covariance, e2, e2),
+        rateVariance);
+    error.addNoise(0, 2, Vectors.quadratic(covariance, e1, e2));
+    noError();
     stay();
     leanLog = 0;
     step = null;
@@ -136,7 +135,7 @@ final class AxisHypothesis {
     transport(ta, tb, arc);
     va *= decay.left;
     vb *= decay.left;
-    error.predictCovariance(transition);
+    error.transform(f);
   }
 
   private void setTransition(double na, double nb, double s, double speed, RateDecay decay) {
@@ -174,8 +173,11 @@ final class AxisHypothesis {
     double place = rateVariance * decay.angleNoise;
     double joint = rateVariance * decay.jointNoise;
     double rate = rateVariance * decay.rateNoise;
-    error.addNoise(place, rate, place, rate);
-    error.addPairNoise(joint, joint);
+    for (int i = 0; i < 4; i += 2) {
+      error.addNoise(i, place);
+      error.addNoise(i + 1, rate);
+      error.addNoise(i, i + 1, joint);
+    }
   }
 
   /** Moves u by an arc towards a tangent direction, and e₁, e₂ along with it without turning. */
@@ -209,7 +211,7 @@ final class AxisHypothesis {
     Arrays.fill(nis, 0, count, Double.NaN);
     undecided = count;
     lines = count;
-    error.setState(0, va, 0, vb);
+    noError();
   }
 
   private void room(int count) {
@@ -228,7 +230,21 @@ final class AxisHypothesis {
     used[index] = true;
     decided[index] = true;
     undecided--;
-    error.update(seen.innovation, seen.ha, 0, seen.hb, 0, seen.noise);
+    correct(seen.ha, seen.hb, seen.innovation, seen.noise);
+  }
+
+  private void correct(double ha, double hb, double innovation, double variance) {
+    row[0] = ha;
+    row[2] = hb;
+    error.project(row);
+    error.correct(innovation, variance);
+  }
+
+  private void noError() {
+    error.setMean(0, 0);
+    error.setMean(1, va);
+    error.setMean(2, 0);
+    error.setMean(3, vb);
   }
 
   /** Turns round if its head is so far off a direction that its tail is much likelier the head. */
@@ -257,12 +273,12 @@ final class AxisHypothesis {
     double sin = Math.sqrt(a * a + b * b);
     double angle = Math.atan2(sin, Vectors.dot(direction, u));
     double scale = sin < 1e-7 ? 1 : angle / sin;
-    error.setState(0, va, 0, vb);
+    noError();
     double log = logOf(angle, variance);
     logWeight = log - (1 - fresh) * leanLog;
     leanLog = log;
-    error.update(scale * a, 1, 0, 0, 0, variance / fresh);
-    error.update(scale * b - error.x2(), 0, 0, 1, 0, variance / fresh);
+    correct(1, 0, scale * a, variance / fresh);
+    correct(0, 1, scale * b - error.mean(2), variance / fresh);
     settle();
   }
 
@@ -273,15 +289,9 @@ final class AxisHypothesis {
       e1[k] = -e1[k];
     }
     vb = -vb;
-    covariance(buffer);
-    for (int i = 0; i < 2; i++) {
-      for (int j = 2; j < 4; j++) {
-        buffer[4 * i + j] = -buffer[4 * i + j];
-        buffer[4 * j + i] = -buffer[4 * j + i];
-      }
-    }
-    error.setCovariance(buffer);
-    error.setState(0, va, 0, vb);
+    error.scale(2, -1);
+    error.scale(3, -1);
+    noError();
     if (step != null) {
       step = new AxisStep(null, null, state(), step.before());
     }
@@ -289,15 +299,15 @@ final class AxisHypothesis {
 
   /** Takes the error into the state, once all lines are decided upon. */
   void settle() {
-    double a = error.x0();
-    double b = error.x2();
+    double a = error.mean(0);
+    double b = error.mean(2);
     double off = Math.sqrt(a * a + b * b);
     if (off > 0) {
       transport(a / off, b / off, Math.atan(off));
     }
-    va = error.x1();
-    vb = error.x3();
-    error.setState(0, va, 0, vb);
+    va = error.mean(1);
+    vb = error.mean(3);
+    noError();
   }
 
   /** Moves the mean by a difference (a, ȧ, b, ḃ) along a great circle; the covariance stays. */
@@ -308,7 +318,7 @@ final class AxisHypothesis {
     if (off > 0) {
       transport(by[0] / off, by[2] / off, off);
     }
-    error.setState(0, va, 0, vb);
+    noError();
   }
 
   /**
@@ -334,17 +344,16 @@ final class AxisHypothesis {
     double angle = 0.5 * Math.atan2(p02, half);
     double wa = Math.cos(angle);
     double wb = Math.sin(angle);
-    covariance(buffer);
     double sd = Math.sqrt(largest);
     for (int i = 0; i < 4; i++) {
-      shift[i] = (buffer[4 * i] * wa + buffer[4 * i + 2] * wb) / sd;
+      shift[i] = (error.covariance(i, 0) * wa + error.covariance(i, 2) * wb) / sd;
     }
+    double[] p = error.covariance().data;
     for (int i = 0; i < 4; i++) {
       for (int j = 0; j < 4; j++) {
-        buffer[4 * i + j] -= (1 - NARROWER * NARROWER) * shift[i] * shift[j];
+        p[4 * i + j] -= (1 - NARROWER * NARROWER) * (shift[i] * shift[j]);
       }
     }
-    error.setCovariance(buffer);
     for (int i = 0; i < 4; i++) {
       shift[i] *= Math.sqrt(2 * (1 - NARROWER * NARROWER));
     }
@@ -353,16 +362,14 @@ final class AxisHypothesis {
 
   /** Merges with another one, of which the difference and covariance in this one's frame are. */
   void absorb(AxisDifference other, double share) {
-    covariance(buffer);
+    double[] p = error.covariance().data;
     double[] d = other.d;
     for (int i = 0; i < 4; i++) {
       for (int j = 0; j < 4; j++) {
         int k = 4 * i + j;
-        buffer[k] =
-            (1 - share) * buffer[k] + share * other.p[k] + share * (1 - share) * d[i] * d[j];
+        p[k] = (1 - share) * p[k] + share * other.p[k] + share * (1 - share) * (d[i] * d[j]);
       }
     }
-    error.setCovariance(buffer);
     for (int i = 0; i < 4; i++) {
       d[i] *= share;
     }
@@ -370,7 +377,7 @@ final class AxisHypothesis {
   }
 
   void covariance(double[] out) {
-    error.covariance(out);
+    System.arraycopy(error.covariance().data, 0, out, 0, 16);
   }
 
   /** Everything that a smoother needs of the state. */

@@ -1,6 +1,6 @@
 package haltere.filters.orientation;
 
-import haltere.filters.estimation.ChiSquare;
+import org.apache.commons.statistics.distribution.ChiSquaredDistribution;
 
 /**
  * Which end of the axis is the head, while the body flies: two hypotheses, the axis as it is
@@ -70,7 +70,7 @@ final class HeadOrTail {
   /** Probability that the head is where it is taken to be: that the way flown was forwards. */
   double probability() {
     double forwards = flipped ? -sigmas : sigmas;
-    double within = ChiSquare.cumulative(forwards * forwards, 1);
+    double within = ChiSquaredDistribution.of(1).cumulativeProbability(forwards * forwards);
     return 0.5 * (1 + Math.signum(forwards) * within);
   }
 

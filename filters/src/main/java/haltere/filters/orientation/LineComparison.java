@@ -1,6 +1,6 @@
 package haltere.filters.orientation;
 
-import haltere.filters.estimation.FourStateEkf;
+import haltere.filters.estimation.GaussianState;
 
 /**
  * A line beside what a guess of the axis expects of it: innovation, gradient, and both variances,
@@ -39,12 +39,12 @@ final class LineComparison {
    * @return false where the body is seen end-on
    */
   boolean compare(AxisHypothesis guess, LineMeasurement line) {
-    FourStateEkf error = guess.error;
+    GaussianState error = guess.error;
     double[] u = guess.u;
     double[] e1 = guess.e1;
     double[] e2 = guess.e2;
-    double a = error.x0();
-    double b = error.x2();
+    double a = error.mean(0);
+    double b = error.mean(2);
     double[] n = line.n;
     double x1 = n[0] * e1[0] + n[1] * e1[1] + n[2] * e1[2];
     double y1 = n[3] * e1[0] + n[4] * e1[1] + n[5] * e1[2];

@@ -1,9 +1,9 @@
 package haltere.filters.orientation;
 
-import haltere.filters.estimation.ExtendedKalmanFilter;
 import haltere.filters.estimation.FilterOptions;
 import haltere.filters.estimation.FilterStep;
 import haltere.filters.estimation.GapPolicy;
+import haltere.filters.estimation.KalmanFilter;
 import haltere.filters.estimation.UpdateOutcome;
 import haltere.filters.estimation.motion.ConstantVelocity;
 import haltere.filters.orientation.camera.CameraModel;
@@ -31,7 +31,7 @@ final class PositionFilter {
   private final ConstantVelocity motion;
   private final DMatrixRMaj z = new DMatrixRMaj(2, 1);
   private final double[] line = new double[3];
-  private ExtendedKalmanFilter filter;
+  private KalmanFilter filter;
   private Consumer<? super FilterStep> recorder;
   private int disbelieved;
 
@@ -72,8 +72,7 @@ final class PositionFilter {
       }
       p.set(2 * i + 1, 2 * i + 1, START_SPEED_M_S * START_SPEED_M_S);
     }
-    filter =
-        new ExtendedKalmanFilter(motion, x, p, FilterOptions.DEFAULT.withGap(GapPolicy.UNLIMITED));
+    filter = new KalmanFilter(motion, x, p, FilterOptions.DEFAULT.withGap(GapPolicy.UNLIMITED));
     if (recorder != null) {
       filter.observe(recorder);
     }

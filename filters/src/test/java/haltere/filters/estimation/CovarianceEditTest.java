@@ -3,35 +3,36 @@ package haltere.filters.estimation;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
+import org.ejml.data.DMatrixRMaj;
 import org.junit.jupiter.api.Test;
 
 class CovarianceEditTest {
-  private static final double[] P = {4, 1, 0, 1, 9, 0, 0, 0, 0};
+  private static final DMatrixRMaj P = new DMatrixRMaj(3, 3, true, 4, 1, 0, 1, 9, 0, 0, 0, 0);
 
   @Test
   void aVarianceTakesItsCovariancesAlong() {
     assertArrayEquals(
-        new double[] {16, 2, 0, 2, 9, 0, 0, 0, 0}, CovarianceEdit.with(P, 3, 0, 0, 16), 1e-12);
+        new double[] {16, 2, 0, 2, 9, 0, 0, 0, 0}, CovarianceEdit.with(P, 0, 0, 16).data, 1e-12);
     assertArrayEquals(
-        new double[] {0, 0, 0, 0, 9, 0, 0, 0, 0}, CovarianceEdit.with(P, 3, 0, 0, 0), 1e-12);
+        new double[] {0, 0, 0, 0, 9, 0, 0, 0, 0}, CovarianceEdit.with(P, 0, 0, 0).data, 1e-12);
     assertArrayEquals(
-        new double[] {4, 1, 0, 1, 9, 0, 0, 0, 5}, CovarianceEdit.with(P, 3, 2, 2, 5), 1e-12);
+        new double[] {4, 1, 0, 1, 9, 0, 0, 0, 5}, CovarianceEdit.with(P, 2, 2, 5).data, 1e-12);
   }
 
   @Test
   void aCovarianceChangesItsCounterpart() {
     assertArrayEquals(
         new double[] {4, -5.9, 0, -5.9, 9, 0, 0, 0, 0},
-        CovarianceEdit.with(P, 3, 1, 0, -5.9),
+        CovarianceEdit.with(P, 1, 0, -5.9).data,
         1e-12);
   }
 
   @Test
   void whatIsNoCovarianceIsRefused() {
-    assertThrows(IllegalArgumentException.class, () -> CovarianceEdit.with(P, 3, 0, 0, -1));
-    assertThrows(IllegalArgumentException.class, () -> CovarianceEdit.with(P, 3, 0, 1, 6.1));
-    assertThrows(IllegalArgumentException.class, () -> CovarianceEdit.with(P, 3, 2, 0, 0.1));
-    double[] three = {1, 0.9, 0.9, 0.9, 1, 0.9, 0.9, 0.9, 1};
-    assertThrows(IllegalArgumentException.class, () -> CovarianceEdit.with(three, 3, 0, 2, 0.5));
+    assertThrows(IllegalArgumentException.class, () -> CovarianceEdit.with(P, 0, 0, -1));
+    assertThrows(IllegalArgumentException.class, () -> CovarianceEdit.with(P, 0, 1, 6.1));
+    assertThrows(IllegalArgumentException.class, () -> CovarianceEdit.with(P, 2, 0, 0.1));
+    DMatrixRMaj three = new DMatrixRMaj(3, 3, true, 1, 0.9, 0.9, 0.9, 1, 0.9, 0.9, 0.9, 1);
+    assertThrows(IllegalArgumentException.class, () -> CovarianceEdit.with(three, 0, 2, 0.5));
   }
 }

@@ -42,12 +42,12 @@ class InteractingMultipleModelsTest {
     int[] count = new int[5];
     for (int run = 0; run < runs; run++) {
       Draws draws = new Draws(run);
-      Estimator<MeasurementModel> calm =
-          new ExtendedKalmanFilter(new ConstantVelocity(1, CALM), column(0, 0), diagonal(1, 25));
-      Estimator<MeasurementModel> wild =
-          new ExtendedKalmanFilter(new ConstantVelocity(1, WILD), column(0, 0), diagonal(1, 25));
+      Estimator calm =
+          new KalmanFilter(new ConstantVelocity(1, CALM), column(0, 0), diagonal(1, 25));
+      Estimator wild =
+          new KalmanFilter(new ConstantVelocity(1, WILD), column(0, 0), diagonal(1, 25));
       InteractingMultipleModels both = estimator();
-      List<Estimator<MeasurementModel>> all = List.of(both, calm, wild);
+      List<Estimator> all = List.of(both, calm, wild);
       DMatrixRMaj truth = draws.normal(diagonal(1, 25));
       int mode = draws.uniform(0, 1) < 0.5 ? 0 : 1;
       DMatrixRMaj switching = SWITCHING.probabilities(DT_S);
@@ -98,7 +98,7 @@ class InteractingMultipleModelsTest {
   void ofTwoEqualModelsItIsThatModel() {
     Draws draws = new Draws(3);
     ConstantVelocity model = new ConstantVelocity(1, 3);
-    ExtendedKalmanFilter one = new ExtendedKalmanFilter(model, column(0, 0), diagonal(1, 25));
+    KalmanFilter one = new KalmanFilter(model, column(0, 0), diagonal(1, 25));
     InteractingMultipleModels two =
         new InteractingMultipleModels(
             List.of(model, model, model),

@@ -18,23 +18,17 @@ import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class KalmanFilterTest {
-  private static FilterOptions with(CovarianceForm form) {
-    return FilterOptions.DEFAULT.withForm(form);
-  }
-
-  @ParameterizedTest
-  @EnumSource(CovarianceForm.class)
-  void withoutProcessNoiseItIsTheBatchLeastSquaresFit(CovarianceForm form) {
+  @Test
+  void withoutProcessNoiseItIsTheBatchLeastSquaresFit() {
     Draws draws = new Draws(11);
     double dtS = 0.013;
     double variance = 0.04;
     DMatrixRMaj launch = column(1, -2, 3);
     DMatrixRMaj p0 = diagonal(4, 9, 25);
-    KalmanFilter filter = new KalmanFilter(new ConstantAcceleration(1, 0), launch, p0, with(form));
+    KalmanFilter filter = new KalmanFilter(new ConstantAcceleration(1, 0), launch, p0);
     LinearMeasurement position = LinearMeasurement.ofEntries(3, variance, 0);
     // Information form of the fit, in terms of the state at the end.
     DMatrixRMaj information = new DMatrixRMaj(3, 3);
@@ -76,12 +70,11 @@ class KalmanFilterTest {
    * F = H = Q = R = 1: Benavoli, Chisci and Farina (2009), "Fibonacci sequence, golden section,
    * Kalman filter and optimal control".
    */
-  @ParameterizedTest
-  @EnumSource(CovarianceForm.class)
-  void aRandomWalkUnderEqualNoiseHasTheGoldenSectionForItsGain(CovarianceForm form) {
+  @Test
+  void aRandomWalkUnderEqualNoiseHasTheGoldenSectionForItsGain() {
     LinearProcessModel walk = new RandomWalk();
     List<Correction> corrections = new ArrayList<>();
-    KalmanFilter filter = new KalmanFilter(walk, column(0), diagonal(1), with(form));
+    KalmanFilter filter = new KalmanFilter(walk, column(0), diagonal(1));
     filter.observe(step -> keep(step, corrections));
     LinearMeasurement itself = LinearMeasurement.ofEntries(1, 1, 0);
     for (int k = 0; k < 60; k++) {
@@ -164,15 +157,14 @@ class KalmanFilterTest {
     }
   }
 
-  @ParameterizedTest
-  @EnumSource(CovarianceForm.class)
-  void independentNumbersMayComeAsAVectorOrOneByOne(CovarianceForm form) {
+  @Test
+  void independentNumbersMayComeAsAVectorOrOneByOne() {
     Draws draws = new Draws(3);
     for (int run = 0; run < 20; run++) {
       DMatrixRMaj x = draws.normal(diagonal(1, 1, 1, 1));
       DMatrixRMaj p = draws.covariance(4);
-      KalmanFilter together = new KalmanFilter(new ConstantVelocity(2, 0.3), x, p, with(form));
-      KalmanFilter apart = new KalmanFilter(new ConstantVelocity(2, 0.3), x, p, with(form));
+      KalmanFilter together = new KalmanFilter(new ConstantVelocity(2, 0.3), x, p);
+      KalmanFilter apart = new KalmanFilter(new ConstantVelocity(2, 0.3), x, p);
       LinearMeasurement place = LinearMeasurement.ofEntries(4, 0.2, 0, 2);
       for (int k = 0; k < 10; k++) {
         together.predict(0.1);
@@ -198,7 +190,7 @@ class KalmanFilterTest {
   }
 
   @Test
-  void correlatedNoiseIsTakenAlikeByBothForms() {
+  void correlatedNoiseIsTakenAsTheTextbookSays() {
     Draws draws = new Draws(8);
     for (int run = 0; run < 50; run++) {
       DMatrixRMaj x = draws.normal(diagonal(1, 1, 1));
@@ -208,17 +200,18 @@ class KalmanFilterTest {
         h.set(i, draws.normal(1));
       }
       LinearMeasurement m = new LinearMeasurement(h, draws.covariance(2), Gate.OPEN);
-      KalmanFilter joseph = new KalmanFilter(new WhiteJerk(1, 2), x, p);
-      KalmanFilter ud = new KalmanFilter(new WhiteJerk(1, 2), x, p, with(CovarianceForm.UD));
+      WhiteJerk jerk = new WhiteJerk(1, 2);
+      KalmanFilter filter = new KalmanFilter(jerk, x, p);
+      Textbook textbook = new Textbook(x, p);
       for (int k = 0; k < 20; k++) {
-        joseph.predict(0.2);
-        ud.predict(0.2);
+        filter.predict(0.2);
+        textbook.predict(jerk, 0.2);
         DMatrixRMaj z = draws.normal(diagonal(1, 1));
-        joseph.update(m, z);
-        ud.update(m, z);
+        filter.update(m, z);
+        textbook.update(m, z);
       }
-      assertClose(joseph.estimate().state().toMatrix(), ud.estimate().state().toMatrix(), 1e-9);
-      assertSameCovariance(covarianceOf(joseph), covarianceOf(ud), 1e-9);
+      assertClose(textbook.x, filter.estimate().state().toMatrix(), 1e-9);
+      assertSameCovariance(textbook.p, covarianceOf(filter), 1e-9);
     }
   }
 
@@ -285,10 +278,9 @@ class KalmanFilterTest {
     assertEquals(before, filter.estimate());
   }
 
-  @ParameterizedTest
-  @EnumSource(CovarianceForm.class)
-  void anHourOfSilenceIsCoastedForTheLongestStepOnly(CovarianceForm form) {
-    FilterOptions options = with(form).withGap(GapPolicy.cap(2));
+  @Test
+  void anHourOfSilenceIsCoastedForTheLongestStepOnly() {
+    FilterOptions options = FilterOptions.DEFAULT.withGap(GapPolicy.cap(2));
     KalmanFilter hour =
         new KalmanFilter(new ConstantVelocity(1, 5), column(0, 1), diagonal(1, 1), options);
     KalmanFilter twoSeconds =

@@ -11,21 +11,18 @@ import java.util.List;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.EnumSource;
 
 class RtsSmootherTest {
   private static final int STANDS = 25;
 
-  @ParameterizedTest
-  @EnumSource(CovarianceForm.class)
-  void itIsTheMostProbableWholePath(CovarianceForm form) {
+  @Test
+  void itIsTheMostProbableWholePath() {
     Draws draws = new Draws(31);
     double variance = 0.09;
     DMatrixRMaj x0 = column(1, 2);
     DMatrixRMaj p0 = diagonal(4, 1);
     ConstantVelocity model = new ConstantVelocity(1, 0.7);
-    KalmanFilter filter = new KalmanFilter(model, x0, p0, FilterOptions.DEFAULT.withForm(form));
+    KalmanFilter filter = new KalmanFilter(model, x0, p0);
     List<FilterStep> steps = new ArrayList<>();
     filter.observe(steps::add);
     LinearMeasurement position = LinearMeasurement.ofEntries(2, variance, 0);

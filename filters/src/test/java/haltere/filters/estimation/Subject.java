@@ -14,8 +14,8 @@ interface Subject {
 
   DMatrixRMaj covariance();
 
-  /** One of the clear filters with its only measurement. */
-  static <M extends MeasurementModel> Subject of(Estimator<M> estimator, M measurement) {
+  /** An estimator over models with its only measurement. */
+  static Subject of(Estimator estimator, MeasurementModel measurement) {
     return new Subject() {
       @Override
       public void launch(DMatrixRMaj x, DMatrixRMaj p) {
@@ -44,86 +44,41 @@ interface Subject {
     };
   }
 
-  /** The written-out filter of a plane. */
-  static Subject of(ConstantVelocityPlane plane, double variance) {
+  /** The kernel without models, on the edge of a wing. */
+  static Subject ofKernel(double variance, double... densities) {
+    GaussianState belief = new GaussianState(4);
+    double[] row = {1, 0, 0, 0};
     return new Subject() {
       @Override
       public void launch(DMatrixRMaj x, DMatrixRMaj p) {
-        plane.x().launch(x.get(0), x.get(1), p.get(0, 0), p.get(1, 1));
-        plane.y().launch(x.get(2), x.get(3), p.get(2, 2), p.get(3, 3));
+        belief.set(x, p);
       }
 
       @Override
       public void predict(double dtS) {
-        plane.predict(dtS);
-      }
-
-      @Override
-      public void update(DMatrixRMaj z) {
-        plane.update(z.get(0), z.get(1), variance);
-      }
-
-      @Override
-      public DMatrixRMaj state() {
-        return Matrices.column(
-            plane.x().position(), plane.x().velocity(), plane.y().position(), plane.y().velocity());
-      }
-
-      @Override
-      public DMatrixRMaj covariance() {
-        DMatrixRMaj p = new DMatrixRMaj(4, 4);
-        put(p, 0, plane.x());
-        put(p, 2, plane.y());
-        return p;
-      }
-
-      private void put(DMatrixRMaj p, int at, ConstantVelocityAxis axis) {
-        p.set(at, at, axis.positionVariance());
-        p.set(at, at + 1, axis.crossCovariance());
-        p.set(at + 1, at, axis.crossCovariance());
-        p.set(at + 1, at + 1, axis.velocityVariance());
-      }
-    };
-  }
-
-  /** The written-out filter of four states, on a wing. */
-  static Subject ofWing(double variance, double... densities) {
-    FourStateEkf ekf = new FourStateEkf(Gate.OPEN, 20);
-    return new Subject() {
-      @Override
-      public void launch(DMatrixRMaj x, DMatrixRMaj p) {
-        ekf.setState(x.get(0), x.get(1), x.get(2), x.get(3));
-        ekf.setVariances(p.get(0, 0), p.get(1, 1), p.get(2, 2), p.get(3, 3));
-      }
-
-      @Override
-      public void predict(double dtS) {
-        ekf.predict(0, 0, 0, 0, 0, dtS);
-        ekf.addNoise(
-            densities[0] * dtS, densities[1] * dtS, densities[2] * dtS, densities[3] * dtS);
-      }
-
-      @Override
-      public void update(DMatrixRMaj z) {
-        double sin = Math.sin(ekf.x2());
-        double y = Angles.wrapPi(z.get(0) - ekf.x0() - ekf.x1() * sin);
-        ekf.update(y, 1, sin, ekf.x1() * Math.cos(ekf.x2()), 0, variance);
-      }
-
-      @Override
-      public DMatrixRMaj state() {
-        return Matrices.column(ekf.x0(), ekf.x1(), ekf.x2(), ekf.x3());
-      }
-
-      @Override
-      public DMatrixRMaj covariance() {
-        DMatrixRMaj p = new DMatrixRMaj(4, 4);
+        belief.shear(2, 3, dtS);
         for (int i = 0; i < 4; i++) {
-          for (int j = 0; j < 4; j++) {
-            p.set(i, j, ekf.covariance(i, j));
-          }
+          belief.addNoise(i, densities[i] * dtS);
         }
-        return p;
+      }
+
+      @Override
+      public void update(DMatrixRMaj z) {
+        row[1] = Math.sin(belief.mean(2));
+        row[2] = belief.mean(1) * Math.cos(belief.mean(2));
+        belief.project(row);
+        double expected = belief.mean(0) + belief.mean(1) * row[1];
+        belief.correct(Angles.wrapPi(z.get(0) - expected), variance);
+      }
+
+      @Override
+      public DMatrixRMaj state() {
+        return belief.mean().copy();
+      }
+
+      @Override
+      public DMatrixRMaj covariance() {
+        return belief.covariance().copy();
       }
     };
   }

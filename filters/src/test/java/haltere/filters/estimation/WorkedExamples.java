@@ -123,7 +123,7 @@ final class WorkedExamples {
     }
 
     private List<Estimate> pass(DMatrixRMaj x, DMatrixRMaj p, double noiseCm) {
-      ExtendedKalmanFilter filter = new ExtendedKalmanFilter(new DampedOscillator(0, 0, 0), x, p);
+      KalmanFilter filter = new KalmanFilter(new DampedOscillator(0, 0, 0), x, p);
       LinearMeasurement position = LinearMeasurement.ofEntries(4, noiseCm * noiseCm, 0);
       List<Estimate> estimates = new ArrayList<>();
       for (int k = 0; k < SPRING_FRAMES; k++) {

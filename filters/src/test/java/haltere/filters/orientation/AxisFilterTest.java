@@ -113,7 +113,7 @@ class AxisFilterTest {
               difference(step -> gradientAt(guess, line, entry, step)[1], 2e-3)
             };
       }
-      guess.error.setState(0, 0, 0, 0);
+      guess.error.mean().zero();
       seen.compare(guess, line);
       guess.covariance(covariance);
       double[] half = {covariance[0], covariance[2], covariance[2], covariance[10]};
@@ -138,7 +138,8 @@ class AxisFilterTest {
 
   private static double[] gradientAt(
       AxisHypothesis guess, LineMeasurement line, int entry, double step) {
-    guess.error.setState(entry == 0 ? step : 0, 0, entry == 1 ? step : 0, 0);
+    guess.error.mean().zero();
+    guess.error.setMean(2 * entry, step);
     LineComparison seen = new LineComparison();
     seen.compare(guess, line);
     return new double[] {seen.ha, seen.hb};

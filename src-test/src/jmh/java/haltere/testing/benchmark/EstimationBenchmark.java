@@ -1,40 +1,35 @@
 package haltere.testing.benchmark;
 
-import haltere.filters.estimation.Angles;
-import haltere.filters.estimation.ConstantVelocityPlane;
-import haltere.filters.estimation.CovarianceForm;
-import haltere.filters.estimation.ExtendedKalmanFilter;
-import haltere.filters.estimation.FilterOptions;
-import haltere.filters.estimation.FourStateEkf;
-import haltere.filters.estimation.Gate;
+import haltere.filters.estimation.GaussianState;
 import haltere.filters.estimation.KalmanFilter;
 import haltere.filters.estimation.LinearMeasurement;
-import haltere.filters.estimation.LinearProcessModel;
-import haltere.filters.estimation.MeasurementModel;
-import haltere.filters.estimation.SineCosine;
 import haltere.filters.estimation.UpdateOutcome;
 import haltere.filters.estimation.motion.ConstantVelocity;
 import java.util.Random;
 import java.util.concurrent.TimeUnit;
+import org.ejml.data.DMatrix4;
+import org.ejml.data.DMatrix4x4;
 import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.fixed.CommonOps_DDF4;
 import org.ejml.dense.row.CommonOps_DDRM;
+import org.ejml.dense.row.mult.MatrixVectorMult_DDRM;
+import org.ejml.dense.row.mult.VectorVectorMult_DDRM;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Fork;
 import org.openjdk.jmh.annotations.Measurement;
 import org.openjdk.jmh.annotations.Mode;
 import org.openjdk.jmh.annotations.OutputTimeUnit;
+import org.openjdk.jmh.annotations.Param;
 import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * One prediction and one update, in ns: the written-out filters beside the clear ones on matrices.
- * The wing's cost includes a sine and a cosine; {@code waveAlone} is these two.
- *
- * <p>To hold: an update of the written-out extended filter of four states, with its prediction, in
- * at most 60 ns, and no allocation.
+ * The loops of the estimation kernel beside the same arithmetic in EJML's operations, in ns: what
+ * decision 13 rests on. A correction is a projection and a scalar update that restores P h = r K; a
+ * prediction is one link of a chain of integrators with noise on one entry.
  *
  * <p>Run: {@code ./gradlew :src-test:jmh -Pbench=EstimationBenchmark -PjmhArgs='-prof gc'}
  */
@@ -45,215 +40,184 @@ import org.openjdk.jmh.annotations.Warmup;
 @Warmup(iterations = 3, time = 1)
 @Measurement(iterations = 5, time = 1)
 public class EstimationBenchmark {
-  private static final int EVENTS = 4096;
+  private static final int ROWS = 1024;
   private static final double DT_S = 5e-6;
-  private static final double Q_CENTRE = 0.02 * DT_S;
-  private static final double Q_AMPLITUDE = 0.5 * DT_S;
-  private static final double Q_PHASE = 2 * DT_S;
-  private static final double Q_FREQUENCY = 8000 * DT_S;
-  private static final double R = 0.006;
 
-  private final double[] noise = new double[EVENTS];
-  private final DMatrixRMaj scalar = new DMatrixRMaj(1, 1);
+  /** States: an edge of a wing, an attitude with its rates, a wing with three harmonics. */
+  @Param({"4", "7", "11"})
+  public int size;
+
+  private final double[][] rows = new double[ROWS][];
+  private final DMatrixRMaj[] columns = new DMatrixRMaj[ROWS];
+  private final DMatrix4[] fixedRows = new DMatrix4[ROWS];
+  private final double[] innovations = new double[ROWS];
+  private final LinearMeasurement position = LinearMeasurement.ofEntries(4, 2, 0, 2);
   private final DMatrixRMaj pair = new DMatrixRMaj(2, 1);
-  private final LinearMeasurement place = LinearMeasurement.ofEntries(4, 2, 0, 2);
-  private final Wing wing = new Wing();
-  private final SineCosine wave = new SineCosine();
-  private ConstantVelocityPlane plane;
-  private KalmanFilter planeClear;
-  private FourStateEkf edge;
-  private ExtendedKalmanFilter edgeClear;
-  private ExtendedKalmanFilter edgeUd;
-  private double phase;
+  private GaussianState kernel;
+  private DMatrixRMaj x;
+  private DMatrixRMaj p;
+  private DMatrixRMaj work;
+  private DMatrixRMaj transition;
+  private DMatrixRMaj noise;
+  private DMatrixRMaj g;
+  private DMatrixRMaj e;
+  private final DMatrix4x4 fixedP = new DMatrix4x4();
+  private final DMatrix4x4 fixedWork = new DMatrix4x4();
+  private final DMatrix4 fixedX = new DMatrix4();
+  private final DMatrix4 fixedG = new DMatrix4();
+  private final DMatrix4 fixedE = new DMatrix4();
+  private KalmanFilter plane;
   private int next;
 
-  /** Launches all filters. */
+  /** Draws rows, innovations and a covariance. */
   @Setup
-  public void launch() {
+  public void draw() {
     Random random = new Random(1);
-    for (int i = 0; i < EVENTS; i++) {
-      noise[i] = random.nextGaussian();
+    for (int k = 0; k < ROWS; k++) {
+      rows[k] = new double[size];
+      for (int i = 0; i < size; i++) {
+        rows[k][i] = random.nextGaussian();
+      }
+      columns[k] = DMatrixRMaj.wrap(size, 1, rows[k]);
+      fixedRows[k] = new DMatrix4(rows[k][0], rows[k][1], rows[k][2], rows[k][3]);
+      innovations[k] = random.nextGaussian();
     }
-    plane = new ConstantVelocityPlane(1e4, Gate.sigmas(5), 20);
-    plane.launch(0, 0, 4, 1e4);
-    planeClear =
-        new KalmanFilter(
-            new ConstantVelocity(2, 1e4),
-            new DMatrixRMaj(4, 1),
-            CommonOps_DDRM.diag(4, 1e4, 4, 1e4));
-    edge = new FourStateEkf(Gate.sigmas(5), 20);
-    edge.setState(1.5, 1, 0, 1250);
-    edge.setVariances(0.1, 0.1, 0.1, 400);
-    DMatrixRMaj x = new DMatrixRMaj(4, 1, true, 1.5, 1, 0, 1250);
-    DMatrixRMaj p = CommonOps_DDRM.diag(0.1, 0.1, 0.1, 400);
-    edgeClear = new ExtendedKalmanFilter(wing, x, p);
-    edgeUd =
-        new ExtendedKalmanFilter(wing, x, p, FilterOptions.DEFAULT.withForm(CovarianceForm.UD));
+    kernel = new GaussianState(size);
+    kernel.set(new DMatrixRMaj(size, 1), CommonOps_DDRM.identity(size));
+    x = new DMatrixRMaj(size, 1);
+    p = CommonOps_DDRM.identity(size);
+    CommonOps_DDF4.setIdentity(fixedP);
+    work = new DMatrixRMaj(size, size);
+    transition = CommonOps_DDRM.identity(size);
+    transition.set(2, 3, DT_S);
+    noise = new DMatrixRMaj(size, size);
+    noise.set(3, 3, 1e-3);
+    g = new DMatrixRMaj(size, 1);
+    e = new DMatrixRMaj(size, 1);
+    DMatrixRMaj start = new DMatrixRMaj(4, 1);
+    plane =
+        new KalmanFilter(new ConstantVelocity(2, 1e4), start, CommonOps_DDRM.diag(4, 1e4, 4, 1e4));
   }
 
-  private double noise() {
-    next = (next + 1) & (EVENTS - 1);
-    return noise[next];
-  }
-
-  private double angle() {
-    phase = Angles.wrapPi(phase + 1250 * DT_S);
-    // Not a sine, so that what is measured is the filter's own.
-    return 1.5 + phase * (4 / Math.PI - 4 / (Math.PI * Math.PI) * Math.abs(phase)) + 0.07 * noise();
+  private int next() {
+    next = (next + 1) & (ROWS - 1);
+    return next;
   }
 
   /**
-   * A place, written out.
+   * A scalar correction by the kernel.
+   *
+   * @return the state
+   */
+  @Benchmark
+  public double correctionByKernel() {
+    int k = next();
+    kernel.addNoise(k % size, 0.1);
+    kernel.project(rows[k]);
+    kernel.correct(innovations[k], 1);
+    return kernel.mean(0);
+  }
+
+  /**
+   * The same by EJML's operations on matrices of any size.
+   *
+   * @return the state
+   */
+  @Benchmark
+  public double correctionByEjml() {
+    int k = next();
+    p.add(k % size, k % size, 0.1);
+    DMatrixRMaj h = columns[k];
+    MatrixVectorMult_DDRM.mult(p, h, g);
+    double projected = VectorVectorMult_DDRM.innerProd(h, g);
+    double perS = 1 / (projected + 1);
+    CommonOps_DDRM.addEquals(x, innovations[k] * perS, g);
+    VectorVectorMult_DDRM.addOuterProd(-perS, g, g, p);
+    MatrixVectorMult_DDRM.mult(p, h, e);
+    CommonOps_DDRM.addEquals(e, -perS, g);
+    CommonOps_DDRM.scale(1 / projected, g);
+    CommonOps_DDRM.addEquals(e, -0.5 * VectorVectorMult_DDRM.innerProd(h, e), g);
+    VectorVectorMult_DDRM.addOuterProd(-1, e, g, p);
+    VectorVectorMult_DDRM.addOuterProd(-1, g, e, p);
+    symmetrise();
+    return x.get(0);
+  }
+
+  private void symmetrise() {
+    CommonOps_DDRM.transpose(p, work);
+    CommonOps_DDRM.add(p, work, p);
+    CommonOps_DDRM.scale(0.5, p);
+  }
+
+  /**
+   * The same by EJML's unrolled operations, for four states (whatever the parameter).
+   *
+   * @return the state
+   */
+  @Benchmark
+  public double correctionByEjmlFixedSize() {
+    int k = next();
+    fixedP.a11 += 0.1;
+    DMatrix4 h = fixedRows[k];
+    CommonOps_DDF4.mult(fixedP, h, fixedG);
+    double projected = CommonOps_DDF4.dot(h, fixedG);
+    double perS = 1 / (projected + 1);
+    CommonOps_DDF4.scale(innovations[k] * perS, fixedG, fixedE);
+    CommonOps_DDF4.addEquals(fixedX, fixedE);
+    CommonOps_DDF4.multAddOuter(1, fixedP, -perS, fixedG, fixedG, fixedWork);
+    CommonOps_DDF4.mult(fixedWork, h, fixedE);
+    fixedE.a1 -= perS * fixedG.a1;
+    fixedE.a2 -= perS * fixedG.a2;
+    fixedE.a3 -= perS * fixedG.a3;
+    fixedE.a4 -= perS * fixedG.a4;
+    CommonOps_DDF4.scale(1 / projected, fixedG);
+    double half = -0.5 * CommonOps_DDF4.dot(h, fixedE);
+    fixedE.a1 += half * fixedG.a1;
+    fixedE.a2 += half * fixedG.a2;
+    fixedE.a3 += half * fixedG.a3;
+    fixedE.a4 += half * fixedG.a4;
+    CommonOps_DDF4.multAddOuter(1, fixedWork, -1, fixedE, fixedG, fixedP);
+    CommonOps_DDF4.multAddOuter(1, fixedP, -1, fixedG, fixedE, fixedWork);
+    fixedP.setTo(fixedWork);
+    return fixedX.a1;
+  }
+
+  /**
+   * A prediction by the kernel.
+   *
+   * @return a variance
+   */
+  @Benchmark
+  public double predictionByKernel() {
+    kernel.shear(2, 3, DT_S);
+    kernel.addNoise(3, 1e-3);
+    return kernel.covariance(2, 2);
+  }
+
+  /**
+   * The same by EJML's products.
+   *
+   * @return a variance
+   */
+  @Benchmark
+  public double predictionByEjml() {
+    CommonOps_DDRM.mult(transition, p, work);
+    CommonOps_DDRM.multTransB(work, transition, p);
+    CommonOps_DDRM.addEquals(p, noise);
+    return p.get(2, 2);
+  }
+
+  /**
+   * A filter over models, of a point in a plane: prediction and a vector of two, four states
+   * (whatever the parameter).
    *
    * @return what became of it
    */
   @Benchmark
-  public UpdateOutcome planeWrittenOut() {
+  public UpdateOutcome filterOverModels() {
     plane.predict(DT_S);
-    return plane.update(noise(), noise(), 2);
-  }
-
-  /**
-   * A place, on matrices.
-   *
-   * @return what became of it
-   */
-  @Benchmark
-  public UpdateOutcome planeClear() {
-    planeClear.predict(DT_S);
-    pair.set(0, 0, noise());
-    pair.set(1, 0, noise());
-    return planeClear.update(place, pair);
-  }
-
-  /**
-   * A wing's edge, written out.
-   *
-   * @return what became of it
-   */
-  @Benchmark
-  public UpdateOutcome edgeWrittenOut() {
-    edge.predict(0, 0, 0, 0, 0, DT_S);
-    edge.addNoise(Q_CENTRE, Q_AMPLITUDE, Q_PHASE, Q_FREQUENCY);
-    wave.of(edge.x2());
-    double sin = wave.sine();
-    double y = Angles.wrapPi(angle() - (edge.x0() + edge.x1() * sin));
-    UpdateOutcome outcome = edge.update(y, 1, sin, edge.x1() * wave.cosine(), 0, R);
-    if (edge.x2() > Math.PI) {
-      // As the wing tracker does; a phase of many turns would need the slower sine.
-      edge.setState(edge.x0(), edge.x1(), edge.x2() - 2 * Math.PI, edge.x3());
-    }
-    return outcome;
-  }
-
-  /**
-   * A wing's edge, written out, with sine and cosine taken as known: the filter's own arithmetic.
-   *
-   * @return what became of it
-   */
-  @Benchmark
-  public UpdateOutcome edgeWrittenOutWithoutWave() {
-    edge.predict(0, 0, 0, 0, 0, DT_S);
-    edge.addNoise(Q_CENTRE, Q_AMPLITUDE, Q_PHASE, Q_FREQUENCY);
-    double sin = 0.1 * noise();
-    return edge.update(0.07 * noise(), 1, sin, 0.9, 0, R);
-  }
-
-  /**
-   * Sine and cosine alone.
-   *
-   * @return their sum
-   */
-  @Benchmark
-  public double waveAlone() {
-    phase = Angles.wrapPi(phase + 1250 * DT_S);
-    wave.of(phase);
-    return wave.sine() + wave.cosine();
-  }
-
-  /**
-   * A wing's edge, on matrices, Joseph's form.
-   *
-   * @return what became of it
-   */
-  @Benchmark
-  public UpdateOutcome edgeClear() {
-    scalar.set(0, 0, angle());
-    edgeClear.predict(DT_S);
-    return edgeClear.update(wing, scalar);
-  }
-
-  /**
-   * A wing's edge, on matrices, UD factors.
-   *
-   * @return what became of it
-   */
-  @Benchmark
-  public UpdateOutcome edgeUd() {
-    scalar.set(0, 0, angle());
-    edgeUd.predict(DT_S);
-    return edgeUd.update(wing, scalar);
-  }
-
-  /** State (a, M, ξ, ω), measured angle a + M sin ξ. */
-  private static final class Wing implements LinearProcessModel, MeasurementModel {
-    @Override
-    public int stateSize() {
-      return 4;
-    }
-
-    @Override
-    public void transition(double dtS, DMatrixRMaj f) {
-      CommonOps_DDRM.setIdentity(f);
-      f.set(2, 3, dtS);
-    }
-
-    @Override
-    public void evolve(DMatrixRMaj x, double dtS, DMatrixRMaj evolved) {
-      evolved.setTo(x);
-      evolved.add(2, 0, dtS * x.get(3));
-    }
-
-    @Override
-    public void noise(double dtS, DMatrixRMaj q) {
-      q.zero();
-      q.set(0, 0, 0.02 * dtS);
-      q.set(1, 1, 0.5 * dtS);
-      q.set(2, 2, 2 * dtS);
-      q.set(3, 3, 8000 * dtS);
-    }
-
-    @Override
-    public void noise(DMatrixRMaj x, double dtS, DMatrixRMaj q) {
-      noise(dtS, q);
-    }
-
-    @Override
-    public int size() {
-      return 1;
-    }
-
-    @Override
-    public void expected(DMatrixRMaj x, DMatrixRMaj z) {
-      z.set(0, 0, x.get(0) + x.get(1) * Math.sin(x.get(2)));
-    }
-
-    @Override
-    public void jacobian(DMatrixRMaj x, DMatrixRMaj h) {
-      h.set(0, 0, 1);
-      h.set(0, 1, Math.sin(x.get(2)));
-      h.set(0, 2, x.get(1) * Math.cos(x.get(2)));
-      h.set(0, 3, 0);
-    }
-
-    @Override
-    public void noise(DMatrixRMaj x, DMatrixRMaj r) {
-      r.set(0, 0, R);
-    }
-
-    @Override
-    public void residual(DMatrixRMaj z, DMatrixRMaj expected, DMatrixRMaj y) {
-      y.set(0, 0, Angles.wrapPi(z.get(0) - expected.get(0)));
-    }
+    pair.set(0, 0, innovations[next()]);
+    pair.set(1, 0, innovations[next]);
+    return plane.update(position, pair);
   }
 }

@@ -1,7 +1,7 @@
 package haltere.testing.evaluation;
 
-import haltere.filters.estimation.ChiSquare;
 import haltere.filters.estimation.Consistency;
+import haltere.filters.estimation.Gate;
 import haltere.filters.estimation.Interval;
 import haltere.filters.track.TrackUpdate;
 import java.util.ArrayList;
@@ -28,7 +28,7 @@ public final class TrackConsistency {
   private static final int DEGREES = 2;
   private static final long TICK_US = 10_000;
 
-  private final double quantile = ChiSquare.quantile(CONFIDENCE, DEGREES);
+  private final double quantile = Gate.probability(CONFIDENCE).threshold(DEGREES);
   private final SplittableRandom random = new SplittableRandom(1);
   private final Values nis = new Values();
   private final Values nees = new Values();

@@ -1,5 +1,6 @@
 package haltere.filters.wing.search;
 
+import haltere.filters.estimation.NormalEquations;
 import java.util.Arrays;
 
 /**
@@ -28,9 +29,8 @@ final class BodyLine {
   /** How far the body line is from the direction in which the wings swing together. */
   private static final double TURN_SD_RAD = 0.5;
 
-  private final double[][] normal = new double[SIZE][SIZE];
+  private final NormalEquations normal = new NormalEquations(SIZE);
   private final double[] row = new double[SIZE];
-  private final double[] right = new double[SIZE];
   private final double[] moved = new double[SIZE];
 
   /** By how much the heading is turned against the axis of the fits. */
@@ -60,17 +60,14 @@ final class BodyLine {
   }
 
   private boolean improve(StrokeFit[] fits, double axisRad) {
-    for (double[] line : normal) {
-      Arrays.fill(line, 0);
-    }
-    Arrays.fill(right, 0);
+    normal.clear();
     for (int side = 0; side < 2; side++) {
       fits[side].addTo(normal, side * StrokeFit.SIZE, REPEATING);
     }
-    normal[TURN][TURN] = 1 / (TURN_SD_RAD * TURN_SD_RAD);
+    normal.believe(TURN, 0, TURN_SD_RAD);
     believeInSymmetry(fits);
     believeInHinges(fits, axisRad + moved[TURN]);
-    return Cholesky.solve(normal, right, moved, SIZE);
+    return normal.solve(SIZE, moved);
   }
 
   private void believeInSymmetry(StrokeFit[] fits) {
@@ -101,14 +98,6 @@ final class BodyLine {
 
   /** That a value, which {@link #row} has the derivatives of, is 0 within a standard deviation. */
   private void believe(double value, double sd) {
-    double weight = 1 / (sd * sd);
-    for (int i = 0; i < SIZE; i++) {
-      if (row[i] != 0) {
-        right[i] -= weight * row[i] * value;
-        for (int j = 0; j < SIZE; j++) {
-          normal[i][j] += weight * row[i] * row[j];
-        }
-      }
-    }
+    normal.add(1 / (sd * sd), row, SIZE, -value);
   }
 }

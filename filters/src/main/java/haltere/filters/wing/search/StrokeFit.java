@@ -1,6 +1,7 @@
 package haltere.filters.wing.search;
 
 import haltere.filters.estimation.Angles;
+import haltere.filters.estimation.NormalEquations;
 import haltere.filters.wing.stroke.StrokeSeed;
 import java.util.Arrays;
 
@@ -44,8 +45,7 @@ final class StrokeFit {
   private static final double TIMING_S = 40e-6;
   private static final double[] SERIES_SD = {1, 0.08, 0.03, 0.012};
 
-  private final double[][] a = new double[SIZE][SIZE];
-  private final double[] b = new double[SIZE];
+  private final NormalEquations normal = new NormalEquations(SIZE);
   private final double[] step = new double[SIZE];
   private final double[] row = new double[SIZE];
 
@@ -61,7 +61,6 @@ final class StrokeFit {
   double residual;
 
   private final CoarseStroke coarse = new CoarseStroke();
-  private final double[][] scratch = new double[SIZE][SIZE];
   private int stride = 1;
   private double referenceRad;
   private double turn;
@@ -193,10 +192,7 @@ final class StrokeFit {
       if (!accumulate(sample, classes, side, hingeX, hingeY, outerPx, startOmega, round)) {
         return false;
       }
-      for (int i = 0; i < unknowns; i++) {
-        System.arraycopy(a[i], 0, scratch[i], 0, unknowns);
-      }
-      if (!Cholesky.solve(scratch, b, step, unknowns)) {
+      if (!normal.solve(unknowns, step)) {
         return false;
       }
       double moved = Math.hypot(step[HINGE_X], step[HINGE_Y]);
@@ -258,10 +254,7 @@ final class StrokeFit {
       double outerPx,
       double startOmega,
       int round) {
-    for (double[] r : a) {
-      Arrays.fill(r, 0);
-    }
-    Arrays.fill(b, 0);
+    normal.clear();
     believe(CENTRE, 1.7, 0.5);
     believe(OMEGA, startOmega, 2 * Math.PI * 8);
     believe(HINGE_X, priorX, round < WITH_HINGE ? 1e-4 : SLACK_PX);
@@ -327,45 +320,24 @@ final class StrokeFit {
       row[HINGE_Y] = (y * dy + turn * dx) / rr;
       row[WIDTH] = ahead;
       row[LAG] = sign < 0 ? -speed : 0;
-      double wv = w / variance;
-      int unknowns = SERIES + 2 * harmonics;
-      for (int m = 0; m < unknowns; m++) {
-        double wm = wv * row[m];
-        b[m] += wm * y;
-        double[] am = a[m];
-        for (int n = 0; n <= m; n++) {
-          am[n] += wm * row[n];
-        }
-      }
-    }
-    for (int m = 0; m < SIZE; m++) {
-      for (int n = 0; n < m; n++) {
-        a[n][m] = a[m][n];
-      }
+      normal.add(w / variance, row, SERIES + 2 * harmonics, y);
     }
     residual = inliers > 0 ? Math.sqrt(squares / inliers) : 0;
     return events >= 50;
   }
 
   /**
-   * Adds the normal equations to larger ones.
+   * Adds the information of the fit to larger equations.
    *
-   * @param normal takes them from a row and column on
-   * @param from the row and column
+   * @param equations take it from an unknown on
+   * @param from the unknown
    * @param repeating so many events count for one
    */
-  void addTo(double[][] normal, int from, double repeating) {
-    double scale = 1 / (repeating * Math.max(1, residual * residual));
-    for (int i = 0; i < SIZE; i++) {
-      for (int j = 0; j < SIZE; j++) {
-        normal[from + i][from + j] += scale * a[i][j];
-      }
-    }
+  void addTo(NormalEquations equations, int from, double repeating) {
+    equations.addInformation(normal, from, 1 / (repeating * Math.max(1, residual * residual)));
   }
 
   private void believe(int index, double value, double sd) {
-    double w = 1 / (sd * sd);
-    a[index][index] += w;
-    b[index] += w * (value - p[index]);
+    normal.believe(index, value - p[index], sd);
   }
 }

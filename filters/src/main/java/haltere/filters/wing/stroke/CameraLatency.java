@@ -55,8 +55,8 @@ final class CameraLatency {
     if (other == null) {
       return lag;
     }
-    double variance = own.covariance(StrokeEkf.LAG, StrokeEkf.LAG);
-    double otherVariance = other.covariance(StrokeEkf.LAG, StrokeEkf.LAG);
+    double variance = own.belief.covariance(StrokeEkf.LAG, StrokeEkf.LAG);
+    double otherVariance = other.belief.covariance(StrokeEkf.LAG, StrokeEkf.LAG);
     return lag + variance / (variance + otherVariance) * (other.x[StrokeEkf.LAG] - lag);
   }
 

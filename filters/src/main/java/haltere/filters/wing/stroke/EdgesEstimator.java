@@ -1,8 +1,8 @@
 package haltere.filters.wing.stroke;
 
 import haltere.filters.estimation.Angles;
-import haltere.filters.estimation.FourStateEkf;
 import haltere.filters.estimation.Gate;
+import haltere.filters.estimation.GaussianState;
 import haltere.filters.wing.WingFilterEdit;
 import haltere.filters.wing.WingFilterSettings;
 import haltere.filters.wing.WingFilterState;
@@ -41,7 +41,7 @@ public final class EdgesEstimator implements SideEstimator {
   private final WingSide side;
   private final StrokeFrame frame;
   private final BeatListener beats;
-  private final FourStateEkf[] filters = new FourStateEkf[2];
+  private final EdgeFilter[] filters = new EdgeFilter[2];
 
   /** Process noise of the variances, and the variance of a measurement, of each edge. */
   private final double[][] processNoise = new double[2][4];
@@ -78,7 +78,7 @@ public final class EdgesEstimator implements SideEstimator {
     this.beats = beats;
     apply(settings);
     for (int edge = 0; edge < 2; edge++) {
-      filters[edge] = new FourStateEkf(gate(options.gateSd()), LOST_AFTER);
+      filters[edge] = new EdgeFilter(gate(options.gateSd()), LOST_AFTER);
     }
   }
 
@@ -126,11 +126,16 @@ public final class EdgesEstimator implements SideEstimator {
       double phase =
           knowsPhase ? seed.phase() + seed.omega() * (atUs - seed.timeUs()) * US : seed.centre();
       double amplitude = knowsPhase ? seed.amplitude() : START_AMPLITUDE;
-      filters[edge].setState(seed.centre(), amplitude, Angles.wrapPi(phase), seed.omega());
-      filters[edge].setVariances(START_VARIANCE, 1e-9, START_VARIANCE, START_VARIANCE);
+      GaussianState belief = filters[edge].belief;
+      belief.setMean(EdgeFilter.CENTRE, seed.centre());
+      belief.setMean(EdgeFilter.AMPLITUDE, amplitude);
+      belief.setMean(EdgeFilter.PHASE, Angles.wrapPi(phase));
+      belief.setMean(EdgeFilter.OMEGA, seed.omega());
+      belief.setVariances(START_VARIANCE, 1e-9, START_VARIANCE, START_VARIANCE);
       if (!knowsPhase) {
-        filters[edge].setCovariance(2, 3, START_COVARIANCE);
+        belief.addNoise(EdgeFilter.PHASE, EdgeFilter.OMEGA, START_COVARIANCE);
       }
+      filters[edge].monitor.endRun();
       lastUs[edge] = atUs;
       lastPhase[edge] = phase(edge);
     }
@@ -141,7 +146,6 @@ public final class EdgesEstimator implements SideEstimator {
     int edge = on ? 1 : 0;
     lastEventUs = timeUs;
     taken[edge]++;
-    FourStateEkf ekf = filters[edge];
     double measured =
         counts[edge] == 0
             ? frame.angle()
@@ -158,12 +162,8 @@ public final class EdgesEstimator implements SideEstimator {
     ages[edge] = 0;
     counts[edge] = 0;
     predict(edge, atUs);
-    double sin = Math.sin(ekf.x2());
-    double cos = Math.cos(ekf.x2());
-    double y = Angles.wrapPi(angle - (ekf.x0() + ekf.x1() * sin));
-    expected = angle - y;
-    ekf.update(y, 1, sin, ekf.x1() * cos, 0, measurementNoise(edge));
-    mend(ekf);
+    filters[edge].update(angle, measurementNoise(edge));
+    expected = filters[edge].expected();
     if (edge == 0) {
       watchBeat(atUs);
     }
@@ -175,44 +175,34 @@ public final class EdgesEstimator implements SideEstimator {
   }
 
   private void predict(int edge, long timeUs) {
-    FourStateEkf ekf = filters[edge];
     double dtS = (timeUs - lastUs[edge]) * US;
     if (dtS > 0) {
-      ekf.predict(0, 0, 0, 0, 0, dtS);
-      addNoise(ekf, processNoise[edge], dtS);
+      filters[edge].predict(dtS);
+      addNoise(filters[edge].belief, processNoise[edge], dtS);
       lastUs[edge] = timeUs;
     }
   }
 
-  private void addNoise(FourStateEkf ekf, double[] q, double dtS) {
-    if (isByUpdate()) {
-      // the source's table, in which phase and frequency have all of their noise in common
-      ekf.addNoise(q[0], q[1], q[2], q[3]);
-      ekf.addPairNoise(0, Math.sqrt(q[2] * q[3]));
-    } else {
-      double square = dtS * dtS;
-      ekf.addNoise(q[0] * dtS, q[1] * dtS, q[2] * dtS + q[3] * dtS * square / 3, q[3] * dtS);
-      ekf.addPairNoise(0, q[3] * square / 2);
+  private void addNoise(GaussianState belief, double[] q, double dtS) {
+    // the table of Cardinale (2006), in which phase and frequency have all of their noise in common
+    boolean byUpdate = isByUpdate();
+    double scale = byUpdate ? 1 : dtS;
+    for (int i = 0; i < EdgeFilter.SIZE; i++) {
+      belief.addNoise(i, q[i] * scale);
     }
-  }
-
-  /** Keeps the phase small, so that it stays exact, and the amplitude positive. */
-  private static void mend(FourStateEkf ekf) {
-    double phase = ekf.x2();
-    double amplitude = ekf.x1();
-    if (Math.abs(phase) > 4 * Math.PI || amplitude < 0) {
-      if (amplitude < 0) {
-        phase += Math.PI;
-        amplitude = -amplitude;
-      }
-      ekf.setState(ekf.x0(), amplitude, Angles.wrapPi(phase), ekf.x3());
+    if (byUpdate) {
+      belief.addNoise(EdgeFilter.PHASE, EdgeFilter.OMEGA, Math.sqrt(q[2] * q[3]));
+    } else {
+      belief.addNoise(EdgeFilter.PHASE, q[3] * dtS * dtS * dtS / 3);
+      belief.addNoise(EdgeFilter.PHASE, EdgeFilter.OMEGA, q[3] * dtS * dtS / 2);
     }
   }
 
   private void watchBeat(long timeUs) {
     double phase = phase(0);
     if (phase < lastPhase[0] - Math.PI) {
-      double passedUs = timeUs - phase / Math.max(1, filters[0].x3()) * 1e6;
+      double passedUs =
+          timeUs - phase / Math.max(1, filters[0].belief.mean(EdgeFilter.OMEGA)) * 1e6;
       beats.beat(
           side, passedUs, passedUs - lastPassedUs, centre() - amplitude(), centre() + amplitude());
       lastPassedUs = passedUs;
@@ -223,7 +213,7 @@ public final class EdgesEstimator implements SideEstimator {
   }
 
   private double phase(int edge) {
-    double turns = filters[edge].x2() / (2 * Math.PI);
+    double turns = filters[edge].belief.mean(EdgeFilter.PHASE) / (2 * Math.PI);
     return (turns - Math.floor(turns)) * 2 * Math.PI;
   }
 
@@ -232,11 +222,9 @@ public final class EdgesEstimator implements SideEstimator {
     nowUs = timeUs;
   }
 
-  private double phaseNow(int edge) {
-    FourStateEkf ekf = filters[edge];
-    return ekf.x2()
-        + ekf.x3()
-            * ((nowUs - lastUs[edge]) * US + CameraLatency.seconds(options.latencyUs(), 0, 1));
+  private double turnNow(int edge) {
+    return filters[edge].belief.mean(EdgeFilter.OMEGA)
+        * ((nowUs - lastUs[edge]) * US + CameraLatency.seconds(options.latencyUs(), 0, 1));
   }
 
   @Override
@@ -246,22 +234,25 @@ public final class EdgesEstimator implements SideEstimator {
 
   @Override
   public double edgeAngle(int edge) {
-    return filters[edge].x0() + filters[edge].x1() * Math.sin(phaseNow(edge));
+    return filters[edge].angleAfter(turnNow(edge));
   }
 
   @Override
   public double centre() {
-    return (filters[0].x0() + filters[1].x0()) / 2;
+    return (filters[0].belief.mean(EdgeFilter.CENTRE) + filters[1].belief.mean(EdgeFilter.CENTRE))
+        / 2;
   }
 
   @Override
   public double amplitude() {
-    return (Math.abs(filters[0].x1()) + Math.abs(filters[1].x1())) / 2;
+    return (filters[0].belief.mean(EdgeFilter.AMPLITUDE)
+            + filters[1].belief.mean(EdgeFilter.AMPLITUDE))
+        / 2;
   }
 
   @Override
   public double phase() {
-    double turns = phaseNow(0) / (2 * Math.PI);
+    double turns = (filters[0].belief.mean(EdgeFilter.PHASE) + turnNow(0)) / (2 * Math.PI);
     return (turns - Math.floor(turns)) * 2 * Math.PI;
   }
 
@@ -272,26 +263,19 @@ public final class EdgesEstimator implements SideEstimator {
 
   @Override
   public double frequencyHz() {
-    return (filters[0].x3() + filters[1].x3()) / (4 * Math.PI);
+    return (filters[0].belief.mean(EdgeFilter.OMEGA) + filters[1].belief.mean(EdgeFilter.OMEGA))
+        / (4 * Math.PI);
   }
 
   @Override
   public double sdAngle() {
-    FourStateEkf ekf = filters[0];
-    double sin = Math.sin(ekf.x2());
-    double slope = ekf.x1() * Math.cos(ekf.x2());
-    double variance =
-        ekf.covariance(0, 0)
-            + sin * sin * ekf.covariance(1, 1)
-            + slope * slope * ekf.covariance(2, 2)
-            + 2 * (sin * ekf.covariance(0, 1) + slope * ekf.covariance(0, 2))
-            + 2 * sin * slope * ekf.covariance(1, 2);
-    return Math.sqrt(Math.max(0, variance) / 2);
+    return filters[0].sdAngleAfter(0) / Math.sqrt(2);
   }
 
   @Override
   public double sdFrequencyHz() {
-    return Math.sqrt(filters[0].covariance(3, 3) / 2) / (2 * Math.PI);
+    return Math.sqrt(filters[0].belief.covariance(EdgeFilter.OMEGA, EdgeFilter.OMEGA) / 2)
+        / (2 * Math.PI);
   }
 
   @Override
@@ -315,35 +299,30 @@ public final class EdgesEstimator implements SideEstimator {
   }
 
   private WingFilterState filter(int edge) {
-    FourStateEkf ekf = filters[edge];
-    double[] p = new double[16];
-    for (int i = 0; i < 16; i++) {
-      p[i] = ekf.covariance(i / 4, i % 4);
-    }
+    GaussianState belief = filters[edge].belief;
     return new WingFilterState(
         WingPart.edge(side.ordinal(), edge),
         NAMES,
         UNITS,
-        new double[] {ekf.x0(), ekf.x1(), ekf.x2(), ekf.x3()},
-        p,
+        belief.mean().data,
+        belief.covariance().data,
         processNoise[edge],
         measurementNoise(edge),
         false,
-        ekf.nis(),
+        filters[edge].nis(),
         taken[edge]);
   }
 
   @Override
   public void edit(WingFilterEdit edit) {
     int edge = edit.part() == WingPart.edge(side.ordinal(), 0) ? 0 : 1;
-    FourStateEkf ekf = filters[edge];
+    GaussianState belief = filters[edge].belief;
     switch (edit.table()) {
-      case STATE -> {
-        double[] x = {ekf.x0(), ekf.x1(), ekf.x2(), ekf.x3()};
-        x[edit.row()] = edit.value();
-        ekf.setState(x[0], x[1], Angles.wrapPi(x[2]), x[3]);
-      }
-      case COVARIANCE -> ekf.setCovariance(edit.row(), edit.column(), edit.value());
+      case STATE ->
+          belief.setMean(
+              edit.row(),
+              edit.row() == EdgeFilter.PHASE ? Angles.wrapPi(edit.value()) : edit.value());
+      case COVARIANCE -> belief.edit(edit.row(), edit.column(), edit.value());
       case PROCESS_NOISE -> processNoise[edge][edit.row()] = edit.notNegative();
       case MEASUREMENT_NOISE -> measurementNoise[edge] = edit.notNegative();
     }
@@ -366,7 +345,7 @@ public final class EdgesEstimator implements SideEstimator {
   @Override
   public boolean isLost(long timeUs) {
     return timeUs - lastEventUs > 30_000
-        || filters[0].monitor().lockLost()
-        || filters[1].monitor().lockLost();
+        || filters[0].monitor.lockLost()
+        || filters[1].monitor.lockLost();
   }
 }

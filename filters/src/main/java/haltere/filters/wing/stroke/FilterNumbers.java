@@ -38,7 +38,7 @@ final class FilterNumbers {
         names,
         units,
         filter.x,
-        filter.p,
+        filter.belief.covariance().data,
         q,
         noise.present(),
         noise.fixed() == 0,

@@ -58,7 +58,7 @@ final class FrequencyChange {
   void look(double dtS, StrokeEkf filter, boolean calm) {
     nowS += dtS;
     if (weight == 0) {
-      usual = FIRST_SHARE * filter.covariance(StrokeEkf.OMEGA, StrokeEkf.OMEGA);
+      usual = FIRST_SHARE * filter.belief.covariance(StrokeEkf.OMEGA, StrokeEkf.OMEGA);
       weight = FIRST_WEIGHT;
     }
     double now = filter.x[StrokeEkf.OMEGA];

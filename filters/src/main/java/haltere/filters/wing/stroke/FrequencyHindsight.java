@@ -69,7 +69,7 @@ final class FrequencyHindsight {
     timeS[next] = nowS;
     phase[next] = turned;
     omega[next] = filter.x[StrokeEkf.OMEGA];
-    variance[next] = filter.covariance(StrokeEkf.OMEGA, StrokeEkf.OMEGA);
+    variance[next] = filter.belief.covariance(StrokeEkf.OMEGA, StrokeEkf.OMEGA);
     next = (next + 1) % LOOKS;
     filled = Math.min(LOOKS, filled + 1);
     if (filled == LOOKS) {

@@ -62,7 +62,7 @@ final class FrequencyNoise {
     boolean calm = isCalm();
     surprise.look(dtS, omega, filter.x[StrokeEkf.RATE], calm);
     hindsight.look(dtS, filter, calm);
-    double p = filter.covariance(StrokeEkf.OMEGA, StrokeEkf.OMEGA);
+    double p = filter.belief.covariance(StrokeEkf.OMEGA, StrokeEkf.OMEGA);
     change.look(dtS, filter, calm && (other == null || other.isCalm()));
     if (p < calmVariance) {
       calmVariance = p;

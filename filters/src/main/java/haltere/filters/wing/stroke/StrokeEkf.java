@@ -1,7 +1,6 @@
 package haltere.filters.wing.stroke;
 
-import haltere.filters.estimation.CovarianceEdit;
-import java.util.Arrays;
+import haltere.filters.estimation.GaussianState;
 
 /**
  * The extended Kalman filter of a wing's stroke. Its state is the centre a, the amplitude M, the
@@ -30,11 +29,14 @@ final class StrokeEkf {
 
   final int harmonics;
   final int size;
+  final GaussianState belief;
+
+  /** The belief's mean itself. */
   final double[] x;
-  final double[] p;
-  private final double[] g;
+
   private final double[] h;
-  private final double[] moved;
+  private final double[] marked;
+  private double expectedVariance;
 
   /** Cosine and sine of the phase. */
   double cos = 1;
@@ -52,20 +54,20 @@ final class StrokeEkf {
   StrokeEkf(int harmonics) {
     this.harmonics = harmonics;
     size = SERIES + 2 * (harmonics - 1);
-    x = new double[size];
-    p = new double[size * size];
-    g = new double[size];
+    belief = new GaussianState(size);
+    x = belief.mean().data;
     h = new double[size];
-    moved = new double[size];
+    marked = new double[size];
   }
 
   /** Begins anew: a state with independent errors. */
   void launch(double[] state, double[] sd) {
-    Arrays.fill(p, 0);
+    double[] variances = new double[size];
     for (int i = 0; i < size; i++) {
       x[i] = state[i];
-      p[i * size + i] = sd[i] * sd[i];
+      variances[i] = sd[i] * sd[i];
     }
+    belief.setVariances(variances);
     refresh();
   }
 
@@ -169,32 +171,11 @@ final class StrokeEkf {
 
   /** Takes the covariance on by a time: the phase gathers the error of the frequency. */
   void predictCovariance(double dtS, double[] density) {
-    x[OMEGA] += dtS * x[RATE];
-    int phase = PHASE * size;
-    int omega = OMEGA * size;
-    int rate = RATE * size;
-    for (int j = 0; j < size; j++) {
-      p[phase + j] += dtS * p[omega + j];
-      p[omega + j] += dtS * p[rate + j];
-    }
-    for (int i = 0; i < size * size; i += size) {
-      p[i + PHASE] += dtS * p[i + OMEGA];
-      p[i + OMEGA] += dtS * p[i + RATE];
-    }
+    belief.shearCovariance(PHASE, OMEGA, dtS);
+    belief.shear(OMEGA, RATE, dtS);
     for (int i = 0; i < size; i++) {
-      p[i * size + i] += density[i] * dtS;
+      belief.addNoise(i, density[i] * dtS);
     }
-  }
-
-  /** Lets an entry forget: towards a likely value, by a share. */
-  void forget(int entry, double towards, double share, double sd) {
-    double keep = 1 - share;
-    x[entry] = towards + keep * (x[entry] - towards);
-    for (int j = 0; j < size; j++) {
-      p[entry * size + j] *= keep;
-      p[j * size + entry] *= keep;
-    }
-    p[entry * size + entry] += (1 - keep * keep) * sd * sd;
   }
 
   /**
@@ -224,59 +205,38 @@ final class StrokeEkf {
       h[i] = c;
       h[i + 1] = s;
     }
-    for (int i = 0; i < size; i++) {
-      double sum = 0;
-      int at = i * size;
-      for (int j = 0; j < size; j++) {
-        sum += p[at + j] * h[j];
-      }
-      g[i] = sum;
-    }
+    expectedVariance = belief.project(h);
   }
 
   /** Variance of what {@link #look} expects. */
   double expectedVariance() {
-    double sum = 0;
-    for (int i = 0; i < size; i++) {
-      sum += h[i] * g[i];
-    }
-    return sum;
+    return expectedVariance;
   }
 
   /** What {@link #look} looks at has moved by, since {@link #mark}. */
   double movedBy() {
     double sum = 0;
     for (int i = 0; i < size; i++) {
-      sum += h[i] * moved[i];
+      sum += h[i] * (x[i] - marked[i]);
     }
     return sum;
   }
 
-  /** Forgets by how much the state has moved. */
+  /** Keeps the state, for {@link #movedBy} and {@link #settle}. */
   void mark() {
-    Arrays.fill(moved, 0);
+    System.arraycopy(x, 0, marked, 0, size);
   }
 
   /** Takes in a measurement of what {@link #look} looks at. */
   void update(double innovation, double variance) {
-    double scale = 1 / (expectedVariance() + variance);
-    for (int i = 0; i < size; i++) {
-      double k = g[i] * scale;
-      double step = k * innovation;
-      x[i] += step;
-      moved[i] += step;
-      int at = i * size;
-      for (int j = 0; j < size; j++) {
-        p[at + j] -= k * g[j];
-      }
-    }
+    belief.correct(innovation, variance);
   }
 
   /** Ends a round of updates: what follows from the state is computed anew. */
   void settle() {
-    double turned = moved[PHASE];
+    double turned = x[PHASE] - marked[PHASE];
     if (turned != 0) {
-      x[PHASE] -= turned;
+      x[PHASE] = marked[PHASE];
       turn(turned);
     }
     double lag = x[OMEGA] * x[LAG];
@@ -295,20 +255,5 @@ final class StrokeEkf {
   void set(int entry, double value) {
     x[entry] = value;
     refresh();
-  }
-
-  /** Sets an entry of the covariance, with all that has to follow for it to stay one. */
-  void setCovariance(int row, int column, double value) {
-    double[] edited = CovarianceEdit.with(p, size, row, column, value);
-    System.arraycopy(edited, 0, p, 0, p.length);
-  }
-
-  /** Standard deviation of an entry. */
-  double sd(int entry) {
-    return Math.sqrt(Math.max(0, p[entry * size + entry]));
-  }
-
-  double covariance(int i, int j) {
-    return p[i * size + j];
   }
 }

@@ -20,12 +20,12 @@ final class StrokeMemory {
    * @param rateSd of the rate at which the frequency changes
    */
   static void forget(StrokeEkf filter, double dtS, double rateSd) {
-    filter.forget(StrokeEkf.RATE, 0, 1 - Math.exp(-dtS / RATE_S), rateSd);
+    filter.belief.decay(StrokeEkf.RATE, 0, 1 - Math.exp(-dtS / RATE_S), rateSd);
     double share = 1 - Math.exp(-dtS / FORGET_S);
-    filter.forget(StrokeEkf.WIDTH, WIDTH_MEAN, share, WIDTH_SD);
-    filter.forget(StrokeEkf.LAG, LAG_MEAN_S, share, LAG_SD_S);
+    filter.belief.decay(StrokeEkf.WIDTH, WIDTH_MEAN, share, WIDTH_SD);
+    filter.belief.decay(StrokeEkf.LAG, LAG_MEAN_S, share, LAG_SD_S);
     for (int i = StrokeEkf.SERIES; i < filter.size; i++) {
-      filter.forget(i, 0, share, SERIES_SD[(i - StrokeEkf.SERIES) / 2]);
+      filter.belief.decay(i, 0, share, SERIES_SD[(i - StrokeEkf.SERIES) / 2]);
     }
   }
 }

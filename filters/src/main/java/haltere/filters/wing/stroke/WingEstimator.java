@@ -359,7 +359,7 @@ public final class WingEstimator implements SideEstimator {
 
   @Override
   public double sdFrequencyHz() {
-    double variance = filter.covariance(StrokeEkf.OMEGA, StrokeEkf.OMEGA);
+    double variance = filter.belief.covariance(StrokeEkf.OMEGA, StrokeEkf.OMEGA);
     return Math.sqrt(frequencyNoise.variance(variance)) / (2 * Math.PI);
   }
 
@@ -385,7 +385,7 @@ public final class WingEstimator implements SideEstimator {
     flush();
     switch (edit.table()) {
       case STATE -> filter.set(edit.row(), edit.value());
-      case COVARIANCE -> filter.setCovariance(edit.row(), edit.column(), edit.value());
+      case COVARIANCE -> filter.belief.edit(edit.row(), edit.column(), edit.value());
       case PROCESS_NOISE -> {
         density[edit.row()] = edit.notNegative();
         if (edit.row() == StrokeEkf.OMEGA) {

@@ -114,10 +114,10 @@ class StrokeEkfTest {
     assertEquals(truth[4], filter.x[4], 0.005);
     assertEquals(truth[5], filter.x[5], 10e-6);
     for (int i = 0; i < filter.size; i++) {
-      assertTrue(filter.covariance(i, i) > 0);
+      assertTrue(filter.belief.covariance(i, i) > 0);
       for (int j = 0; j < i; j++) {
-        double scale = Math.sqrt(filter.covariance(i, i) * filter.covariance(j, j));
-        assertEquals(filter.covariance(i, j), filter.covariance(j, i), 1e-6 * scale);
+        double scale = Math.sqrt(filter.belief.covariance(i, i) * filter.belief.covariance(j, j));
+        assertEquals(filter.belief.covariance(i, j), filter.belief.covariance(j, i), 1e-6 * scale);
       }
     }
   }
@@ -128,7 +128,7 @@ class StrokeEkfTest {
     wings[0].set(StrokeEkf.LAG, 10e-6);
     wings[1].set(StrokeEkf.LAG, 50e-6);
     assertEquals(30e-6, CameraLatency.lagS(wings[0], wings[1]), 1e-12);
-    wings[1].setCovariance(StrokeEkf.LAG, StrokeEkf.LAG, 1e-12);
+    wings[1].belief.edit(StrokeEkf.LAG, StrokeEkf.LAG, 1e-12);
     assertEquals(50e-6, CameraLatency.lagS(wings[0], wings[1]), 1e-9);
     assertEquals(50e-6, CameraLatency.lagS(wings[1], wings[0]), 1e-9);
     assertEquals(10e-6, CameraLatency.lagS(wings[0], null));

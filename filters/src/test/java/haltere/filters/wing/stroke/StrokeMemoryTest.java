@@ -22,6 +22,6 @@ class StrokeMemoryTest {
     assertEquals(0.025 + kept * 0.075, filter.x[StrokeEkf.WIDTH], 1e-6);
     assertEquals(kept * 0.1, filter.x[StrokeEkf.SERIES + 1], 1e-6);
     assertEquals(kept * 0.05, filter.x[StrokeEkf.SERIES + 5], 1e-6);
-    assertEquals(0.012 * Math.sqrt(1 - kept * kept), filter.sd(StrokeEkf.SERIES + 5), 1e-6);
+    assertEquals(0.012 * Math.sqrt(1 - kept * kept), filter.belief.sd(StrokeEkf.SERIES + 5), 1e-6);
   }
 }

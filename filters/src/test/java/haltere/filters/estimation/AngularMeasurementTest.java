@@ -1,41 +1,20 @@
 package haltere.filters.estimation;
 
-import static haltere.filters.estimation.Matrices.assertClose;
 import static haltere.filters.estimation.Matrices.column;
-import static haltere.filters.estimation.Matrices.covarianceOf;
 import static haltere.filters.estimation.Matrices.diagonal;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.filters.estimation.motion.ConstantVelocity;
-import haltere.filters.estimation.motion.WhiteJerk;
 import org.ejml.data.DMatrixRMaj;
 import org.junit.jupiter.api.Test;
 
-class ExtendedKalmanFilterTest {
-  @Test
-  void ofLinearModelsItIsTheLinearFilter() {
-    Draws draws = new Draws(2);
-    KalmanFilter linear = new KalmanFilter(new WhiteJerk(1, 2), column(0, 1, 2), diagonal(1, 2, 3));
-    ExtendedKalmanFilter extended =
-        new ExtendedKalmanFilter(new WhiteJerk(1, 2), column(0, 1, 2), diagonal(1, 2, 3));
-    LinearMeasurement position = LinearMeasurement.ofEntries(3, 0.3, 0);
-    for (int k = 0; k < 100; k++) {
-      linear.predict(0.1);
-      extended.predict(0.1);
-      double z = draws.normal(2);
-      linear.update(position, z);
-      extended.update(position, z);
-    }
-    assertClose(
-        linear.estimate().state().toMatrix(), extended.estimate().state().toMatrix(), 1e-12);
-    assertClose(covarianceOf(linear), covarianceOf(extended), 1e-12);
-  }
-
+/** Angles wrap in the residual of a measurement. */
+class AngularMeasurementTest {
   @Test
   void anAngleMeasuredBeyondTheSeamPullsTheShortWay() {
-    ExtendedKalmanFilter filter =
-        new ExtendedKalmanFilter(
+    KalmanFilter filter =
+        new KalmanFilter(
             new WingEdge(0, 0, 0, 0), column(3.1, 1, 0, 0), diagonal(0.1, 0.1, 0.1, 0.1));
     WingEdge.Angle angle = new WingEdge.Angle(0.01, Gate.sigmas(4));
     assertEquals(UpdateOutcome.APPLIED, filter.update(angle, -3.1));
@@ -46,8 +25,8 @@ class ExtendedKalmanFilterTest {
   @Test
   void aFilterOfATurningAngleFollowsItThroughManyTurns() {
     Draws draws = new Draws(4);
-    ExtendedKalmanFilter filter =
-        new ExtendedKalmanFilter(new ConstantVelocity(1, 0.1), column(0, 5), diagonal(1, 4));
+    KalmanFilter filter =
+        new KalmanFilter(new ConstantVelocity(1, 0.1), column(0, 5), diagonal(1, 4));
     MeasurementModel heading = new Heading();
     double truth = 0;
     for (int k = 1; k <= 5000; k++) {

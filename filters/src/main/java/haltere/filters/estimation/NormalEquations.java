@@ -1,0 +1,112 @@
+package haltere.filters.estimation;
+
+import java.util.Arrays;
+import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.CommonOps_DDRM;
+
+/**
+ * The normal equations A s = b of a weighted least-squares step: A gathers the information of
+ * linearised measurements and of prior beliefs, b what they ask for.
+ *
+ * <p>Nothing is allocated by gathering. Thread rule: not safe for use by two threads at a time.
+ */
+public final class NormalEquations {
+  private final int n;
+  private final DMatrixRMaj a;
+  private final double[] b;
+  private final DMatrixRMaj leading = new DMatrixRMaj(1, 1);
+  private final DMatrixRMaj right = new DMatrixRMaj(1, 1);
+  private final DMatrixRMaj solution = new DMatrixRMaj(1, 1);
+  private final PositiveDefinite factored = new PositiveDefinite();
+
+  /**
+   * Equations without any information.
+   *
+   * @param unknowns how many, at least 1
+   */
+  public NormalEquations(int unknowns) {
+    n = Require.atLeast("unknowns", 1, unknowns);
+    a = new DMatrixRMaj(n, n);
+    b = new double[n];
+  }
+
+  /** Forgets everything. */
+  public void clear() {
+    Arrays.fill(a.data, 0);
+    Arrays.fill(b, 0);
+  }
+
+  /**
+   * Adds a measurement.
+   *
+   * @param weight one over its variance
+   * @param row its derivatives by the first {@code length} unknowns; not kept
+   * @param length how many entries of the row count
+   * @param residual measured minus expected
+   */
+  public void add(double weight, double[] row, int length, double residual) {
+    double[] d = a.data;
+    for (int i = 0; i < length; i++) {
+      double scaled = weight * row[i];
+      if (scaled != 0) {
+        b[i] += scaled * residual;
+        int at = i * n;
+        for (int j = 0; j <= i; j++) {
+          d[at + j] += scaled * row[j];
+        }
+      }
+    }
+  }
+
+  /**
+   * Adds a prior belief about one unknown.
+   *
+   * @param index the unknown
+   * @param difference believed value minus present value
+   * @param sd standard deviation of the belief, positive
+   */
+  public void believe(int index, double difference, double sd) {
+    double weight = 1 / (sd * sd);
+    a.data[index * n + index] += weight;
+    b[index] += weight * difference;
+  }
+
+  /**
+   * Adds the information of other equations, without what they ask for.
+   *
+   * @param other of fewer unknowns
+   * @param from the unknown here that is the first one there
+   * @param scale factor of their information
+   */
+  public void addInformation(NormalEquations other, int from, double scale) {
+    for (int i = 0; i < other.n; i++) {
+      for (int j = 0; j <= i; j++) {
+        a.data[(from + i) * n + from + j] += scale * other.a.data[i * other.n + j];
+      }
+    }
+  }
+
+  /**
+   * Solves for the leading unknowns, the others held at 0.
+   *
+   * @param unknowns how many
+   * @param out gets the step, {@code unknowns} entries
+   * @return false where A is not positive definite
+   */
+  public boolean solve(int unknowns, double[] out) {
+    leading.reshape(unknowns, unknowns);
+    right.reshape(unknowns, 1);
+    solution.reshape(unknowns, 1);
+    for (int i = 0; i < unknowns; i++) {
+      System.arraycopy(a.data, i * n, leading.data, i * unknowns, i + 1);
+    }
+    CommonOps_DDRM.symmLowerToFull(leading);
+    System.arraycopy(b, 0, right.data, 0, unknowns);
+    if (!factored.factor(leading)) {
+      return false;
+    }
+    factored.solve(right, solution);
+    System.arraycopy(solution.data, 0, out, 0, unknowns);
+    return true;
+  }
+}
