@@ -43,6 +43,11 @@ public record ObservationGateSettings(
         ObservationGateSettings.class, angleDeg, minAreaPx, minEccentricity, outlierShare);
   }
 
+  /** The outlier share, 0 where the angle accepts all. */
+  double effectiveOutlierShare() {
+    return angleDeg >= 90 ? 0 : outlierShare;
+  }
+
   /**
    * The settings to start from.
    *

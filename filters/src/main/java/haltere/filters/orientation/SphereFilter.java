@@ -45,8 +45,7 @@ final class SphereFilter implements AxisFilter {
   private static final double UNKNOWN_VARIANCE = (Math.PI - 2) / 2;
 
   private final double[] rateVariances;
-  private final double saccadesPerS;
-  private final double saccadeS;
+  private final TurningSettings turning;
   private final double gateRad;
   private final double outliers;
   private final double logOutlier;
@@ -69,16 +68,14 @@ final class SphereFilter implements AxisFilter {
   private boolean summed;
 
   SphereFilter(OrientationSettings settings) {
-    TurningSettings turning = settings.turning();
+    turning = settings.turning();
     double calm = turning.calmRateRadS();
     double wild = turning.saccadeRateRadS();
     rateVariances =
         calm == wild ? new double[] {calm * calm} : new double[] {calm * calm, wild * wild};
     decay = new RateDecay(turning.decayS());
-    saccadesPerS = turning.saccadesPerS();
-    saccadeS = turning.saccadeS();
     gateRad = Math.toRadians(settings.gate().angleDeg());
-    outliers = settings.gate().angleDeg() >= 90 ? 0 : settings.gate().outlierShare();
+    outliers = settings.gate().effectiveOutlierShare();
     logOutlier = outliers == 0 ? Double.NEGATIVE_INFINITY : Math.log(outliers / Math.PI);
     logInlier = Math.log(1 - outliers);
   }
@@ -102,10 +99,8 @@ final class SphereFilter implements AxisFilter {
   }
 
   private AxisHypothesis begin(AxisHypothesis guess, double[] axis, double[] covariance) {
-    double share = saccadesPerS * saccadeS / (1 + saccadesPerS * saccadeS);
-    int last = rateVariances.length - 1;
-    guess.launch(axis, covariance, (1 - share) * rateVariances[0] + share * rateVariances[last]);
-    guess.saccadeShare = share;
+    guess.launch(axis, covariance, turning.meanRateVariance());
+    guess.saccadeShare = turning.saccadeShare();
     guess.expect(0);
     if (recording) {
       guess.step = new AxisStep(null, null, guess.state(), null);
@@ -122,8 +117,8 @@ final class SphereFilter implements AxisFilter {
   public void predict(double dtS) {
     hasStepped = dtS > 0;
     decay.step(dtS);
-    begins = -Math.expm1(-saccadesPerS * dtS);
-    ends = -Math.expm1(-dtS / saccadeS);
+    begins = -Math.expm1(-turning.saccadesPerS() * dtS);
+    ends = -Math.expm1(-dtS / turning.saccadeS());
     for (int i = 0; i < guesses.size(); i++) {
       if (hasStepped) {
         guesses.get(i).predict(decay);

@@ -56,6 +56,17 @@ public record TurningSettings(
         updateNoise);
   }
 
+  /** Share of the time that is spent in saccades. */
+  double saccadeShare() {
+    return saccadesPerS * saccadeS / (1 + saccadesPerS * saccadeS);
+  }
+
+  /** Variance of a rate, over calm flight and saccades. */
+  double meanRateVariance() {
+    double share = saccadeShare();
+    return (1 - share) * calmRateRadS * calmRateRadS + share * saccadeRateRadS * saccadeRateRadS;
+  }
+
   /**
    * The settings to start from.
    *
