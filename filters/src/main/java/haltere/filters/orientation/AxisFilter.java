@@ -3,7 +3,7 @@ package haltere.filters.orientation;
 /**
  * Follows the undirected axis of a body through what cameras see of it.
  *
- * <p>Thread rule: one thread at a time. Nothing is allocated by a step.
+ * <p>Thread rule: one thread at a time.
  */
 sealed interface AxisFilter permits SphereFilter, QuaternionFilter {
   /** Begins with an axis that was found. */
@@ -25,13 +25,13 @@ sealed interface AxisFilter permits SphereFilter, QuaternionFilter {
   void update(LineMeasurement[] lines, int count);
 
   /**
-   * Takes in that a body flies more or less where its head points.
+   * Takes in that a body flies more or less where its head points (flight-direction coupling).
    *
    * @param direction unit vector, of the flight
    * @param variance of the angle between axis and flight in each direction, squared radians
    * @param fresh share of that angle that is another than an instant ago, greater than 0, at most 1
    */
-  void lean(double[] direction, double variance, double fresh);
+  void coupleToFlight(double[] direction, double variance, double fresh);
 
   /**
    * Whether the axis had better be looked for anew, after these lines were taken in.

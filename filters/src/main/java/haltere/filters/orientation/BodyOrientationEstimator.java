@@ -176,7 +176,7 @@ public final class BodyOrientationEstimator {
       axis.predict(dtS);
       axis.update(lines, count);
       taken = note(count);
-      lean(dtS);
+      coupleToFlight(dtS);
       hasAxis = axis.isSound() && (axis.axisVariance() <= LOST_VARIANCE || taken > 0);
       if (hasAxis && axis.doubts(lines, count) && finds(timeUs) && axis.offer(search)) {
         head.doubt();
@@ -197,7 +197,7 @@ public final class BodyOrientationEstimator {
   }
 
   /** A body that flies points more or less to where it flies. */
-  private void lean(double dtS) {
+  private void coupleToFlight(double dtS) {
     if (hasPlaceBefore) {
       course.step(placeBefore, place, dtS);
     }
@@ -209,7 +209,7 @@ public final class BodyOrientationEstimator {
         for (int k = 0; k < 3; k++) {
           tip[k] *= sign;
         }
-        axis.lean(tip, slip * slip + noise, Math.min(1, dtS / SLIP_LASTS_S));
+        axis.coupleToFlight(tip, slip * slip + noise, Math.min(1, dtS / SLIP_LASTS_S));
       }
     }
   }

@@ -1,42 +1,38 @@
 package haltere.filters.orientation;
 
+import java.util.Arrays;
+
 /**
- * The guesses of one time, and those of the time before while the new ones are made from them. A
+ * The hypotheses of one time, and those of the time before while the new ones are made from them. A
  * fixed number of them is kept and reused.
  */
 final class HypothesisSet {
-  /** Guesses that are kept from one time to the next. */
-  private static final int MOST = 8;
+  /** Largest number that is kept from one time to the next. */
+  static final int MAX_SPLIT = 20;
 
-  /** The same, with those that stand for a wide one. */
-  private static final int MOST_SPLIT = 20;
-
-  /** Guesses while lines are decided upon. */
+  /** Largest number while lines are decided upon. */
   private static final int ROOM = 64;
 
-  /** Probability below which a guess is dropped. */
-  private static final double LEAST = 1e-4;
+  /** Probability below which a hypothesis is dropped. */
+  private static final double MIN_WEIGHT = 1e-4;
 
-  /** Squared distance in standard deviations below which two guesses are one. */
-  private static final double ALIKE = 0.5;
+  /** Squared distance in standard deviations below which two hypotheses are one. */
+  private static final double MERGE_DISTANCE = 0.5;
 
   /** The same, weighed with the share of the smaller one. */
-  private static final double ALIKE_BY_SHARE = 0.01;
+  private static final double MERGE_DISTANCE_BY_SHARE = 0.01;
 
-  private AxisHypothesis[] now = made(ROOM);
-  private AxisHypothesis[] before = made(ROOM);
+  private AxisHypothesis[] now = new AxisHypothesis[ROOM];
+  private AxisHypothesis[] before = new AxisHypothesis[ROOM];
   private int size;
   private int oldSize;
   private double best = Double.NEGATIVE_INFINITY;
   private final AxisDifference difference = new AxisDifference();
   private final double[] shift = new double[4];
 
-  private static AxisHypothesis[] made(int count) {
-    AxisHypothesis[] all = new AxisHypothesis[count];
-    for (int i = 0; i < count; i++) {
-      all[i] = new AxisHypothesis();
-    }
-    return all;
+  HypothesisSet() {
+    Arrays.setAll(now, i -> new AxisHypothesis());
+    Arrays.setAll(before, i -> new AxisHypothesis());
   }
 
   int size() {
@@ -60,7 +56,7 @@ final class HypothesisSet {
     best = Double.NEGATIVE_INFINITY;
   }
 
-  /** The guesses become those of the time before. */
+  /** The hypotheses become those of the time before. */
   void startAnew() {
     AxisHypothesis[] were = now;
     now = before;
@@ -76,7 +72,7 @@ final class HypothesisSet {
 
   /** One more that will be kept, in place of the least likely one if need be. */
   AxisHypothesis addKept() {
-    if (size >= MOST_SPLIT) {
+    if (size >= MAX_SPLIT) {
       size--;
     }
     return add();
@@ -87,19 +83,14 @@ final class HypothesisSet {
     return best;
   }
 
-  void finish(AxisHypothesis guess) {
-    best = Math.max(best, guess.logWeight);
-  }
-
-  /** A guess that is no more pursued. */
-  void drop(AxisHypothesis guess) {
-    guess.logWeight = Double.NEGATIVE_INFINITY;
+  void finish(AxisHypothesis hypothesis) {
+    best = Math.max(best, hypothesis.logWeight);
   }
 
   /**
    * Makes probabilities of the logarithms, likeliest first; drops, merges, and keeps a few.
    *
-   * @param none weight of the case that no guess is right
+   * @param none weight of the case that no hypothesis is right
    * @return probability of that case
    */
   double settle(double none) {
@@ -120,20 +111,20 @@ final class HypothesisSet {
     double unknown = noneWeight / (noneWeight + sum);
     scale(1 / sum);
     sort();
-    while (size > 1 && now[size - 1].weight < LEAST) {
+    while (size > 1 && now[size - 1].weight < MIN_WEIGHT) {
       size--;
     }
     merge();
     sort();
-    size = Math.min(size, MOST_SPLIT);
+    size = Math.min(size, MAX_SPLIT);
     normalise();
     return unknown;
   }
 
-  /** Makes three of each guess that is too wide, as far as there is room. */
+  /** Makes three of each hypothesis that is too wide, as far as there is room. */
   void split() {
     int count = size;
-    for (int i = 0; i < count && size + 2 <= MOST_SPLIT; i++) {
+    for (int i = 0; i < count && size + 2 <= MAX_SPLIT; i++) {
       AxisHypothesis middle = now[i];
       if (middle.narrow(shift)) {
         middle.weight *= 0.5;
@@ -152,17 +143,17 @@ final class HypothesisSet {
   }
 
   /**
-   * Takes in a direction that the axis has but for an angle ({@link AxisHypothesis#lean}).
+   * Couples the axis to the flight ({@link AxisHypothesis#coupleToFlight}).
    *
    * @param vague whether heads that are far off it may have come round to the tail
    */
-  void lean(double[] direction, double variance, double fresh, boolean vague) {
+  void coupleToFlight(double[] direction, double variance, double fresh, boolean vague) {
     for (int i = 0; i < size; i++) {
       AxisHypothesis each = now[i];
       if (vague) {
         each.face(direction, variance);
       }
-      each.lean(direction, variance, fresh);
+      each.coupleToFlight(direction, variance, fresh);
       each.weight *= Math.exp(each.logWeight);
     }
     sort();
@@ -170,18 +161,18 @@ final class HypothesisSet {
   }
 
   /**
-   * Takes in the guess that was added last.
+   * Takes in the hypothesis that was added last.
    *
    * @param chance its weight
-   * @param none weight of the case that no guess is right
+   * @param none weight of the case that no hypothesis is right
    * @param others weight of the others together
-   * @return probability that no guess is right
+   * @return probability that none is right
    */
-  double include(AxisHypothesis guess, double chance, double none, double others) {
+  double include(AxisHypothesis added, double chance, double none, double others) {
     double known = chance + others;
-    guess.weight = 0;
+    added.weight = 0;
     scale(others / known);
-    guess.weight = chance / known;
+    added.weight = chance / known;
     merge();
     sort();
     normalise();
@@ -216,15 +207,14 @@ final class HypothesisSet {
   private void merge() {
     for (int i = 0; i < size; i++) {
       for (int j = i + 1; j < size; j++) {
-        double share = now[j].weight / (now[i].weight + now[j].weight);
-        difference.betweenLines(now[i], now[j]);
-        double distance = distance(now[i], now[j]);
         if ((now[i].saccadeShare < 0.5) != (now[j].saccadeShare < 0.5)) {
           continue;
         }
-        if (distance < ALIKE || share * distance < ALIKE_BY_SHARE) {
-          difference.carryCovariance(now[j]);
-          now[i].absorb(difference, share);
+        double share = now[j].weight / (now[i].weight + now[j].weight);
+        difference.betweenLines(now[i], now[j]);
+        double distance = distance(now[i], now[j]);
+        if (distance < MERGE_DISTANCE || share * distance < MERGE_DISTANCE_BY_SHARE) {
+          difference.merge(share);
           now[i].saccadeShare += share * (now[j].saccadeShare - now[i].saccadeShare);
           now[i].weight += now[j].weight;
           AxisHypothesis gone = now[j];
@@ -246,11 +236,11 @@ final class HypothesisSet {
     return sum;
   }
 
-  /** Adds an instant to the way that each guess has come. */
+  /** Adds a time to the steps that led to each hypothesis. */
   void record() {
     for (int i = 0; i < size; i++) {
       AxisHypothesis each = now[i];
-      each.step = new AxisStep(each.predicted, each.transition.clone(), each.state(), each.step);
+      each.step = new AxisStep(each.predicted, each.transition.copy(), each.state(), each.step);
     }
   }
 }

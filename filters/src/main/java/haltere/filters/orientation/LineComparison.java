@@ -3,10 +3,10 @@ package haltere.filters.orientation;
 import haltere.filters.estimation.GaussianState;
 
 /**
- * A line beside what a guess of the axis expects of it: innovation, gradient, and both variances,
- * to the second order (Bar-Shalom, Li and Kirubarajan 2001, section 10.3.2). With the line's
- * picture z = vx + i vy and w = ∂z/z, the angle's first derivatives are Im w and its second ones
- * −Im w wᵀ. Reused.
+ * A line beside what a hypothesis of the axis expects of it: innovation, gradient, and both
+ * variances, to the second order (Bar-Shalom, Li and Kirubarajan 2001, section 10.3.2). With the
+ * line's picture z = vx + i vy and w = ∂z/z, the angle's first derivatives are Im w and its second
+ * ones −Im w wᵀ. Reused.
  */
 final class LineComparison {
   /** Least squared length of the axis in the picture; below, it is seen end-on. */
@@ -38,11 +38,11 @@ final class LineComparison {
    *
    * @return false where the body is seen end-on
    */
-  boolean compare(AxisHypothesis guess, LineMeasurement line) {
-    GaussianState error = guess.error;
-    double[] u = guess.u;
-    double[] e1 = guess.e1;
-    double[] e2 = guess.e2;
+  boolean compare(AxisHypothesis hypothesis, LineMeasurement line) {
+    GaussianState error = hypothesis.error;
+    double[] u = hypothesis.u;
+    double[] e1 = hypothesis.e1;
+    double[] e2 = hypothesis.e2;
     double a = error.mean(0);
     double b = error.mean(2);
     double[] n = line.n;

@@ -143,7 +143,7 @@ final class QuaternionFilter implements AxisFilter {
   }
 
   @Override
-  public void lean(double[] direction, double variance, double fresh) {
+  public void coupleToFlight(double[] direction, double variance, double fresh) {
     // Straw et al. (2011) take no heed of the flight
   }
 

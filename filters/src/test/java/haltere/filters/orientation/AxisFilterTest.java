@@ -85,11 +85,10 @@ class AxisFilterTest {
   @Test
   void theSecondOrderTermsAreThoseOfTheGradientsDifferences() {
     SplittableRandom random = new SplittableRandom(8);
-    double[] covariance = new double[16];
     int compared = 0;
     for (int i = 0; i < 300; i++) {
       LineMeasurement line = line(random);
-      AxisHypothesis guess = new AxisHypothesis();
+      AxisHypothesis hypothesis = new AxisHypothesis();
       double[] u = RandomCameras.unit(random);
       double[] p = new double[9];
       for (int k = 0; k < 3; k++) {
@@ -98,10 +97,10 @@ class AxisFilterTest {
           p[e] += 0.02 * v[e / 3] * v[e % 3];
         }
       }
-      guess.launch(u, p, 1);
-      guess.expect(0);
+      hypothesis.launch(u, p, 1);
+      hypothesis.expect(0);
       LineComparison seen = new LineComparison();
-      if (!seen.compare(guess, line) || Math.hypot(seen.ha, seen.hb) > 3) {
+      if (!seen.compare(hypothesis, line) || Math.hypot(seen.ha, seen.hb) > 3) {
         continue;
       }
       double[][] second = new double[2][];
@@ -109,13 +108,13 @@ class AxisFilterTest {
         int entry = k;
         second[k] =
             new double[] {
-              difference(step -> gradientAt(guess, line, entry, step)[0], 2e-3),
-              difference(step -> gradientAt(guess, line, entry, step)[1], 2e-3)
+              difference(step -> gradientAt(hypothesis, line, entry, step)[0], 2e-3),
+              difference(step -> gradientAt(hypothesis, line, entry, step)[1], 2e-3)
             };
       }
-      guess.error.mean().zero();
-      seen.compare(guess, line);
-      guess.covariance(covariance);
+      hypothesis.error.mean().zero();
+      seen.compare(hypothesis, line);
+      double[] covariance = hypothesis.error.covariance().data;
       double[] half = {covariance[0], covariance[2], covariance[2], covariance[10]};
       double trace = 0;
       double square = 0;
@@ -129,7 +128,7 @@ class AxisFilterTest {
           }
         }
       }
-      assertEquals(line.residual(guess.u) - 0.5 * trace, seen.innovation, 1e-9);
+      assertEquals(line.residual(hypothesis.u) - 0.5 * trace, seen.innovation, 1e-9);
       assertEquals(line.varianceRad2 + 0.5 * square, seen.noise, 1e-9);
       compared++;
     }
@@ -137,11 +136,11 @@ class AxisFilterTest {
   }
 
   private static double[] gradientAt(
-      AxisHypothesis guess, LineMeasurement line, int entry, double step) {
-    guess.error.mean().zero();
-    guess.error.setMean(2 * entry, step);
+      AxisHypothesis hypothesis, LineMeasurement line, int entry, double step) {
+    hypothesis.error.mean().zero();
+    hypothesis.error.setMean(2 * entry, step);
     LineComparison seen = new LineComparison();
-    seen.compare(guess, line);
+    seen.compare(hypothesis, line);
     return new double[] {seen.ha, seen.hb};
   }
 
@@ -228,8 +227,8 @@ class AxisFilterTest {
       start.putInto(filter);
       AxisState before = filter.state();
       filter.predict(dtS);
-      double[] transition = filter.transition();
-      AxisState after = filter.predictedState();
+      double[] transition = filter.hypotheses.get(0).transition.data.clone();
+      AxisState after = SpherePath.predicted(filter);
       for (int column = 0; column < 4; column++) {
         for (int row = 0; row < 4; row++) {
           int from = column;

@@ -80,7 +80,7 @@ class AxisHonestyTest {
         }
         // Lines of one step share the error of the prediction, so one of them is looked at.
         LineMeasurement only = lines[step % lines.length];
-        double innovation = normalised(only, filter.predictedState());
+        double innovation = normalised(only, SpherePath.predicted(filter));
         filter.update(lines, lines.length);
         nis += innovation * innovation;
         nisCount++;

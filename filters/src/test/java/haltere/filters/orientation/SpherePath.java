@@ -44,7 +44,23 @@ final class SpherePath {
   /** Gives a filter this axis and, as far as it can know, this velocity. */
   void putInto(SphereFilter filter) {
     filter.launch(u, new double[] {1e-4, 0, 0, 0, 1e-4, 0, 0, 0, 1e-4});
-    filter.setTipVelocity(v);
+    AxisHypothesis best = filter.hypotheses.get(0);
+    best.error.setMean(1, Vectors.dot(v, best.e1));
+    best.error.setMean(3, Vectors.dot(v, best.e2));
+  }
+
+  /**
+   * State of the best hypothesis between prediction and update, with the noise of calm flight and
+   * of saccades in it as likely as they are.
+   */
+  static AxisState predicted(SphereFilter filter) {
+    AxisHypothesis best = filter.hypotheses.get(0);
+    double wild = filter.nextSaccadeShare(best);
+    double[] variances = filter.rateVariances;
+    AxisHypothesis copy = new AxisHypothesis();
+    copy.copy(best);
+    copy.addNoise(filter.decay, (1 - wild) * variances[0] + wild * variances[variances.length - 1]);
+    return copy.state();
   }
 
   double[] axis() {
