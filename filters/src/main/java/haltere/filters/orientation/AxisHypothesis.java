@@ -74,7 +74,7 @@ final class AxisHypothesis {
     System.arraycopy(other.u, 0, u, 0, 3);
     System.arraycopy(other.e1, 0, e1, 0, 3);
     System.arraycopy(other.e2, 0, e2, 0, 3);
-    transition.setTo(other.transition);
+    System.arraycopy(other.transition.data, 0, transition.data, 0, 16);
     error.set(other.error);
     logWeight = other.logWeight;
     weight = other.weight;
@@ -148,17 +148,18 @@ final class AxisHypothesis {
   private void setTransition(double na, double nb, double s, double speed, RateDecay decay) {
     double g = decay.reachS;
     double left = decay.left;
-    double sinc = s < 1e-4 ? 1 - s * s / 6 : Math.sin(s) / s;
+    double sin = Math.sin(s);
     double fall = s < 1e-4 ? -s * s / 2 : Math.cos(s) - 1;
+    double angleByRate = s < 1e-4 ? -g * s * s / 6 : g * (sin / s - 1);
     double[] f = transition.data;
     for (int i = 0; i < 4; i += 2) {
       for (int j = 0; j < 4; j += 2) {
         double across = (i == 0 ? na : nb) * (j == 0 ? na : nb);
         double same = i == j ? 1 : 0;
         f[4 * i + j] = same + fall * across;
-        f[4 * i + j + 1] = same * g + g * (sinc - 1) * across;
-        f[4 * i + 4 + j] = -left * speed * Math.sin(s) * across;
-        f[4 * i + 5 + j] = same * left + left * fall * across;
+        f[4 * i + j + 1] = same * g + angleByRate * across;
+        f[4 * i + 4 + j] = -left * speed * sin * across;
+        f[4 * i + 5 + j] = left * (same + fall * across);
       }
     }
   }
@@ -349,6 +350,11 @@ final class AxisHypothesis {
     for (int i = 0; i < 3; i++) {
       out[i] = error.mean(1) * e1[i] + error.mean(3) * e2[i];
     }
+  }
+
+  /** Mean squared angle to the true axis. */
+  double angleVariance() {
+    return error.covariance(0, 0) + error.covariance(2, 2);
   }
 
   boolean isSound() {

@@ -12,61 +12,89 @@ import org.ejml.dense.row.CommonOps_DDRM;
  * more than 90 degrees apart have a mean between them, not one beside the line of both. Reused.
  */
 final class AxisMixture {
+  private final HypothesisSet hypotheses;
+  private final double unknownVariance;
   private final AxisHypothesis mean = new AxisHypothesis();
-  private final AxisDifference difference = new AxisDifference();
+  private final AxisDifference[] differences = new AxisDifference[HypothesisSet.MAX_SPLIT];
   private final GaussianState[] pool = new GaussianState[HypothesisSet.MAX_SPLIT];
+  private final GaussianState mixed = new GaussianState(4);
+  private double unknown;
+  private boolean hasMean;
+  private boolean hasCovariance;
 
-  /** Nothing to sum up yet. */
-  AxisMixture() {
+  /**
+   * A mixture.
+   *
+   * @param hypotheses the likeliest first, with probabilities that add up to 1
+   * @param unknownVariance variance of the axis in each direction if none of them is right
+   */
+  AxisMixture(HypothesisSet hypotheses, double unknownVariance) {
+    this.hypotheses = hypotheses;
+    this.unknownVariance = unknownVariance;
+    Arrays.setAll(differences, i -> new AxisDifference());
     Arrays.setAll(pool, i -> new GaussianState(4));
   }
 
-  /**
-   * Sums up.
-   *
-   * @param hypotheses the likeliest first, with probabilities that add up to 1
-   * @param unknown probability that none of them is right
-   * @param unknownVariance variance of the axis then, in each direction
-   */
-  void of(HypothesisSet hypotheses, double unknown, double unknownVariance) {
-    AxisHypothesis best = hypotheses.get(0);
-    mean.copy(best);
-    int count = hypotheses.size();
-    if (count > 1) {
-      GaussianState[] parts = Arrays.copyOf(pool, count);
-      double[] weights = new double[count];
-      for (int i = 0; i < count; i++) {
-        weights[i] = hypotheses.get(i).weight;
-        difference.betweenHeads(best, hypotheses.get(i));
-        difference.carry(parts[i]);
+  /** The hypotheses have changed, or the probability that none of them is right. */
+  void changed(double newUnknown) {
+    unknown = newUnknown;
+    hasMean = false;
+    hasCovariance = false;
+  }
+
+  /** The mean; its covariance is that of the likeliest hypothesis. */
+  AxisHypothesis mean() {
+    if (!hasMean) {
+      double[] offset = new double[4];
+      mean.copy(hypotheses.get(0));
+      for (int i = 1; i < hypotheses.size(); i++) {
+        differences[i].betweenHeads(hypotheses.get(0), hypotheses.get(i));
+        for (int k = 0; k < 4; k++) {
+          offset[k] += hypotheses.get(i).weight * differences[i].d[k];
+        }
       }
-      mean.error.mix(parts, weights);
-      mean.recentre(false);
+      mean.move(offset);
+      hasMean = true;
     }
-    if (unknown > 0) {
-      DMatrixRMaj p = mean.error.covariance();
+    return mean;
+  }
+
+  /** The mean with the covariance of the mixture. */
+  AxisHypothesis meanWithCovariance() {
+    if (!hasCovariance) {
+      AxisHypothesis best = hypotheses.get(0);
+      DMatrixRMaj p = mean().error.covariance();
+      int count = hypotheses.size();
+      if (count > 1) {
+        double[] weights = new double[count];
+        pool[0].set(best.error);
+        weights[0] = best.weight;
+        for (int i = 1; i < count; i++) {
+          weights[i] = hypotheses.get(i).weight;
+          differences[i].carry(pool[i]);
+        }
+        mixed.mix(Arrays.copyOf(pool, count), weights);
+        p.setTo(mixed.covariance());
+      }
       CommonOps_DDRM.scale(1 - unknown, p);
       for (int i = 0; i < 4; i++) {
         p.add(i, i, unknown * (i % 2 == 0 ? unknownVariance : best.error.covariance(i, i)));
       }
+      hasCovariance = true;
     }
-  }
-
-  /** The mean with its covariance. */
-  AxisHypothesis mean() {
     return mean;
   }
 
   double axisVariance() {
-    return mean.error.covariance(0, 0) + mean.error.covariance(2, 2);
+    return meanWithCovariance().angleVariance();
   }
 
   /** Probability of the hypotheses that are nearer to the mean than to its opposite. */
-  double agreement(HypothesisSet hypotheses) {
+  double agreement() {
     double sum = 0;
     for (int i = 0; i < hypotheses.size(); i++) {
       AxisHypothesis each = hypotheses.get(i);
-      sum += Vectors.dot(each.u, mean.u) > 0 ? each.weight : 0;
+      sum += Vectors.dot(each.u, mean().u) > 0 ? each.weight : 0;
     }
     return Math.min(1, sum);
   }

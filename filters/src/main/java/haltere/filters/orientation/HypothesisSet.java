@@ -1,5 +1,6 @@
 package haltere.filters.orientation;
 
+import haltere.filters.orientation.camera.Vectors;
 import java.util.Arrays;
 
 /**
@@ -207,33 +208,35 @@ final class HypothesisSet {
   private void merge() {
     for (int i = 0; i < size; i++) {
       for (int j = i + 1; j < size; j++) {
-        if ((now[i].saccadeShare < 0.5) != (now[j].saccadeShare < 0.5)) {
-          continue;
-        }
-        double share = now[j].weight / (now[i].weight + now[j].weight);
-        difference.betweenLines(now[i], now[j]);
-        double distance = distance(now[i], now[j]);
-        if (distance < MERGE_DISTANCE || share * distance < MERGE_DISTANCE_BY_SHARE) {
+        AxisHypothesis other = now[j];
+        double share = other.weight / (now[i].weight + other.weight);
+        if (areAlike(now[i], other, share)) {
           difference.merge(share);
-          now[i].saccadeShare += share * (now[j].saccadeShare - now[i].saccadeShare);
-          now[i].weight += now[j].weight;
-          AxisHypothesis gone = now[j];
+          now[i].saccadeShare += share * (other.saccadeShare - now[i].saccadeShare);
+          now[i].weight += other.weight;
           System.arraycopy(now, j + 1, now, j, size - j - 1);
-          now[--size] = gone;
+          now[--size] = other;
           j--;
         }
       }
     }
   }
 
-  /** Of the differences by the variances of both, entry by entry. */
-  private double distance(AxisHypothesis a, AxisHypothesis b) {
-    double sum = 0;
+  /** Whether two hypotheses are of one mode and near by the variances of both, entry by entry. */
+  private boolean areAlike(AxisHypothesis a, AxisHypothesis b, double share) {
+    double limit = Math.max(MERGE_DISTANCE, MERGE_DISTANCE_BY_SHARE / share);
+    double variance = a.angleVariance() + b.angleVariance();
+    double cos = Vectors.dot(a.u, b.u);
+    if ((a.saccadeShare < 0.5) != (b.saccadeShare < 0.5) || 1 - cos * cos > limit * variance) {
+      return false;
+    }
+    difference.betweenLines(a, b);
+    double distance = 0;
     for (int k = 0; k < 4; k++) {
       double d = difference.d[k];
-      sum += d * d / (a.error.covariance(k, k) + b.error.covariance(k, k));
+      distance += d * d / (a.error.covariance(k, k) + b.error.covariance(k, k));
     }
-    return sum;
+    return distance < limit;
   }
 
   /** Adds a time to the steps that led to each hypothesis. */

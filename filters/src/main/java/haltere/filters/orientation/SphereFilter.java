@@ -50,7 +50,7 @@ final class SphereFilter implements AxisFilter {
   private final double logInlier;
   final RateDecay decay;
   final HypothesisSet hypotheses = new HypothesisSet();
-  private final AxisMixture mixture = new AxisMixture();
+  private final AxisMixture mixture = new AxisMixture(hypotheses, UNKNOWN_VARIANCE);
   private LineComparison seen = new LineComparison();
   private LineComparison closest = new LineComparison();
   private final double[] expected = new double[3];
@@ -63,7 +63,6 @@ final class SphereFilter implements AxisFilter {
   private double unknown;
 
   private boolean recording;
-  private boolean summed;
 
   SphereFilter(OrientationSettings settings) {
     turning = settings.turning();
@@ -83,7 +82,7 @@ final class SphereFilter implements AxisFilter {
     launch(found.axis(), found.covariance());
     double rest = unexplained();
     unknown = rest / (rest + found.odds());
-    changed();
+    mixture.changed(unknown);
   }
 
   /** Begins with an axis that is right for sure. */
@@ -93,7 +92,7 @@ final class SphereFilter implements AxisFilter {
     hypotheses.settle(0);
     unknown = 0;
     hasStepped = false;
-    changed();
+    mixture.changed(unknown);
   }
 
   private AxisHypothesis begin(AxisHypothesis hypothesis, double[] axis, double[] covariance) {
@@ -128,7 +127,7 @@ final class SphereFilter implements AxisFilter {
       double lost = -Math.expm1(-LOSSES_PER_S * dtS);
       unknown += (1 - unknown) * lost;
     }
-    changed();
+    mixture.changed(unknown);
   }
 
   @Override
@@ -153,7 +152,7 @@ final class SphereFilter implements AxisFilter {
     if (recording) {
       hypotheses.record();
     }
-    changed();
+    mixture.changed(unknown);
     tell(lines, count);
     hasStepped = false;
   }
@@ -271,24 +270,10 @@ final class SphereFilter implements AxisFilter {
     }
   }
 
-  private void changed() {
-    summed = false;
-  }
-
-  /** What the hypotheses say together, worked out when it is asked for. */
-  private AxisMixture mixture() {
-    if (!summed) {
-      mixture.of(hypotheses, unknown, UNKNOWN_VARIANCE);
-      summed = true;
-    }
-    return mixture;
-  }
-
   @Override
   public void coupleToFlight(double[] direction, double variance, double fresh) {
-    hypotheses.coupleToFlight(
-        direction, variance, fresh, mixture().axisVariance() > VAGUE_VARIANCE);
-    changed();
+    hypotheses.coupleToFlight(direction, variance, fresh, mixture.axisVariance() > VAGUE_VARIANCE);
+    mixture.changed(unknown);
   }
 
   @Override
@@ -306,13 +291,13 @@ final class SphereFilter implements AxisFilter {
     double chance = unknown * found.odds();
     double rest = unknown * unexplained();
     unknown = hypotheses.include(hypothesis, chance, rest, 1 - unknown);
-    changed();
+    mixture.changed(unknown);
     return hypotheses.get(0) == hypothesis;
   }
 
   @Override
   public double agreement() {
-    return mixture().agreement(hypotheses) * (1 - unknown) + 0.5 * unknown;
+    return mixture.agreement() * (1 - unknown) + 0.5 * unknown;
   }
 
   @Override
@@ -322,17 +307,17 @@ final class SphereFilter implements AxisFilter {
 
   @Override
   public void axis(double[] out) {
-    System.arraycopy(mixture().mean().u, 0, out, 0, 3);
+    System.arraycopy(mixture.mean().u, 0, out, 0, 3);
   }
 
   @Override
   public void tipVelocity(double[] out) {
-    mixture().mean().tipVelocity(out);
+    mixture.mean().tipVelocity(out);
   }
 
   @Override
   public double axisVariance() {
-    return mixture().axisVariance();
+    return mixture.axisVariance();
   }
 
   /** That of any angle at all: the frame's own rotation about the axis means nothing. */
@@ -363,6 +348,6 @@ final class SphereFilter implements AxisFilter {
 
   @Override
   public AxisState state() {
-    return mixture().mean().state();
+    return mixture.meanWithCovariance().state();
   }
 }

@@ -98,11 +98,10 @@ class BodyOrientationEstimatorTest {
     hypotheses.add().launch(left, small, 1);
     hypotheses.add().launch(right, small, 1);
     hypotheses.settle(0);
-    AxisMixture mixture = new AxisMixture();
-    mixture.of(hypotheses, 0, 1);
+    AxisMixture mixture = new AxisMixture(hypotheses, 1);
     assertEquals(0, Vectors.angle(mixture.mean().u, new double[] {1, 0, 0}), 1e-9);
     assertEquals(1, Math.sqrt(mixture.axisVariance()), 1e-3);
-    assertEquals(1, mixture.agreement(hypotheses), 1e-12);
+    assertEquals(1, mixture.agreement(), 1e-12);
   }
 
   @Test
