@@ -345,13 +345,6 @@ final class AxisHypothesis {
     return new AxisState(u.clone(), e1.clone(), e2.clone(), error.mean(1), error.mean(3), p);
   }
 
-  /** Velocity of the axis' tip, per second. */
-  void tipVelocity(double[] out) {
-    for (int i = 0; i < 3; i++) {
-      out[i] = error.mean(1) * e1[i] + error.mean(3) * e2[i];
-    }
-  }
-
   /** Mean squared angle to the true axis. */
   double angleVariance() {
     return error.covariance(0, 0) + error.covariance(2, 2);

@@ -312,7 +312,7 @@ final class SphereFilter implements AxisFilter {
 
   @Override
   public void tipVelocity(double[] out) {
-    mixture.mean().tipVelocity(out);
+    System.arraycopy(mixture.mean().state().tipVelocity(), 0, out, 0, 3);
   }
 
   @Override

@@ -28,11 +28,7 @@ final class SpherePath {
   }
 
   static SpherePath of(AxisState state) {
-    double[] v = new double[3];
-    for (int k = 0; k < 3; k++) {
-      v[k] = state.va() * state.e1()[k] + state.vb() * state.e2()[k];
-    }
-    SpherePath path = new SpherePath(state.u().clone(), v);
+    SpherePath path = new SpherePath(state.u().clone(), state.tipVelocity());
     path.e1 = state.e1().clone();
     path.e2 = state.e2().clone();
     return path;

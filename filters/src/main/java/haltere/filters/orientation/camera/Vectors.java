@@ -62,6 +62,17 @@ public final class Vectors {
   }
 
   /**
+   * A multiple.
+   *
+   * @param factor any
+   * @param a three numbers
+   * @return factor a, a new array
+   */
+  public static double[] scaled(double factor, double[] a) {
+    return new double[] {factor * a[0], factor * a[1], factor * a[2]};
+  }
+
+  /**
    * Any unit vector orthogonal to a unit vector.
    *
    * @param unit three numbers of length 1
