@@ -144,7 +144,7 @@ public final class BodyOrientationEstimator {
   private boolean locate(long timeUs, double dtS) {
     hasPlaceBefore = position.isRunning();
     if (hasPlaceBefore) {
-      position.place(placeBefore);
+      position.position(placeBefore);
       position.predict(dtS);
       position.update(intake.usable());
     }
@@ -154,7 +154,7 @@ public final class BodyOrientationEstimator {
         return false;
       }
     }
-    position.place(place);
+    position.position(place);
     return true;
   }
 

@@ -281,7 +281,7 @@ class BodyOrientationEstimatorTest {
                     i,
                     pixel[0],
                     pixel[1],
-                    cameras.get(i).lineAngle(at, new double[] {0.6, 0.8, 0}),
+                    cameras.get(i).heading(at, new double[] {0.6, 0.8, 0}),
                     10,
                     3));
           }

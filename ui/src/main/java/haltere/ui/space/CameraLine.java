@@ -26,26 +26,14 @@ public record CameraLine(
     double xPx,
     double yPx,
     double headingRad) {
-  /** Length of axis that is projected, metres: short enough for a picture to be straight. */
-  private static final double PROJECTED_M = 1e-4;
-
   /** Half length of a line whose detection has no area, pixels. */
   private static final double UNKNOWN_HALF_LENGTH_PX = 12;
 
   static CameraLine of(
       int index, CameraModel camera, OrientationEstimate now, BodyOrientationEstimator body) {
     double[] position = {now.xM(), now.yM(), now.zM()};
-    double[] ahead = {
-      now.xM() + PROJECTED_M * now.ux(),
-      now.yM() + PROJECTED_M * now.uy(),
-      now.zM() + PROJECTED_M * now.uz()
-    };
     double[] pixel = {Double.NaN, Double.NaN};
-    double[] head = {Double.NaN, Double.NaN};
-    if (camera.problem().isEmpty()) {
-      camera.project(position, pixel);
-      camera.project(ahead, head);
-    }
+    camera.project(position, pixel);
     return new CameraLine(
         camera.id(),
         body.observation(index),
@@ -53,7 +41,7 @@ public record CameraLine(
         body.used(index),
         pixel[0],
         pixel[1],
-        Math.atan2(head[1] - pixel[1], head[0] - pixel[0]));
+        camera.heading(position, new double[] {now.ux(), now.uy(), now.uz()}));
   }
 
   /**

@@ -1,6 +1,5 @@
 package haltere.filters.orientation.camera;
 
-import haltere.core.format.hdf5.Hdf5Tables.Row;
 import haltere.core.format.hdf5.Hdf5Tables.RowListener;
 import java.io.BufferedReader;
 import java.io.EOFException;
@@ -81,81 +80,38 @@ final class BraidzTables implements FlydraDetections.Tables {
   @Override
   public Set<String> columns(String table) throws IOException {
     try (BufferedReader in = reader(table)) {
-      String header = in.readLine();
-      return new LinkedHashSet<>(header == null ? List.of() : ObservationTable.fields(header));
+      return new LinkedHashSet<>(new CsvTable(in, List.of()).header());
     } catch (EOFException | ZipException damaged) {
-      throw new TableProblem(file + ": " + table + ": damaged after line 0");
+      throw new TableProblem(file + ": " + table + ": damaged in line 1");
     }
   }
 
   @Override
   public void read(String table, List<String> names, int required, RowListener listener)
       throws IOException {
-    Line row = new Line(names.size());
+    CsvTable rows = null;
     try (BufferedReader in = reader(table)) {
-      String header = in.readLine();
-      if (header == null) {
-        return; // a table without rows has no header either
-      }
-      List<String> there = ObservationTable.fields(header);
-      int[] places = names.stream().mapToInt(there::indexOf).toArray();
-      for (int i = 0; i < required; i++) {
-        if (places[i] < 0) {
+      rows = new CsvTable(in, names);
+      for (String name : names.subList(0, rows.header().isEmpty() ? 0 : required)) {
+        if (!rows.header().contains(name)) {
           throw new TableProblem(
-              file + ": " + table + ": there is no column " + names.get(i) + " in line 1");
+              file + ": " + table + ": there is no column " + name + " in line 1");
         }
       }
-      row.number = 1;
-      for (String line = in.readLine(); line != null; line = in.readLine()) {
-        row.number++;
-        List<String> all = ObservationTable.fields(line);
-        for (int i = 0; i < places.length; i++) {
-          boolean isThere = places[i] >= 0 && places[i] < all.size();
-          row.fields[i] = isThere ? all.get(places[i]).strip() : "";
-        }
-        listener.row(row);
+      while (rows.next()) {
+        listener.row(rows);
       }
     } catch (NumberFormatException noNumber) {
       throw new TableProblem(
-          file + ": " + table + ": line " + row.number + ": " + noNumber.getMessage());
+          file + ": " + table + ": line " + rows.line() + ": " + noNumber.getMessage());
     } catch (EOFException | ZipException damaged) {
-      throw new TableProblem(file + ": " + table + ": damaged after line " + row.number);
+      throw new TableProblem(
+          file + ": " + table + ": damaged after line " + (rows == null ? 0 : rows.line()));
     }
   }
 
   @Override
   public void close() throws IOException {
     zip.close();
-  }
-
-  /** A line of a table. */
-  private static final class Line implements Row {
-    private final String[] fields;
-    private long number;
-
-    Line(int columns) {
-      fields = new String[columns];
-    }
-
-    @Override
-    public long index() {
-      return number - 2;
-    }
-
-    @Override
-    public double number(int column) {
-      String text = fields[column];
-      return text.isEmpty() || text.equalsIgnoreCase("nan") ? Double.NaN : Double.parseDouble(text);
-    }
-
-    @Override
-    public String text(int column) {
-      return fields[column];
-    }
-
-    @Override
-    public long[] list(int column) {
-      return new long[0];
-    }
   }
 }

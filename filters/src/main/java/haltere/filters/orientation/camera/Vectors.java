@@ -111,7 +111,7 @@ public final class Vectors {
    * @param inverse gets the inverse, another array
    * @return false if it is not positive definite, or nearly not
    */
-  static boolean invertSymmetric(double[] m, double[] inverse) {
+  public static boolean invertSymmetric(double[] m, double[] inverse) {
     double c00 = m[4] * m[8] - m[5] * m[5];
     double c01 = m[2] * m[5] - m[1] * m[8];
     double c02 = m[1] * m[5] - m[2] * m[4];
