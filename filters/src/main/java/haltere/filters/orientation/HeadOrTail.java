@@ -4,10 +4,10 @@ import org.apache.commons.statistics.distribution.ChiSquaredDistribution;
 
 /**
  * Which end of the axis is the head, while the body flies: two hypotheses, the axis as it is
- * followed and its opposite, told apart by the way that the body has flown along it.
+ * followed and its opposite, resolved by the way that the body has flown along it.
  *
  * <p>That way is the sum of steps along the axis, older ones counting less. Its noise is that of
- * the two ends only, since what is wrong with a place counts once forwards and once backwards; so a
+ * the two ends only, since the error of a position counts once forwards and once backwards; so a
  * tenth of a body length decides where a velocity would not. The decision is changed only when the
  * opposite is clear, so that a body which slips sideways in a turn keeps its head.
  */
@@ -17,7 +17,6 @@ final class HeadOrTail {
   private double sigmas;
   private boolean decided;
   private boolean flipped;
-  private long changes;
 
   HeadOrTail(DirectionSettings settings) {
     this.settings = settings;
@@ -40,7 +39,7 @@ final class HeadOrTail {
    * A step.
    *
    * @param alongM how far the body has come along the axis, metres
-   * @param varianceM2 variance of its place along the axis, square metres
+   * @param varianceM2 variance of its position along the axis, square metres
    * @param dtS in which time
    */
   void step(double alongM, double varianceM2, double dtS) {
@@ -52,30 +51,24 @@ final class HeadOrTail {
     wayM = wayM * Math.exp(-dtS / settings.memoryS()) + alongM;
     wayM = Math.max(-most, Math.min(most, wayM));
     sigmas = wayM / sd;
-    double forwards = flipped ? -sigmas : sigmas;
+    double forwards = sign() * sigmas;
     if (!decided) {
       flipped = wayM < 0;
       decided = Math.abs(sigmas) > settings.doubtSigmas();
     } else if (forwards < -settings.doubtSigmas()) {
       flipped = !flipped;
-      changes++;
     }
   }
 
-  /** Whether the head is opposite to the axis that is followed. */
-  boolean isFlipped() {
-    return flipped;
+  /** 1 if the head is where the axis that is followed points, −1 if it is opposite. */
+  double sign() {
+    return flipped ? -1 : 1;
   }
 
   /** Probability that the head is where it is taken to be: that the way flown was forwards. */
   double probability() {
-    double forwards = flipped ? -sigmas : sigmas;
+    double forwards = sign() * sigmas;
     double within = ChiSquaredDistribution.of(1).cumulativeProbability(forwards * forwards);
     return 0.5 * (1 + Math.signum(forwards) * within);
-  }
-
-  /** How often head and tail were exchanged after they had been decided. */
-  long changes() {
-    return changes;
   }
 }

@@ -5,10 +5,14 @@ import haltere.filters.orientation.camera.LineObservation;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What of the observations of one time can be used at all, and what cameras last saw. */
+/** Sorts out which observations of one time can be used at all, and keeps what cameras last saw. */
 final class LineIntake {
+  /** Counts what became of observations. */
+  interface Counter {
+    void count(OrientationCount what, long number);
+  }
+
   private final List<CameraModel> cameras;
-  private final OrientationCounts counts;
   private final double togetherUs;
   private final LineObservation[] latest;
   private final long[] latestUs;
@@ -16,16 +20,15 @@ final class LineIntake {
   private final List<LineObservation> views = new ArrayList<>();
   private boolean together;
 
-  LineIntake(List<CameraModel> cameras, double togetherS, OrientationCounts counts) {
+  LineIntake(List<CameraModel> cameras, double togetherS) {
     this.cameras = cameras;
-    this.counts = counts;
     togetherUs = togetherS * 1e6;
     latest = new LineObservation[cameras.size()];
     latestUs = new long[cameras.size()];
   }
 
   /** Sorts out what cannot be used. */
-  void take(long timeUs, List<LineObservation> seen) {
+  void take(long timeUs, List<LineObservation> seen, Counter counter) {
     usable.clear();
     for (LineObservation observation : seen) {
       int camera = observation.camera();
@@ -34,11 +37,9 @@ final class LineIntake {
             "there is no camera " + camera + ", there are " + cameras.size());
       }
       if (cameras.get(camera).problem().isPresent()) {
-        counts.add(OrientationCount.UNUSABLE_CAMERA, 1);
-      } else if (latest[camera] != null
-          && latestUs[camera] == timeUs
-          && usable.contains(latest[camera])) {
-        counts.add(OrientationCount.TWICE, 1);
+        counter.count(OrientationCount.UNUSABLE_CAMERA, 1);
+      } else if (latestUs[camera] == timeUs && usable.contains(latest[camera])) {
+        counter.count(OrientationCount.TWICE, 1);
       } else {
         usable.add(observation);
         latest[camera] = observation;

@@ -119,7 +119,19 @@ public final class OrientationTrack {
       double[] tip = onSphere ? states.get(k).tipVelocity() : tipVelocity(axes, k);
       double[] p = onSphere ? states.get(k).p() : null;
       double sd = onSphere ? Math.sqrt(p[0] + p[10]) : online.sdAxisRad();
-      track.add(estimate(online, at.get(k), axes.get(k), tip, sd, flips[k] ? -1 : 1));
+      double sign = flips[k] ? -1 : 1;
+      track.add(
+          OrientationEstimate.of(
+              online.timeUs(),
+              new double[] {at.get(k).value(0), at.get(k).value(2), at.get(k).value(4)},
+              Vectors.scaled(sign, axes.get(k)),
+              Vectors.scaled(sign, tip),
+              sd,
+              online.sdRollRad(),
+              online.pRadS(),
+              Double.NaN,
+              online.used(),
+              online.rejected()));
     }
     return track;
   }
@@ -205,27 +217,5 @@ public final class OrientationTrack {
       tip[i] = (axes.get(after)[i] - side * axes.get(before)[i]) / dtS;
     }
     return tip;
-  }
-
-  private static OrientationEstimate estimate(
-      OrientationEstimate online, Estimate at, double[] u, double[] tip, double sd, double sign) {
-    double[] directed = Vectors.scaled(sign, u);
-    double[] rates = OrientationEstimate.rates(directed, Vectors.scaled(sign, tip));
-    return new OrientationEstimate(
-        online.timeUs(),
-        at.value(0),
-        at.value(2),
-        at.value(4),
-        directed[0],
-        directed[1],
-        directed[2],
-        Math.min(OrientationEstimate.RANDOM_SD, sd),
-        online.sdRollRad(),
-        online.pRadS(),
-        rates[0],
-        rates[1],
-        Double.NaN,
-        online.used(),
-        online.rejected());
   }
 }
