@@ -4,6 +4,7 @@ import haltere.filters.estimation.GaussianState;
 import haltere.filters.orientation.camera.Vectors;
 import java.util.Arrays;
 import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.CommonOps_DDRM;
 
 /**
  * One hypothesis of where an axis points and how it turns: a point u of the unit sphere with two
@@ -104,7 +105,7 @@ final class AxisHypothesis {
         Vectors.quadratic(covariance, e2, e2),
         rateVariance);
     error.addNoise(0, 2, Vectors.quadratic(covariance, e1, e2));
-    stay();
+    CommonOps_DDRM.setIdentity(transition);
     flightLog = 0;
     step = null;
     predicted = null;
@@ -119,14 +120,6 @@ final class AxisHypothesis {
     error.setMean(1, state.va());
     error.setMean(3, state.vb());
     System.arraycopy(state.p(), 0, error.covariance().data, 0, 16);
-  }
-
-  /** No time has passed. */
-  void stay() {
-    Arrays.fill(transition.data, 0);
-    for (int i = 0; i < 4; i++) {
-      transition.set(i, i, 1);
-    }
   }
 
   /** Predicts by a step, without its noise. */

@@ -50,7 +50,7 @@ public final class BodyOrientationEstimator {
   private final LineNoise noise;
   private final LineGate gate;
   private final PositionFilter position;
-  private final AxisFilter axis;
+  final AxisFilter axis;
   private final AxisLaunch search;
   private final HeadOrTail head;
   private final FlightDirection flight = new FlightDirection();
@@ -60,10 +60,9 @@ public final class BodyOrientationEstimator {
   private final boolean[] used;
   private final double[] at = new double[3];
   private final double[] before = new double[3];
-  private final double[] u = new double[3];
   private final double[] vector = new double[3];
-  private final double[] uSettled = new double[3];
-  private final double[] uBefore = new double[3];
+  private double[] uSettled = new double[3];
+  private double[] uBefore = new double[3];
   private boolean wasClear;
   private boolean hasTime;
   private long lastUs;
@@ -167,7 +166,7 @@ public final class BodyOrientationEstimator {
       axis.update(lines, count);
       taken = note(count);
       coupleToFlight(dtS);
-      hasAxis = axis.isSound() && (axis.axisVariance() <= LOST_VARIANCE || taken > 0);
+      hasAxis = axis.isSound() && (axis.axis().variance() <= LOST_VARIANCE || taken > 0);
       if (hasAxis && axis.doubts(lines, count) && finds(timeUs) && axis.offer(search)) {
         head.doubt();
         count(OrientationCount.RELAUNCHED, 1);
@@ -270,39 +269,34 @@ public final class BodyOrientationEstimator {
   }
 
   private OrientationEstimate estimate(long timeUs, double dtS, int taken, int rejected) {
-    axis.axis(u);
-    boolean isClear = axis.axisVariance() <= CLEAR_VARIANCE;
+    AxisFilter.Axis now = axis.axis();
+    double[] u = now.u();
+    boolean isClear = now.variance() <= CLEAR_VARIANCE;
     if (hadAxis && isClear && wasClear && Vectors.dot(u, uBefore) < 0) {
       head.turnRound(); // no body turns that fast
     }
     wasClear = isClear;
-    System.arraycopy(u, 0, uBefore, 0, 3);
+    uBefore = u;
     if (hasBefore && hadAxis) {
       double along = Vectors.dot(at, u) - Vectors.dot(before, u);
       head.step(along, position.variance(u), dtS);
     }
-    if (!hadAxis || axis.isSettled()) {
-      System.arraycopy(u, 0, uSettled, 0, 3);
-    }
+    uSettled = !hadAxis || now.isSettled() ? u : uSettled;
     hadAxis = true;
-    axis.tipVelocity(vector);
+    // that the true axis is on this side and its head ahead, or neither
+    double headProbability =
+        now.agreement() * head.probability() + (1 - now.agreement()) * (1 - head.probability());
     return OrientationEstimate.of(
         timeUs,
         at,
         Vectors.scaled(head.sign(), u),
-        Vectors.scaled(head.sign(), vector),
-        Math.sqrt(axis.axisVariance()),
-        axis.rollSd(),
-        axis.rollRate(),
-        headProbability(),
+        Vectors.scaled(head.sign(), now.tipVelocity()),
+        Math.sqrt(now.variance()),
+        now.rollSd(),
+        now.rollRate(),
+        headProbability,
         taken,
         rejected);
-  }
-
-  /** That the true axis is on this side and its head ahead, or neither. */
-  private double headProbability() {
-    double near = axis.agreement();
-    return near * head.probability() + (1 - near) * (1 - head.probability());
   }
 
   /** From now on keeps each step of the axis and hands out those of the position; allocates. */
@@ -368,11 +362,6 @@ public final class BodyOrientationEstimator {
    */
   public Optional<LineObservation> observation(int camera) {
     return intake.usable().stream().filter(each -> each.camera() == camera).findAny();
-  }
-
-  /** State of the axis after the last time; without a covariance if it is of quaternions. */
-  AxisState axisState() {
-    return axis.state();
   }
 
   /**

@@ -61,7 +61,7 @@ final class PositionFilter {
     for (int i = 0; i < 3; i++) {
       x.set(2 * i, start.pointM[i]);
       for (int j = 0; j < 3; j++) {
-        p.set(2 * i, 2 * j, start.covarianceM2[3 * i + j]);
+        p.set(2 * i, 2 * j, start.covarianceM2.get(i, j));
       }
       p.set(2 * i + 1, 2 * i + 1, START_SPEED_M_S * START_SPEED_M_S);
     }

@@ -90,7 +90,7 @@ final class QuaternionFilter implements AxisFilter {
 
   @Override
   public void update(LineMeasurement[] lines, int count) {
-    axis(u);
+    BodyQuaternion.axis(x, u);
     System.arraycopy(x, 0, prior, 0, N);
     for (int i = 0; i < count; i++) {
       LineMeasurement line = lines[i];
@@ -102,7 +102,7 @@ final class QuaternionFilter implements AxisFilter {
       }
     }
     normalise();
-    axis(u);
+    BodyQuaternion.axis(x, u);
     for (int i = 0; i < count; i++) {
       // a step of expectation and maximisation: R is the mean of ε² + H P⁺ Hᵀ
       double y = lines[i].residual(u);
@@ -143,11 +143,6 @@ final class QuaternionFilter implements AxisFilter {
   }
 
   @Override
-  public void coupleToFlight(double[] direction, double variance, double fresh) {
-    // Straw et al. (2011) take no heed of the flight
-  }
-
-  @Override
   public boolean doubts(LineMeasurement[] lines, int count) {
     return doubt.note(lines, count);
   }
@@ -164,66 +159,26 @@ final class QuaternionFilter implements AxisFilter {
   }
 
   @Override
-  public double agreement() {
-    return 1;
-  }
-
-  @Override
-  public boolean isSettled() {
-    return doubt.isCalm();
-  }
-
-  @Override
-  public void tipVelocity(double[] out) {
-    BodyQuaternion.tipVelocity(x, out);
-  }
-
-  @Override
-  public void record() {
-    // the axes themselves are smoothed
-  }
-
-  @Override
-  public AxisStep step() {
-    return null;
-  }
-
-  @Override
-  public AxisState state() {
-    double[] now = new double[3];
-    axis(now);
-    return new AxisState(now, null, null, 0, 0, null);
-  }
-
-  @Override
-  public void axis(double[] out) {
-    BodyQuaternion.axis(x, out);
-  }
-
-  @Override
-  public double axisVariance() {
+  public Axis axis() {
+    double[] tip = new double[3];
+    BodyQuaternion.axis(x, u);
+    BodyQuaternion.tipVelocity(x, tip);
     DMatrixRMaj byQuaternion = BodyQuaternion.axisByQuaternion(x);
-    double sum = 0;
+    double variance = 0;
     for (int i = 0; i < 3; i++) {
-      sum += state.project(inState(CommonOps_DDRM.extractRow(byQuaternion, i, null).data));
+      variance += state.project(inState(CommonOps_DDRM.extractRow(byQuaternion, i, null).data));
     }
-    return sum;
+    return new Axis(u.clone(), tip, variance, 1, doubt.isCalm(), rollSd(), x[0]);
   }
 
   /**
    * The variance of roll should only grow, but P is linearised at a rate that changes, and so seems
    * to learn roll from what only tells the axis. That is no knowledge.
    */
-  @Override
-  public double rollSd() {
+  private double rollSd() {
     DMatrixRMaj roll = CommonOps_DDRM.extractColumn(BodyQuaternion.byRates(x), 0, null);
     double variance = 4 * state.project(inState(roll.data));
     return Math.max(Math.PI / Math.sqrt(3), Math.sqrt(Math.max(0, variance)));
-  }
-
-  @Override
-  public double rollRate() {
-    return x[0];
   }
 
   @Override

@@ -50,10 +50,9 @@ final class SphereFilter implements AxisFilter {
   private final double logInlier;
   final RateDecay decay;
   final HypothesisSet hypotheses = new HypothesisSet();
-  private final AxisMixture mixture = new AxisMixture(hypotheses, UNKNOWN_VARIANCE);
+  final AxisMixture mixture = new AxisMixture(hypotheses, UNKNOWN_VARIANCE);
   private LineComparison seen = new LineComparison();
   private LineComparison closest = new LineComparison();
-  private final double[] expected = new double[3];
 
   private double begins;
   private double ends;
@@ -117,11 +116,7 @@ final class SphereFilter implements AxisFilter {
     begins = -Math.expm1(-turning.saccadesPerS() * dtS);
     ends = -Math.expm1(-dtS / turning.saccadeS());
     for (int i = 0; i < hypotheses.size(); i++) {
-      if (hasStepped) {
-        hypotheses.get(i).predict(decay);
-      } else {
-        hypotheses.get(i).stay();
-      }
+      hypotheses.get(i).predict(decay);
     }
     if (outliers > 0) {
       double lost = -Math.expm1(-LOSSES_PER_S * dtS);
@@ -135,7 +130,7 @@ final class SphereFilter implements AxisFilter {
     if (count == 0 && !hasStepped && !recording) {
       return;
     }
-    axis(expected);
+    double[] expected = mixture.mean().u;
     for (int i = 0; i < count; i++) {
       lines[i].residualRad = lines[i].residual(expected);
     }
@@ -295,40 +290,18 @@ final class SphereFilter implements AxisFilter {
     return hypotheses.get(0) == hypothesis;
   }
 
+  /** Roll is any angle at all: the frame's own rotation about the axis means nothing. */
   @Override
-  public double agreement() {
-    return mixture.agreement() * (1 - unknown) + 0.5 * unknown;
-  }
-
-  @Override
-  public boolean isSettled() {
-    return hypotheses.get(0).weight * (1 - unknown) > SETTLED;
-  }
-
-  @Override
-  public void axis(double[] out) {
-    System.arraycopy(mixture.mean().u, 0, out, 0, 3);
-  }
-
-  @Override
-  public void tipVelocity(double[] out) {
-    System.arraycopy(mixture.mean().state().tipVelocity(), 0, out, 0, 3);
-  }
-
-  @Override
-  public double axisVariance() {
-    return mixture.axisVariance();
-  }
-
-  /** That of any angle at all: the frame's own rotation about the axis means nothing. */
-  @Override
-  public double rollSd() {
-    return Math.PI / Math.sqrt(3);
-  }
-
-  @Override
-  public double rollRate() {
-    return 0;
+  public Axis axis() {
+    AxisState mean = mixture.mean().state();
+    return new Axis(
+        mean.u(),
+        mean.tipVelocity(),
+        mixture.axisVariance(),
+        mixture.agreement() * (1 - unknown) + 0.5 * unknown,
+        hypotheses.get(0).weight * (1 - unknown) > SETTLED,
+        Math.PI / Math.sqrt(3),
+        0);
   }
 
   @Override
@@ -344,10 +317,5 @@ final class SphereFilter implements AxisFilter {
   @Override
   public AxisStep step() {
     return hypotheses.get(0).step;
-  }
-
-  @Override
-  public AxisState state() {
-    return mixture.meanWithCovariance().state();
   }
 }

@@ -6,6 +6,8 @@ import haltere.filters.orientation.camera.Vectors;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.CommonOps_DDRM;
 
 /**
  * A point in space from where cameras see it: the point nearest to all lines of sight, refined by
@@ -33,8 +35,8 @@ final class Triangulation {
   /** Position, metres. */
   final double[] pointM = new double[3];
 
-  /** Its covariance, nine entries, square metres. */
-  final double[] covarianceM2 = new double[9];
+  /** Its covariance, square metres. */
+  final DMatrixRMaj covarianceM2 = new DMatrixRMaj(3, 3);
 
   private final List<Sight> sights = new ArrayList<>();
   private final double pixelSd;
@@ -75,13 +77,13 @@ final class Triangulation {
   }
 
   private boolean refine() {
-    double[] information = new double[9];
+    DMatrixRMaj information = new DMatrixRMaj(3, 3);
     double[] step = new double[3];
     double[] moved = new double[3];
     double[] pixel = new double[2];
     double[] j = new double[6];
     for (int round = 0; round < ROUNDS; round++) {
-      Arrays.fill(information, 0);
+      information.zero();
       Arrays.fill(step, 0);
       for (Sight each : sights) {
         if (!each.camera().projectIdeal(pointM, pixel)) {
@@ -89,16 +91,16 @@ final class Triangulation {
         }
         each.camera().pixelByPoint(pointM, pixel, j);
         for (int k = 0; k < 9; k++) {
-          information[k] += j[k / 3] * j[k % 3] + j[3 + k / 3] * j[3 + k % 3];
+          information.data[k] += j[k / 3] * j[k % 3] + j[3 + k / 3] * j[3 + k % 3];
         }
         for (int k = 0; k < 3; k++) {
           step[k] += j[k] * (each.pixel()[0] - pixel[0]) + j[3 + k] * (each.pixel()[1] - pixel[1]);
         }
       }
-      if (!Vectors.invertSymmetric(information, covarianceM2)) {
+      if (!CommonOps_DDRM.invertSPD(information, covarianceM2)) {
         return false;
       }
-      Vectors.multiply(covarianceM2, step, moved);
+      Vectors.multiply(covarianceM2.data, step, moved);
       for (int k = 0; k < 3; k++) {
         pointM[k] += moved[k];
       }
@@ -109,16 +111,14 @@ final class Triangulation {
       double[] away = {pointM[0] - centre[0], pointM[1] - centre[1], pointM[2] - centre[2]};
       nearest = Math.min(nearest, Vectors.length(away));
     }
-    for (int k = 0; k < 9; k++) {
-      covarianceM2[k] *= pixelSd * pixelSd;
-    }
-    double sd = Math.sqrt(covarianceM2[0] + covarianceM2[4] + covarianceM2[8]);
+    CommonOps_DDRM.scale(pixelSd * pixelSd, covarianceM2);
+    double sd = Math.sqrt(CommonOps_DDRM.trace(covarianceM2));
     return sd < MAX_RELATIVE_SD * nearest && Double.isFinite(Vectors.length(pointM));
   }
 
   /** Σ (I − d dᵀ)(x − c) = 0 over the lines of sight. */
   private boolean nearest() {
-    double[] sum = new double[9];
+    DMatrixRMaj sum = new DMatrixRMaj(3, 3);
     double[] right = new double[3];
     double[] d = new double[3];
     for (Sight each : sights) {
@@ -128,15 +128,15 @@ final class Triangulation {
       double[] c = each.camera().centre();
       double along = Vectors.dot(c, d);
       for (int k = 0; k < 9; k++) {
-        sum[k] += (k % 4 == 0 ? 1 : 0) - d[k / 3] * d[k % 3];
+        sum.data[k] += (k % 4 == 0 ? 1 : 0) - d[k / 3] * d[k % 3];
       }
       for (int k = 0; k < 3; k++) {
         right[k] += c[k] - along * d[k];
       }
     }
-    double[] inverse = new double[9];
-    boolean isPoint = Vectors.invertSymmetric(sum, inverse);
-    Vectors.multiply(inverse, right, pointM);
+    DMatrixRMaj inverse = new DMatrixRMaj(3, 3);
+    boolean isPoint = CommonOps_DDRM.invertSPD(sum, inverse);
+    Vectors.multiply(inverse.data, right, pointM);
     return isPoint;
   }
 }

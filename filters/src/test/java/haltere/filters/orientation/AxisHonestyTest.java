@@ -87,7 +87,7 @@ class AxisHonestyTest {
         series[step] = innovation;
       }
       whiteness[run] = Consistency.lagOneAutocorrelation(series);
-      AxisState state = filter.state();
+      AxisState state = SpherePath.state(filter);
       double[] error = truth.errorFrom(state);
       nees += Consistency.nees(new DMatrixRMaj(4, 1, true, error), square(state.p(), 4));
       double[] axis = {error[0], error[2]};

@@ -45,6 +45,11 @@ final class SpherePath {
     best.error.setMean(3, Vectors.dot(v, best.e2));
   }
 
+  /** What a filter holds, all hypotheses together. */
+  static AxisState state(SphereFilter filter) {
+    return filter.mixture.meanWithCovariance().state();
+  }
+
   /**
    * State of the best hypothesis between prediction and update, with the noise of calm flight and
    * of saccades in it as likely as they are.

@@ -105,34 +105,6 @@ public final class Vectors {
   }
 
   /**
-   * Inverts a symmetric 3 x 3 matrix by its adjugate.
-   *
-   * @param m nine entries
-   * @param inverse gets the inverse, another array
-   * @return false if it is not positive definite, or nearly not
-   */
-  public static boolean invertSymmetric(double[] m, double[] inverse) {
-    double c00 = m[4] * m[8] - m[5] * m[5];
-    double c01 = m[2] * m[5] - m[1] * m[8];
-    double c02 = m[1] * m[5] - m[2] * m[4];
-    double determinant = m[0] * c00 + m[1] * c01 + m[2] * c02;
-    double scale = (m[0] + m[4] + m[8]) / 3;
-    if (!(determinant > 1e-18 * scale * scale * scale) || Double.isInfinite(determinant)) {
-      return false;
-    }
-    inverse[0] = c00 / determinant;
-    inverse[1] = c01 / determinant;
-    inverse[2] = c02 / determinant;
-    inverse[3] = inverse[1];
-    inverse[4] = (m[0] * m[8] - m[2] * m[2]) / determinant;
-    inverse[5] = (m[1] * m[2] - m[0] * m[5]) / determinant;
-    inverse[6] = inverse[2];
-    inverse[7] = inverse[5];
-    inverse[8] = (m[0] * m[4] - m[1] * m[1]) / determinant;
-    return inverse[0] > 0 && inverse[4] > 0 && inverse[8] > 0;
-  }
-
-  /**
    * The product of a 3 x 3 matrix and a vector.
    *
    * @param m nine numbers
