@@ -12,13 +12,13 @@ import org.apache.commons.statistics.distribution.ChiSquaredDistribution;
  * opposite is clear, so that a body which slips sideways in a turn keeps its head.
  */
 final class HeadOrTail {
-  private final DirectionSettings settings;
+  private final OrientationSettings.HeadTail settings;
   private double wayM;
   private double sigmas;
   private boolean decided;
   private boolean flipped;
 
-  HeadOrTail(DirectionSettings settings) {
+  HeadOrTail(OrientationSettings.HeadTail settings) {
     this.settings = settings;
   }
 

@@ -9,11 +9,11 @@ import java.util.Optional;
  * be seen, and says how sure each angle is.
  */
 final class LineGate {
-  private final ObservationGateSettings gate;
+  private final OrientationSettings.ObservationGate gate;
   private final LineNoise noise;
   private final double[] line = new double[3];
 
-  LineGate(ObservationGateSettings gate, LineNoise noise) {
+  LineGate(OrientationSettings.ObservationGate gate, LineNoise noise) {
     this.gate = gate;
     this.noise = noise;
   }

@@ -13,11 +13,11 @@ final class LineNoise {
   private static final double LEAST_SD = Math.toRadians(0.05);
   private static final double GREATEST_SD = Math.toRadians(30);
 
-  private final LineNoiseSettings settings;
+  private final OrientationSettings.AngleNoise settings;
   private final double[] variances;
   private final double[] weights;
 
-  LineNoise(LineNoiseSettings settings, int cameras) {
+  LineNoise(OrientationSettings.AngleNoise settings, int cameras) {
     this.settings = settings;
     variances = new double[cameras];
     double sd = Math.toRadians(settings.angleSdDeg());

@@ -32,7 +32,7 @@ final class PositionFilter {
   private Consumer<? super FilterStep> recorder;
   private int rejectedTimes;
 
-  PositionFilter(List<CameraModel> cameras, BodyPositionSettings settings) {
+  PositionFilter(List<CameraModel> cameras, OrientationSettings.BodyMotion settings) {
     this.cameras = cameras;
     start = new Triangulation(settings.pixelSd());
     pixel = new PixelMeasurement(settings.pixelSd(), settings.gateSigmas());

@@ -27,7 +27,7 @@ final class QuaternionFilter implements AxisFilter {
   private final AxisDoubt doubt;
 
   QuaternionFilter(OrientationSettings settings) {
-    TurningSettings turning = settings.turning();
+    OrientationSettings.Turning turning = settings.turning();
     rateVariance = turning.meanRateVariance();
     updateNoise = turning.updateNoise();
     motion = new QuaternionMotion(turning.decayS(), rateVariance, updateNoise);

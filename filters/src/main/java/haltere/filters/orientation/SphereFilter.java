@@ -43,7 +43,7 @@ final class SphereFilter implements AxisFilter {
   private static final double UNKNOWN_VARIANCE = (Math.PI - 2) / 2;
 
   final double[] rateVariances;
-  private final TurningSettings turning;
+  private final OrientationSettings.Turning turning;
   private final double gateRad;
   private final double outliers;
   private final double logOutlier;

@@ -11,7 +11,6 @@ import haltere.filters.orientation.camera.CameraFile;
 import haltere.filters.orientation.camera.CameraModel;
 import haltere.filters.orientation.camera.LineObservation;
 import haltere.filters.orientation.camera.ObservationFile;
-import haltere.filters.orientation.camera.ObservationListener;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -232,7 +231,7 @@ class CalibrationFilesTest {
         new BodyOrientationEstimator(read.cameras().cameras(), OrientationSettings.defaults());
     TreeMap<Long, List<LineObservation>> seen = new TreeMap<>();
     read.read(
-        new ObservationListener() {
+        new ObservationFile.Listener() {
           @Override
           public void seen(long timeUs, String object, LineObservation line) {
             assertEquals("42", object);

@@ -11,7 +11,6 @@ import haltere.core.json.Json;
 import haltere.core.simulation.flight.FlightScene;
 import haltere.filters.orientation.camera.LineObservation;
 import haltere.filters.orientation.camera.ObservationFile;
-import haltere.filters.orientation.camera.ObservationListener;
 import haltere.filters.orientation.camera.Vectors;
 import java.io.IOException;
 import java.io.InputStream;
@@ -39,7 +38,7 @@ class FlydraFileTest {
   private Path cameras;
 
   /** What a file said. */
-  private static final class Heard implements ObservationListener {
+  private static final class Heard implements ObservationFile.Listener {
     final TreeMap<Long, List<LineObservation>> seen = new TreeMap<>();
     final List<String> objects = new ArrayList<>();
     final List<String> bad = new ArrayList<>();

@@ -6,7 +6,6 @@ import haltere.filters.orientation.camera.CameraFile;
 import haltere.filters.orientation.camera.CameraModel;
 import haltere.filters.orientation.camera.LineObservation;
 import haltere.filters.orientation.camera.ObservationFile;
-import haltere.filters.orientation.camera.ObservationListener;
 import haltere.ui.command.results.OrientationTable;
 import haltere.ui.command.results.OrientedBodies;
 import haltere.ui.command.terminal.Quantities;
@@ -156,7 +155,7 @@ final class OrientCommand extends Subcommand {
   private void read(ObservationFile observations, OrientedBodies bodies) throws IOException {
     try {
       observations.read(
-          new ObservationListener() {
+          new ObservationFile.Listener() {
             @Override
             public void seen(long timeUs, String object, LineObservation line) {
               bodies.seen(timeUs, object, line);

@@ -6,7 +6,6 @@ import haltere.filters.orientation.OrientationSettings;
 import haltere.filters.orientation.camera.CameraModel;
 import haltere.filters.orientation.camera.LineObservation;
 import haltere.filters.orientation.camera.ObservationFile;
-import haltere.filters.orientation.camera.ObservationListener;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -79,7 +78,7 @@ public record BodyFlight(List<CameraModel> cameras, List<Moment> moments) {
   }
 
   /** Keeps what was seen of the first body. */
-  private static final class Collector implements ObservationListener {
+  private static final class Collector implements ObservationFile.Listener {
     private final Map<Long, List<LineObservation>> seen;
     private String first;
 

@@ -1,5 +1,6 @@
 package haltere.filters.orientation.camera;
 
+import haltere.core.format.RecordingProblem;
 import haltere.core.format.hdf5.Hdf5Tables.RowListener;
 import java.io.BufferedReader;
 import java.io.EOFException;
@@ -30,7 +31,7 @@ final class BraidzTables implements FlydraDetections.Tables {
     try {
       zip = new ZipFile(file.toFile());
     } catch (ZipException damaged) {
-      throw new TableProblem(file + ": this ZIP is damaged: " + damaged.getMessage());
+      throw new RecordingProblem(file, "this ZIP is damaged: " + damaged.getMessage());
     }
   }
 
@@ -48,8 +49,8 @@ final class BraidzTables implements FlydraDetections.Tables {
     for (String table : List.of("cam_info", "data2d_distorted", "data_association")) {
       if (!tables.has(table)) {
         tables.close();
-        throw new TableProblem(
-            file + ": there is no " + table + ".csv.gz in it; a .braidz file has no folder inside");
+        throw new RecordingProblem(
+            file, "there is no " + table + ".csv.gz in it; a .braidz file has no folder inside");
       }
     }
     return tables;
@@ -59,7 +60,7 @@ final class BraidzTables implements FlydraDetections.Tables {
   CameraFile cameras() throws IOException {
     ZipEntry xml = zip.getEntry("calibration.xml");
     if (xml == null) {
-      throw new TableProblem(file + ": there is no calibration.xml in it, so no cameras");
+      throw new RecordingProblem(file, "there is no calibration.xml in it, so no cameras");
     }
     try (InputStream in = zip.getInputStream(xml)) {
       return CameraXml.read(in, file + ": calibration.xml");
@@ -82,7 +83,7 @@ final class BraidzTables implements FlydraDetections.Tables {
     try (BufferedReader in = reader(table)) {
       return new LinkedHashSet<>(new CsvTable(in, List.of()).header());
     } catch (EOFException | ZipException damaged) {
-      throw new TableProblem(file + ": " + table + ": damaged in line 1");
+      throw new RecordingProblem(file, table + ": damaged in line 1");
     }
   }
 
@@ -94,19 +95,18 @@ final class BraidzTables implements FlydraDetections.Tables {
       rows = new CsvTable(in, names);
       for (String name : names.subList(0, rows.header().isEmpty() ? 0 : required)) {
         if (!rows.header().contains(name)) {
-          throw new TableProblem(
-              file + ": " + table + ": there is no column " + name + " in line 1");
+          throw new RecordingProblem(file, table + ": there is no column " + name + " in line 1");
         }
       }
       while (rows.next()) {
         listener.row(rows);
       }
     } catch (NumberFormatException noNumber) {
-      throw new TableProblem(
-          file + ": " + table + ": line " + rows.line() + ": " + noNumber.getMessage());
+      throw new RecordingProblem(
+          file, table + ": line " + rows.line() + ": " + noNumber.getMessage());
     } catch (EOFException | ZipException damaged) {
-      throw new TableProblem(
-          file + ": " + table + ": damaged after line " + (rows == null ? 0 : rows.line()));
+      throw new RecordingProblem(
+          file, table + ": damaged after line " + (rows == null ? 0 : rows.line()));
     }
   }
 

@@ -1,8 +1,10 @@
 package haltere.filters.orientation.camera;
 
+import haltere.core.format.RecordingProblem;
 import haltere.core.format.hdf5.Hdf5Tables;
 import java.io.Closeable;
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
@@ -96,10 +98,10 @@ final class FlydraDetections {
 
   private record Detection(long frame, String object, LineObservation line) {}
 
-  private final String file;
+  private final Path file;
   private final Tables tables;
   private final List<CameraModel> cameras;
-  private final ObservationListener listener;
+  private final ObservationFile.Listener listener;
   private final Map<Long, String> names = new HashMap<>();
   private final Map<Long, Integer> numbers = new HashMap<>();
   private final Map<Key, String> objects = new HashMap<>();
@@ -111,7 +113,7 @@ final class FlydraDetections {
   private boolean isAssociated;
 
   FlydraDetections(
-      String file, Tables tables, List<CameraModel> cameras, ObservationListener listener) {
+      Path file, Tables tables, List<CameraModel> cameras, ObservationFile.Listener listener) {
     this.file = file;
     this.tables = tables;
     this.cameras = cameras;
@@ -166,8 +168,8 @@ final class FlydraDetections {
     for (int i = 0; i < cameras.size(); i++) {
       Matcher end = NUMBER_AT_END.matcher(cameras.get(i).id());
       if (end.find() && numbers.put(Long.parseLong(end.group()), i) != null) {
-        throw new TableProblem(
-            file + ": it has no table cam_info, and two cameras end in the number " + end.group());
+        throw new RecordingProblem(
+            file, "it has no table cam_info, and two cameras end in the number " + end.group());
       }
     }
   }
@@ -219,7 +221,7 @@ final class FlydraDetections {
   private void readDetections() throws IOException {
     Set<String> there = tables.columns(DETECTIONS);
     if (!there.isEmpty() && !there.contains("y") && !there.contains("intercept")) {
-      throw new TableProblem(file + ": the table " + DETECTIONS + " has no column y or intercept");
+      throw new RecordingProblem(file, "the table " + DETECTIONS + " has no column y or intercept");
     }
     if (!isAssociated && !there.isEmpty() && !there.contains("obj_id")) {
       listener.remark("no table says which detection is of which body; all are taken for one");

@@ -1,5 +1,6 @@
 package haltere.filters.orientation.camera;
 
+import haltere.core.format.RecordingProblem;
 import haltere.core.format.hdf5.Hdf5Tables;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -14,6 +15,33 @@ import java.util.Optional;
  * <p>Thread rule: one thread.
  */
 public final class ObservationFile {
+  /** Takes what cameras saw of bodies, in order of time. */
+  public interface Listener {
+    /**
+     * An observation.
+     *
+     * @param timeUs microseconds, not before that of the last one
+     * @param object name of the body
+     * @param line what was seen
+     */
+    void seen(long timeUs, String object, LineObservation line);
+
+    /**
+     * A row that was left out.
+     *
+     * @param where line or row of the file, for a person
+     * @param why what is wrong with it
+     */
+    void bad(String where, String why);
+
+    /**
+     * A statement about the whole file.
+     *
+     * @param words for a person
+     */
+    default void remark(String words) {}
+  }
+
   private final Path file;
   private final boolean isBraidz;
   private final boolean isHdf5;
@@ -31,7 +59,7 @@ public final class ObservationFile {
         cameras = tables.cameras();
       }
     } else {
-      throw new TableProblem(file + ": it has no cameras of its own; give a file of cameras");
+      throw new RecordingProblem(file, "it has no cameras of its own; give a file of cameras");
     }
   }
 
@@ -41,7 +69,7 @@ public final class ObservationFile {
    * @param file the observations
    * @param calibration the cameras; may be empty for a {@code .braidz} file, which has its own
    * @return a file of which nothing is read yet
-   * @throws TableProblem if there are no cameras; the message names the file
+   * @throws RecordingProblem if there are no cameras; the message names the file
    * @throws IOException if a file cannot be read
    */
   public static ObservationFile open(Path file, Optional<Path> calibration) throws IOException {
@@ -81,15 +109,15 @@ public final class ObservationFile {
    * Reads all observations.
    *
    * @param listener takes them, in order of time
-   * @throws TableProblem if it is no such file, or damaged; the message names it
+   * @throws RecordingProblem if it is no such file, or damaged; the message names it
    * @throws IOException if it cannot be read
    */
-  public void read(ObservationListener listener) throws IOException {
+  public void read(ObservationFile.Listener listener) throws IOException {
     if (hasFrames()) {
       try (FlydraDetections.Tables tables =
           isBraidz ? BraidzTables.open(file) : FlydraDetections.Tables.of(Hdf5Tables.open(file))) {
         FlydraDetections detections =
-            new FlydraDetections(file.toString(), tables, cameras.cameras(), listener);
+            new FlydraDetections(file, tables, cameras.cameras(), listener);
         frames = detections.read();
         detections.handOut();
       }

@@ -1,5 +1,6 @@
 package haltere.filters.orientation.camera;
 
+import haltere.core.format.RecordingProblem;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -20,10 +21,10 @@ final class ObservationTable {
       List.of("t_us", "camera", "object", "x_px", "y_px", "angle_rad", "area_px", "eccentricity");
 
   private final Map<String, Integer> cameras = new HashMap<>();
-  private final ObservationListener listener;
+  private final ObservationFile.Listener listener;
   private long lastUs = Long.MIN_VALUE;
 
-  private ObservationTable(List<CameraModel> models, ObservationListener listener) {
+  private ObservationTable(List<CameraModel> models, ObservationFile.Listener listener) {
     for (CameraModel camera : models) {
       cameras.put(camera.id(), cameras.size());
     }
@@ -31,19 +32,19 @@ final class ObservationTable {
   }
 
   /** Reads a table of UTF-8 text. */
-  static void read(Path file, List<CameraModel> cameras, ObservationListener listener)
+  static void read(Path file, List<CameraModel> cameras, ObservationFile.Listener listener)
       throws IOException {
     ObservationTable observations = new ObservationTable(cameras, listener);
     try (BufferedReader in = Files.newBufferedReader(file, StandardCharsets.UTF_8)) {
       CsvTable table = new CsvTable(in, COLUMNS);
       if (table.header().isEmpty()) {
-        throw new TableProblem(file + ": this file is empty; its first line names the columns");
+        throw new RecordingProblem(file, "this file is empty; its first line names the columns");
       }
       for (String column : COLUMNS) {
         if (!table.header().contains(column)) {
-          throw new TableProblem(
-              file
-                  + ": line 1: there is no column "
+          throw new RecordingProblem(
+              file,
+              "line 1: there is no column "
                   + column
                   + "; the columns are "
                   + String.join(",", COLUMNS));
