@@ -21,17 +21,8 @@ final class AxisDifference {
   private final GaussianState[] pair = {new GaussianState(4), new GaussianState(4)};
   private final double[] weights = new double[2];
 
-  /** Works out the difference of two lines, whichever ends are heads. */
-  void betweenLines(AxisHypothesis from, AxisHypothesis to) {
-    between(from, to, Vectors.dot(from.u, to.u) < 0 ? -1 : 1);
-  }
-
-  /** Works out the difference of two axes with a head, which may be any angle apart. */
-  void betweenHeads(AxisHypothesis from, AxisHypothesis to) {
-    between(from, to, 1);
-  }
-
-  private void between(AxisHypothesis from, AxisHypothesis to, double side) {
+  /** Sets the difference of an axis, or with the side −1 of its opposite end, to another axis. */
+  void between(AxisHypothesis from, AxisHypothesis to, double side) {
     first = from;
     second = to;
     double[] u = from.u;

@@ -54,15 +54,15 @@ final class AxisHypothesis {
   /** Logarithm of how likely its angle to the flight was when that was last taken in. */
   private double flightLog;
 
-  /** Lines that are not yet decided upon, and what became of the others. */
+  /** Lines that are neither used nor rejected yet. */
   int undecided;
 
   private int lines;
   boolean[] decided = new boolean[16];
-  boolean[] used = new boolean[16];
+
+  /** By line: normalised innovation squared and {@link LineComparison#own}; NaN until used. */
   double[] nis = new double[16];
 
-  /** Estimate of its own variance by each line that was used. */
   double[] own = new double[16];
 
   /** For a smoother: the time before, and the state before this time's lines. */
@@ -84,7 +84,6 @@ final class AxisHypothesis {
     lines = other.lines;
     room(lines);
     System.arraycopy(other.decided, 0, decided, 0, lines);
-    System.arraycopy(other.used, 0, used, 0, lines);
     System.arraycopy(other.nis, 0, nis, 0, lines);
     System.arraycopy(other.own, 0, own, 0, lines);
     flightLog = other.flightLog;
@@ -193,16 +192,15 @@ final class AxisHypothesis {
   void expect(int count) {
     room(count);
     Arrays.fill(decided, 0, count, false);
-    Arrays.fill(used, 0, count, false);
     Arrays.fill(nis, 0, count, Double.NaN);
+    Arrays.fill(own, 0, count, Double.NaN);
     undecided = count;
     lines = count;
   }
 
   private void room(int count) {
-    if (used.length < count) {
+    if (decided.length < count) {
       decided = Arrays.copyOf(decided, count);
-      used = Arrays.copyOf(used, count);
       nis = Arrays.copyOf(nis, count);
       own = Arrays.copyOf(own, count);
     }
@@ -212,7 +210,6 @@ final class AxisHypothesis {
   void take(int index, LineComparison seen) {
     own[index] = seen.own();
     nis[index] = seen.nis();
-    used[index] = true;
     decided[index] = true;
     undecided--;
     correct(seen.ha, seen.hb, seen.innovation, seen.noise);
@@ -256,7 +253,7 @@ final class AxisHypothesis {
     flightLog = log;
     correct(1, 0, scale * a, variance / fresh);
     correct(0, 1, scale * b - error.mean(2), variance / fresh);
-    settle();
+    recentre(true);
   }
 
   /** Follows the line by its other end from now on, as another one than that of before. */
@@ -271,11 +268,6 @@ final class AxisHypothesis {
     if (step != null) {
       step = new AxisStep(null, null, state(), step.before());
     }
-  }
-
-  /** Takes the mean angles into the axis, once all lines are decided upon. */
-  void settle() {
-    recentre(true);
   }
 
   /** Moves the mean by a difference (a, ȧ, b, ḃ) along a great circle; the covariance stays. */

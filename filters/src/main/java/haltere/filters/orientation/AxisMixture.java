@@ -48,7 +48,7 @@ final class AxisMixture {
       double[] offset = new double[4];
       mean.copy(hypotheses.get(0));
       for (int i = 1; i < hypotheses.size(); i++) {
-        differences[i].betweenHeads(hypotheses.get(0), hypotheses.get(i));
+        differences[i].between(hypotheses.get(0), hypotheses.get(i), 1);
         for (int k = 0; k < 4; k++) {
           offset[k] += hypotheses.get(i).weight * differences[i].d[k];
         }

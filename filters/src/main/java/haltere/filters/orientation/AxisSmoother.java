@@ -34,7 +34,7 @@ final class AxisSmoother {
     AxisHypothesis found = hypothesis(later);
     AxisHypothesis moved = hypothesis(at);
     AxisDifference difference = new AxisDifference();
-    difference.betweenHeads(expected, found);
+    difference.between(expected, found, 1);
     DMatrixRMaj change = DMatrixRMaj.wrap(4, 1, difference.d);
     boolean isDone =
         RtsSmoother.back(

@@ -43,12 +43,10 @@ public final class BodyOrientationEstimator {
   /** Time constant of the angle between axis and flight. */
   private static final double SLIP_TIME_S = 0.1;
 
-  private final List<CameraModel> cameras;
   private final OrientationSettings settings;
   private final Map<OrientationCount, Long> counts = new EnumMap<>(OrientationCount.class);
   private final LineIntake intake;
   private final LineNoise noise;
-  private final LineGate gate;
   private final PositionFilter position;
   final AxisFilter axis;
   private final AxisLaunch search;
@@ -56,8 +54,6 @@ public final class BodyOrientationEstimator {
   private final FlightDirection flight = new FlightDirection();
   private final LineMeasurement[] lines;
   private final LineMeasurement[] views;
-  private final double[] residuals;
-  private final boolean[] used;
   private final double[] at = new double[3];
   private final double[] before = new double[3];
   private final double[] vector = new double[3];
@@ -72,6 +68,7 @@ public final class BodyOrientationEstimator {
   private boolean hasBefore;
   private double nisSum;
   private long nisCount;
+  private int measured;
 
   /**
    * An estimator that has seen nothing.
@@ -81,13 +78,11 @@ public final class BodyOrientationEstimator {
    * @param settings of all its parts
    */
   public BodyOrientationEstimator(List<CameraModel> cameras, OrientationSettings settings) {
-    this.cameras = List.copyOf(cameras);
     this.settings = settings;
-    int count = this.cameras.size();
-    intake = new LineIntake(this.cameras, settings.position().togetherS());
+    int count = cameras.size();
     noise = new LineNoise(settings.line(), count);
-    gate = new LineGate(settings.gate(), noise);
-    position = new PositionFilter(this.cameras, settings.position());
+    intake = new LineIntake(List.copyOf(cameras), settings, noise);
+    position = new PositionFilter(List.copyOf(cameras), settings.position());
     axis =
         settings.form() == OrientationSettings.Form.QUATERNION
             ? new QuaternionFilter(settings)
@@ -96,8 +91,6 @@ public final class BodyOrientationEstimator {
     head = new HeadOrTail(settings.direction());
     lines = measurements(count);
     views = measurements(count);
-    residuals = new double[count];
-    used = new boolean[count];
   }
 
   private static LineMeasurement[] measurements(int count) {
@@ -126,12 +119,11 @@ public final class BodyOrientationEstimator {
     }
     hasTime = true;
     lastUs = timeUs;
-    intake.take(timeUs, seen, this::count);
+    intake.accept(timeUs, seen, this::count);
     if (!intake.usable().isEmpty()) {
       seenUs = timeUs;
     }
-    Arrays.fill(residuals, Double.NaN);
-    Arrays.fill(used, false);
+    measured = 0;
     if (!locate(timeUs, dtS)) {
       count(OrientationCount.NO_PLACE, 1);
       hasAxis = false;
@@ -158,7 +150,8 @@ public final class BodyOrientationEstimator {
   }
 
   private Optional<OrientationEstimate> orient(long timeUs, double dtS) {
-    int count = prepare(intake.usable(), lines, this::count);
+    int count = intake.measure(intake.usable(), at, lines, this::count);
+    measured = count;
     int skipped = intake.usable().size() - count;
     int taken = count;
     if (hasAxis) {
@@ -185,19 +178,6 @@ public final class BodyOrientationEstimator {
     return Optional.of(estimate(timeUs, dtS, taken, count - taken + skipped));
   }
 
-  /** Makes measurements of what can be used; returns how many, and hands out why others cannot. */
-  private int prepare(
-      List<LineObservation> seen, LineMeasurement[] into, LineIntake.Counter skipped) {
-    int count = 0;
-    for (LineObservation each : seen) {
-      Optional<OrientationCount> why =
-          gate.prepare(each, cameras.get(each.camera()), at, into[count]);
-      count += why.isEmpty() ? 1 : 0;
-      why.ifPresent(reason -> skipped.count(reason, 1));
-    }
-    return count;
-  }
-
   /** A body that flies points more or less to where it flies. */
   private void coupleToFlight(double dtS) {
     if (hasBefore) {
@@ -218,7 +198,7 @@ public final class BodyOrientationEstimator {
 
   /** Looks for an axis in what goes together; its head is where the body's was or flies to. */
   private boolean finds(long timeUs) {
-    int count = prepare(intake.recent(timeUs), views, (why, number) -> {});
+    int count = intake.measure(intake.recent(timeUs), at, views, (problem, number) -> {});
     if (!search.find(views, count)) {
       return false;
     }
@@ -245,7 +225,7 @@ public final class BodyOrientationEstimator {
     hasAxis = true;
     count(OrientationCount.USED, count);
     for (int i = 0; i < count; i++) {
-      used[lines[i].camera] = true;
+      lines[i].used = true;
     }
   }
 
@@ -254,8 +234,6 @@ public final class BodyOrientationEstimator {
     int taken = 0;
     for (int i = 0; i < count; i++) {
       LineMeasurement each = lines[i];
-      residuals[each.camera] = each.residualRad;
-      used[each.camera] = each.used;
       if (each.used) {
         taken++;
         nisSum += each.nis;
@@ -341,7 +319,7 @@ public final class BodyOrientationEstimator {
    * @return radians in (−π/2, π/2), NaN if it saw nothing then
    */
   public double residualRad(int camera) {
-    return residuals[camera];
+    return measurement(camera).map(each -> each.residualRad).orElse(Double.NaN);
   }
 
   /**
@@ -351,7 +329,11 @@ public final class BodyOrientationEstimator {
    * @return false as well if it saw none
    */
   public boolean used(int camera) {
-    return used[camera];
+    return measurement(camera).map(each -> each.used).orElse(false);
+  }
+
+  private Optional<LineMeasurement> measurement(int camera) {
+    return Arrays.stream(lines, 0, measured).filter(each -> each.camera == camera).findAny();
   }
 
   /**

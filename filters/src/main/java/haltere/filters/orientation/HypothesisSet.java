@@ -26,7 +26,6 @@ final class HypothesisSet {
   private AxisHypothesis[] now = new AxisHypothesis[ROOM];
   private AxisHypothesis[] before = new AxisHypothesis[ROOM];
   private int size;
-  private int oldSize;
   private double best = Double.NEGATIVE_INFINITY;
   private final AxisDifference difference = new AxisDifference();
   private final double[] shift = new double[4];
@@ -44,10 +43,6 @@ final class HypothesisSet {
     return now[index];
   }
 
-  int oldSize() {
-    return oldSize;
-  }
-
   AxisHypothesis old(int index) {
     return before[index];
   }
@@ -57,13 +52,14 @@ final class HypothesisSet {
     best = Double.NEGATIVE_INFINITY;
   }
 
-  /** The hypotheses become those of the time before. */
-  void startAnew() {
-    AxisHypothesis[] were = now;
+  /** Makes the hypotheses those of the time before; returns how many. */
+  int advance() {
+    AxisHypothesis[] latest = now;
     now = before;
-    before = were;
-    oldSize = size;
+    before = latest;
+    int count = size;
     clear();
+    return count;
   }
 
   /** One more, of any content; null if there is no room. */
@@ -95,7 +91,7 @@ final class HypothesisSet {
    * @return probability of that case
    */
   double settle(double none) {
-    double most = none > 0 ? Math.log(none) : Double.NEGATIVE_INFINITY;
+    double most = Math.log(none);
     for (int i = 0; i < size; i++) {
       most = Math.max(most, now[i].logWeight);
     }
@@ -230,7 +226,7 @@ final class HypothesisSet {
     if ((a.saccadeShare < 0.5) != (b.saccadeShare < 0.5) || 1 - cos * cos > limit * variance) {
       return false;
     }
-    difference.betweenLines(a, b);
+    difference.between(a, b, cos < 0 ? -1 : 1);
     double distance = 0;
     for (int k = 0; k < 4; k++) {
       double d = difference.d[k];

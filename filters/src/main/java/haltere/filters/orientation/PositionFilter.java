@@ -86,7 +86,7 @@ final class PositionFilter {
       line[0] = observation.xPx();
       line[1] = observation.yPx();
       line[2] = Double.NaN;
-      if (!observation.hasPlace()
+      if (!observation.hasPosition()
           || !camera.straighten(line)
           || !pixel.turnTo(camera, filter.state(0), filter.state(2), filter.state(4))) {
         continue;

@@ -134,8 +134,8 @@ final class SphereFilter implements AxisFilter {
     for (int i = 0; i < count; i++) {
       lines[i].residualRad = lines[i].residual(expected);
     }
-    hypotheses.startAnew();
-    for (int i = 0; i < hypotheses.oldSize(); i++) {
+    int known = hypotheses.advance();
+    for (int i = 0; i < known; i++) {
       continueWith(hypotheses.old(i), lines, count);
     }
     for (int i = 0; i < hypotheses.size(); i++) {
@@ -192,7 +192,7 @@ final class SphereFilter implements AxisFilter {
     double off = Math.abs(line.residual(hypothesis.u));
     return off < gateRad
         || (seen.compare(hypothesis, line)
-            && off < gateRad * Math.sqrt(1 + seen.vagueness() / VAGUE_LINE));
+            && off < gateRad * Math.sqrt(1 + seen.expectedVariance() / VAGUE_LINE));
   }
 
   private void leaveOut(AxisHypothesis hypothesis, int line) {
@@ -232,7 +232,7 @@ final class SphereFilter implements AxisFilter {
       hypothesis.take(nearest, seen);
       hypothesis.logWeight += log;
     }
-    hypothesis.settle();
+    hypothesis.recentre(true);
     hypotheses.finish(hypothesis);
   }
 
@@ -259,9 +259,9 @@ final class SphereFilter implements AxisFilter {
   private void tell(LineMeasurement[] lines, int count) {
     AxisHypothesis best = hypotheses.get(0);
     for (int i = 0; i < count; i++) {
-      lines[i].used = best.used[i];
+      lines[i].used = !Double.isNaN(best.nis[i]);
       lines[i].nis = best.nis[i];
-      lines[i].ownRad2 = best.used[i] ? best.own[i] : Double.NaN;
+      lines[i].ownRad2 = best.own[i];
     }
   }
 

@@ -56,7 +56,7 @@ final class Triangulation {
     for (LineObservation observation : seen) {
       CameraModel camera = cameras.get(observation.camera());
       double[] line = {observation.xPx(), observation.yPx(), Double.NaN};
-      if (observation.hasPlace() && camera.straighten(line)) {
+      if (observation.hasPosition() && camera.straighten(line)) {
         sights.add(new Sight(camera, line));
       }
     }

@@ -169,7 +169,7 @@ class FlydraFileTest {
     List<LineObservation> lines = heard.seen.get(2_000_000L);
     assertEquals(Math.PI / 2, lines.get(0).angleRad(), 1e-15, "a vertical line");
     assertEquals(-Math.PI / 2, lines.get(1).angleRad(), 1e-15);
-    assertTrue(Double.isNaN(lines.get(2).angleRad()) && lines.get(2).hasPlace());
+    assertTrue(Double.isNaN(lines.get(2).angleRad()) && lines.get(2).hasPosition());
     assertEquals(List.of("4", "3", "3", "3"), heard.objects);
     assertEquals(3, heard.bad.size(), heard.bad.toString());
     assertTrue(heard.bad.get(0).startsWith("row 4 of data2d_distorted: there is no camera"));

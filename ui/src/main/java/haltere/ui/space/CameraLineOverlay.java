@@ -29,7 +29,7 @@ public final class CameraLineOverlay implements Overlay<CameraLine> {
   @Override
   public void draw(CameraLine line, OverlayCanvas canvas) {
     line.observed()
-        .filter(LineObservation::hasPlace)
+        .filter(LineObservation::hasPosition)
         .ifPresent(seen -> drawObserved(line, seen, canvas));
     if (Double.isFinite(line.xPx() + line.yPx() + line.headingRad())) {
       double dx = line.halfLengthPx() * Math.cos(line.headingRad());

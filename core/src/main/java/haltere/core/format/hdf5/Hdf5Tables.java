@@ -2,8 +2,8 @@ package haltere.core.format.hdf5;
 
 import haltere.core.format.RecordingFile;
 import haltere.core.format.RecordingProblem;
+import haltere.core.format.RecordingTables;
 import haltere.core.format.packed.DamagedPacketException;
-import java.io.Closeable;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -20,7 +20,7 @@ import java.util.Set;
  *
  * <p>Thread rule: one thread. Memory is bounded by the chunks of one table.
  */
-public final class Hdf5Tables implements Closeable {
+public final class Hdf5Tables implements RecordingTables {
   /** Longest text that is read, bytes. */
   private static final int MAX_TEXT = 4096;
 
@@ -32,55 +32,6 @@ public final class Hdf5Tables implements Closeable {
     this.file = file;
     container = ContainerFile.open(file);
     contents = FileContents.of(container);
-  }
-
-  /** Takes rows. */
-  @FunctionalInterface
-  public interface RowListener {
-    /**
-     * A row.
-     *
-     * @param row valid during the call
-     * @throws IOException if a value cannot be read
-     */
-    void row(Row row) throws IOException;
-  }
-
-  /** A row of a table. */
-  public interface Row {
-    /**
-     * Number of the row.
-     *
-     * @return from 0
-     */
-    long index();
-
-    /**
-     * A number.
-     *
-     * @param column index in the list of columns that were asked for
-     * @return NaN if the table does not have the column
-     * @throws IOException if it is no number
-     */
-    double number(int column) throws IOException;
-
-    /**
-     * A text, or a number as text.
-     *
-     * @param column index in the list of columns that were asked for
-     * @return empty if the table does not have the column
-     * @throws IOException if it is neither
-     */
-    String text(int column) throws IOException;
-
-    /**
-     * A list of whole numbers, of any length.
-     *
-     * @param column index in the list of columns that were asked for
-     * @return empty if the table does not have the column
-     * @throws IOException if it is no such list
-     */
-    long[] list(int column) throws IOException;
   }
 
   /**
@@ -114,12 +65,12 @@ public final class Hdf5Tables implements Closeable {
     }
   }
 
-  /**
-   * Names of a table's columns.
-   *
-   * @param table its path in the file, without a slash in front
-   * @return in the order of the file; empty if there is no such table
-   */
+  @Override
+  public boolean has(String table) {
+    return !columns(table).isEmpty();
+  }
+
+  @Override
   public Set<String> columns(String table) {
     return columnsOf(table).keySet();
   }
@@ -141,17 +92,7 @@ public final class Hdf5Tables implements Closeable {
     return columns;
   }
 
-  /**
-   * Reads a table.
-   *
-   * @param table its path in the file, without a slash in front
-   * @param names columns that are wanted; those that the table lacks are NaN or empty in each row
-   * @param required how many of them, from the first on, must be there
-   * @param listener takes the rows in order
-   * @throws RecordingProblem if the table or a required column is missing, or the file is damaged
-   *     or cut off; the message names the file
-   * @throws IOException if the file cannot be read, or from the listener
-   */
+  @Override
   public void read(String table, List<String> names, int required, RowListener listener)
       throws IOException {
     Map<String, EventTable.Column> there = columnsOf(table);

@@ -1,7 +1,7 @@
 package haltere.filters.orientation.camera;
 
 import haltere.core.format.RecordingProblem;
-import haltere.core.format.hdf5.Hdf5Tables.RowListener;
+import haltere.core.format.RecordingTables;
 import java.io.BufferedReader;
 import java.io.EOFException;
 import java.io.IOException;
@@ -22,7 +22,7 @@ import java.util.zip.ZipFile;
  * The tables of a {@code .braidz} file of Braid: a ZIP of gzipped CSV files without a folder of
  * their own, and the calibration as XML.
  */
-final class BraidzTables implements FlydraDetections.Tables {
+final class BraidzTables implements RecordingTables {
   private final Path file;
   private final ZipFile zip;
 

@@ -1,6 +1,6 @@
 package haltere.filters.orientation.camera;
 
-import haltere.core.format.hdf5.Hdf5Tables.Row;
+import haltere.core.format.RecordingTables;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.util.ArrayList;
@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Locale;
 
 /** A table of text whose first line names the columns, read row by row. */
-final class CsvTable implements Row {
+final class CsvTable implements RecordingTables.Row {
   private final BufferedReader in;
   private final List<String> header;
   private final int[] indexes;

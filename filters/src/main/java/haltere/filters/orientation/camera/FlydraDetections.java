@@ -1,8 +1,7 @@
 package haltere.filters.orientation.camera;
 
 import haltere.core.format.RecordingProblem;
-import haltere.core.format.hdf5.Hdf5Tables;
-import java.io.Closeable;
+import haltere.core.format.RecordingTables;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -35,46 +34,6 @@ import java.util.regex.Pattern;
  * (Flydra writes NaN) are left out. Memory grows with the associated detections.
  */
 final class FlydraDetections {
-  /** Tables of a file by their names. */
-  interface Tables extends Closeable {
-    /** Whether there is a table. */
-    boolean has(String table);
-
-    /** Names of a table's columns. */
-    Set<String> columns(String table) throws IOException;
-
-    /** Reads a table, of which the first columns are required; see {@link Hdf5Tables#read}. */
-    void read(String table, List<String> names, int required, Hdf5Tables.RowListener listener)
-        throws IOException;
-
-    /** The tables of an HDF5 file. */
-    static Tables of(Hdf5Tables file) {
-      return new Tables() {
-        @Override
-        public boolean has(String table) {
-          return !file.columns(table).isEmpty();
-        }
-
-        @Override
-        public Set<String> columns(String table) {
-          return file.columns(table);
-        }
-
-        @Override
-        public void read(
-            String table, List<String> names, int required, Hdf5Tables.RowListener listener)
-            throws IOException {
-          file.read(table, names, required, listener);
-        }
-
-        @Override
-        public void close() throws IOException {
-          file.close();
-        }
-      };
-    }
-  }
-
   private static final String DETECTIONS = "data2d_distorted";
   private static final List<String> COLUMNS =
       List.of(
@@ -99,7 +58,7 @@ final class FlydraDetections {
   private record Detection(long frame, String object, LineObservation line) {}
 
   private final Path file;
-  private final Tables tables;
+  private final RecordingTables tables;
   private final List<CameraModel> cameras;
   private final ObservationFile.Listener listener;
   private final Map<Long, String> names = new HashMap<>();
@@ -113,7 +72,10 @@ final class FlydraDetections {
   private boolean isAssociated;
 
   FlydraDetections(
-      Path file, Tables tables, List<CameraModel> cameras, ObservationFile.Listener listener) {
+      Path file,
+      RecordingTables tables,
+      List<CameraModel> cameras,
+      ObservationFile.Listener listener) {
     this.file = file;
     this.tables = tables;
     this.cameras = cameras;
@@ -229,7 +191,7 @@ final class FlydraDetections {
     tables.read(DETECTIONS, COLUMNS, REQUIRED, this::detection);
   }
 
-  private void detection(Hdf5Tables.Row row) throws IOException {
+  private void detection(RecordingTables.Row row) throws IOException {
     double number = row.number(0);
     double frame = row.number(1);
     double slope = row.number(2);

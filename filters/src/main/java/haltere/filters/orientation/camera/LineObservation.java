@@ -25,7 +25,7 @@ public record LineObservation(
    *
    * @return true if both numbers are finite
    */
-  public boolean hasPlace() {
+  public boolean hasPosition() {
     return Double.isFinite(xPx) && Double.isFinite(yPx);
   }
 

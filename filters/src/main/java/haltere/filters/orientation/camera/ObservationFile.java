@@ -1,6 +1,7 @@
 package haltere.filters.orientation.camera;
 
 import haltere.core.format.RecordingProblem;
+import haltere.core.format.RecordingTables;
 import haltere.core.format.hdf5.Hdf5Tables;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -114,8 +115,7 @@ public final class ObservationFile {
    */
   public void read(ObservationFile.Listener listener) throws IOException {
     if (hasFrames()) {
-      try (FlydraDetections.Tables tables =
-          isBraidz ? BraidzTables.open(file) : FlydraDetections.Tables.of(Hdf5Tables.open(file))) {
+      try (RecordingTables tables = isBraidz ? BraidzTables.open(file) : Hdf5Tables.open(file)) {
         FlydraDetections detections =
             new FlydraDetections(file, tables, cameras.cameras(), listener);
         frames = detections.read();

@@ -11,7 +11,7 @@ import org.ejml.data.DMatrixRMaj;
 import org.junit.jupiter.api.Test;
 
 /** On data drawn from its own model the filter is as sure as it says. */
-class AxisHonestyTest {
+class AxisConsistencyTest {
   private static final int RUNS = 200;
   private static final int STEPS = 60;
   private static final double TAU_S = 0.1;
