@@ -81,8 +81,8 @@ final class AxisDoubt {
     if (count == 0) {
       return false;
     }
-    boolean most = count <= 2 ? taken < count : 2 * taken <= count;
-    rejectedTimes = most ? rejectedTimes + 1 : 0;
+    boolean isMajority = count <= 2 ? taken < count : 2 * taken <= count;
+    rejectedTimes = isMajority ? rejectedTimes + 1 : 0;
     if (taken == count) {
       agreements = Math.min(ESTABLISHED, count < 2 ? agreements : agreements + 1);
       return false;

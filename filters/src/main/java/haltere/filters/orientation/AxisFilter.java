@@ -13,7 +13,7 @@ sealed interface AxisFilter permits SphereFilter, QuaternionFilter {
    * @param tipVelocity velocity of its tip, per second
    * @param variance mean squared angle to the true axis, not capped
    * @param agreement probability that the true axis is nearer to u than to its opposite
-   * @param isSettled whether it is not in doubt, so that it tells where the head is
+   * @param isSettled whether it is unambiguous, so that its head is known by continuity
    * @param rollSd standard deviation of the rotation about the axis, which no camera sees
    * @param rollRate the rate of roll that the filter holds, 0 where it is left out
    */
@@ -26,17 +26,18 @@ sealed interface AxisFilter permits SphereFilter, QuaternionFilter {
       double rollSd,
       double rollRate) {}
 
-  /** Begins with an axis that was found. */
+  /** Starts with an axis that was found. */
   void launch(AxisLaunch found);
 
   /** Predicts by seconds, finite, not negative. */
   void predict(double dtS);
 
-  /** Takes in the first lines, of one time; says in each whether it was used. */
+  /** Updates with the first lines, of one time, and sets their results. */
   void update(LineMeasurement[] lines, int count);
 
   /**
-   * Takes in that a body flies more or less where its head points (flight-direction coupling).
+   * Updates with the direction of flight, which is that of the head but for an angle
+   * (flight-direction coupling).
    *
    * @param direction unit vector, of the flight
    * @param variance of the angle between axis and flight in each direction, squared radians
@@ -44,10 +45,10 @@ sealed interface AxisFilter permits SphereFilter, QuaternionFilter {
    */
   default void coupleToFlight(double[] direction, double variance, double fresh) {}
 
-  /** Whether the axis had better be searched again, after the first lines were taken in. */
+  /** Whether to search the axis again, after an update with the first lines. */
   boolean doubts(LineMeasurement[] lines, int count);
 
-  /** Takes in an axis that was found while there is one; returns whether it now is the axis. */
+  /** Adds an axis that was found beside the present one; returns whether it replaces it. */
   boolean offer(AxisLaunch found);
 
   /** The estimate. */

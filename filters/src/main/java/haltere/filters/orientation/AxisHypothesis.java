@@ -7,15 +7,14 @@ import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 
 /**
- * One hypothesis of where an axis points and how it turns: a point u of the unit sphere with two
- * directions e₁, e₂ beside it, which move along without turning about it, and a Gaussian of (a, ȧ,
- * b, ḃ): the angles of the true axis from u along e₁ and e₂, 0 on average between updates, and the
- * velocity. The length of u needs no care, and the rotation about u, which no camera sees, is no
- * state and cannot be mistaken for known.
+ * A hypothesis of an axis and its velocity: a point u of the unit sphere, an orthonormal frame e₁,
+ * e₂ of its tangent plane, which is transported in parallel, and a Gaussian of (a, ȧ, b, ḃ): angles
+ * of the true axis from u along e₁ and e₂, of mean 0 between updates, and their rates. The rotation
+ * about u, which no camera sees, is no state.
  *
- * <p>Between two times the axis goes along a great circle by the arc s = |v| g, with g = τ(1 − d)
- * and d = e^(−Δt/τ), and the velocity decays to d v. Errors along the way (t) and across it (n)
- * follow the deviation of neighbouring great circles (Jacobi's equation on the sphere):
+ * <p>In a time step the axis moves on a great circle by the arc s = |v| g, with g = τ(1 − d) and d
+ * = e^(−Δt/τ), and the velocity decays to d v. Errors along (t) and across (n) the motion follow
+ * Jacobi's equation on the sphere:
  *
  * <pre>
  * a_t ← a_t + g ȧ_t              ȧ_t ← d ȧ_t
@@ -25,13 +24,13 @@ import org.ejml.dense.row.CommonOps_DDRM;
  * <p>Reused; nothing is allocated by a step.
  */
 final class AxisHypothesis {
-  /** Variance in one direction above which a hypothesis is too wide to be taken for straight. */
+  /** Variance in one direction above which a hypothesis is split, since lines are not linear. */
   private static final double WIDE_VARIANCE = Math.toRadians(12) * Math.toRadians(12);
 
-  /** Standard deviation of each of three hypotheses over that of the one they stand for. */
+  /** Standard deviation of each of three hypotheses over that of the one that is split. */
   private static final double NARROWER = 0.6;
 
-  /** Logarithm of the odds at which a body does not fly backwards but is followed by its tail. */
+  /** Logarithm of the odds above which a body that flies backwards has its ends exchanged. */
   private static final double FLIES_BACKWARDS = 2;
 
   final double[] u = new double[3];
@@ -42,16 +41,16 @@ final class AxisHypothesis {
   /** Transition of errors over the last step. */
   final DMatrixRMaj transition = new DMatrixRMaj(4, 4);
 
-  /** Logarithm of its probability up to a number that all have in common, while lines come in. */
+  /** Logarithm of its probability during an update, but for a common term. */
   double logWeight;
 
-  /** Its probability, given that any hypothesis is right. */
+  /** Its probability if any hypothesis is true. */
   double weight;
 
-  /** Probability that the body is in a saccade, if this hypothesis is right. */
+  /** Probability of a saccade if this hypothesis is true. */
   double saccadeShare;
 
-  /** Logarithm of how likely its angle to the flight was when that was last taken in. */
+  /** Logarithm of the likelihood of its angle to the flight at the last coupling. */
   private double flightLog;
 
   /** Lines that are neither used nor rejected yet. */
@@ -65,7 +64,7 @@ final class AxisHypothesis {
 
   double[] own = new double[16];
 
-  /** For a smoother: the time before, and the state before this time's lines. */
+  /** For a smoother: path up to the last time, and the state before this time's lines. */
   AxisStep step;
 
   AxisState predicted;
@@ -82,7 +81,7 @@ final class AxisHypothesis {
     saccadeShare = other.saccadeShare;
     undecided = other.undecided;
     lines = other.lines;
-    room(lines);
+    reserve(lines);
     System.arraycopy(other.decided, 0, decided, 0, lines);
     System.arraycopy(other.nis, 0, nis, 0, lines);
     System.arraycopy(other.own, 0, own, 0, lines);
@@ -91,7 +90,7 @@ final class AxisHypothesis {
     predicted = other.predicted;
   }
 
-  /** Begins with an axis and its covariance in the world; the rates are unknown but for a size. */
+  /** Starts with an axis, its covariance in the world and the variance of its rates. */
   void launch(double[] axis, double[] covariance, double rateVariance) {
     System.arraycopy(axis, 0, u, 0, 3);
     Vectors.normalise(u);
@@ -110,7 +109,7 @@ final class AxisHypothesis {
     predicted = null;
   }
 
-  /** Takes over a state. */
+  /** Sets a state. */
   void set(AxisState state) {
     System.arraycopy(state.u(), 0, u, 0, 3);
     System.arraycopy(state.e1(), 0, e1, 0, 3);
@@ -136,7 +135,7 @@ final class AxisHypothesis {
     error.transform(transition);
   }
 
-  /** The transition along the way for both directions, and across it, n, what it has besides. */
+  /** Sets the transition: along the motion for both directions, plus what it is across (n). */
   private void setTransition(double na, double nb, double s, double speed, RateDecay decay) {
     double g = decay.reachS;
     double left = decay.left;
@@ -188,9 +187,9 @@ final class AxisHypothesis {
     Vectors.cross(u, e1, e2);
   }
 
-  /** Nothing is decided yet about so many lines. */
+  /** Starts an update with so many lines. */
   void expect(int count) {
-    room(count);
+    reserve(count);
     Arrays.fill(decided, 0, count, false);
     Arrays.fill(nis, 0, count, Double.NaN);
     Arrays.fill(own, 0, count, Double.NaN);
@@ -198,7 +197,7 @@ final class AxisHypothesis {
     lines = count;
   }
 
-  private void room(int count) {
+  private void reserve(int count) {
     if (decided.length < count) {
       decided = Arrays.copyOf(decided, count);
       nis = Arrays.copyOf(nis, count);
@@ -206,8 +205,8 @@ final class AxisHypothesis {
     }
   }
 
-  /** Takes a line in that was compared with what is expected just now. */
-  void take(int index, LineComparison seen) {
+  /** Updates with a line that was compared with the present state. */
+  void accept(int index, LineComparison seen) {
     own[index] = seen.own();
     nis[index] = seen.nis();
     decided[index] = true;
@@ -222,7 +221,7 @@ final class AxisHypothesis {
     error.correct(innovation, variance);
   }
 
-  /** Turns round if its head is so far off a direction that its tail is much likelier the head. */
+  /** Exchanges head and tail if the tail is much likelier to point in a direction. */
   void face(double[] direction, double variance) {
     double angle = Vectors.angle(u, direction);
     double opposite = logOf(Math.PI - angle, variance);
@@ -237,10 +236,9 @@ final class AxisHypothesis {
   }
 
   /**
-   * Takes in the direction of flight, which is that of the axis but for an angle, of which a share
-   * is fresh; leaves how likely that angle is. An angle that wanders (first-order Gauss-Markov) is
-   * as likely as its distribution says, over that of the part that has been counted before: a
-   * hypothesis that turns away from the flight loses at once, one that stays loses no more.
+   * Updates with the direction of flight, which is that of the axis but for a slip angle, of which
+   * a share is fresh; sets {@link #logWeight} to its likelihood. The angle is a first-order
+   * Gauss-Markov process: its likelihood counts over that of the part that was counted before.
    */
   void coupleToFlight(double[] direction, double variance, double fresh) {
     double a = Vectors.dot(direction, e1);
@@ -256,7 +254,7 @@ final class AxisHypothesis {
     recentre(true);
   }
 
-  /** Follows the line by its other end from now on, as another one than that of before. */
+  /** Exchanges head and tail; a smoother does not pass this time. */
   private void turnRound() {
     for (int k = 0; k < 3; k++) {
       u[k] = -u[k];
@@ -278,7 +276,7 @@ final class AxisHypothesis {
     recentre(false);
   }
 
-  /** Takes the mean angles into the axis: as a tangent, or as an arc of a great circle. */
+  /** Moves the axis by the mean angles: a tangent, or an arc of a great circle. */
   void recentre(boolean isTangent) {
     double a = error.mean(0);
     double b = error.mean(2);
@@ -291,11 +289,10 @@ final class AxisHypothesis {
   }
 
   /**
-   * Makes itself narrower along the direction in which it is widest, if it is too wide to be taken
-   * for straight.
+   * Narrows the Gaussian along its widest direction, if it is too wide.
    *
-   * @param shift gets the step from it to each of two that stand beside it, so that the three with
-   *     weights 1 : 2 : 1 have the mean and the covariance of the one
+   * @param shift gets the difference of two others on both sides, so that the three with weights 1
+   *     : 2 : 1 have the mean and the covariance of the one
    * @return false if it is narrow enough
    */
   boolean narrow(double[] shift) {
@@ -324,7 +321,7 @@ final class AxisHypothesis {
     return true;
   }
 
-  /** Everything that a smoother needs of the state. */
+  /** The state for a smoother. */
   AxisState state() {
     double[] p = error.covariance().data.clone();
     return new AxisState(u.clone(), e1.clone(), e2.clone(), error.mean(1), error.mean(3), p);

@@ -11,7 +11,7 @@ import org.ejml.dense.row.CommonOps_DDRM;
  * squares (Gauss-Newton). Reused.
  */
 final class AxisLaunch {
-  /** Sine of the angle below which two planes are taken for one. */
+  /** Sine of the angle of two planes below which they have no usable intersection. */
   private static final double MIN_CROSSING = Math.sin(Math.toRadians(4));
 
   private static final double MAX_INLIER_SQUARE = 4 * 4;

@@ -7,16 +7,16 @@ import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 
 /**
- * Several hypotheses of an axis together: their mean, in the tangent plane of the likeliest, and
- * their second moment about it. Each one points the way that it has been followed, so hypotheses
- * more than 90 degrees apart have a mean between them, not one beside the line of both. Reused.
+ * The mixture of hypotheses of an axis: mean, in the tangent plane of the likeliest, and second
+ * moment about it. Hypotheses have a head: the mean of two that are more than 90 degrees apart lies
+ * between their heads. Reused.
  */
 final class AxisMixture {
   private final HypothesisSet hypotheses;
   private final double unknownVariance;
   private final AxisHypothesis mean = new AxisHypothesis();
-  private final AxisDifference[] differences = new AxisDifference[HypothesisSet.MAX_SPLIT];
-  private final GaussianState[] pool = new GaussianState[HypothesisSet.MAX_SPLIT];
+  private final AxisDifference[] differences = new AxisDifference[HypothesisSet.MAX_KEPT];
+  private final GaussianState[] pool = new GaussianState[HypothesisSet.MAX_KEPT];
   private final GaussianState mixed = new GaussianState(4);
   private double unknown;
   private boolean hasMean;
@@ -26,7 +26,7 @@ final class AxisMixture {
    * A mixture.
    *
    * @param hypotheses the likeliest first, with probabilities that add up to 1
-   * @param unknownVariance variance of the axis in each direction if none of them is right
+   * @param unknownVariance variance of the axis in each direction if none of them is true
    */
   AxisMixture(HypothesisSet hypotheses, double unknownVariance) {
     this.hypotheses = hypotheses;
@@ -35,7 +35,7 @@ final class AxisMixture {
     Arrays.setAll(pool, i -> new GaussianState(4));
   }
 
-  /** The hypotheses have changed, or the probability that none of them is right. */
+  /** Sets the probability that no hypothesis is true, after a change of the hypotheses. */
   void changed(double newUnknown) {
     unknown = newUnknown;
     hasMean = false;

@@ -22,22 +22,22 @@ import java.util.function.Consumer;
  *     .ifPresent(now -> ...);
  * }</pre>
  *
- * <p>The position comes from the pixels (an extended Kalman filter over position and velocity), the
- * axis from the angles (an error-state filter on the sphere, or quaternions), head or tail from the
- * way flown. What cannot be used is counted and changes nothing. Cameras need not look at the same
- * time: each call brings what was seen at one time, and a start takes the last view of each camera
- * that is recent enough.
+ * <p>The position is estimated from the pixels (extended Kalman filter over position and velocity),
+ * the axis from the angles (error-state filter on the sphere, or quaternions), the head from the
+ * displacement along the axis. Unusable observations are counted and ignored. Cameras need not
+ * expose at the same time: a call takes the observations of one time, and a start the last
+ * sufficiently recent one of each camera.
  *
  * <p>Thread rule: one thread at a time.
  */
 public final class BodyOrientationEstimator {
-  /** Variance of the axis beyond which it is as good as unknown. */
+  /** Variance of the axis above which it is unknown. */
   private static final double LOST_VARIANCE = Math.toRadians(50) * Math.toRadians(50);
 
-  /** Variance of the axis up to which it cannot be another one than at the time before. */
+  /** Variance of the axis up to which a change of sign is an exchange of its ends. */
   private static final double CLEAR_VARIANCE = Math.toRadians(15) * Math.toRadians(15);
 
-  /** Squared angle up to which the direction of flight is known. */
+  /** Variance of the direction of flight above which it is unknown, squared radians. */
   private static final double MAX_FLIGHT_VARIANCE = 0.1;
 
   /** Time constant of the angle between axis and flight. */
@@ -100,10 +100,10 @@ public final class BodyOrientationEstimator {
   }
 
   /**
-   * Goes on to a time and takes in what was seen then.
+   * Estimates the orientation at a time with its observations.
    *
    * @param timeUs microseconds; one before the last is refused
-   * @param seen what cameras saw at this time, at most once each
+   * @param seen observations of this time, at most one of each camera
    * @return the orientation at this time, or empty as long as it is not known
    */
   public Optional<OrientationEstimate> update(long timeUs, List<LineObservation> seen) {
@@ -125,7 +125,7 @@ public final class BodyOrientationEstimator {
     }
     measured = 0;
     if (!locate(timeUs, dtS)) {
-      count(OrientationCount.NO_PLACE, 1);
+      count(OrientationCount.NO_POSITION, 1);
       hasAxis = false;
       return Optional.empty();
     }
@@ -178,7 +178,7 @@ public final class BodyOrientationEstimator {
     return Optional.of(estimate(timeUs, dtS, taken, count - taken + skipped));
   }
 
-  /** A body that flies points more or less to where it flies. */
+  /** Flight-direction coupling: a body points where it flies, but for a slip angle. */
   private void coupleToFlight(double dtS) {
     if (hasBefore) {
       flight.step(before, at, dtS);
@@ -196,7 +196,7 @@ public final class BodyOrientationEstimator {
     }
   }
 
-  /** Looks for an axis in what goes together; its head is where the body's was or flies to. */
+  /** Searches an axis in the recent lines, with the head by the last axis and the flight. */
   private boolean finds(long timeUs) {
     int count = intake.measure(intake.recent(timeUs), at, views, (problem, number) -> {});
     if (!search.find(views, count)) {
@@ -208,7 +208,7 @@ public final class BodyOrientationEstimator {
     return true;
   }
 
-  /** Whether a found axis points to the tail, by the last settled head and by the flight. */
+  /** Whether the found axis points to the tail, by the last settled axis and by the flight. */
   private boolean isAgainst(double[] found) {
     position.velocity(vector);
     double speed = Math.max(1e-9, Vectors.length(vector));
@@ -229,7 +229,7 @@ public final class BodyOrientationEstimator {
     }
   }
 
-  /** Counts what became of the lines and learns their noise; returns how many were used. */
+  /** Counts used and rejected lines and learns their noise; returns how many were used. */
   private int note(int count) {
     int taken = 0;
     for (int i = 0; i < count; i++) {

@@ -3,7 +3,7 @@ package haltere.filters.orientation;
 import haltere.filters.orientation.camera.Vectors;
 import java.util.Arrays;
 
-/** Direction of a body's flight in the last moments: its steps, older ones counting less. */
+/** Direction of a body's recent flight: the sum of its steps, older ones counting less. */
 final class FlightDirection {
   private static final double MEMORY_S = 0.05;
 

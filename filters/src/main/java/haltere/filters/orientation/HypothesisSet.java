@@ -3,28 +3,25 @@ package haltere.filters.orientation;
 import haltere.filters.orientation.camera.Vectors;
 import java.util.Arrays;
 
-/**
- * The hypotheses of one time, and those of the time before while the new ones are made from them. A
- * fixed number of them is kept and reused.
- */
+/** Hypotheses of one time, and those of the time before. A fixed number is kept and reused. */
 final class HypothesisSet {
-  /** Largest number that is kept from one time to the next. */
-  static final int MAX_SPLIT = 20;
+  /** Largest number between two times. */
+  static final int MAX_KEPT = 20;
 
-  /** Largest number while lines are decided upon. */
-  private static final int ROOM = 64;
+  /** Largest number during an update. */
+  private static final int CAPACITY = 64;
 
   /** Probability below which a hypothesis is dropped. */
   private static final double MIN_WEIGHT = 1e-4;
 
-  /** Squared distance in standard deviations below which two hypotheses are one. */
+  /** Squared distance in standard deviations below which two hypotheses are merged. */
   private static final double MERGE_DISTANCE = 0.5;
 
-  /** The same, weighed with the share of the smaller one. */
+  /** The same, times the share of the less likely one. */
   private static final double MERGE_DISTANCE_BY_SHARE = 0.01;
 
-  private AxisHypothesis[] now = new AxisHypothesis[ROOM];
-  private AxisHypothesis[] before = new AxisHypothesis[ROOM];
+  private AxisHypothesis[] now = new AxisHypothesis[CAPACITY];
+  private AxisHypothesis[] before = new AxisHypothesis[CAPACITY];
   private int size;
   private double best = Double.NEGATIVE_INFINITY;
   private final AxisDifference difference = new AxisDifference();
@@ -62,20 +59,20 @@ final class HypothesisSet {
     return count;
   }
 
-  /** One more, of any content; null if there is no room. */
+  /** Adds a hypothesis of any content; null if the set is full. */
   AxisHypothesis add() {
-    return size < ROOM ? now[size++] : null;
+    return size < CAPACITY ? now[size++] : null;
   }
 
-  /** One more that will be kept, in place of the least likely one if need be. */
+  /** Adds a hypothesis that is kept; replaces the least likely one of a full set. */
   AxisHypothesis addKept() {
-    if (size >= MAX_SPLIT) {
+    if (size >= MAX_KEPT) {
       size--;
     }
     return add();
   }
 
-  /** Largest logarithm of a weight among the finished ones. */
+  /** Largest logarithm of a weight after {@link #finish}. */
   double best() {
     return best;
   }
@@ -85,9 +82,9 @@ final class HypothesisSet {
   }
 
   /**
-   * Makes probabilities of the logarithms, likeliest first; drops, merges, and keeps a few.
+   * Normalises the weights, drops, merges and sorts hypotheses, and limits their number.
    *
-   * @param none weight of the case that no hypothesis is right
+   * @param none weight of the case that no hypothesis is true
    * @return probability of that case
    */
   double settle(double none) {
@@ -113,15 +110,15 @@ final class HypothesisSet {
     }
     merge();
     sort();
-    size = Math.min(size, MAX_SPLIT);
+    size = Math.min(size, MAX_KEPT);
     normalise();
     return unknown;
   }
 
-  /** Makes three of each hypothesis that is too wide, as far as there is room. */
+  /** Splits each hypothesis that is too wide into three, as far as the set has room. */
   void split() {
     int count = size;
-    for (int i = 0; i < count && size + 2 <= MAX_SPLIT; i++) {
+    for (int i = 0; i < count && size + 2 <= MAX_KEPT; i++) {
       AxisHypothesis middle = now[i];
       if (middle.narrow(shift)) {
         middle.weight *= 0.5;
@@ -142,7 +139,7 @@ final class HypothesisSet {
   /**
    * Couples the axis to the flight ({@link AxisHypothesis#coupleToFlight}).
    *
-   * @param vague whether heads that are far off it may have come round to the tail
+   * @param vague whether hypotheses may have exchanged head and tail
    */
   void coupleToFlight(double[] direction, double variance, double fresh, boolean vague) {
     for (int i = 0; i < size; i++) {
@@ -158,12 +155,12 @@ final class HypothesisSet {
   }
 
   /**
-   * Takes in the hypothesis that was added last.
+   * Weighs the hypothesis that was added last.
    *
    * @param chance its weight
-   * @param none weight of the case that no hypothesis is right
+   * @param none weight of the case that no hypothesis is true
    * @param others weight of the others together
-   * @return probability that none is right
+   * @return probability that none is true
    */
   double include(AxisHypothesis added, double chance, double none, double others) {
     double known = chance + others;
@@ -218,7 +215,7 @@ final class HypothesisSet {
     }
   }
 
-  /** Whether two hypotheses are of one mode and near by the variances of both, entry by entry. */
+  /** Whether two hypotheses are of one mode and near, by the variances of each entry. */
   private boolean areAlike(AxisHypothesis a, AxisHypothesis b, double share) {
     double limit = Math.max(MERGE_DISTANCE, MERGE_DISTANCE_BY_SHARE / share);
     double variance = a.angleVariance() + b.angleVariance();
@@ -235,7 +232,7 @@ final class HypothesisSet {
     return distance < limit;
   }
 
-  /** Adds a time to the steps that led to each hypothesis. */
+  /** Adds a time to the path of each hypothesis. */
   void record() {
     for (int i = 0; i < size; i++) {
       AxisHypothesis each = now[i];

@@ -3,13 +3,13 @@ package haltere.filters.orientation;
 import haltere.filters.estimation.GaussianState;
 
 /**
- * A line beside what a hypothesis of the axis expects of it: innovation, gradient, and both
- * variances, to the second order (Bar-Shalom, Li and Kirubarajan 2001, section 10.3.2). With the
- * line's picture z = vx + i vy and w = ∂z/z, the angle's first derivatives are Im w and its second
- * ones −Im w wᵀ. Reused.
+ * A line compared with the one that a hypothesis of the axis expects: innovation, gradient, and
+ * both variances, to the second order (Bar-Shalom, Li and Kirubarajan 2001, section 10.3.2). With
+ * the line's picture z = vx + i vy and w = ∂z/z, the angle's first derivatives are Im w and its
+ * second ones −Im w wᵀ. Reused.
  */
 final class LineComparison {
-  /** Least squared length of the axis in the picture; below, it is seen end-on. */
+  /** Squared length of the axis in the picture below which it is seen end-on. */
   private static final double END_ON = 1e-12;
 
   /** Variance of the expected line over that of the line, up to which the latter is learnt. */
@@ -90,7 +90,8 @@ final class LineComparison {
 
   /** Estimate of the line's own variance; NaN where the innovation does not tell. */
   double own() {
-    boolean tells = spread < MAX_SPREAD * lineVariance && noise < MAX_NONLINEARITY * lineVariance;
-    return tells ? Math.min(innovation * innovation, MAX_NIS * variance()) - spread : Double.NaN;
+    boolean isLearnt =
+        spread < MAX_SPREAD * lineVariance && noise < MAX_NONLINEARITY * lineVariance;
+    return isLearnt ? Math.min(innovation * innovation, MAX_NIS * variance()) - spread : Double.NaN;
   }
 }

@@ -11,7 +11,7 @@ import java.util.Optional;
  * each camera saw last.
  */
 final class LineIntake {
-  /** Counts what became of observations. */
+  /** Counts observations by result. */
   interface Counter {
     void count(OrientationCount what, long number);
   }

@@ -20,7 +20,7 @@ import haltere.filters.orientation.camera.Vectors;
  * @param qRadS rate about the axis to the body's left if its back is up: positive when it pitches
  *     down
  * @param rRadS rate about the axis orthogonal to both: positive when it yaws to its left
- * @param headProbability how sure it is that the head is not the tail, 0 to 1
+ * @param headProbability probability that this end is the head, 0 to 1
  * @param used observations of this time that were used for the axis
  * @param rejected observations of this time that were not
  */

@@ -211,12 +211,12 @@ public record OrientationSettings(
   /**
    * Noise of observed angles.
    *
-   * @param angleSdDeg standard deviation to begin with
+   * @param angleSdDeg initial standard deviation
    * @param calibrate whether that of each camera is learnt
    * @param byEccentricity whether round detections count for less
    */
   public record AngleNoise(
-      @Help("Standard deviation of an observed angle, to begin with.")
+      @Help("Initial standard deviation of an observed angle; a larger value trusts lines less.")
           @Range(min = 0.01, max = 1000, logarithmic = true)
           @Unit("deg")
           double angleSdDeg,

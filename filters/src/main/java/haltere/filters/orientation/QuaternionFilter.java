@@ -172,8 +172,8 @@ final class QuaternionFilter implements AxisFilter {
   }
 
   /**
-   * The variance of roll should only grow, but P is linearised at a rate that changes, and so seems
-   * to learn roll from what only tells the axis. That is no knowledge.
+   * The variance of roll can only grow. P is linearised at a rate that changes, so updates of the
+   * axis reduce it falsely; hence a lower bound.
    */
   private double rollSd() {
     DMatrixRMaj roll = CommonOps_DDRM.extractColumn(BodyQuaternion.byRates(x), 0, null);

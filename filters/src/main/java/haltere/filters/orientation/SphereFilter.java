@@ -2,44 +2,43 @@ package haltere.filters.orientation;
 
 /**
  * The error-state form: a few {@link AxisHypothesis hypotheses} of the axis on the unit sphere,
- * each with its probability, and what they say together.
+ * each with its probability.
  *
- * <p>A line is the body's with probability 1 − ε and any line with ε. Where what is seen does not
- * tell which, a hypothesis becomes two, and later lines decide between them (Reid 1979); so one
- * false line of two, which nobody can tell at the time, makes the axis uncertain and does not lead
- * it astray. The rates have two noises, of calm flight and of saccades, and each hypothesis is
- * continued with both, as in a Markov chain. What has become alike is merged, and what has become
- * unlikely is dropped.
+ * <p>A line is the body's with probability 1 − ε and an outlier with ε. An ambiguous line splits a
+ * hypothesis in two, and later lines decide between them (Reid 1979). One outlier of two lines thus
+ * makes the axis uncertain, not wrong. The rates have two noises, of calm flight and of saccades;
+ * each hypothesis is continued with both (Markov chain). Similar hypotheses are merged, unlikely
+ * ones dropped.
  *
- * <p>With some probability no hypothesis is right: then the axis may be any. It grows when all
- * lines contradict, and an axis that is found anew then competes with the others ({@link #offer}).
+ * <p>With some probability no hypothesis is true and the axis may be any. It grows when all lines
+ * contradict; an axis that is then found anew competes with the others ({@link #offer}).
  *
- * <p>The axis is the mean of the hypotheses and its covariance their second moment about it, that
- * of an unknown axis included.
+ * <p>The estimate is the mean of the hypotheses with their second moment, that of an unknown axis
+ * included.
  */
 final class SphereFilter implements AxisFilter {
-  /** Odds of a hypothesis to the best one below which it is no more pursued. */
-  private static final double LOG_HOPELESS = Math.log(1e5);
+  /** Logarithm of the odds to the best hypothesis beyond which one is dropped. */
+  private static final double MAX_LOG_ODDS = Math.log(1e5);
 
-  /** Probability that a line is the body's, or is not, beyond which no hypothesis becomes two. */
-  private static final double CLEAR = 0.02;
+  /** Probability of an inlier, or of an outlier, below which a hypothesis is not split. */
+  private static final double MIN_AMBIGUITY = 0.02;
 
-  /** How often an axis is lost for no reason that the model knows, per second. */
+  /** Rate of losses of the axis that the model does not explain, per second. */
   private static final double LOSSES_PER_S = 0.01;
 
-  /** Probability that no hypothesis is right, from which on an axis found anew is worth a try. */
-  private static final double WORTH_A_TRY = 1e-4;
+  /** Probability that no hypothesis is true above which the axis is searched again. */
+  private static final double SEARCH_THRESHOLD = 1e-4;
 
-  /** Probability of the best hypothesis at which it is the only one that matters. */
+  /** Probability of the best hypothesis above which the axis is unambiguous. */
   private static final double SETTLED = 0.9;
 
-  /** Variance of an expected line at which the gate is half as wide again. */
-  private static final double VAGUE_LINE = Math.toRadians(15) * Math.toRadians(15);
+  /** Variance of an expected line at which the gate is √2 times as wide. */
+  private static final double GATE_VARIANCE = Math.toRadians(15) * Math.toRadians(15);
 
-  /** Variance of the axis beyond which a hypothesis may have come round to the wrong end. */
+  /** Variance of the axis above which a hypothesis may have exchanged head and tail. */
   private static final double VAGUE_VARIANCE = Math.toRadians(15) * Math.toRadians(15);
 
-  /** Mean of the squared angle to a random line, per direction beside the axis. */
+  /** Variance of a random axis in each of two directions. */
   private static final double UNKNOWN_VARIANCE = (Math.PI - 2) / 2;
 
   final double[] rateVariances;
@@ -58,7 +57,7 @@ final class SphereFilter implements AxisFilter {
   private double ends;
   private boolean hasStepped;
 
-  /** Probability that no hypothesis is right. */
+  /** Probability that no hypothesis is true. */
   private double unknown;
 
   private boolean recording;
@@ -84,17 +83,17 @@ final class SphereFilter implements AxisFilter {
     mixture.changed(unknown);
   }
 
-  /** Begins with an axis that is right for sure. */
+  /** Starts with an axis that is certain but for its covariance. */
   void launch(double[] axis, double[] covariance) {
     hypotheses.clear();
-    begin(hypotheses.add(), axis, covariance).logWeight = 0;
+    start(hypotheses.add(), axis, covariance).logWeight = 0;
     hypotheses.settle(0);
     unknown = 0;
     hasStepped = false;
     mixture.changed(unknown);
   }
 
-  private AxisHypothesis begin(AxisHypothesis hypothesis, double[] axis, double[] covariance) {
+  private AxisHypothesis start(AxisHypothesis hypothesis, double[] axis, double[] covariance) {
     hypothesis.launch(axis, covariance, turning.meanRateVariance());
     hypothesis.saccadeShare = turning.saccadeShare();
     hypothesis.expect(0);
@@ -104,7 +103,7 @@ final class SphereFilter implements AxisFilter {
     return hypothesis;
   }
 
-  /** Share of an unknown axis' lines that no axis found from two of them explains. */
+  /** Probability that at least one of two lines is an outlier. */
   private double unexplained() {
     return 1 - (1 - outliers) * (1 - outliers);
   }
@@ -148,7 +147,7 @@ final class SphereFilter implements AxisFilter {
       hypotheses.record();
     }
     mixture.changed(unknown);
-    tell(lines, count);
+    report(lines, count);
     hasStepped = false;
   }
 
@@ -176,7 +175,7 @@ final class SphereFilter implements AxisFilter {
       }
       for (int i = 0; i < count; i++) {
         if (!isInGate(next, lines[i])) {
-          leaveOut(next, i);
+          reject(next, i);
         }
       }
     }
@@ -187,24 +186,24 @@ final class SphereFilter implements AxisFilter {
     return hypothesis.saccadeShare * (1 - ends) + (1 - hypothesis.saccadeShare) * begins;
   }
 
-  /** The gate is wider where the line that is expected is itself not known. */
+  /** Whether a line is in the gate, which is wider where the expected line is uncertain. */
   private boolean isInGate(AxisHypothesis hypothesis, LineMeasurement line) {
     double off = Math.abs(line.residual(hypothesis.u));
     return off < gateRad
         || (seen.compare(hypothesis, line)
-            && off < gateRad * Math.sqrt(1 + seen.expectedVariance() / VAGUE_LINE));
+            && off < gateRad * Math.sqrt(1 + seen.expectedVariance() / GATE_VARIANCE));
   }
 
-  private void leaveOut(AxisHypothesis hypothesis, int line) {
+  private void reject(AxisHypothesis hypothesis, int line) {
     hypothesis.decided[line] = true;
     hypothesis.undecided--;
     hypothesis.logWeight += Math.max(-20, logOutlier);
   }
 
-  /** Decides upon the lines one after the other, the least surprising first. */
+  /** Assigns the lines one after the other, by increasing innovation. */
   private void decide(AxisHypothesis hypothesis, LineMeasurement[] lines, int count) {
     while (hypothesis.undecided > 0) {
-      if (hypothesis.logWeight < hypotheses.best() - LOG_HOPELESS) {
+      if (hypothesis.logWeight < hypotheses.best() - MAX_LOG_ODDS) {
         hypothesis.logWeight = Double.NEGATIVE_INFINITY;
         return;
       }
@@ -212,7 +211,7 @@ final class SphereFilter implements AxisFilter {
       if (nearest < 0) {
         for (int i = 0; i < count; i++) {
           if (!hypothesis.decided[i]) {
-            leaveOut(hypothesis, i);
+            reject(hypothesis, i);
           }
         }
         break;
@@ -220,26 +219,23 @@ final class SphereFilter implements AxisFilter {
       LineComparison seen = closest;
       double log = logInlier - 0.5 * (seen.nis() + Math.log(2 * Math.PI * seen.variance()));
       double inlier = outliers == 0 ? 1 : 1 / (1 + Math.exp(logOutlier - log));
-      if (inlier < CLEAR) {
-        leaveOut(hypothesis, nearest);
+      if (inlier < MIN_AMBIGUITY) {
+        reject(hypothesis, nearest);
         continue;
       }
-      AxisHypothesis without = inlier < 1 - CLEAR ? hypotheses.add() : null;
+      AxisHypothesis without = inlier < 1 - MIN_AMBIGUITY ? hypotheses.add() : null;
       if (without != null) {
         without.copy(hypothesis);
-        leaveOut(without, nearest);
+        reject(without, nearest);
       }
-      hypothesis.take(nearest, seen);
+      hypothesis.accept(nearest, seen);
       hypothesis.logWeight += log;
     }
     hypothesis.recentre(true);
     hypotheses.finish(hypothesis);
   }
 
-  /**
-   * The line that is least surprising; what it is beside the hypothesis is left in {@link
-   * #closest}.
-   */
+  /** The undecided line with the smallest innovation, which {@link #closest} then holds. */
   private int nearest(AxisHypothesis hypothesis, LineMeasurement[] lines, int count) {
     int nearest = -1;
     for (int i = 0; i < count; i++) {
@@ -255,8 +251,8 @@ final class SphereFilter implements AxisFilter {
     return nearest;
   }
 
-  /** Says in each line what became of it by the best hypothesis. */
-  private void tell(LineMeasurement[] lines, int count) {
+  /** Sets the results of the lines by the best hypothesis. */
+  private void report(LineMeasurement[] lines, int count) {
     AxisHypothesis best = hypotheses.get(0);
     for (int i = 0; i < count; i++) {
       lines[i].used = !Double.isNaN(best.nis[i]);
@@ -273,7 +269,7 @@ final class SphereFilter implements AxisFilter {
 
   @Override
   public boolean doubts(LineMeasurement[] lines, int count) {
-    return unknown > WORTH_A_TRY;
+    return unknown > SEARCH_THRESHOLD;
   }
 
   @Override
@@ -282,7 +278,7 @@ final class SphereFilter implements AxisFilter {
     if (hypothesis == null) {
       return false;
     }
-    begin(hypothesis, found.axis(), found.covariance());
+    start(hypothesis, found.axis(), found.covariance());
     double chance = unknown * found.odds();
     double rest = unknown * unexplained();
     unknown = hypotheses.include(hypothesis, chance, rest, 1 - unknown);
@@ -290,7 +286,7 @@ final class SphereFilter implements AxisFilter {
     return hypotheses.get(0) == hypothesis;
   }
 
-  /** Roll is any angle at all: the frame's own rotation about the axis means nothing. */
+  /** Roll is unknown: no camera sees the rotation about the axis. */
   @Override
   public Axis axis() {
     AxisState mean = mixture.mean().state();

@@ -203,7 +203,7 @@ class BodyOrientationEstimatorTest {
     for (long k = 0; k < 20; k++) {
       assertTrue(body.update(scene.pictureTimeUs(k), seen(scene, k)).isEmpty());
     }
-    assertEquals(20, body.count(OrientationCount.NO_PLACE));
+    assertEquals(20, body.count(OrientationCount.NO_POSITION));
   }
 
   @Test
@@ -221,7 +221,7 @@ class BodyOrientationEstimatorTest {
       }
       assertTrue(body.update(k * 10_000, seen).isEmpty());
     }
-    assertEquals(20, body.count(OrientationCount.NO_PLACE));
+    assertEquals(20, body.count(OrientationCount.NO_POSITION));
   }
 
   @Test

@@ -19,7 +19,7 @@ import org.ejml.dense.row.CommonOps_DDRM;
  * expression. Thread rule: immutable.
  */
 public final class CameraModel {
-  /** Largest direction that is taken for the camera's own centre, relative. */
+  /** Relative depth below which a point is in the plane of the camera's centre. */
   private static final double AT_CENTRE = 1e-9;
 
   private static final double DIFFERENCE_PX = 1e-3;

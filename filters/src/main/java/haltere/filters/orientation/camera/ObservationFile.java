@@ -9,8 +9,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * What several cameras saw of bodies, from a file of any of three kinds, told by content: a table
- * of text ({@code t_us,camera,object,x_px,y_px,angle_rad,area_px,eccentricity}), a {@code .braidz}
+ * What several cameras saw of bodies, from a file of one of three kinds, by content: a table of
+ * text ({@code t_us,camera,object,x_px,y_px,angle_rad,area_px,eccentricity}), a {@code .braidz}
  * file of Braid, or HDF5 with the tables of Flydra.
  *
  * <p>Thread rule: one thread.

@@ -14,7 +14,7 @@ import java.util.Map;
  * Reads what cameras saw from a table with the columns {@code
  * t_us,camera,object,x_px,y_px,angle_rad,area_px,eccentricity}, in any order, others beside them. A
  * row is one body in one camera; rows ascend in time; an empty field is unknown. A row that cannot
- * be understood is told to the listener and left out.
+ * be understood is reported to the listener and left out.
  */
 final class ObservationTable {
   private static final List<String> COLUMNS =

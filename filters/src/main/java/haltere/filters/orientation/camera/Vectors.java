@@ -79,14 +79,14 @@ public final class Vectors {
    * @return a new array
    */
   public static double[] orthogonalTo(double[] unit) {
-    double[] least = new double[3];
+    double[] basis = new double[3];
     int axis = 0;
     for (int i = 1; i < 3; i++) {
       axis = Math.abs(unit[i]) < Math.abs(unit[axis]) ? i : axis;
     }
-    least[axis] = 1;
+    basis[axis] = 1;
     double[] out = new double[3];
-    cross(unit, least, out);
+    cross(unit, basis, out);
     normalise(out);
     return out;
   }
