@@ -5,17 +5,13 @@ import haltere.filters.orientation.camera.LineObservation;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.ObjLongConsumer;
 
 /**
  * Decides which observations of one time can be used, makes measurements of them, and keeps what
  * each camera saw last.
  */
 final class LineIntake {
-  /** Counts observations by result. */
-  interface Counter {
-    void count(OrientationCount what, long number);
-  }
-
   private final List<CameraModel> cameras;
   private final OrientationSettings.ObservationGate gate;
   private final LineNoise noise;
@@ -37,7 +33,7 @@ final class LineIntake {
   }
 
   /** Accepts the observations of a time, without those of unusable cameras and second ones. */
-  void accept(long timeUs, List<LineObservation> seen, Counter counter) {
+  void accept(long timeUs, List<LineObservation> seen, ObjLongConsumer<OrientationCount> counter) {
     usable.clear();
     for (LineObservation observation : seen) {
       int camera = observation.camera();
@@ -46,9 +42,9 @@ final class LineIntake {
             "there is no camera " + camera + ", there are " + cameras.size());
       }
       if (cameras.get(camera).problem().isPresent()) {
-        counter.count(OrientationCount.UNUSABLE_CAMERA, 1);
+        counter.accept(OrientationCount.UNUSABLE_CAMERA, 1);
       } else if (latestUs[camera] == timeUs && usable.contains(latest[camera])) {
-        counter.count(OrientationCount.TWICE, 1);
+        counter.accept(OrientationCount.TWICE, 1);
       } else {
         usable.add(observation);
         latest[camera] = observation;
@@ -89,11 +85,14 @@ final class LineIntake {
    * @return how many measurements
    */
   int measure(
-      List<LineObservation> seen, double[] positionM, LineMeasurement[] into, Counter counter) {
+      List<LineObservation> seen,
+      double[] positionM,
+      LineMeasurement[] into,
+      ObjLongConsumer<OrientationCount> counter) {
     int count = 0;
     for (LineObservation each : seen) {
       Optional<OrientationCount> problem = measure(each, positionM, into[count]);
-      problem.ifPresent(reason -> counter.count(reason, 1));
+      problem.ifPresent(reason -> counter.accept(reason, 1));
       count += problem.isEmpty() ? 1 : 0;
     }
     return count;

@@ -42,16 +42,17 @@ public record OrientationSettings(
   /**
    * The settings to start from.
    *
-   * @return the error-state filter for an insect that turns in saccades
+   * @return the error-state filter for an insect that turns in saccades, in metres, with the gate
+   *     of 40 degrees of Straw et al. (2011)
    */
   public static OrientationSettings defaults() {
     return new OrientationSettings(
         Form.ERROR_STATE,
-        ObservationGate.defaults(),
-        Turning.defaults(),
-        AngleNoise.defaults(),
-        BodyMotion.defaults(),
-        HeadTail.defaults());
+        new ObservationGate(40, 0, 0, 0.1),
+        new Turning(1, 40, 0.5, 0.3, 0.05, 0),
+        new AngleNoise(2, true, false),
+        new BodyMotion(1, 2, 5, 0.02, 0.5),
+        new HeadTail(0.5, 2, 12, 50));
   }
 
   /**
@@ -125,15 +126,6 @@ public record OrientationSettings(
     double effectiveOutlierShare() {
       return angleDeg >= 90 ? 0 : outlierShare;
     }
-
-    /**
-     * The settings to start from.
-     *
-     * @return 40 degrees as Straw et al. (2011), any area and ratio, one outlier in ten
-     */
-    public static ObservationGate defaults() {
-      return new ObservationGate(40, 0, 0, 0.1);
-    }
   }
 
   /**
@@ -197,15 +189,6 @@ public record OrientationSettings(
       double share = saccadeShare();
       return (1 - share) * calmRateRadS * calmRateRadS + share * saccadeRateRadS * saccadeRateRadS;
     }
-
-    /**
-     * The settings to start from.
-     *
-     * @return a fly: calm with a saccade now and then
-     */
-    public static Turning defaults() {
-      return new Turning(1, 40, 0.5, 0.3, 0.05, 0);
-    }
   }
 
   /**
@@ -226,15 +209,6 @@ public record OrientationSettings(
     /** Checks the ranges. */
     public AngleNoise {
       SettingsSchema.validate(AngleNoise.class, angleSdDeg, calibrate, byEccentricity);
-    }
-
-    /**
-     * The settings to start from.
-     *
-     * @return two degrees, learnt
-     */
-    public static AngleNoise defaults() {
-      return new AngleNoise(2, true, false);
     }
   }
 
@@ -274,15 +248,6 @@ public record OrientationSettings(
       SettingsSchema.validate(
           BodyMotion.class, pixelSd, accelerationDensity, gateSigmas, togetherS, longestGapS);
     }
-
-    /**
-     * The settings to start from.
-     *
-     * @return an insect in metres
-     */
-    public static BodyMotion defaults() {
-      return new BodyMotion(1, 2, 5, 0.02, 0.5);
-    }
   }
 
   /**
@@ -317,15 +282,6 @@ public record OrientationSettings(
     /** Checks the ranges. */
     public HeadTail {
       SettingsSchema.validate(HeadTail.class, memoryS, doubtSigmas, certaintySigmas, slipSdDeg);
-    }
-
-    /**
-     * The settings to start from.
-     *
-     * @return half a second, two standard deviations to change, at most twelve; 50 degrees
-     */
-    public static HeadTail defaults() {
-      return new HeadTail(0.5, 2, 12, 50);
     }
   }
 }

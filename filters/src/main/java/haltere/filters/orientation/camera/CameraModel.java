@@ -1,5 +1,6 @@
 package haltere.filters.orientation.camera;
 
+import java.util.Arrays;
 import java.util.Objects;
 import java.util.Optional;
 import org.ejml.data.DMatrixRMaj;
@@ -72,9 +73,9 @@ public final class CameraModel {
     if (problem != null) {
       return new CameraModel(id, own, null, widthPx, heightPx, problem);
     }
-    double[] m0 = {own[0], own[1], own[2]};
-    double[] m1 = {own[4], own[5], own[6]};
-    double[] r3 = {own[8], own[9], own[10]};
+    double[] m0 = left(own, 0);
+    double[] m1 = left(own, 1);
+    double[] r3 = left(own, 2);
     double cx = Vectors.dot(m0, r3);
     double cy = Vectors.dot(m1, r3);
     double[] r2 = {m1[0] - cy * r3[0], m1[1] - cy * r3[1], m1[2] - cy * r3[2]};
@@ -113,7 +114,7 @@ public final class CameraModel {
           "a camera's matrix has 12 numbers (3 rows of 4), not " + matrix.length);
     }
     double[] own = matrix.clone();
-    double scale = Math.sqrt(own[8] * own[8] + own[9] * own[9] + own[10] * own[10]);
+    double scale = Vectors.length(left(own, 2));
     for (int i = 0; i < 12 && scale > 0; i++) {
       own[i] /= scale;
     }
@@ -121,14 +122,12 @@ public final class CameraModel {
   }
 
   private static String problemOf(double[] m) {
-    for (double entry : m) {
-      if (!Double.isFinite(entry)) {
-        return "its matrix has entries that are not finite";
-      }
+    if (!Arrays.stream(m).allMatch(Double::isFinite)) {
+      return "its matrix has entries that are not finite";
     }
-    double[] m0 = {m[0], m[1], m[2]};
-    double[] m1 = {m[4], m[5], m[6]};
-    double[] m2 = {m[8], m[9], m[10]};
+    double[] m0 = left(m, 0);
+    double[] m1 = left(m, 1);
+    double[] m2 = left(m, 2);
     double[] across = new double[3];
     Vectors.cross(m0, m1, across);
     double volume = Math.abs(Vectors.dot(across, m2));
@@ -138,12 +137,14 @@ public final class CameraModel {
         : "its matrix has not the rank 3 in its left part, so it sees no lines in space";
   }
 
+  /** A row of the left part. */
+  private static double[] left(double[] matrix, int row) {
+    return Arrays.copyOfRange(matrix, 4 * row, 4 * row + 3);
+  }
+
   private void invert() {
-    DMatrixRMaj left = new DMatrixRMaj(3, 3);
-    for (int k = 0; k < 9; k++) {
-      left.set(k, matrix[4 * (k / 3) + k % 3]);
-    }
-    CommonOps_DDRM.invert(left, inverse);
+    CommonOps_DDRM.extract(DMatrixRMaj.wrap(3, 4, matrix), 0, 3, 0, 3, inverse);
+    CommonOps_DDRM.invert(inverse);
     double[] last = {-matrix[3], -matrix[7], -matrix[11]};
     Vectors.multiply(inverse.data, last, centre);
   }
@@ -249,8 +250,8 @@ public final class CameraModel {
     if (!lineNormals(point, n) || !projectIdeal(point, pixel)) {
       return Double.NaN;
     }
-    double vx = n[0] * axis[0] + n[1] * axis[1] + n[2] * axis[2];
-    double vy = n[3] * axis[0] + n[4] * axis[1] + n[5] * axis[2];
+    double vx = Vectors.dot(n, axis);
+    double vy = Vectors.dot(Arrays.copyOfRange(n, 3, 6), axis);
     double length = Math.hypot(vx, vy);
     if (!(length > 1e-12 * Vectors.length(axis))) {
       return Double.NaN;
