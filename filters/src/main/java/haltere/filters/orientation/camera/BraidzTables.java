@@ -2,6 +2,7 @@ package haltere.filters.orientation.camera;
 
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingTables;
+import haltere.core.format.csv.CsvTable;
 import java.io.BufferedReader;
 import java.io.EOFException;
 import java.io.IOException;

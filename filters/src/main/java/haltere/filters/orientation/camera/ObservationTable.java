@@ -1,6 +1,7 @@
 package haltere.filters.orientation.camera;
 
 import haltere.core.format.RecordingProblem;
+import haltere.core.format.csv.CsvTable;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;

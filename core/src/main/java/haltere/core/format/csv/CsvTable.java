@@ -1,4 +1,4 @@
-package haltere.filters.orientation.camera;
+package haltere.core.format.csv;
 
 import haltere.core.format.RecordingTables;
 import java.io.BufferedReader;
@@ -8,16 +8,27 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 
-/** A table of text whose first line names the columns, read row by row. */
-final class CsvTable implements RecordingTables.Row {
+/**
+ * A table of text whose first line names the columns, read row by row: fields between commas, with
+ * or without quotes; blank lines are skipped.
+ *
+ * <p>Thread rule: one thread.
+ */
+public final class CsvTable implements RecordingTables.Row {
   private final BufferedReader in;
   private final List<String> header;
   private final int[] indexes;
   private List<String> fields = List.of();
   private long line;
 
-  /** Reads the first line, where the wanted columns are looked for. */
-  CsvTable(BufferedReader in, List<String> names) throws IOException {
+  /**
+   * Reads the first line.
+   *
+   * @param in the table; stays open
+   * @param names columns that are wanted
+   * @throws IOException if it cannot be read
+   */
+  public CsvTable(BufferedReader in, List<String> names) throws IOException {
     this.in = in;
     String first = in.readLine();
     line = first == null ? 0 : 1;
@@ -28,13 +39,22 @@ final class CsvTable implements RecordingTables.Row {
     indexes = names.stream().mapToInt(header::indexOf).toArray();
   }
 
-  /** Names of the columns; empty for an empty file. */
-  List<String> header() {
+  /**
+   * Names of the columns.
+   *
+   * @return as in the first line; empty for an empty file
+   */
+  public List<String> header() {
     return header;
   }
 
-  /** Goes on to the next row, past blank lines; false at the end. */
-  boolean next() throws IOException {
+  /**
+   * Goes on to the next row.
+   *
+   * @return false at the end
+   * @throws IOException if it cannot be read
+   */
+  public boolean next() throws IOException {
     String text;
     do {
       text = in.readLine();
@@ -44,13 +64,21 @@ final class CsvTable implements RecordingTables.Row {
     return text != null;
   }
 
-  /** Number of the line that was read last, from 1. */
-  long line() {
+  /**
+   * The line that was read last.
+   *
+   * @return from 1; 0 for an empty file
+   */
+  public long line() {
     return line;
   }
 
-  /** Fields of the row. */
-  int size() {
+  /**
+   * Fields of the row.
+   *
+   * @return at least 1
+   */
+  public int size() {
     return fields.size();
   }
 
