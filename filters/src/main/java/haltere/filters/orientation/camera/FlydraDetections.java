@@ -117,14 +117,8 @@ final class FlydraDetections {
           List.of("camn", "cam_id"),
           2,
           row -> names.put((long) row.number(0), row.text(1)));
-      names.forEach(
-          (number, name) -> {
-            for (int i = 0; i < cameras.size(); i++) {
-              if (isSameName(cameras.get(i).id(), name)) {
-                numbers.put(number, i);
-              }
-            }
-          });
+      List<String> ids = cameras.stream().map(camera -> plain(camera.id())).toList();
+      names.forEach((number, name) -> numbers.put(number, ids.indexOf(plain(name))));
       return;
     }
     for (int i = 0; i < cameras.size(); i++) {
@@ -137,8 +131,8 @@ final class FlydraDetections {
   }
 
   /** Older files have underscores where a camera's name has a hyphen. */
-  private static boolean isSameName(String calibrated, String used) {
-    return calibrated.replace('-', '_').equals(used.replace('-', '_'));
+  private static String plain(String name) {
+    return name.replace('-', '_');
   }
 
   /** Which body each detection is of. */
@@ -208,10 +202,10 @@ final class FlydraDetections {
       return;
     }
     String where = "row " + row.index() + " of " + DETECTIONS;
-    Integer camera = numbers.get((long) number);
-    if (camera == null) {
-      String name = names.getOrDefault((long) number, "");
-      listener.bad(where, "there is no camera number " + (long) number + " \"" + name + "\"");
+    int camera = numbers.getOrDefault((long) number, -1);
+    if (camera < 0) {
+      String name = names.containsKey((long) number) ? " \"" + names.get((long) number) + '"' : "";
+      listener.bad(where, "there is no camera number " + (long) number + name);
     } else if (Double.isNaN(frame)) {
       listener.bad(where, "it has no frame");
     } else {

@@ -2,6 +2,7 @@ package haltere.filters.orientation.camera;
 
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingTables;
+import haltere.core.format.braidz.BraidzTables;
 import haltere.core.format.hdf5.Hdf5Tables;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -57,7 +58,7 @@ public final class ObservationFile {
       cameras = CameraFile.read(calibration.get());
     } else if (isBraidz) {
       try (BraidzTables tables = BraidzTables.open(file)) {
-        cameras = tables.cameras();
+        cameras = CameraXml.read(tables.calibration(), file + ": calibration.xml");
       }
     } else {
       throw new RecordingProblem(file, "it has no cameras of its own; give a file of cameras");

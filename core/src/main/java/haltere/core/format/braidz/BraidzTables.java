@@ -1,4 +1,4 @@
-package haltere.filters.orientation.camera;
+package haltere.core.format.braidz;
 
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingTables;
@@ -22,8 +22,10 @@ import java.util.zip.ZipFile;
 /**
  * The tables of a {@code .braidz} file of Braid: a ZIP of gzipped CSV files without a folder of
  * their own, and the calibration as XML.
+ *
+ * <p>Thread rule: one thread.
  */
-final class BraidzTables implements RecordingTables {
+public final class BraidzTables implements RecordingTables {
   private final Path file;
   private final ZipFile zip;
 
@@ -36,16 +38,29 @@ final class BraidzTables implements RecordingTables {
     }
   }
 
-  /** Whether a file is a ZIP, by its first bytes. */
-  static boolean isZip(Path file) throws IOException {
+  /**
+   * Whether a file is a ZIP, by its first bytes.
+   *
+   * @param file any file
+   * @return true for a ZIP
+   * @throws IOException if it cannot be read
+   */
+  public static boolean isZip(Path file) throws IOException {
     try (InputStream in = Files.newInputStream(file)) {
       byte[] head = in.readNBytes(4);
       return head.length == 4 && head[0] == 'P' && head[1] == 'K' && head[2] == 3 && head[3] == 4;
     }
   }
 
-  /** Opens a file; one that lacks a table is refused. */
-  static BraidzTables open(Path file) throws IOException {
+  /**
+   * Opens a file.
+   *
+   * @param file a ZIP
+   * @return its tables
+   * @throws RecordingProblem if it is damaged or lacks a table; the message names the file
+   * @throws IOException if it cannot be read
+   */
+  public static BraidzTables open(Path file) throws IOException {
     BraidzTables tables = new BraidzTables(file);
     for (String table : List.of("cam_info", "data2d_distorted", "data_association")) {
       if (!tables.has(table)) {
@@ -57,15 +72,19 @@ final class BraidzTables implements RecordingTables {
     return tables;
   }
 
-  /** The cameras of its own calibration. */
-  CameraFile cameras() throws IOException {
+  /**
+   * Its own calibration.
+   *
+   * @return the XML of a {@code multi_camera_reconstructor}; ends with these tables
+   * @throws RecordingProblem if there is none; the message names the file
+   * @throws IOException if it cannot be read
+   */
+  public InputStream calibration() throws IOException {
     ZipEntry xml = zip.getEntry("calibration.xml");
     if (xml == null) {
       throw new RecordingProblem(file, "there is no calibration.xml in it, so no cameras");
     }
-    try (InputStream in = zip.getInputStream(xml)) {
-      return CameraXml.read(in, file + ": calibration.xml");
-    }
+    return zip.getInputStream(xml);
   }
 
   private BufferedReader reader(String table) throws IOException {
