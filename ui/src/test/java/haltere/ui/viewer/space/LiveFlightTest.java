@@ -22,6 +22,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.function.Supplier;
+import java.util.regex.Pattern;
 import javafx.scene.Node;
 import javafx.scene.control.CheckBox;
 import javafx.scene.control.Label;
@@ -162,6 +164,20 @@ class LiveFlightTest {
                 && words.getText().contains("axis"));
   }
 
+  /** Pauses at a time with an observation of each of three cameras; plays on where one has none. */
+  private static void pauseWhereEachCameraSeesTheBody(ViewerHarness viewer) {
+    Pattern allThree = Pattern.compile("used (3, rejected 0|2, rejected 1)");
+    Supplier<String> words =
+        () -> viewer.onFx(() -> viewer.node("live-flight-words", Label.class).getText());
+    waitForAnAxis(viewer);
+    do {
+      viewer.run(() -> viewer.session().player().play());
+      viewer.waitFor("a line of each camera", () -> allThree.matcher(words.get()).find());
+      viewer.run(() -> viewer.session().player().pause());
+      viewer.waitFor("a pause", () -> viewer.status().state() == PlayerStatus.State.PAUSED);
+    } while (!allThree.matcher(words.get()).find());
+  }
+
   /** Pixels in which what a node shows changes by a switch. */
   private static int changedBy(ViewerHarness viewer, String id, Runnable change) {
     Node node = viewer.node(id, Node.class);
@@ -183,9 +199,7 @@ class LiveFlightTest {
     try (ViewerHarness viewer = new ViewerHarness()) {
       LiveFlightFeature feature = viewer.window.feature(LiveFlightFeature.class);
       viewer.run(feature::openScene);
-      waitForAnAxis(viewer);
-      viewer.run(() -> viewer.session().player().pause());
-      viewer.waitFor("a pause", () -> viewer.status().state() == PlayerStatus.State.PAUSED);
+      pauseWhereEachCameraSeesTheBody(viewer);
       CheckBox box = viewer.node("camera-lines", CheckBox.class);
       assertTrue(box.isSelected(), "at first");
       for (String picture : new String[] {"event-view", "camera-picture-1", "camera-picture-2"}) {
