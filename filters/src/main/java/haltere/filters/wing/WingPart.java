@@ -61,6 +61,15 @@ public enum WingPart {
   }
 
   /**
+   * Whether it is a leading edge.
+   *
+   * @return false for trailing edges and wings
+   */
+  public boolean isLeading() {
+    return this == LEFT_LEADING || this == RIGHT_LEADING;
+  }
+
+  /**
    * The name in tables.
    *
    * @return such as {@code left-leading}

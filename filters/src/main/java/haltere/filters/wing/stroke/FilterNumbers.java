@@ -1,12 +1,9 @@
 package haltere.filters.wing.stroke;
 
-import haltere.filters.wing.WingFilterState;
-import haltere.filters.wing.WingPart;
-import haltere.filters.wing.WingSide;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The numbers of a wing's filter, for a person. */
+/** Names and units of the numbers of a wing's filter, for a person. */
 final class FilterNumbers {
   private static final List<String> NAMES =
       List.of(
@@ -19,30 +16,41 @@ final class FilterNumbers {
           "rate of angular frequency");
   private static final List<String> UNITS =
       List.of("rad", "rad", "rad", "rad/s", "rad", "s", "rad/s\u00b2");
+  private static final List<String> DENSITY_UNITS =
+      List.of(
+          "rad\u00b2/s",
+          "rad\u00b2/s",
+          "rad\u00b2/s",
+          "rad\u00b2/s\u00b3",
+          "rad\u00b2/s",
+          "s",
+          "rad\u00b2/s\u2075");
 
   private FilterNumbers() {}
 
-  /** The filter of a wing as it is now, with the density of its process noise in steady flight. */
-  static WingFilterState of(
-      WingSide side, StrokeEkf filter, double[] q, WingEventNoise noise, long events) {
+  static List<String> names(int harmonics) {
     List<String> names = new ArrayList<>(NAMES);
-    List<String> units = new ArrayList<>(UNITS);
-    for (int k = 2; k <= filter.harmonics; k++) {
+    for (int k = 2; k <= harmonics; k++) {
       names.add("cosine of harmonic " + k);
       names.add("sine of harmonic " + k);
-      units.add("rad");
-      units.add("rad");
     }
-    return new WingFilterState(
-        WingPart.wing(side.ordinal()),
-        names,
-        units,
-        filter.x,
-        filter.belief.covariance().data,
-        q,
-        noise.present(),
-        noise.fixed() == 0,
-        noise.nis(),
-        events);
+    return names;
+  }
+
+  static List<String> units(int harmonics) {
+    return withSeries(UNITS, harmonics);
+  }
+
+  /** Units of the density of process noise. */
+  static List<String> densityUnits(int harmonics) {
+    return withSeries(DENSITY_UNITS, harmonics);
+  }
+
+  private static List<String> withSeries(List<String> first, int harmonics) {
+    List<String> units = new ArrayList<>(first);
+    for (int i = 0; i < 2 * (harmonics - 1); i++) {
+      units.add(first.get(0));
+    }
+    return units;
   }
 }

@@ -169,11 +169,15 @@ final class StrokeEkf {
     return slope(cos * c - sin * s, sin * c + cos * s);
   }
 
-  /** Takes the covariance on by a time: the phase gathers the error of the frequency. */
+  /**
+   * Takes the covariance on by a time: the phase gathers the error of the frequency.
+   *
+   * @param density of the process noise of the first entries
+   */
   void predictCovariance(double dtS, double[] density) {
     belief.shearCovariance(PHASE, OMEGA, dtS);
     belief.shear(OMEGA, RATE, dtS);
-    for (int i = 0; i < size; i++) {
+    for (int i = 0; i < density.length; i++) {
       belief.addNoise(i, density[i] * dtS);
     }
   }
@@ -206,6 +210,16 @@ final class StrokeEkf {
       h[i + 1] = s;
     }
     expectedVariance = belief.project(h);
+  }
+
+  /** Variance of the present angle of the wing's middle, 0, or of the edge on one of its sides. */
+  double angleVariance(int at) {
+    look(cos, sin, 0);
+    if (at != 0) {
+      h[WIDTH] = at;
+      expectedVariance = belief.project(h);
+    }
+    return expectedVariance;
   }
 
   /** Variance of what {@link #look} expects. */

@@ -25,7 +25,7 @@ final class SearchSteps {
   /** Takes a step; the first one of a search replaces those of the search before. */
   void take(WingTrackerState state) {
     switch (state.phase()) {
-      case COLLECTING, TRACKING, ONE_WING, LOST -> condition = state;
+      case COLLECTING, TRACKING, UNLOCKED, ONE_WING, LOST -> condition = state;
       case TWO_MEANS -> {
         found.clear();
         found.put(Phase.TWO_MEANS, state);

@@ -19,7 +19,7 @@ import java.util.List;
 import java.util.Set;
 
 /** What a tracker has said; all of it are numbers. */
-final class Said implements WingListener {
+class Said implements WingListener {
   static final SensorGeometry SENSOR = new SensorGeometry(128, 128);
 
   final List<WingTrackerState> states = new ArrayList<>();

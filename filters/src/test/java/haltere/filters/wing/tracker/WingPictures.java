@@ -29,7 +29,8 @@ final class WingPictures {
     EventPacket events = Flies.events(seconds, scene);
     new WingTracker(
             new FlyScene(scene).geometry(),
-            WingTrackerSettings.defaults().with("filter.method=BOTH", "output.rateHz=20000"),
+            WingTrackerSettings.defaults()
+                .with("filter.method=BOTH", "output.rateHz=20000", Flies.LATENCY),
             new WingListener() {
               @Override
               public void estimate(WingEstimate estimate) {

@@ -34,7 +34,7 @@ class WingTrackerTest {
     WingScores scores =
         new WingScores(
                 Flies.scene(STEADY, "run.seed=" + seed, "fly.body.headingRad=" + seed % 6),
-                WingTrackerSettings.defaults())
+                WingTrackerSettings.defaults().with(Flies.LATENCY))
             .run(0.8);
     assertEquals(0, scores.losses());
     int buffered = WingTrackerSettings.defaults().search().windowUs();
