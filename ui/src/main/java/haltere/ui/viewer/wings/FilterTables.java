@@ -15,12 +15,13 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.function.Consumer;
 import javafx.scene.Node;
-import javafx.scene.control.Button;
+import javafx.scene.control.Hyperlink;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import javafx.scene.layout.ColumnConstraints;
+import javafx.scene.layout.FlowPane;
 import javafx.scene.layout.GridPane;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
@@ -45,7 +46,6 @@ final class FilterTables extends VBox {
   private static final double NAME_WIDTH = 80;
   private static final double MOST_PLAIN = 1e6;
 
-  private static final double SOURCE_WIDTH = 58;
   private static final Map<Source, String> SOURCES =
       Map.of(Source.SETTINGS, "", Source.ESTIMATOR, "adaptive", Source.BY_HAND, "by hand");
 
@@ -53,7 +53,7 @@ final class FilterTables extends VBox {
   private record Cell(TextField entry, Table table, int row, int column) {}
 
   /** Says where a noise comes from. */
-  private record SourceButton(Button button, Table table, int row) {}
+  private record SourceButton(Hyperlink button, Table table, int row) {}
 
   private final Consumer<WingFilterEdit> edited;
   private final List<Cell> cells = new ArrayList<>();
@@ -104,30 +104,30 @@ final class FilterTables extends VBox {
       sd.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
       sd.setMinWidth(Region.USE_PREF_SIZE);
       deviations.add(sd);
-      VBox noise = noise(cell(Table.PROCESS_NOISE, i, 0), f.qUnits().get(i));
+      Node noise = noise(Table.PROCESS_NOISE, i, f.qUnits().get(i));
       grid.addRow(i + 1, name, cell(Table.STATE, i, 0), sd, noise);
-      grid.add(source(Table.PROCESS_NOISE, i), 4, i + 1);
     }
     Label name = new Label("measurement R");
     name.getStyleClass().add(Styles.TEXT_SMALL);
     name.setWrapText(true);
     int last = f.names().size() + 1;
-    grid.addRow(last, name, noise(cell(Table.MEASUREMENT_NOISE, 0, 0), "rad\u00b2"));
-    grid.add(source(Table.MEASUREMENT_NOISE, 0), 2, last, 3, 1);
+    grid.add(name, 0, last);
+    grid.add(noise(Table.MEASUREMENT_NOISE, 0, "rad\u00b2"), 3, last);
     return grid;
   }
 
-  private static VBox noise(TextField entry, String unit) {
+  /** An entry of the noise, with its unit and its source below. */
+  private Node noise(Table table, int row, String unit) {
     Label label = new Label(unit);
     label.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
-    return new VBox(entry, label);
+    label.setMinWidth(Region.USE_PREF_SIZE);
+    return new VBox(cell(table, row, 0), new FlowPane(4, 0, label, source(table, row)));
   }
 
-  private Button source(Table table, int row) {
-    Button button = new Button();
+  private Hyperlink source(Table table, int row) {
+    Hyperlink button = new Hyperlink();
     button.setId("source-" + table.name().toLowerCase(Locale.ROOT).replace('_', '-') + "-" + row);
-    button.getStyleClass().addAll(Styles.SMALL, Styles.FLAT);
-    button.setMinWidth(SOURCE_WIDTH);
+    button.getStyleClass().add(Styles.TEXT_SMALL);
     button.setAccessibleText("Source of " + name(table, row, 0));
     Controls.help(
         button,
@@ -213,6 +213,7 @@ final class FilterTables extends VBox {
       String words = SOURCES.get(now.source(source.table(), source.row()));
       source.button().setText(words);
       source.button().setVisible(!words.isEmpty());
+      source.button().setManaged(!words.isEmpty());
     }
     for (int i = 0; i < deviations.size(); i++) {
       double variance = now.value(Table.COVARIANCE, i, i);

@@ -25,6 +25,7 @@ import java.util.List;
 import java.util.Optional;
 import javafx.scene.control.Button;
 import javafx.scene.control.CheckBox;
+import javafx.scene.control.Hyperlink;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import org.junit.jupiter.api.AfterEach;
@@ -116,14 +117,14 @@ class WingsFeatureTest {
     String id = "source-process-noise-3";
     viewer.waitFor(
         "the frequency's noise is the estimator's",
-        () -> viewer.isThere(id) && viewer.node(id, Button.class).getText().equals("adaptive"));
-    Button source = viewer.node(id, Button.class);
+        () -> viewer.isThere(id) && viewer.node(id, Hyperlink.class).getText().equals("adaptive"));
+    Hyperlink source = viewer.node(id, Hyperlink.class);
     viewer.run(source::fire);
     viewer.waitFor("by hand", () -> source.getText().equals("by hand"));
     assertEquals(Source.BY_HAND, viewer.onFx(() -> filter().get().source(Table.PROCESS_NOISE, 3)));
     viewer.run(source::fire);
     viewer.waitFor("adaptive again", () -> source.getText().equals("adaptive"));
-    Button settings = viewer.node("source-process-noise-4", Button.class);
+    Hyperlink settings = viewer.node("source-process-noise-4", Hyperlink.class);
     assertFalse(viewer.onFx(settings::isVisible), "that of the width follows from the settings");
     enter("process-noise-4-0", "0.002");
     viewer.waitFor("its own", () -> settings.isVisible() && settings.getText().equals("by hand"));
