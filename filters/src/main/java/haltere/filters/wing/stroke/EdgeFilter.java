@@ -4,6 +4,7 @@ import haltere.filters.estimation.Angles;
 import haltere.filters.estimation.Gate;
 import haltere.filters.estimation.GaussianState;
 import haltere.filters.estimation.InnovationMonitor;
+import haltere.filters.estimation.SineCosine;
 import haltere.filters.wing.WingFilterEdit;
 import haltere.filters.wing.WingFilterState;
 import haltere.filters.wing.WingFilterState.Source;
@@ -48,6 +49,7 @@ final class EdgeFilter extends EdgeEstimator {
   private final WingPart part;
   private final EdgeNoise noise;
   private final double threshold;
+  private final SineCosine wave = new SineCosine();
   private final double[] row = {1, 0, 0, 0};
   private WingNoiseSettings settings;
   private double[] q;
@@ -146,12 +148,14 @@ final class EdgeFilter extends EdgeEstimator {
 
   /** Takes in an angle, unless it lies outside the gate. */
   void update(double angle) {
-    double phase = belief.mean(PHASE);
     double amplitude = belief.mean(AMPLITUDE);
-    double sin = Math.sin(phase);
-    row[AMPLITUDE] = sin;
-    row[PHASE] = amplitude * Math.cos(phase);
-    double innovation = Angles.wrapPi(angle - (belief.mean(CENTRE) + amplitude * sin));
+    wave.of(belief.mean(PHASE));
+    row[AMPLITUDE] = wave.sine();
+    row[PHASE] = amplitude * wave.cosine();
+    double innovation = angle - (belief.mean(CENTRE) + amplitude * wave.sine());
+    if (Math.abs(innovation) > Math.PI) {
+      innovation = Angles.wrapPi(innovation);
+    }
     expected = angle - innovation;
     nis = innovation * innovation / (belief.project(row) + r);
     if (nis > threshold) {
@@ -173,11 +177,15 @@ final class EdgeFilter extends EdgeEstimator {
       belief.scale(AMPLITUDE, -1);
       phase += Math.PI;
     }
-    belief.setMean(PHASE, Angles.wrapPi(phase));
+    if (Math.abs(phase) > Math.PI) {
+      phase = Angles.wrapPi(phase);
+    }
+    belief.setMean(PHASE, phase);
   }
 
   private boolean hasPassed() {
-    double phase = Angles.wrapTwoPi(belief.mean(PHASE));
+    double phase = belief.mean(PHASE);
+    phase += phase < 0 ? 2 * Math.PI : 0;
     if (phase < highestPhase - Math.PI) {
       highestPhase = phase;
       return true;
