@@ -55,14 +55,20 @@ public final class FlyScene extends SensorScene<FlyTruth> {
     this(
         settings,
         mostEvents,
-        new SceneSensor(settings.pixel(), settings.noise(), settings.sensor(), settings.run()));
+        SceneSensor.of(settings.pixel(), settings.noise(), settings.sensor(), settings.run()));
   }
 
-  private FlyScene(FlySceneSettings settings, int mostEvents, SceneSensor sensor) {
+  private FlyScene(FlySceneSettings settings, int mostEvents, SceneSensor<PixelArray> sensor) {
     super("fly", sensor, settings.run(), mostEvents);
     this.settings = settings;
     bus = sensor.bus();
-    kinematics = new FlyKinematics(settings);
+    kinematics =
+        new FlyKinematics(
+            settings.sensor(),
+            settings.fly().body(),
+            settings.stroke(),
+            settings.disturbances().manoeuvres(),
+            settings.run().seed());
     PixelArray pixels = sensor.pixels();
     WireMask wire = new WireMask(settings.disturbances().wire(), settings.sensor());
     BodyShape shape = new BodyShape(settings.fly().body().lengthPx());
@@ -102,7 +108,12 @@ public final class FlyScene extends SensorScene<FlyTruth> {
   public FlyTruth truthAt(long timeUs) {
     FlyPose pose = new FlyPose();
     kinematics.sample((timeUs - startUs()) * US, pose);
-    return FlyTruth.of(timeUs, pose, kinematics.waveform(), settings.fly().wing().widthRad());
+    double widthRad = settings.fly().wing().widthRad();
+    return FlyTruth.of(
+        timeUs,
+        pose,
+        FlyTruth.Wing.of(pose, FlyKinematics.LEFT, kinematics.waveform(), widthRad),
+        FlyTruth.Wing.of(pose, FlyKinematics.RIGHT, kinematics.waveform(), widthRad));
   }
 
   @Override
@@ -116,7 +127,7 @@ public final class FlyScene extends SensorScene<FlyTruth> {
   }
 
   @Override
-  protected long makeInterval(long fromUs, SceneSensor sensor, EventPacket out) {
+  protected long makeInterval(long fromUs, SceneSensor<?> sensor, EventPacket out) {
     for (long doneUs = fromUs; doneUs < fromUs + INTERVAL_US; doneUs += STRETCH_US) {
       makeStretch(doneUs);
     }
