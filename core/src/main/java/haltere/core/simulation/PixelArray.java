@@ -55,7 +55,18 @@ public final class PixelArray extends SensorPixels {
     int p = pixel * FIELDS;
     advance(pixel, p, timeUs);
     state[p + TARGET] += change;
-    wake(pixel, timeUs);
+    if (canFire(p, timeUs)) {
+      wake(pixel);
+    }
+  }
+
+  @Override
+  boolean canFire(int p, double timeUs) {
+    double target = state[p + TARGET];
+    double reference = state[p + REFERENCE];
+    return timeUs <= state[p + BLIND_UNTIL_US]
+        || target <= reference - state[p + OFF_THRESHOLD]
+        || target >= reference + state[p + ON_THRESHOLD];
   }
 
   private double after(double from, double to, double durationUs) {

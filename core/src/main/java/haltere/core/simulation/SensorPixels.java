@@ -124,10 +124,10 @@ public abstract class SensorPixels {
     busyCount = kept;
   }
 
-  /** Lets {@link #advanceAll} look at a pixel if it can fire. */
-  final void wake(int pixel, double timeUs) {
+  /** Lets {@link #advanceAll} look at a pixel that may fire. */
+  final void wake(int pixel) {
     int p = pixel * FIELDS;
-    if (state[p + IS_BUSY] == 0 && canFire(p, timeUs)) {
+    if (state[p + IS_BUSY] == 0) {
       state[p + IS_BUSY] = 1;
       busy[busyCount++] = pixel;
     }
@@ -151,11 +151,5 @@ public abstract class SensorPixels {
   abstract void advance(int pixel, int p, double untilUs);
 
   /** Whether the pixel whose fields begin at p can make an event without a change of its light. */
-  boolean canFire(int p, double timeUs) {
-    double target = state[p + TARGET];
-    double reference = state[p + REFERENCE];
-    return timeUs <= state[p + BLIND_UNTIL_US]
-        || target <= reference - state[p + OFF_THRESHOLD]
-        || target >= reference + state[p + ON_THRESHOLD];
-  }
+  abstract boolean canFire(int p, double timeUs);
 }
