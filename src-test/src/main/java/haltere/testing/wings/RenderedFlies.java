@@ -13,6 +13,12 @@ public final class RenderedFlies {
   private static final String[] WAVEFORMS = {"MUIJRES", "FRY", "MAEDA", "SINUSOID", "FREE"};
   private static final int[][] SENSORS = {{128, 128}, {240, 180}, {346, 260}};
 
+  /** Contrast of a membrane over the threshold of the pixels, at the least. */
+  private static final double LEAST_CONTRAST = 1.2;
+
+  /** Largest transmission of a membrane that a threshold of 0.1 sees. */
+  private static final double VISIBLE_TRANSMISSION = Math.exp(-0.1 * LEAST_CONTRAST) - 0.001;
+
   private RenderedFlies() {}
 
   /**
@@ -29,7 +35,10 @@ public final class RenderedFlies {
     double amplitude = Math.toRadians(random.nextDouble(50, 80));
     double centre = Math.min(Math.toRadians(random.nextDouble(92, 108)), Math.PI - 0.1 - amplitude);
     double unlike = Math.toRadians(random.nextDouble(-6, 6));
-    double threshold = logarithmic(random, 0.1, 0.4);
+    double transmission = random.nextDouble(0.3, VISIBLE_TRANSMISSION);
+    // a membrane whose contrast is below the threshold has no trailing edge that a pixel could see
+    double most = Math.min(0.4, -Math.log(transmission) / LEAST_CONTRAST);
+    double threshold = logarithmic(random, 0.1, most);
     double bandwidth = logarithmic(random, 160, 16_000);
     List<String> set =
         new ArrayList<>(
@@ -45,11 +54,11 @@ public final class RenderedFlies {
                 "fly.body.wobblePx=" + random.nextDouble(0, 0.2),
                 "fly.body.contrast=" + random.nextDouble(1.5, 3),
                 "fly.wing.lengthPx=" + length,
-                "fly.wing.chordShare=" + random.nextDouble(0.2, 0.45),
+                "fly.wing.chordShare=" + random.nextDouble(0.12, 0.42),
                 "fly.wing.rootExponent=" + random.nextDouble(0.4, 1.4),
                 "fly.wing.tipExponent=" + random.nextDouble(0.15, 0.8),
                 "fly.wing.axisShare=" + random.nextDouble(0, 0.5),
-                "fly.wing.transmission=" + random.nextDouble(0.3, 0.9),
+                "fly.wing.transmission=" + transmission,
                 "fly.wing.veins=" + random.nextInt(5),
                 "fly.wing.veinTransmission=" + random.nextDouble(0.2, 0.6),
                 "fly.pitch.towardsTailRad=" + random.nextDouble(0.3, 1.1),
