@@ -152,7 +152,7 @@ public final class RenderedWingEvaluation {
     return new Row(
         seed,
         RenderedFlies.eventsPerEdgeAndBeat(scene, known.events(), SECONDS),
-        isLocked(usual) && isLocked(known),
+        usual.isLocked() && known.isLocked(),
         known.foundAtUs() / 1000.0,
         known.angleDeg(),
         known.statedAngleDeg(),
@@ -182,10 +182,6 @@ public final class RenderedWingEvaluation {
       PhaseErrors errors, RenderedFlySceneSettings scene, double amplitudeRad) {
     double radPerS = 2 * Math.PI * scene.stroke().beat().frequencyHz() * amplitudeRad;
     return -1e6 * errors.withSpeedRad() / radPerS;
-  }
-
-  private static boolean isLocked(WingScores scores) {
-    return scores.foundAtUs() >= 0 && scores.losses() == 0 && scores.longestWrongUs() <= 50_000;
   }
 
   private static void print(Row r) {

@@ -137,7 +137,7 @@ public final class WingEvaluation {
   }
 
   private static boolean locked(Result r) {
-    return r.usual.foundAtUs() >= 0 && r.usual.losses() == 0 && r.usual.longestWrongUs() <= 50_000;
+    return r.usual.isLocked();
   }
 
   private static void table(StringBuilder text, String name, List<Result> results) {

@@ -30,6 +30,9 @@ public final class WingScores implements WingListener {
   /** A frequency that is off by more than this share is on a wrong multiple of the beat. */
   private static final double WRONG_SHARE = 0.3;
 
+  /** A frequency on a wrong multiple for longer than this is not locked. */
+  private static final long LONG_WRONG_US = 50_000;
+
   /** Cosine of the phase within which a wing is at its reversal. */
   private static final double REVERSAL = 0.2;
 
@@ -230,6 +233,15 @@ public final class WingScores implements WingListener {
    */
   public long foundAtUs() {
     return foundAtUs;
+  }
+
+  /**
+   * Whether both wings were found, kept, and never on a wrong multiple of the beat for long.
+   *
+   * @return false if any of that failed
+   */
+  public boolean isLocked() {
+    return foundAtUs >= 0 && losses == 0 && longestWrongUs <= LONG_WRONG_US;
   }
 
   /**

@@ -1,10 +1,7 @@
 package haltere.core.simulation.fly;
 
-import haltere.core.event.EventPacket;
 import haltere.core.simulation.PhotoreceptorArray;
 import haltere.core.simulation.SceneSensor;
-import haltere.core.simulation.SensorScene;
-import java.util.List;
 
 /**
  * A tethered fly as images from geometry and events from the physics of a pixel: a test bed for
@@ -25,24 +22,19 @@ import java.util.List;
  * <p>Thread rule: pulled by one thread at a time; {@link #truthAt} and {@link #imageAt} may be
  * called by any thread.
  */
-public final class RenderedFlyScene extends SensorScene<FlyTruth> {
-  private static final double US = 1e-6;
+public final class RenderedFlyScene extends TetheredFlyScene {
   private static final int STRETCH_US = 100;
-  private static final int INTERVAL_US = 1000;
   private static final int SPEED_SAMPLES = 4;
 
   /** Motion of a wing's outline from one image to the next. */
   private static final double STEP_PX = 0.35;
 
   private final RenderedFlySceneSettings settings;
-  private final FlyKinematics kinematics;
   private final WingPlanform planform;
   private final WingPitch pitch;
   private final ApparentStroke apparent;
   private final PhotoreceptorArray pixels;
   private final FlyRenderer renderer;
-  private FlyPose before = new FlyPose();
-  private FlyPose after = new FlyPose();
 
   /**
    * A scene at its beginning.
@@ -74,52 +66,33 @@ public final class RenderedFlyScene extends SensorScene<FlyTruth> {
 
   private RenderedFlyScene(
       RenderedFlySceneSettings settings, int mostEvents, SceneSensor<PhotoreceptorArray> sensor) {
-    super("rendered-fly", sensor, settings.run(), mostEvents);
-    this.settings = settings;
-    pixels = sensor.pixels();
-    kinematics =
+    super(
+        "rendered-fly",
+        sensor,
+        settings.run(),
+        mostEvents,
         new FlyKinematics(
             settings.sensor(),
             settings.fly().body(),
             settings.stroke(),
             settings.fly().manoeuvres(),
-            settings.run().seed());
+            settings.run().seed()),
+        STRETCH_US);
+    this.settings = settings;
+    pixels = sensor.pixels();
     planform = new WingPlanform(settings.fly().wing());
     pitch = new WingPitch(settings.fly().pitch(), kinematics.waveform());
     apparent = new ApparentStroke(planform, pitch, kinematics.waveform());
     renderer = new FlyRenderer(settings, planform);
-    kinematics.sample(0, after);
-    int changes = image(0, renderer, after);
+    int changes = image(0, renderer, before);
     for (int i = 0; i < changes; i++) {
       pixels.settle(renderer.changed(i), renderer.light(renderer.changed(i)));
     }
-    kinematics.sample(0, before);
-  }
-
-  /**
-   * The truth at a time.
-   *
-   * @param timeUs microseconds on the clock of the events
-   * @return one row
-   */
-  public FlyTruth truthAt(long timeUs) {
-    FlyPose pose = new FlyPose();
-    kinematics.sample((timeUs - startUs()) * US, pose);
-    return FlyTruth.of(
-        timeUs,
-        pose,
-        apparent.at(pose, FlyKinematics.LEFT),
-        apparent.at(pose, FlyKinematics.RIGHT));
   }
 
   @Override
-  public Class<FlyTruth> truthType() {
-    return FlyTruth.class;
-  }
-
-  @Override
-  public List<FlyTruth> truthRows(long timeUs) {
-    return List.of(truthAt(timeUs));
+  FlyTruth.Wing wing(FlyPose pose, int side) {
+    return apparent.at(pose, side);
   }
 
   /**
@@ -150,17 +123,7 @@ public final class RenderedFlyScene extends SensorScene<FlyTruth> {
   }
 
   @Override
-  protected long makeInterval(long fromUs, SceneSensor<?> sensor, EventPacket out) {
-    for (long doneUs = fromUs; doneUs < fromUs + INTERVAL_US; doneUs += STRETCH_US) {
-      makeStretch(doneUs);
-    }
-    sensor.advance(fromUs + INTERVAL_US);
-    sensor.release(fromUs + INTERVAL_US, out);
-    return fromUs + INTERVAL_US;
-  }
-
-  private void makeStretch(long fromUs) {
-    kinematics.sample((fromUs + STRETCH_US) * US, after);
+  void makeStretch(long fromUs) {
     int steps = steps();
     renderer.background(before, fromUs * US);
     double doneUs = fromUs;
@@ -176,9 +139,6 @@ public final class RenderedFlyScene extends SensorScene<FlyTruth> {
       }
       doneUs = untilUs;
     }
-    FlyPose swap = before;
-    before = after;
-    after = swap;
   }
 
   /** Images of the stretch between two poses. */
@@ -213,18 +173,7 @@ public final class RenderedFlyScene extends SensorScene<FlyTruth> {
         projection(side, one, next, share));
   }
 
-  private double angle(int side, FlyPose one, FlyPose next, double share) {
-    return kinematics.angle(
-        between(one.centre[side], next.centre[side], share),
-        between(one.amplitude[side], next.amplitude[side], share),
-        between(one.cycles[side], next.cycles[side], share));
-  }
-
   private double projection(int side, FlyPose one, FlyPose next, double share) {
     return pitch.projection(2 * Math.PI * between(one.cycles[side], next.cycles[side], share));
-  }
-
-  private static double between(double from, double to, double share) {
-    return from + share * (to - from);
   }
 }
