@@ -39,6 +39,6 @@ class ScenesCommandTest {
   @Test
   void theUsageOfSimulateNamesTheScenes() {
     CommandRun run = CommandRun.of("simulate", "--help");
-    assertTrue(run.out().contains("dots, flight, fly, road"), run.out());
+    assertTrue(run.out().contains("dots, flight, fly, rendered-fly, road"), run.out());
   }
 }
