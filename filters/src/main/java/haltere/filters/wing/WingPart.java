@@ -61,12 +61,12 @@ public enum WingPart {
   }
 
   /**
-   * Whether it is a leading edge.
+   * Whether it is a wing as a whole.
    *
-   * @return false for trailing edges and wings
+   * @return false for an edge
    */
-  public boolean isLeading() {
-    return this == LEFT_LEADING || this == RIGHT_LEADING;
+  public boolean isWing() {
+    return this == LEFT || this == RIGHT;
   }
 
   /**

@@ -24,7 +24,8 @@ public record WingTrackerState(
     @Column(decimals = 3) double centreY,
     @Column(decimals = 5) double headingRad,
     @Column(decimals = 3) double sizePx,
-    @Column(decimals = 4) double confidence) {
+    @Column(decimals = 4) double confidence)
+    implements WingResult {
 
   /**
    * A step with what is known of the fly then.
@@ -59,8 +60,6 @@ public record WingTrackerState(
 
   /** What the tracker does. */
   public enum Phase {
-    /** Gathers events. */
-    COLLECTING,
     /** Has divided the events into two wings: body, heading up to head and tail, size. */
     TWO_MEANS,
     /** Has found the beat and the body axis. */
@@ -69,6 +68,8 @@ public record WingTrackerState(
     HINGES,
     /** Has told head from tail. */
     HEAD_AND_TAIL,
+    /** Gathers events. */
+    COLLECTING,
     /** Tracks both wings. */
     TRACKING,
     /**

@@ -11,6 +11,7 @@ import haltere.filters.wing.WingBeat;
 import haltere.filters.wing.WingEstimate;
 import haltere.filters.wing.WingListener;
 import haltere.filters.wing.WingPart;
+import haltere.filters.wing.WingResult;
 import haltere.filters.wing.WingSide;
 import haltere.filters.wing.WingSnapshot;
 import haltere.filters.wing.WingTrackerSettings;
@@ -129,12 +130,26 @@ public final class WingScores implements WingListener {
   }
 
   @Override
-  public boolean wantsSnapshots() {
-    return true;
+  public boolean wants(Class<? extends WingResult> kind) {
+    return kind == WingEstimate.class || kind == WingSnapshot.class;
   }
 
   @Override
-  public void state(WingTrackerState state) {
+  public void take(WingResult result) {
+    if (result instanceof WingEstimate estimate) {
+      estimate(estimate);
+    } else if (result instanceof WingSnapshot snapshot) {
+      snapshot(snapshot);
+    } else if (result instanceof WingBeat beat) {
+      beat(beat);
+    } else if (result instanceof WingTrackerState state) {
+      state(state);
+    } else if (result instanceof FlyGeometry found) {
+      geometry = found;
+    }
+  }
+
+  private void state(WingTrackerState state) {
     switch (state.phase()) {
       case TRACKING -> foundAtUs = foundAtUs < 0 ? state.timeUs() : foundAtUs;
       case LOST, ONE_WING -> losses += foundAtUs < 0 ? 0 : 1;
@@ -148,13 +163,7 @@ public final class WingScores implements WingListener {
     return foundAtUs >= 0 && timeUs >= foundAtUs + SETTLE_US;
   }
 
-  @Override
-  public void geometry(FlyGeometry found) {
-    geometry = found;
-  }
-
-  @Override
-  public void snapshot(WingSnapshot snapshot) {
+  private void snapshot(WingSnapshot snapshot) {
     geometry = snapshot.geometry();
     if (!counts(snapshot.timeUs())) {
       return;
@@ -184,8 +193,7 @@ public final class WingScores implements WingListener {
     };
   }
 
-  @Override
-  public void estimate(WingEstimate e) {
+  private void estimate(WingEstimate e) {
     if (!counts(e.timeUs())) {
       return;
     }
@@ -214,8 +222,7 @@ public final class WingScores implements WingListener {
     longestWrongUs = Math.max(longestWrongUs, wrongUs[side]);
   }
 
-  @Override
-  public void beat(WingBeat b) {
+  private void beat(WingBeat b) {
     if (!counts(b.timeUs())) {
       return;
     }

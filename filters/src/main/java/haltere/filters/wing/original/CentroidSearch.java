@@ -1,5 +1,6 @@
 package haltere.filters.wing.original;
 
+import haltere.core.event.EventAddress;
 import haltere.core.event.SensorGeometry;
 import haltere.filters.estimation.Angles;
 import haltere.filters.wing.FlyGeometry;
@@ -11,7 +12,6 @@ import haltere.filters.wing.search.FoundFly;
 import haltere.filters.wing.search.RecentEvents;
 import haltere.filters.wing.search.TwoMeans;
 import haltere.filters.wing.stroke.StrokeSeed;
-import java.util.Arrays;
 import java.util.function.Consumer;
 
 /**
@@ -33,10 +33,12 @@ public final class CentroidSearch implements FlySearch {
   private final RecentEvents recent;
   private final Consumer<WingTrackerState> steps;
   private final TwoMeans means = new TwoMeans();
-  private final boolean[] seen;
-  private final double[] x;
-  private final double[] y;
-  private final boolean[] on;
+
+  /** Pixels that events came from, in the order of their first events. */
+  private double[] x = {};
+
+  private double[] y = {};
+  private boolean[] on = {};
   private int size;
   private long fromUs;
   private int events;
@@ -53,10 +55,6 @@ public final class CentroidSearch implements FlySearch {
     this.sensor = sensor;
     this.recent = recent;
     this.steps = steps;
-    seen = new boolean[sensor.pixels()];
-    x = new double[recent.capacity()];
-    y = new double[recent.capacity()];
-    on = new boolean[recent.capacity()];
   }
 
   @Override
@@ -75,7 +73,7 @@ public final class CentroidSearch implements FlySearch {
     if (timeUs < fromUs || ++events < settings.leastEvents()) {
       return null;
     }
-    FoundFly found = find(recent.indexAtOrAfter(fromUs), timeUs, settings);
+    FoundFly found = find(timeUs, settings);
     startAt(timeUs + 1);
     return found;
   }
@@ -86,8 +84,8 @@ public final class CentroidSearch implements FlySearch {
     return null;
   }
 
-  private FoundFly find(int first, long timeUs, WingSearchSettings settings) {
-    takePixels(first);
+  private FoundFly find(long timeUs, WingSearchSettings settings) {
+    takePixels();
     // seeds in the upper left and in the lower right corner, as in the program of 2006
     double[] at = {0, sensor.height() - 1.0, sensor.width() - 1.0, 0};
     means.divide(x, y, size, at);
@@ -125,16 +123,20 @@ public final class CentroidSearch implements FlySearch {
   }
 
   /** Takes each pixel once, with the polarity of its first event. */
-  private void takePixels(int first) {
-    Arrays.fill(seen, false);
+  private void takePixels() {
+    int[] addresses = recent.addressesSince(fromUs);
+    boolean[] seen = new boolean[sensor.pixels()];
+    x = new double[addresses.length];
+    y = new double[addresses.length];
+    on = new boolean[addresses.length];
     size = 0;
-    for (int i = first; i < recent.size(); i++) {
-      int pixel = recent.y(i) * sensor.width() + recent.x(i);
+    for (int address : addresses) {
+      int pixel = EventAddress.y(address) * sensor.width() + EventAddress.x(address);
       if (!seen[pixel]) {
         seen[pixel] = true;
-        x[size] = recent.x(i);
-        y[size] = recent.y(i);
-        on[size++] = recent.isOn(i);
+        x[size] = EventAddress.x(address);
+        y[size] = EventAddress.y(address);
+        on[size++] = EventAddress.isOn(address);
       }
     }
   }

@@ -62,12 +62,7 @@ public final class RecentEvents {
     return size;
   }
 
-  /**
-   * How many events it keeps.
-   *
-   * @return a power of two
-   */
-  public int capacity() {
+  int capacity() {
     return timesUs.length;
   }
 
@@ -81,43 +76,23 @@ public final class RecentEvents {
     return timesUs[(end - size + index) & mask];
   }
 
-  /**
-   * Column of an event.
-   *
-   * @param index 0 for the oldest event
-   * @return from 0
-   */
-  public int x(int index) {
+  /** Column of an event, 0 the oldest one. */
+  int x(int index) {
     return EventAddress.x(addresses[(end - size + index) & mask]);
   }
 
-  /**
-   * Row of an event.
-   *
-   * @param index 0 for the oldest event
-   * @return from 0
-   */
-  public int y(int index) {
+  /** Row of an event, 0 the oldest one. */
+  int y(int index) {
     return EventAddress.y(addresses[(end - size + index) & mask]);
   }
 
-  /**
-   * Polarity of an event.
-   *
-   * @param index 0 for the oldest event
-   * @return true for ON
-   */
-  public boolean isOn(int index) {
+  /** Polarity of an event, 0 the oldest one. */
+  boolean isOn(int index) {
     return EventAddress.isOn(addresses[(end - size + index) & mask]);
   }
 
-  /**
-   * First event that is not before a time.
-   *
-   * @param timeUs microseconds
-   * @return 0 to the number of events
-   */
-  public int indexAtOrAfter(long timeUs) {
+  /** First event that is not before a time. */
+  int indexAtOrAfter(long timeUs) {
     int from = 0;
     int to = size;
     while (from < to) {
@@ -129,5 +104,20 @@ public final class RecentEvents {
       }
     }
     return from;
+  }
+
+  /**
+   * Copies the events from a time on.
+   *
+   * @param fromUs microseconds
+   * @return addresses as in an event packet, the oldest event first
+   */
+  public int[] addressesSince(long fromUs) {
+    int first = indexAtOrAfter(fromUs);
+    int[] copy = new int[size - first];
+    for (int i = 0; i < copy.length; i++) {
+      copy[i] = addresses[(end - size + first + i) & mask];
+    }
+    return copy;
   }
 }

@@ -19,14 +19,10 @@ final class EdgeAverage extends EdgeEstimator {
 
   private RunningAverageSettings settings;
   private double position;
-  private double centre;
-  private double amplitude;
   private double hysteresis;
   private double periodUs;
-  private double least;
-  private double most;
-  private double lastLeast;
-  private double lastMost;
+  private double leastNow;
+  private double mostNow;
   private double sum;
   private int count;
   private boolean armed;
@@ -52,10 +48,8 @@ final class EdgeAverage extends EdgeEstimator {
   void launch(long atUs, StrokeSeed seed) {
     super.launch(atUs, seed);
     position = seed.angleAt(atUs);
-    centre = seed.centre();
-    amplitude = seed.amplitude();
     adapt();
-    periodUs = 2e6 * Math.PI / seed.omega();
+    periodUs = 2e6 * Math.PI / omega;
     launchedUs = atUs;
     passedUs = atUs;
     lastPassedUs = Double.NaN;
@@ -64,8 +58,8 @@ final class EdgeAverage extends EdgeEstimator {
   }
 
   private void beginBeat() {
-    least = position;
-    most = position;
+    leastNow = position;
+    mostNow = position;
     sum = 0;
     count = 0;
   }
@@ -87,10 +81,10 @@ final class EdgeAverage extends EdgeEstimator {
     count++;
     position = before + share * off;
     taken++;
-    if (position < least) {
-      least = position;
-    } else if (position > most) {
-      most = position;
+    if (position < leastNow) {
+      leastNow = position;
+    } else if (position > mostNow) {
+      mostNow = position;
     }
     boolean ended = follow(timeUs, before);
     lastEventUs = timeUs;
@@ -115,15 +109,16 @@ final class EdgeAverage extends EdgeEstimator {
 
   private void endBeat() {
     armed = false;
+    least = leastNow;
+    most = mostNow;
     if (!Double.isNaN(lastPassedUs)) {
       periodUs = passedUs - lastPassedUs;
+      omega = 2e6 * Math.PI / periodUs;
       amplitude = (most - least) / 2;
       adapt();
       centre = sum / count;
     }
     lastPassedUs = passedUs;
-    lastLeast = least;
-    lastMost = most;
     beginBeat();
   }
 
@@ -133,33 +128,8 @@ final class EdgeAverage extends EdgeEstimator {
   }
 
   @Override
-  double centre() {
-    return centre;
-  }
-
-  @Override
-  double amplitude() {
-    return amplitude;
-  }
-
-  @Override
   double phase(double atUs) {
     return Double.isNaN(lastPassedUs) ? 0 : 2 * Math.PI * (atUs - lastPassedUs) / periodUs;
-  }
-
-  @Override
-  double omega() {
-    return 2e6 * Math.PI / periodUs;
-  }
-
-  @Override
-  double least() {
-    return lastLeast;
-  }
-
-  @Override
-  double most() {
-    return lastMost;
   }
 
   @Override

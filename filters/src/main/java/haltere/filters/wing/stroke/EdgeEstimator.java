@@ -21,10 +21,27 @@ abstract class EdgeEstimator {
   /** Angle that was expected of the last event. */
   double expected;
 
+  /** Mean angle of a beat, half of peak to peak, and angular frequency in radians a second. */
+  double centre;
+
+  double amplitude;
+  double omega;
+
+  /** Smallest and largest angle of the last beat. */
+  double least;
+
+  double most;
+
+  /** Normalised innovation squared of the last event, NaN where the method has none. */
+  double nis = Double.NaN;
+
   /** Begins with a stroke. */
   void launch(long atUs, StrokeSeed seed) {
     taken = 0;
     lastEventUs = atUs;
+    centre = seed.centre();
+    amplitude = seed.amplitude();
+    omega = seed.omega();
   }
 
   /**
@@ -36,31 +53,16 @@ abstract class EdgeEstimator {
 
   abstract double angle(double atUs);
 
-  abstract double centre();
-
-  abstract double amplitude();
-
   /** Phase at a time, not wrapped. */
   abstract double phase(double atUs);
 
-  /** Angular frequency, radians a second. */
-  abstract double omega();
-
-  /** Smallest and largest angle of the last beat. */
-  abstract double least();
-
-  abstract double most();
-
-  /** Variance of the angle and of the angular frequency, NaN where the method gives none. */
+  /** Variance of the angle, NaN where the method gives none. */
   double angleVariance(double atUs) {
     return Double.NaN;
   }
 
+  /** Variance of the angular frequency, NaN where the method gives none. */
   double omegaVariance() {
-    return Double.NaN;
-  }
-
-  double nis() {
     return Double.NaN;
   }
 

@@ -36,11 +36,7 @@ final class EdgeFilter extends EdgeEstimator {
   /** Variance of a measurement where the settings give none, squared radians. */
   private static final double USUAL_MEASUREMENT = 0.006;
 
-  private static final List<String> NAMES =
-      List.of("centre", "amplitude", "phase", "angular frequency");
-  private static final List<String> UNITS = List.of("rad", "rad", "rad", "rad/s");
-  private static final List<String> DENSITY_UNITS =
-      List.of("rad\u00b2/s", "rad\u00b2/s", "rad\u00b2/s", "rad\u00b2/s\u00b3");
+  /** Units of the process noise of an update. */
   private static final List<String> UPDATE_UNITS =
       List.of("rad\u00b2", "rad\u00b2", "rad\u00b2", "rad\u00b2/s\u00b2");
 
@@ -57,7 +53,6 @@ final class EdgeFilter extends EdgeEstimator {
   private double r;
   private Source rSource;
   private int averaged;
-  private double nis;
   private long stateUs;
 
   /** How late the edge's events are against those of the leading edge. */
@@ -101,13 +96,14 @@ final class EdgeFilter extends EdgeEstimator {
   void launch(long atUs, StrokeSeed seed) {
     super.launch(atUs, seed);
     stateUs = atUs;
-    lagUs = part.isLeading() ? 0 : seed.lagS() / US;
+    lagUs = part == WingPart.edge(part.side().ordinal(), 0) ? 0 : seed.lagS() / US;
     clearAverage();
-    belief.setMean(CENTRE, seed.centre());
-    belief.setMean(AMPLITUDE, seed.amplitude());
+    belief.setMean(CENTRE, centre);
+    belief.setMean(AMPLITUDE, amplitude);
     belief.setMean(PHASE, Angles.wrapPi(seed.phase() + seed.omega() * (atUs - seed.timeUs()) * US));
-    belief.setMean(OMEGA, seed.omega());
+    belief.setMean(OMEGA, omega);
     noise.launch(belief);
+    copyState();
     monitor.endRun();
     nis = Double.NaN;
     highestPhase = Angles.wrapTwoPi(belief.mean(PHASE));
@@ -133,7 +129,16 @@ final class EdgeFilter extends EdgeEstimator {
     clearAverage();
     predict(atUs);
     update(measured);
+    copyState();
     return hasPassed();
+  }
+
+  private void copyState() {
+    centre = belief.mean(CENTRE);
+    amplitude = belief.mean(AMPLITUDE);
+    omega = belief.mean(OMEGA);
+    least = centre - amplitude;
+    most = centre + amplitude;
   }
 
   /** The phase turns on; its error gathers that of the frequency. */
@@ -148,11 +153,10 @@ final class EdgeFilter extends EdgeEstimator {
 
   /** Takes in an angle, unless it lies outside the gate. */
   void update(double angle) {
-    double amplitude = belief.mean(AMPLITUDE);
     wave.of(belief.mean(PHASE));
     row[AMPLITUDE] = wave.sine();
     row[PHASE] = amplitude * wave.cosine();
-    double innovation = angle - (belief.mean(CENTRE) + amplitude * wave.sine());
+    double innovation = angle - (centre + amplitude * wave.sine());
     if (Math.abs(innovation) > Math.PI) {
       innovation = Angles.wrapPi(innovation);
     }
@@ -171,9 +175,8 @@ final class EdgeFilter extends EdgeEstimator {
   /** Keeps the phase small, so that it stays exact, and the amplitude positive. */
   private void mend() {
     double phase = belief.mean(PHASE);
-    double amplitude = belief.mean(AMPLITUDE);
-    if (amplitude < 0) {
-      belief.setMean(AMPLITUDE, -amplitude);
+    if (belief.mean(AMPLITUDE) < 0) {
+      belief.setMean(AMPLITUDE, -belief.mean(AMPLITUDE));
       belief.scale(AMPLITUDE, -1);
       phase += Math.PI;
     }
@@ -198,55 +201,25 @@ final class EdgeFilter extends EdgeEstimator {
 
   @Override
   double phase(double atUs) {
-    return belief.mean(PHASE) + belief.mean(OMEGA) * (atUs + lagUs - stateUs) * US;
+    return belief.mean(PHASE) + omega * (atUs + lagUs - stateUs) * US;
   }
 
   @Override
   double angle(double atUs) {
-    return belief.mean(CENTRE) + belief.mean(AMPLITUDE) * Math.sin(phase(atUs));
-  }
-
-  @Override
-  double centre() {
-    return belief.mean(CENTRE);
-  }
-
-  @Override
-  double amplitude() {
-    return belief.mean(AMPLITUDE);
-  }
-
-  @Override
-  double omega() {
-    return belief.mean(OMEGA);
-  }
-
-  @Override
-  double least() {
-    return centre() - amplitude();
-  }
-
-  @Override
-  double most() {
-    return centre() + amplitude();
+    return centre + amplitude * Math.sin(phase(atUs));
   }
 
   @Override
   double angleVariance(double atUs) {
     double phase = phase(atUs);
     row[AMPLITUDE] = Math.sin(phase);
-    row[PHASE] = belief.mean(AMPLITUDE) * Math.cos(phase);
+    row[PHASE] = amplitude * Math.cos(phase);
     return Math.max(0, belief.project(row));
   }
 
   @Override
   double omegaVariance() {
     return belief.covariance(OMEGA, OMEGA);
-  }
-
-  @Override
-  double nis() {
-    return nis;
   }
 
   @Override
@@ -259,12 +232,12 @@ final class EdgeFilter extends EdgeEstimator {
     return Optional.of(
         new WingFilterState(
             part,
-            NAMES,
-            UNITS,
+            FilterNumbers.of(FilterNumbers.NAMES, SIZE),
+            FilterNumbers.of(FilterNumbers.UNITS, SIZE),
             belief.mean().data,
             belief.covariance().data,
             q,
-            noise.isDensity() ? DENSITY_UNITS : UPDATE_UNITS,
+            noise.isDensity() ? FilterNumbers.of(FilterNumbers.DENSITY_UNITS, SIZE) : UPDATE_UNITS,
             List.of(qSources),
             r,
             rSource,
@@ -276,7 +249,10 @@ final class EdgeFilter extends EdgeEstimator {
   void edit(WingFilterEdit edit) {
     int row = edit.row();
     switch (edit.table()) {
-      case STATE -> belief.setMean(row, row == PHASE ? Angles.wrapPi(edit.value()) : edit.value());
+      case STATE -> {
+        belief.setMean(row, row == PHASE ? Angles.wrapPi(edit.value()) : edit.value());
+        copyState();
+      }
       case COVARIANCE -> belief.edit(row, edit.column(), edit.value());
       case PROCESS_NOISE -> {
         q[row] = edit.givesBack() ? noise.of(settings)[row] : edit.notNegative();

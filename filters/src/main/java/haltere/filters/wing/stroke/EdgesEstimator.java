@@ -34,7 +34,6 @@ public final class EdgesEstimator implements SideEstimator {
   private final boolean filters;
   private double latencyUs;
   private long nowUs;
-  private double expected;
   private double lastPassedUs;
   private double lagS;
 
@@ -109,9 +108,8 @@ public final class EdgesEstimator implements SideEstimator {
   }
 
   @Override
-  public boolean event(long timeUs, boolean on) {
-    event(timeUs, on, frame.angle());
-    return true;
+  public double event(long timeUs, boolean on) {
+    return event(timeUs, on, frame.angle());
   }
 
   /**
@@ -120,27 +118,24 @@ public final class EdgesEstimator implements SideEstimator {
    * @param timeUs when, microseconds
    * @param on its polarity
    * @param angle stroke angle, of whichever turn
+   * @return stroke angle that was expected
    */
-  public void event(long timeUs, boolean on, double angle) {
+  public double event(long timeUs, boolean on, double angle) {
     nowUs = timeUs;
     EdgeEstimator edge = edges[on ? TRAILING : LEADING];
     boolean ended = edge.event(timeUs, angle);
-    expected = edge.expected;
     if (ended && edge == edges[counts(LEADING) ? LEADING : TRAILING]) {
       endBeat();
     }
+    return edge.expected;
   }
 
   /** The leading edge's beat is the wing's, the trailing edge's where the other has no events. */
   private void endBeat() {
-    double omega = Math.max(1, mean(EdgeEstimator::omega));
+    double omega = Math.max(1, mean(edge -> edge.omega));
     double passedUs = nowUs - Angles.wrapPi(wingPhase(nowUs)) / omega / US;
     beats.beat(
-        side,
-        passedUs,
-        passedUs - lastPassedUs,
-        mean(EdgeEstimator::least),
-        mean(EdgeEstimator::most));
+        side, passedUs, passedUs - lastPassedUs, mean(edge -> edge.least), mean(edge -> edge.most));
     lastPassedUs = passedUs;
   }
 
@@ -193,10 +188,10 @@ public final class EdgesEstimator implements SideEstimator {
           nowUs,
           WingPart.edge(side.ordinal(), part),
           Angles.wrapTwoPi(edge.angle(atUs)),
-          edge.centre(),
-          edge.amplitude(),
+          edge.centre,
+          edge.amplitude,
           Angles.wrapTwoPi(edge.phase(atUs)),
-          edge.omega() / (2 * Math.PI),
+          edge.omega / (2 * Math.PI),
           Math.sqrt(edge.angleVariance(atUs)),
           Math.sqrt(edge.omegaVariance()) / (2 * Math.PI),
           edge.taken);
@@ -205,28 +200,13 @@ public final class EdgesEstimator implements SideEstimator {
         nowUs,
         WingPart.wing(side.ordinal()),
         Angles.wrapTwoPi(meanAngle(edge -> edge.angle(atUs))),
-        mean(EdgeEstimator::centre),
-        mean(EdgeEstimator::amplitude),
+        mean(edge -> edge.centre),
+        mean(edge -> edge.amplitude),
         Angles.wrapTwoPi(wingPhase(atUs)),
-        mean(EdgeEstimator::omega) / (2 * Math.PI),
+        mean(edge -> edge.omega) / (2 * Math.PI),
         sdOfMean(edge -> edge.angleVariance(atUs)),
         sdOfMean(EdgeEstimator::omegaVariance) / (2 * Math.PI),
         edges[0].taken + edges[1].taken);
-  }
-
-  @Override
-  public double phaseAt(double timeUs) {
-    return wingPhase(nowUs + latencyUs) + mean(EdgeEstimator::omega) * (timeUs - nowUs) * US;
-  }
-
-  @Override
-  public double nis() {
-    return mean(EdgeEstimator::nis);
-  }
-
-  @Override
-  public double expected() {
-    return expected;
   }
 
   @Override
@@ -243,10 +223,10 @@ public final class EdgesEstimator implements SideEstimator {
   public StrokeSeed seed() {
     return StrokeSeed.sinusoid(
         nowUs,
-        mean(EdgeEstimator::centre),
-        mean(EdgeEstimator::amplitude),
+        mean(edge -> edge.centre),
+        mean(edge -> edge.amplitude),
         wingPhase(nowUs),
-        mean(EdgeEstimator::omega),
+        mean(edge -> edge.omega),
         lagS);
   }
 

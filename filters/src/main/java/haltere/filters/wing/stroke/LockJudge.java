@@ -23,15 +23,6 @@ final class LockJudge {
   private double sinceLaunchS;
   private int poor;
 
-  /** Begins anew. */
-  void launch() {
-    counted = 0;
-    quickRate = 0;
-    usualRate = 0;
-    sinceLaunchS = 0;
-    poor = 0;
-  }
-
   /**
    * Looks, about once in a millisecond.
    *

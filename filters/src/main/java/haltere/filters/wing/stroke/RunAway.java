@@ -25,14 +25,6 @@ final class RunAway {
   private double density;
   private RunAway other;
 
-  void launch() {
-    y = 0;
-    w = 0;
-    density = 0;
-    together.launch();
-    alone.launch();
-  }
-
   /** Says which wing is driven together with this one; null if none is known. */
   void besides(RunAway wing) {
     other = wing;

@@ -36,9 +36,9 @@ public interface SideEstimator {
    *
    * @param timeUs when, microseconds
    * @param on its polarity
-   * @return whether it was taken in
+   * @return stroke angle that was expected, before latency is taken out; NaN if it was refused
    */
-  boolean event(long timeUs, boolean on);
+  double event(long timeUs, boolean on);
 
   /**
    * Brings the estimate to a time before which no event comes any more.
@@ -54,28 +54,6 @@ public interface SideEstimator {
    * @return standard deviations are NaN where the method gives none
    */
   WingEstimate estimate(int part);
-
-  /**
-   * The wing's phase at a time near the present one.
-   *
-   * @param timeUs microseconds
-   * @return radians, not wrapped
-   */
-  double phaseAt(double timeUs);
-
-  /**
-   * Mean normalised innovation squared of late.
-   *
-   * @return 1 where the estimate knows its own errors, NaN if unknown
-   */
-  double nis();
-
-  /**
-   * What was expected of the event that was taken in last.
-   *
-   * @return stroke angle, before latency is taken out
-   */
-  double expected();
 
   /**
    * The Kalman filters, of the wing or of its edges.

@@ -63,20 +63,6 @@ public final class StrokeFrame {
   }
 
   /**
-   * Takes over where another wing is.
-   *
-   * @param other of the same side
-   */
-  public void set(StrokeFrame other) {
-    setHeading(other.headingRad);
-    hingeX = other.hingeX;
-    hingeY = other.hingeY;
-    innerSquare = other.innerSquare;
-    outerSquare = other.outerSquare;
-    byHand = other.byHand;
-  }
-
-  /**
    * Says whether a person has put the hinge where it is.
    *
    * @param said true if so

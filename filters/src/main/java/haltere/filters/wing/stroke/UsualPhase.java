@@ -17,8 +17,8 @@ final class UsualPhase {
   private final double times;
   private final double least;
   private final double most;
-  private double usual;
-  private double weight;
+  private double usual = FIRST;
+  private double weight = FIRST_WEIGHT;
 
   /**
    * What is usual where nothing was seen yet.
@@ -31,12 +31,6 @@ final class UsualPhase {
     this.times = times;
     this.least = least;
     this.most = most;
-  }
-
-  /** Begins with what flies do. */
-  void launch() {
-    usual = FIRST;
-    weight = FIRST_WEIGHT;
   }
 
   /**

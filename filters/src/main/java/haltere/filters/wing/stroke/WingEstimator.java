@@ -35,7 +35,7 @@ public final class WingEstimator implements SideEstimator {
   private static final double SYSTEMATIC_RAD = 0.0092;
 
   final StrokeEkf filter;
-  final WingEventNoise noise;
+  private WingEventNoise noise;
   private final StrokeFrame frame;
   private final WingSide side;
   private WingNoiseSettings settings;
@@ -44,8 +44,8 @@ public final class WingEstimator implements SideEstimator {
   private final BeatClock clock;
   private final StrokeShape shape = new StrokeShape();
   private final HingeTracker hinge = new HingeTracker();
-  private final LockJudge judge = new LockJudge();
-  private final FrequencyNoise frequencyNoise = new FrequencyNoise();
+  private LockJudge judge = new LockJudge();
+  private FrequencyNoise frequencyNoise = new FrequencyNoise();
   private WingEstimator other;
   private boolean followsHinge;
   private final boolean[] takes = new boolean[2];
@@ -68,7 +68,6 @@ public final class WingEstimator implements SideEstimator {
   private final EdgeSums[] sums = {new EdgeSums(0), new EdgeSums(1)};
   private final long[] taken = new long[2];
   private final double[] expected = new double[2];
-  private double expectedAngle;
 
   /**
    * An estimator that has to be {@link #launch launched}.
@@ -148,21 +147,21 @@ public final class WingEstimator implements SideEstimator {
     hingeUs = atUs;
     Arrays.fill(lastTakenUs, atUs);
     density[StrokeEkf.OMEGA] = q[StrokeEkf.OMEGA];
-    noise.reset();
+    noise = new WingEventNoise(options.gateSd(), noise.fixed());
     sums[0].clear();
     sums[1].clear();
     Arrays.fill(taken, 0);
     pending = 0;
     Arrays.fill(expected, 0);
-    frequencyNoise.launch();
-    judge.launch();
+    frequencyNoise = new FrequencyNoise();
+    judge = new LockJudge();
     hinge.launch(0.3);
     shape.of(filter);
     clock.launch(phase());
   }
 
   @Override
-  public boolean event(long atUs, boolean on) {
+  public double event(long atUs, boolean on) {
     if (pending > 0 && (atUs - firstPendingUs) * 1e-6 >= averagingS) {
       flush();
     }
@@ -175,11 +174,11 @@ public final class WingEstimator implements SideEstimator {
       s = s * filter.lagCos - c * filter.lagSin;
       c = behind;
     }
-    double middle = filter.angleWithSlope(c, s);
+    double middle = filter.angle(c, s);
     double slope = filter.slopeThere;
     double speed = slope * x[StrokeEkf.OMEGA];
     double ahead = slope >= 0 == on ? -x[StrokeEkf.WIDTH] : x[StrokeEkf.WIDTH];
-    expectedAngle = middle + ahead;
+    double expectedAngle = middle + ahead;
     double y = frame.angle() - expectedAngle;
     if (y > Math.PI) {
       y -= 2 * Math.PI;
@@ -198,7 +197,7 @@ public final class WingEstimator implements SideEstimator {
         double most = options.gateSd() * Math.sqrt(variance + expected[edge]);
         frequencyNoise.add(Math.max(-most, Math.min(most, y)), slope / variance, slope);
       }
-      return false;
+      return Double.NaN;
     }
     lastTakenUs[edge] = atUs;
     double w = belief / variance;
@@ -216,7 +215,7 @@ public final class WingEstimator implements SideEstimator {
     pending++;
     taken[edge]++;
     sums[edge].add(w, y, c, s);
-    return true;
+    return expectedAngle;
   }
 
   private void turnTo(long atUs) {
@@ -409,11 +408,6 @@ public final class WingEstimator implements SideEstimator {
     return (turns - Math.floor(turns)) * 2 * Math.PI;
   }
 
-  @Override
-  public double phaseAt(double atUs) {
-    return phase() + filter.x[StrokeEkf.OMEGA] * (atUs - timeUs) * 1e-6;
-  }
-
   /** Standard deviation of the angle of the wing's middle, 0, or of an edge on one of its sides. */
   private double sdAngle(int at) {
     double variance = filter.angleVariance(at);
@@ -425,16 +419,6 @@ public final class WingEstimator implements SideEstimator {
   private double sdFrequencyHz() {
     double variance = filter.belief.covariance(StrokeEkf.OMEGA, StrokeEkf.OMEGA);
     return Math.sqrt(frequencyNoise.variance(variance)) / (2 * Math.PI);
-  }
-
-  @Override
-  public double nis() {
-    return noise.nis();
-  }
-
-  @Override
-  public double expected() {
-    return expectedAngle;
   }
 
   @Override
@@ -455,12 +439,12 @@ public final class WingEstimator implements SideEstimator {
     return List.of(
         new WingFilterState(
             WingPart.wing(side.ordinal()),
-            FilterNumbers.names(filter.harmonics),
-            FilterNumbers.units(filter.harmonics),
+            FilterNumbers.of(FilterNumbers.NAMES, filter.size),
+            FilterNumbers.of(FilterNumbers.UNITS, filter.size),
             filter.x,
             filter.belief.covariance().data,
             present,
-            FilterNumbers.densityUnits(filter.harmonics),
+            FilterNumbers.of(FilterNumbers.DENSITY_UNITS, filter.size),
             List.of(sources),
             noise.present(),
             measurement,

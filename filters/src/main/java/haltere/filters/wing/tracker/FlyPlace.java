@@ -26,20 +26,6 @@ final class FlyPlace {
   private double sizePx;
   private double regionPx;
 
-  /** A place that has to be {@link #begin begun}. */
-  FlyPlace() {}
-
-  /** The place where another one is now. */
-  FlyPlace(FlyPlace other) {
-    confidence = other.confidence;
-    initialisedAtUs = other.initialisedAtUs;
-    sizePx = other.sizePx;
-    regionPx = other.regionPx;
-    frames[0].set(other.frames[0]);
-    frames[1].set(other.frames[1]);
-    settle();
-  }
-
   /** Takes over what was found, with what a person says of it. */
   void begin(FoundFly fly, WingPlaceSettings place, long timeUs) {
     FlyGeometry found = fly.geometry();

@@ -2,6 +2,7 @@ package haltere.filters.wing.tracker;
 
 import haltere.filters.estimation.Angles;
 import haltere.filters.wing.FlyGeometry;
+import haltere.filters.wing.WingAverage;
 import haltere.filters.wing.WingBeat;
 import haltere.filters.wing.WingDifference;
 import haltere.filters.wing.WingEstimate;
@@ -51,21 +52,21 @@ final class FlyReport {
     WingEstimate[] now = new WingEstimate[2];
     for (int side = 0; side < 2; side++) {
       SideEstimator wing = wings.main[side];
-      if (wings.tracked[side] && listener.wantsEstimates()) {
+      if (wings.tracked[side] && listener.wants(WingEstimate.class)) {
         for (int edge = 0; edge < 2; edge++) {
           if (wings.takesNow[2 * side + edge]) {
-            listener.estimate(wing.estimate(edge));
+            listener.take(wing.estimate(edge));
           }
         }
         now[side] = wing.estimate(SideEstimator.WING);
-        listener.estimate(now[side]);
+        listener.take(now[side]);
         if (both) {
           beside(now[side], wings.beside[side].estimate(SideEstimator.WING));
         }
       }
-      if (wings.tracked[side] && listener.wantsVariances()) {
+      if (wings.tracked[side] && listener.wants(WingVariances.class)) {
         for (WingFilterState filter : wing.filters()) {
-          listener.variances(WingVariances.of(timeUs, filter));
+          listener.take(WingVariances.of(timeUs, filter));
         }
       }
     }
@@ -74,16 +75,18 @@ final class FlyReport {
     }
   }
 
-  /** Tells of an event that an estimator has taken in. */
-  void event(long timeUs, int side, boolean on, double measuredRad) {
-    SideEstimator wing = wings.main[side];
-    WingEstimate e = wing.estimate(on ? SideEstimator.TRAILING : SideEstimator.LEADING);
-    listener.measurement(
+  /** Tells of an event, unless it was refused: nothing was expected of it then. */
+  void event(long timeUs, int side, boolean on, double measuredRad, double expectedRad) {
+    if (Double.isNaN(expectedRad)) {
+      return;
+    }
+    WingEstimate e = wings.main[side].estimate(on ? SideEstimator.TRAILING : SideEstimator.LEADING);
+    listener.take(
         new WingMeasurement(
             timeUs,
             e.edge(),
             Angles.wrapTwoPi(measuredRad),
-            Angles.wrapTwoPi(wing.expected()),
+            Angles.wrapTwoPi(expectedRad),
             e.centreRad(),
             e.amplitudeRad(),
             e.phaseRad(),
@@ -91,8 +94,8 @@ final class FlyReport {
   }
 
   private void beside(WingEstimate filter, WingEstimate average) {
-    listener.average(average);
-    listener.difference(
+    listener.take(new WingAverage(average));
+    listener.take(
         new WingDifference(
             filter.timeUs(),
             filter.edge(),
@@ -104,7 +107,7 @@ final class FlyReport {
   }
 
   private void pair(WingEstimate left, WingEstimate right) {
-    listener.pair(
+    listener.take(
         new WingPair(
             left.timeUs(),
             left.angleRad() - right.angleRad(),
@@ -126,7 +129,7 @@ final class FlyReport {
       edges[edge] = wings.takesNow[edge] ? wing.estimate(edge % 2).angleRad() : Double.NaN;
       sd[side] = tracked ? wing.estimate(SideEstimator.WING).sdAngleRad() : Double.NaN;
     }
-    listener.snapshot(new WingSnapshot(timeUs, phase, geometry, regionPx, edges, sd));
+    listener.take(new WingSnapshot(timeUs, phase, geometry, regionPx, edges, sd));
   }
 
   /** Tells of a beat that has ended; the first one has no beginning and is left out. */
@@ -135,12 +138,11 @@ final class FlyReport {
     if (!(periodUs > 0) || !wings.locked) {
       return;
     }
-    SideEstimator[] main = wings.main;
     double lag =
         wings.tracked[1 - own]
-            ? Angles.wrapPi(main[1 - own].phaseAt(timeUs) - main[own].phaseAt(timeUs))
+            ? Angles.wrapPi(phaseAt(1 - own, timeUs) - phaseAt(own, timeUs))
             : Double.NaN;
-    listener.beat(
+    listener.take(
         new WingBeat(
             side,
             ++beatCount[own],
@@ -151,5 +153,11 @@ final class FlyReport {
             leastRad,
             mostRad,
             lag));
+  }
+
+  /** Phase of a wing at a time near the present one. */
+  private double phaseAt(int side, double timeUs) {
+    WingEstimate now = wings.main[side].estimate(SideEstimator.WING);
+    return now.phaseRad() + 2 * Math.PI * now.frequencyHz() * (timeUs - now.timeUs()) * 1e-6;
   }
 }

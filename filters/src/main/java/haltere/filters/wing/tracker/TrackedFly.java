@@ -3,8 +3,10 @@ package haltere.filters.wing.tracker;
 import haltere.core.event.SensorGeometry;
 import haltere.filters.wing.FlyGeometry;
 import haltere.filters.wing.WingListener;
+import haltere.filters.wing.WingMeasurement;
 import haltere.filters.wing.WingMethod;
 import haltere.filters.wing.WingPlaceSettings;
+import haltere.filters.wing.WingSnapshot;
 import haltere.filters.wing.WingTrackerSettings;
 import haltere.filters.wing.WingTrackerState.Phase;
 import haltere.filters.wing.search.FoundFly;
@@ -42,9 +44,16 @@ final class TrackedFly {
 
   private boolean averages;
 
+  /** Whether measurements are wanted. */
+  private boolean measures;
+
   /** Of the running average. */
   private FlyPlace averagePlace = place;
 
+  /** As it was found last. */
+  private FoundFly fly;
+
+  private long foundAtUs;
   private PixelAngles angles;
   private BodyFollower follower;
   private double symmetry;
@@ -63,7 +72,10 @@ final class TrackedFly {
   private void build() {
     filters = settings.filter().method() != WingMethod.WRA;
     averages = TrackerParts.averages(settings);
-    averagePlace = TrackerParts.sharesFrames(settings) ? place : new FlyPlace(place);
+    averagePlace = TrackerParts.sharesFrames(settings) ? place : new FlyPlace();
+    if (averagePlace != place && fly != null) {
+      averagePlace.begin(fly, settings.place(), foundAtUs);
+    }
     angles = averages ? new PixelAngles(sensor.width(), sensor.height(), averagePlace) : null;
     follower = new BodyFollower(averagePlace, settings);
     wings.build(settings, follower);
@@ -79,6 +91,8 @@ final class TrackedFly {
   }
 
   void begin(FoundFly found, long timeUs) {
+    fly = found;
+    foundAtUs = timeUs;
     WingPlaceSettings said = settings.place();
     place.begin(found, said, timeUs);
     if (averagePlace != place) {
@@ -118,14 +132,19 @@ final class TrackedFly {
     return (main[0].seed().centre() - main[1].seed().centre()) / 2;
   }
 
+  /** Begins with a packet. */
+  void beginPacket() {
+    measures = listener.wants(WingMeasurement.class);
+  }
+
   void event(long timeUs, int x, int y, boolean on) {
     if (filters) {
       int side = place.side(x, y);
-      if (takesNow[2 * side + (on ? 1 : 0)]
-          && frames[side].look(x, y)
-          && main[side].event(timeUs, on)
-          && listener.wantsMeasurements()) {
-        wings.report.event(timeUs, side, on, frames[side].angle());
+      if (takesNow[2 * side + (on ? 1 : 0)] && frames[side].look(x, y)) {
+        double expected = main[side].event(timeUs, on);
+        if (measures) {
+          wings.report.event(timeUs, side, on, frames[side].angle(), expected);
+        }
       }
     }
     if (averages) {
@@ -140,9 +159,9 @@ final class TrackedFly {
       return;
     }
     double angle = PixelAngles.angle(code);
-    wings.beside[side].event(timeUs, on, angle);
-    if (!filters && listener.wantsMeasurements()) {
-      wings.report.event(timeUs, side, on, angle);
+    double expected = wings.beside[side].event(timeUs, on, angle);
+    if (!filters && measures) {
+      wings.report.event(timeUs, side, on, angle, expected);
     }
     if (follower.event(side, x, y)) {
       angles.clear();
@@ -188,14 +207,14 @@ final class TrackedFly {
 
   void publish(long timeUs, Phase phase) {
     wings.report.tick(timeUs, settings.filter().method() == WingMethod.BOTH);
-    if (listener.wantsSnapshots()) {
+    if (listener.wants(WingSnapshot.class)) {
       wings.report.snapshot(timeUs, phase, geometry(), place.regionPx());
     }
   }
 
   /** Tells whoever draws that there is nothing to be drawn any more. */
   void publishLoss(long timeUs) {
-    if (listener.wantsSnapshots()) {
+    if (listener.wants(WingSnapshot.class)) {
       wings.report.snapshot(timeUs, Phase.LOST, geometry(), place.regionPx());
     }
   }

@@ -16,7 +16,7 @@ import haltere.filters.wing.stroke.StrokeSeed;
 import haltere.filters.wing.stroke.WingEstimator;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.ToDoubleFunction;
+import java.util.stream.IntStream;
 
 /**
  * What estimates the strokes of both wings, as the settings want it: an estimator and a running
@@ -94,21 +94,18 @@ final class WingEstimators {
     takeEdges();
   }
 
-  /** Mean over the wings that are tracked; NaN if there is none. */
-  private double mean(ToDoubleFunction<SideEstimator> value) {
-    double sum = 0;
-    for (int side = 0; side < 2; side++) {
-      sum += tracked[side] ? value.applyAsDouble(main[side]) : 0;
-    }
-    return sum / count();
-  }
-
+  /** Mean NIS of the filters of the wings that are tracked; NaN if there is none. */
   double meanNis() {
-    return mean(SideEstimator::nis);
+    return filters().stream().mapToDouble(WingFilterState::nis).average().orElse(Double.NaN);
   }
 
+  /** Mean frequency of the wings that are tracked, hertz; NaN if there is none. */
   double frequencyHz() {
-    return mean(wing -> wing.estimate(SideEstimator.WING).frequencyHz());
+    return IntStream.range(0, 2)
+        .filter(side -> tracked[side])
+        .mapToDouble(this::frequencyHz)
+        .average()
+        .orElse(Double.NaN);
   }
 
   /** Frequency of a wing's estimator, hertz; NaN while the wing is not tracked. */

@@ -18,8 +18,12 @@ import haltere.filters.wing.search.FoundFly;
 import haltere.filters.wing.search.FrequencyWatch;
 import haltere.filters.wing.search.RecentEvents;
 import java.util.Arrays;
+import java.util.EnumMap;
+import java.util.EnumSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 
 /**
  * Tracks the wings of a tethered fly: gathers events, finds the fly in them ({@link FlySearch}),
@@ -38,6 +42,10 @@ public final class WingTracker {
   /** A run of events of one polarity on a pixel ends after this time, whatever comes. */
   private static final int LONGEST_RUN_US = 2500;
 
+  /** What becomes of a search; the other phases are its steps. */
+  private static final Set<Phase> CONDITIONS =
+      EnumSet.of(Phase.COLLECTING, Phase.TRACKING, Phase.UNLOCKED, Phase.ONE_WING, Phase.LOST);
+
   private static final long NO_EVENT = Long.MIN_VALUE >> 1;
 
   /** Of what is due next, while no fly is tracked: each event may end the wait. */
@@ -50,7 +58,10 @@ public final class WingTracker {
   private final RecentEvents recent = new RecentEvents(RECENT);
   private final TrackedFly fly;
   private final FrequencyWatch watch = new FrequencyWatch();
-  private final SearchSteps steps = new SearchSteps();
+
+  /** Steps of the last search, and what became of it. */
+  private final Map<Phase, WingTrackerState> steps = new EnumMap<>(Phase.class);
+
   private final ReportClock ticks = new ReportClock();
   private final long[] lastOfPixel;
   private WingTrackerSettings settings;
@@ -134,7 +145,7 @@ public final class WingTracker {
    *     event
    */
   public List<WingTrackerState> searchSteps() {
-    return steps.inOrder();
+    return List.copyOf(steps.values());
   }
 
   /**
@@ -167,7 +178,7 @@ public final class WingTracker {
    */
   public void edit(WingFilterEdit edit) {
     fly.wings().edit(edit);
-    listener.byHand(new WingByHand(edit.part(), Optional.of(edit)));
+    listener.take(new WingByHand(edit.part(), Optional.of(edit)));
   }
 
   /**
@@ -179,7 +190,7 @@ public final class WingTracker {
    */
   public void restart(WingPart part) {
     fly.wings().restart(part);
-    listener.byHand(new WingByHand(part, Optional.empty()));
+    listener.take(new WingByHand(part, Optional.empty()));
   }
 
   /**
@@ -275,6 +286,7 @@ public final class WingTracker {
     long[] times = packet.timesUs();
     int[] addresses = packet.addresses();
     int size = packet.size();
+    fly.beginPacket();
     boolean firstOfRun = settings.filter().firstOfRun();
     for (int i = 0; i < size; i++) {
       long timeUs = times[i];
@@ -341,7 +353,7 @@ public final class WingTracker {
     dueUs = Math.min(ticks.nextUs(), nextCheckUs);
     watch.launch();
     setPhase(timeUs);
-    listener.geometry(fly.geometry());
+    listener.take(fly.geometry());
   }
 
   private void setPhase(long timeUs) {
@@ -368,8 +380,13 @@ public final class WingTracker {
   }
 
   private void say(WingTrackerState state) {
-    steps.take(state);
-    listener.state(state);
+    if (state.phase() == Phase.TWO_MEANS) {
+      steps.keySet().retainAll(CONDITIONS);
+    } else if (CONDITIONS.contains(state.phase())) {
+      steps.keySet().removeAll(CONDITIONS);
+    }
+    steps.put(state.phase(), state);
+    listener.take(state);
   }
 
   /** Checks and estimates that are due; checks do not wait for estimates, whose rate may be low. */

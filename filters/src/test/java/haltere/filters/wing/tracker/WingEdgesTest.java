@@ -10,8 +10,10 @@ import haltere.filters.estimation.Angles;
 import haltere.filters.wing.WingBeat;
 import haltere.filters.wing.WingEstimate;
 import haltere.filters.wing.WingFilterState;
+import haltere.filters.wing.WingListener;
 import haltere.filters.wing.WingMeasurement;
 import haltere.filters.wing.WingPart;
+import haltere.filters.wing.WingResult;
 import haltere.filters.wing.WingSide;
 import haltere.filters.wing.WingTrackerSettings;
 import java.util.ArrayList;
@@ -181,19 +183,21 @@ class WingEdgesTest {
   void whatIsSaidOfAnEventIsThatOfItsEdge() {
     EventPacket fly = Flies.events(0.12, FLY);
     List<WingMeasurement> rows = new ArrayList<>();
-    Said said =
-        new Said() {
+    WingListener listener =
+        new WingListener() {
           @Override
-          public boolean wantsMeasurements() {
-            return true;
+          public boolean wants(Class<? extends WingResult> kind) {
+            return kind == WingMeasurement.class;
           }
 
           @Override
-          public void measurement(WingMeasurement measurement) {
-            rows.add(measurement);
+          public void take(WingResult result) {
+            if (result instanceof WingMeasurement row) {
+              rows.add(row);
+            }
           }
         };
-    WingTracker tracker = new WingTracker(Said.SENSOR, settings("filter.model=EDGES"), said);
+    WingTracker tracker = new WingTracker(Said.SENSOR, settings("filter.model=EDGES"), listener);
     tracker.track(fly);
     for (WingFilterState filter : tracker.filters()) {
       WingMeasurement last =
