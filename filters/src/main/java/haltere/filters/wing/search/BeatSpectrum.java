@@ -10,8 +10,6 @@ import java.util.Arrays;
  *
  * <p>The mean place swings once a beat, while the number of events swings twice; so half and double
  * frequencies are not mistaken for the beat.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class BeatSpectrum {
   /** A frequency that explains so many times more than another one is another: half power. */

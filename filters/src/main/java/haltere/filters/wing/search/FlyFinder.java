@@ -15,8 +15,6 @@ import java.util.function.Consumer;
  * are left out and it is looked for again; lines through the events of each wing give its hinge,
  * and a fit of the whole stroke makes all of it exact. The head is where the wings keep further
  * from the body's line.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class FlyFinder {
   private static final int LEAST_SUPPORTED = 80;

@@ -4,8 +4,6 @@ import java.util.Arrays;
 
 /**
  * Divides events into those left and those right of a body axis.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class SideSplit {
   private static final int ROUNDS = 20;

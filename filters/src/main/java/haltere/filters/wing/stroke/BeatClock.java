@@ -4,8 +4,6 @@ import haltere.filters.wing.WingSide;
 
 /**
  * Tells of each beat as it ends: when the phase has passed 0.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class BeatClock {
   private final WingSide side;

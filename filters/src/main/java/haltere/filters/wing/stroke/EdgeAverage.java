@@ -9,8 +9,6 @@ import haltere.filters.wing.WingTrackerSettings;
  * the difference. A beat ends when the edge has passed its centre, the mean of the events of the
  * beat before, towards the tail by more than a hysteresis; the time of the passage is interpolated
  * between the two events around it. It lags, and never reaches the extremes.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class EdgeAverage extends EdgeEstimator {
   private static final double LONGEST_SILENCE_US = 30_000;

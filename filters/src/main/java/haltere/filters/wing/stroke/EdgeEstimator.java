@@ -8,8 +8,6 @@ import java.util.Optional;
 /**
  * Estimates the stroke of one edge of a wing from the edge's own events. Times in microseconds,
  * angles in radians.
- *
- * <p>Thread rule: one thread at a time.
  */
 abstract class EdgeEstimator {
   /** Events taken in since the launch. */

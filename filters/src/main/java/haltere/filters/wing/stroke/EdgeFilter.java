@@ -19,8 +19,6 @@ import java.util.Optional;
  * The extended Kalman filter of one edge of a wing: centre a, amplitude M, phase ξ, angular
  * frequency ω, with h = a + M sin ξ (Cardinale 2006, eq. 11 to 14, whose Jacobian is mended).
  * Several events may be averaged before an update.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class EdgeFilter extends EdgeEstimator {
   static final int CENTRE = 0;

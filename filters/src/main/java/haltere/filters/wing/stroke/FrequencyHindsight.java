@@ -8,8 +8,6 @@ package haltere.filters.wing.stroke;
  * manoeuvres, does not.
  *
  * <p>Manoeuvres are left out here: in them the frequency changes too fast to be told by a line.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class FrequencyHindsight {
   /** Looks of about a millisecond before and after the one that is judged. */

@@ -3,8 +3,6 @@ package haltere.filters.wing.stroke;
 /**
  * What a wing's filter has said of its phase and frequency at the last looks, about a millisecond
  * apart.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class FrequencyHistory {
   /** Looks that are kept. */

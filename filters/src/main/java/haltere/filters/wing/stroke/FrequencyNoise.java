@@ -6,8 +6,6 @@ package haltere.filters.wing.stroke;
  * puts too low in steady flight ({@link FrequencyHindsight}) and too high just before a manoeuvre
  * is noticed ({@link FrequencyChange}, and how far it was off when manoeuvres were noticed of
  * late).
- *
- * <p>Thread rule: one thread at a time.
  */
 final class FrequencyNoise {
   private static final double CALM_SHARE = 0.02;

@@ -3,8 +3,6 @@ package haltere.filters.wing.stroke;
 /**
  * Tells whether a filter is still on its wing: its events still come at their usual rate, more of
  * them lie near the wing than chance explains, and the state is one of a wing.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class LockJudge {
   private static final int PATIENCE = 25;

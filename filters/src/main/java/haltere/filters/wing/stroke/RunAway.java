@@ -8,8 +8,6 @@ package haltere.filters.wing.stroke;
  * <p>A fly's wings are driven as one: what both phases are off by together tells of a manoeuvre
  * sooner, and noise is less often taken for one, than each does alone. A wing that runs away alone
  * has to do so more clearly.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class RunAway {
   /** Density of the frequency's noise for each squared radian by which the phase runs away. */

@@ -3,8 +3,6 @@ package haltere.filters.wing.stroke;
 /**
  * What a phase is usually off by in steady flight, as a share of what the noise of events explains,
  * and what is clearly more than that.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class UsualPhase {
   /** Events of one beat repeat each other's errors: so many of them count for one. */

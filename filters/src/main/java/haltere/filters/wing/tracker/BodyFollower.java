@@ -9,8 +9,6 @@ import haltere.filters.wing.WingTrackerSettings;
  * Moves the body after each beat of both wings, as the running average does it (Cardinale 2006): to
  * the middle between the mean positions of both wings' events, with the heading across the line
  * between them. The original's region of interest has their distance for its radius.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class BodyFollower {
   private static final int BOTH = 3;

@@ -10,8 +10,6 @@ import haltere.filters.wing.stroke.StrokeFrame;
 /**
  * Where the tracked fly is on the sensor: a frame for each wing, and the body's line, which divides
  * left from right: through the middle of the hinges, along the heading.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class FlyPlace {
   private static final double LEAST_REGION_PX = 3;

@@ -18,8 +18,6 @@ import haltere.filters.wing.stroke.SideEstimator;
 
 /**
  * Tells a listener what the estimators of both wings say.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class FlyReport {
   private final WingListener listener;

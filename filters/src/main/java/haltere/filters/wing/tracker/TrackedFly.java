@@ -22,8 +22,6 @@ import java.util.Optional;
  *
  * <p>A running average beside a filter that follows the hinges has a place of its own: it says what
  * it would say alone. In all other cases both methods share one.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class TrackedFly {
   /** Share of an asymmetry that the heading takes up in one check. */

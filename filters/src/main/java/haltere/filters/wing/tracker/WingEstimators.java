@@ -21,8 +21,6 @@ import java.util.stream.IntStream;
 /**
  * What estimates the strokes of both wings, as the settings want it: an estimator and a running
  * average for each wing, whether the wing is tracked, and which of its edges are taken.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class WingEstimators {
   private static final WingSide[] SIDES = WingSide.values();
