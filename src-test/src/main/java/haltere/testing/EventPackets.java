@@ -4,7 +4,6 @@ import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 
@@ -277,40 +276,5 @@ public final class EventPackets {
       packet.append(stream.timeUs(i) + shiftUs, stream.address(i));
     }
     return packet;
-  }
-
-  /** Events in any order, sorted at the end. */
-  private static final class EventList {
-    private long[] timesUs = new long[1024];
-    private int[] addresses = new int[1024];
-    private int size;
-
-    void add(long timeUs, int x, int y, boolean on) {
-      if (size == timesUs.length) {
-        timesUs = Arrays.copyOf(timesUs, 2 * size);
-        addresses = Arrays.copyOf(addresses, 2 * size);
-      }
-      timesUs[size] = timeUs;
-      addresses[size++] = EventAddress.pack(x, y, on);
-    }
-
-    /** Events of the same time keep the order in which they were added. */
-    EventPacket sorted(long startUs, long endUs) {
-      long earliestUs = Arrays.stream(timesUs, 0, size).min().orElse(0);
-      long[] keys = new long[size];
-      int bits = 64 - Long.numberOfLeadingZeros(size);
-      for (int i = 0; i < size; i++) {
-        keys[i] = (timesUs[i] - earliestUs) << bits | i;
-      }
-      Arrays.sort(keys);
-      EventPacket packet = new EventPacket(size);
-      for (long key : keys) {
-        int i = (int) (key & ((1L << bits) - 1));
-        if (timesUs[i] < endUs) {
-          packet.append(startUs + timesUs[i], addresses[i]);
-        }
-      }
-      return packet;
-    }
   }
 }

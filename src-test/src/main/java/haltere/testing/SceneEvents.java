@@ -1,23 +1,23 @@
 package haltere.testing;
 
 import haltere.core.event.EventPacket;
-import haltere.core.simulation.Scene;
+import haltere.core.stream.EventSource;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 
-/** The events of simulated scenes, all at once. */
+/** The events of simulated scenes and short recordings, all at once. */
 public final class SceneEvents {
   private SceneEvents() {}
 
   /**
-   * All events of a scene.
+   * All events of a source.
    *
-   * @param scene one that ends; it is at its end afterwards
+   * @param source one that ends and has one segment; it is at its end afterwards
    * @return one packet
    */
-  public static EventPacket of(Scene<?> scene) {
+  public static EventPacket of(EventSource source) {
     EventPacket all = new EventPacket(0);
     StreamHandler collect =
         new StreamHandler() {
@@ -32,7 +32,7 @@ public final class SceneEvents {
           }
         };
     try {
-      scene.drainTo(collect);
+      source.drainTo(collect);
     } catch (IOException problem) {
       throw new UncheckedIOException(problem);
     }

@@ -71,7 +71,7 @@ public final class Correspondences {
         int b = frames.trackIndex(tracks.get(j));
         if (lastTrack[a] == b
             && lastTruth[b] == a
-            && truth.get(i).distanceTo(tracks.get(j)) <= gate) {
+            && frames.distance(truth.get(i), tracks.get(j)) <= gate) {
           trackOf[i] = j;
           taken[j] = true;
         }
@@ -80,7 +80,7 @@ public final class Correspondences {
     assignment.start(truth.size(), tracks.size());
     for (int i = 0; i < truth.size(); i++) {
       for (int j = 0; j < tracks.size(); j++) {
-        double distance = truth.get(i).distanceTo(tracks.get(j));
+        double distance = frames.distance(truth.get(i), tracks.get(j));
         if (trackOf[i] == NONE && !taken[j] && distance <= gate) {
           assignment.setCost(i, j, distance);
         }

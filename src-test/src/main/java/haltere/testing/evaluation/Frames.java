@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Function;
+import java.util.function.ToDoubleBiFunction;
 import java.util.stream.LongStream;
 import java.util.stream.Stream;
 
@@ -21,8 +22,11 @@ public final class Frames {
   private final int[] truthIds;
   private final int[] trackIds;
 
-  private Frames(List<Frame> frames) {
+  private final ToDoubleBiFunction<ObjectPoint, ObjectPoint> distance;
+
+  private Frames(List<Frame> frames, ToDoubleBiFunction<ObjectPoint, ObjectPoint> distance) {
     this.frames = List.copyOf(frames);
+    this.distance = distance;
     truthIds = ids(Frame::truth);
     trackIds = ids(Frame::tracks);
   }
@@ -65,7 +69,7 @@ public final class Frames {
             frames.add(
                 new Frame(
                     time, List.copyOf(points.values()), List.copyOf(tracksAt.get(time).values()))));
-    return new Frames(frames);
+    return new Frames(frames, ObjectPoint::distanceTo);
   }
 
   /**
@@ -95,7 +99,24 @@ public final class Frames {
       truthBase += scene.truthIds.length;
       trackBase += scene.trackIds.length;
     }
-    return new Frames(frames);
+    return new Frames(frames, ObjectPoint::distanceTo);
+  }
+
+  /**
+   * The same frames with another distance of truth and track, such as one in units of the object's
+   * size. Scores take their gates in its unit.
+   *
+   * @param truthToTrack distance of a point of truth and the point of a track of its frame, at
+   *     least 0
+   * @return new frames; what is joined of them has the Euclidean distance again
+   */
+  public Frames measuredBy(ToDoubleBiFunction<ObjectPoint, ObjectPoint> truthToTrack) {
+    return new Frames(frames, truthToTrack);
+  }
+
+  /** Distance of a point of truth and the point of a track. */
+  double distance(ObjectPoint truth, ObjectPoint track) {
+    return distance.applyAsDouble(truth, track);
   }
 
   /**

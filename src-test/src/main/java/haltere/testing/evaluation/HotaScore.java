@@ -129,7 +129,7 @@ public record HotaScore(List<Threshold> thresholds) {
     for (Frame frame : frames.list()) {
       for (ObjectPoint truth : frame.truth()) {
         for (ObjectPoint track : frame.tracks()) {
-          if (similarity(truth, track, d0) >= least) {
+          if (similarity(frames, truth, track, d0) >= least) {
             possible[frames.truthIndex(truth)][frames.trackIndex(track)]++;
           }
         }
@@ -149,7 +149,7 @@ public record HotaScore(List<Threshold> thresholds) {
         int a = frames.truthIndex(truth.get(i));
         for (int j = 0; j < tracks.size(); j++) {
           int b = frames.trackIndex(tracks.get(j));
-          double similarity = similarity(truth.get(i), tracks.get(j), d0);
+          double similarity = similarity(frames, truth.get(i), tracks.get(j), d0);
           if (similarity >= least) {
             double agreement = jaccard(possible[a][b], truthPoints[a], trackPoints[b]);
             assignment.setCost(i, j, -(1 / EPSILON + agreement + EPSILON * similarity));
@@ -162,7 +162,7 @@ public record HotaScore(List<Threshold> thresholds) {
         int j = assignment.columnOf(i);
         if (j != Assignment.NONE) {
           matched[frames.truthIndex(truth.get(i))][frames.trackIndex(tracks.get(j))]++;
-          similarities += similarity(truth.get(i), tracks.get(j), d0);
+          similarities += similarity(frames, truth.get(i), tracks.get(j), d0);
           pairsHere++;
         }
       }
@@ -182,8 +182,8 @@ public record HotaScore(List<Threshold> thresholds) {
     return new Threshold(alpha, pairs, missed, falsePoints, assA, locA);
   }
 
-  private static double similarity(ObjectPoint truth, ObjectPoint track, double d0) {
-    return Math.max(0, 1 - truth.distanceTo(track) / d0);
+  private static double similarity(Frames frames, ObjectPoint truth, ObjectPoint track, double d0) {
+    return Math.max(0, 1 - frames.distance(truth, track) / d0);
   }
 
   /** Common points of two trajectories over the points of either. */

@@ -36,7 +36,7 @@ public record IdentityScore(long truePoints, long falsePoints, long missedPoints
       trackPoints += frame.tracks().size();
       for (ObjectPoint truth : frame.truth()) {
         for (ObjectPoint track : frame.tracks()) {
-          if (truth.distanceTo(track) <= gate) {
+          if (frames.distance(truth, track) <= gate) {
             common[frames.truthIndex(truth)][frames.trackIndex(track)]++;
           }
         }

@@ -2,8 +2,8 @@ package haltere.testing.wings;
 
 import haltere.core.simulation.fly.FlyScene;
 import haltere.core.simulation.fly.FlySceneSettings;
+import haltere.core.sink.SvgPlot;
 import haltere.filters.wing.WingTrackerSettings;
-import haltere.testing.SvgPlot;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

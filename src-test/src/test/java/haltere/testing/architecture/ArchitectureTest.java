@@ -209,8 +209,12 @@ class ArchitectureTest {
   void whatStandsBelowAPackageDoesNotKnowIt() {
     knowsNoneOf(
         "haltere.filters.estimation",
-        Set.of("haltere.filters.estimation.motion"),
+        Set.of("haltere.filters.estimation.motion", "haltere.filters.estimation.example"),
         "an estimator takes whatever model there is");
+    knowsNoneOf(
+        "haltere.filters.estimation.motion",
+        Set.of("haltere.filters.estimation.example"),
+        "a motion is one without an example");
     knowsNoneOf(
         "haltere.filters.orientation.camera",
         Set.of("haltere.filters.orientation"),

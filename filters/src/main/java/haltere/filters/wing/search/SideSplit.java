@@ -2,9 +2,7 @@ package haltere.filters.wing.search;
 
 import java.util.Arrays;
 
-/**
- * Divides events into those left and those right of a body axis.
- */
+/** Divides events into those left and those right of a body axis. */
 final class SideSplit {
   private static final int ROUNDS = 20;
 

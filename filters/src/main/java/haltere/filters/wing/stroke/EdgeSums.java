@@ -1,8 +1,6 @@
 package haltere.filters.wing.stroke;
 
-/**
- * Events of an edge that go into one update of its wing's filter.
- */
+/** Events of an edge that go into one update of its wing's filter. */
 final class EdgeSums {
   private final int edge;
   private double weight;

@@ -16,9 +16,7 @@ import haltere.filters.wing.WingTrackerState.Phase;
 import haltere.filters.wing.WingVariances;
 import haltere.filters.wing.stroke.SideEstimator;
 
-/**
- * Tells a listener what the estimators of both wings say.
- */
+/** Tells a listener what the estimators of both wings say. */
 final class FlyReport {
   private final WingListener listener;
   private final WingEstimators wings;

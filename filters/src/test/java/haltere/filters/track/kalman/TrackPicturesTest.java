@@ -3,9 +3,9 @@ package haltere.filters.track.kalman;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.SensorGeometry;
+import haltere.core.sink.SvgPlot;
 import haltere.filters.track.KalmanTracksSettings;
 import haltere.filters.track.TrackUpdate;
-import haltere.testing.SvgPlot;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

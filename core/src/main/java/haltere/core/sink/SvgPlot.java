@@ -1,16 +1,19 @@
-package haltere.testing;
+package haltere.core.sink;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Locale;
 
 /**
- * A plot of a few lines and bands as SVG: for the documentation's pictures. Ours rather than a
- * charting library's, so that the same numbers give the same bytes on any machine, whatever its
- * fonts.
+ * A plot of a few lines, bands and dots as SVG. The same numbers give the same bytes on any
+ * machine, whatever its fonts. Points that are not numbers are left out.
+ *
+ * <p>Thread rule: one thread at a time.
  */
 public final class SvgPlot {
   private static final int WIDTH = 640;
@@ -27,8 +30,16 @@ public final class SvgPlot {
   private final StringBuilder marks = new StringBuilder();
   private final List<String> names = new ArrayList<>();
   private final List<String> colours = new ArrayList<>();
+  private boolean legendLeft;
 
-  /** A plot of a range. */
+  /**
+   * A plot of a range.
+   *
+   * @param fromX left edge
+   * @param toX right edge, more than the left
+   * @param fromY lower edge
+   * @param toY upper edge, more than the lower
+   */
   public SvgPlot(double fromX, double toX, double fromY, double toY) {
     this.fromX = fromX;
     this.toX = toX;
@@ -36,14 +47,66 @@ public final class SvgPlot {
     this.toY = toY;
   }
 
-  /** A line through points; those outside the range are cut off at its edge. */
+  /**
+   * A plot whose range holds all points, with a margin of a twentieth above and below.
+   *
+   * @param x finite, at least one
+   * @param ys of several lines; entries that are not finite are left out
+   * @return an empty plot
+   */
+  public static SvgPlot around(double[] x, double[]... ys) {
+    DoubleSummaryStatistics across = Arrays.stream(x).summaryStatistics();
+    DoubleSummaryStatistics up =
+        Arrays.stream(ys)
+            .flatMapToDouble(Arrays::stream)
+            .filter(Double::isFinite)
+            .summaryStatistics();
+    double min = up.getCount() == 0 ? 0 : up.getMin();
+    double max = up.getCount() == 0 ? 0 : up.getMax();
+    double margin = max > min ? (max - min) / 20 : 1;
+    double width = across.getMax() - across.getMin();
+    return new SvgPlot(
+        across.getMin(),
+        width > 0 ? across.getMax() : across.getMin() + 1,
+        min - margin,
+        max + margin);
+  }
+
+  /**
+   * Puts the legend at the left edge instead of the right one.
+   *
+   * @return this plot
+   */
+  public SvgPlot legendLeft() {
+    legendLeft = true;
+    return this;
+  }
+
+  /**
+   * A line through points; those outside the range are cut off at its edge.
+   *
+   * @param name for the legend, empty for none
+   * @param colour as SVG has it
+   * @param x as many as y
+   * @param y values
+   * @return this plot
+   */
   public SvgPlot line(String name, String colour, double[] x, double[] y) {
     marks.append("<polyline fill=\"none\" stroke-width=\"1.5\" stroke=\"");
     marks.append(colour).append("\" points=\"").append(points(x, y)).append("\"/>\n");
     return named(name, colour);
   }
 
-  /** What lies between two lines. */
+  /**
+   * A band between two lines.
+   *
+   * @param name for the legend, empty for none
+   * @param colour as SVG has it
+   * @param x as many as low and high
+   * @param low lower edge
+   * @param high upper edge
+   * @return this plot
+   */
   public SvgPlot band(String name, String colour, double[] x, double[] low, double[] high) {
     double[] around = new double[2 * x.length];
     double[] edge = new double[2 * x.length];
@@ -61,23 +124,62 @@ public final class SvgPlot {
     return named(name, colour);
   }
 
-  /** Dots. */
+  /**
+   * Dots; those outside the range lie on its edge.
+   *
+   * @param name for the legend, empty for none
+   * @param colour as SVG has it
+   * @param x as many as y
+   * @param y values
+   * @return this plot
+   */
   public SvgPlot dots(String name, String colour, double[] x, double[] y) {
     marks.append("<g fill=\"").append(colour).append("\">\n");
     for (int i = 0; i < x.length; i++) {
+      if (Double.isNaN(x[i] + y[i])) {
+        continue;
+      }
       marks.append(text("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"1.5\"/>%n", atX(x[i]), atY(y[i])));
     }
     marks.append("</g>\n");
     return named(name, colour);
   }
 
-  /** A horizontal line over the whole width. */
+  /**
+   * A horizontal line over the whole width.
+   *
+   * @param name for the legend, empty for none
+   * @param colour as SVG has it
+   * @param y value
+   * @return this plot
+   */
   public SvgPlot level(String name, String colour, double y) {
     return line(name, colour, new double[] {fromX, toX}, new double[] {y, y});
   }
 
-  /** Writes the picture. */
+  /**
+   * Writes the plot, over a file that is there.
+   *
+   * @param file in a folder that is made if need be
+   * @param title above the plot
+   * @param xLabel quantity and unit
+   * @param yLabel quantity and unit
+   * @throws IOException if it cannot be written
+   */
   public void write(Path file, String title, String xLabel, String yLabel) throws IOException {
+    Files.createDirectories(file.getParent());
+    Files.writeString(file, draw(title, xLabel, yLabel));
+  }
+
+  /**
+   * Draws the plot.
+   *
+   * @param title above the plot
+   * @param xLabel quantity and unit
+   * @param yLabel quantity and unit
+   * @return an SVG document
+   */
+  public String draw(String title, String xLabel, String yLabel) {
     StringBuilder svg = new StringBuilder();
     svg.append(
         text(
@@ -95,12 +197,14 @@ public final class SvgPlot {
             (TOP + HEIGHT - BOTTOM) / 2, label(0, 0, "middle", yLabel)));
     for (int i = 0; i < names.size(); i++) {
       svg.append(text("<g fill=\"%s\">%n", colours.get(i)));
-      svg.append(label(WIDTH - RIGHT - 6, TOP + 16 + 14 * i, "end", names.get(i)));
+      int y = TOP + 16 + 14 * i;
+      svg.append(
+          legendLeft
+              ? label(LEFT + 6, y, "start", names.get(i))
+              : label(WIDTH - RIGHT - 6, y, "end", names.get(i)));
       svg.append("</g>\n");
     }
-    svg.append("</svg>\n");
-    Files.createDirectories(file.getParent());
-    Files.writeString(file, svg.toString().replace(System.lineSeparator(), "\n"));
+    return svg.append("</svg>\n").toString().replace(System.lineSeparator(), "\n");
   }
 
   private SvgPlot named(String name, String colour) {
@@ -127,7 +231,7 @@ public final class SvgPlot {
 
   /** Four to ten round numbers. */
   private static List<Double> ticks(double from, double to) {
-    double step = Math.pow(10, Math.floor(Math.log10((to - from) / 2)));
+    double step = Math.pow(10, Math.floor(Math.log10((to - from) / 4)));
     while ((to - from) / step > 10) {
       step *= (to - from) / step > 20 ? 5 : 2;
     }
@@ -141,7 +245,9 @@ public final class SvgPlot {
   private String points(double[] x, double[] y) {
     StringBuilder points = new StringBuilder();
     for (int i = 0; i < x.length; i++) {
-      points.append(text("%.1f,%.1f ", atX(x[i]), atY(y[i])));
+      if (!Double.isNaN(x[i] + y[i])) {
+        points.append(text("%.1f,%.1f ", atX(x[i]), atY(y[i])));
+      }
     }
     return points.toString().trim();
   }

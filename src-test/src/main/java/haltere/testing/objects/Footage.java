@@ -1,0 +1,66 @@
+package haltere.testing.objects;
+
+import haltere.core.event.EventAddress;
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * A stretch of events in memory and the truth of its objects.
+ *
+ * @param geometry of the sensor
+ * @param events in ascending time; whoever filters in place takes a copy
+ * @param truth in the order of time
+ */
+record Footage(SensorGeometry geometry, EventPacket events, List<TruthMoment> truth) {
+  /** The events and moments of a stretch of time, its end excluded. */
+  Footage between(long fromUs, long toUs) {
+    int from = events.indexAtOrAfter(fromUs);
+    int to = events.indexAtOrAfter(toUs);
+    EventPacket part = new EventPacket(to - from);
+    part.append(events, from, to);
+    return new Footage(
+        geometry,
+        part,
+        truth.stream().filter(m -> m.timeUs() >= fromUs && m.timeUs() < toUs).toList());
+  }
+
+  /** The same at other times. */
+  Footage shifted(long shiftUs) {
+    return mapped(1, shiftUs);
+  }
+
+  /** Backwards from a time on: ON and OFF change places. */
+  Footage reversed(long turnUs) {
+    return mapped(-1, 2 * turnUs);
+  }
+
+  private Footage mapped(int sign, long shiftUs) {
+    int n = events.size();
+    EventPacket mapped = new EventPacket(n);
+    for (int k = 0; k < n; k++) {
+      int i = sign > 0 ? k : n - 1 - k;
+      int address = events.address(i);
+      mapped.append(
+          sign * events.timeUs(i) + shiftUs, sign > 0 ? address : address ^ EventAddress.ON_BIT);
+    }
+    List<TruthMoment> moments = new ArrayList<>();
+    for (TruthMoment moment : truth) {
+      moments.add(
+          sign > 0 ? moments.size() : 0,
+          new TruthMoment(sign * moment.timeUs() + shiftUs, moment.objects(), moment.ignored()));
+    }
+    return new Footage(geometry, mapped, moments);
+  }
+
+  /** This and then another, which begins no earlier than this ends. */
+  Footage then(Footage next) {
+    EventPacket all = new EventPacket(events.size() + next.events.size());
+    all.append(events, 0, events.size());
+    all.append(next.events, 0, next.events.size());
+    List<TruthMoment> moments = new ArrayList<>(truth);
+    moments.addAll(next.truth);
+    return new Footage(geometry, all, moments);
+  }
+}

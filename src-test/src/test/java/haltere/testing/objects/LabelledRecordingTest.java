@@ -1,0 +1,57 @@
+package haltere.testing.objects;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.testing.Recorded;
+import java.io.IOException;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+class LabelledRecordingTest {
+  static Stream<LabelledRecording> withObjectsInsideThePicture() {
+    return LabelledRecording.all().stream().filter(one -> !one.file().startsWith("davis240c"));
+  }
+
+  @ParameterizedTest
+  @MethodSource("withObjectsInsideThePicture")
+  void eventsAreDenserInBoxesThanElsewhere(LabelledRecording recording) throws IOException {
+    Recorded.file(recording.file());
+    double ratio = EventDensity.of(recording.scene()).ratio();
+    assertTrue(ratio > 4, recording.file() + ": " + ratio);
+  }
+
+  @Test
+  void labelsAscendInTime() throws IOException {
+    for (LabelledRecording recording : LabelledRecording.all()) {
+      List<TruthMoment> labels = LabelledBoxes.of(recording.file());
+      for (int i = 1; i < labels.size(); i++) {
+        assertTrue(labels.get(i).timeUs() > labels.get(i - 1).timeUs(), recording.file());
+      }
+      assertTrue(labels.size() >= 10, recording.file());
+    }
+  }
+
+  @Test
+  void footageThatRunsBackAndForthMirrorsItsTimesAndPolarities() {
+    EventPacket events = new EventPacket(2);
+    events.append(100, 1, 2, true);
+    events.append(130, 3, 4, false);
+    TruthMoment early = new TruthMoment(110, List.of(), List.of());
+    TruthMoment late = new TruthMoment(120, List.of(), List.of());
+    Footage once = new Footage(new SensorGeometry(8, 8), events, List.of(early, late));
+    Footage both = once.then(once.reversed(140));
+    assertEquals(4, both.events().size());
+    assertEquals(150, both.events().timeUs(2));
+    assertEquals(3, both.events().x(2));
+    assertTrue(both.events().isOn(2));
+    assertEquals(180, both.events().timeUs(3));
+    assertEquals(
+        List.of(110L, 120L, 160L, 170L), both.truth().stream().map(TruthMoment::timeUs).toList());
+  }
+}
