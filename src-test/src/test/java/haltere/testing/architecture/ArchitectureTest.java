@@ -10,6 +10,7 @@ import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.sli
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.tngtech.archunit.base.DescribedPredicate;
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.domain.JavaModifier;
@@ -223,6 +224,7 @@ class ArchitectureTest {
         Set.of(
             "haltere.filters.wing.stroke",
             "haltere.filters.wing.search",
+            "haltere.filters.wing.original",
             "haltere.filters.wing.tracker"),
         "results and settings are read without a tracker");
     knowsNoneOf(
@@ -233,6 +235,18 @@ class ArchitectureTest {
         "haltere.filters.wing.search",
         Set.of("haltere.filters.wing.tracker"),
         "a fly is found whoever wants it");
+    check(
+        classes()
+            .that()
+            .resideInAPackage("haltere.filters.wing.original")
+            .should()
+            .onlyHaveDependentClassesThat(
+                resideInAPackage("haltere.filters.wing.original")
+                    .or(
+                        DescribedPredicate.describe(
+                            "make the parts of a tracker",
+                            type -> type.getSimpleName().equals("TrackerParts"))))
+            .because("the tracker of 2006 is there for comparison, and can be taken away"));
     knowsNoneOf(
         "haltere.filters.plane",
         Set.of("haltere.filters.cluster", "haltere.filters.track", "haltere.filters.road"),
