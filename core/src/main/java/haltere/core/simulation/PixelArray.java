@@ -1,43 +1,16 @@
 package haltere.core.simulation;
 
-import haltere.core.event.EventAddress;
-
 /**
- * The pixels of an event sensor, each solved exactly between two changes of its light.
+ * Pixels that are solved exactly between two changes of their light.
  *
  * <p>The photoreceptor follows the logarithm of the light with a first order low pass: after a step
- * to the target u its level is v(t) = u + (v0 - u) e<sup>-(t - t0) / tau</sup>. An event is made
- * when the level is a threshold away from the level at the end of the last event's refractory
- * period (without one: a threshold from the last crossing). So a shadow of contrast c that dwells
- * on a pixel for a time d takes its level down by c (1 - e<sup>-d / tau</sup>) and no further: fast
- * edges make fewer events than slow ones.
+ * to the target u its level is v(t) = u + (v0 - u) e<sup>-(t - t0) / tau</sup>. So a shadow of
+ * contrast c that dwells on a pixel for a time d takes its level down by c (1 - e<sup>-d /
+ * tau</sup>) and no further: fast edges make fewer events than slow ones.
  *
- * <p>Light is relative to the bright background, whose level is 0. Times are in microseconds since
- * the beginning. Thread rule: one thread at a time.
+ * <p>Thread rule: one thread at a time.
  */
-public final class PixelArray {
-  private static final double LEAST_THRESHOLD_SHARE = 0.25;
-
-  // what is known of a pixel lies together, a cache line each
-  private static final int FIELDS = 8;
-  private static final int LEVEL = 0;
-  private static final int TARGET = 1;
-  private static final int REFERENCE = 2;
-  private static final int AT_US = 3;
-  private static final int BLIND_UNTIL_US = 4;
-  private static final int OFF_THRESHOLD = 5;
-  private static final int ON_THRESHOLD = 6;
-  private static final int IS_BUSY = 7;
-
-  private final EventMerger merger;
-  private final int width;
-  private final long seed;
-  private double tauUs;
-  private double refractoryUs;
-  private final double[] state;
-  private final int[] busy;
-  private int busyCount;
-
+public final class PixelArray extends SensorPixels {
   /**
    * Pixels in bright light.
    *
@@ -47,63 +20,7 @@ public final class PixelArray {
    * @param merger takes the events
    */
   public PixelArray(PixelSettings settings, SensorSettings sensor, long seed, EventMerger merger) {
-    this.merger = merger;
-    width = sensor.widthPx();
-    int pixels = width * sensor.heightPx();
-    this.seed = seed;
-    state = new double[pixels * FIELDS];
-    busy = new int[pixels];
-    for (int p = 0; p < state.length; p += FIELDS) {
-      state[p + BLIND_UNTIL_US] = -1;
-    }
-    set(settings, 0);
-  }
-
-  private void set(PixelSettings settings, double balance) {
-    tauUs = settings.bandwidthHz() == 0 ? 0 : 1e6 / (2 * Math.PI * settings.bandwidthHz());
-    refractoryUs = settings.refractoryUs();
-    double ratio = StrictMath.pow(2, balance);
-    SeededRandom random = new SeededRandom(seed, "thresholds");
-    double least = LEAST_THRESHOLD_SHARE * settings.threshold();
-    for (int p = 0; p < state.length; p += FIELDS) {
-      state[p + OFF_THRESHOLD] =
-          ratio
-              * Math.max(least, settings.threshold() + settings.thresholdSd() * random.gaussian());
-      state[p + ON_THRESHOLD] =
-          Math.max(least, settings.threshold() + settings.thresholdSd() * random.gaussian())
-              / ratio;
-    }
-  }
-
-  /**
-   * Changes the pixels from a time on. A pixel whose level is a new threshold away from that of its
-   * last event takes its level for the last event's, so that the change makes no event of its own.
-   *
-   * @param settings new thresholds, bandwidth and refractory period
-   * @param balance as {@link SensorTuning#balance()}
-   * @param timeUs not before any change of the light so far
-   */
-  public void tune(PixelSettings settings, double balance, double timeUs) {
-    advanceAll(timeUs);
-    for (int pixel = 0; pixel < busy.length; pixel++) {
-      advance(pixel, pixel * FIELDS, timeUs);
-    }
-    set(settings, balance);
-    busyCount = 0;
-    for (int pixel = 0; pixel < busy.length; pixel++) {
-      int p = pixel * FIELDS;
-      double level = state[p + LEVEL];
-      double reference = state[p + REFERENCE];
-      if (level <= reference - state[p + OFF_THRESHOLD]
-          || level >= reference + state[p + ON_THRESHOLD]) {
-        state[p + REFERENCE] = level;
-      }
-      boolean active = canFire(p, timeUs);
-      state[p + IS_BUSY] = active ? 1 : 0;
-      if (active) {
-        busy[busyCount++] = pixel;
-      }
-    }
+    super(settings, sensor, seed, merger);
   }
 
   /**
@@ -121,21 +38,10 @@ public final class PixelArray {
 
   /** Takes the light as it is for light that every pixel has had for long: no event. */
   public void settleAll() {
-    for (int pixel = 0; pixel < busy.length; pixel++) {
-      settle(pixel, state[pixel * FIELDS + TARGET]);
-      state[pixel * FIELDS + IS_BUSY] = 0;
+    for (int p = 0; p < state.length; p += FIELDS) {
+      settle(p / FIELDS, state[p + TARGET]);
     }
-    busyCount = 0;
-  }
-
-  /**
-   * The time up to which a pixel has been computed.
-   *
-   * @param pixel row times width plus column
-   * @return microseconds since the beginning
-   */
-  public double computedUntilUs(int pixel) {
-    return state[pixel * FIELDS + AT_US];
+    rest();
   }
 
   /**
@@ -149,33 +55,13 @@ public final class PixelArray {
     int p = pixel * FIELDS;
     advance(pixel, p, timeUs);
     state[p + TARGET] += change;
-    if (state[p + IS_BUSY] == 0 && canFire(p, timeUs)) {
-      state[p + IS_BUSY] = 1;
-      busy[busyCount++] = pixel;
+    if (canFire(p, timeUs)) {
+      wake(pixel);
     }
   }
 
-  /**
-   * Makes all events before a time, so that none is added before it later on.
-   *
-   * @param timeUs microseconds since the beginning
-   */
-  public void advanceAll(double timeUs) {
-    int kept = 0;
-    for (int i = 0; i < busyCount; i++) {
-      int pixel = busy[i];
-      int p = pixel * FIELDS;
-      advance(pixel, p, timeUs);
-      if (canFire(p, timeUs)) {
-        busy[kept++] = pixel;
-      } else {
-        state[p + IS_BUSY] = 0;
-      }
-    }
-    busyCount = kept;
-  }
-
-  private boolean canFire(int p, double timeUs) {
+  @Override
+  boolean canFire(int p, double timeUs) {
     double target = state[p + TARGET];
     double reference = state[p + REFERENCE];
     return timeUs <= state[p + BLIND_UNTIL_US]
@@ -187,7 +73,8 @@ public final class PixelArray {
     return tauUs == 0 ? to : to + (from - to) * Exponential.decay(durationUs / tauUs);
   }
 
-  private void advance(int pixel, int p, double untilUs) {
+  @Override
+  void advance(int pixel, int p, double untilUs) {
     double t = state[p + AT_US];
     if (untilUs <= t) {
       return;
@@ -216,8 +103,7 @@ public final class PixelArray {
         return;
       }
       double crossing = t + timeTo(v, border, u, on);
-      int y = pixel / width;
-      merger.add(crossing, EventAddress.pack(pixel - y * width, y, on));
+      fire(pixel, crossing, on);
       t = crossing;
       v = tauUs == 0 ? u : border;
       if (refractoryUs == 0) {

@@ -2,6 +2,7 @@ package haltere.core.simulation;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import java.util.function.Function;
 
 /**
  * The sensor in front of a scene: pixels that see light change, noise, and the bus that their
@@ -9,13 +10,15 @@ import haltere.core.event.SensorGeometry;
  * its events.
  *
  * <p>Thread rule: one thread at a time.
+ *
+ * @param <P> the model of its pixels
  */
-public final class SceneSensor {
+public final class SceneSensor<P extends SensorPixels> {
   private final SensorSettings settings;
   private final long seed;
   private final SensorGeometry geometry;
   private final EventMerger bus;
-  private final PixelArray pixels;
+  private final P pixels;
   private BackgroundNoise noise;
   private SensorTuning tuning;
 
@@ -26,16 +29,36 @@ public final class SceneSensor {
    * @param noise events without a cause
    * @param settings its size and its bus
    * @param run seed and start of the clock
+   * @param model makes the pixels before a bus
    */
   public SceneSensor(
-      PixelSettings pixel, NoiseSettings noise, SensorSettings settings, RunSettings run) {
+      PixelSettings pixel,
+      NoiseSettings noise,
+      SensorSettings settings,
+      RunSettings run,
+      Function<EventMerger, P> model) {
     this.settings = settings;
     seed = run.seed();
     geometry = new SensorGeometry(settings.widthPx(), settings.heightPx());
     tuning = new SensorTuning(pixel, noise, 0);
     bus = new EventMerger(pixel, settings, run);
-    pixels = new PixelArray(pixel, settings, seed, bus);
+    pixels = model.apply(bus);
     this.noise = new BackgroundNoise(noise, settings, seed);
+  }
+
+  /**
+   * A sensor in the dark, of pixels that low-pass the logarithm of the light.
+   *
+   * @param pixel what its pixels are like
+   * @param noise events without a cause
+   * @param settings its size and its bus
+   * @param run seed and start of the clock
+   * @return a sensor with a {@link PixelArray}
+   */
+  public static SceneSensor<PixelArray> of(
+      PixelSettings pixel, NoiseSettings noise, SensorSettings settings, RunSettings run) {
+    return new SceneSensor<>(
+        pixel, noise, settings, run, bus -> new PixelArray(pixel, settings, run.seed(), bus));
   }
 
   /**
@@ -52,7 +75,7 @@ public final class SceneSensor {
    *
    * @return the pixels
    */
-  public PixelArray pixels() {
+  public P pixels() {
     return pixels;
   }
 

@@ -13,7 +13,7 @@ public abstract class SensorScene<T extends Record> implements TunableScene<T> {
   /** Most events of a packet, unless a scene says otherwise. */
   protected static final int MOST_EVENTS = 4096;
 
-  private final SceneSensor sensor;
+  private final SceneSensor<?> sensor;
   private final RunSettings run;
   private final PacketCutter cutter;
   private long doneUs;
@@ -26,7 +26,7 @@ public abstract class SensorScene<T extends Record> implements TunableScene<T> {
    * @param run seed, start and length
    * @param mostEvents of a packet
    */
-  protected SensorScene(String name, SceneSensor sensor, RunSettings run, int mostEvents) {
+  protected SensorScene(String name, SceneSensor<?> sensor, RunSettings run, int mostEvents) {
     this.sensor = sensor;
     this.run = run;
     cutter = new PacketCutter(run, sensor.geometry(), name, mostEvents, this::interval);
@@ -40,7 +40,7 @@ public abstract class SensorScene<T extends Record> implements TunableScene<T> {
    * @param out gets the events that are certain by its end
    * @return where it ends
    */
-  protected abstract long makeInterval(long fromUs, SceneSensor sensor, EventPacket out);
+  protected abstract long makeInterval(long fromUs, SceneSensor<?> sensor, EventPacket out);
 
   private long interval(EventPacket out) {
     doneUs = makeInterval(doneUs, sensor, out);

@@ -3,6 +3,7 @@ package haltere.core.simulation;
 import haltere.core.simulation.dots.MovingDotsSettings;
 import haltere.core.simulation.flight.FlightSettings;
 import haltere.core.simulation.fly.FlySceneSettings;
+import haltere.core.simulation.fly.RenderedFlySceneSettings;
 import haltere.core.simulation.road.RoadSceneSettings;
 import haltere.testing.SettingsContract;
 import java.util.Collection;
@@ -16,6 +17,7 @@ class SimulationSettingsTest extends SettingsContract {
         FlightSettings.class,
         FlySceneSettings.class,
         MovingDotsSettings.class,
+        RenderedFlySceneSettings.class,
         RoadSceneSettings.class);
   }
 }

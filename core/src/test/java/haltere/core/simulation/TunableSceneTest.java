@@ -60,7 +60,7 @@ class TunableSceneTest {
 
   @Test
   void thereAreTunableScenes() {
-    assertEquals(List.of("fly", "road"), tunable().toList());
+    assertEquals(List.of("fly", "rendered-fly", "road"), tunable().toList());
   }
 
   @ParameterizedTest

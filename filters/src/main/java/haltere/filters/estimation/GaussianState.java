@@ -17,10 +17,11 @@ import org.ejml.dense.row.CommonOps_DDRM;
  * state.correct(angle - expected, measurementVariance);
  * }</pre>
  *
- * <p>A scalar correction is P ← P − g gᵀ/s with g = P h and s = hᵀ g + r. Its rounding errors are
- * taken out as Joseph's form does (Bucy and Joseph 1968): exactly, P h = r K holds afterwards, so
- * the smallest symmetric change that restores this is applied (the symmetric secant update of
- * Powell 1970). P stays positive definite for any ratio of r to hᵀ P h.
+ * <p>A scalar correction is P ← P − g gᵀ/s with g = P h and s = hᵀ g + r. Where r is less than hᵀ P
+ * h, digits cancel. The rounding errors are then taken out as Joseph's form does (Bucy and Joseph
+ * 1968): exactly, P h = r K holds afterwards, so the smallest symmetric change that restores this
+ * is applied (the symmetric secant update of Powell 1970). P stays positive definite for any ratio
+ * of r to hᵀ P h.
  *
  * <p>Nothing is allocated after construction, but for vector corrections of a new size. Thread
  * rule: not safe for use by two threads at a time.
@@ -301,21 +302,25 @@ public final class GaussianState {
     double perS = 1 / s;
     double[] d = p.data;
     double[] state = x.data;
+    boolean cancels = projected > variance;
     double offRow = 0;
     for (int i = 0, at = 0; i < n; i++, at += n) {
       double gi = g[i];
       double gain = gi * perS;
       state[i] += gain * innovation;
-      double sum = -variance * gain;
       for (int j = 0; j < n; j++) {
-        double entry = d[at + j] - gi * g[j] * perS;
-        d[at + j] = entry;
-        sum += entry * h[j];
+        d[at + j] -= gi * g[j] * perS;
       }
-      e[i] = sum;
-      offRow += h[i] * sum;
+      if (cancels) {
+        double sum = -variance * gain;
+        for (int j = 0; j < n; j++) {
+          sum += d[at + j] * h[j];
+        }
+        e[i] = sum;
+        offRow += h[i] * sum;
+      }
     }
-    if (projected > 0) {
+    if (cancels) {
       restore(offRow);
     }
     return true;

@@ -26,4 +26,5 @@ public record FlyGeometry(
     @Column(decimals = 4) double rightHingeX,
     @Column(decimals = 4) double rightHingeY,
     @Column(decimals = 4) double headTailConfidence,
-    long initialisedAtUs) {}
+    long initialisedAtUs)
+    implements WingResult {}

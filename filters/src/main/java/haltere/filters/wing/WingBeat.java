@@ -25,4 +25,5 @@ public record WingBeat(
     @Column(decimals = 6) double amplitudeRad,
     @Column(decimals = 6) double minRad,
     @Column(decimals = 6) double maxRad,
-    @Column(decimals = 6) double phaseLagRad) {}
+    @Column(decimals = 6) double phaseLagRad)
+    implements WingResult {}

@@ -9,7 +9,7 @@ import java.util.Optional;
  * @param part the wing, or the edge where there is a filter for each edge
  * @param edit the number that was changed; empty where the filter was begun anew
  */
-public record WingByHand(WingPart part, Optional<WingFilterEdit> edit) {
+public record WingByHand(WingPart part, Optional<WingFilterEdit> edit) implements WingResult {
   /** Nothing may be null. */
   public WingByHand {
     Objects.requireNonNull(part, "part");

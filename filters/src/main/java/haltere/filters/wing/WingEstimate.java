@@ -27,4 +27,5 @@ public record WingEstimate(
     @Column(decimals = 5) double frequencyHz,
     @Column(decimals = 6) double sdAngleRad,
     @Column(decimals = 5) double sdFrequencyHz,
-    long events) {}
+    long events)
+    implements WingResult {}

@@ -7,8 +7,8 @@ package haltere.filters.wing;
  * @param table what is changed
  * @param row from 0
  * @param column from 0; taken by the covariance alone
- * @param value the new number, in the units of {@link WingFilterState}; for the noise of
- *     measurements 0 to learn it from the events
+ * @param value the new number, in the units of {@link WingFilterState}; NaN gives noise back to the
+ *     settings or to the estimator that adapts it; 0 for the noise of measurements adapts it
  */
 public record WingFilterEdit(WingPart part, Table table, int row, int column, double value) {
   /** What can be changed. */
@@ -23,11 +23,21 @@ public record WingFilterEdit(WingPart part, Table table, int row, int column, do
     MEASUREMENT_NOISE
   }
 
-  /** Checks that the number is one. */
+  /** Checks that the number is one, but where it is given back. */
   public WingFilterEdit {
-    if (!Double.isFinite(value)) {
+    boolean noise = table == Table.PROCESS_NOISE || table == Table.MEASUREMENT_NOISE;
+    if (!Double.isFinite(value) && !(noise && Double.isNaN(value))) {
       throw new IllegalArgumentException("a number is needed, not " + value);
     }
+  }
+
+  /**
+   * Whether the number is no longer that of a person.
+   *
+   * @return true for noise that is given back
+   */
+  public boolean givesBack() {
+    return Double.isNaN(value);
   }
 
   /**

@@ -11,7 +11,7 @@ import haltere.core.settings.Unit;
  * @param method which method gives the estimates
  * @param model what the filter's object is
  * @param harmonics of the stroke
- * @param latencyUs constant delay of the camera; -1 for what is usual
+ * @param latencyUs constant delay of the camera; 0 for estimates of the time that events carry
  * @param averagingUs events within this time go into one update
  * @param averagedEvents events that each edge's filter averages before an update (models of edges)
  * @param gateSd innovations beyond this are not taken in
@@ -19,15 +19,15 @@ import haltere.core.settings.Unit;
  */
 public record WingFilterSettings(
     @Help("Which method gives the estimates.") WingMethod method,
-    @Help("A filter for each wing, or for each edge; by update: with noise as in the original.")
+    @Help("A filter for each wing, for each edge, or the tracker of Cardinale (2006).")
         WingModel model,
     @Help("Harmonics of the stroke; 1 is a plain sinusoid.")
         @Range(min = 1, max = 4)
         @Unit("harmonics")
         int harmonics,
     @Help(
-            "Constant delay of the camera, from light to time stamp: estimates are ahead of the events by this, and by what a slow pixel adds. -1 takes the usual 60 us.")
-        @Range(min = -1, max = 2000)
+            "Constant delay of the camera from light to time stamp, as measured with a flashing light whose times are known: estimates are of that much later. It matters in closed loop and beside other instruments; 0 is the time that the events carry.")
+        @Range(min = 0, max = 2000)
         @Unit("us")
         double latencyUs,
     @Help("Events within this time go into one update; 0 makes an update for each event.")
@@ -64,6 +64,6 @@ public record WingFilterSettings(
    * @return a filter for each wing with four harmonics, 50 us, 4 SD
    */
   public static WingFilterSettings defaults() {
-    return new WingFilterSettings(WingMethod.EKF, WingModel.WINGS, 4, -1, 50, 1, 4, true);
+    return new WingFilterSettings(WingMethod.EKF, WingModel.WINGS, 4, 0, 50, 1, 4, true);
   }
 }

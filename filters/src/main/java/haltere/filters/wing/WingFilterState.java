@@ -11,10 +11,12 @@ import java.util.List;
  * @param units of the entries of the state
  * @param x the state; arrays are copied
  * @param p the covariance, row by row
- * @param q process noise of each entry: a density in squared units a second, or what an update adds
- *     if the settings say so
- * @param r variance of a measurement, squared radians: the present one, learnt or set
- * @param learnsR whether the variance of measurements is learnt from the events
+ * @param q process noise of each entry that is used now: a density in squared units a second, or
+ *     what an update adds with {@link WingModel#ORIGINAL}
+ * @param qUnits of the process noise
+ * @param qSources where each number of the process noise comes from
+ * @param r variance of a measurement that is used now, squared radians
+ * @param rSource where the variance of a measurement comes from
  * @param nis mean normalised innovation squared of late; NaN if unknown
  * @param events taken in so far
  */
@@ -25,14 +27,28 @@ public record WingFilterState(
     double[] x,
     double[] p,
     double[] q,
+    List<String> qUnits,
+    List<Source> qSources,
     double r,
-    boolean learnsR,
+    Source rSource,
     double nis,
     long events) {
+  /** Where a number of the noise comes from. */
+  public enum Source {
+    /** It follows from the settings. */
+    SETTINGS,
+    /** The estimator adapts it to the events. */
+    ESTIMATOR,
+    /** A person has set it. */
+    BY_HAND
+  }
+
   /** Copies the lists and arrays. */
   public WingFilterState {
     names = List.copyOf(names);
     units = List.copyOf(units);
+    qUnits = List.copyOf(qUnits);
+    qSources = List.copyOf(qSources);
     x = x.clone();
     p = p.clone();
     q = q.clone();
@@ -67,6 +83,21 @@ public record WingFilterState(
       case COVARIANCE -> p[row * x.length + column];
       case PROCESS_NOISE -> q[row];
       case MEASUREMENT_NOISE -> r;
+    };
+  }
+
+  /**
+   * Where a number of the noise comes from.
+   *
+   * @param table of the noise
+   * @param row from 0
+   * @return {@link Source#SETTINGS} for state and covariance
+   */
+  public Source source(WingFilterEdit.Table table, int row) {
+    return switch (table) {
+      case PROCESS_NOISE -> qSources.get(row);
+      case MEASUREMENT_NOISE -> rSource;
+      default -> Source.SETTINGS;
     };
   }
 }

@@ -22,4 +22,5 @@ public record WingMeasurement(
     @Column(decimals = 6) double centreRad,
     @Column(decimals = 6) double amplitudeRad,
     @Column(decimals = 6) double phaseRad,
-    @Column(decimals = 5) double frequencyHz) {}
+    @Column(decimals = 5) double frequencyHz)
+    implements WingResult {}

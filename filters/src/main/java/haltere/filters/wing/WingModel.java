@@ -4,11 +4,11 @@ package haltere.filters.wing;
 public enum WingModel {
   /** A filter for each wing, over both its edges. */
   WINGS,
-  /** A filter for each of the four edges, a plain sinusoid, as the source has it. */
+  /** A filter for each of the four edges, a plain sinusoid. */
   EDGES,
   /**
-   * The same, but process noise is added at each update, whatever the time since the last one, as
-   * the source did.
+   * The tracker of Cardinale (2006): its search, angles about the body's centre, a filter for each
+   * edge, process noise at each update whatever the time since the last one.
    */
-  EDGES_BY_UPDATE
+  ORIGINAL
 }

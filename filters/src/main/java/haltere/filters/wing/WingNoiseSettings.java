@@ -7,7 +7,7 @@ import haltere.core.settings.Unit;
 
 /**
  * Noise of the extended Kalman filter. Process noise is a density per second, or, with {@link
- * WingModel#EDGES_BY_UPDATE}, what is added at each update.
+ * WingModel#ORIGINAL}, what is added at each update.
  *
  * @param centre of the centre
  * @param amplitude of the amplitude

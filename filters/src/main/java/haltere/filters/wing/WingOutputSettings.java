@@ -30,6 +30,22 @@ public record WingOutputSettings(
   }
 
   /**
+   * Whether events of an edge are taken.
+   *
+   * @param edge one of the four edges, not a wing
+   * @return true if so
+   */
+  public boolean takes(WingPart edge) {
+    return switch (edge) {
+      case LEFT_LEADING -> leftLeading;
+      case LEFT_TRAILING -> leftTrailing;
+      case RIGHT_LEADING -> rightLeading;
+      case RIGHT_TRAILING -> rightTrailing;
+      default -> throw new IllegalArgumentException(edge + " is no edge");
+    };
+  }
+
+  /**
    * The settings to start from.
    *
    * @return 1000 Hz, all edges

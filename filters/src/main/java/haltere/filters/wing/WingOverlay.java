@@ -45,17 +45,19 @@ public final class WingOverlay implements Overlay<WingSnapshot> {
       double turn = side == 0 ? 1 : -1;
       Role role = side == 0 ? Role.LEFT : Role.RIGHT;
       canvas.circle(x, y, HINGE_PX, MarkStyle.of(role));
-      double leading = edges[2 * side];
-      double trailing = edges[2 * side + 1];
-      if (Double.isNaN(leading)) {
-        continue;
+      double least = Double.POSITIVE_INFINITY;
+      double most = Double.NEGATIVE_INFINITY;
+      for (int edge = 0; edge < 2; edge++) {
+        double angle = edges[2 * side + edge];
+        if (!Double.isNaN(angle)) {
+          ray(canvas, x, y, heading + turn * angle, fly.sizePx(), MarkStyle.of(role, edge));
+          least = Math.min(least, angle);
+          most = Math.max(most, angle);
+        }
       }
-      ray(canvas, x, y, heading + turn * leading, fly.sizePx(), MarkStyle.of(role, 0));
-      ray(canvas, x, y, heading + turn * trailing, fly.sizePx(), MarkStyle.of(role, 1));
-      if (!Double.isNaN(sd[side])) {
-        double middle = (leading + trailing) / 2;
-        double half = UNCERTAINTY_SD * sd[side] + Math.abs(leading - trailing) / 2;
-        arc(canvas, x, y, heading + turn * middle, half, 0.9 * fly.sizePx());
+      if (least <= most && !Double.isNaN(sd[side])) {
+        double half = UNCERTAINTY_SD * sd[side] + (most - least) / 2;
+        arc(canvas, x, y, heading + turn * (least + most) / 2, half, 0.9 * fly.sizePx());
       }
     }
     canvas.text(

@@ -20,4 +20,5 @@ public record WingPair(
     @Column(decimals = 6) double amplitudeLeftMinusRightRad,
     @Column(decimals = 6) double amplitudeLeftPlusRightRad,
     @Column(decimals = 6) double phaseLagRad,
-    @Column(decimals = 6) double sdLeftMinusRightRad) {}
+    @Column(decimals = 6) double sdLeftMinusRightRad)
+    implements WingResult {}

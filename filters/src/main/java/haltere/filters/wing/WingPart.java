@@ -61,6 +61,15 @@ public enum WingPart {
   }
 
   /**
+   * Whether it is a wing as a whole.
+   *
+   * @return false for an edge
+   */
+  public boolean isWing() {
+    return this == LEFT || this == RIGHT;
+  }
+
+  /**
    * The name in tables.
    *
    * @return such as {@code left-leading}

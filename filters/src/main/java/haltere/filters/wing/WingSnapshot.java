@@ -17,7 +17,8 @@ public record WingSnapshot(
     FlyGeometry geometry,
     double regionPx,
     double[] edgesRad,
-    double[] sdRad) {
+    double[] sdRad)
+    implements WingResult {
   /** Copies the arrays. */
   public WingSnapshot {
     edgesRad = edgesRad.clone();

@@ -41,11 +41,10 @@ public record WingTrackerSettings(
   }
 
   /**
-   * The method of the source (J. Cardinale's wing tracker of 2006) with its defaults: a filter for
-   * each edge, a plain sinusoid, started at 240 Hz, the same process noise added at each update
-   * whatever the time, R = 1000, no gate, no compensation of latency; body and heading as they were
-   * found. Two of its slips are not reproduced: the fourth entry of its Jacobian (it is 0, not a t
-   * cos xi) and the innovation of a state that is one step old.
+   * The wing tracker of Cardinale (2006) with its defaults: {@link WingModel#ORIGINAL}, started at
+   * 240 Hz after 2000 events, R = 1000, no gate, hysteresis of 10 degrees, body and heading updated
+   * at each beat. Two slips are mended: the fourth entry of its Jacobian (0, not a t cos xi) and
+   * the innovation of a state that is one step old.
    *
    * @return valid settings
    */
@@ -54,7 +53,7 @@ public record WingTrackerSettings(
     return new WingTrackerSettings(
         new WingSearchSettings(35_000, 2000, 70, 400, 240),
         new WingPlaceSettings(0, 0, 0, false, 0, 0, false, false),
-        new WingFilterSettings(WingMethod.EKF, WingModel.EDGES_BY_UPDATE, 1, 0, 0, 1, 1000, false),
+        new WingFilterSettings(WingMethod.EKF, WingModel.ORIGINAL, 1, 0, 0, 1, 1000, false),
         new WingNoiseSettings(2, 1, 0.5, 2, 0, 0.001, 0, 1000),
         new RunningAverageSettings(0.1, 0, 0.01, 0.1745, true, true),
         defaults.output());

@@ -24,12 +24,42 @@ public record WingTrackerState(
     @Column(decimals = 3) double centreY,
     @Column(decimals = 5) double headingRad,
     @Column(decimals = 3) double sizePx,
-    @Column(decimals = 4) double confidence) {
+    @Column(decimals = 4) double confidence)
+    implements WingResult {
+
+  /**
+   * A step with what is known of the fly then.
+   *
+   * @param timeUs time on the clock of the events, microseconds
+   * @param phase the step
+   * @param events events that it was done with
+   * @param frequencyHz beat frequency, hertz; NaN if not yet known
+   * @param fly where it is; null if not yet known
+   * @param confidence of head and tail, 0 to 1; NaN if not yet known
+   * @return the step
+   */
+  public static WingTrackerState of(
+      long timeUs,
+      Phase phase,
+      int events,
+      double frequencyHz,
+      FlyGeometry fly,
+      double confidence) {
+    double none = Double.NaN;
+    return new WingTrackerState(
+        timeUs,
+        phase,
+        events,
+        frequencyHz,
+        fly == null ? none : fly.centreX(),
+        fly == null ? none : fly.centreY(),
+        fly == null ? none : fly.headingRad(),
+        fly == null ? none : fly.sizePx(),
+        confidence);
+  }
 
   /** What the tracker does. */
   public enum Phase {
-    /** Gathers events. */
-    COLLECTING,
     /** Has divided the events into two wings: body, heading up to head and tail, size. */
     TWO_MEANS,
     /** Has found the beat and the body axis. */
@@ -38,8 +68,15 @@ public record WingTrackerState(
     HINGES,
     /** Has told head from tail. */
     HEAD_AND_TAIL,
+    /** Gathers events. */
+    COLLECTING,
     /** Tracks both wings. */
     TRACKING,
+    /**
+     * Follows the events, but not at the frequency of their beat. Nothing but the original's
+     * filters goes on then; all others search anew.
+     */
+    UNLOCKED,
     /** Tracks one wing; there is no second one. */
     ONE_WING,
     /** Has lost the wings and gathers events again. */

@@ -37,7 +37,8 @@ public record WingVariances(
     double amplitudeFrequencyRad2PerS,
     double phaseFrequencyRad2PerS,
     double measurementRad2,
-    @Column(decimals = 4) double nis) {
+    @Column(decimals = 4) double nis)
+    implements WingResult {
   /**
    * Picks what is told of the numbers of a filter.
    *

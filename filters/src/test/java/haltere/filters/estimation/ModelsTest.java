@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import haltere.filters.estimation.example.Oscillations;
 import haltere.filters.estimation.motion.ConstantAcceleration;
 import haltere.filters.estimation.motion.ConstantNoise;
 import haltere.filters.estimation.motion.ConstantVelocity;

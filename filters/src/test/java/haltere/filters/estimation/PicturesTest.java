@@ -2,92 +2,31 @@ package haltere.filters.estimation;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import haltere.filters.estimation.WorkedExamples.Spring;
+import haltere.core.sink.SvgPlot;
 import haltere.filters.estimation.motion.ConstantVelocity;
-import haltere.filters.estimation.motion.DampedOscillator;
-import haltere.testing.SvgPlot;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
-import java.util.function.ToDoubleFunction;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 import org.junit.jupiter.api.Test;
 
 /**
- * Draws the pictures of docs/estimation.md into build/pictures; {@code ./gradlew
- * :filters:refreshPictures} takes them over. Each test also says what its picture shows.
+ * Draws the pictures of docs/estimation.md that belong to no example into build/pictures; {@code
+ * ./gradlew :filters:refreshPictures} takes them over. Each test also says what its picture shows.
  */
 class PicturesTest {
   private static final Path FOLDER = Path.of("build", "pictures");
   private static final String MEASURED = "#888888";
   private static final String BLUE = "#1f6fb4";
   private static final String RED = "#c23b22";
-  private static final String GREEN = "#2f8f4e";
 
   private static void write(SvgPlot plot, String name, String title, String x, String y)
       throws IOException {
     Path file = FOLDER.resolve("estimation-" + name + ".svg");
     plot.write(file, title, x, y);
     assertTrue(Files.size(file) < 40_000, "small enough to commit: " + Files.size(file));
-  }
-
-  private static double[] each(List<Estimate> estimates, ToDoubleFunction<Estimate> value) {
-    return estimates.stream().mapToDouble(value).toArray();
-  }
-
-  private static SvgPlot withBand(
-      SvgPlot plot, List<Estimate> estimates, int entry, String name, String colour) {
-    double[] t = each(estimates, Estimate::timeS);
-    return plot.band(
-            "",
-            colour,
-            t,
-            each(estimates, e -> e.value(entry) - e.standardDeviation(entry)),
-            each(estimates, e -> e.value(entry) + e.standardDeviation(entry)))
-        .line(name, colour, t, each(estimates, e -> e.value(entry)));
-  }
-
-  @Test
-  void theAccelerationOfAFallingWeightNarrowsDownToGravity() throws IOException {
-    List<FilterStep> steps = new ArrayList<>();
-    List<Estimate> filtered = WorkedExamples.fallingWeight(WorkedExamples.SHOWN_FALL, steps);
-    List<Estimate> smoothed = RtsSmoother.smooth(steps);
-    SvgPlot plot = new SvgPlot(0, 0.4, 0, 16);
-    plot.level("9.81 m/s²", RED, WorkedExamples.GRAVITY);
-    withBand(plot, filtered, 2, "filtered, ± 1 SD", BLUE);
-    withBand(plot, smoothed, 2, "smoothed, ± 1 SD", GREEN);
-    write(plot, "falling-weight", "Acceleration of a falling weight", "time (s)", "m/s²");
-    double first = smoothed.get(10).standardDeviation(2);
-    double last = smoothed.get(smoothed.size() - 1).standardDeviation(2);
-    assertTrue(filtered.get(10).standardDeviation(2) > 3 * last);
-    assertTrue(first < 1.2 * last, "the smoother knows at once what the filter learns late");
-  }
-
-  @Test
-  void theFrequencyOfAnOscillatorIsFoundFromAnyOfThreeStarts() throws IOException {
-    Spring spring = new Spring(0);
-    SvgPlot plot = new SvgPlot(0, 3, 0, 14);
-    plot.level("4.309 rad/s", MEASURED, WorkedExamples.FREQUENCY);
-    double[] starts = {
-      3 * WorkedExamples.FREQUENCY, 3, WorkedExamples.FREQUENCY / 3,
-    };
-    String[] colours = {RED, BLUE, GREEN};
-    for (int i = 0; i < starts.length; i++) {
-      List<Estimate> pass = spring.firstPass(starts[i]);
-      List<Estimate> shown = new ArrayList<>();
-      for (int k = 0; k <= 3 * WorkedExamples.FRAMES_PER_SECOND; k += 4) {
-        shown.add(pass.get(k));
-      }
-      String name = String.format(Locale.ROOT, "from %.2f rad/s", starts[i]);
-      withBand(plot, shown, DampedOscillator.FREQUENCY, name, colours[i]);
-      Estimate end = pass.get(pass.size() - 1);
-      assertTrue(Math.abs(end.value(3) - WorkedExamples.FREQUENCY) < 0.25, name);
-    }
-    write(plot, "oscillator", "Frequency of an oscillator, first pass", "time (s)", "ω (rad/s)");
   }
 
   @Test

@@ -4,8 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.simulation.flight.FlightScene;
 import haltere.core.simulation.flight.FlightTruth;
+import haltere.core.sink.SvgPlot;
 import haltere.filters.orientation.camera.Vectors;
-import haltere.testing.SvgPlot;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -19,8 +19,7 @@ import org.openjdk.jmh.annotations.Warmup;
 
 /**
  * What Kalman tracks cost on top of the clusters that they stand on: time of an event with 20 dots
- * on circles before 640x480 pixels. The figure to reach is 10 % more than clusters alone; where
- * others use the machine as well {@link TracksByTurns} tells that better.
+ * on circles before 640x480 pixels.
  *
  * <p>Run: {@code ./gradlew :src-test:jmh -Pbench=TracksBenchmark}
  */

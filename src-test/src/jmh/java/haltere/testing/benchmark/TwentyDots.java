@@ -6,8 +6,8 @@ import haltere.core.simulation.dots.MovingDotsScene;
 import haltere.core.simulation.dots.MovingDotsSettings;
 import haltere.filters.cluster.ClusterTrackerFilter;
 import haltere.filters.cluster.ClusterTrackerSettings;
+import haltere.filters.track.KalmanTracksFilter;
 import haltere.filters.track.KalmanTracksSettings;
-import haltere.filters.track.kalman.KalmanTracksFilter;
 import java.io.IOException;
 
 /**
@@ -55,6 +55,6 @@ final class TwentyDots {
   }
 
   private static ClusterTrackerSettings clusterSettings() {
-    return ClusterTrackerSettings.defaults().with("output.mostClusters=40");
+    return ClusterTrackerSettings.defaults().with("output.maxClusters=40", "shape.size=0.02");
   }
 }

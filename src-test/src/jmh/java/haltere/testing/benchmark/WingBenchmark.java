@@ -6,6 +6,7 @@ import haltere.core.simulation.fly.FlySceneSettings;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import haltere.filters.wing.WingListener;
+import haltere.filters.wing.WingResult;
 import haltere.filters.wing.WingTrackerSettings;
 import haltere.filters.wing.tracker.WingTracker;
 import java.util.concurrent.TimeUnit;
@@ -90,8 +91,13 @@ public class WingBenchmark {
             WingTrackerSettings.defaults().with(settings.split(",")),
             new WingListener() {
               @Override
-              public boolean wantsEstimates() {
+              public boolean wants(Class<? extends WingResult> kind) {
                 return false;
+              }
+
+              @Override
+              public void take(WingResult result) {
+                // only the time counts
               }
             });
     track();

@@ -1,5 +1,7 @@
 package haltere.testing.wings;
 
+import haltere.core.simulation.NoiseSettings;
+import haltere.core.simulation.SensorSettings;
 import haltere.core.simulation.fly.FlySceneSettings;
 import java.util.ArrayList;
 import java.util.List;
@@ -87,10 +89,15 @@ public final class RandomFlies {
 
   /** Events of the wings an edge and beat, from all events of a run less what noise makes. */
   static double eventsPerEdgeAndBeat(FlySceneSettings scene, long events, double seconds) {
-    double pixels = (double) scene.sensor().widthPx() * scene.sensor().heightPx();
-    double noise =
-        pixels * (scene.noise().shotHz() + scene.noise().leakHz())
-            + scene.noise().hotPixels() * scene.noise().hotRateHz();
-    return (events / seconds - noise) / 4 / scene.stroke().beat().frequencyHz();
+    return eventsPerEdgeAndBeat(
+        scene.sensor(), scene.noise(), scene.stroke().beat().frequencyHz(), events, seconds);
+  }
+
+  static double eventsPerEdgeAndBeat(
+      SensorSettings sensor, NoiseSettings noise, double beatHz, long events, double seconds) {
+    double pixels = (double) sensor.widthPx() * sensor.heightPx();
+    double noiseHz =
+        pixels * (noise.shotHz() + noise.leakHz()) + noise.hotPixels() * noise.hotRateHz();
+    return (events / seconds - noiseHz) / 4 / beatHz;
   }
 }

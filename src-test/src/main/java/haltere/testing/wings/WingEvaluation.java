@@ -2,8 +2,8 @@ package haltere.testing.wings;
 
 import haltere.core.simulation.fly.FlyScene;
 import haltere.core.simulation.fly.FlySceneSettings;
+import haltere.core.sink.SvgPlot;
 import haltere.filters.wing.WingTrackerSettings;
-import haltere.testing.SvgPlot;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -137,7 +137,7 @@ public final class WingEvaluation {
   }
 
   private static boolean locked(Result r) {
-    return r.usual.foundAtUs() >= 0 && r.usual.losses() == 0 && r.usual.longestWrongUs() <= 50_000;
+    return r.usual.isLocked();
   }
 
   private static void table(StringBuilder text, String name, List<Result> results) {
@@ -149,8 +149,8 @@ public final class WingEvaluation {
         "locked %d of %d, found after (ms) median %.0f most %.0f",
         found.size(),
         results.size(),
-        quantile(found, r -> r.usual.foundAtUs() / 1000.0, 0.5),
-        quantile(found, r -> r.usual.foundAtUs() / 1000.0, 1));
+        Quantiles.of(found, r -> r.usual.foundAtUs() / 1000.0, 0.5),
+        Quantiles.of(found, r -> r.usual.foundAtUs() / 1000.0, 1));
     line(text, "");
     line(text, "| RMS | median scene | 90 %% of scenes | worst scene |");
     line(text, "| --- | --- | --- | --- |");
@@ -225,17 +225,9 @@ public final class WingEvaluation {
         text,
         "| %s | %.3f | %.3f | %.3f |",
         name,
-        quantile(results, value, 0.5),
-        quantile(results, value, 0.9),
-        quantile(results, value, 1));
-  }
-
-  private static double quantile(
-      List<Result> results, ToDoubleFunction<Result> value, double share) {
-    double[] values = results.stream().mapToDouble(value).sorted().toArray();
-    return values.length == 0
-        ? Double.NaN
-        : values[(int) Math.min(values.length - 1, Math.floor(share * values.length))];
+        Quantiles.of(results, value, 0.5),
+        Quantiles.of(results, value, 0.9),
+        Quantiles.of(results, value, 1));
   }
 
   private static void line(StringBuilder text, String format, Object... values) {

@@ -1,7 +1,7 @@
 package haltere.testing.wings;
 
 import haltere.core.event.EventPacket;
-import haltere.core.simulation.fly.FlyScene;
+import haltere.core.simulation.SensorScene;
 import haltere.core.simulation.fly.FlyTruth;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
@@ -11,11 +11,13 @@ import haltere.filters.wing.WingBeat;
 import haltere.filters.wing.WingEstimate;
 import haltere.filters.wing.WingListener;
 import haltere.filters.wing.WingPart;
+import haltere.filters.wing.WingResult;
 import haltere.filters.wing.WingSide;
 import haltere.filters.wing.WingSnapshot;
 import haltere.filters.wing.WingTrackerSettings;
 import haltere.filters.wing.WingTrackerState;
 import haltere.filters.wing.tracker.WingTracker;
+import java.util.Arrays;
 
 /**
  * Tracks a simulated fly and holds what the tracker says against the truth. What comes sooner than
@@ -29,10 +31,13 @@ public final class WingScores implements WingListener {
   /** A frequency that is off by more than this share is on a wrong multiple of the beat. */
   private static final double WRONG_SHARE = 0.3;
 
+  /** A frequency on a wrong multiple for longer than this is not locked. */
+  private static final long LONG_WRONG_US = 50_000;
+
   /** Cosine of the phase within which a wing is at its reversal. */
   private static final double REVERSAL = 0.2;
 
-  private FlyScene scene;
+  private SensorScene<FlyTruth> scene;
   private WingTracker tracker;
   private final long tickUs;
   private long foundAtUs = -1;
@@ -46,6 +51,9 @@ public final class WingScores implements WingListener {
   private final RootMeanSquare lag = new RootMeanSquare();
   private final RootMeanSquare centre = new RootMeanSquare();
   private final RootMeanSquare heading = new RootMeanSquare();
+  private final RootMeanSquare statedAngle = new RootMeanSquare();
+  private final RootMeanSquare statedFrequency = new RootMeanSquare();
+  private final PhaseErrors[] phaseErrors = new PhaseErrors[WingPart.values().length];
   private final double[] angleSum = new double[2];
   private double amplitudeSum;
   private long rows;
@@ -64,10 +72,11 @@ public final class WingScores implements WingListener {
    * @param scene whose truth counts
    * @param settings of the tracker
    */
-  public WingScores(FlyScene scene, WingTrackerSettings settings) {
+  public WingScores(SensorScene<FlyTruth> scene, WingTrackerSettings settings) {
     this.scene = scene;
     tracker = new WingTracker(scene.geometry(), settings, this);
     tickUs = Math.round(1e6 / settings.output().rateHz());
+    Arrays.setAll(phaseErrors, part -> new PhaseErrors());
   }
 
   /**
@@ -89,7 +98,7 @@ public final class WingScores implements WingListener {
    * @param seconds from the beginning of the scene
    * @param all scores of that scene
    */
-  public static void run(FlyScene scene, double seconds, WingScores... all) {
+  public static void run(SensorScene<FlyTruth> scene, double seconds, WingScores... all) {
     long endUs = scene.startUs() + Math.round(seconds * 1e6);
     boolean[] ended = {false};
     StreamHandler handler =
@@ -121,12 +130,26 @@ public final class WingScores implements WingListener {
   }
 
   @Override
-  public boolean wantsSnapshots() {
-    return true;
+  public boolean wants(Class<? extends WingResult> kind) {
+    return kind == WingEstimate.class || kind == WingSnapshot.class;
   }
 
   @Override
-  public void state(WingTrackerState state) {
+  public void take(WingResult result) {
+    if (result instanceof WingEstimate estimate) {
+      estimate(estimate);
+    } else if (result instanceof WingSnapshot snapshot) {
+      snapshot(snapshot);
+    } else if (result instanceof WingBeat beat) {
+      beat(beat);
+    } else if (result instanceof WingTrackerState state) {
+      state(state);
+    } else if (result instanceof FlyGeometry found) {
+      geometry = found;
+    }
+  }
+
+  private void state(WingTrackerState state) {
     switch (state.phase()) {
       case TRACKING -> foundAtUs = foundAtUs < 0 ? state.timeUs() : foundAtUs;
       case LOST, ONE_WING -> losses += foundAtUs < 0 ? 0 : 1;
@@ -140,18 +163,12 @@ public final class WingScores implements WingListener {
     return foundAtUs >= 0 && timeUs >= foundAtUs + SETTLE_US;
   }
 
-  @Override
-  public void geometry(FlyGeometry found) {
-    geometry = found;
-  }
-
-  @Override
-  public void snapshot(WingSnapshot snapshot) {
+  private void snapshot(WingSnapshot snapshot) {
     geometry = snapshot.geometry();
     if (!counts(snapshot.timeUs())) {
       return;
     }
-    FlyTruth truth = scene.truthAt(snapshot.timeUs());
+    FlyTruth truth = truthAt(snapshot.timeUs());
     double dx = geometry.centreX() - truth.centreXPx();
     double dy = geometry.centreY() - truth.centreYPx();
     centre.addSquare(dx * dx + dy * dy);
@@ -160,22 +177,39 @@ public final class WingScores implements WingListener {
     snapshots++;
   }
 
+  private FlyTruth truthAt(long timeUs) {
+    return scene.truthRows(timeUs).get(0);
+  }
+
   private static FlyTruth.Wing wing(FlyTruth truth, int side) {
     return side == 0 ? truth.left() : truth.right();
   }
 
-  @Override
-  public void estimate(WingEstimate e) {
-    if (e.edge() != WingPart.LEFT && e.edge() != WingPart.RIGHT || !counts(e.timeUs())) {
+  private static double truthOf(FlyTruth.Wing truth, WingPart part) {
+    return switch (part) {
+      case LEFT_LEADING, RIGHT_LEADING -> truth.leadingRad();
+      case LEFT_TRAILING, RIGHT_TRAILING -> truth.trailingRad();
+      default -> truth.angleRad();
+    };
+  }
+
+  private void estimate(WingEstimate e) {
+    if (!counts(e.timeUs())) {
       return;
     }
-    int side = e.edge() == WingPart.LEFT ? 0 : 1;
-    FlyTruth.Wing truth = wing(scene.truthAt(e.timeUs()), side);
-    double angleOff = Angles.wrapPi(e.angleRad() - truth.angleRad());
+    int side = e.edge().side().ordinal();
+    FlyTruth.Wing truth = wing(truthAt(e.timeUs()), side);
+    double angleOff = Angles.wrapPi(e.angleRad() - truthOf(truth, e.edge()));
+    phaseErrors[e.edge().ordinal()].add(truth.phaseRad(), angleOff);
+    if (e.edge() != WingPart.LEFT && e.edge() != WingPart.RIGHT) {
+      return;
+    }
     double frequencyOff = e.frequencyHz() - truth.frequencyHz();
     rows++;
     angle.add(angleOff);
     angleSum[side] += angleOff;
+    statedAngle.add(e.sdAngleRad());
+    statedFrequency.add(e.sdFrequencyHz());
     frequency.add(frequencyOff);
     amplitudeSum += e.amplitudeRad() - truth.amplitudeRad();
     frequencyErrors[side].add(frequencyOff / e.sdFrequencyHz());
@@ -188,12 +222,11 @@ public final class WingScores implements WingListener {
     longestWrongUs = Math.max(longestWrongUs, wrongUs[side]);
   }
 
-  @Override
-  public void beat(WingBeat b) {
+  private void beat(WingBeat b) {
     if (!counts(b.timeUs())) {
       return;
     }
-    FlyTruth truth = scene.truthAt(b.timeUs());
+    FlyTruth truth = truthAt(b.timeUs());
     double lagTruth = Angles.wrapPi(truth.left().phaseRad() - truth.right().phaseRad());
     double sign = b.side() == WingSide.LEFT ? -1 : 1;
     lag.add(Angles.wrapPi(b.phaseLagRad() - sign * lagTruth));
@@ -207,6 +240,15 @@ public final class WingScores implements WingListener {
    */
   public long foundAtUs() {
     return foundAtUs;
+  }
+
+  /**
+   * Whether both wings were found, kept, and never on a wrong multiple of the beat for long.
+   *
+   * @return false if any of that failed
+   */
+  public boolean isLocked() {
+    return foundAtUs >= 0 && losses == 0 && longestWrongUs <= LONG_WRONG_US;
   }
 
   /**
@@ -263,6 +305,29 @@ public final class WingScores implements WingListener {
     double turn = (angleSum[0] - angleSum[1]) / rows;
     double all = angle.value();
     return Math.toDegrees(Math.sqrt(Math.max(0, all * all - turn * turn)));
+  }
+
+  /**
+   * Standard deviation of the wings' angle as the tracker states it.
+   *
+   * @return RMS over time, degrees
+   */
+  public double statedAngleDeg() {
+    return statedAngle.degrees();
+  }
+
+  /**
+   * Standard deviation of the frequency as the tracker states it.
+   *
+   * @return RMS over time, hertz
+   */
+  public double statedFrequencyHz() {
+    return statedFrequency.value();
+  }
+
+  /** Errors of the angle of a wing or an edge over the phase of the stroke. */
+  PhaseErrors phaseErrors(WingPart part) {
+    return phaseErrors[part.ordinal()];
   }
 
   /**

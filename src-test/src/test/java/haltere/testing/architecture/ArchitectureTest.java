@@ -10,6 +10,7 @@ import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.sli
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.tngtech.archunit.base.DescribedPredicate;
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.domain.JavaModifier;
@@ -208,8 +209,12 @@ class ArchitectureTest {
   void whatStandsBelowAPackageDoesNotKnowIt() {
     knowsNoneOf(
         "haltere.filters.estimation",
-        Set.of("haltere.filters.estimation.motion"),
+        Set.of("haltere.filters.estimation.motion", "haltere.filters.estimation.example"),
         "an estimator takes whatever model there is");
+    knowsNoneOf(
+        "haltere.filters.estimation.motion",
+        Set.of("haltere.filters.estimation.example"),
+        "a motion is one without an example");
     knowsNoneOf(
         "haltere.filters.orientation.camera",
         Set.of("haltere.filters.orientation"),
@@ -219,6 +224,7 @@ class ArchitectureTest {
         Set.of(
             "haltere.filters.wing.stroke",
             "haltere.filters.wing.search",
+            "haltere.filters.wing.original",
             "haltere.filters.wing.tracker"),
         "results and settings are read without a tracker");
     knowsNoneOf(
@@ -229,21 +235,28 @@ class ArchitectureTest {
         "haltere.filters.wing.search",
         Set.of("haltere.filters.wing.tracker"),
         "a fly is found whoever wants it");
+    check(
+        classes()
+            .that()
+            .resideInAPackage("haltere.filters.wing.original")
+            .should()
+            .onlyHaveDependentClassesThat(
+                resideInAPackage("haltere.filters.wing.original")
+                    .or(
+                        DescribedPredicate.describe(
+                            "make the parts of a tracker",
+                            type -> type.getSimpleName().equals("TrackerParts"))))
+            .because("the tracker of 2006 is there for comparison, and can be taken away"));
     knowsNoneOf(
-        "haltere.filters.track",
-        Set.of(
-            "haltere.filters.track.motion",
-            "haltere.filters.track.road",
-            "haltere.filters.track.kalman"),
-        "results and settings are read without an estimator");
+        "haltere.filters.plane",
+        Set.of("haltere.filters.cluster", "haltere.filters.track", "haltere.filters.road"),
+        "a plane is mapped whoever tracks on it");
     knowsNoneOf(
-        "haltere.filters.track.motion",
-        Set.of("haltere.filters.track.road", "haltere.filters.track.kalman"),
-        "a point moves whoever follows it");
+        "haltere.filters.road",
+        Set.of("haltere.filters.cluster", "haltere.filters.track"),
+        "crossings are counted whoever tracks");
     knowsNoneOf(
-        "haltere.filters.track.road",
-        Set.of("haltere.filters.track.kalman"),
-        "a line is found whoever follows it");
+        "haltere.filters.cluster", Set.of("haltere.filters.track"), "clusters know no filter");
     knowsNoneOf(
         "haltere.ui.command.results", Set.of("haltere.ui.command"), "tables know no command");
     knowsNoneOf(

@@ -39,6 +39,7 @@ public final class HaltereProgram {
           "simulate",
           "scenes",
           "filters",
+          "example",
           "bench");
 
   private final Surroundings surroundings;
@@ -154,6 +155,7 @@ public final class HaltereProgram {
       case "simulate" -> new SimulateCommand(surroundings);
       case "scenes" -> new ScenesCommand(surroundings);
       case "filters" -> new FiltersCommand(surroundings);
+      case "example" -> new ExampleCommand(surroundings);
       case "devices" -> new DevicesCommand(surroundings);
       case "record" -> new RecordCommand(surroundings);
       case "bench" -> new BenchCommand(surroundings);

@@ -6,17 +6,20 @@ import haltere.core.chain.ChainStage;
 import haltere.core.chain.ConfigurableFilter;
 import haltere.core.chain.FilterChain;
 import haltere.core.chain.Filters;
+import haltere.core.chain.Outlet;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.RecordingReader;
 import haltere.core.pipeline.Pipeline;
 import haltere.core.pipeline.PipelineCounters;
+import haltere.core.settings.SettingsProblem;
 import haltere.core.sink.CsvSink;
 import haltere.filters.cluster.ClusterTrackerFilter;
+import haltere.filters.plane.PlanePoint;
+import haltere.filters.road.LineCounter;
+import haltere.filters.road.LineCrossing;
+import haltere.filters.track.KalmanTracksFilter;
 import haltere.filters.track.KalmanTracksSettings;
-import haltere.filters.track.LineCrossing;
-import haltere.filters.track.RoadTracksSettings;
 import haltere.filters.track.TrackPoint;
-import haltere.filters.track.kalman.KalmanTracksFilter;
 import haltere.ui.command.results.RoadTrackRow;
 import haltere.ui.command.terminal.ProgressBar;
 import haltere.ui.command.terminal.Quantities;
@@ -81,17 +84,23 @@ final class TrackCommand extends Subcommand {
       names = "--preset",
       paramLabel = "NAME",
       description =
-          "original: the Kalman filter on clusters of the source with its defaults, for comparison;"
-              + " not with --chain.")
+          "original: the Kalman filter on clusters of Cardinale (2006) with its defaults, for"
+              + " comparison; not with --chain.")
   String preset;
+
+  @Option(
+      names = "--set",
+      paramLabel = "name=value",
+      description = "A setting of " + TRACKS + ", see: haltere filters; may be repeated.")
+  List<String> assignments = List.of();
 
   @Option(
       names = "--road",
       paramLabel = "ROAD.json",
       description = {
-        "The road that the camera looks along: adds columns in metres. Keys: bridgeHeightM,"
-            + " nearestM, farthestM, vanishingPoint {xPx, yPx}, lanes {lanes, leftEdgeM, widthM},"
-            + " countingLines {lines, firstM, apartM}; all may be left out."
+        "The road that the camera looks along: tracks are on it, and columns in metres are added."
+            + " Keys: bridgeHeightM, nearestM, farthestM, vanishingPoint {xPx, yPx}, lanes {lanes,"
+            + " leftEdgeM, widthM}, countingLines {lines, firstM, apartM}; all may be left out."
       })
   Path roadFile;
 
@@ -99,8 +108,8 @@ final class TrackCommand extends Subcommand {
       names = "--crossings",
       paramLabel = "CROSSINGS.csv",
       description =
-          "Where goes who crossed which counting line of the road (--road), when, in which lane and"
-              + " direction, how fast, and how many had by then.")
+          "Table of the tracks that crossed a counting line of the road (--road): time, lane,"
+              + " direction, speed and counts.")
   Path crossings;
 
   @Mixin CameraOptionsGroup cameras;
@@ -186,15 +195,23 @@ final class TrackCommand extends Subcommand {
       return chain;
     }
     try {
-      return ChainFile.read(chainFile, geometry);
+      return ChainFile.read(chainFile, geometry, this::warning);
     } catch (CharacterCodingException notText) {
       throw Failures.notText(chainFile, notText);
     }
   }
 
-  private RoadTracksSettings road(RoadTracksSettings usual) throws IOException {
+  /** The road, or null if there is none. */
+  private RoadFile road() throws IOException {
+    if (roadFile == null) {
+      return null;
+    }
     try {
-      return roadFile == null ? usual : RoadFile.read(roadFile, usual);
+      RoadFile road = RoadFile.read(roadFile);
+      if (crossings != null && road.lines().lines() == 0) {
+        throw wrongArguments("--crossings needs counting lines, and " + roadFile + " has none");
+      }
+      return road;
     } catch (CharacterCodingException notText) {
       throw Failures.notText(roadFile, notText);
     }
@@ -230,55 +247,64 @@ final class TrackCommand extends Subcommand {
 
   private void track(FilterChain chain, Feed feed) throws IOException {
     KalmanTracksFilter tracks = tracks(chain);
-    KalmanTracksSettings from = start == null ? tracks.settings() : start;
-    tracks.apply(from.onRoad(road(from.road())).withReportRate(rateHz));
-    long rows;
-    if (roadFile == null) {
+    KalmanTracksSettings settings = start == null ? tracks.settings() : start;
+    RoadFile road = road();
+    if (road == null) {
+      tracks.apply(assigned(settings));
       try (CsvSink<TrackPoint> table = CsvSink.create(out, TrackPoint.class, writing.overwrite)) {
-        tracks.points().subscribe(table);
-        rows = run(feed, chain, table);
+        outlet(tracks, TrackPoint.class).subscribe(table);
+        feed.run(chain);
+        finish(table, out);
       }
-    } else {
-      try (CsvSink<RoadTrackRow> table =
-              CsvSink.create(out, RoadTrackRow.class, writing.overwrite);
-          CsvSink<LineCrossing> counts = counts(tracks)) {
-        // A track's place in the picture is published before its place on the road.
-        TrackPoint[] inPicture = new TrackPoint[1];
-        tracks.points().subscribe(point -> inPicture[0] = point);
-        tracks
-            .roadPoints()
-            .subscribe(onRoad -> table.accept(RoadTrackRow.of(inPicture[0], onRoad)));
-        rows = run(feed, chain, table);
-        finish(counts);
+      return;
+    }
+    tracks.apply(assigned(settings.onRoad(road.tracks(settings.road()))));
+    try (CsvSink<RoadTrackRow> table = CsvSink.create(out, RoadTrackRow.class, writing.overwrite);
+        CsvSink<LineCrossing> counts = counts(tracks, road)) {
+      // A track's position in the picture is published before its position on the road.
+      TrackPoint[] inPicture = new TrackPoint[1];
+      outlet(tracks, TrackPoint.class).subscribe(point -> inPicture[0] = point);
+      outlet(tracks, PlanePoint.class)
+          .subscribe(onRoad -> table.accept(RoadTrackRow.of(inPicture[0], onRoad, road.lanes())));
+      feed.run(chain);
+      finish(table, out);
+      if (counts != null) {
+        finish(counts, crossings);
       }
     }
-    message("wrote " + out + " (" + Quantities.count(rows) + " rows)");
   }
 
   /** The table of crossings, or null if none is wanted. */
-  private CsvSink<LineCrossing> counts(KalmanTracksFilter tracks) throws IOException {
+  private CsvSink<LineCrossing> counts(KalmanTracksFilter tracks, RoadFile road)
+      throws IOException {
     if (crossings == null) {
       return null;
     }
-    if (tracks.settings().road().countingLines().lines() == 0) {
-      throw wrongArguments("--crossings needs counting lines, and " + roadFile + " has none");
-    }
     CsvSink<LineCrossing> counts = CsvSink.create(crossings, LineCrossing.class, writing.overwrite);
-    tracks.crossings().subscribe(counts);
+    outlet(tracks, PlanePoint.class).subscribe(new LineCounter(road.lanes(), road.lines(), counts));
     return counts;
   }
 
-  private void finish(CsvSink<LineCrossing> counts) throws IOException {
-    if (counts != null) {
-      counts.finish();
-      message("wrote " + crossings + " (" + Quantities.count(counts.rows()) + " rows)");
+  private KalmanTracksSettings assigned(KalmanTracksSettings settings) {
+    try {
+      return settings
+          .with(assignments.toArray(new String[0]))
+          .with("clusters.output.reportRateHz=" + rateHz);
+    } catch (SettingsProblem problem) {
+      throw wrongArguments(problem.getMessage());
     }
   }
 
-  private static long run(Feed feed, FilterChain chain, CsvSink<?> table) throws IOException {
-    feed.run(chain);
+  /** The outlet of a filter that publishes results of a type. */
+  @SuppressWarnings("unchecked")
+  private static <T> Outlet<T> outlet(KalmanTracksFilter tracks, Class<T> type) {
+    return (Outlet<T>)
+        tracks.outlets().stream().filter(one -> one.type() == type).findFirst().orElseThrow();
+  }
+
+  private void finish(CsvSink<?> table, Path path) throws IOException {
     table.finish();
-    return table.rows();
+    message("wrote " + path + " (" + Quantities.count(table.rows()) + " rows)");
   }
 
   private void run(RecordingReader reader, FilterChain chain) throws IOException {

@@ -219,7 +219,7 @@ public final class WingLog implements Closeable {
           case PROCESS_NOISE -> "Q of " + names.get(edit.row());
           case MEASUREMENT_NOISE -> "R";
         };
-    return part + number + "=" + edit.value();
+    return part + number + (edit.givesBack() ? " given back" : "=" + edit.value());
   }
 
   private static String unit(Parameter parameter) {

@@ -39,6 +39,7 @@ class ScenesCommandTest {
   @Test
   void theUsageOfSimulateNamesTheScenes() {
     CommandRun run = CommandRun.of("simulate", "--help");
-    assertTrue(run.out().contains("dots, flight, fly, road"), run.out());
+    String words = run.out().replaceAll("\\s+", " ");
+    assertTrue(words.contains("dots, flight, fly, rendered-fly, road"), run.out());
   }
 }

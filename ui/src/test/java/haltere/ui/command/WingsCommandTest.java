@@ -211,4 +211,27 @@ class WingsCommandTest {
       assertFalse(Files.exists(out));
     }
   }
+
+  @Test
+  void theOriginalSaysThatItIsNotInLockWhereItsFrequencyIsNotTheBeats() {
+    Path file = folder.resolve("slow.aedat");
+    CommandRun simulated =
+        CommandRun.of(
+            "simulate",
+            "fly",
+            file,
+            "--duration",
+            "0.5",
+            "--set",
+            "stroke.beat.frequencyHz=150",
+            "--set",
+            "fly.wing.visibleShare=0.15");
+    assertEquals(0, simulated.status(), simulated.err());
+    CommandRun run =
+        CommandRun.of("wings", file, "--out", folder.resolve("w.csv"), "--preset", "original");
+    assertEquals(0, run.status(), run.err());
+    assertTrue(run.out().contains("in lock 0.0 % of the time"), run.out());
+    assertTrue(run.out().contains("at another frequency than the beat's 9"), run.out());
+    assertTrue(run.out().lines().anyMatch(line -> line.strip().matches("left +0")), run.out());
+  }
 }

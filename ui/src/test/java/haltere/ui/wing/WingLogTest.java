@@ -65,6 +65,10 @@ class WingLogTest {
       filter.tracker().edit(new WingFilterEdit(WingPart.LEFT, Table.STATE, 1, 0, 1.25));
       filter.tracker().edit(new WingFilterEdit(WingPart.RIGHT, Table.COVARIANCE, 0, 0, 0.01));
       filter.tracker().edit(new WingFilterEdit(WingPart.LEFT, Table.MEASUREMENT_NOISE, 0, 0, 0.02));
+      filter.tracker().edit(new WingFilterEdit(WingPart.LEFT, Table.PROCESS_NOISE, 4, 0, 0.003));
+      filter
+          .tracker()
+          .edit(new WingFilterEdit(WingPart.LEFT, Table.PROCESS_NOISE, 4, 0, Double.NaN));
       filter.tracker().restart(WingPart.RIGHT);
       filter.process(part(fly, half, fly.size()));
       log.finish();
@@ -76,9 +80,11 @@ class WingLogTest {
         List.of(
             "# by hand from here on: right P of centre, centre=0.01",
             "# by hand from here on: left R=0.02",
+            "# by hand from here on: left Q of half width=0.003",
+            "# by hand from here on: left Q of half width given back",
             "# by hand from here on: right begun anew"),
-        lines.subList(told + 1, told + 4));
-    assertTrue(!lines.get(told + 4).startsWith("#"), "rows after it");
+        lines.subList(told + 1, told + 6));
+    assertTrue(!lines.get(told + 6).startsWith("#"), "rows after it");
   }
 
   private static EventPacket part(EventPacket events, int from, int to) {

@@ -1,6 +1,7 @@
 package haltere.core.simulation.fly;
 
 import haltere.core.simulation.SeededRandom;
+import haltere.core.simulation.SensorSettings;
 import haltere.core.simulation.SlowProcess;
 
 /**
@@ -17,7 +18,10 @@ final class FlyKinematics {
   /** How near to the rear midline the wings come in a clap, radians. */
   static final double CLAP_GAP = 0.02;
 
-  private final FlySceneSettings settings;
+  private final SensorSettings sensor;
+  private final BodySettings body;
+  private final StrokeSettings stroke;
+  private final ManoeuvreSettings manoeuvre;
   private final BeatSettings beat;
   private final Waveform waveform;
   private final Manoeuvres manoeuvres;
@@ -27,12 +31,19 @@ final class FlyKinematics {
   private final SlowProcess[] drift = new SlowProcess[2];
   private final double firstCycles;
 
-  FlyKinematics(FlySceneSettings settings) {
-    this.settings = settings;
-    beat = settings.stroke().beat();
+  FlyKinematics(
+      SensorSettings sensor,
+      BodySettings body,
+      StrokeSettings stroke,
+      ManoeuvreSettings manoeuvre,
+      long seed) {
+    this.sensor = sensor;
+    this.body = body;
+    this.stroke = stroke;
+    this.manoeuvre = manoeuvre;
+    beat = stroke.beat();
     waveform = beat.waveform().normalised(beat.harmonics());
-    long seed = settings.run().seed();
-    manoeuvres = new Manoeuvres(settings.disturbances().manoeuvres(), seed);
+    manoeuvres = new Manoeuvres(manoeuvre, seed);
     double slowest = 0.05 / beat.timescaleS();
     double fastest = 1 / beat.timescaleS();
     frequency =
@@ -43,11 +54,9 @@ final class FlyKinematics {
           new SlowProcess(
               new SeededRandom(seed, "amplitude " + side), beat.amplitudeSdRad(), slowest, fastest);
       drift[side] =
-          new SlowProcess(new SeededRandom(seed, "drift " + side), body().driftPx(), 0.02, 0.2);
+          new SlowProcess(new SeededRandom(seed, "drift " + side), body.driftPx(), 0.02, 0.2);
     }
-    double[] wobbleSd = {
-      body().wobblePx(), body().wobblePx(), body().wobblePx() / body().lengthPx()
-    };
+    double[] wobbleSd = {body.wobblePx(), body.wobblePx(), body.wobblePx() / body.lengthPx()};
     for (int axis = 0; axis < wobble.length; axis++) {
       wobble[axis] =
           new SlowProcess(new SeededRandom(seed, "wobble " + axis), wobbleSd[axis], 1, 8);
@@ -55,12 +64,8 @@ final class FlyKinematics {
     firstCycles = new SeededRandom(seed, "first phase").nextDouble();
   }
 
-  private BodySettings body() {
-    return settings.fly().body();
-  }
-
   private WingStrokeSettings wing(int side) {
-    return side == LEFT ? settings.stroke().left() : settings.stroke().right();
+    return side == LEFT ? stroke.left() : stroke.right();
   }
 
   /** The shape of the stroke, centre 0, half of peak to peak 1, rising through 0 at phase 0. */
@@ -76,16 +81,16 @@ final class FlyKinematics {
    */
   void sample(double seconds, FlyPose pose) {
     pose.centreX =
-        (settings.sensor().widthPx() - 1) / 2.0
-            + body().offsetXPx()
+        (sensor.widthPx() - 1) / 2.0
+            + body.offsetXPx()
             + wobble[0].at(seconds)
             + drift[0].at(seconds);
     pose.centreY =
-        (settings.sensor().heightPx() - 1) / 2.0
-            + body().offsetYPx()
+        (sensor.heightPx() - 1) / 2.0
+            + body.offsetYPx()
             + wobble[1].at(seconds)
             + drift[1].at(seconds);
-    pose.heading = body().headingRad() + wobble[2].at(seconds) + manoeuvres.turnRad(seconds);
+    pose.heading = body.headingRad() + wobble[2].at(seconds) + manoeuvres.turnRad(seconds);
     pose.cosHeading = StrictMath.cos(pose.heading);
     pose.sinHeading = StrictMath.sin(pose.heading);
     double commonHz = beat.frequencyHz() + frequency.at(seconds) + manoeuvres.frequencyHz(seconds);
@@ -97,7 +102,7 @@ final class FlyKinematics {
     double asymmetry = manoeuvres.asymmetryRad(seconds) / 2;
     for (int side = LEFT; side <= RIGHT; side++) {
       WingStrokeSettings wing = wing(side);
-      double outwards = side == LEFT ? body().hingeOffsetPx() : -body().hingeOffsetPx();
+      double outwards = side == LEFT ? body.hingeOffsetPx() : -body.hingeOffsetPx();
       pose.hingeX[side] = pose.centreX - outwards * pose.sinHeading;
       pose.hingeY[side] = pose.centreY + outwards * pose.cosHeading;
       pose.frequencyHz[side] = commonHz + wing.frequencyOffsetHz();
@@ -131,9 +136,7 @@ final class FlyKinematics {
   }
 
   private double mostAmplitude(int side) {
-    return wing(side).amplitudeRad()
-        + amplitude[side].bound()
-        + settings.disturbances().manoeuvres().asymmetryRad() / 2;
+    return wing(side).amplitudeRad() + amplitude[side].bound() + manoeuvre.asymmetryRad() / 2;
   }
 
   /** Stroke angle of a wing from its parameters. */

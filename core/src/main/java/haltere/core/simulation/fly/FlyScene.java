@@ -1,11 +1,8 @@
 package haltere.core.simulation.fly;
 
-import haltere.core.event.EventPacket;
 import haltere.core.simulation.EventMerger;
 import haltere.core.simulation.PixelArray;
 import haltere.core.simulation.SceneSensor;
-import haltere.core.simulation.SensorScene;
-import java.util.List;
 
 /**
  * A tethered fruit fly before a bright background as a dynamic vision sensor sees it: a test bed
@@ -26,20 +23,15 @@ import java.util.List;
  *
  * <p>Thread rule: pulled by one thread at a time; {@link #truthAt} may be called by any thread.
  */
-public final class FlyScene extends SensorScene<FlyTruth> {
-  private static final double US = 1e-6;
+public final class FlyScene extends TetheredFlyScene {
   private static final int STEP_US = 10;
   private static final int STRETCH_US = 200;
-  private static final int INTERVAL_US = 1000;
   private static final int LOOKS = 10;
 
   private final FlySceneSettings settings;
-  private final FlyKinematics kinematics;
   private final EventMerger bus;
   private final WingSweep[] wings = new WingSweep[2];
   private final BodyOutline outline;
-  private FlyPose before = new FlyPose();
-  private FlyPose after = new FlyPose();
 
   /**
    * A scene at its beginning.
@@ -55,22 +47,31 @@ public final class FlyScene extends SensorScene<FlyTruth> {
     this(
         settings,
         mostEvents,
-        new SceneSensor(settings.pixel(), settings.noise(), settings.sensor(), settings.run()));
+        SceneSensor.of(settings.pixel(), settings.noise(), settings.sensor(), settings.run()));
   }
 
-  private FlyScene(FlySceneSettings settings, int mostEvents, SceneSensor sensor) {
-    super("fly", sensor, settings.run(), mostEvents);
+  private FlyScene(FlySceneSettings settings, int mostEvents, SceneSensor<PixelArray> sensor) {
+    super(
+        "fly",
+        sensor,
+        settings.run(),
+        mostEvents,
+        new FlyKinematics(
+            settings.sensor(),
+            settings.fly().body(),
+            settings.stroke(),
+            settings.disturbances().manoeuvres(),
+            settings.run().seed()),
+        STRETCH_US);
     this.settings = settings;
     bus = sensor.bus();
-    kinematics = new FlyKinematics(settings);
     PixelArray pixels = sensor.pixels();
     WireMask wire = new WireMask(settings.disturbances().wire(), settings.sensor());
     BodyShape shape = new BodyShape(settings.fly().body().lengthPx());
     outline = new BodyOutline(settings, shape, pixels, wire, kinematics, LOOKS);
-    kinematics.sample(0, before);
     for (int side = 0; side < wings.length; side++) {
       wings[side] = new WingSweep(side, settings, kinematics, pixels, shape, wire);
-      wings[side].place(before, angle(side, 0));
+      wings[side].place(before, angle(side, before, after, 0));
     }
     pixels.settleAll();
   }
@@ -93,59 +94,22 @@ public final class FlyScene extends SensorScene<FlyTruth> {
     return bus.lost();
   }
 
-  /**
-   * The truth at a time.
-   *
-   * @param timeUs microseconds on the clock of the events
-   * @return one row
-   */
-  public FlyTruth truthAt(long timeUs) {
-    FlyPose pose = new FlyPose();
-    kinematics.sample((timeUs - startUs()) * US, pose);
-    return FlyTruth.of(timeUs, pose, kinematics.waveform(), settings.fly().wing().widthRad());
+  @Override
+  FlyTruth.Wing wing(FlyPose pose, int side) {
+    return FlyTruth.Wing.of(pose, side, kinematics.waveform(), settings.fly().wing().widthRad());
   }
 
   @Override
-  public Class<FlyTruth> truthType() {
-    return FlyTruth.class;
-  }
-
-  @Override
-  public List<FlyTruth> truthRows(long timeUs) {
-    return List.of(truthAt(timeUs));
-  }
-
-  @Override
-  protected long makeInterval(long fromUs, SceneSensor sensor, EventPacket out) {
-    for (long doneUs = fromUs; doneUs < fromUs + INTERVAL_US; doneUs += STRETCH_US) {
-      makeStretch(doneUs);
-    }
-    sensor.advance(fromUs + INTERVAL_US);
-    sensor.release(fromUs + INTERVAL_US, out);
-    return fromUs + INTERVAL_US;
-  }
-
-  private void makeStretch(long fromUs) {
+  void makeStretch(long fromUs) {
     long doneUs = fromUs + STRETCH_US;
-    kinematics.sample(doneUs * US, after);
     for (int side = 0; side < 2; side++) {
       for (int step = STEP_US; step <= STRETCH_US; step += STEP_US) {
         double untilUs = fromUs + step;
-        wings[side].sweepTo(angle(side, (double) step / STRETCH_US), untilUs - STEP_US, untilUs);
+        wings[side].sweepTo(
+            angle(side, before, after, (double) step / STRETCH_US), untilUs - STEP_US, untilUs);
       }
       wings[side].bodyMoved(after, doneUs);
     }
     outline.look((int) (fromUs / STRETCH_US % LOOKS), fromUs, STRETCH_US, after);
-    FlyPose swap = before;
-    before = after;
-    after = swap;
-  }
-
-  /** Stroke angle at a share of the way from the pose before to the pose after. */
-  private double angle(int side, double share) {
-    return kinematics.angle(
-        before.centre[side] + share * (after.centre[side] - before.centre[side]),
-        before.amplitude[side] + share * (after.amplitude[side] - before.amplitude[side]),
-        before.cycles[side] + share * (after.cycles[side] - before.cycles[side]));
   }
 }

@@ -108,12 +108,26 @@ public record FlyTruth(
       double centreRad,
       double amplitudeRad,
       double phaseRad,
-      double frequencyHz) {}
+      double frequencyHz) {
+    /** A dark sector about its hinge. */
+    static Wing of(FlyPose pose, int side, Waveform waveform, double widthRad) {
+      double cycles = pose.cycles[side];
+      double phase = wrapped(2 * Math.PI * (cycles - Math.floor(cycles)));
+      double angle = pose.centre[side] + pose.amplitude[side] * waveform.at(phase);
+      double ahead = waveform.slopeAt(phase) >= 0 ? widthRad / 2 : -widthRad / 2;
+      return new Wing(
+          wrapped(angle),
+          wrapped(angle + ahead),
+          wrapped(angle - ahead),
+          pose.centre[side],
+          pose.amplitude[side],
+          phase,
+          pose.frequencyHz[side]);
+    }
+  }
 
   /** The truth of a pose. */
-  static FlyTruth of(long tUs, FlyPose pose, Waveform waveform, double widthRad) {
-    Wing left = wing(pose, FlyKinematics.LEFT, waveform, widthRad);
-    Wing right = wing(pose, FlyKinematics.RIGHT, waveform, widthRad);
+  static FlyTruth of(long tUs, FlyPose pose, Wing left, Wing right) {
     return new FlyTruth(
         tUs,
         left.angleRad,
@@ -139,22 +153,8 @@ public record FlyTruth(
         pose.hingeY[FlyKinematics.RIGHT]);
   }
 
-  private static Wing wing(FlyPose pose, int side, Waveform waveform, double widthRad) {
-    double cycles = pose.cycles[side];
-    double phase = wrapped(2 * Math.PI * (cycles - Math.floor(cycles)));
-    double angle = pose.centre[side] + pose.amplitude[side] * waveform.at(phase);
-    double ahead = waveform.slopeAt(phase) >= 0 ? widthRad / 2 : -widthRad / 2;
-    return new Wing(
-        wrapped(angle),
-        wrapped(angle + ahead),
-        wrapped(angle - ahead),
-        pose.centre[side],
-        pose.amplitude[side],
-        phase,
-        pose.frequencyHz[side]);
-  }
-
-  private static double wrapped(double angle) {
+  /** An angle in [0, 2 pi). */
+  static double wrapped(double angle) {
     double turns = angle / (2 * Math.PI);
     double wrapped = angle - 2 * Math.PI * Math.floor(turns);
     return wrapped >= 2 * Math.PI || wrapped < 0 ? 0 : wrapped;

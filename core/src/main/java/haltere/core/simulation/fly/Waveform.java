@@ -89,6 +89,16 @@ final class Waveform {
     return at(phaseOfMin);
   }
 
+  /** Phase of the largest value, where a wing turns back to the head. */
+  double phaseOfMax() {
+    return phaseOfMax;
+  }
+
+  /** Phase of the smallest value, where a wing turns back to the tail. */
+  double phaseOfMin() {
+    return phaseOfMin;
+  }
+
   /** Share of the cycle from the largest to the smallest value. */
   double shareFromMaxToMin() {
     double share = (phaseOfMin - phaseOfMax) / (2 * Math.PI);

@@ -1,6 +1,7 @@
 package haltere.core.simulation.road;
 
 import haltere.core.event.EventPacket;
+import haltere.core.simulation.PixelArray;
 import haltere.core.simulation.SceneSensor;
 import haltere.core.simulation.SensorScene;
 import java.util.List;
@@ -45,10 +46,10 @@ public final class RoadScene extends SensorScene<RoadTruth> {
     this(
         settings,
         mostEvents,
-        new SceneSensor(settings.pixel(), settings.noise(), settings.sensor(), settings.run()));
+        SceneSensor.of(settings.pixel(), settings.noise(), settings.sensor(), settings.run()));
   }
 
-  private RoadScene(RoadSceneSettings settings, int mostEvents, SceneSensor sensor) {
+  private RoadScene(RoadSceneSettings settings, int mostEvents, SceneSensor<PixelArray> sensor) {
     super("road", sensor, settings.run(), mostEvents);
     this.settings = settings;
     camera = new RoadCamera(settings.camera(), settings.sensor());
@@ -97,7 +98,7 @@ public final class RoadScene extends SensorScene<RoadTruth> {
   }
 
   @Override
-  protected long makeInterval(long fromUs, SceneSensor sensor, EventPacket out) {
+  protected long makeInterval(long fromUs, SceneSensor<?> sensor, EventPacket out) {
     long untilUs = fromUs + INTERVAL_US;
     painter.paint(fromUs, untilUs);
     sensor.advance(untilUs);

@@ -10,10 +10,11 @@ import java.util.Arrays;
  *
  * <p>The mean place swings once a beat, while the number of events swings twice; so half and double
  * frequencies are not mistaken for the beat.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class BeatSpectrum {
+  /** A frequency that explains so many times more than another one is another: half power. */
+  static final double CLEARLY = 2;
+
   private static final double BIN_S = 250e-6;
   private static final double STEP_HZ = 1;
   private static final int BINS = 1024;
@@ -37,9 +38,6 @@ final class BeatSpectrum {
 
   /** Direction of the swing, radians, modulo pi. */
   double axisRad;
-
-  /** How many times more the swing is along the axis than across, at least 1. */
-  double elongation;
 
   /** Begins with no events. */
   void clear() {
@@ -93,6 +91,16 @@ final class BeatSpectrum {
     double best = 0;
     for (int step = -NEAR_STEPS; step <= NEAR_STEPS; step++) {
       best = Math.max(best, gain(hz * (1 + step * NEAR_SHARE)));
+    }
+    return best / scatter;
+  }
+
+  /** The same of the best frequency of a range, in steps of half the spectrum's resolution. */
+  double mostExplained(double fromHz, double toHz) {
+    double stepHz = 0.5 / (bins * BIN_S);
+    double best = 0;
+    for (double hz = fromHz; hz <= toHz; hz += stepHz) {
+      best = Math.max(best, gain(hz));
     }
     return best / scatter;
   }
@@ -181,8 +189,5 @@ final class BeatSpectrum {
     double yy = fit[2] * fit[2] + fit[3] * fit[3];
     double xy = fit[0] * fit[2] + fit[1] * fit[3];
     axisRad = 0.5 * Math.atan2(2 * xy, xx - yy);
-    double mean = (xx + yy) / 2;
-    double spread = Math.hypot((xx - yy) / 2, xy);
-    elongation = Math.sqrt((mean + spread) / Math.max(mean - spread, 1e-12 * mean + 1e-300));
   }
 }

@@ -9,8 +9,6 @@ import java.util.Arrays;
  * own hinge, the other's do: the hinge along the body, the centre and the heading go together, and
  * all are moved by as much as their fits leave them free (least squares over both fits' normal
  * equations and the two beliefs).
- *
- * <p>Thread rule: one thread at a time.
  */
 final class BodyLine {
   private static final int TURN = 2 * StrokeFit.SIZE;

@@ -3,8 +3,6 @@ package haltere.filters.wing.search;
 /**
  * Looks for the plain sinusoid that most events of a wing lie near to, where its hinge and
  * frequency are known about: for a {@link StrokeFit} to begin with.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class CoarseStroke {
   private static final int EVENTS = 500;

@@ -5,7 +5,9 @@ import haltere.filters.estimation.Angles;
 import haltere.filters.wing.FlyGeometry;
 import haltere.filters.wing.WingSearchSettings;
 import haltere.filters.wing.WingTrackerState;
+import haltere.filters.wing.WingTrackerState.Phase;
 import haltere.filters.wing.stroke.StrokeSeed;
+import java.util.function.Consumer;
 
 /**
  * Finds a fly in the events of a few beats. 2-means says roughly where the wings are; the beat and
@@ -13,8 +15,6 @@ import haltere.filters.wing.stroke.StrokeSeed;
  * are left out and it is looked for again; lines through the events of each wing give its hinge,
  * and a fit of the whole stroke makes all of it exact. The head is where the wings keep further
  * from the body's line.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class FlyFinder {
   private static final int LEAST_SUPPORTED = 80;
@@ -33,8 +33,12 @@ final class FlyFinder {
 
   private static final double HEAD_SD_RAD = 0.03;
 
+  /** Region of interest over the size of the fly. */
+  private static final double REGION_SLACK = 1.05;
+
   final StrokeSample sample;
   private final SensorGeometry geometry;
+  private final Consumer<WingTrackerState> steps;
   private final BeatSpectrum spectrum = new BeatSpectrum();
   private final TwoMeans means = new TwoMeans();
   private final HingeLines lines = new HingeLines();
@@ -48,111 +52,73 @@ final class FlyFinder {
   private double fittedAxis;
   private double outerPx;
 
-  FlyFinder(SensorGeometry geometry, int capacity) {
+  FlyFinder(SensorGeometry geometry, int capacity, Consumer<WingTrackerState> steps) {
     this.geometry = geometry;
+    this.steps = steps;
     sample = new StrokeSample(geometry.width(), geometry.height(), capacity);
     split = new SideSplit(capacity);
     px = new double[capacity];
     py = new double[capacity];
   }
 
-  /** Takes what happens on the way. */
-  interface Progress {
-    void found(
-        WingTrackerState.Phase phase,
-        int events,
-        double frequencyHz,
-        double x,
-        double y,
-        double headingRad,
-        double sizePx,
-        double confidence);
-  }
-
   /**
    * Searches.
    *
    * @param events the last events
-   * @param fromUs from when on
-   * @param settings range of frequencies
-   * @param progress takes the steps
+   * @param nowUs the end of the window
+   * @param settings its length and the range of frequencies
    * @return the fly, or null if there is none
    */
-  FoundFly find(RecentEvents events, long fromUs, WingSearchSettings settings, Progress progress) {
-    sample.take(events, fromUs);
+  FoundFly find(RecentEvents events, long nowUs, WingSearchSettings settings) {
+    sample.take(events, nowUs - settings.windowUs());
     if (sample.supportedCount < LEAST_SUPPORTED) {
       return null;
-    }
-    double fromHz = Math.min(settings.leastFrequencyHz(), settings.mostFrequencyHz());
-    double toHz = Math.max(settings.leastFrequencyHz(), settings.mostFrequencyHz());
-    if (settings.startFrequencyHz() > 0) {
-      fromHz = settings.startFrequencyHz() * 0.8;
-      toHz = settings.startFrequencyHz() * 1.25;
     }
     for (int look = 0; look < LOOKS; look++) {
       if (look > 0) {
         sample.requireBeat(2 * Math.PI * spectrum.frequencyHz);
       }
-      if (sample.supportedCount < LEAST_SUPPORTED / 2 || !look(fromHz, toHz)) {
+      if (sample.supportedCount < LEAST_SUPPORTED / 2 || !look(settings)) {
         return null;
       }
     }
     double byMeans =
         Math.atan2(means.secondY - means.firstY, means.secondX - means.firstX) + Math.PI / 2;
-    double middleX = (means.firstX + means.secondX) / 2;
-    double middleY = (means.firstY + means.secondY) / 2;
     double size = Math.hypot(means.firstX - means.secondX, means.firstY - means.secondY);
-    int n = sample.supportedCount;
-    progress.found(
-        WingTrackerState.Phase.TWO_MEANS,
-        n,
-        Double.NaN,
-        middleX,
-        middleY,
-        Angles.wrapPi(byMeans),
-        size,
-        Double.NaN);
+    say(nowUs, Phase.TWO_MEANS, Double.NaN, Angles.wrapPi(byMeans), size);
     if (spectrum.explained < LEAST_EXPLAINED) {
       return null;
     }
-    progress.found(
-        WingTrackerState.Phase.BEAT,
-        n,
-        spectrum.frequencyHz,
-        middleX,
-        middleY,
-        spectrum.axisRad,
-        size,
-        Double.NaN);
+    say(nowUs, Phase.BEAT, spectrum.frequencyHz, spectrum.axisRad, size);
     if (!fitBest(byMeans)) {
       return null;
     }
     FoundFly fly = conclude();
+    StrokeSeed seed = fly.seeds()[fly.seeds()[0] != null ? 0 : 1];
+    double beatHz = seed.omega() / (2 * Math.PI);
     FlyGeometry found = fly.geometry();
-    double beatHz =
-        (fly.seeds()[0] != null ? fly.seeds()[0] : fly.seeds()[1]).omega() / (2 * Math.PI);
-    progress.found(
-        WingTrackerState.Phase.HINGES,
-        n,
-        beatHz,
-        found.centreX(),
-        found.centreY(),
-        found.headingRad(),
-        found.sizePx(),
-        Double.NaN);
-    progress.found(
-        WingTrackerState.Phase.HEAD_AND_TAIL,
-        n,
-        beatHz,
-        found.centreX(),
-        found.centreY(),
-        found.headingRad(),
-        found.sizePx(),
-        found.headTailConfidence());
+    say(nowUs, Phase.HINGES, beatHz, found, Double.NaN);
+    say(nowUs, Phase.HEAD_AND_TAIL, beatHz, found, found.headTailConfidence());
     return fly;
   }
 
-  private boolean look(double fromHz, double toHz) {
+  /** Tells of a step before the hinges are found. */
+  private void say(long nowUs, Phase phase, double hz, double heading, double size) {
+    double x = (means.firstX + means.secondX) / 2;
+    double y = (means.firstY + means.secondY) / 2;
+    FlyGeometry about = new FlyGeometry(x, y, heading, size, x, y, x, y, Double.NaN, nowUs);
+    say(nowUs, phase, hz, about, Double.NaN);
+  }
+
+  private void say(long nowUs, Phase phase, double hz, FlyGeometry g, double confidence) {
+    steps.accept(WingTrackerState.of(nowUs, phase, sample.supportedCount, hz, g, confidence));
+  }
+
+  /**
+   * Looks for the beat. A frequency that a person has given is taken for right unless another one
+   * explains clearly more.
+   */
+  private boolean look(WingSearchSettings settings) {
     int n = 0;
     spectrum.clear();
     for (int i = 0; i < sample.size; i++) {
@@ -162,8 +128,22 @@ final class FlyFinder {
         spectrum.add(sample.timeS[i], sample.x[i], sample.y[i]);
       }
     }
-    return means.divide(px, py, n, geometry.width(), geometry.height())
-        && spectrum.search(fromHz, toHz);
+    if (!means.divide(px, py, n, geometry.width(), geometry.height())) {
+      return false;
+    }
+    double leastHz = Math.min(settings.leastFrequencyHz(), settings.mostFrequencyHz());
+    double mostHz = Math.max(settings.leastFrequencyHz(), settings.mostFrequencyHz());
+    double givenHz = settings.startFrequencyHz();
+    if (givenHz == 0) {
+      return spectrum.search(leastHz, mostHz);
+    }
+    if (!spectrum.search(leastHz, mostHz)) {
+      return false;
+    }
+    double most = spectrum.explained;
+    return !spectrum.search(givenHz * 0.8, givenHz * 1.25)
+        || spectrum.explained * BeatSpectrum.CLEARLY >= most
+        || spectrum.search(leastHz, mostHz);
   }
 
   /**
@@ -308,31 +288,26 @@ final class FlyFinder {
     for (int side = 0; side < 2; side++) {
       sides[side] = fits[flipped ? 1 - side : side];
       StrokeSeed seed = sides[side].seed(sample.startUs, flipped);
-      seeds[side] =
-          new StrokeSeed(
-              seed.timeUs(),
-              seed.centre() + (side == 0 ? -turn : turn),
-              seed.amplitude(),
-              seed.phase(),
-              seed.omega(),
-              seed.halfWidth(),
-              seed.lagS(),
-              seed.cosines(),
-              seed.sines());
+      seeds[side] = seed.withCentre(seed.centre() + (side == 0 ? -turn : turn));
     }
-    FlyGeometry found =
+    return found(sides[0], sides[1], heading, asymmetry, seeds);
+  }
+
+  private FoundFly found(
+      StrokeFit left, StrokeFit right, double heading, double asymmetry, StrokeSeed[] seeds) {
+    FlyGeometry geometry =
         new FlyGeometry(
-            (sides[0].hingeX() + sides[1].hingeX()) / 2,
-            (sides[0].hingeY() + sides[1].hingeY()) / 2,
+            (left.hingeX() + right.hingeX()) / 2,
+            (left.hingeY() + right.hingeY()) / 2,
             Angles.wrapTwoPi(heading),
             outerPx,
-            sides[0].hingeX(),
-            sides[0].hingeY(),
-            sides[1].hingeX(),
-            sides[1].hingeY(),
+            left.hingeX(),
+            left.hingeY(),
+            right.hingeX(),
+            right.hingeY(),
             Math.tanh(Math.abs(asymmetry) / HEAD_SD_RAD),
             sample.endUs);
-    return new FoundFly(found, seeds);
+    return new FoundFly(geometry, REGION_SLACK * outerPx, seeds);
   }
 
   /** How far the stroke is beyond the cross line, by its mean and by its extremes alike. */
@@ -347,18 +322,7 @@ final class FlyFinder {
     int side = flipped ? 1 - present : present;
     StrokeSeed[] seeds = new StrokeSeed[2];
     seeds[side] = fit.seed(sample.startUs, flipped);
-    FlyGeometry found =
-        new FlyGeometry(
-            fit.hingeX(),
-            fit.hingeY(),
-            Angles.wrapTwoPi(fittedAxis + (flipped ? Math.PI : 0)),
-            outerPx,
-            fit.hingeX(),
-            fit.hingeY(),
-            fit.hingeX(),
-            fit.hingeY(),
-            Math.tanh(Math.abs(backwards(fit)) / HEAD_SD_RAD),
-            sample.endUs);
-    return new FoundFly(found, seeds);
+    double heading = fittedAxis + (flipped ? Math.PI : 0);
+    return found(fit, fit, heading, backwards(fit), seeds);
   }
 }

@@ -1,80 +1,36 @@
 package haltere.filters.wing.search;
 
-import haltere.core.event.SensorGeometry;
 import haltere.filters.wing.WingSearchSettings;
-import haltere.filters.wing.WingTrackerState;
-import java.util.function.Consumer;
 
 /**
- * Searches for the fly in the newest events, at growing intervals while there is none.
+ * Searches for the fly in the newest events.
  *
  * <p>Thread rule: one thread at a time.
  */
-public final class FlySearch {
-  private static final int FIRST_WAIT_US = 10_000;
-  private static final int LONGEST_WAIT_US = 80_000;
-  private static final int LONGEST_WAIT_ONE_WING_US = 320_000;
-
-  private final FlyFinder finder;
-  private final RecentEvents recent;
-  private final Consumer<WingTrackerState> steps;
-  private long nextUs;
-  private int waitUs = FIRST_WAIT_US;
-
+public interface FlySearch {
   /**
-   * A search.
+   * Begins with the first event.
    *
-   * @param geometry of the sensor
-   * @param recent the events that are searched
-   * @param steps takes what is found on the way
+   * @param timeUs time of the event, microseconds
+   * @param settings how the fly is searched for
    */
-  public FlySearch(SensorGeometry geometry, RecentEvents recent, Consumer<WingTrackerState> steps) {
-    finder = new FlyFinder(geometry, recent.capacity());
-    this.recent = recent;
-    this.steps = steps;
-  }
+  void begin(long timeUs, WingSearchSettings settings);
 
   /**
-   * Looks at a time next, and often at first.
+   * Searches at a time next, whatever was found before.
    *
    * @param timeUs microseconds
    */
-  public void startAt(long timeUs) {
-    nextUs = timeUs;
-    waitUs = FIRST_WAIT_US;
-  }
+  void startAt(long timeUs);
 
   /**
-   * Looks a while from a time, and often at first.
+   * Looks for a fly if it is time to. Called for each event while none is tracked.
    *
-   * @param timeUs microseconds
-   */
-  public void startAfter(long timeUs) {
-    startAt(timeUs + FIRST_WAIT_US);
-  }
-
-  /**
-   * Looks for a fly if it is time to.
-   *
-   * @param timeUs now, microseconds
+   * @param timeUs time of the event, microseconds
    * @param settings how it is searched for
    * @return the fly; null if there is none or it is not time
    */
-  public FoundFly look(long timeUs, WingSearchSettings settings) {
-    if (timeUs < nextUs) {
-      return null;
-    }
-    int inWindow = recent.size() - recent.indexAtOrAfter(timeUs - settings.windowUs());
-    if (inWindow < settings.leastEvents()) {
-      nextUs = timeUs + FIRST_WAIT_US;
-      return null;
-    }
-    FoundFly found = find(timeUs, settings);
-    if (found == null) {
-      waitLonger(timeUs, LONGEST_WAIT_US);
-    }
-    return found;
-  }
+  FoundFly look(long timeUs, WingSearchSettings settings);
 
   /**
    * The same for a fly of which one wing is tracked; only both are worth it.
@@ -83,30 +39,5 @@ public final class FlySearch {
    * @param settings how it is searched for
    * @return a fly with both wings, or null
    */
-  public FoundFly lookForBoth(long timeUs, WingSearchSettings settings) {
-    if (timeUs < nextUs) {
-      return null;
-    }
-    FoundFly found = find(timeUs, settings);
-    if (found != null && found.seeds()[0] != null && found.seeds()[1] != null) {
-      return found;
-    }
-    waitLonger(timeUs, LONGEST_WAIT_ONE_WING_US);
-    return null;
-  }
-
-  private void waitLonger(long timeUs, int longestUs) {
-    nextUs = timeUs + waitUs;
-    waitUs = Math.min(2 * waitUs, longestUs);
-  }
-
-  private FoundFly find(long timeUs, WingSearchSettings settings) {
-    return finder.find(
-        recent,
-        timeUs - settings.windowUs(),
-        settings,
-        (step, events, hz, x, y, heading, size, confidence) ->
-            steps.accept(
-                new WingTrackerState(timeUs, step, events, hz, x, y, heading, size, confidence)));
-  }
+  FoundFly lookForBoth(long timeUs, WingSearchSettings settings);
 }

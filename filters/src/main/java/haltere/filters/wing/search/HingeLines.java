@@ -5,8 +5,6 @@ package haltere.filters.wing.search;
  * Lines go through pairs of events that came shortly after each other; the point is the one nearest
  * to all of them by least squares with weights that fall off with the distance (Cauchy), which
  * narrow down from round to round.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class HingeLines {
   private static final double MOST_APART_S = 100e-6;

@@ -105,4 +105,19 @@ public final class RecentEvents {
     }
     return from;
   }
+
+  /**
+   * Copies the events from a time on.
+   *
+   * @param fromUs microseconds
+   * @return addresses as in an event packet, the oldest event first
+   */
+  public int[] addressesSince(long fromUs) {
+    int first = indexAtOrAfter(fromUs);
+    int[] copy = new int[size - first];
+    for (int i = 0; i < copy.length; i++) {
+      copy[i] = addresses[(end - size + first + i) & mask];
+    }
+    return copy;
+  }
 }

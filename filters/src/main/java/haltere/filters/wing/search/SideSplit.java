@@ -2,11 +2,7 @@ package haltere.filters.wing.search;
 
 import java.util.Arrays;
 
-/**
- * Divides events into those left and those right of a body axis.
- *
- * <p>Thread rule: one thread at a time.
- */
+/** Divides events into those left and those right of a body axis. */
 final class SideSplit {
   private static final int ROUNDS = 20;
 

@@ -8,8 +8,6 @@ import java.util.Arrays;
  * <p>Of a run of events of one polarity on a pixel the first alone is kept: it says when the edge
  * came, the others how slow the pixel is. Hot pixels are left out. An event is supported if another
  * pixel near by had one shortly before or after it.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class StrokeSample {
   private static final int SUPPORT_US = 300;

@@ -2,13 +2,12 @@ package haltere.filters.wing.search;
 
 /**
  * Divides points into two classes, each nearest to the mean of its own (Lloyd 1982), from several
- * starts: both diagonals of the sensor, as the source has one of them, and both principal axes of
- * the points. The division with the least scatter is kept. A class never ends empty: it gets the
- * point that is furthest from the other's mean.
+ * starts. The division with the least scatter is kept. A class never ends empty: it gets the point
+ * that is furthest from the other's mean.
  *
  * <p>Thread rule: one thread at a time.
  */
-final class TwoMeans {
+public final class TwoMeans {
   private static final int MOST_ROUNDS = 20;
 
   private double[] x;
@@ -25,8 +24,11 @@ final class TwoMeans {
   /** Sum of the squared distances from the means. */
   double scatter;
 
+  /** Means of no points. */
+  public TwoMeans() {}
+
   /**
-   * Divides points.
+   * Divides points, from both diagonals of the sensor and both principal axes of the points.
    *
    * @param px columns
    * @param py rows
@@ -36,30 +38,27 @@ final class TwoMeans {
    * @return false if there are fewer than two different points
    */
   boolean divide(double[] px, double[] py, int points, int width, int height) {
-    x = px;
-    y = py;
-    size = points;
     double meanX = 0;
     double meanY = 0;
-    for (int i = 0; i < size; i++) {
-      meanX += x[i];
-      meanY += y[i];
+    for (int i = 0; i < points; i++) {
+      meanX += px[i];
+      meanY += py[i];
     }
-    meanX /= size;
-    meanY /= size;
+    meanX /= points;
+    meanY /= points;
     double xx = 0;
     double xy = 0;
     double yy = 0;
-    for (int i = 0; i < size; i++) {
-      xx += (x[i] - meanX) * (x[i] - meanX);
-      xy += (x[i] - meanX) * (y[i] - meanY);
-      yy += (y[i] - meanY) * (y[i] - meanY);
+    for (int i = 0; i < points; i++) {
+      xx += (px[i] - meanX) * (px[i] - meanX);
+      xy += (px[i] - meanX) * (py[i] - meanY);
+      yy += (py[i] - meanY) * (py[i] - meanY);
     }
     if (!(xx + yy > 0)) {
       return false;
     }
     double axis = 0.5 * Math.atan2(2 * xy, xx - yy);
-    double reach = Math.sqrt((xx + yy) / size);
+    double reach = Math.sqrt((xx + yy) / points);
     double dx = reach * Math.cos(axis);
     double dy = reach * Math.sin(axis);
     double[][] starts = {
@@ -68,21 +67,34 @@ final class TwoMeans {
       {meanX + dx, meanY + dy, meanX - dx, meanY - dy},
       {meanX - dy, meanY + dx, meanX + dy, meanY - dx}
     };
-    double best = Double.POSITIVE_INFINITY;
-    double[] kept = starts[0];
+    divide(px, py, points, starts);
+    return true;
+  }
+
+  /**
+   * Divides points.
+   *
+   * @param px columns
+   * @param py rows
+   * @param points how many of them
+   * @param starts columns and rows of both means: x, y, x, y; each is moved to what is found from
+   *     it
+   */
+  public void divide(double[] px, double[] py, int points, double[]... starts) {
+    x = px;
+    y = py;
+    size = points;
+    scatter = Double.POSITIVE_INFINITY;
     for (double[] start : starts) {
       double found = converge(start);
-      if (found < best) {
-        best = found;
-        kept = start;
+      if (found < scatter) {
+        scatter = found;
+        firstX = start[0];
+        firstY = start[1];
+        secondX = start[2];
+        secondY = start[3];
       }
     }
-    firstX = kept[0];
-    firstY = kept[1];
-    secondX = kept[2];
-    secondY = kept[3];
-    scatter = best;
-    return true;
   }
 
   /** Moves the two means until nothing changes; gives back the scatter. */

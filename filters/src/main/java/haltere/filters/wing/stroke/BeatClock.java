@@ -2,11 +2,7 @@ package haltere.filters.wing.stroke;
 
 import haltere.filters.wing.WingSide;
 
-/**
- * Tells of each beat as it ends: when the phase has passed 0.
- *
- * <p>Thread rule: one thread at a time.
- */
+/** Tells of each beat as it ends: when the phase has passed 0. */
 final class BeatClock {
   private final WingSide side;
   private final BeatListener beats;

@@ -8,9 +8,6 @@ package haltere.filters.wing.stroke;
  * can make its next event.
  */
 final class CameraLatency {
-  /** Constant delay that is taken where nobody says it: no camera is without one. */
-  private static final double USUAL_S = 60e-6;
-
   /** Width of a wing as seen from its hinge, radians, where it is best seen: in mid stroke. */
   private static final double WING_RAD = 0.05;
 
@@ -32,8 +29,8 @@ final class CameraLatency {
    */
   private static final double LEFT_S = 6e-6;
 
-  /** What is not known of the constant delay, where nobody says it. */
-  private static final double UNKNOWN_S = 15e-6;
+  /** Uncertainty of a lag that events of one edge alone do not tell, as a share of it. */
+  private static final double HELD_SHARE = 0.1;
 
   private CameraLatency() {}
 
@@ -63,25 +60,24 @@ final class CameraLatency {
   /**
    * Latency of OFF events.
    *
-   * @param knownUs constant delay of the camera, microseconds; negative if it is not known
+   * @param constantUs constant delay of the camera, microseconds
    * @param lagS of ON events behind OFF events, seconds
    * @param fullSpeed of the wing in the middle of its stroke, radians a second
    * @return seconds
    */
-  static double seconds(double knownUs, double lagS, double fullSpeed) {
+  static double seconds(double constantUs, double lagS, double fullSpeed) {
     double over = overPixelS(fullSpeed);
     double slow = Math.max(0, lagS - BLIND_S2 / over);
-    double constant = knownUs >= 0 ? knownUs * 1e-6 : USUAL_S;
-    return constant + SLOW_SHARE * over * (1 - Math.exp(-slow / SLOW_LAG_S));
+    return constantUs * 1e-6 + SLOW_SHARE * over * (1 - Math.exp(-slow / SLOW_LAG_S));
   }
 
   /**
-   * Standard deviation of {@link #seconds}.
+   * Standard deviation of {@link #seconds}, where the constant delay is known or does not matter.
    *
-   * @param knownUs constant delay of the camera, microseconds; negative if it is not known
+   * @param heldLagS lag of ON events that is not told by events of both edges; 0 if it is
    * @return seconds
    */
-  static double sdSeconds(double knownUs) {
-    return Math.hypot(LEFT_S, knownUs >= 0 ? 0 : UNKNOWN_S);
+  static double sdSeconds(double heldLagS) {
+    return Math.hypot(LEFT_S, HELD_SHARE * heldLagS);
   }
 }

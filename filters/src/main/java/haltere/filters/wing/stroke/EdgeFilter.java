@@ -4,50 +4,165 @@ import haltere.filters.estimation.Angles;
 import haltere.filters.estimation.Gate;
 import haltere.filters.estimation.GaussianState;
 import haltere.filters.estimation.InnovationMonitor;
+import haltere.filters.estimation.SineCosine;
+import haltere.filters.wing.WingFilterEdit;
+import haltere.filters.wing.WingFilterState;
+import haltere.filters.wing.WingFilterState.Source;
+import haltere.filters.wing.WingNoiseSettings;
+import haltere.filters.wing.WingPart;
+import haltere.filters.wing.WingTrackerSettings;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
 
 /**
  * The extended Kalman filter of one edge of a wing: centre a, amplitude M, phase ξ, angular
  * frequency ω, with h = a + M sin ξ (Cardinale 2006, eq. 11 to 14, whose Jacobian is mended).
- *
- * <p>Times in seconds, angles in radians. Thread rule: one thread at a time.
+ * Several events may be averaged before an update.
  */
-final class EdgeFilter {
+final class EdgeFilter extends EdgeEstimator {
   static final int CENTRE = 0;
   static final int AMPLITUDE = 1;
   static final int PHASE = 2;
   static final int OMEGA = 3;
   static final int SIZE = 4;
 
-  final GaussianState belief = new GaussianState(SIZE);
-  final InnovationMonitor monitor;
-  private final double threshold;
-  private final double[] row = {1, 0, 0, 0};
-  private double nis = Double.NaN;
-  private double expected;
+  private static final double US = 1e-6;
+  private static final int LOST_AFTER = 400;
+  private static final double WIDEST_GATE_SD = 30;
 
-  EdgeFilter(Gate gate, int lossAfter) {
-    threshold = gate.threshold(1);
-    monitor = new InnovationMonitor(lossAfter);
+  /** Variance of a measurement where the settings give none, squared radians. */
+  private static final double USUAL_MEASUREMENT = 0.006;
+
+  /** Units of the process noise of an update. */
+  private static final List<String> UPDATE_UNITS =
+      List.of("rad\u00b2", "rad\u00b2", "rad\u00b2", "rad\u00b2/s\u00b2");
+
+  final GaussianState belief = new GaussianState(SIZE);
+  private final InnovationMonitor monitor = new InnovationMonitor(LOST_AFTER);
+  private final WingPart part;
+  private final EdgeNoise noise;
+  private final double threshold;
+  private final SineCosine wave = new SineCosine();
+  private final double[] row = {1, 0, 0, 0};
+  private WingNoiseSettings settings;
+  private double[] q;
+  private final Source[] qSources = new Source[SIZE];
+  private double r;
+  private Source rSource;
+  private int averaged;
+  private long stateUs;
+
+  /** How late the edge's events are against those of the leading edge. */
+  private double lagUs;
+
+  private double sum;
+
+  /** Sum of the times of the events that are averaged, since the state's own. */
+  private long ages;
+
+  private int count;
+  private double highestPhase;
+
+  EdgeFilter(WingPart part, EdgeNoise noise, WingTrackerSettings settings) {
+    this.part = part;
+    this.noise = noise;
+    double gateSd = settings.filter().gateSd();
+    threshold = (gateSd > WIDEST_GATE_SD ? Gate.OPEN : Gate.sigmas(gateSd)).threshold(1);
+    apply(settings);
+  }
+
+  @Override
+  void apply(WingTrackerSettings changed) {
+    averaged = changed.filter().averagedEvents();
+    if (!changed.noise().equals(settings)) {
+      settings = changed.noise();
+      q = noise.of(settings);
+      Arrays.fill(qSources, Source.SETTINGS);
+      setMeasurement(0);
+    }
+  }
+
+  /** Sets the variance of a measurement; 0 for that of the settings. */
+  private void setMeasurement(double variance) {
+    rSource = variance > 0 ? Source.BY_HAND : Source.SETTINGS;
+    r = variance > 0 ? variance : settings.measurement();
+    r = r > 0 ? r : USUAL_MEASUREMENT;
+  }
+
+  @Override
+  void launch(long atUs, StrokeSeed seed) {
+    super.launch(atUs, seed);
+    stateUs = atUs;
+    lagUs = part == WingPart.edge(part.side().ordinal(), 0) ? 0 : seed.lagS() / US;
+    clearAverage();
+    belief.setMean(CENTRE, centre);
+    belief.setMean(AMPLITUDE, amplitude);
+    belief.setMean(PHASE, Angles.wrapPi(seed.phase() + seed.omega() * (atUs - seed.timeUs()) * US));
+    belief.setMean(OMEGA, omega);
+    noise.launch(belief);
+    copyState();
+    monitor.endRun();
+    nis = Double.NaN;
+    highestPhase = Angles.wrapTwoPi(belief.mean(PHASE));
+  }
+
+  private void clearAverage() {
+    sum = 0;
+    ages = 0;
+    count = 0;
+  }
+
+  @Override
+  boolean event(long timeUs, double angle) {
+    lastEventUs = timeUs;
+    taken++;
+    sum += count == 0 ? angle : sum / count + Angles.wrapPi(angle - sum / count);
+    ages += timeUs - stateUs;
+    if (++count < averaged) {
+      return false;
+    }
+    double measured = sum / count;
+    long atUs = noise.dateUs(stateUs + ages / count, timeUs);
+    clearAverage();
+    predict(atUs);
+    update(measured);
+    copyState();
+    return hasPassed();
+  }
+
+  private void copyState() {
+    centre = belief.mean(CENTRE);
+    amplitude = belief.mean(AMPLITUDE);
+    omega = belief.mean(OMEGA);
+    least = centre - amplitude;
+    most = centre + amplitude;
   }
 
   /** The phase turns on; its error gathers that of the frequency. */
-  void predict(double dtS) {
-    belief.shear(PHASE, OMEGA, dtS);
+  private void predict(long atUs) {
+    double dtS = (atUs - stateUs) * US;
+    if (dtS > 0) {
+      belief.shear(PHASE, OMEGA, dtS);
+      noise.add(belief, q, dtS);
+      stateUs = atUs;
+    }
   }
 
   /** Takes in an angle, unless it lies outside the gate. */
-  void update(double angle, double variance) {
-    double phase = belief.mean(PHASE);
-    double amplitude = belief.mean(AMPLITUDE);
-    double sin = Math.sin(phase);
-    row[AMPLITUDE] = sin;
-    row[PHASE] = amplitude * Math.cos(phase);
-    double innovation = Angles.wrapPi(angle - (belief.mean(CENTRE) + amplitude * sin));
+  void update(double angle) {
+    wave.of(belief.mean(PHASE));
+    row[AMPLITUDE] = wave.sine();
+    row[PHASE] = amplitude * wave.cosine();
+    double innovation = angle - (centre + amplitude * wave.sine());
+    if (Math.abs(innovation) > Math.PI) {
+      innovation = Angles.wrapPi(innovation);
+    }
     expected = angle - innovation;
-    nis = innovation * innovation / (belief.project(row) + variance);
+    nis = innovation * innovation / (belief.project(row) + r);
     if (nis > threshold) {
       monitor.noteGated();
-    } else if (belief.correct(innovation, variance)) {
+    } else if (belief.correct(innovation, r)) {
       monitor.noteApplied();
       mend();
     } else {
@@ -58,35 +173,90 @@ final class EdgeFilter {
   /** Keeps the phase small, so that it stays exact, and the amplitude positive. */
   private void mend() {
     double phase = belief.mean(PHASE);
-    double amplitude = belief.mean(AMPLITUDE);
-    if (amplitude < 0) {
-      belief.setMean(AMPLITUDE, -amplitude);
+    if (belief.mean(AMPLITUDE) < 0) {
+      belief.setMean(AMPLITUDE, -belief.mean(AMPLITUDE));
       belief.scale(AMPLITUDE, -1);
       phase += Math.PI;
     }
-    belief.setMean(PHASE, Angles.wrapPi(phase));
+    if (Math.abs(phase) > Math.PI) {
+      phase = Angles.wrapPi(phase);
+    }
+    belief.setMean(PHASE, phase);
   }
 
-  /** What the last angle was compared with. */
-  double expected() {
-    return expected;
+  private boolean hasPassed() {
+    double phase = belief.mean(PHASE);
+    phase += phase < 0 ? 2 * Math.PI : 0;
+    if (phase < highestPhase - Math.PI) {
+      highestPhase = phase;
+      return true;
+    }
+    if (phase - highestPhase < Math.PI) {
+      highestPhase = Math.max(highestPhase, phase);
+    }
+    return false;
   }
 
-  /** Normalised innovation squared of the last angle, NaN before the first. */
-  double nis() {
-    return nis;
+  @Override
+  double phase(double atUs) {
+    return belief.mean(PHASE) + omega * (atUs + lagUs - stateUs) * US;
   }
 
-  /** Stroke angle when the phase has turned on. */
-  double angleAfter(double turn) {
-    return belief.mean(CENTRE) + belief.mean(AMPLITUDE) * Math.sin(belief.mean(PHASE) + turn);
+  @Override
+  double angle(double atUs) {
+    return centre + amplitude * Math.sin(phase(atUs));
   }
 
-  /** Standard deviation of the stroke angle when the phase has turned on. */
-  double sdAngleAfter(double turn) {
-    double phase = belief.mean(PHASE) + turn;
+  @Override
+  double angleVariance(double atUs) {
+    double phase = phase(atUs);
     row[AMPLITUDE] = Math.sin(phase);
-    row[PHASE] = belief.mean(AMPLITUDE) * Math.cos(phase);
-    return Math.sqrt(Math.max(0, belief.project(row)));
+    row[PHASE] = amplitude * Math.cos(phase);
+    return Math.max(0, belief.project(row));
+  }
+
+  @Override
+  double omegaVariance() {
+    return belief.covariance(OMEGA, OMEGA);
+  }
+
+  @Override
+  boolean isLost(long nowUs) {
+    return monitor.lockLost();
+  }
+
+  @Override
+  Optional<WingFilterState> filter() {
+    return Optional.of(
+        new WingFilterState(
+            part,
+            FilterNumbers.of(FilterNumbers.NAMES, SIZE),
+            FilterNumbers.of(FilterNumbers.UNITS, SIZE),
+            belief.mean().data,
+            belief.covariance().data,
+            q,
+            noise.isDensity() ? FilterNumbers.of(FilterNumbers.DENSITY_UNITS, SIZE) : UPDATE_UNITS,
+            List.of(qSources),
+            r,
+            rSource,
+            nis,
+            taken));
+  }
+
+  @Override
+  void edit(WingFilterEdit edit) {
+    int row = edit.row();
+    switch (edit.table()) {
+      case STATE -> {
+        belief.setMean(row, row == PHASE ? Angles.wrapPi(edit.value()) : edit.value());
+        copyState();
+      }
+      case COVARIANCE -> belief.edit(row, edit.column(), edit.value());
+      case PROCESS_NOISE -> {
+        q[row] = edit.givesBack() ? noise.of(settings)[row] : edit.notNegative();
+        qSources[row] = edit.givesBack() ? Source.SETTINGS : Source.BY_HAND;
+      }
+      case MEASUREMENT_NOISE -> setMeasurement(edit.givesBack() ? 0 : edit.notNegative());
+    }
   }
 }

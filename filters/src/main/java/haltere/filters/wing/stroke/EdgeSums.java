@@ -1,10 +1,6 @@
 package haltere.filters.wing.stroke;
 
-/**
- * Events of an edge that go into one update of its wing's filter.
- *
- * <p>Thread rule: one thread at a time.
- */
+/** Events of an edge that go into one update of its wing's filter. */
 final class EdgeSums {
   private final int edge;
   private double weight;

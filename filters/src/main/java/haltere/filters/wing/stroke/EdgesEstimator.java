@@ -1,220 +1,177 @@
 package haltere.filters.wing.stroke;
 
 import haltere.filters.estimation.Angles;
-import haltere.filters.estimation.Gate;
-import haltere.filters.estimation.GaussianState;
+import haltere.filters.wing.WingEstimate;
 import haltere.filters.wing.WingFilterEdit;
-import haltere.filters.wing.WingFilterSettings;
 import haltere.filters.wing.WingFilterState;
-import haltere.filters.wing.WingModel;
-import haltere.filters.wing.WingNoiseSettings;
 import haltere.filters.wing.WingPart;
 import haltere.filters.wing.WingSide;
 import haltere.filters.wing.WingTrackerSettings;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.Stream;
 
 /**
- * A filter for each edge of a wing, as the source has it: h = a + M sin xi. Process noise is a
- * density, or, as in the source, the same whenever time has passed, whatever the time. Several
- * events may be averaged before an update.
+ * An estimator for each edge of a wing. The wing is the mean of the edges that have events: one
+ * that is switched off, or has been silent for long, does not count.
  *
  * <p>Thread rule: one thread at a time.
  */
 public final class EdgesEstimator implements SideEstimator {
   private static final double US = 1e-6;
-  private static final int LOST_AFTER = 400;
-  private static final double START_AMPLITUDE = 1;
-  private static final double START_VARIANCE = 1;
 
-  /** What the source says that phase and frequency have in common, as near to 1 as can be. */
-  private static final double START_COVARIANCE = 1 - 1e-9;
-
-  /** Share of the noise in manoeuvres that a filter has which does not notice them. */
-  private static final double MANOEUVRE_SHARE = 0.05;
-
-  private static final double WIDEST_GATE_SD = 30;
-  private static final double USUAL_MEASUREMENT = 0.006;
-  private static final List<String> NAMES =
-      List.of("centre", "amplitude", "phase", "angular frequency");
-  private static final List<String> UNITS = List.of("rad", "rad", "rad", "rad/s");
+  /**
+   * Time without events after which an edge does not count, microseconds: two of the longest beats.
+   */
+  private static final long SILENT_US = 30_000;
 
   private final WingSide side;
   private final StrokeFrame frame;
   private final BeatListener beats;
-  private final EdgeFilter[] filters = new EdgeFilter[2];
-
-  /** Process noise of the variances, and the variance of a measurement, of each edge. */
-  private final double[][] processNoise = new double[2][4];
-
-  private final double[] measurementNoise = new double[2];
-  private double expected;
-  private WingNoiseSettings noise;
-  private WingFilterSettings options;
-  private final long[] lastUs = new long[2];
-  private final long[] taken = new long[2];
-  private final double[] sums = new double[2];
-
-  /** Times of the events that are averaged, since the filter's own. */
-  private final long[] ages = new long[2];
-
-  private final int[] counts = new int[2];
-  private final double[] lastPhase = new double[2];
+  private final EdgeEstimator[] edges;
+  private final boolean[] taken = new boolean[2];
+  private final boolean filters;
+  private double latencyUs;
   private long nowUs;
-  private long lastEventUs;
-  private double lastPassedUs = Double.NaN;
+  private double lastPassedUs;
+  private double lagS;
+
+  private EdgesEstimator(
+      WingSide side,
+      StrokeFrame frame,
+      WingTrackerSettings settings,
+      BeatListener beats,
+      EdgeEstimator[] edges) {
+    this.side = side;
+    this.frame = frame;
+    this.beats = beats;
+    this.edges = edges;
+    filters = edges[0] instanceof EdgeFilter;
+    apply(settings);
+  }
 
   /**
-   * An estimator that has to be {@link #launch launched}.
+   * A Kalman filter for each edge, to be {@link #launch launched}.
    *
    * @param side which wing
    * @param frame where it is hinged
    * @param settings of the tracker
    * @param beats takes the beats
+   * @param noise of both filters
+   * @return filters of a plain sinusoid (Cardinale 2006)
    */
-  public EdgesEstimator(
-      WingSide side, StrokeFrame frame, WingTrackerSettings settings, BeatListener beats) {
-    this.side = side;
-    this.frame = frame;
-    this.beats = beats;
-    apply(settings);
-    for (int edge = 0; edge < 2; edge++) {
-      filters[edge] = new EdgeFilter(gate(options.gateSd()), LOST_AFTER);
-    }
-  }
-
-  private static Gate gate(double sd) {
-    return sd > WIDEST_GATE_SD ? Gate.OPEN : Gate.sigmas(sd);
-  }
-
-  @Override
-  public final void apply(WingTrackerSettings settings) {
-    options = settings.filter();
-    if (!settings.noise().equals(noise)) {
-      noise = settings.noise();
-      for (int edge = 0; edge < 2; edge++) {
-        processNoise[edge][0] = noise.centre();
-        processNoise[edge][1] = noise.amplitude();
-        processNoise[edge][2] = noise.phase();
-        processNoise[edge][3] =
-            noise.frequency() + (isByUpdate() ? 0 : MANOEUVRE_SHARE * noise.manoeuvre());
-        measurementNoise[edge] = noise.measurement();
-      }
-    }
-  }
-
-  private boolean isByUpdate() {
-    return options.model() == WingModel.EDGES_BY_UPDATE;
+  public static EdgesEstimator filters(
+      WingSide side,
+      StrokeFrame frame,
+      WingTrackerSettings settings,
+      BeatListener beats,
+      EdgeNoise noise) {
+    EdgeEstimator[] edges = {
+      new EdgeFilter(WingPart.edge(side.ordinal(), LEADING), noise, settings),
+      new EdgeFilter(WingPart.edge(side.ordinal(), TRAILING), noise, settings)
+    };
+    return new EdgesEstimator(side, frame, settings, beats, edges);
   }
 
   /**
-   * Begins with a stroke, or, as the source does, with its centre and frequency alone: amplitude 1,
-   * phase the centre.
+   * A running average for each edge, to be {@link #launch launched}.
    *
-   * @param atUs when, microseconds
-   * @param seed the stroke
-   * @param knowsPhase whether amplitude and phase of the stroke are known
+   * @param side which wing
+   * @param frame where it is hinged
+   * @param settings of the tracker
+   * @param beats takes the beats
+   * @return averages without standard deviations
    */
-  public void launch(long atUs, StrokeSeed seed, boolean knowsPhase) {
-    nowUs = atUs;
-    lastEventUs = atUs;
-    lastPassedUs = Double.NaN;
+  public static EdgesEstimator averages(
+      WingSide side, StrokeFrame frame, WingTrackerSettings settings, BeatListener beats) {
+    EdgeEstimator[] edges = {new EdgeAverage(settings), new EdgeAverage(settings)};
+    return new EdgesEstimator(side, frame, settings, beats, edges);
+  }
+
+  @Override
+  public void apply(WingTrackerSettings settings) {
+    latencyUs = filters ? settings.filter().latencyUs() : 0;
     for (int edge = 0; edge < 2; edge++) {
-      sums[edge] = 0;
-      ages[edge] = 0;
-      counts[edge] = 0;
-      taken[edge] = 0;
-      double phase =
-          knowsPhase ? seed.phase() + seed.omega() * (atUs - seed.timeUs()) * US : seed.centre();
-      double amplitude = knowsPhase ? seed.amplitude() : START_AMPLITUDE;
-      GaussianState belief = filters[edge].belief;
-      belief.setMean(EdgeFilter.CENTRE, seed.centre());
-      belief.setMean(EdgeFilter.AMPLITUDE, amplitude);
-      belief.setMean(EdgeFilter.PHASE, Angles.wrapPi(phase));
-      belief.setMean(EdgeFilter.OMEGA, seed.omega());
-      belief.setVariances(START_VARIANCE, 1e-9, START_VARIANCE, START_VARIANCE);
-      if (!knowsPhase) {
-        belief.addNoise(EdgeFilter.PHASE, EdgeFilter.OMEGA, START_COVARIANCE);
-      }
-      filters[edge].monitor.endRun();
-      lastUs[edge] = atUs;
-      lastPhase[edge] = phase(edge);
+      taken[edge] = settings.output().takes(WingPart.edge(side.ordinal(), edge));
+      edges[edge].apply(settings);
     }
   }
 
   @Override
-  public boolean event(long timeUs, boolean on) {
-    int edge = on ? 1 : 0;
-    lastEventUs = timeUs;
-    taken[edge]++;
-    double measured =
-        counts[edge] == 0
-            ? frame.angle()
-            : sums[edge] / counts[edge] + Angles.wrapPi(frame.angle() - sums[edge] / counts[edge]);
-    sums[edge] += measured;
-    ages[edge] += timeUs - lastUs[edge];
-    if (++counts[edge] < options.averagedEvents()) {
-      return true;
-    }
-    double angle = sums[edge] / counts[edge];
-    // the source takes the average for one of the last event's time, and is late by half of it
-    long atUs = isByUpdate() ? timeUs : lastUs[edge] + ages[edge] / counts[edge];
-    sums[edge] = 0;
-    ages[edge] = 0;
-    counts[edge] = 0;
-    predict(edge, atUs);
-    filters[edge].update(angle, measurementNoise(edge));
-    expected = filters[edge].expected();
-    if (edge == 0) {
-      watchBeat(atUs);
-    }
-    return true;
+  public void launch(long atUs, StrokeSeed seed) {
+    nowUs = atUs;
+    lastPassedUs = Double.NaN;
+    lagS = seed.lagS();
+    edges[0].launch(atUs, seed);
+    edges[1].launch(atUs, seed);
   }
 
-  private double measurementNoise(int edge) {
-    return measurementNoise[edge] > 0 ? measurementNoise[edge] : USUAL_MEASUREMENT;
+  @Override
+  public double event(long timeUs, boolean on) {
+    return event(timeUs, on, frame.angle());
   }
 
-  private void predict(int edge, long timeUs) {
-    double dtS = (timeUs - lastUs[edge]) * US;
-    if (dtS > 0) {
-      filters[edge].predict(dtS);
-      addNoise(filters[edge].belief, processNoise[edge], dtS);
-      lastUs[edge] = timeUs;
+  /**
+   * Takes an event whose stroke angle is known.
+   *
+   * @param timeUs when, microseconds
+   * @param on its polarity
+   * @param angle stroke angle, of whichever turn
+   * @return stroke angle that was expected
+   */
+  public double event(long timeUs, boolean on, double angle) {
+    nowUs = timeUs;
+    EdgeEstimator edge = edges[on ? TRAILING : LEADING];
+    boolean ended = edge.event(timeUs, angle);
+    if (ended && edge == edges[counts(LEADING) ? LEADING : TRAILING]) {
+      endBeat();
     }
+    return edge.expected;
   }
 
-  private void addNoise(GaussianState belief, double[] q, double dtS) {
-    // the table of Cardinale (2006), in which phase and frequency have all of their noise in common
-    boolean byUpdate = isByUpdate();
-    double scale = byUpdate ? 1 : dtS;
-    for (int i = 0; i < EdgeFilter.SIZE; i++) {
-      belief.addNoise(i, q[i] * scale);
-    }
-    if (byUpdate) {
-      belief.addNoise(EdgeFilter.PHASE, EdgeFilter.OMEGA, Math.sqrt(q[2] * q[3]));
-    } else {
-      belief.addNoise(EdgeFilter.PHASE, q[3] * dtS * dtS * dtS / 3);
-      belief.addNoise(EdgeFilter.PHASE, EdgeFilter.OMEGA, q[3] * dtS * dtS / 2);
-    }
+  /** The leading edge's beat is the wing's, the trailing edge's where the other has no events. */
+  private void endBeat() {
+    double omega = Math.max(1, mean(edge -> edge.omega));
+    double passedUs = nowUs - Angles.wrapPi(wingPhase(nowUs)) / omega / US;
+    beats.beat(
+        side, passedUs, passedUs - lastPassedUs, mean(edge -> edge.least), mean(edge -> edge.most));
+    lastPassedUs = passedUs;
   }
 
-  private void watchBeat(long timeUs) {
-    double phase = phase(0);
-    if (phase < lastPhase[0] - Math.PI) {
-      double passedUs =
-          timeUs - phase / Math.max(1, filters[0].belief.mean(EdgeFilter.OMEGA)) * 1e6;
-      beats.beat(
-          side, passedUs, passedUs - lastPassedUs, centre() - amplitude(), centre() + amplitude());
-      lastPassedUs = passedUs;
-      lastPhase[0] = phase;
-    } else if (phase - lastPhase[0] < Math.PI) {
-      lastPhase[0] = Math.max(lastPhase[0], phase);
-    }
+  private boolean counts(int edge) {
+    EdgeEstimator e = edges[edge];
+    return taken[edge] && nowUs - e.lastEventUs <= SILENT_US && !e.isLost(nowUs);
   }
 
-  private double phase(int edge) {
-    double turns = filters[edge].belief.mean(EdgeFilter.PHASE) / (2 * Math.PI);
-    return (turns - Math.floor(turns)) * 2 * Math.PI;
+  /** The only edge that counts, or null if both count as much. */
+  private EdgeEstimator alone() {
+    boolean leading = counts(LEADING);
+    return leading == counts(TRAILING) ? null : edges[leading ? LEADING : TRAILING];
+  }
+
+  private double mean(ToDoubleFunction<EdgeEstimator> value) {
+    EdgeEstimator alone = alone();
+    return alone != null
+        ? value.applyAsDouble(alone)
+        : (value.applyAsDouble(edges[0]) + value.applyAsDouble(edges[1])) / 2;
+  }
+
+  /** The same for an angle, of whichever turn. */
+  private double meanAngle(ToDoubleFunction<EdgeEstimator> value) {
+    EdgeEstimator alone = alone();
+    double from = value.applyAsDouble(alone != null ? alone : edges[0]);
+    return alone != null ? from : from + Angles.wrapPi(value.applyAsDouble(edges[1]) - from) / 2;
+  }
+
+  /** Standard deviation of a mean of independent values. */
+  private double sdOfMean(ToDoubleFunction<EdgeEstimator> variance) {
+    double mean = mean(variance);
+    return Math.sqrt(alone() == null ? mean / 2 : mean);
+  }
+
+  private double wingPhase(double atUs) {
+    return meanAngle(edge -> edge.phase(atUs));
   }
 
   @Override
@@ -222,130 +179,60 @@ public final class EdgesEstimator implements SideEstimator {
     nowUs = timeUs;
   }
 
-  private double turnNow(int edge) {
-    return filters[edge].belief.mean(EdgeFilter.OMEGA)
-        * ((nowUs - lastUs[edge]) * US + CameraLatency.seconds(options.latencyUs(), 0, 1));
-  }
-
   @Override
-  public double angle() {
-    return (edgeAngle(0) + edgeAngle(1)) / 2;
-  }
-
-  @Override
-  public double edgeAngle(int edge) {
-    return filters[edge].angleAfter(turnNow(edge));
-  }
-
-  @Override
-  public double centre() {
-    return (filters[0].belief.mean(EdgeFilter.CENTRE) + filters[1].belief.mean(EdgeFilter.CENTRE))
-        / 2;
-  }
-
-  @Override
-  public double amplitude() {
-    return (filters[0].belief.mean(EdgeFilter.AMPLITUDE)
-            + filters[1].belief.mean(EdgeFilter.AMPLITUDE))
-        / 2;
-  }
-
-  @Override
-  public double phase() {
-    double turns = (filters[0].belief.mean(EdgeFilter.PHASE) + turnNow(0)) / (2 * Math.PI);
-    return (turns - Math.floor(turns)) * 2 * Math.PI;
-  }
-
-  @Override
-  public double phaseAt(double timeUs) {
-    return phase() + 2 * Math.PI * frequencyHz() * (timeUs - nowUs) * US;
-  }
-
-  @Override
-  public double frequencyHz() {
-    return (filters[0].belief.mean(EdgeFilter.OMEGA) + filters[1].belief.mean(EdgeFilter.OMEGA))
-        / (4 * Math.PI);
-  }
-
-  @Override
-  public double sdAngle() {
-    return filters[0].sdAngleAfter(0) / Math.sqrt(2);
-  }
-
-  @Override
-  public double sdFrequencyHz() {
-    return Math.sqrt(filters[0].belief.covariance(EdgeFilter.OMEGA, EdgeFilter.OMEGA) / 2)
-        / (2 * Math.PI);
-  }
-
-  @Override
-  public double nis() {
-    return (filters[0].nis() + filters[1].nis()) / 2;
-  }
-
-  @Override
-  public long events(int edge) {
-    return taken[edge];
-  }
-
-  @Override
-  public double expected() {
-    return expected;
+  public WingEstimate estimate(int part) {
+    double atUs = nowUs + latencyUs;
+    if (part != WING) {
+      EdgeEstimator edge = edges[part];
+      return new WingEstimate(
+          nowUs,
+          WingPart.edge(side.ordinal(), part),
+          Angles.wrapTwoPi(edge.angle(atUs)),
+          edge.centre,
+          edge.amplitude,
+          Angles.wrapTwoPi(edge.phase(atUs)),
+          edge.omega / (2 * Math.PI),
+          Math.sqrt(edge.angleVariance(atUs)),
+          Math.sqrt(edge.omegaVariance()) / (2 * Math.PI),
+          edge.taken);
+    }
+    return new WingEstimate(
+        nowUs,
+        WingPart.wing(side.ordinal()),
+        Angles.wrapTwoPi(meanAngle(edge -> edge.angle(atUs))),
+        mean(edge -> edge.centre),
+        mean(edge -> edge.amplitude),
+        Angles.wrapTwoPi(wingPhase(atUs)),
+        mean(edge -> edge.omega) / (2 * Math.PI),
+        sdOfMean(edge -> edge.angleVariance(atUs)),
+        sdOfMean(EdgeEstimator::omegaVariance) / (2 * Math.PI),
+        edges[0].taken + edges[1].taken);
   }
 
   @Override
   public List<WingFilterState> filters() {
-    return List.of(filter(0), filter(1));
-  }
-
-  private WingFilterState filter(int edge) {
-    GaussianState belief = filters[edge].belief;
-    return new WingFilterState(
-        WingPart.edge(side.ordinal(), edge),
-        NAMES,
-        UNITS,
-        belief.mean().data,
-        belief.covariance().data,
-        processNoise[edge],
-        measurementNoise(edge),
-        false,
-        filters[edge].nis(),
-        taken[edge]);
+    return Stream.of(edges).map(EdgeEstimator::filter).flatMap(Optional::stream).toList();
   }
 
   @Override
   public void edit(WingFilterEdit edit) {
-    int edge = edit.part() == WingPart.edge(side.ordinal(), 0) ? 0 : 1;
-    GaussianState belief = filters[edge].belief;
-    switch (edit.table()) {
-      case STATE ->
-          belief.setMean(
-              edit.row(),
-              edit.row() == EdgeFilter.PHASE ? Angles.wrapPi(edit.value()) : edit.value());
-      case COVARIANCE -> belief.edit(edit.row(), edit.column(), edit.value());
-      case PROCESS_NOISE -> processNoise[edge][edit.row()] = edit.notNegative();
-      case MEASUREMENT_NOISE -> measurementNoise[edge] = edit.notNegative();
-    }
+    edges[edit.part() == WingPart.edge(side.ordinal(), LEADING) ? LEADING : TRAILING].edit(edit);
   }
 
   @Override
   public StrokeSeed seed() {
-    return new StrokeSeed(
+    return StrokeSeed.sinusoid(
         nowUs,
-        centre(),
-        amplitude(),
-        phase(),
-        2 * Math.PI * frequencyHz(),
-        0.02,
-        0,
-        new double[0],
-        new double[0]);
+        mean(edge -> edge.centre),
+        mean(edge -> edge.amplitude),
+        wingPhase(nowUs),
+        mean(edge -> edge.omega),
+        lagS);
   }
 
   @Override
   public boolean isLost(long timeUs) {
-    return timeUs - lastEventUs > 30_000
-        || filters[0].monitor.lockLost()
-        || filters[1].monitor.lockLost();
+    boolean none = !counts(LEADING) && !counts(TRAILING);
+    return none || filters && (edges[0].isLost(timeUs) || edges[1].isLost(timeUs));
   }
 }

@@ -52,17 +52,6 @@ final class EventNoise {
     this.fixed = fixed;
   }
 
-  /** Forgets what it has learnt. */
-  void reset() {
-    blade = 4e-4;
-    timing = 9e-10;
-    strays = 0.05;
-    near = 1;
-    nis = 1;
-    scale = 1;
-    varianceNow = 1e-3;
-  }
-
   /** Variance of an event's angle. */
   double variance(double radiusSquare, double speed) {
     varianceNow =
@@ -132,15 +121,5 @@ final class EventNoise {
   /** Strays a radian, as a share of the events. */
   double strays() {
     return strays;
-  }
-
-  /** Standard deviation of the times of events, seconds. */
-  double timingSdS() {
-    return Math.sqrt(timing);
-  }
-
-  /** Standard deviation of the angle that comes from the blade. */
-  double bladeSd() {
-    return Math.sqrt(blade);
   }
 }

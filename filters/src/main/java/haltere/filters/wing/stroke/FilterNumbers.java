@@ -1,48 +1,38 @@
 package haltere.filters.wing.stroke;
 
-import haltere.filters.wing.WingFilterState;
-import haltere.filters.wing.WingPart;
-import haltere.filters.wing.WingSide;
-import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 
-/** The numbers of a wing's filter, for a person. */
+/** Names and units of the numbers of a wing's filter, for a person. */
 final class FilterNumbers {
-  private static final List<String> NAMES =
-      List.of(
-          "centre",
-          "amplitude",
-          "phase",
-          "angular frequency",
-          "half width",
-          "lag of ON events",
-          "rate of angular frequency");
-  private static final List<String> UNITS =
-      List.of("rad", "rad", "rad", "rad/s", "rad", "s", "rad/s\u00b2");
+  /** Name, unit and unit of the density of the process noise of each entry before the harmonics. */
+  private static final String[][] ENTRIES = {
+    {"centre", "rad", "rad\u00b2/s"},
+    {"amplitude", "rad", "rad\u00b2/s"},
+    {"phase", "rad", "rad\u00b2/s"},
+    {"angular frequency", "rad/s", "rad\u00b2/s\u00b3"},
+    {"half width", "rad", "rad\u00b2/s"},
+    {"lag of ON events", "s", "s"},
+    {"rate of angular frequency", "rad/s\u00b2", "rad\u00b2/s\u2075"}
+  };
+
+  static final int NAMES = 0;
+  static final int UNITS = 1;
+  static final int DENSITY_UNITS = 2;
 
   private FilterNumbers() {}
 
-  /** The filter of a wing as it is now, with the density of its process noise in steady flight. */
-  static WingFilterState of(
-      WingSide side, StrokeEkf filter, double[] q, WingEventNoise noise, long events) {
-    List<String> names = new ArrayList<>(NAMES);
-    List<String> units = new ArrayList<>(UNITS);
-    for (int k = 2; k <= filter.harmonics; k++) {
-      names.add("cosine of harmonic " + k);
-      names.add("sine of harmonic " + k);
-      units.add("rad");
-      units.add("rad");
-    }
-    return new WingFilterState(
-        WingPart.wing(side.ordinal()),
-        names,
-        units,
-        filter.x,
-        filter.belief.covariance().data,
-        q,
-        noise.present(),
-        noise.fixed() == 0,
-        noise.nis(),
-        events);
+  /** Names or units of the entries of a filter's state. */
+  static List<String> of(int column, int size) {
+    return IntStream.range(0, size)
+        .mapToObj(i -> i < ENTRIES.length ? ENTRIES[i][column] : harmonic(column, i))
+        .toList();
+  }
+
+  private static String harmonic(int column, int entry) {
+    int i = entry - ENTRIES.length;
+    return column == NAMES
+        ? (i % 2 == 0 ? "cosine" : "sine") + " of harmonic " + (i / 2 + 2)
+        : ENTRIES[0][column];
   }
 }

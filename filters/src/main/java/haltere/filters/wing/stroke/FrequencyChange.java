@@ -22,26 +22,11 @@ final class FrequencyChange {
   private static final double FIRST_WEIGHT = 30;
   private static final double MOST_WEIGHT = 400;
 
-  private final double[] omega = new double[LOOKS];
-  private final double[] rate = new double[LOOKS];
-  private final double[] timeS = new double[LOOKS];
-  private int next;
-  private int filled;
-  private double nowS;
   private double change;
   private double usual;
   private double weight;
   private double excess;
   private FrequencyChange other;
-
-  void launch() {
-    next = 0;
-    filled = 0;
-    nowS = 0;
-    change = 0;
-    excess = 0;
-    weight = 0;
-  }
 
   /** Says which wing is driven together with this one; null if none is known. */
   void besides(FrequencyChange wing) {
@@ -51,27 +36,19 @@ final class FrequencyChange {
   /**
    * Looks, about once in a millisecond.
    *
-   * @param dtS since the last time
-   * @param filter of the wing
+   * @param history of the wing's filter, up to now
    * @param calm whether the fly flies steadily, so that this change counts as usual
    */
-  void look(double dtS, StrokeEkf filter, boolean calm) {
-    nowS += dtS;
+  void look(FrequencyHistory history, boolean calm) {
     if (weight == 0) {
-      usual = FIRST_SHARE * filter.belief.covariance(StrokeEkf.OMEGA, StrokeEkf.OMEGA);
+      usual = FIRST_SHARE * history.variance[history.ago(0)];
       weight = FIRST_WEIGHT;
     }
-    double now = filter.x[StrokeEkf.OMEGA];
-    change = filled < LOOKS ? 0 : now - omega[next] - rate[next] * (nowS - timeS[next]);
-    omega[next] = now;
-    rate[next] = filter.x[StrokeEkf.RATE];
-    timeS[next] = nowS;
-    next = (next + 1) % LOOKS;
-    filled = Math.min(LOOKS, filled + 1);
+    change = history.change(LOOKS);
     double mean = other == null ? change : (change + other.change) / 2;
     double clearly = USUAL_TIMES * usual;
     excess = Math.max(0, mean * mean - clearly);
-    if (calm && filled == LOOKS) {
+    if (calm && change != 0) {
       weight = Math.min(MOST_WEIGHT, weight + 1);
       usual += (Math.min(mean * mean, clearly) - usual) / weight;
     }

@@ -8,14 +8,12 @@ package haltere.filters.wing.stroke;
  * manoeuvres, does not.
  *
  * <p>Manoeuvres are left out here: in them the frequency changes too fast to be told by a line.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class FrequencyHindsight {
   /** Looks of about a millisecond before and after the one that is judged. */
-  private static final int HALF = 25;
+  private static final int HALF = FrequencyHistory.LOOKS / 2;
 
-  private static final int LOOKS = 2 * HALF + 1;
+  private static final int LOOKS = FrequencyHistory.LOOKS;
 
   /** A stretch with a gap of so much tells nothing. */
   private static final double GAP_S = 0.02;
@@ -26,60 +24,31 @@ final class FrequencyHindsight {
   private static final double FIRST_WEIGHT = 30;
   private static final double MOST_WEIGHT = 120;
 
-  private final double[] timeS = new double[LOOKS];
-  private final double[] phase = new double[LOOKS];
-  private final double[] omega = new double[LOOKS];
-  private final double[] variance = new double[LOOKS];
-  private int next;
-  private int filled;
-  private double nowS;
-  private double share;
-  private double weight;
+  /** Looks since the last one that tells nothing. */
+  private int steady;
 
-  /** Begins with what is usual. */
-  void launch() {
-    next = 0;
-    filled = 0;
-    nowS = 0;
-    share = FIRST_SHARE;
-    weight = FIRST_WEIGHT;
-  }
+  private double share = FIRST_SHARE;
+  private double weight = FIRST_WEIGHT;
 
   /**
    * Looks, about once in a millisecond.
    *
    * @param dtS since the last time
-   * @param filter of the wing
+   * @param history of the wing's filter, up to now
    * @param calm whether the fly flies steadily
    */
-  void look(double dtS, StrokeEkf filter, boolean calm) {
-    nowS += dtS;
-    if (!calm || dtS > GAP_S) {
-      filled = 0;
-    }
-    if (!calm) {
-      return;
-    }
-    double turned = filter.x[StrokeEkf.PHASE];
-    if (filled > 0) {
-      int last = (next + LOOKS - 1) % LOOKS;
-      double expected = phase[last] + filter.x[StrokeEkf.OMEGA] * (nowS - timeS[last]);
-      turned += 2 * Math.PI * Math.rint((expected - turned) / (2 * Math.PI));
-    }
-    timeS[next] = nowS;
-    phase[next] = turned;
-    omega[next] = filter.x[StrokeEkf.OMEGA];
-    variance[next] = filter.belief.covariance(StrokeEkf.OMEGA, StrokeEkf.OMEGA);
-    next = (next + 1) % LOOKS;
-    filled = Math.min(LOOKS, filled + 1);
-    if (filled == LOOKS) {
-      judge();
+  void look(double dtS, FrequencyHistory history, boolean calm) {
+    steady = !calm ? 0 : dtS > GAP_S ? 1 : steady + 1;
+    if (steady >= LOOKS) {
+      judge(history);
     }
   }
 
   /** Holds the frequency in the middle against the slope of the line through all phases. */
-  private void judge() {
-    int middle = (next + HALF) % LOOKS;
+  private void judge(FrequencyHistory history) {
+    double[] timeS = history.timeS;
+    double[] phase = history.phase;
+    int middle = history.ago(HALF);
     double meanTime = 0;
     double meanPhase = 0;
     for (int i = 0; i < LOOKS; i++) {
@@ -93,9 +62,9 @@ final class FrequencyHindsight {
       squares += t * t;
       products += t * (phase[i] - phase[middle] - meanPhase);
     }
-    double off = omega[middle] - products / squares;
+    double off = history.omega[middle] - products / squares;
     weight = Math.min(MOST_WEIGHT, weight + 1);
-    share += (off * off / variance[middle] - share) / weight;
+    share += (off * off / history.variance[middle] - share) / weight;
   }
 
   /**

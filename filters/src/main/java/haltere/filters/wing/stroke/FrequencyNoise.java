@@ -4,9 +4,8 @@ package haltere.filters.wing.stroke;
  * The noise of a wing's frequency: how much process noise the filter gets, more in a manoeuvre
  * ({@link RunAway}), and how sure the frequency really is, which the filter, ready for manoeuvres,
  * puts too low in steady flight ({@link FrequencyHindsight}) and too high just before a manoeuvre
- * is noticed ({@link FrequencyChange}, {@link FrequencySurprise}).
- *
- * <p>Thread rule: one thread at a time.
+ * is noticed ({@link FrequencyChange}, and how far it was off when manoeuvres were noticed of
+ * late).
  */
 final class FrequencyNoise {
   private static final double CALM_SHARE = 0.02;
@@ -20,28 +19,33 @@ final class FrequencyNoise {
   /** What is added for each square of what the frequency has changed by more than usual. */
   private static final double CHANGE_SHARE = 0.75;
 
+  /** Looks, of about a millisecond, that it takes to notice a manoeuvre. */
+  private static final int SURPRISE_LOOKS = 12;
+
+  private static final double SURPRISE_S = 1.5;
+
+  /** What is added for the mean square of the changes that manoeuvres are noticed by. */
+  private static final double SURPRISE_SHARE = 0.028;
+
   private final RunAway runAway = new RunAway();
-  private final FrequencySurprise surprise = new FrequencySurprise();
-  private final FrequencyChange change = new FrequencyChange();
+  private final FrequencyHistory history = new FrequencyHistory();
+  private final FrequencyChange changes = new FrequencyChange();
   private final FrequencyHindsight hindsight = new FrequencyHindsight();
   private FrequencyNoise other;
 
   /** Variance of the angular frequency in steady flight, as the filter thinks. */
-  private double calmVariance;
+  private double calmVariance = Double.MAX_VALUE;
 
-  void launch() {
-    runAway.launch();
-    surprise.launch();
-    change.launch();
-    hindsight.launch();
-    calmVariance = Double.MAX_VALUE;
-  }
+  /** Mean square of the changes that were surprises, over the last seconds. */
+  private double surprise;
+
+  private double sinceS;
 
   /** Says whose wing is driven together with this one; null if there is none. */
   void besides(FrequencyNoise wing) {
     other = wing;
     runAway.besides(wing == null ? null : wing.runAway);
-    change.besides(wing == null ? null : wing.change);
+    changes.besides(wing == null ? null : wing.changes);
   }
 
   /** Takes a residual, its weight times the slope, and the slope. */
@@ -60,10 +64,14 @@ final class FrequencyNoise {
     double omega = filter.x[StrokeEkf.OMEGA];
     runAway.look(dtS, omega, most);
     boolean calm = isCalm();
-    surprise.look(dtS, omega, filter.x[StrokeEkf.RATE], calm);
-    hindsight.look(dtS, filter, calm);
+    history.add(dtS, filter);
+    // a fly that has surprised does so again
+    double change = calm ? 0 : history.change(SURPRISE_LOOKS);
+    sinceS = Math.min(SURPRISE_S, sinceS + dtS);
+    surprise += dtS / sinceS * (change * change - surprise);
+    hindsight.look(dtS, history, calm);
     double p = filter.belief.covariance(StrokeEkf.OMEGA, StrokeEkf.OMEGA);
-    change.look(dtS, filter, calm && (other == null || other.isCalm()));
+    changes.look(history, calm && (other == null || other.isCalm()));
     if (p < calmVariance) {
       calmVariance = p;
     } else if (calm) {
@@ -87,7 +95,7 @@ final class FrequencyNoise {
     double share = UNSEEN * hindsight.share(other == null ? null : other.hindsight);
     return share * (p - manoeuvre)
         + MANOEUVRE_SHARE * manoeuvre
-        + surprise.variance()
-        + CHANGE_SHARE * change.excess();
+        + SURPRISE_SHARE * surprise
+        + CHANGE_SHARE * changes.excess();
   }
 }

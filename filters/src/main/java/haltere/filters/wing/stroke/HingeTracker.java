@@ -154,9 +154,4 @@ final class HingeTracker {
     clear();
     return true;
   }
-
-  /** Standard deviation of the hinge along the worse of both axes, pixels. */
-  double sdPx() {
-    return Math.sqrt(Math.max(pxx, pyy));
-  }
 }

@@ -3,8 +3,6 @@ package haltere.filters.wing.stroke;
 /**
  * Tells whether a filter is still on its wing: its events still come at their usual rate, more of
  * them lie near the wing than chance explains, and the state is one of a wing.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class LockJudge {
   private static final int PATIENCE = 25;
@@ -22,15 +20,6 @@ final class LockJudge {
   private double usualRate;
   private double sinceLaunchS;
   private int poor;
-
-  /** Begins anew. */
-  void launch() {
-    counted = 0;
-    quickRate = 0;
-    usualRate = 0;
-    sinceLaunchS = 0;
-    poor = 0;
-  }
 
   /**
    * Looks, about once in a millisecond.

@@ -8,8 +8,6 @@ package haltere.filters.wing.stroke;
  * <p>A fly's wings are driven as one: what both phases are off by together tells of a manoeuvre
  * sooner, and noise is less often taken for one, than each does alone. A wing that runs away alone
  * has to do so more clearly.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class RunAway {
   /** Density of the frequency's noise for each squared radian by which the phase runs away. */
@@ -24,14 +22,6 @@ final class RunAway {
   private double w;
   private double density;
   private RunAway other;
-
-  void launch() {
-    y = 0;
-    w = 0;
-    density = 0;
-    together.launch();
-    alone.launch();
-  }
 
   /** Says which wing is driven together with this one; null if none is known. */
   void besides(RunAway wing) {

@@ -1,5 +1,6 @@
 package haltere.filters.wing.stroke;
 
+import haltere.filters.wing.WingEstimate;
 import haltere.filters.wing.WingFilterEdit;
 import haltere.filters.wing.WingFilterState;
 import haltere.filters.wing.WingTrackerSettings;
@@ -12,15 +13,32 @@ import java.util.List;
  * <p>Thread rule: one thread at a time.
  */
 public interface SideEstimator {
+  /** Number of the leading edge (OFF events). */
+  int LEADING = 0;
+
+  /** Number of the trailing edge (ON events). */
+  int TRAILING = 1;
+
+  /** Number of the wing as a whole. */
+  int WING = 2;
+
+  /**
+   * Begins with a stroke.
+   *
+   * @param atUs when, microseconds
+   * @param seed the stroke
+   */
+  void launch(long atUs, StrokeSeed seed);
+
   /**
    * Takes an event of the wing's side that lies in the region of interest; the frame has just
    * looked at it.
    *
    * @param timeUs when, microseconds
    * @param on its polarity
-   * @return whether it was taken in
+   * @return stroke angle that was expected, before latency is taken out; NaN if it was refused
    */
-  boolean event(long timeUs, boolean on);
+  double event(long timeUs, boolean on);
 
   /**
    * Brings the estimate to a time before which no event comes any more.
@@ -30,91 +48,12 @@ public interface SideEstimator {
   void advance(long timeUs);
 
   /**
-   * Where the wing is.
+   * The estimate of an edge or of the wing at the time of the last {@link #advance}.
    *
-   * @return stroke angle at the time of the last {@link #advance}
+   * @param part {@link #LEADING}, {@link #TRAILING} or {@link #WING}
+   * @return standard deviations are NaN where the method gives none
    */
-  double angle();
-
-  /**
-   * Where an edge of the wing is.
-   *
-   * @param edge 0 leading, 1 trailing
-   * @return its stroke angle at the time of the last {@link #advance}
-   */
-  double edgeAngle(int edge);
-
-  /**
-   * What the wing beats about.
-   *
-   * @return mean stroke angle
-   */
-  double centre();
-
-  /**
-   * How far the wing beats.
-   *
-   * @return half of peak to peak
-   */
-  double amplitude();
-
-  /**
-   * Where in its beat the wing is.
-   *
-   * @return in [0, 2 pi), 0 where the wing passes its centre towards the tail
-   */
-  double phase();
-
-  /**
-   * The phase at a time near the present one.
-   *
-   * @param timeUs microseconds
-   * @return the phase, not wrapped
-   */
-  double phaseAt(double timeUs);
-
-  /**
-   * How often the wing beats.
-   *
-   * @return hertz
-   */
-  double frequencyHz();
-
-  /**
-   * How sure the angle is.
-   *
-   * @return standard deviation, NaN if unknown
-   */
-  double sdAngle();
-
-  /**
-   * How sure the frequency is.
-   *
-   * @return standard deviation, hertz, NaN if unknown
-   */
-  double sdFrequencyHz();
-
-  /**
-   * How well the estimate knows its own errors.
-   *
-   * @return mean normalised innovation squared of late, NaN if unknown
-   */
-  double nis();
-
-  /**
-   * Counts what was taken in.
-   *
-   * @param edge 0 leading, 1 trailing
-   * @return events of that edge
-   */
-  long events(int edge);
-
-  /**
-   * What was expected of the event that was taken in last.
-   *
-   * @return stroke angle, before latency is taken out
-   */
-  double expected();
+  WingEstimate estimate(int part);
 
   /**
    * The Kalman filters, of the wing or of its edges.
@@ -131,9 +70,7 @@ public interface SideEstimator {
    * @param edit which number
    * @throws IllegalArgumentException with a line for a person if it cannot be that number
    */
-  default void edit(WingFilterEdit edit) {
-    throw new IllegalArgumentException("the running average has no filter to change");
-  }
+  void edit(WingFilterEdit edit);
 
   /**
    * The stroke as it is now.

@@ -43,7 +43,7 @@ final class StrokeEkf {
 
   double sin;
 
-  /** Derivative of the stroke angle where {@link #angleWithSlope} was asked for it last. */
+  /** Derivative of the stroke angle where {@link #angle} was asked for it last. */
   double slopeThere;
 
   /** Cosine and sine of omega times the lag. */
@@ -102,40 +102,14 @@ final class StrokeEkf {
     x[PHASE] = phase >= 2 * Math.PI ? phase - 2 * Math.PI : phase < 0 ? phase + 2 * Math.PI : phase;
   }
 
-  /** Stroke angle at a phase given by its cosine and sine. */
-  double angle(double c1, double s1) {
-    double value = x[CENTRE] + x[AMPLITUDE] * s1;
-    double c = c1;
-    double s = s1;
-    for (int i = SERIES; i < size; i += 2) {
-      double next = c * c1 - s * s1;
-      s = s * c1 + c * s1;
-      c = next;
-      value += x[i] * c + x[i + 1] * s;
-    }
-    return value;
-  }
-
   /** Derivative of the stroke angle with respect to the phase. */
   double slope(double c1, double s1) {
-    double value = x[AMPLITUDE] * c1;
-    double c = c1;
-    double s = s1;
-    int k = 2;
-    for (int i = SERIES; i < size; i += 2) {
-      double next = c * c1 - s * s1;
-      s = s * c1 + c * s1;
-      c = next;
-      value += k * (x[i + 1] * c - x[i] * s);
-      k++;
-    }
-    return value;
+    angle(c1, s1);
+    return slopeThere;
   }
 
-  /**
-   * Stroke angle at a phase, in one go with its {@link #slope}, which {@link #slopeThere} keeps.
-   */
-  double angleWithSlope(double c1, double s1) {
+  /** Stroke angle at a phase given by its cosine and sine; {@link #slopeThere} keeps its slope. */
+  double angle(double c1, double s1) {
     double value = x[CENTRE] + x[AMPLITUDE] * s1;
     double slope = x[AMPLITUDE] * c1;
     double c = c1;
@@ -169,11 +143,15 @@ final class StrokeEkf {
     return slope(cos * c - sin * s, sin * c + cos * s);
   }
 
-  /** Takes the covariance on by a time: the phase gathers the error of the frequency. */
+  /**
+   * Takes the covariance on by a time: the phase gathers the error of the frequency.
+   *
+   * @param density of the process noise of the first entries
+   */
   void predictCovariance(double dtS, double[] density) {
     belief.shearCovariance(PHASE, OMEGA, dtS);
     belief.shear(OMEGA, RATE, dtS);
-    for (int i = 0; i < size; i++) {
+    for (int i = 0; i < density.length; i++) {
       belief.addNoise(i, density[i] * dtS);
     }
   }
@@ -206,6 +184,16 @@ final class StrokeEkf {
       h[i + 1] = s;
     }
     expectedVariance = belief.project(h);
+  }
+
+  /** Variance of the present angle of the wing's middle, 0, or of the edge on one of its sides. */
+  double angleVariance(int at) {
+    look(cos, sin, 0);
+    if (at != 0) {
+      h[WIDTH] = at;
+      expectedVariance = belief.project(h);
+    }
+    return expectedVariance;
   }
 
   /** Variance of what {@link #look} expects. */

@@ -1,6 +1,9 @@
 package haltere.filters.wing.stroke;
 
-/** What a filter forgets: what events do not show returns to what is likely of flies. */
+/**
+ * What a filter forgets: what events do not show returns to what is likely of flies (a process of
+ * Ornstein and Uhlenbeck, whose process noise has a density of 2 sd²/τ).
+ */
 final class StrokeMemory {
   private static final double FORGET_S = 1;
   private static final double RATE_S = 0.2;
@@ -12,20 +15,43 @@ final class StrokeMemory {
 
   private StrokeMemory() {}
 
+  /** Sets the densities of the entries that are forgotten. */
+  static void setDensities(double[] q, double rateSd) {
+    q[StrokeEkf.RATE] = 2 * rateSd * rateSd / RATE_S;
+    q[StrokeEkf.WIDTH] = 2 * WIDTH_SD * WIDTH_SD / FORGET_S;
+    q[StrokeEkf.LAG] = 2 * LAG_SD_S * LAG_SD_S / FORGET_S;
+    for (int i = StrokeEkf.SERIES; i < q.length; i++) {
+      double sd = SERIES_SD[(i - StrokeEkf.SERIES) / 2];
+      q[i] = 2 * sd * sd / FORGET_S;
+    }
+  }
+
   /**
    * Forgets.
    *
    * @param filter of the wing
    * @param dtS since the last time
-   * @param rateSd of the rate at which the frequency changes
+   * @param q density of the process noise of each entry
+   * @param both whether events of both edges come; one edge does not tell width and lag, which then
+   *     stay as they are, for sure
    */
-  static void forget(StrokeEkf filter, double dtS, double rateSd) {
-    filter.belief.decay(StrokeEkf.RATE, 0, 1 - Math.exp(-dtS / RATE_S), rateSd);
+  static void forget(StrokeEkf filter, double dtS, double[] q, boolean both) {
     double share = 1 - Math.exp(-dtS / FORGET_S);
-    filter.belief.decay(StrokeEkf.WIDTH, WIDTH_MEAN, share, WIDTH_SD);
-    filter.belief.decay(StrokeEkf.LAG, LAG_MEAN_S, share, LAG_SD_S);
-    for (int i = StrokeEkf.SERIES; i < filter.size; i++) {
-      filter.belief.decay(i, 0, share, SERIES_SD[(i - StrokeEkf.SERIES) / 2]);
+    decay(filter, StrokeEkf.RATE, 0, 1 - Math.exp(-dtS / RATE_S), q[StrokeEkf.RATE] * RATE_S);
+    if (both) {
+      decay(filter, StrokeEkf.WIDTH, WIDTH_MEAN, share, q[StrokeEkf.WIDTH] * FORGET_S);
+      decay(filter, StrokeEkf.LAG, LAG_MEAN_S, share, q[StrokeEkf.LAG] * FORGET_S);
+    } else {
+      filter.belief.scale(StrokeEkf.WIDTH, 0);
+      filter.belief.scale(StrokeEkf.LAG, 0);
     }
+    for (int i = StrokeEkf.SERIES; i < filter.size; i++) {
+      decay(filter, i, 0, share, q[i] * FORGET_S);
+    }
+  }
+
+  private static void decay(
+      StrokeEkf filter, int entry, double towards, double share, double twiceVariance) {
+    filter.belief.decay(entry, towards, share, Math.sqrt(twiceVariance / 2));
   }
 }

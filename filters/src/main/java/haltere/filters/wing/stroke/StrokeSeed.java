@@ -96,15 +96,19 @@ public record StrokeSeed(
   }
 
   /**
-   * What the source begins with: a centre and a frequency, amplitude 1 and phase 0.
+   * A plain sinusoid of a wing of usual width.
    *
-   * @param timeUs when the phase is 0, microseconds
+   * @param timeUs when the phase is what it is, microseconds
    * @param centre mean stroke angle
-   * @param startHz frequency, hertz
+   * @param amplitude half of peak to peak
+   * @param phase 0 where the wing passes its centre towards the tail
+   * @param omega angular frequency
+   * @param lagS of ON behind OFF events, seconds
    * @return the stroke
    */
-  public static StrokeSeed blind(long timeUs, double centre, double startHz) {
-    return new StrokeSeed(
-        timeUs, centre, 1, 0, 2 * Math.PI * startHz, 0, 0, new double[0], new double[0]);
+  public static StrokeSeed sinusoid(
+      long timeUs, double centre, double amplitude, double phase, double omega, double lagS) {
+    double[] none = {};
+    return new StrokeSeed(timeUs, centre, amplitude, phase, omega, 0.02, lagS, none, none);
   }
 }

@@ -3,8 +3,6 @@ package haltere.filters.wing.stroke;
 /**
  * What a phase is usually off by in steady flight, as a share of what the noise of events explains,
  * and what is clearly more than that.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class UsualPhase {
   /** Events of one beat repeat each other's errors: so many of them count for one. */
@@ -17,8 +15,8 @@ final class UsualPhase {
   private final double times;
   private final double least;
   private final double most;
-  private double usual;
-  private double weight;
+  private double usual = FIRST;
+  private double weight = FIRST_WEIGHT;
 
   /**
    * What is usual where nothing was seen yet.
@@ -31,12 +29,6 @@ final class UsualPhase {
     this.times = times;
     this.least = least;
     this.most = most;
-  }
-
-  /** Begins with what flies do. */
-  void launch() {
-    usual = FIRST;
-    weight = FIRST_WEIGHT;
   }
 
   /**

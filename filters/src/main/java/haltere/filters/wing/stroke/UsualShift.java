@@ -2,8 +2,6 @@ package haltere.filters.wing.stroke;
 
 /**
  * What events say in the first tenth of a second against the place that a person has given a hinge.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class UsualShift {
   private static final int LOOKS = 10;

@@ -1,9 +1,13 @@
 package haltere.filters.wing.stroke;
 
+import haltere.filters.estimation.Angles;
+import haltere.filters.wing.WingEstimate;
 import haltere.filters.wing.WingFilterEdit;
 import haltere.filters.wing.WingFilterSettings;
 import haltere.filters.wing.WingFilterState;
+import haltere.filters.wing.WingFilterState.Source;
 import haltere.filters.wing.WingNoiseSettings;
+import haltere.filters.wing.WingPart;
 import haltere.filters.wing.WingSide;
 import haltere.filters.wing.WingTrackerSettings;
 import java.util.Arrays;
@@ -21,6 +25,9 @@ public final class WingEstimator implements SideEstimator {
   private static final int SLOW_US = 1000;
   private static final int HINGE_US = 10_000;
 
+  /** Time without events after which an edge does not count: two of the longest beats. */
+  private static final int SILENT_US = 30_000;
+
   /** Events of one beat repeat each other's errors: so many of them count for one. */
   private static final double REPEATING = 3;
 
@@ -28,7 +35,7 @@ public final class WingEstimator implements SideEstimator {
   private static final double SYSTEMATIC_RAD = 0.0092;
 
   final StrokeEkf filter;
-  final WingEventNoise noise;
+  private WingEventNoise noise;
   private final StrokeFrame frame;
   private final WingSide side;
   private WingNoiseSettings settings;
@@ -37,25 +44,30 @@ public final class WingEstimator implements SideEstimator {
   private final BeatClock clock;
   private final StrokeShape shape = new StrokeShape();
   private final HingeTracker hinge = new HingeTracker();
-  private final LockJudge judge = new LockJudge();
-  private final FrequencyNoise frequencyNoise = new FrequencyNoise();
+  private LockJudge judge = new LockJudge();
+  private FrequencyNoise frequencyNoise = new FrequencyNoise();
   private WingEstimator other;
   private boolean followsHinge;
-  private final double[] density;
-  private double steadyFrequency;
+  private final boolean[] takes = new boolean[2];
+
+  /** Process noise of each entry, by the settings or by hand; the filter's own in a manoeuvre. */
+  private final double[] q;
+
+  private final boolean[] byHand;
+  private boolean measurementByHand;
+  private final double[] density = new double[StrokeEkf.OMEGA + 1];
   private double averagingS;
 
   private long timeUs;
   private long covarianceUs;
   private long slowUs;
   private long hingeUs;
-  private long lastTakenUs;
+  private final long[] lastTakenUs = new long[2];
   private long firstPendingUs;
   private int pending;
   private final EdgeSums[] sums = {new EdgeSums(0), new EdgeSums(1)};
   private final long[] taken = new long[2];
   private final double[] expected = new double[2];
-  private double expectedAngle;
 
   /**
    * An estimator that has to be {@link #launch launched}.
@@ -72,7 +84,8 @@ public final class WingEstimator implements SideEstimator {
     clock = new BeatClock(side, beats);
     filter = new StrokeEkf(settings.filter().harmonics());
     noise = new WingEventNoise(settings.filter().gateSd(), settings.noise().measurement());
-    density = new double[filter.size];
+    q = new double[filter.size];
+    byHand = new boolean[filter.size];
     apply(settings);
   }
 
@@ -81,18 +94,37 @@ public final class WingEstimator implements SideEstimator {
     settings = changed.noise();
     options = changed.filter();
     followsHinge = changed.place().followsHinges();
+    for (int edge = 0; edge < 2; edge++) {
+      takes[edge] = changed.output().takes(WingPart.edge(side.ordinal(), edge));
+    }
     averagingS = options.averagingUs() * 1e-6;
     if (settings.equals(appliedNoise)) {
       noise.apply(options.gateSd(), noise.fixed());
       return;
     }
     appliedNoise = settings;
+    giveBackNoise();
+    Arrays.fill(byHand, false);
+    takeNoise();
+  }
+
+  private void giveBackNoise() {
+    measurementByHand = false;
     noise.apply(options.gateSd(), settings.measurement());
-    density[StrokeEkf.CENTRE] = settings.centre();
-    density[StrokeEkf.AMPLITUDE] = settings.amplitude();
-    density[StrokeEkf.PHASE] = settings.phase();
-    steadyFrequency = settings.frequency();
-    density[StrokeEkf.OMEGA] = steadyFrequency;
+  }
+
+  /** Process noise by the settings, but for what is by hand. */
+  private void takeNoise() {
+    double[] set = new double[q.length];
+    set[StrokeEkf.CENTRE] = settings.centre();
+    set[StrokeEkf.AMPLITUDE] = settings.amplitude();
+    set[StrokeEkf.PHASE] = settings.phase();
+    set[StrokeEkf.OMEGA] = settings.frequency();
+    StrokeMemory.setDensities(set, settings.rateSd());
+    for (int i = 0; i < q.length; i++) {
+      q[i] = byHand[i] ? q[i] : set[i];
+    }
+    System.arraycopy(q, 0, density, 0, density.length);
   }
 
   /**
@@ -105,35 +137,31 @@ public final class WingEstimator implements SideEstimator {
     frequencyNoise.besides(wing == null ? null : wing.frequencyNoise);
   }
 
-  /**
-   * Begins with a stroke, as sure of it as a search is.
-   *
-   * @param atUs when, microseconds
-   * @param seed the stroke
-   */
+  /** As sure of the stroke as a search is. */
+  @Override
   public void launch(long atUs, StrokeSeed seed) {
     filter.launch(seed.state(filter.harmonics, atUs), StrokeSeed.sd(filter.harmonics));
     timeUs = atUs;
     covarianceUs = atUs;
     slowUs = atUs;
     hingeUs = atUs;
-    lastTakenUs = atUs;
-    density[StrokeEkf.OMEGA] = steadyFrequency;
-    noise.reset();
+    Arrays.fill(lastTakenUs, atUs);
+    density[StrokeEkf.OMEGA] = q[StrokeEkf.OMEGA];
+    noise = new WingEventNoise(options.gateSd(), noise.fixed());
     sums[0].clear();
     sums[1].clear();
     Arrays.fill(taken, 0);
     pending = 0;
     Arrays.fill(expected, 0);
-    frequencyNoise.launch();
-    judge.launch();
+    frequencyNoise = new FrequencyNoise();
+    judge = new LockJudge();
     hinge.launch(0.3);
     shape.of(filter);
     clock.launch(phase());
   }
 
   @Override
-  public boolean event(long atUs, boolean on) {
+  public double event(long atUs, boolean on) {
     if (pending > 0 && (atUs - firstPendingUs) * 1e-6 >= averagingS) {
       flush();
     }
@@ -146,11 +174,11 @@ public final class WingEstimator implements SideEstimator {
       s = s * filter.lagCos - c * filter.lagSin;
       c = behind;
     }
-    double middle = filter.angleWithSlope(c, s);
+    double middle = filter.angle(c, s);
     double slope = filter.slopeThere;
     double speed = slope * x[StrokeEkf.OMEGA];
     double ahead = slope >= 0 == on ? -x[StrokeEkf.WIDTH] : x[StrokeEkf.WIDTH];
-    expectedAngle = middle + ahead;
+    double expectedAngle = middle + ahead;
     double y = frame.angle() - expectedAngle;
     if (y > Math.PI) {
       y -= 2 * Math.PI;
@@ -169,9 +197,9 @@ public final class WingEstimator implements SideEstimator {
         double most = options.gateSd() * Math.sqrt(variance + expected[edge]);
         frequencyNoise.add(Math.max(-most, Math.min(most, y)), slope / variance, slope);
       }
-      return false;
+      return Double.NaN;
     }
-    lastTakenUs = atUs;
+    lastTakenUs[edge] = atUs;
     double w = belief / variance;
     double ws = w * slope;
     frequencyNoise.add(y, ws, slope);
@@ -187,7 +215,7 @@ public final class WingEstimator implements SideEstimator {
     pending++;
     taken[edge]++;
     sums[edge].add(w, y, c, s);
-    return true;
+    return expectedAngle;
   }
 
   private void turnTo(long atUs) {
@@ -236,8 +264,13 @@ public final class WingEstimator implements SideEstimator {
     double dtS = (timeUs - slowUs) * 1e-6;
     slowUs = timeUs;
     frequencyNoise.look(dtS, filter, settings.manoeuvre());
-    density[StrokeEkf.OMEGA] = steadyFrequency + frequencyNoise.added();
-    StrokeMemory.forget(filter, dtS, settings.rateSd());
+    density[StrokeEkf.OMEGA] =
+        q[StrokeEkf.OMEGA] + (byHand[StrokeEkf.OMEGA] ? 0 : frequencyNoise.added());
+    boolean both = hasBothEdges();
+    StrokeMemory.forget(filter, dtS, q, both);
+    if (!both) {
+      takeFromOther();
+    }
     judge.look(
         dtS,
         taken[0] + taken[1],
@@ -248,10 +281,38 @@ public final class WingEstimator implements SideEstimator {
     clock.look(timeUs, phase(), filter.x[StrokeEkf.OMEGA], shape);
   }
 
+  /**
+   * Takes from the other wing, where that has both edges, what one edge does not tell: the lag of
+   * ON events, which the same pixels make, and for ON events alone, which come later the faster the
+   * wing is, the waveform as well.
+   */
+  private void takeFromOther() {
+    if (other == null || !other.hasBothEdges()) {
+      return;
+    }
+    double[] x = filter.x;
+    double[] from = other.filter.x;
+    double longer = from[StrokeEkf.LAG] - x[StrokeEkf.LAG];
+    x[StrokeEkf.LAG] = from[StrokeEkf.LAG];
+    if (lastTakenUs[TRAILING] > lastTakenUs[LEADING]) {
+      filter.turn(x[StrokeEkf.OMEGA] * longer);
+      for (int i = StrokeEkf.SERIES; i < filter.size; i++) {
+        x[i] = from[i] * x[StrokeEkf.AMPLITUDE] / from[StrokeEkf.AMPLITUDE];
+        filter.belief.scale(i, 0);
+      }
+    }
+  }
+
+  /** Whether events of both edges are taken and come. */
+  private boolean hasBothEdges() {
+    return takes[0] && takes[1] && Math.abs(lastTakenUs[0] - lastTakenUs[1]) < SILENT_US;
+  }
+
   @Override
   public boolean isLost(long atUs) {
     double periodUs = 2e6 * Math.PI / Math.max(100, filter.x[StrokeEkf.OMEGA]);
-    return judge.isLost() || atUs - lastTakenUs > Math.max(12_000, 3 * periodUs);
+    return judge.isLost()
+        || atUs - Math.max(lastTakenUs[0], lastTakenUs[1]) > Math.max(12_000, 3 * periodUs);
   }
 
   @Override
@@ -308,96 +369,109 @@ public final class WingEstimator implements SideEstimator {
         * filter.x[StrokeEkf.OMEGA];
   }
 
-  @Override
-  public double angle() {
+  private double angle() {
     return filter.angleAfter(ahead());
   }
 
-  @Override
-  public double edgeAngle(int edge) {
-    double ahead = ahead();
-    double half = filter.slopeAfter(ahead) >= 0 == (edge == 0) ? 1 : -1;
-    return filter.angleAfter(ahead) + half * filter.x[StrokeEkf.WIDTH];
+  /** On which side of the wing's middle an edge is: 1 nearer to the tail, -1 nearer to the head. */
+  private int sideOf(int edge) {
+    return edge == WING ? 0 : filter.slopeAfter(ahead()) >= 0 == (edge == LEADING) ? 1 : -1;
   }
 
   @Override
-  public double centre() {
-    return filter.x[StrokeEkf.CENTRE];
+  public WingEstimate estimate(int part) {
+    int at = sideOf(part);
+    // the leading edge is half a width ahead of the wing on both ways, the trailing edge behind it
+    double wider = part == WING ? 0 : part == LEADING ? 1 : -1;
+    double width = filter.x[StrokeEkf.WIDTH];
+    return new WingEstimate(
+        timeUs,
+        part == WING ? WingPart.wing(side.ordinal()) : WingPart.edge(side.ordinal(), part),
+        Angles.wrapTwoPi(angle() + at * width),
+        filter.x[StrokeEkf.CENTRE],
+        amplitude() + wider * width,
+        phase(),
+        filter.x[StrokeEkf.OMEGA] / (2 * Math.PI),
+        sdAngle(at),
+        sdFrequencyHz(),
+        part == WING ? taken[0] + taken[1] : taken[part]);
   }
 
-  @Override
-  public double amplitude() {
+  private double amplitude() {
     shape.of(filter);
     return shape.amplitude();
   }
 
-  @Override
-  public double phase() {
+  private double phase() {
     double phase = filter.x[StrokeEkf.PHASE] + ahead() - shape.crossingRad;
     double turns = phase / (2 * Math.PI);
     return (turns - Math.floor(turns)) * 2 * Math.PI;
   }
 
-  @Override
-  public double phaseAt(double atUs) {
-    return phase() + filter.x[StrokeEkf.OMEGA] * (atUs - timeUs) * 1e-6;
-  }
-
-  @Override
-  public double frequencyHz() {
-    return filter.x[StrokeEkf.OMEGA] / (2 * Math.PI);
-  }
-
-  @Override
-  public double sdAngle() {
-    filter.look(filter.cos, filter.sin, 0);
+  /** Standard deviation of the angle of the wing's middle, 0, or of an edge on one of its sides. */
+  private double sdAngle(int at) {
+    double variance = filter.angleVariance(at);
     double speed = filter.slope(filter.cos, filter.sin) * filter.x[StrokeEkf.OMEGA];
-    double late = CameraLatency.sdSeconds(options.latencyUs()) * speed;
-    return Math.sqrt(
-        Math.max(0, filter.expectedVariance()) + SYSTEMATIC_RAD * SYSTEMATIC_RAD + late * late);
+    double late = CameraLatency.sdSeconds(hasBothEdges() ? 0 : lagS()) * speed;
+    return Math.sqrt(Math.max(0, variance) + SYSTEMATIC_RAD * SYSTEMATIC_RAD + late * late);
   }
 
-  @Override
-  public double sdFrequencyHz() {
+  private double sdFrequencyHz() {
     double variance = filter.belief.covariance(StrokeEkf.OMEGA, StrokeEkf.OMEGA);
     return Math.sqrt(frequencyNoise.variance(variance)) / (2 * Math.PI);
   }
 
   @Override
-  public double nis() {
-    return noise.nis();
-  }
-
-  @Override
-  public double expected() {
-    return expectedAngle;
-  }
-
-  @Override
   public List<WingFilterState> filters() {
-    double[] q = density.clone();
-    q[StrokeEkf.OMEGA] = steadyFrequency;
-    return List.of(FilterNumbers.of(side, filter, q, noise, taken[0] + taken[1]));
+    double[] present = q.clone();
+    System.arraycopy(density, 0, present, 0, density.length);
+    Source[] sources = new Source[q.length];
+    for (int i = 0; i < q.length; i++) {
+      sources[i] = byHand[i] ? Source.BY_HAND : Source.SETTINGS;
+    }
+    if (settings.manoeuvre() > 0 && !byHand[StrokeEkf.OMEGA]) {
+      sources[StrokeEkf.OMEGA] = Source.ESTIMATOR;
+    }
+    Source measurement =
+        measurementByHand
+            ? Source.BY_HAND
+            : noise.fixed() == 0 ? Source.ESTIMATOR : Source.SETTINGS;
+    return List.of(
+        new WingFilterState(
+            WingPart.wing(side.ordinal()),
+            FilterNumbers.of(FilterNumbers.NAMES, filter.size),
+            FilterNumbers.of(FilterNumbers.UNITS, filter.size),
+            filter.x,
+            filter.belief.covariance().data,
+            present,
+            FilterNumbers.of(FilterNumbers.DENSITY_UNITS, filter.size),
+            List.of(sources),
+            noise.present(),
+            measurement,
+            noise.nis(),
+            taken[0] + taken[1]));
   }
 
   @Override
   public void edit(WingFilterEdit edit) {
     flush();
+    int row = edit.row();
     switch (edit.table()) {
-      case STATE -> filter.set(edit.row(), edit.value());
-      case COVARIANCE -> filter.belief.edit(edit.row(), edit.column(), edit.value());
+      case STATE -> filter.set(row, edit.value());
+      case COVARIANCE -> filter.belief.edit(row, edit.column(), edit.value());
       case PROCESS_NOISE -> {
-        density[edit.row()] = edit.notNegative();
-        if (edit.row() == StrokeEkf.OMEGA) {
-          steadyFrequency = edit.value();
+        byHand[row] = !edit.givesBack();
+        q[row] = edit.notNegative();
+        takeNoise();
+      }
+      case MEASUREMENT_NOISE -> {
+        if (edit.givesBack()) {
+          giveBackNoise();
+        } else {
+          noise.apply(options.gateSd(), edit.notNegative());
+          measurementByHand = edit.value() > 0;
         }
       }
-      case MEASUREMENT_NOISE -> noise.apply(options.gateSd(), edit.notNegative());
     }
-  }
-
-  @Override
-  public long events(int edge) {
-    return taken[edge];
   }
 }

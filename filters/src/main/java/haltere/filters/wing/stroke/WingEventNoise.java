@@ -38,15 +38,6 @@ final class WingEventNoise {
     edges[1].apply(gateSd, fixed);
   }
 
-  /** Forgets what it has learnt. */
-  void reset() {
-    for (int edge = 0; edge < 2; edge++) {
-      edges[edge].reset();
-      judged[edge] = 0;
-    }
-    refused = 0;
-  }
-
   /** Noise of the events of an edge, 0 leading, 1 trailing. */
   EventNoise of(int edge) {
     return edges[edge];

@@ -4,16 +4,14 @@ import haltere.filters.estimation.Angles;
 import haltere.filters.wing.FlyGeometry;
 import haltere.filters.wing.WingPlaceSettings;
 import haltere.filters.wing.WingSide;
+import haltere.filters.wing.search.FoundFly;
 import haltere.filters.wing.stroke.StrokeFrame;
 
 /**
  * Where the tracked fly is on the sensor: a frame for each wing, and the body's line, which divides
  * left from right: through the middle of the hinges, along the heading.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class FlyPlace {
-  private static final double REGION_SLACK = 1.05;
   private static final double LEAST_REGION_PX = 3;
 
   final StrokeFrame[] frames = {new StrokeFrame(WingSide.LEFT), new StrokeFrame(WingSide.RIGHT)};
@@ -27,13 +25,14 @@ final class FlyPlace {
   private double regionPx;
 
   /** Takes over what was found, with what a person says of it. */
-  void begin(FlyGeometry found, WingPlaceSettings place, long timeUs) {
+  void begin(FoundFly fly, WingPlaceSettings place, long timeUs) {
+    FlyGeometry found = fly.geometry();
     boolean flip = place.flipHeading();
     double heading = found.headingRad() + (flip ? Math.PI : 0) + place.headingOffsetRad();
     sizePx = found.sizePx();
     confidence = found.headTailConfidence();
     initialisedAtUs = timeUs;
-    regionPx = Math.max(LEAST_REGION_PX, sizePx * REGION_SLACK + place.regionOffsetPx());
+    regionPx = Math.max(LEAST_REGION_PX, fly.regionPx() + place.regionOffsetPx());
     for (int side = 0; side < 2; side++) {
       boolean left = side == 0 != flip;
       frames[side].place(
@@ -81,13 +80,26 @@ final class FlyPlace {
     return turn;
   }
 
-  /** Shifts and turns both frames. */
-  void shift(double byX, double byY, double turn) {
+  /** Shifts both frames. */
+  void shift(double byX, double byY) {
+    frames[0].shift(byX, byY);
+    frames[1].shift(byX, byY);
+  }
+
+  /** Turns both frames. */
+  void turn(double by) {
+    frames[0].setHeading(frames[0].headingRad() + by);
+    frames[1].setHeading(frames[1].headingRad() + by);
+  }
+
+  /** Takes a size of the fly for the radius of the region of interest. */
+  void resize(double size, WingPlaceSettings said) {
+    sizePx = size;
+    regionPx = Math.max(LEAST_REGION_PX, size + said.regionOffsetPx());
     for (StrokeFrame frame : frames) {
-      frame.shift(byX, byY);
-      frame.setHeading(frame.headingRad() + turn);
+      frame.place(
+          frame.hingeX(), frame.hingeY(), frame.headingRad(), said.innerRadiusPx(), regionPx);
     }
-    settle();
   }
 
   /** Takes the body's line from the frames as they are now. */
@@ -110,6 +122,10 @@ final class FlyPlace {
 
   double axisY() {
     return axisY;
+  }
+
+  double sizePx() {
+    return sizePx;
   }
 
   double regionPx() {

@@ -2,6 +2,7 @@ package haltere.filters.wing.tracker;
 
 import haltere.filters.estimation.Angles;
 import haltere.filters.wing.FlyGeometry;
+import haltere.filters.wing.WingAverage;
 import haltere.filters.wing.WingBeat;
 import haltere.filters.wing.WingDifference;
 import haltere.filters.wing.WingEstimate;
@@ -9,47 +10,27 @@ import haltere.filters.wing.WingFilterState;
 import haltere.filters.wing.WingListener;
 import haltere.filters.wing.WingMeasurement;
 import haltere.filters.wing.WingPair;
-import haltere.filters.wing.WingPart;
 import haltere.filters.wing.WingSide;
 import haltere.filters.wing.WingSnapshot;
 import haltere.filters.wing.WingTrackerState.Phase;
 import haltere.filters.wing.WingVariances;
-import haltere.filters.wing.stroke.RunningAverage;
 import haltere.filters.wing.stroke.SideEstimator;
 
-/**
- * Tells a listener what the estimators of both wings say.
- *
- * <p>Thread rule: one thread at a time.
- */
+/** Tells a listener what the estimators of both wings say. */
 final class FlyReport {
   private final WingListener listener;
-  private final SideEstimator[] main;
-  private final RunningAverage[] beside;
-  private final boolean[] tracked;
-  private final boolean[] takes;
+  private final WingEstimators wings;
   private final long[] beatCount = new long[2];
 
   /**
    * A report.
    *
    * @param listener takes the results
-   * @param main estimator of each wing, read anew each time
-   * @param beside running average of each wing
-   * @param tracked whether each wing is tracked
-   * @param takes whether events of each edge are taken
+   * @param wings estimators of both wings, read anew each time
    */
-  FlyReport(
-      WingListener listener,
-      SideEstimator[] main,
-      RunningAverage[] beside,
-      boolean[] tracked,
-      boolean[] takes) {
+  FlyReport(WingListener listener, WingEstimators wings) {
     this.listener = listener;
-    this.main = main;
-    this.beside = beside;
-    this.tracked = tracked;
-    this.takes = takes;
+    this.wings = wings;
   }
 
   /** Counts beats anew. */
@@ -64,141 +45,100 @@ final class FlyReport {
    * @param both whether the running average runs beside the Kalman filter
    */
   void tick(long timeUs, boolean both) {
-    if (listener.wantsEstimates()) {
-      for (int side = 0; side < 2; side++) {
-        if (tracked[side]) {
-          wing(timeUs, side);
-          if (both) {
-            beside(timeUs, side);
+    WingEstimate[] now = new WingEstimate[2];
+    for (int side = 0; side < 2; side++) {
+      SideEstimator wing = wings.main[side];
+      if (wings.tracked[side] && listener.wants(WingEstimate.class)) {
+        for (int edge = 0; edge < 2; edge++) {
+          if (wings.takesNow[2 * side + edge]) {
+            listener.take(wing.estimate(edge));
           }
         }
+        now[side] = wing.estimate(SideEstimator.WING);
+        listener.take(now[side]);
+        if (both) {
+          beside(now[side], wings.beside[side].estimate(SideEstimator.WING));
+        }
       }
-      if (tracked[0] && tracked[1]) {
-        pair(timeUs);
+      if (wings.tracked[side] && listener.wants(WingVariances.class)) {
+        for (WingFilterState filter : wing.filters()) {
+          listener.take(WingVariances.of(timeUs, filter));
+        }
       }
     }
-    if (listener.wantsVariances()) {
-      for (int side = 0; side < 2; side++) {
-        if (tracked[side]) {
-          for (WingFilterState filter : main[side].filters()) {
-            listener.variances(WingVariances.of(timeUs, filter));
-          }
-        }
-      }
+    if (now[0] != null && now[1] != null) {
+      pair(now[0], now[1]);
     }
   }
 
-  /** Tells of an event that an estimator has taken in. */
-  void event(long timeUs, int side, boolean on, double measuredRad) {
-    SideEstimator e = main[side];
-    listener.measurement(
+  /** Tells of an event, unless it was refused: nothing was expected of it then. */
+  void event(long timeUs, int side, boolean on, double measuredRad, double expectedRad) {
+    if (Double.isNaN(expectedRad)) {
+      return;
+    }
+    WingEstimate e = wings.main[side].estimate(on ? SideEstimator.TRAILING : SideEstimator.LEADING);
+    listener.take(
         new WingMeasurement(
             timeUs,
-            WingPart.edge(side, on ? 1 : 0),
+            e.edge(),
             Angles.wrapTwoPi(measuredRad),
-            Angles.wrapTwoPi(e.expected()),
-            e.centre(),
-            e.amplitude(),
-            e.phase(),
+            Angles.wrapTwoPi(expectedRad),
+            e.centreRad(),
+            e.amplitudeRad(),
+            e.phaseRad(),
             e.frequencyHz()));
   }
 
-  private void wing(long timeUs, int side) {
-    SideEstimator e = main[side];
-    double centre = e.centre();
-    double amplitude = e.amplitude();
-    double phase = e.phase();
-    double hz = e.frequencyHz();
-    double sdAngle = e.sdAngle();
-    double sdHz = e.sdFrequencyHz();
-    for (int edge = 0; edge < 2; edge++) {
-      if (takes[2 * side + edge]) {
-        listener.estimate(
-            new WingEstimate(
-                timeUs,
-                WingPart.edge(side, edge),
-                Angles.wrapTwoPi(e.edgeAngle(edge)),
-                centre,
-                amplitude,
-                phase,
-                hz,
-                sdAngle,
-                sdHz,
-                e.events(edge)));
-      }
-    }
-    listener.estimate(row(timeUs, side, e, sdAngle, sdHz));
-  }
-
-  private void beside(long timeUs, int side) {
-    SideEstimator e = main[side];
-    RunningAverage average = beside[side];
-    listener.average(row(timeUs, side, average, Double.NaN, Double.NaN));
-    listener.difference(
+  private void beside(WingEstimate filter, WingEstimate average) {
+    listener.take(new WingAverage(average));
+    listener.take(
         new WingDifference(
-            timeUs,
-            WingPart.wing(side),
-            Angles.wrapPi(e.angle() - average.angle()),
-            e.centre() - average.centre(),
-            e.amplitude() - average.amplitude(),
-            Angles.wrapPi(e.phase() - average.phase()),
-            e.frequencyHz() - average.frequencyHz()));
+            filter.timeUs(),
+            filter.edge(),
+            Angles.wrapPi(filter.angleRad() - average.angleRad()),
+            filter.centreRad() - average.centreRad(),
+            filter.amplitudeRad() - average.amplitudeRad(),
+            Angles.wrapPi(filter.phaseRad() - average.phaseRad()),
+            filter.frequencyHz() - average.frequencyHz()));
   }
 
-  private static WingEstimate row(
-      long timeUs, int side, SideEstimator e, double sdAngle, double sdHz) {
-    return new WingEstimate(
-        timeUs,
-        WingPart.wing(side),
-        Angles.wrapTwoPi(e.angle()),
-        e.centre(),
-        e.amplitude(),
-        e.phase(),
-        e.frequencyHz(),
-        sdAngle,
-        sdHz,
-        e.events(0) + e.events(1));
-  }
-
-  private void pair(long timeUs) {
-    double left = main[0].angle();
-    double right = main[1].angle();
-    listener.pair(
+  private void pair(WingEstimate left, WingEstimate right) {
+    listener.take(
         new WingPair(
-            timeUs,
-            left - right,
-            left + right,
-            main[0].amplitude() - main[1].amplitude(),
-            main[0].amplitude() + main[1].amplitude(),
-            Angles.wrapPi(main[1].phase() - main[0].phase()),
-            Math.hypot(main[0].sdAngle(), main[1].sdAngle())));
+            left.timeUs(),
+            left.angleRad() - right.angleRad(),
+            left.angleRad() + right.angleRad(),
+            left.amplitudeRad() - right.amplitudeRad(),
+            left.amplitudeRad() + right.amplitudeRad(),
+            Angles.wrapPi(right.phaseRad() - left.phaseRad()),
+            Math.hypot(left.sdAngleRad(), right.sdAngleRad())));
   }
 
   /** Tells everything at once, to be drawn. */
   void snapshot(long timeUs, Phase phase, FlyGeometry geometry, double regionPx) {
     double[] edges = new double[4];
     double[] sd = new double[2];
-    for (int side = 0; side < 2; side++) {
-      for (int edge = 0; edge < 2; edge++) {
-        edges[2 * side + edge] = tracked[side] ? main[side].edgeAngle(edge) : Double.NaN;
-      }
-      sd[side] = tracked[side] ? main[side].sdAngle() : Double.NaN;
+    for (int edge = 0; edge < 4; edge++) {
+      int side = edge / 2;
+      SideEstimator wing = wings.main[side];
+      boolean tracked = wings.tracked[side];
+      edges[edge] = wings.takesNow[edge] ? wing.estimate(edge % 2).angleRad() : Double.NaN;
+      sd[side] = tracked ? wing.estimate(SideEstimator.WING).sdAngleRad() : Double.NaN;
     }
-    listener.snapshot(new WingSnapshot(timeUs, phase, geometry, regionPx, edges, sd));
+    listener.take(new WingSnapshot(timeUs, phase, geometry, regionPx, edges, sd));
   }
 
   /** Tells of a beat that has ended; the first one has no beginning and is left out. */
   void beat(WingSide side, double timeUs, double periodUs, double leastRad, double mostRad) {
     int own = side.ordinal();
-    if (!(periodUs > 0)) {
+    if (!(periodUs > 0) || !wings.locked) {
       return;
     }
-    int other = 1 - own;
     double lag =
-        tracked[other]
-            ? Angles.wrapPi(main[other].phaseAt(timeUs) - main[own].phaseAt(timeUs))
+        wings.tracked[1 - own]
+            ? Angles.wrapPi(phaseAt(1 - own, timeUs) - phaseAt(own, timeUs))
             : Double.NaN;
-    listener.beat(
+    listener.take(
         new WingBeat(
             side,
             ++beatCount[own],
@@ -209,5 +149,11 @@ final class FlyReport {
             leastRad,
             mostRad,
             lag));
+  }
+
+  /** Phase of a wing at a time near the present one. */
+  private double phaseAt(int side, double timeUs) {
+    WingEstimate now = wings.main[side].estimate(SideEstimator.WING);
+    return now.phaseRad() + 2 * Math.PI * now.frequencyHz() * (timeUs - now.timeUs()) * 1e-6;
   }
 }

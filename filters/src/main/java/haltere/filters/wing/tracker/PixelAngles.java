@@ -6,8 +6,6 @@ import java.util.Arrays;
 /**
  * Side and stroke angle of each pixel while the fly is taken to stay where it is: worked out when
  * the pixel's first event comes, looked up from then on.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class PixelAngles {
   private static final float UNKNOWN = 0;

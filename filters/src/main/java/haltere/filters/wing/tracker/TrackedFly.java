@@ -1,25 +1,27 @@
 package haltere.filters.wing.tracker;
 
 import haltere.core.event.SensorGeometry;
-import haltere.filters.estimation.Angles;
 import haltere.filters.wing.FlyGeometry;
-import haltere.filters.wing.RunningAverageSettings;
 import haltere.filters.wing.WingListener;
+import haltere.filters.wing.WingMeasurement;
 import haltere.filters.wing.WingMethod;
 import haltere.filters.wing.WingPlaceSettings;
+import haltere.filters.wing.WingSnapshot;
 import haltere.filters.wing.WingTrackerSettings;
 import haltere.filters.wing.WingTrackerState.Phase;
 import haltere.filters.wing.search.FoundFly;
-import haltere.filters.wing.stroke.RunningAverage;
 import haltere.filters.wing.stroke.SideEstimator;
 import haltere.filters.wing.stroke.StrokeFrame;
 import haltere.filters.wing.stroke.StrokeSeed;
 import haltere.filters.wing.stroke.WingEstimator;
+import java.util.List;
+import java.util.Optional;
 
 /**
  * The fly that is tracked: its geometry, and for each wing a frame and the estimators.
  *
- * <p>Thread rule: one thread at a time.
+ * <p>A running average beside a filter that follows the hinges has a place of its own: it says what
+ * it would say alone. In all other cases both methods share one.
  */
 final class TrackedFly {
   /** Share of an asymmetry that the heading takes up in one check. */
@@ -32,30 +34,49 @@ final class TrackedFly {
   private final SensorGeometry sensor;
   private final WingEstimators wings;
   private final SideEstimator[] main;
-  private final RunningAverage[] beside;
   private final boolean[] tracked;
   private final boolean[] takesNow;
-  private double symmetry;
 
-  /** Angles of pixels while the running average alone is at work, else null. */
+  /** Whether a Kalman filter and whether a running average are at work. */
+  private boolean filters;
+
+  private boolean averages;
+
+  /** Whether measurements are wanted. */
+  private boolean measures;
+
+  /** Of the running average. */
+  private FlyPlace averagePlace = place;
+
+  /** As it was found last. */
+  private FoundFly fly;
+
+  private long foundAtUs;
   private PixelAngles angles;
+  private BodyFollower follower;
+  private double symmetry;
 
   TrackedFly(SensorGeometry sensor, WingTrackerSettings settings, WingListener listener) {
     this.sensor = sensor;
     this.settings = settings;
     this.listener = listener;
-    wings = new WingEstimators(frames, settings, listener);
+    wings = new WingEstimators(frames, listener);
     main = wings.main;
-    beside = wings.beside;
     tracked = wings.tracked;
     takesNow = wings.takesNow;
     build();
   }
 
   private void build() {
-    wings.build();
-    boolean averageAlone = settings.filter().method() == WingMethod.WRA;
-    angles = averageAlone ? new PixelAngles(sensor.width(), sensor.height(), place) : null;
+    filters = settings.filter().method() != WingMethod.WRA;
+    averages = TrackerParts.averages(settings);
+    averagePlace = TrackerParts.sharesFrames(settings) ? place : new FlyPlace();
+    if (averagePlace != place && fly != null) {
+      averagePlace.begin(fly, settings.place(), foundAtUs);
+    }
+    angles = averages ? new PixelAngles(sensor.width(), sensor.height(), averagePlace) : null;
+    follower = new BodyFollower(averagePlace, settings);
+    wings.build(settings, follower);
   }
 
   /** What estimates the strokes. */
@@ -68,8 +89,13 @@ final class TrackedFly {
   }
 
   void begin(FoundFly found, long timeUs) {
+    fly = found;
+    foundAtUs = timeUs;
     WingPlaceSettings said = settings.place();
-    place.begin(found.geometry(), said, timeUs);
+    place.begin(found, said, timeUs);
+    if (averagePlace != place) {
+      averagePlace.begin(found, said, timeUs);
+    }
     wings.report.begin();
     for (int side = 0; side < 2; side++) {
       StrokeSeed seed = found.seeds()[said.flipHeading() ? 1 - side : side];
@@ -82,38 +108,45 @@ final class TrackedFly {
             turned.withCentre(turned.centre() - frames[side].turn() * said.headingOffsetRad()));
       }
     }
-    wings.trackedChanged();
+    launched();
     takeSymmetry();
-    forgetAngles();
   }
 
-  private void takeSymmetry() {
-    symmetry = tracked[0] && tracked[1] ? (main[0].centre() - main[1].centre()) / 2 : 0;
-  }
-
-  private void forgetAngles() {
-    if (angles != null) {
+  /** The estimators have begun anew where the fly is now. */
+  private void launched() {
+    wings.trackedChanged();
+    follower.launch();
+    if (averages) {
       angles.clear();
     }
   }
 
+  private void takeSymmetry() {
+    symmetry = tracked[0] && tracked[1] ? asymmetry() : 0;
+  }
+
+  /** Half of what the centres of both wings differ by. */
+  private double asymmetry() {
+    return (main[0].seed().centre() - main[1].seed().centre()) / 2;
+  }
+
+  /** Begins with a packet. */
+  void beginPacket() {
+    measures = listener.wants(WingMeasurement.class);
+  }
+
   void event(long timeUs, int x, int y, boolean on) {
-    if (angles != null) {
-      averageEvent(timeUs, x, y, on);
-      return;
-    }
-    int side = place.side(x, y);
-    if (!takesNow[2 * side + (on ? 1 : 0)] || !frames[side].look(x, y)) {
-      return;
-    }
-    if (main[side].event(timeUs, on) && listener.wantsMeasurements()) {
-      wings.report.event(timeUs, side, on, frames[side].angle());
-    }
-    if (settings.filter().method() == WingMethod.BOTH) {
-      beside[side].event(timeUs, on);
-      if (wings.beatOfBoth()) {
-        followBeat();
+    if (filters) {
+      int side = place.side(x, y);
+      if (takesNow[2 * side + (on ? 1 : 0)] && frames[side].look(x, y)) {
+        double expected = main[side].event(timeUs, on);
+        if (measures) {
+          wings.report.event(timeUs, side, on, frames[side].angle(), expected);
+        }
       }
+    }
+    if (averages) {
+      averageEvent(timeUs, x, y, on);
     }
   }
 
@@ -124,29 +157,35 @@ final class TrackedFly {
       return;
     }
     double angle = PixelAngles.angle(code);
-    beside[side].event(timeUs, on, angle, x, y);
-    if (listener.wantsMeasurements()) {
-      wings.report.event(timeUs, side, on, angle);
+    double expected = wings.beside[side].event(timeUs, on, angle);
+    if (!filters && measures) {
+      wings.report.event(timeUs, side, on, angle, expected);
     }
-    if (wings.beatOfBoth()) {
-      followBeat();
+    if (follower.event(side, x, y)) {
+      angles.clear();
     }
   }
 
   /** Regular work every few milliseconds. */
   void check(long timeUs) {
+    boolean[] lost = new boolean[2];
     for (int side = 0; side < 2; side++) {
-      if (tracked[side] && main[side].isLost(timeUs)) {
-        tracked[side] = false;
-        wings.trackedChanged();
-      }
+      lost[side] = tracked[side] && main[side].isLost(timeUs);
+    }
+    // the original's search does not find a single wing again: its filters wait for it
+    if (!TrackerParts.isOriginal(settings) || lost[0] && lost[1]) {
+      tracked[0] &= !lost[0];
+      tracked[1] &= !lost[1];
+    }
+    if (lost[0] || lost[1]) {
+      wings.trackedChanged();
     }
     if (!wings.isTracked()) {
       return;
     }
     if (main[0] instanceof WingEstimator left && main[1] instanceof WingEstimator right) {
       if (tracked[0] && tracked[1] && settings.place().followsHeading()) {
-        double by = HEADING_SHARE * ((left.centre() - right.centre()) / 2 - symmetry);
+        double by = HEADING_SHARE * (asymmetry() - symmetry);
         left.turnHeading(by);
         right.turnHeading(by);
       }
@@ -154,57 +193,26 @@ final class TrackedFly {
     place.settle();
   }
 
-  /** Once both wings have ended a beat the body and the heading follow it, where that is wanted. */
-  private void followBeat() {
-    RunningAverageSettings average = settings.average();
-    if ((average.bodyUpdate() || average.headingUpdate())
-        && tracked[0]
-        && tracked[1]
-        && !(main[0] instanceof WingEstimator)) {
-      followEvents();
-    }
-  }
-
-  /** The running average's way: the body is between the mean places of both wings' events. */
-  private void followEvents() {
-    double share = settings.average().mixingFactor();
-    double middleX = (beside[0].meanX() + beside[1].meanX()) / 2;
-    double middleY = (beside[0].meanY() + beside[1].meanY()) / 2;
-    if (Double.isNaN(middleX + middleY)) {
-      return;
-    }
-    double body = settings.average().bodyUpdate() ? share : 0;
-    double byX = body * (middleX + settings.place().bodyOffsetXPx() - place.axisX());
-    double byY = body * (middleY + settings.place().bodyOffsetYPx() - place.axisY());
-    double across =
-        Math.atan2(beside[0].meanY() - beside[1].meanY(), beside[0].meanX() - beside[1].meanX());
-    double turn =
-        settings.average().headingUpdate()
-            ? share
-                * Angles.wrapPi(
-                    across
-                        - Math.PI / 2
-                        + settings.place().headingOffsetRad()
-                        - frames[0].headingRad())
-            : 0;
-    place.shift(byX, byY, turn);
-    forgetAngles();
-  }
-
   FlyGeometry geometry() {
     return place.geometry();
   }
 
+  Optional<FlyGeometry> averageGeometry() {
+    return averages && averagePlace != place
+        ? Optional.of(averagePlace.geometry())
+        : Optional.empty();
+  }
+
   void publish(long timeUs, Phase phase) {
     wings.report.tick(timeUs, settings.filter().method() == WingMethod.BOTH);
-    if (listener.wantsSnapshots()) {
+    if (listener.wants(WingSnapshot.class)) {
       wings.report.snapshot(timeUs, phase, geometry(), place.regionPx());
     }
   }
 
   /** Tells whoever draws that there is nothing to be drawn any more. */
   void publishLoss(long timeUs) {
-    if (listener.wantsSnapshots()) {
+    if (listener.wants(WingSnapshot.class)) {
       wings.report.snapshot(timeUs, Phase.LOST, geometry(), place.regionPx());
     }
   }
@@ -213,27 +221,32 @@ final class TrackedFly {
   void apply(WingTrackerSettings changed) {
     WingTrackerSettings before = settings;
     settings = changed;
+    boolean rebuild = wings.apply(changed) || TrackerParts.averages(changed) != averages;
+    boolean moved = !changed.place().equals(before.place());
     if (!wings.isTracked()) {
-      wings.applyToNew(changed);
       build();
       return;
     }
-    boolean rebuild = wings.apply(changed);
-    if (!rebuild && changed.place().equals(before.place())) {
+    follower.apply(changed);
+    if (!rebuild && !moved) {
       return;
     }
     StrokeSeed[] seeds = wings.seeds();
     boolean flipped = changed.place().flipHeading() != before.place().flipHeading();
+    double turn = 0;
+    for (FlyPlace each : averagePlace == place ? List.of(place) : List.of(averagePlace, place)) {
+      if (flipped) {
+        each.exchange(changed.place().innerRadiusPx());
+      }
+      turn = each.move(before.place(), changed.place());
+    }
     if (flipped) {
-      place.exchange(changed.place().innerRadiusPx());
       wings.exchange();
       seeds = new StrokeSeed[] {mirrored(seeds[1]), mirrored(seeds[0])};
     }
-    double turn = place.move(before.place(), changed.place());
     if (rebuild || flipped) {
       build();
     }
-    forgetAngles();
     for (int side = 0; side < 2; side++) {
       if (tracked[side]) {
         StrokeSeed seed = seeds[side];
@@ -241,7 +254,7 @@ final class TrackedFly {
             side, seed.timeUs(), seed.withCentre(seed.centre() - frames[side].turn() * turn));
       }
     }
-    wings.trackedChanged();
+    launched();
     if (flipped || turn != 0 || rebuild) {
       takeSymmetry();
     }

@@ -5,87 +5,75 @@ import haltere.filters.wing.WingFilterSettings;
 import haltere.filters.wing.WingFilterState;
 import haltere.filters.wing.WingListener;
 import haltere.filters.wing.WingMethod;
-import haltere.filters.wing.WingModel;
-import haltere.filters.wing.WingOutputSettings;
 import haltere.filters.wing.WingPart;
 import haltere.filters.wing.WingSide;
 import haltere.filters.wing.WingTrackerSettings;
 import haltere.filters.wing.stroke.BeatListener;
 import haltere.filters.wing.stroke.EdgesEstimator;
-import haltere.filters.wing.stroke.RunningAverage;
 import haltere.filters.wing.stroke.SideEstimator;
 import haltere.filters.wing.stroke.StrokeFrame;
 import haltere.filters.wing.stroke.StrokeSeed;
 import haltere.filters.wing.stroke.WingEstimator;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * What estimates the strokes of both wings, as the settings want it: an estimator and a running
  * average for each wing, whether the wing is tracked, and which of its edges are taken.
- *
- * <p>Thread rule: one thread at a time.
  */
 final class WingEstimators {
   private static final WingSide[] SIDES = WingSide.values();
-  private static final int BOTH = 3;
 
   final SideEstimator[] main = new SideEstimator[2];
-  final RunningAverage[] beside = new RunningAverage[2];
+  final EdgesEstimator[] beside = new EdgesEstimator[2];
   final boolean[] tracked = new boolean[2];
 
   /** Edges of wings that are tracked, of which events are taken. */
   final boolean[] takesNow = new boolean[4];
 
+  /** Whether the estimates are at the frequency of the beat; no beats are told else. */
+  boolean locked = true;
+
   final FlyReport report;
-  private final boolean[] takes = new boolean[4];
   private final StrokeFrame[] frames;
+  private BodyFollower follower;
   private WingTrackerSettings settings;
 
-  /** Wings of which the running average has ended a beat since {@link #beatOfBoth()}, as bits. */
-  private int beatsEnded;
-
-  WingEstimators(StrokeFrame[] frames, WingTrackerSettings settings, WingListener listener) {
+  WingEstimators(StrokeFrame[] frames, WingListener listener) {
     this.frames = frames;
-    this.settings = settings;
-    report = new FlyReport(listener, main, beside, tracked, takes);
+    report = new FlyReport(listener, this);
   }
 
   /** Makes the estimators anew. */
-  void build() {
-    for (int side = 0; side < 2; side++) {
-      build(side);
-    }
+  void build(WingTrackerSettings wanted, BodyFollower body) {
+    settings = wanted;
+    follower = body;
+    build(0);
+    build(1);
     takeEdges();
   }
 
   private void build(int side) {
-    WingFilterSettings filter = settings.filter();
-    boolean tells = filter.method() == WingMethod.WRA;
+    boolean tells = settings.filter().method() == WingMethod.WRA;
     BeatListener beats =
         (s, endUs, periodUs, least, most) -> {
-          beatsEnded |= 1 << side;
+          follower.beat(side);
           if (tells) {
             report.beat(s, endUs, periodUs, least, most);
           }
         };
-    beside[side] = new RunningAverage(SIDES[side], frames[side], settings.average(), beats);
+    beside[side] = EdgesEstimator.averages(SIDES[side], frames[side], settings, beats);
     main[side] =
-        filter.method() == WingMethod.WRA
+        tells
             ? beside[side]
-            : filter.model() != WingModel.WINGS
-                ? new EdgesEstimator(SIDES[side], frames[side], settings, report::beat)
-                : new WingEstimator(SIDES[side], frames[side], settings, report::beat);
+            : TrackerParts.filter(SIDES[side], frames[side], settings, report::beat);
   }
 
   private void takeEdges() {
-    WingOutputSettings output = settings.output();
-    takes[0] = output.leftLeading();
-    takes[1] = output.leftTrailing();
-    takes[2] = output.rightLeading();
-    takes[3] = output.rightTrailing();
     for (int edge = 0; edge < 4; edge++) {
-      takesNow[edge] = takes[edge] && tracked[edge / 2];
+      takesNow[edge] =
+          tracked[edge / 2] && settings.output().takes(WingPart.edge(edge / 2, edge % 2));
     }
   }
 
@@ -104,34 +92,23 @@ final class WingEstimators {
     takeEdges();
   }
 
+  /** Mean NIS of the filters of the wings that are tracked; NaN if there is none. */
   double meanNis() {
-    return !isTracked()
-        ? Double.NaN
-        : tracked[0] && tracked[1]
-            ? (main[0].nis() + main[1].nis()) / 2
-            : main[tracked[0] ? 0 : 1].nis();
+    return filters().stream().mapToDouble(WingFilterState::nis).average().orElse(Double.NaN);
   }
 
+  /** Mean frequency of the wings that are tracked, hertz; NaN if there is none. */
   double frequencyHz() {
-    return !isTracked()
-        ? Double.NaN
-        : tracked[0] && tracked[1]
-            ? (main[0].frequencyHz() + main[1].frequencyHz()) / 2
-            : main[tracked[0] ? 0 : 1].frequencyHz();
+    return IntStream.range(0, 2)
+        .filter(side -> tracked[side])
+        .mapToDouble(this::frequencyHz)
+        .average()
+        .orElse(Double.NaN);
   }
 
   /** Frequency of a wing's estimator, hertz; NaN while the wing is not tracked. */
   double frequencyHz(int side) {
-    return tracked[side] ? main[side].frequencyHz() : Double.NaN;
-  }
-
-  /** Whether both wings have ended a beat since this was last true. */
-  boolean beatOfBoth() {
-    if (beatsEnded != BOTH) {
-      return false;
-    }
-    beatsEnded = 0;
-    return true;
+    return tracked[side] ? main[side].estimate(SideEstimator.WING).frequencyHz() : Double.NaN;
   }
 
   /** Edges of wings that are tracked are taken, and two of them are driven together. */
@@ -146,15 +123,8 @@ final class WingEstimators {
 
   void launch(int side, long timeUs, StrokeSeed seed) {
     beside[side].launch(timeUs, seed);
-    if (main[side] instanceof WingEstimator wing) {
-      wing.launch(timeUs, seed);
-    } else if (main[side] instanceof EdgesEstimator edges) {
-      double startHz = settings.search().startFrequencyHz();
-      if (startHz > 0) {
-        edges.launch(timeUs, StrokeSeed.blind(timeUs, seed.centre(), startHz), false);
-      } else {
-        edges.launch(timeUs, seed, true);
-      }
+    if (main[side] != beside[side]) {
+      main[side].launch(timeUs, seed);
     }
   }
 
@@ -216,11 +186,6 @@ final class WingEstimators {
       takeEdges();
     }
     return others;
-  }
-
-  /** The same for estimators that are made anew after it. */
-  void applyToNew(WingTrackerSettings changed) {
-    settings = changed;
   }
 
   private static boolean isSameEstimator(WingFilterSettings one, WingFilterSettings other) {

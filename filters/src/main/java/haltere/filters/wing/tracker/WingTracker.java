@@ -15,11 +15,15 @@ import haltere.filters.wing.WingTrackerState;
 import haltere.filters.wing.WingTrackerState.Phase;
 import haltere.filters.wing.search.FlySearch;
 import haltere.filters.wing.search.FoundFly;
-import haltere.filters.wing.search.MultipleWatch;
+import haltere.filters.wing.search.FrequencyWatch;
 import haltere.filters.wing.search.RecentEvents;
 import java.util.Arrays;
+import java.util.EnumMap;
+import java.util.EnumSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 
 /**
  * Tracks the wings of a tethered fly: gathers events, finds the fly in them ({@link FlySearch}),
@@ -38,6 +42,10 @@ public final class WingTracker {
   /** A run of events of one polarity on a pixel ends after this time, whatever comes. */
   private static final int LONGEST_RUN_US = 2500;
 
+  /** What becomes of a search; the other phases are its steps. */
+  private static final Set<Phase> CONDITIONS =
+      EnumSet.of(Phase.COLLECTING, Phase.TRACKING, Phase.UNLOCKED, Phase.ONE_WING, Phase.LOST);
+
   private static final long NO_EVENT = Long.MIN_VALUE >> 1;
 
   /** Of what is due next, while no fly is tracked: each event may end the wait. */
@@ -45,11 +53,15 @@ public final class WingTracker {
 
   private final int width;
   private final WingListener listener;
-  private final FlySearch search;
+  private final SensorGeometry sensor;
+  private FlySearch search;
   private final RecentEvents recent = new RecentEvents(RECENT);
   private final TrackedFly fly;
-  private final MultipleWatch watch = new MultipleWatch();
-  private final SearchSteps steps = new SearchSteps();
+  private final FrequencyWatch watch = new FrequencyWatch();
+
+  /** Steps of the last search, and what became of it. */
+  private final Map<Phase, WingTrackerState> steps = new EnumMap<>(Phase.class);
+
   private final ReportClock ticks = new ReportClock();
   private final long[] lastOfPixel;
   private WingTrackerSettings settings;
@@ -70,7 +82,8 @@ public final class WingTracker {
     width = geometry.width();
     this.settings = settings;
     this.listener = listener;
-    search = new FlySearch(geometry, recent, this::say);
+    sensor = geometry;
+    search = TrackerParts.search(settings, geometry, recent, this::say);
     fly = new TrackedFly(geometry, settings, listener);
     lastOfPixel = new long[geometry.pixels()];
     ticks.setRate(settings.output().rateHz());
@@ -103,6 +116,10 @@ public final class WingTracker {
    * @param changed valid settings
    */
   public void apply(WingTrackerSettings changed) {
+    if (TrackerParts.isOriginal(changed) != TrackerParts.isOriginal(settings)) {
+      search = TrackerParts.search(changed, sensor, recent, this::say);
+      search.startAt(publishedUs);
+    }
     settings = changed;
     fly.apply(changed);
     ticks.setRate(changed.output().rateHz());
@@ -128,7 +145,7 @@ public final class WingTracker {
    *     event
    */
   public List<WingTrackerState> searchSteps() {
-    return steps.inOrder();
+    return List.copyOf(steps.values());
   }
 
   /**
@@ -161,7 +178,7 @@ public final class WingTracker {
    */
   public void edit(WingFilterEdit edit) {
     fly.wings().edit(edit);
-    listener.byHand(new WingByHand(edit.part(), Optional.of(edit)));
+    listener.take(new WingByHand(edit.part(), Optional.of(edit)));
   }
 
   /**
@@ -173,7 +190,7 @@ public final class WingTracker {
    */
   public void restart(WingPart part) {
     fly.wings().restart(part);
-    listener.byHand(new WingByHand(part, Optional.empty()));
+    listener.take(new WingByHand(part, Optional.empty()));
   }
 
   /**
@@ -183,6 +200,16 @@ public final class WingTracker {
    */
   public Optional<FlyGeometry> geometry() {
     return fly.wings().isTracked() ? Optional.of(fly.geometry()) : Optional.empty();
+  }
+
+  /**
+   * Where the fly is for a running average that has a body of its own, beside a filter that follows
+   * the hinges.
+   *
+   * @return empty while no fly is tracked or both methods share the body
+   */
+  public Optional<FlyGeometry> averageGeometry() {
+    return fly.wings().isTracked() ? fly.averageGeometry() : Optional.empty();
   }
 
   /**
@@ -259,6 +286,7 @@ public final class WingTracker {
     long[] times = packet.timesUs();
     int[] addresses = packet.addresses();
     int size = packet.size();
+    fly.beginPacket();
     boolean firstOfRun = settings.filter().firstOfRun();
     for (int i = 0; i < size; i++) {
       long timeUs = times[i];
@@ -304,7 +332,7 @@ public final class WingTracker {
   private void lookForFly(long timeUs) {
     if (!begun) {
       begun = true;
-      search.startAt(timeUs + settings.search().windowUs());
+      search.begin(timeUs, settings.search());
       say(timeUs, Phase.COLLECTING, 0);
     }
     FoundFly found = search.look(timeUs, settings.search());
@@ -319,46 +347,46 @@ public final class WingTracker {
       ticks.skipTo(timeUs + 1);
     }
     fly.begin(found, timeUs);
+    // a search that knows nothing of the beat leaves it to the filters to find it
+    fly.wings().locked = !TrackerParts.isOriginal(settings);
     nextCheckUs = -Math.floorDiv(-(timeUs + CHECK_US), CHECK_STEP_US) * CHECK_STEP_US;
     dueUs = Math.min(ticks.nextUs(), nextCheckUs);
     watch.launch();
     setPhase(timeUs);
-    listener.geometry(fly.geometry());
+    listener.take(fly.geometry());
   }
 
   private void setPhase(long timeUs) {
     Phase now =
-        fly.wings().isTracked()
-            ? fly.wings().count() == 2 ? Phase.TRACKING : Phase.ONE_WING
-            : Phase.LOST;
+        !fly.wings().isTracked()
+            ? Phase.LOST
+            : !fly.wings().locked
+                ? Phase.UNLOCKED
+                : fly.wings().count() == 2 ? Phase.TRACKING : Phase.ONE_WING;
     if (now != phase) {
       phase = now;
       say(timeUs, now, recent.size());
       if (now == Phase.LOST) {
         fly.publishLoss(timeUs);
       }
-      search.startAfter(timeUs);
+      search.startAt(timeUs + CHECK_US);
     }
   }
 
   private void say(long timeUs, Phase now, int events) {
     FlyGeometry g = fly.wings().isTracked() ? fly.geometry() : null;
-    say(
-        new WingTrackerState(
-            timeUs,
-            now,
-            events,
-            fly.wings().frequencyHz(),
-            g == null ? Double.NaN : g.centreX(),
-            g == null ? Double.NaN : g.centreY(),
-            g == null ? Double.NaN : g.headingRad(),
-            g == null ? Double.NaN : g.sizePx(),
-            g == null ? Double.NaN : g.headTailConfidence()));
+    double confidence = g == null ? Double.NaN : g.headTailConfidence();
+    say(WingTrackerState.of(timeUs, now, events, fly.wings().frequencyHz(), g, confidence));
   }
 
   private void say(WingTrackerState state) {
-    steps.take(state);
-    listener.state(state);
+    if (state.phase() == Phase.TWO_MEANS) {
+      steps.keySet().retainAll(CONDITIONS);
+    } else if (CONDITIONS.contains(state.phase())) {
+      steps.keySet().removeAll(CONDITIONS);
+    }
+    steps.put(state.phase(), state);
+    listener.take(state);
   }
 
   /** Checks and estimates that are due; checks do not wait for estimates, whose rate may be low. */
@@ -385,17 +413,26 @@ public final class WingTracker {
   private void check(long timeUs) {
     nextCheckUs = timeUs + CHECK_US;
     fly.check(timeUs);
-    if (fly.wings().isTracked() && settings.search().startFrequencyHz() == 0) {
-      watch.look(recent, timeUs, fly.geometry());
-      if (watch.isWrong(fly.wings().frequencyHz(0), fly.wings().frequencyHz(1))) {
-        fly.wings().forget();
+    WingEstimators wings = fly.wings();
+    if (wings.isTracked()) {
+      watch.look(
+          recent,
+          timeUs,
+          fly.geometry(),
+          settings.search(),
+          wings.frequencyHz(0),
+          wings.frequencyHz(1));
+      if (TrackerParts.isOriginal(settings)) {
+        wings.locked = wings.locked ? !watch.isWrong() : watch.isRight();
+      } else if (watch.isWrong()) {
+        wings.forget();
         setPhase(timeUs);
         search.startAt(timeUs);
         return;
       }
     }
     setPhase(timeUs);
-    if (phase == Phase.ONE_WING) {
+    if (wings.count() == 1) {
       FoundFly found = search.lookForBoth(timeUs, settings.search());
       if (found != null) {
         begin(found, timeUs);

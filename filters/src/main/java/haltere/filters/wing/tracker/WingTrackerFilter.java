@@ -6,6 +6,7 @@ import haltere.core.chain.PublishingFilter;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.filters.wing.FlyGeometry;
+import haltere.filters.wing.WingAverage;
 import haltere.filters.wing.WingBeat;
 import haltere.filters.wing.WingByHand;
 import haltere.filters.wing.WingDifference;
@@ -14,12 +15,13 @@ import haltere.filters.wing.WingListener;
 import haltere.filters.wing.WingMeasurement;
 import haltere.filters.wing.WingOverlay;
 import haltere.filters.wing.WingPair;
-import haltere.filters.wing.WingPart;
+import haltere.filters.wing.WingResult;
 import haltere.filters.wing.WingSnapshot;
 import haltere.filters.wing.WingTrackerSettings;
 import haltere.filters.wing.WingTrackerState;
 import haltere.filters.wing.WingVariances;
 import java.util.Map;
+import java.util.stream.Stream;
 
 /**
  * {@link WingTracker} as a stage of a chain. Lets all events through; publishes what it tracks.
@@ -108,85 +110,44 @@ public final class WingTrackerFilter extends PublishingFilter<WingTrackerSetting
   /** From the tracker to the outlets. */
   private final class OutletsOfFilter implements WingListener {
     @Override
-    public boolean wantsEstimates() {
-      return estimates.hasSubscribers()
-          || wings.hasSubscribers()
-          || averages.hasSubscribers()
-          || differences.hasSubscribers()
-          || pairs.hasSubscribers();
+    public boolean wants(Class<? extends WingResult> kind) {
+      return kind == WingEstimate.class
+          ? Stream.of(estimates, wings, averages, differences, pairs)
+              .anyMatch(Outlet::hasSubscribers)
+          : (kind == WingSnapshot.class
+                  ? snapshots
+                  : kind == WingMeasurement.class ? measurements : variances)
+              .hasSubscribers();
     }
 
     @Override
-    public boolean wantsSnapshots() {
-      return snapshots.hasSubscribers();
-    }
-
-    @Override
-    public void estimate(WingEstimate estimate) {
-      estimates.publish(estimate);
-      if (estimate.edge() == WingPart.LEFT || estimate.edge() == WingPart.RIGHT) {
-        wings.publish(estimate);
+    public void take(WingResult result) {
+      if (result instanceof WingEstimate estimate) {
+        estimates.publish(estimate);
+        if (estimate.edge().isWing()) {
+          wings.publish(estimate);
+        }
+      } else if (result instanceof WingMeasurement measurement) {
+        measurements.publish(measurement);
+      } else if (result instanceof WingVariances row) {
+        variances.publish(row);
+      } else if (result instanceof WingDifference difference) {
+        differences.publish(difference);
+      } else if (result instanceof WingAverage average) {
+        averages.publish(average.estimate());
+      } else if (result instanceof WingPair pair) {
+        pairs.publish(pair);
+      } else if (result instanceof WingBeat beat) {
+        beats.publish(beat);
+      } else if (result instanceof FlyGeometry geometry) {
+        geometries.publish(geometry);
+      } else if (result instanceof WingTrackerState state) {
+        states.publish(state);
+      } else if (result instanceof WingSnapshot snapshot) {
+        snapshots.publish(snapshot);
+      } else if (result instanceof WingByHand change) {
+        byHand.publish(change);
       }
-    }
-
-    @Override
-    public boolean wantsMeasurements() {
-      return measurements.hasSubscribers();
-    }
-
-    @Override
-    public boolean wantsVariances() {
-      return variances.hasSubscribers();
-    }
-
-    @Override
-    public void measurement(WingMeasurement measurement) {
-      measurements.publish(measurement);
-    }
-
-    @Override
-    public void variances(WingVariances row) {
-      variances.publish(row);
-    }
-
-    @Override
-    public void difference(WingDifference difference) {
-      differences.publish(difference);
-    }
-
-    @Override
-    public void average(WingEstimate estimate) {
-      averages.publish(estimate);
-    }
-
-    @Override
-    public void pair(WingPair pair) {
-      pairs.publish(pair);
-    }
-
-    @Override
-    public void beat(WingBeat beat) {
-      beats.publish(beat);
-    }
-
-    @Override
-    public void geometry(FlyGeometry geometry) {
-      geometries.publish(geometry);
-    }
-
-    @Override
-    public void state(WingTrackerState state) {
-      states.publish(state);
-    }
-
-    @Override
-    public void snapshot(WingSnapshot snapshot) {
-      snapshots.publish(snapshot);
-    }
-
-    @Override
-    public void byHand(WingByHand change) {
-      byHand.publish(change);
     }
   }
 

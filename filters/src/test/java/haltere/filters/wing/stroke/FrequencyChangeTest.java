@@ -10,6 +10,7 @@ class FrequencyChangeTest {
   private static final double DT_S = 1e-3;
   private static final double OMEGA = 2 * Math.PI * 200;
   private final FrequencyChange[] wings = {new FrequencyChange(), new FrequencyChange()};
+  private final FrequencyHistory[] histories = {new FrequencyHistory(), new FrequencyHistory()};
   private final StrokeEkf filter = new StrokeEkf(3);
 
   private FrequencyChangeTest() {
@@ -18,16 +19,17 @@ class FrequencyChangeTest {
     sd[StrokeEkf.OMEGA] = 1;
     filter.launch(state, sd);
     for (int side = 0; side < 2; side++) {
-      wings[side].launch();
       wings[side].besides(wings[1 - side]);
     }
   }
 
   private void look(double left, double right) {
-    filter.x[StrokeEkf.OMEGA] = left;
-    wings[0].look(DT_S, filter, true);
-    filter.x[StrokeEkf.OMEGA] = right;
-    wings[1].look(DT_S, filter, true);
+    double[] both = {left, right};
+    for (int side = 0; side < 2; side++) {
+      filter.x[StrokeEkf.OMEGA] = both[side];
+      histories[side].add(DT_S, filter);
+      wings[side].look(histories[side], true);
+    }
   }
 
   private void flySteadily() {

@@ -18,7 +18,7 @@ class FrequencyHindsightTest {
   private static FrequencyHindsight after(
       double rate, DoubleUnaryOperator saidOmega, boolean calm, double gapS) {
     FrequencyHindsight hindsight = new FrequencyHindsight();
-    hindsight.launch();
+    FrequencyHistory history = new FrequencyHistory();
     StrokeEkf filter = new StrokeEkf(1);
     double[] sd = new double[filter.size];
     sd[StrokeEkf.OMEGA] = SD;
@@ -26,7 +26,8 @@ class FrequencyHindsightTest {
     for (double t = 0; t < SECONDS; t += DT_S + gapS) {
       filter.set(StrokeEkf.PHASE, OMEGA * t + rate * t * t / 2);
       filter.set(StrokeEkf.OMEGA, saidOmega.applyAsDouble(t));
-      hindsight.look(DT_S + gapS, filter, calm);
+      history.add(DT_S + gapS, filter);
+      hindsight.look(DT_S + gapS, history, calm);
     }
     return hindsight;
   }

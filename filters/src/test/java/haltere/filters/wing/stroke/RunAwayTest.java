@@ -16,7 +16,6 @@ class RunAwayTest {
     RunAway[] wings = {new RunAway(), new RunAway()};
     double[] off = {leftOff, rightOff};
     for (int side = 0; side < 2; side++) {
-      wings[side].launch();
       wings[side].besides(wings[1 - side]);
       wings[side].add(off[side], 1000, 1);
     }
@@ -28,7 +27,6 @@ class RunAwayTest {
   void whatNeitherWingTellsAloneBothTellTogether() {
     assertTrue(wings(0.12, 0.12)[0].density() > 1000);
     RunAway alone = new RunAway();
-    alone.launch();
     alone.add(0.12, 1000, 1);
     alone.look(DT_S, OMEGA, 4e4);
     assertEquals(0, alone.density());

@@ -148,7 +148,7 @@ class StrokeEkfTest {
   }
 
   @Test
-  void angleAndSlopeInOneGoAreThoseByThemselves() {
+  void theSlopeIsTheDerivativeOfTheAngle() {
     StrokeEkf filter = new StrokeEkf(4);
     double[] state = new double[filter.size];
     state[StrokeEkf.CENTRE] = 1.7;
@@ -158,10 +158,12 @@ class StrokeEkfTest {
     }
     filter.launch(state, new double[filter.size]);
     for (double phase = 0; phase < 6; phase += 0.7) {
-      double c = Math.cos(phase);
-      double s = Math.sin(phase);
-      assertEquals(filter.angle(c, s), filter.angleWithSlope(c, s), 1e-12);
-      assertEquals(filter.slope(c, s), filter.slopeThere, 1e-12);
+      double step = 1e-5;
+      double more = filter.angle(Math.cos(phase + step), Math.sin(phase + step));
+      double less = filter.angle(Math.cos(phase - step), Math.sin(phase - step));
+      double slope = filter.slope(Math.cos(phase), Math.sin(phase));
+      assertEquals((more - less) / (2 * step), slope, 1e-8);
+      assertEquals(slope, filter.slopeThere);
     }
   }
 }

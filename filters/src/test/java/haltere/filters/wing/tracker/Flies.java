@@ -7,6 +7,9 @@ import haltere.testing.SceneEvents;
 
 /** Simulated flies that differ from the usual one by assignments. */
 final class Flies {
+  /** Setting of a tracker: the constant delay that the scene's pixels have, stated. */
+  static final String LATENCY = "filter.latencyUs=60";
+
   private Flies() {}
 
   static FlyScene scene(String... assignments) {

@@ -6,7 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import haltere.filters.estimation.Angles;
 import haltere.filters.wing.FlyGeometry;
 import haltere.filters.wing.WingPlaceSettings;
+import haltere.filters.wing.search.FoundFly;
 import haltere.filters.wing.stroke.StrokeFrame;
+import haltere.filters.wing.stroke.StrokeSeed;
 import org.junit.jupiter.api.Test;
 
 class PixelAnglesTest {
@@ -15,7 +17,7 @@ class PixelAnglesTest {
 
   private static FlyPlace place() {
     FlyPlace place = new FlyPlace();
-    place.begin(FOUND, WingPlaceSettings.defaults(), 0);
+    place.begin(new FoundFly(FOUND, 42, new StrokeSeed[2]), WingPlaceSettings.defaults(), 0);
     return place;
   }
 
@@ -48,7 +50,8 @@ class PixelAnglesTest {
     FlyPlace place = place();
     PixelAngles angles = new PixelAngles(128, 128, place);
     double before = PixelAngles.angle(angles.code(80, 80));
-    place.shift(0, 0, 0.25);
+    place.turn(0.25);
+    place.settle();
     assertEquals(before, PixelAngles.angle(angles.code(80, 80)));
     angles.clear();
     // the right wing's angles are clockwise of the heading

@@ -5,11 +5,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.filters.wing.FlyGeometry;
+import haltere.filters.wing.WingAverage;
 import haltere.filters.wing.WingBeat;
 import haltere.filters.wing.WingEstimate;
 import haltere.filters.wing.WingListener;
 import haltere.filters.wing.WingPair;
 import haltere.filters.wing.WingPart;
+import haltere.filters.wing.WingResult;
 import haltere.filters.wing.WingTrackerSettings;
 import haltere.filters.wing.WingTrackerState;
 import haltere.filters.wing.WingTrackerState.Phase;
@@ -44,20 +46,22 @@ final class Said implements WingListener {
   }
 
   @Override
-  public void state(WingTrackerState state) {
-    states.add(state);
-  }
-
-  @Override
-  public void estimate(WingEstimate estimate) {
-    assertNumbers(estimate);
-    estimates.add(estimate);
-  }
-
-  @Override
-  public void average(WingEstimate estimate) {
-    assertNumbers(estimate);
-    averages.add(estimate);
+  public void take(WingResult result) {
+    if (result instanceof WingTrackerState state) {
+      states.add(state);
+    } else if (result instanceof WingEstimate estimate) {
+      assertNumbers(estimate);
+      estimates.add(estimate);
+    } else if (result instanceof WingAverage average) {
+      assertNumbers(average.estimate());
+      averages.add(average.estimate());
+    } else if (result instanceof WingBeat beat) {
+      beats.add(beat);
+    } else if (result instanceof WingPair pair) {
+      pairs.add(pair);
+    } else if (result instanceof FlyGeometry found) {
+      geometry = found;
+    }
   }
 
   private static void assertNumbers(WingEstimate e) {
@@ -65,21 +69,6 @@ final class Said implements WingListener {
         Double.isFinite(
             e.angleRad() + e.centreRad() + e.amplitudeRad() + e.phaseRad() + e.frequencyHz()),
         e::toString);
-  }
-
-  @Override
-  public void beat(WingBeat beat) {
-    beats.add(beat);
-  }
-
-  @Override
-  public void pair(WingPair pair) {
-    pairs.add(pair);
-  }
-
-  @Override
-  public void geometry(FlyGeometry found) {
-    geometry = found;
   }
 
   Set<Phase> phases() {

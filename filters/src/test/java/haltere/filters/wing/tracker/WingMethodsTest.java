@@ -34,7 +34,9 @@ class WingMethodsTest {
     WingScores[] scores = new WingScores[settings.length];
     for (int i = 0; i < settings.length; i++) {
       scores[i] =
-          new WingScores(scene, WingTrackerSettings.defaults().with(settings[i].split(";")));
+          new WingScores(
+              scene,
+              WingTrackerSettings.defaults().with(Flies.LATENCY).with(settings[i].split(";")));
     }
     WingScores.run(scene, seconds, scores);
     return scores;
@@ -149,16 +151,6 @@ class WingMethodsTest {
     assertEquals(each.angleRad(), together.angleRad(), 0.01);
   }
 
-  @ParameterizedTest
-  @ValueSource(strings = {"filter.model=WINGS", "filter.model=EDGES", "filter.method=WRA"})
-  void anEdgeThatIsSwitchedOffIsNotTakenAndTheOtherCarriesTheWing(String method) {
-    Said said = Said.with(Flies.events(0.15, STEADY, SPARSE), method, "output.leftLeading=false");
-    assertTrue(said.of(WingPart.LEFT_LEADING).isEmpty());
-    assertEquals(
-        said.last(WingPart.LEFT_TRAILING).events(), said.last(WingPart.LEFT).events(), method);
-    assertTrue(said.last(WingPart.RIGHT_LEADING).events() > 100);
-  }
-
   @Test
   void bothWingsTogetherAreTheDifferenceAndTheSumOfEach() {
     double lag = 0.2;
@@ -259,7 +251,7 @@ class WingMethodsTest {
   @Test
   void theOriginalsMethodHasItsSettingsAndKeepsAFlyNearItsStart() {
     WingTrackerSettings original = WingTrackerSettings.original();
-    assertEquals(WingModel.EDGES_BY_UPDATE, original.filter().model());
+    assertEquals(WingModel.ORIGINAL, original.filter().model());
     assertEquals(2000, original.search().leastEvents());
     assertEquals(240, original.search().startFrequencyHz());
     EventPacket fly = Flies.events(0.5, STEADY, EVEN, "stroke.beat.frequencyHz=235");

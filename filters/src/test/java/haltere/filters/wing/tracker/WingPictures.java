@@ -4,11 +4,11 @@ import haltere.core.event.EventPacket;
 import haltere.core.simulation.fly.FlyScene;
 import haltere.core.simulation.fly.FlySceneSettings;
 import haltere.core.simulation.fly.FlyTruth;
+import haltere.core.sink.SvgPlot;
+import haltere.filters.wing.WingAverage;
 import haltere.filters.wing.WingEstimate;
-import haltere.filters.wing.WingListener;
 import haltere.filters.wing.WingPart;
 import haltere.filters.wing.WingTrackerSettings;
-import haltere.testing.SvgPlot;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -29,20 +29,14 @@ final class WingPictures {
     EventPacket events = Flies.events(seconds, scene);
     new WingTracker(
             new FlyScene(scene).geometry(),
-            WingTrackerSettings.defaults().with("filter.method=BOTH", "output.rateHz=20000"),
-            new WingListener() {
-              @Override
-              public void estimate(WingEstimate estimate) {
-                if (estimate.edge() == WingPart.LEFT) {
-                  left.add(estimate);
-                }
-              }
-
-              @Override
-              public void average(WingEstimate estimate) {
-                if (estimate.edge() == WingPart.LEFT) {
-                  averages.add(estimate);
-                }
+            WingTrackerSettings.defaults()
+                .with("filter.method=BOTH", "output.rateHz=20000", Flies.LATENCY),
+            result -> {
+              if (result instanceof WingEstimate estimate && estimate.edge() == WingPart.LEFT) {
+                left.add(estimate);
+              } else if (result instanceof WingAverage average
+                  && average.estimate().edge() == WingPart.LEFT) {
+                averages.add(average.estimate());
               }
             })
         .track(events);

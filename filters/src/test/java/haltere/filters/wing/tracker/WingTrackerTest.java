@@ -34,7 +34,7 @@ class WingTrackerTest {
     WingScores scores =
         new WingScores(
                 Flies.scene(STEADY, "run.seed=" + seed, "fly.body.headingRad=" + seed % 6),
-                WingTrackerSettings.defaults())
+                WingTrackerSettings.defaults().with(Flies.LATENCY))
             .run(0.8);
     assertEquals(0, scores.losses());
     int buffered = WingTrackerSettings.defaults().search().windowUs();
@@ -118,6 +118,42 @@ class WingTrackerTest {
     assertTrue(wrong > 20, "it was on the wrong multiple");
     assertTrue(wrongUntilUs - provokedUs <= 50_000, "for " + (wrongUntilUs - provokedUs) + " us");
     assertTrue(right > 500, "and then on the right one");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"filter.model=WINGS", "filter.model=EDGES", "filter.method=WRA"})
+  void aStartFrequencyFarFromTheTruthIsFoundOutAndTheBeatSearchedAnew(String method) {
+    EventPacket fly =
+        Flies.events(0.4, STEADY, "stroke.beat.frequencyHz=203", "fly.wing.visibleShare=0.15");
+    for (int startHz : new int[] {120, 300, 406}) {
+      Said said = Said.with(fly, method, "search.startFrequencyHz=" + startHz);
+      List<WingEstimate> late =
+          said.of(WingPart.LEFT).stream().filter(e -> e.timeUs() > 120_000).toList();
+      assertTrue(late.size() > 250, startHz + ": " + late.size() + " estimates");
+      double mean = late.stream().mapToDouble(WingEstimate::frequencyHz).average().orElse(0);
+      assertEquals(203, mean, 8, "started at " + startHz);
+    }
+  }
+
+  @Test
+  void estimatesAreOfTheTimeThatTheEventsCarryUnlessADelayIsSaid() {
+    EventPacket fly = Flies.events(0.1, STEADY, "fly.wing.visibleShare=0.15");
+    assertEquals(0, WingTrackerSettings.defaults().filter().latencyUs());
+    Said usual = Said.with(fly);
+    EventPacket later = new EventPacket(0);
+    for (int i = 0; i < fly.size(); i++) {
+      later.append(fly.timeUs(i) + 2000, fly.address(i));
+    }
+    Said shifted = Said.with(later, "filter.latencyUs=2000");
+    WingEstimate now = usual.last(WingPart.LEFT);
+    // a camera whose stamps are late by a known delay says the same of the same time
+    WingEstimate same =
+        shifted.of(WingPart.LEFT).stream()
+            .filter(e -> e.timeUs() == now.timeUs())
+            .findFirst()
+            .orElseThrow();
+    assertEquals(now.angleRad(), same.angleRad(), 0.05);
+    assertEquals(now.phaseRad(), same.phaseRad(), 0.05);
   }
 
   private static EventPacket part(EventPacket events, int from, int to) {

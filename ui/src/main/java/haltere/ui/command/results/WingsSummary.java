@@ -18,7 +18,8 @@ import java.util.Map;
 
 /**
  * What is said about a recording when its wings have been tracked: beats, frequency and amplitude
- * of each side, how much of the time they were tracked, where the fly was on average.
+ * of each side, how much of the time they were tracked at the frequency of the beat, where the fly
+ * was on average.
  */
 public final class WingsSummary implements StreamHandler {
   private static final double DEGREES = 180 / Math.PI;
@@ -34,6 +35,7 @@ public final class WingsSummary implements StreamHandler {
   private long spannedUs;
   private long bothTicks;
   private long oneTicks;
+  private long unlockedTicks;
   private int losses;
   private double nis;
   private long nisCount;
@@ -81,10 +83,10 @@ public final class WingsSummary implements StreamHandler {
   }
 
   private void snapshot(WingSnapshot snapshot) {
-    if (snapshot.phase() == WingTrackerState.Phase.TRACKING) {
-      bothTicks++;
-    } else {
-      oneTicks++;
+    switch (snapshot.phase()) {
+      case TRACKING -> bothTicks++;
+      case UNLOCKED -> unlockedTicks++;
+      default -> oneTicks++;
     }
     double now = filter.tracker().meanNis();
     if (Double.isFinite(now)) {
@@ -113,6 +115,7 @@ public final class WingsSummary implements StreamHandler {
     switch (state.phase()) {
       case TRACKING -> condition = "both wings tracked";
       case ONE_WING -> condition = "one wing tracked";
+      case UNLOCKED -> condition = "wings followed at another frequency than the beat's";
       case LOST -> {
         condition = "wings lost";
         losses++;
@@ -196,11 +199,29 @@ public final class WingsSummary implements StreamHandler {
     lines.add(
         String.format(
             Locale.ROOT,
-            "in lock %.1f %% of the time (one wing %.1f %%), lost %d times, at the end: %s",
+            "in lock %.1f %% of the time (one wing %.1f %%%s), lost %d times, at the end: %s",
             Math.min(100, 100 * bothTicks / ticks),
             Math.min(100, 100 * oneTicks / ticks),
+            unlockedTicks == 0
+                ? ""
+                : String.format(
+                    Locale.ROOT,
+                    ", at another frequency than the beat's %.1f %%",
+                    Math.min(100, 100 * unlockedTicks / ticks)),
             losses,
             condition));
+    filter
+        .tracker()
+        .averageGeometry()
+        .ifPresent(
+            body ->
+                lines.add(
+                    String.format(
+                        Locale.ROOT,
+                        "body of the running average at the end: %.1f, %.1f px, heading %.3f rad",
+                        body.centreX(),
+                        body.centreY(),
+                        body.headingRad())));
     if (nisCount > 0) {
       lines.add(String.format(Locale.ROOT, "mean NIS %.3f", nis / nisCount));
     }

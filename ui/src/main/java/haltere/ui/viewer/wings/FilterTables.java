@@ -4,6 +4,7 @@ import atlantafx.base.theme.Styles;
 import haltere.filters.wing.WingFilterEdit;
 import haltere.filters.wing.WingFilterEdit.Table;
 import haltere.filters.wing.WingFilterState;
+import haltere.filters.wing.WingFilterState.Source;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Texts;
 import java.math.BigDecimal;
@@ -11,13 +12,16 @@ import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.function.Consumer;
 import javafx.scene.Node;
+import javafx.scene.control.Hyperlink;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import javafx.scene.layout.ColumnConstraints;
+import javafx.scene.layout.FlowPane;
 import javafx.scene.layout.GridPane;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
@@ -25,8 +29,9 @@ import javafx.scene.layout.VBox;
 
 /**
  * The state x with its standard deviations, the process noise Q, the noise R of a measurement and
- * the covariance P of one Kalman filter, live. An entry that is being edited stands still until
- * Enter takes it over or Escape gives it up.
+ * the covariance P of one Kalman filter, as it uses them now. An entry that is being edited stands
+ * still until Enter takes it over or Escape gives it up. A button beside a noise says whether the
+ * estimator adapts it or a person has set it; a click changes that.
  *
  * <p>Thread rule: JavaFX thread only.
  */
@@ -41,11 +46,18 @@ final class FilterTables extends VBox {
   private static final double NAME_WIDTH = 80;
   private static final double MOST_PLAIN = 1e6;
 
+  private static final Map<Source, String> SOURCES =
+      Map.of(Source.SETTINGS, "", Source.ESTIMATOR, "adaptive", Source.BY_HAND, "by hand");
+
   /** An entry and the number that it shows. */
   private record Cell(TextField entry, Table table, int row, int column) {}
 
+  /** Says where a noise comes from. */
+  private record SourceButton(Hyperlink button, Table table, int row) {}
+
   private final Consumer<WingFilterEdit> edited;
   private final List<Cell> cells = new ArrayList<>();
+  private final List<SourceButton> sources = new ArrayList<>();
   private final List<Label> deviations = new ArrayList<>();
   private final Label summary = new Label();
   private WingFilterState shown;
@@ -92,15 +104,43 @@ final class FilterTables extends VBox {
       sd.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
       sd.setMinWidth(Region.USE_PREF_SIZE);
       deviations.add(sd);
-      grid.addRow(i + 1, name, cell(Table.STATE, i, 0), sd, cell(Table.PROCESS_NOISE, i, 0));
+      Node noise = noise(Table.PROCESS_NOISE, i, f.qUnits().get(i));
+      grid.addRow(i + 1, name, cell(Table.STATE, i, 0), sd, noise);
     }
-    Label name = new Label("measurement R, rad\u00b2");
+    Label name = new Label("measurement R");
     name.getStyleClass().add(Styles.TEXT_SMALL);
     name.setWrapText(true);
-    TextField r = cell(Table.MEASUREMENT_NOISE, 0, 0);
-    Controls.help(r, "Variance of a measurement. 0 learns it from the events.");
-    grid.addRow(f.names().size() + 1, name, r);
+    int last = f.names().size() + 1;
+    grid.add(name, 0, last);
+    grid.add(noise(Table.MEASUREMENT_NOISE, 0, "rad\u00b2"), 3, last);
     return grid;
+  }
+
+  /** An entry of the noise, with its unit and its source below. */
+  private Node noise(Table table, int row, String unit) {
+    Label label = new Label(unit);
+    label.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
+    label.setMinWidth(Region.USE_PREF_SIZE);
+    return new VBox(cell(table, row, 0), new FlowPane(4, 0, label, source(table, row)));
+  }
+
+  private Hyperlink source(Table table, int row) {
+    Hyperlink button = new Hyperlink();
+    button.setId("source-" + table.name().toLowerCase(Locale.ROOT).replace('_', '-') + "-" + row);
+    button.getStyleClass().add(Styles.TEXT_SMALL);
+    button.setAccessibleText("Source of " + name(table, row, 0));
+    Controls.help(
+        button,
+        "Adaptive: a click holds the present number. By hand: a click gives the number back to"
+            + " the estimator or to the settings.");
+    button.setOnAction(
+        event -> {
+          boolean byHand = shown.source(table, row) == Source.BY_HAND;
+          double value = byHand ? Double.NaN : shown.value(table, row, 0);
+          edited.accept(new WingFilterEdit(shown.part(), table, row, 0, value));
+        });
+    sources.add(new SourceButton(button, table, row));
+    return button;
   }
 
   private Node covariance(WingFilterState f) {
@@ -169,6 +209,12 @@ final class FilterTables extends VBox {
         cell.entry().setText(text(now.value(cell.table(), cell.row(), cell.column())));
       }
     }
+    for (SourceButton source : sources) {
+      String words = SOURCES.get(now.source(source.table(), source.row()));
+      source.button().setText(words);
+      source.button().setVisible(!words.isEmpty());
+      source.button().setManaged(!words.isEmpty());
+    }
     for (int i = 0; i < deviations.size(); i++) {
       double variance = now.value(Table.COVARIANCE, i, i);
       deviations.get(i).setText(text(Math.sqrt(Math.max(0, variance)), TWO_DIGITS));
@@ -176,8 +222,7 @@ final class FilterTables extends VBox {
     summary.setText(
         Texts.count(now.events())
             + " events   NIS "
-            + String.format(Locale.ROOT, "%.2f", now.nis())
-            + (now.learnsR() ? "   R is learnt" : "   R is set"));
+            + String.format(Locale.ROOT, "%.2f", now.nis()));
   }
 
   private static String text(double value) {

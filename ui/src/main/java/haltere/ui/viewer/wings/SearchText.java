@@ -24,6 +24,7 @@ final class SearchText {
   private static String condition(WingTrackerState now) {
     return switch (now.phase()) {
       case TRACKING -> "Tracks both wings.";
+      case UNLOCKED -> "Follows the events, not at the frequency of the beat.";
       case ONE_WING -> "Tracks one wing, looks for the other.";
       case LOST -> "Has lost the wings, looks for them.";
       default -> "Waits for wings.";

@@ -1,6 +1,7 @@
 package haltere.ui.viewer.wings;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.playback.ScenePlayable;
@@ -10,6 +11,7 @@ import haltere.filters.estimation.Angles;
 import haltere.filters.wing.FlyGeometry;
 import haltere.filters.wing.WingFilterEdit.Table;
 import haltere.filters.wing.WingFilterState;
+import haltere.filters.wing.WingFilterState.Source;
 import haltere.filters.wing.WingPart;
 import haltere.filters.wing.WingTrackerSettings;
 import haltere.ui.viewer.ViewerHarness;
@@ -23,6 +25,7 @@ import java.util.List;
 import java.util.Optional;
 import javafx.scene.control.Button;
 import javafx.scene.control.CheckBox;
+import javafx.scene.control.Hyperlink;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import org.junit.jupiter.api.AfterEach;
@@ -90,7 +93,8 @@ class WingsFeatureTest {
     viewer.waitFor(
         "Q of the frequency", () -> filter().get().value(Table.PROCESS_NOISE, 3, 0) == 77);
     enter("measurement-noise-0-0", "0.0123");
-    viewer.waitFor("R", () -> filter().get().r() == 0.0123 && !filter().get().learnsR());
+    viewer.waitFor(
+        "R", () -> filter().get().r() == 0.0123 && filter().get().rSource() == Source.BY_HAND);
     viewer.pause();
     enter("state-1-0", "0.5");
     viewer.waitFor("x", () -> filter().get().value(Table.STATE, 1, 0) == 0.5);
@@ -103,7 +107,33 @@ class WingsFeatureTest {
     viewer.run(() -> wings.restart(WingPart.LEFT));
     viewer.waitFor(
         "R is learnt again",
-        () -> filter().get().learnsR() && filter().get().value(Table.PROCESS_NOISE, 3, 0) != 77);
+        () ->
+            filter().get().rSource() == Source.ESTIMATOR
+                && filter().get().value(Table.PROCESS_NOISE, 3, 0) != 77);
+  }
+
+  @Test
+  void aNoiseThatTheEstimatorAdaptsIsTakenOverByAClickAndGivenBackByAnother() {
+    String id = "source-process-noise-3";
+    viewer.waitFor(
+        "the frequency's noise is the estimator's",
+        () -> viewer.isThere(id) && viewer.node(id, Hyperlink.class).getText().equals("adaptive"));
+    Hyperlink source = viewer.node(id, Hyperlink.class);
+    viewer.run(source::fire);
+    viewer.waitFor("by hand", () -> source.getText().equals("by hand"));
+    assertEquals(Source.BY_HAND, viewer.onFx(() -> filter().get().source(Table.PROCESS_NOISE, 3)));
+    viewer.run(source::fire);
+    viewer.waitFor("adaptive again", () -> source.getText().equals("adaptive"));
+    Hyperlink settings = viewer.node("source-process-noise-4", Hyperlink.class);
+    assertFalse(viewer.onFx(settings::isVisible), "that of the width follows from the settings");
+    enter("process-noise-4-0", "0.002");
+    viewer.waitFor("its own", () -> settings.isVisible() && settings.getText().equals("by hand"));
+    viewer.run(settings::fire);
+    viewer.waitFor("as before", () -> !settings.isVisible());
+    for (int i = 0; i < viewer.onFx(() -> filter().get().names().size()); i++) {
+      int row = i;
+      assertTrue(viewer.onFx(() -> filter().get().value(Table.PROCESS_NOISE, row, 0)) > 0);
+    }
   }
 
   @Test

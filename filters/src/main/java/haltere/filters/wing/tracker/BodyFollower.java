@@ -1,0 +1,100 @@
+package haltere.filters.wing.tracker;
+
+import haltere.filters.estimation.Angles;
+import haltere.filters.wing.RunningAverageSettings;
+import haltere.filters.wing.WingPlaceSettings;
+import haltere.filters.wing.WingTrackerSettings;
+
+/**
+ * Moves the body after each beat of both wings, as the running average does it (Cardinale 2006): to
+ * the middle between the mean positions of both wings' events, with the heading across the line
+ * between them. The original's region of interest has their distance for its radius.
+ */
+final class BodyFollower {
+  private static final int BOTH = 3;
+
+  private final FlyPlace place;
+  private WingTrackerSettings settings;
+  private boolean follows;
+  private final double[] sumX = new double[2];
+  private final double[] sumY = new double[2];
+  private final double[] meanX = new double[2];
+  private final double[] meanY = new double[2];
+  private final int[] count = new int[2];
+
+  /** Wings whose beat has ended since the body was moved, as bits. */
+  private int ended;
+
+  BodyFollower(FlyPlace place, WingTrackerSettings settings) {
+    this.place = place;
+    apply(settings);
+  }
+
+  void apply(WingTrackerSettings changed) {
+    settings = changed;
+    follows = changed.average().bodyUpdate() || changed.average().headingUpdate();
+  }
+
+  /** Begins anew. */
+  void launch() {
+    ended = 0;
+    for (int side = 0; side < 2; side++) {
+      clear(side);
+    }
+  }
+
+  private void clear(int side) {
+    sumX[side] = 0;
+    sumY[side] = 0;
+    count[side] = 0;
+  }
+
+  /**
+   * Takes an event of a wing, after the running average has.
+   *
+   * @return whether the body was moved
+   */
+  boolean event(int side, int x, int y) {
+    if (!follows) {
+      return false;
+    }
+    sumX[side] += x;
+    sumY[side] += y;
+    count[side]++;
+    return ended == BOTH && follow();
+  }
+
+  /** Ends a beat of a wing. */
+  void beat(int side) {
+    if (count[side] > 0) {
+      meanX[side] = sumX[side] / count[side];
+      meanY[side] = sumY[side] / count[side];
+      ended |= 1 << side;
+    }
+    clear(side);
+  }
+
+  private boolean follow() {
+    RunningAverageSettings average = settings.average();
+    WingPlaceSettings said = settings.place();
+    ended = 0;
+    double share = average.mixingFactor();
+    double acrossX = meanX[0] - meanX[1];
+    double acrossY = meanY[0] - meanY[1];
+    if (average.bodyUpdate()) {
+      double middleX = (meanX[0] + meanX[1]) / 2 + said.bodyOffsetXPx();
+      double middleY = (meanY[0] + meanY[1]) / 2 + said.bodyOffsetYPx();
+      place.shift(share * (middleX - place.axisX()), share * (middleY - place.axisY()));
+      if (TrackerParts.isOriginal(settings)) {
+        double distancePx = Math.hypot(acrossX, acrossY);
+        place.resize(place.sizePx() + share * (distancePx - place.sizePx()), said);
+      }
+    }
+    if (average.headingUpdate()) {
+      double heading = Math.atan2(acrossY, acrossX) - Math.PI / 2 + said.headingOffsetRad();
+      place.turn(share * Angles.wrapPi(heading - place.frames[0].headingRad()));
+    }
+    place.settle();
+    return true;
+  }
+}

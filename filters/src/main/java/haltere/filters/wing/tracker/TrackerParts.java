@@ -1,0 +1,64 @@
+package haltere.filters.wing.tracker;
+
+import haltere.core.event.SensorGeometry;
+import haltere.filters.wing.WingMethod;
+import haltere.filters.wing.WingModel;
+import haltere.filters.wing.WingSide;
+import haltere.filters.wing.WingTrackerSettings;
+import haltere.filters.wing.WingTrackerState;
+import haltere.filters.wing.original.CentroidSearch;
+import haltere.filters.wing.original.UpdateNoise;
+import haltere.filters.wing.search.FlySearch;
+import haltere.filters.wing.search.RecentEvents;
+import haltere.filters.wing.search.StrokeSearch;
+import haltere.filters.wing.stroke.BeatListener;
+import haltere.filters.wing.stroke.EdgeNoise;
+import haltere.filters.wing.stroke.EdgesEstimator;
+import haltere.filters.wing.stroke.SideEstimator;
+import haltere.filters.wing.stroke.StrokeFrame;
+import haltere.filters.wing.stroke.WingEstimator;
+import java.util.function.Consumer;
+
+/**
+ * Makes the parts of a tracker that the settings ask for. The one class that knows the tracker of
+ * Cardinale (2006), {@code wing.original}.
+ */
+final class TrackerParts {
+  private TrackerParts() {}
+
+  static boolean isOriginal(WingTrackerSettings settings) {
+    return settings.filter().model() == WingModel.ORIGINAL;
+  }
+
+  /** Whether the body moves with the running average's beats in the frames of the main method. */
+  static boolean sharesFrames(WingTrackerSettings settings) {
+    return settings.filter().method() == WingMethod.WRA
+        || settings.filter().model() != WingModel.WINGS;
+  }
+
+  /** Whether a running average is at work. */
+  static boolean averages(WingTrackerSettings settings) {
+    boolean updates = settings.average().bodyUpdate() || settings.average().headingUpdate();
+    return settings.filter().method() != WingMethod.EKF || updates && sharesFrames(settings);
+  }
+
+  static FlySearch search(
+      WingTrackerSettings settings,
+      SensorGeometry sensor,
+      RecentEvents recent,
+      Consumer<WingTrackerState> steps) {
+    return isOriginal(settings)
+        ? new CentroidSearch(sensor, recent, steps)
+        : new StrokeSearch(sensor, recent, steps);
+  }
+
+  /** The Kalman filter of a wing, or one for each of its edges. */
+  static SideEstimator filter(
+      WingSide side, StrokeFrame frame, WingTrackerSettings settings, BeatListener beats) {
+    return switch (settings.filter().model()) {
+      case WINGS -> new WingEstimator(side, frame, settings, beats);
+      case EDGES -> EdgesEstimator.filters(side, frame, settings, beats, EdgeNoise.DENSITY);
+      case ORIGINAL -> EdgesEstimator.filters(side, frame, settings, beats, new UpdateNoise());
+    };
+  }
+}

@@ -1,0 +1,25 @@
+package haltere.testing.wings;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.core.simulation.fly.RenderedFlySceneSettings;
+import org.junit.jupiter.api.Test;
+
+/** The flies that the wing tracker is evaluated on. */
+class RenderedFliesTest {
+  @Test
+  void everySeedMakesAValidFlyWhoseMembraneThePixelsCanSee() {
+    for (long seed = 0; seed < 1000; seed++) {
+      RenderedFlySceneSettings scene = RenderedFlies.random(seed);
+      double contrast = -Math.log(scene.fly().wing().transmission());
+
+      assertTrue(contrast >= 1.19 * scene.pixel().threshold(), "seed " + seed);
+    }
+  }
+
+  @Test
+  void aSeedMakesTheSameFlyAgain() {
+    assertEquals(RenderedFlies.random(5), RenderedFlies.random(5));
+  }
+}

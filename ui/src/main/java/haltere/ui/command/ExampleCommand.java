@@ -1,0 +1,192 @@
+package haltere.ui.command;
+
+import haltere.filters.estimation.Consistency;
+import haltere.filters.estimation.example.ExampleTable;
+import haltere.filters.estimation.example.FallingWeight;
+import haltere.filters.estimation.example.MeasurementSeries;
+import haltere.filters.estimation.example.Oscillator;
+import haltere.filters.estimation.example.SimulatedVideo;
+import haltere.ui.command.results.ExamplePlots;
+import haltere.ui.command.results.TextFile;
+import haltere.ui.command.terminal.Quantities;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Map;
+import java.util.TreeMap;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** Runs a worked example of the estimation library. */
+@Command(
+    name = "example",
+    description = {
+      "Estimate a motion on a video of 240 frames a second, simulated or the user's own.",
+      "falling-weight: displacement, velocity and acceleration of a weight in free fall."
+          + " oscillator: also damping ratio and frequency of a weight on a spring that was pulled"
+          + " down and let go. TABLE has a row for each measurement: the filter's estimates with"
+          + " standard deviations (sd_) and gains (gain_), and for comparison a fit to all"
+          + " measurements (fit_) and finite differences (difference_)."
+    })
+final class ExampleCommand extends Subcommand {
+  private static final String FALLING_WEIGHT = "falling-weight";
+  private static final String OSCILLATOR = "oscillator";
+
+  @Parameters(
+      index = "0",
+      paramLabel = "EXAMPLE",
+      description = "Which one: " + FALLING_WEIGHT + " or " + OSCILLATOR + ".")
+  String name;
+
+  @Option(
+      names = "--out",
+      required = true,
+      paramLabel = "TABLE.csv",
+      description = "Where the estimates go.")
+  Path out;
+
+  @Option(
+      names = "--plots",
+      paramLabel = "FOLDER",
+      description = "Where plots go, as SVG; the folder is made if need be.")
+  Path plots;
+
+  @Option(
+      names = "--data",
+      paramLabel = "MEASUREMENTS.csv",
+      description =
+          "Own measurements instead of simulated ones: columns t_s,x_m and, where accelerations"
+              + " along x were measured, a_m_s2; rows ascend in time. Of the oscillator x_m is"
+              + " measured from rest.")
+  Path data;
+
+  @Option(
+      names = "--seed",
+      paramLabel = "N",
+      description = "Seed of the simulated measurements; 1 if not given.")
+  Long seed;
+
+  @Mixin WritingOptions writing;
+
+  ExampleCommand(Surroundings surroundings) {
+    super(surroundings);
+  }
+
+  @Override
+  public Integer call() throws IOException {
+    boolean falls = name.equals(FALLING_WEIGHT);
+    if (!falls && !name.equals(OSCILLATOR)) {
+      throw wrongArguments(
+          "there is no example " + name + "; there is: " + FALLING_WEIGHT + ", " + OSCILLATOR);
+    }
+    if (data != null && seed != null) {
+      throw wrongArguments("--seed is of simulated measurements; --data gives others");
+    }
+    check(out);
+    MeasurementSeries series;
+    ExampleTable table;
+    try {
+      series = series(falls);
+      table = falls ? new FallingWeight(series).table() : new Oscillator(series).table();
+    } catch (IllegalArgumentException | ArithmeticException useless) {
+      throw new CommandProblem(data + ": " + useless.getMessage(), useless);
+    }
+    Map<Path, String> files = new TreeMap<>();
+    if (plots != null) {
+      Map<String, String> drawn =
+          falls ? ExamplePlots.fallingWeight(table) : ExamplePlots.oscillator(table);
+      drawn.forEach((plot, svg) -> files.put(plots.resolve(name + "-" + plot + ".svg"), svg));
+      makeFolder();
+    }
+    for (Path file : files.keySet()) {
+      check(file);
+      WritingOptions.checkDifferent(out, file);
+    }
+    for (Map.Entry<Path, String> file : files.entrySet()) {
+      TextFile.write(file.getKey(), file.getValue(), writing.overwrite);
+    }
+    TextFile.write(out, table.csv(), writing.overwrite);
+    files.keySet().forEach(file -> message("wrote " + file));
+    message("wrote " + out + " (" + Quantities.count(table.column("t_s").length) + " rows)");
+    tell(table, series.noiseM(), falls);
+    return OK;
+  }
+
+  private MeasurementSeries series(boolean falls) throws IOException {
+    if (data != null) {
+      return MeasurementFile.read(data);
+    }
+    long chosen = seed == null ? 1 : seed;
+    return falls ? SimulatedVideo.fallingWeight(chosen) : SimulatedVideo.oscillator(chosen);
+  }
+
+  private void check(Path output) throws IOException {
+    writing.check(output);
+    if (data != null) {
+      WritingOptions.checkDifferent(data, output);
+    }
+  }
+
+  private void makeFolder() throws IOException {
+    if (!Files.isDirectory(plots)) {
+      if (Files.exists(plots)) {
+        throw new CommandProblem(plots + ": this is a file; name a folder");
+      }
+      check(plots);
+      Files.createDirectory(plots);
+    }
+  }
+
+  private void tell(ExampleTable table, double noiseM, boolean falls) {
+    result(text("%-26s %.2g mm", "noise of the displacement", 1000 * noiseM));
+    if (falls) {
+      result(estimate("acceleration", table, "a_m_s2", "m/s²"));
+      result(estimate("  least squares", table, "fit_a_m_s2", "m/s²"));
+    } else {
+      result(estimate("damping ratio", table, "damping", ""));
+      result(estimate("frequency", table, "frequency_rad_s", "rad/s"));
+      double plain = last(table, "plain_frequency_rad_s");
+      result(
+          Double.isNaN(plain)
+              ? "  linearised only once     left the numbers"
+              : text(
+                  "  linearised only once     %.4g rad/s, damping ratio %.4g",
+                  plain, last(table, "plain_damping")));
+    }
+    double[] fit = table.column("fit_s_m");
+    double[] measured = table.column("x_m");
+    double squares = 0;
+    for (int k = 0; k < fit.length; k++) {
+      squares += Math.pow((measured[k] - fit[k]) / noiseM, 2) / fit.length;
+    }
+    // Four neighbours share a third difference, which the noise was told from.
+    if (!(squares <= Consistency.meanBand(1, fit.length / 4, 0.999).upper())) {
+      warning(
+          text(
+              "the residuals are %.2g times the noise: this is another motion than the model's%s;"
+                  + " the deviations do not hold",
+              Math.sqrt(squares), falls ? "" : ", or x_m is not measured from rest"));
+    }
+  }
+
+  /** Two digits of the deviation, and the value to the same place. */
+  private static String estimate(String label, ExampleTable table, String column, String unit) {
+    double deviation = last(table, "sd_" + column);
+    int digits = (int) Math.max(0, Math.min(9, 1 - Math.floor(Math.log10(deviation))));
+    String number = "%." + digits + "f";
+    String form = "%-26s " + number + " ± " + number + " %s";
+    return text(form, label, last(table, column), deviation, unit).stripTrailing();
+  }
+
+  private static double last(ExampleTable table, String column) {
+    double[] values = table.column(column);
+    return values[values.length - 1];
+  }
+
+  private static String text(String format, Object... values) {
+    return String.format(Locale.ROOT, format, values);
+  }
+}
