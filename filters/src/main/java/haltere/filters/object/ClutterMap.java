@@ -160,8 +160,7 @@ final class ClutterMap {
     double priorTicks = PRIOR_S / ObjectTracker.TICK_S;
     double prior = PRIOR_HZ * PRIOR_S * CELL_PIXELS;
     perTick = (usual + prior) / (CELL_PIXELS * (ticks + priorTicks));
-    cellFactor =
-        level / (ticks + 1 / (CELL_PIXELS * perTick)) * BIRTH_S / ObjectTracker.TICK_S;
+    cellFactor = level / (ticks + 1 / (CELL_PIXELS * perTick)) * BIRTH_S / ObjectTracker.TICK_S;
   }
 
   private static double winsorisedMean(float[] values) {

@@ -28,8 +28,8 @@ final class Component {
   private static final double HALT_S = 0.1;
 
   /**
-   * Independent registrations an event is worth: neighbouring pixels of one edge, and of two
-   * ticks, repeat one another's error.
+   * Independent registrations an event is worth: neighbouring pixels of one edge, and of two ticks,
+   * repeat one another's error.
    */
   private static final double INDEPENDENT = 0.2;
 

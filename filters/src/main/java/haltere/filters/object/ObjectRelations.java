@@ -196,9 +196,7 @@ final class ObjectRelations {
       return odds > SURE_NAT;
     }
     double watched = Math.min(a.age(), b.age()) * ObjectTracker.TICK_S;
-    return watched > WATCH_S
-        ? odds > JOIN_NAT
-        : watched > WATCH_S / 3 && odds >= TOUCH_NAT - 0.05;
+    return watched > WATCH_S ? odds > JOIN_NAT : watched > WATCH_S / 3 && odds >= TOUCH_NAT - 0.05;
   }
 
   private static boolean mayJoin(TrackedObject object) {

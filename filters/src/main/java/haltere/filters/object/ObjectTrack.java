@@ -45,7 +45,22 @@ public record ObjectTrack(
   /** The same with the identity that was decided since. */
   ObjectTrack withId(int decided) {
     return new ObjectTrack(
-        timeUs, decided, xPx, yPx, vxPxS, vyPxS, sdXPx, sdYPx, sdVxPxS, sdVyPxS, events, majorPx,
-        minorPx, angleRad, existence, eventRateHz, ageS);
+        timeUs,
+        decided,
+        xPx,
+        yPx,
+        vxPxS,
+        vyPxS,
+        sdXPx,
+        sdYPx,
+        sdVxPxS,
+        sdVyPxS,
+        events,
+        majorPx,
+        minorPx,
+        angleRad,
+        existence,
+        eventRateHz,
+        ageS);
   }
 }

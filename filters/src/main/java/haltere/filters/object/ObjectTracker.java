@@ -34,9 +34,6 @@ final class ObjectTracker {
   /** Events from which an object is reported: its extent is then known to a sixth. */
   private static final double CONFIRM_EVENTS = 40;
 
-  /** Time of which rows are kept before an identity is decided, microseconds. */
-  private static final long UNDECIDED_US = 2_000_000;
-
   /** How long a component without events stays with an object that moves, seconds. */
   private static final double STAY_S = 0.5;
 
@@ -118,8 +115,7 @@ final class ObjectTracker {
         advance(timeUs);
       }
       int address = packet.address(i);
-      grid.add(
-          EventAddress.x(address), EventAddress.y(address), (int) (timeUs - tickStartUs));
+      grid.add(EventAddress.x(address), EventAddress.y(address), (int) (timeUs - tickStartUs));
     }
   }
 
@@ -146,20 +142,22 @@ final class ObjectTracker {
   /** Ends the stream: no more evidence comes, so what is undecided is decided. */
   void finish() {
     if (isStarted) {
-      step();
-      tickStartUs += TICK_US;
-      long nowUs = tickStartUs;
+      update(tickStartUs + TICK_US);
       for (TrackedObject object : objects) {
         if (!object.isDecided() && isEvident(object) && isApart(object)) {
           decide(object);
         }
       }
-      report(nowUs);
     }
   }
 
   private void step() {
     long nowUs = tickStartUs + TICK_US;
+    update(nowUs);
+    report(nowUs);
+  }
+
+  private void update(long nowUs) {
     clutter.begin(passed);
     births.begin(passed);
     association.associate(components);
@@ -179,7 +177,6 @@ final class ObjectTracker {
       fuseComponents();
     }
     live(nowUs);
-    report(nowUs);
     grid.next();
   }
 
@@ -324,8 +321,7 @@ final class ObjectTracker {
     to.shape.clear(from.shape.cellPx);
     from.regions.move(region, from.shape, to.shape);
     double seconds = COMPARE_TICKS * TICK_S;
-    to.setVelocity(
-        from.vx() + region.slipX() / seconds, from.vy() + region.slipY() / seconds);
+    to.setVelocity(from.vx() + region.slipX() / seconds, from.vy() + region.slipY() / seconds);
     double share = to.shape.total / (to.shape.total + from.shape.total);
     to.rate = from.rate * share;
     to.novelty = from.novelty * share;
@@ -486,7 +482,8 @@ final class ObjectTracker {
           listener.accept(row);
         } else {
           object.undecided.add(row);
-          while (object.undecided.peekFirst().timeUs() < timeUs - UNDECIDED_US) {
+          while (object.undecided.peekFirst().timeUs()
+              < timeUs - Math.round(ObjectTrackerFilter.UNDECIDED_S * 1e6)) {
             object.undecided.removeFirst();
           }
         }

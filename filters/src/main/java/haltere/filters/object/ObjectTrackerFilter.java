@@ -28,6 +28,9 @@ import java.util.Map;
  * <p>Thread rule: as {@link haltere.core.chain.EventFilter}.
  */
 public final class ObjectTrackerFilter extends PublishingFilter<ObjectTrackerSettings> {
+  /** How much older than the latest row those of an identity may be that is decided, seconds. */
+  public static final double UNDECIDED_S = 2;
+
   private final Outlet<ObjectTrack> tracks = outlet("objects", ObjectTrack.class);
   private final Outlet<ObjectSnapshot> snapshots =
       drawnOutlet("object-snapshot", ObjectSnapshot.class, "objects", new ObjectOverlay());

@@ -4,6 +4,7 @@ import haltere.core.settings.Help;
 import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
+import java.util.List;
 
 /**
  * Settings of {@link ObjectTrackerFilter}.
@@ -50,5 +51,17 @@ public record ObjectTrackerSettings(
    */
   public static ObjectTrackerSettings defaults() {
     return new ObjectTrackerSettings(0, 0.3, 5, 100, 1);
+  }
+
+  /**
+   * These settings with some of them changed.
+   *
+   * @param assignments such as {@code scalePx=40}
+   * @return the changed settings
+   * @throws haltere.core.settings.SettingsProblem if a name or a value is wrong
+   */
+  public ObjectTrackerSettings with(String... assignments) {
+    return SettingsSchema.of(ObjectTrackerSettings.class)
+        .withAssignments(this, List.of(assignments));
   }
 }

@@ -321,7 +321,10 @@ final class ShapeTemplate {
       for (int b = 0; b < parts; b++) {
         double px = dx + (a + 0.5 - parts / 2.0) * step;
         double py = dy + (b + 0.5 - parts / 2.0) * step;
-        bilinear(px / cellPx + SIDE / 2.0 - 0.5, py / cellPx + SIDE / 2.0 - 0.5, weight / (parts * parts));
+        bilinear(
+            px / cellPx + SIDE / 2.0 - 0.5,
+            py / cellPx + SIDE / 2.0 - 0.5,
+            weight / (parts * parts));
       }
     }
   }
@@ -352,7 +355,9 @@ final class ShapeTemplate {
     }
   }
 
-  /** Least distance between solid cells of this and another template whose grid stands elsewhere. */
+  /**
+   * Least distance between solid cells of this and another template whose grid stands elsewhere.
+   */
   double distance(ShapeTemplate other, double dx, double dy) {
     double least = Double.POSITIVE_INFINITY;
     for (int i = 0; i < CELLS; i++) {

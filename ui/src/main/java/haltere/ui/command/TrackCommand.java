@@ -12,14 +12,20 @@ import haltere.core.format.RecordingReader;
 import haltere.core.pipeline.Pipeline;
 import haltere.core.pipeline.PipelineCounters;
 import haltere.core.settings.SettingsProblem;
+import haltere.core.settings.SettingsSchema;
 import haltere.core.sink.CsvSink;
-import haltere.filters.cluster.ClusterTrackerFilter;
+import haltere.filters.object.ObjectTrack;
+import haltere.filters.object.ObjectTrackerFilter;
+import haltere.filters.object.ObjectTrackerSettings;
 import haltere.filters.plane.PlanePoint;
+import haltere.filters.plane.RoadMapping;
 import haltere.filters.road.LineCounter;
 import haltere.filters.road.LineCrossing;
+import haltere.filters.road.ObjectsOnPlane;
 import haltere.filters.track.KalmanTracksFilter;
 import haltere.filters.track.KalmanTracksSettings;
 import haltere.filters.track.TrackPoint;
+import haltere.ui.command.results.RoadObjectRow;
 import haltere.ui.command.results.RoadTrackRow;
 import haltere.ui.command.terminal.ProgressBar;
 import haltere.ui.command.terminal.Quantities;
@@ -28,22 +34,25 @@ import java.nio.charset.CharacterCodingException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
+import java.util.function.Consumer;
 import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Follows what moves in a recording and writes a table of it. */
+/** Tracks what moves in a recording and writes a table of it. */
 @Command(
     name = "track",
     description = {
-      "Follow what moves in a recording or before a camera and write where it is, how fast, and how"
-          + " sure that is.",
-      "A row for each visible track at each tick of the rate, from events before that time only."
+      "Track what moves in a recording or before a camera and write where it is, how fast, how"
+          + " large, and how sure that is.",
+      "A row for each visible object at each tick of the rate, from events before that time only;"
+          + " whether it is an object is decided up to 2 s later."
     })
 final class TrackCommand extends Subcommand {
-  private static final String TRACKS = "kalman-tracks";
+  private static final String OBJECTS = "object-tracker";
+  private static final String CLUSTERS = "kalman-tracks";
 
   /** Runs what is to be tracked through a chain, to its end. */
   private interface Feed {
@@ -76,8 +85,12 @@ final class TrackCommand extends Subcommand {
       paramLabel = "CHAIN.json",
       description =
           "A chain of filters; one without "
-              + TRACKS
-              + " gets it at its end. If not given: background activity, hot pixels and tracks.")
+              + OBJECTS
+              + " or "
+              + CLUSTERS
+              + " gets the first at its end. If not given: "
+              + OBJECTS
+              + " alone, which needs no noise filter.")
   Path chainFile;
 
   @Option(
@@ -91,7 +104,12 @@ final class TrackCommand extends Subcommand {
   @Option(
       names = "--set",
       paramLabel = "name=value",
-      description = "A setting of " + TRACKS + ", see: haltere filters; may be repeated.")
+      description =
+          "A setting of "
+              + OBJECTS
+              + " (with --preset: of "
+              + CLUSTERS
+              + "), see: haltere filters; may be repeated.")
   List<String> assignments = List.of();
 
   @Option(
@@ -141,7 +159,7 @@ final class TrackCommand extends Subcommand {
     }
     if (preset != null) {
       if (chainFile != null) {
-        throw wrongArguments("--preset and --chain both say what " + TRACKS + " does");
+        throw wrongArguments("--preset and --chain both say how to track");
       }
       start = preset(new KalmanTracksFilter.Provider(), preset);
     }
@@ -189,9 +207,8 @@ final class TrackCommand extends Subcommand {
   private FilterChain chain(SensorGeometry geometry) throws IOException {
     if (chainFile == null) {
       FilterChain chain = new FilterChain(geometry);
-      for (String name : List.of("background-activity", "hot-pixels", TRACKS)) {
-        chain.add(Filters.named(name));
-      }
+      (start == null ? List.of(OBJECTS) : List.of("background-activity", "hot-pixels", CLUSTERS))
+          .forEach(name -> chain.add(Filters.named(name)));
       return chain;
     }
     try {
@@ -217,21 +234,6 @@ final class TrackCommand extends Subcommand {
     }
   }
 
-  /** The chain's own tracks, or new ones at its end that stand on the clusters it asks for. */
-  private KalmanTracksFilter tracks(FilterChain chain) {
-    KalmanTracksFilter tracks = last(chain, KalmanTracksFilter.class);
-    if (tracks == null) {
-      ClusterTrackerFilter clusters = last(chain, ClusterTrackerFilter.class);
-      KalmanTracksSettings settings = KalmanTracksSettings.defaults();
-      if (clusters != null) {
-        settings = settings.withClusters(clusters.settings());
-      }
-      tracks = new KalmanTracksFilter(chain.geometry(), settings);
-      chain.add(TRACKS, tracks);
-    }
-    return tracks;
-  }
-
   private static <F extends ConfigurableFilter<?>> F last(FilterChain chain, Class<F> type) {
     F found = null;
     for (ChainStage stage : chain.stages()) {
@@ -246,11 +248,67 @@ final class TrackCommand extends Subcommand {
   }
 
   private void track(FilterChain chain, Feed feed) throws IOException {
-    KalmanTracksFilter tracks = tracks(chain);
-    KalmanTracksSettings settings = start == null ? tracks.settings() : start;
+    ObjectTrackerFilter objects = last(chain, ObjectTrackerFilter.class);
+    KalmanTracksFilter clusters = last(chain, KalmanTracksFilter.class);
+    if (objects == null && clusters != null) {
+      trackClusters(clusters, chain, feed);
+      return;
+    }
+    if (objects == null) {
+      objects = new ObjectTrackerFilter(chain.geometry(), ObjectTrackerSettings.defaults());
+      chain.add(OBJECTS, objects);
+    }
+    objects.apply(assigned(ObjectTrackerSettings.class, objects.settings(), "reportRateHz"));
     RoadFile road = road();
     if (road == null) {
-      tracks.apply(assigned(settings));
+      try (CsvSink<ObjectTrack> table = CsvSink.create(out, ObjectTrack.class, writing.overwrite)) {
+        run(objects, chain, feed, table);
+        finish(table, out);
+      }
+      return;
+    }
+    ObjectsOnPlane onRoad = new ObjectsOnPlane(new RoadMapping(road.view(), chain.geometry()));
+    try (CsvSink<RoadObjectRow> table =
+            CsvSink.create(out, RoadObjectRow.class, writing.overwrite);
+        CsvSink<LineCrossing> counts = counts()) {
+      Consumer<PlanePoint> counter = counter(road, counts);
+      run(
+          objects,
+          chain,
+          feed,
+          track ->
+              onRoad
+                  .locate(track)
+                  .ifPresent(
+                      point -> {
+                        table.accept(RoadObjectRow.of(track, point, road.lanes()));
+                        counter.accept(point);
+                      }));
+      finish(table, out);
+      if (counts != null) {
+        finish(counts, crossings);
+      }
+    }
+  }
+
+  private static void run(
+      ObjectTrackerFilter objects, FilterChain chain, Feed feed, Consumer<ObjectTrack> sink)
+      throws IOException {
+    OrderedTracks ordered = new OrderedTracks(sink);
+    objects.tracks().subscribe(ordered);
+    feed.run(chain);
+    ordered.finish();
+  }
+
+  private void trackClusters(KalmanTracksFilter tracks, FilterChain chain, Feed feed)
+      throws IOException {
+    KalmanTracksSettings settings = start == null ? tracks.settings() : start;
+    RoadFile road = road();
+    if (road != null) {
+      settings = settings.onRoad(road.tracks(settings.road()));
+    }
+    tracks.apply(assigned(KalmanTracksSettings.class, settings, "clusters.output.reportRateHz"));
+    if (road == null) {
       try (CsvSink<TrackPoint> table = CsvSink.create(out, TrackPoint.class, writing.overwrite)) {
         outlet(tracks, TrackPoint.class).subscribe(table);
         feed.run(chain);
@@ -258,14 +316,14 @@ final class TrackCommand extends Subcommand {
       }
       return;
     }
-    tracks.apply(assigned(settings.onRoad(road.tracks(settings.road()))));
     try (CsvSink<RoadTrackRow> table = CsvSink.create(out, RoadTrackRow.class, writing.overwrite);
-        CsvSink<LineCrossing> counts = counts(tracks, road)) {
+        CsvSink<LineCrossing> counts = counts()) {
       // A track's position in the picture is published before its position on the road.
       TrackPoint[] inPicture = new TrackPoint[1];
       outlet(tracks, TrackPoint.class).subscribe(point -> inPicture[0] = point);
       outlet(tracks, PlanePoint.class)
           .subscribe(onRoad -> table.accept(RoadTrackRow.of(inPicture[0], onRoad, road.lanes())));
+      outlet(tracks, PlanePoint.class).subscribe(counter(road, counts));
       feed.run(chain);
       finish(table, out);
       if (counts != null) {
@@ -275,21 +333,21 @@ final class TrackCommand extends Subcommand {
   }
 
   /** The table of crossings, or null if none is wanted. */
-  private CsvSink<LineCrossing> counts(KalmanTracksFilter tracks, RoadFile road)
-      throws IOException {
-    if (crossings == null) {
-      return null;
-    }
-    CsvSink<LineCrossing> counts = CsvSink.create(crossings, LineCrossing.class, writing.overwrite);
-    outlet(tracks, PlanePoint.class).subscribe(new LineCounter(road.lanes(), road.lines(), counts));
-    return counts;
+  private CsvSink<LineCrossing> counts() throws IOException {
+    return crossings == null
+        ? null
+        : CsvSink.create(crossings, LineCrossing.class, writing.overwrite);
   }
 
-  private KalmanTracksSettings assigned(KalmanTracksSettings settings) {
+  private static Consumer<PlanePoint> counter(RoadFile road, CsvSink<LineCrossing> counts) {
+    return counts == null ? point -> {} : new LineCounter(road.lanes(), road.lines(), counts);
+  }
+
+  private <S extends Record> S assigned(Class<S> type, S settings, String rate) {
     try {
-      return settings
-          .with(assignments.toArray(new String[0]))
-          .with("clusters.output.reportRateHz=" + rateHz);
+      List<String> all =
+          Stream.concat(assignments.stream(), Stream.of(rate + "=" + rateHz)).toList();
+      return SettingsSchema.of(type).withAssignments(settings, all);
     } catch (SettingsProblem problem) {
       throw wrongArguments(problem.getMessage());
     }
