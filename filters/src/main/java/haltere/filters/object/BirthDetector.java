@@ -101,7 +101,7 @@ final class BirthDetector {
     List<int[]> found = new ArrayList<>(0);
     boolean isClean = true;
     for (int cell = 0; cell < seen.length; cell++) {
-      if (clutter.excess(cell) < CELL_NAT || clutter.surprise(cell) < CELL_NAT) {
+      if (!isSurprising(cell)) {
         continue;
       }
       if (isClean) {
@@ -122,6 +122,10 @@ final class BirthDetector {
     return found;
   }
 
+  private boolean isSurprising(int cell) {
+    return clutter.maySurprise(cell, CELL_NAT) && clutter.surprise(cell) >= CELL_NAT;
+  }
+
   private int connect(int start) {
     int size = 0;
     stack[size++] = start;
@@ -132,7 +136,7 @@ final class BirthDetector {
       for (int r = Math.max(0, row - 1); r <= Math.min(clutter.rows - 1, row + 1); r++) {
         for (int c = Math.max(0, column - 1); c <= Math.min(clutter.columns - 1, column + 1); c++) {
           int next = r * clutter.columns + c;
-          if (!seen[next] && clutter.surprise(next) >= CELL_NAT) {
+          if (!seen[next] && isSurprising(next)) {
             seen[next] = true;
             stack[size++] = next;
           }

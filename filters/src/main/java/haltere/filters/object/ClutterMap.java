@@ -187,13 +187,16 @@ final class ClutterMap {
     return n > mean ? n * Math.log(n / mean) - (n - mean) : 0;
   }
 
+  /** Whether a cell's {@link #surprise} may reach a value, by its bound (n − μ)² / μ. */
+  boolean maySurprise(int cell, double nat) {
+    double mean = cellFactor * (background[cell] + 1);
+    double over = excess[cell] - mean;
+    return over > 0 && over * over >= nat * mean;
+  }
+
   /** Forgets the excess of a cell: a component takes it. */
   void clear(int cell) {
     excess[cell] = 0;
-  }
-
-  float excess(int cell) {
-    return excess[cell];
   }
 
   /** Cell of a tile. */

@@ -39,6 +39,12 @@ final class Component {
   /** Least information along a direction, 1/px²: below it an edge tells nothing along itself. */
   private static final double MIN_INFORMATION = 1e-4;
 
+  /** Ticks between two refreshments of a shape that lasts thirty. */
+  private static final int REFRESH_TICKS = 4;
+
+  /** Age up to which the shape is refreshed at each tick: it is only just being seen. */
+  private static final int REFRESH_AGE = 20;
+
   private static final double MIN_RATE = 0.05;
 
   final GaussianState state = new GaussianState(4);
@@ -164,8 +170,25 @@ final class Component {
     pathX[age % PATH] = walkedX;
     pathY[age % PATH] = walkedY;
     age++;
-    recentre();
+    if (age < REFRESH_AGE || (age + slot) % REFRESH_TICKS == 0) {
+      refresh();
+    }
+  }
+
+  /** Works its shape out anew, with the extent in the middle and cells that fit its size. */
+  void refresh() {
     shape.refresh();
+    double cell = shape.wantedCell();
+    double far = Math.max(Math.abs(shape.middleX), Math.abs(shape.middleY));
+    if (cell != shape.cellPx || far > 1.5 * shape.cellPx) {
+      double dx = shape.middleX;
+      double dy = shape.middleY;
+      shape.resample(cell, dx, dy);
+      shape.refresh();
+      state.setMean(0, x() + dx);
+      state.setMean(2, y() + dy);
+      regions.shift(dx, dy);
+    }
   }
 
   private void predict() {
@@ -208,20 +231,6 @@ final class Component {
       state.project(row);
       state.correct(
           INDEPENDENT * (cos * gradientX + sin * gradientY) / information, 1 / information);
-    }
-  }
-
-  /** Keeps the extent in the middle of the template, and the cells fit for its size. */
-  void recentre() {
-    double cell = shape.wantedCell();
-    double far = Math.max(Math.abs(shape.middleX), Math.abs(shape.middleY));
-    if (cell != shape.cellPx || far > 1.5 * shape.cellPx) {
-      double dx = shape.middleX;
-      double dy = shape.middleY;
-      shape.resample(cell, dx, dy);
-      state.setMean(0, x() + dx);
-      state.setMean(2, y() + dy);
-      regions.shift(dx, dy);
     }
   }
 
@@ -277,8 +286,6 @@ final class Component {
       presence.set(other.presence);
     }
     activeUs = Math.max(activeUs, other.activeUs);
-    shape.refresh();
-    recentre();
-    shape.refresh();
+    refresh();
   }
 }

@@ -169,8 +169,10 @@ final class ObjectTracker {
     for (int[] cells : births.find()) {
       begin(cells, nowUs);
     }
-    if (++ticks % COMPARE_TICKS == 0) {
+    if (++ticks % RegionFinder.LOOK_TICKS == 0) {
       splitComponents();
+    }
+    if (ticks % COMPARE_TICKS == 0) {
       relations.compare(components, COMPARE_TICKS * TICK_S);
       splitObjects();
       joinObjects();
@@ -320,8 +322,10 @@ final class ObjectTracker {
     to.state.set(from.state);
     to.shape.clear(from.shape.cellPx);
     from.regions.move(region, from.shape, to.shape);
-    double seconds = COMPARE_TICKS * TICK_S;
+    double seconds = RegionFinder.LOOK_TICKS * TICK_S;
     to.setVelocity(from.vx() + region.slipX() / seconds, from.vy() + region.slipY() / seconds);
+    to.shape.settle();
+    from.shape.settle();
     double share = to.shape.total / (to.shape.total + from.shape.total);
     to.rate = from.rate * share;
     to.novelty = from.novelty * share;
@@ -329,11 +333,8 @@ final class ObjectTracker {
     from.novelty -= to.novelty;
     to.activeUs = from.activeUs;
     to.presence.set(from.presence);
-    for (Component component : List.of(from, to)) {
-      component.shape.refresh();
-      component.recentre();
-      component.shape.refresh();
-    }
+    from.refresh();
+    to.refresh();
     from.object.add(to);
     components.add(to);
   }
@@ -417,8 +418,14 @@ final class ObjectTracker {
       }
     }
     for (TrackedObject object : objects) {
-      boolean isWatched = (nowUs - object.bornUs) * 1e-6 >= settings.confirmS();
-      if (!object.isDecided() && isWatched && isEvident(object) && isApart(object)) {
+      if (object.isDecided()) {
+        continue;
+      }
+      if (!isApart(object)) {
+        object.apartUs = nowUs;
+      }
+      boolean isWatched = (nowUs - object.apartUs) * 1e-6 >= settings.confirmS();
+      if (isWatched && isEvident(object)) {
         decide(object);
       }
     }

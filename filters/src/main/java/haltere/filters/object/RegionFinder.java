@@ -18,7 +18,10 @@ final class RegionFinder {
   private static final double MIN_EVENTS = 3;
 
   /** Looks for which two regions stay apart before they are components. */
-  private static final int LOOKS = 7;
+  private static final int LOOKS = 3;
+
+  /** Ticks between two looks: half a shape's memory is three of them. */
+  static final int LOOK_TICKS = 5;
 
   /** A connected region; pixels from the middle of the template. */
   static final class Region {
@@ -168,6 +171,7 @@ final class RegionFinder {
 
   /** Moves the cells that are nearest to a region from one template to another. */
   void move(Region leaving, ShapeTemplate from, ShapeTemplate to) {
+    from.settle();
     for (int cell = 0; cell < ShapeTemplate.CELLS; cell++) {
       if (from.mass[cell] > 0 && owner(cell, from) == leaving) {
         to.add(cell, from.mass[cell]);

@@ -3,9 +3,12 @@ package haltere.filters.object;
 import java.util.Arrays;
 
 /**
- * Where in an object its events come from: a grid of cells that moves with the object and holds the
- * decaying weight of its events. Smoothed and normalised it is the spatial density of the object's
- * events; the gradient of its logarithm tells a displacement.
+ * Where on a component its events come from: a grid of cells that moves with it and holds the
+ * decaying weight of its events. Smoothed and normalised it is the spatial density of the events (a
+ * histogram estimate: Silverman, Density Estimation, 1986, §2.2); the gradient of its logarithm
+ * tells a displacement.
+ *
+ * <p>The density is worked out anew by {@link #refresh}; weights decay without it.
  *
  * <p>Pixels. Thread rule: one thread at a time.
  */
@@ -15,7 +18,7 @@ final class ShapeTemplate {
 
   static final int CELLS = SIDE * SIDE;
 
-  /** Least side of a cell: pixels are not known better. */
+  /** Least side of a cell, pixels: sub-pixel detail is not seen. */
   static final double MIN_CELL_PX = 1.5;
 
   /** Memory of the shape, seconds: limbs and turns change it within. */
@@ -24,7 +27,8 @@ final class ShapeTemplate {
   /** Share of the events that come from beside the shape seen so far: it grows or bends. */
   private static final double GROWTH = 0.05;
 
-  private static final int RADIUS = 2;
+  /** Cells up to which it may grow within its memory. */
+  private static final int GROWTH_CELLS = 2;
 
   /** Share of the mean density below which a cell does not belong to the extent. */
   private static final double FAINT = 0.1;
@@ -32,27 +36,60 @@ final class ShapeTemplate {
   /** Share of the mean density below which a cell does not connect two others. */
   private static final double SPARSE = 0.3;
 
-  /** Cells of the extent. */
-  private final boolean[] solid = new boolean[CELLS];
+  /** Share of the events beyond either side of the extent: two standard deviations. */
+  private static final double TAIL = 0.02;
+
+  /** Cells that the longer side spans: between both, the cells keep their size. */
+  private static final double MIN_SPAN = 0.5 * SIDE;
+
+  private static final double MAX_SPAN = 0.8 * SIDE;
+
+  /** Probability that an event is anywhere in the grid, so that no logarithm diverges. */
+  private static final float FLOOR = 1e-3f / CELLS;
+
+  private static final double HALF = SIDE / 2.0;
+  private static final float[] X = new float[CELLS];
+  private static final float[] Y = new float[CELLS];
+
+  static {
+    for (int i = 0; i < CELLS; i++) {
+      X[i] = (float) ((i % SIDE) + 0.5 - HALF);
+      Y[i] = (float) ((i / SIDE) + 0.5 - HALF);
+    }
+  }
+
+  /** Weight of the events of each cell, as of {@link #settle}. */
+  final float[] mass = new float[CELLS];
+
+  /** Probability of an event's cell. */
+  final float[] density = new float[CELLS];
+
+  /** Derivatives of the logarithm of the density, per pixel. */
+  final float[] gradientX = new float[CELLS];
+
+  final float[] gradientY = new float[CELLS];
 
   /** Cells that connect: those of the extent that are not sparse. */
   final boolean[] core = new boolean[CELLS];
 
-  /** Cells that an object's longer side should span: between both, it is not rescaled. */
-  private static final double MIN_SPAN = SIDE * 0.5;
-
-  private static final double MAX_SPAN = SIDE * 0.8;
-
-  /** Share of the weight beyond either end of an extent. */
-  private static final double TAIL = 0.02;
-
-  final float[] mass = new float[CELLS];
-  final float[] density = new float[CELLS];
-  final float[] gradientX = new float[CELLS];
-  final float[] gradientY = new float[CELLS];
+  private final float[] smooth = new float[CELLS];
+  private final float[] wide = new float[CELLS];
   private final float[] work = new float[CELLS];
+  private final float[] marginalX = new float[SIDE];
+  private final float[] marginalY = new float[SIDE];
+  private final short[] rim = new short[CELLS];
+  private int rimCells;
+
+  /** Side of a cell. */
   double cellPx = MIN_CELL_PX;
+
+  private double perCell = 1 / MIN_CELL_PX;
+  private float fade = 1;
+  private float perFade = 1;
+
+  /** Weight of all events, and of those in the extent. */
   double total;
+
   double solidTotal;
 
   /** Fisher information of one event about a displacement, per square pixel. */
@@ -61,10 +98,15 @@ final class ShapeTemplate {
   double infoXy;
   double infoYy;
 
-  /** Middle and half axes of the extent, relative to the middle of the grid. */
+  /** Middle of the extent's box, from the middle of the grid. */
   double middleX;
 
   double middleY;
+
+  /** Half sides of the box. */
+  double halfX;
+
+  double halfY;
 
   /** Covariance of the extent's events, px². */
   double varianceX;
@@ -72,182 +114,192 @@ final class ShapeTemplate {
   double covarianceXy;
   double varianceY;
 
-  /** Half sides of the box along x and y. */
-  double halfX;
-
-  double halfY;
-
   void clear(double cell) {
     Arrays.fill(mass, 0);
-    cellPx = cell;
+    setCell(cell);
     total = 0;
+    fade = 1;
+    perFade = 1;
   }
 
-  void copy(ShapeTemplate other) {
-    System.arraycopy(other.mass, 0, mass, 0, CELLS);
-    cellPx = other.cellPx;
-    total = other.total;
-    refresh();
+  private void setCell(double cell) {
+    cellPx = cell;
+    perCell = 1 / cell;
+  }
+
+  /** Column of a cell's middle from the middle of the grid, cells. */
+  static double x(int cell) {
+    return X[cell];
+  }
+
+  static double y(int cell) {
+    return Y[cell];
+  }
+
+  /** Half a side of the grid. */
+  double reach() {
+    return HALF * cellPx;
+  }
+
+  /** Longer side of the extent's box. */
+  double size() {
+    return 2 * Math.max(halfX, halfY);
   }
 
   /** Cell of an offset from the middle of the grid; -1 outside. */
   int cell(double dx, double dy) {
-    int column = (int) Math.floor(dx / cellPx + SIDE / 2.0);
-    int row = (int) Math.floor(dy / cellPx + SIDE / 2.0);
-    return column < 0 || column >= SIDE || row < 0 || row >= SIDE ? -1 : row * SIDE + column;
-  }
-
-  static double x(int cell) {
-    return (cell % SIDE) + 0.5 - SIDE / 2.0;
-  }
-
-  static double y(int cell) {
-    return (cell / SIDE) + 0.5 - SIDE / 2.0;
+    double column = dx * perCell + HALF;
+    double row = dy * perCell + HALF;
+    return column >= 0 && column < SIDE && row >= 0 && row < SIDE
+        ? (int) row * SIDE + (int) column
+        : -1;
   }
 
   void decay(double keep) {
-    for (int i = 0; i < CELLS; i++) {
-      mass[i] *= (float) keep;
-    }
-    total *= keep;
+    fade *= (float) keep;
+    perFade = 1 / fade;
   }
 
   void add(int cell, double weight) {
-    mass[cell] += (float) weight;
-    total += weight;
+    mass[cell] += (float) weight * perFade;
+  }
+
+  /** Brings the weights to now. */
+  void settle() {
+    float sum = 0;
+    for (int i = 0; i < CELLS; i++) {
+      mass[i] *= fade;
+      sum += mass[i];
+    }
+    total = sum;
+    fade = 1;
+    perFade = 1;
   }
 
   /** Works out the density, its gradient, and the extent. */
   void refresh() {
-    smooth();
-    double sum = 0;
-    for (int i = 0; i < CELLS; i++) {
-      sum += work[i];
-    }
-    float scale = (float) (sum > 0 ? 1 / sum : 0);
-    float floor = (float) (1e-3 / CELLS);
+    settle();
+    blur();
     widen();
+    float sum = 0;
     for (int i = 0; i < CELLS; i++) {
-      density[i] = (float) ((1 - GROWTH) * work[i] + GROWTH * wide[i]) * scale + floor;
+      sum += smooth[i];
     }
-    infoXx = 0;
-    infoXy = 0;
-    infoYy = 0;
-    for (int row = 0; row < SIDE; row++) {
-      for (int column = 0; column < SIDE; column++) {
-        int i = row * SIDE + column;
-        double d = density[i];
-        double left = column > 0 ? density[i - 1] : floor;
-        double right = column < SIDE - 1 ? density[i + 1] : floor;
-        double below = row > 0 ? density[i - SIDE] : floor;
-        double above = row < SIDE - 1 ? density[i + SIDE] : floor;
-        // d ln f from the logarithm's own differences: bounded where the density is the floor
-        double gx = (right - left) / (right + left + d) * 1.5 / cellPx;
-        double gy = (above - below) / (above + below + d) * 1.5 / cellPx;
-        gradientX[i] = (float) gx;
-        gradientY[i] = (float) gy;
-        infoXx += d * gx * gx;
-        infoXy += d * gx * gy;
-        infoYy += d * gy * gy;
-      }
+    float scale = sum > 0 ? 1 / sum : 0;
+    float own = (float) (1 - GROWTH) * scale;
+    float grown = (float) GROWTH * scale;
+    for (int i = 0; i < CELLS; i++) {
+      density[i] = own * smooth[i] + grown * wide[i] + FLOOR;
     }
+    differentiate();
     measureExtent();
   }
 
-  /** Binomial smoothing over three cells each way. */
-  private void smooth() {
-    for (int row = 0; row < SIDE; row++) {
-      int at = row * SIDE;
-      for (int c = 0; c < SIDE; c++) {
-        float left = c > 0 ? mass[at + c - 1] : 0;
-        float right = c < SIDE - 1 ? mass[at + c + 1] : 0;
-        density[at + c] = 0.25f * (left + right) + 0.5f * mass[at + c];
-      }
+  /** Binomial smoothing over three cells each way; the border of the grid counts as empty. */
+  private void blur() {
+    for (int i = 1; i < CELLS - 1; i++) {
+      work[i] = 0.25f * (mass[i - 1] + mass[i + 1]) + 0.5f * mass[i];
     }
-    for (int i = 0; i < CELLS; i++) {
-      float below = i >= SIDE ? density[i - SIDE] : 0;
-      float above = i < CELLS - SIDE ? density[i + SIDE] : 0;
-      work[i] = 0.25f * (below + above) + 0.5f * density[i];
+    for (int i = SIDE; i < CELLS - SIDE; i++) {
+      smooth[i] = 0.25f * (work[i - SIDE] + work[i + SIDE]) + 0.5f * work[i];
     }
   }
 
-  private final float[] wide = new float[CELLS];
-  private final float[] lane = new float[CELLS];
-
-  /** The smoothed weight spread over squares of 2 RADIUS + 1 cells: where the object may grow. */
+  /** The smoothed weight spread over squares of 2 GROWTH_CELLS + 1 cells. */
   private void widen() {
-    float share = 1f / (2 * RADIUS + 1);
-    for (int row = 0; row < SIDE; row++) {
-      int at = row * SIDE;
-      float run = 0;
-      for (int c = 0; c < RADIUS; c++) {
-        run += work[at + c];
-      }
-      for (int c = 0; c < SIDE; c++) {
-        run += c + RADIUS < SIDE ? work[at + c + RADIUS] : 0;
-        lane[at + c] = run * share;
-        run -= c - RADIUS >= 0 ? work[at + c - RADIUS] : 0;
-      }
+    float share = 1f / (2 * GROWTH_CELLS + 1);
+    for (int i = GROWTH_CELLS; i < CELLS - GROWTH_CELLS; i++) {
+      work[i] =
+          share * (smooth[i - 2] + smooth[i - 1] + smooth[i] + smooth[i + 1] + smooth[i + 2]);
     }
-    for (int c = 0; c < SIDE; c++) {
-      float run = 0;
-      for (int r = 0; r < RADIUS; r++) {
-        run += lane[r * SIDE + c];
-      }
-      for (int r = 0; r < SIDE; r++) {
-        run += r + RADIUS < SIDE ? lane[(r + RADIUS) * SIDE + c] : 0;
-        wide[r * SIDE + c] = run * share;
-        run -= r - RADIUS >= 0 ? lane[(r - RADIUS) * SIDE + c] : 0;
-      }
+    int step = SIDE;
+    for (int i = GROWTH_CELLS * step; i < CELLS - GROWTH_CELLS * step; i++) {
+      wide[i] =
+          share
+              * (work[i - 2 * step]
+                  + work[i - step]
+                  + work[i]
+                  + work[i + step]
+                  + work[i + 2 * step]);
     }
   }
 
-  private final float[] marginalX = new float[SIDE];
-  private final float[] marginalY = new float[SIDE];
+  /** Differences of the logarithm, bounded where the density is the floor. */
+  private void differentiate() {
+    float perPx = (float) (1.5 / cellPx);
+    for (int i = SIDE; i < CELLS - SIDE; i++) {
+      float left = density[i - 1];
+      float right = density[i + 1];
+      float below = density[i - SIDE];
+      float above = density[i + SIDE];
+      gradientX[i] = perPx * (right - left) / (right + left + density[i]);
+      gradientY[i] = perPx * (above - below) / (above + below + density[i]);
+    }
+    float xx = 0;
+    float xy = 0;
+    float yy = 0;
+    for (int i = SIDE; i < CELLS - SIDE; i++) {
+      float gx = gradientX[i];
+      float gy = gradientY[i];
+      float weighted = density[i] * gx;
+      xx += weighted * gx;
+      xy += weighted * gy;
+      yy += density[i] * gy * gy;
+    }
+    infoXx = xx;
+    infoXy = xy;
+    infoYy = yy;
+  }
 
   private void measureExtent() {
     if (!(total > 0)) {
       return;
     }
-    double mean = 0;
+    float mean = 0;
     for (int i = 0; i < CELLS; i++) {
       mean += density[i] * density[i];
     }
-    double threshold = FAINT * mean;
+    float faint = (float) FAINT * mean;
+    float sparse = (float) SPARSE * mean;
+    for (int i = 0; i < CELLS; i++) {
+      core[i] = density[i] > sparse;
+      work[i] = density[i] > faint ? mass[i] : 0;
+    }
+    Arrays.fill(marginalX, 0);
+    double xy = 0;
+    for (int row = 0; row < SIDE; row++) {
+      float inRow = 0;
+      float alongRow = 0;
+      for (int column = 0; column < SIDE; column++) {
+        float m = work[row * SIDE + column];
+        marginalX[column] += m;
+        inRow += m;
+        alongRow += m * X[column];
+      }
+      marginalY[row] = inRow;
+      xy += alongRow * X[row];
+    }
     double mx = 0;
     double my = 0;
+    double xx = 0;
+    double yy = 0;
     solidTotal = 0;
-    Arrays.fill(marginalX, 0);
-    Arrays.fill(marginalY, 0);
-    for (int i = 0; i < CELLS; i++) {
-      solid[i] = density[i] > threshold;
-      core[i] = density[i] > SPARSE * mean;
-      if (solid[i]) {
-        float m = mass[i];
-        marginalX[i % SIDE] += m;
-        marginalY[i / SIDE] += m;
-        mx += m * x(i);
-        my += m * y(i);
-        solidTotal += m;
-      }
+    for (int i = 0; i < SIDE; i++) {
+      solidTotal += marginalY[i];
+      mx += marginalX[i] * X[i];
+      my += marginalY[i] * X[i];
+      xx += marginalX[i] * X[i] * X[i];
+      yy += marginalY[i] * X[i] * X[i];
     }
     if (!(solidTotal > 0)) {
       return;
     }
     mx /= solidTotal;
     my /= solidTotal;
-    double xx = 0;
-    double xy = 0;
-    double yy = 0;
-    for (int i = 0; i < CELLS; i++) {
-      if (solid[i]) {
-        double dx = x(i) - mx;
-        double dy = y(i) - my;
-        xx += mass[i] * dx * dx;
-        xy += mass[i] * dx * dy;
-        yy += mass[i] * dy * dy;
-      }
-    }
+    double area = cellPx * cellPx;
+    varianceX = (xx / solidTotal - mx * mx) * area;
+    covarianceXy = (xy / solidTotal - mx * my) * area;
+    varianceY = (yy / solidTotal - my * my) * area;
     double lowX = quantile(marginalX, TAIL);
     double highX = quantile(marginalX, 1 - TAIL);
     double lowY = quantile(marginalY, TAIL);
@@ -256,10 +308,7 @@ final class ShapeTemplate {
     middleY = 0.5 * (lowY + highY) * cellPx;
     halfX = Math.max(0.5 * (highX - lowX) * cellPx, 1);
     halfY = Math.max(0.5 * (highY - lowY) * cellPx, 1);
-    double scale = cellPx * cellPx / solidTotal;
-    varianceX = xx * scale;
-    covarianceXy = xy * scale;
-    varianceY = yy * scale;
+    findRim();
   }
 
   /** Where a marginal reaches a share of its sum, cells from the middle. */
@@ -269,16 +318,50 @@ final class ShapeTemplate {
     for (int i = 0; i < SIDE; i++) {
       double next = sum + marginal[i];
       if (next >= wanted && marginal[i] > 0) {
-        return i + (wanted - sum) / marginal[i] - SIDE / 2.0;
+        return i + (wanted - sum) / marginal[i] - HALF;
       }
       sum = next;
     }
-    return SIDE / 2.0;
+    return HALF;
   }
 
-  /** Half a side of the grid, pixels. */
-  double reach() {
-    return 0.5 * SIDE * cellPx;
+  /** Cells of the core that have a neighbour outside of it. */
+  private void findRim() {
+    rimCells = 0;
+    for (int i = 0; i < CELLS; i++) {
+      if (core[i]
+          && !(i >= SIDE
+              && i < CELLS - SIDE
+              && core[i - 1]
+              && core[i + 1]
+              && core[i - SIDE]
+              && core[i + SIDE])) {
+        rim[rimCells++] = (short) i;
+      }
+    }
+  }
+
+  /** Least distance between the core and that of another whose grid stands elsewhere. */
+  double distance(ShapeTemplate other, double dx, double dy) {
+    float scale = (float) (other.cellPx * perCell);
+    float offX = (float) (dx * perCell);
+    float offY = (float) (dy * perCell);
+    float least = Float.POSITIVE_INFINITY;
+    for (int j = 0; j < other.rimCells; j++) {
+      int there = other.rim[j];
+      float x = offX + scale * X[there];
+      float y = offY + scale * Y[there];
+      int inside = cell(x * cellPx, y * cellPx);
+      if (inside >= 0 && core[inside]) {
+        return 0;
+      }
+      for (int i = 0; i < rimCells; i++) {
+        float apartX = x - X[rim[i]];
+        float apartY = y - Y[rim[i]];
+        least = Math.min(least, apartX * apartX + apartY * apartY);
+      }
+    }
+    return Math.max(0, Math.sqrt(least) * cellPx - 0.5 * (cellPx + other.cellPx));
   }
 
   /** Cell size one step up. */
@@ -286,29 +369,35 @@ final class ShapeTemplate {
     return cellPx * Math.sqrt(2);
   }
 
-  double size() {
-    return 2 * Math.max(halfX, halfY);
-  }
-
-  /** Whether it needs another cell size, and which. */
+  /** The cell size that fits its extent. */
   double wantedCell() {
-    double span = size() / cellPx;
+    double span = size() * perCell;
     if (span > MAX_SPAN) {
-      return cellPx * Math.sqrt(2);
+      return coarser();
     }
     return span < MIN_SPAN ? Math.max(MIN_CELL_PX, cellPx / Math.sqrt(2)) : cellPx;
   }
 
   /** Resamples with cells of another size, and the middle of the grid elsewhere. */
   void resample(double cell, double shiftX, double shiftY) {
+    settle();
     System.arraycopy(mass, 0, work, 0, CELLS);
     double from = cellPx;
-    Arrays.fill(mass, 0);
-    cellPx = cell;
-    total = 0;
+    clear(cell);
     for (int i = 0; i < CELLS; i++) {
       if (work[i] > 0) {
-        spread(x(i) * from - shiftX, y(i) * from - shiftY, work[i], from);
+        spread(X[i] * from - shiftX, Y[i] * from - shiftY, work[i], from);
+      }
+    }
+  }
+
+  /** Adds another template that stands elsewhere. */
+  void absorb(ShapeTemplate other, double dx, double dy) {
+    settle();
+    other.settle();
+    for (int i = 0; i < CELLS; i++) {
+      if (other.mass[i] > 0) {
+        spread(dx + X[i] * other.cellPx, dy + Y[i] * other.cellPx, other.mass[i], other.cellPx);
       }
     }
   }
@@ -319,74 +408,28 @@ final class ShapeTemplate {
     double step = side / parts;
     for (int a = 0; a < parts; a++) {
       for (int b = 0; b < parts; b++) {
-        double px = dx + (a + 0.5 - parts / 2.0) * step;
-        double py = dy + (b + 0.5 - parts / 2.0) * step;
-        bilinear(
-            px / cellPx + SIDE / 2.0 - 0.5,
-            py / cellPx + SIDE / 2.0 - 0.5,
-            weight / (parts * parts));
+        double x = dx + (a + 0.5 - parts / 2.0) * step;
+        double y = dy + (b + 0.5 - parts / 2.0) * step;
+        addBetween(x * perCell + HALF - 0.5, y * perCell + HALF - 0.5, weight / (parts * parts));
       }
     }
   }
 
-  private void bilinear(double u, double v, double weight) {
-    int c = (int) Math.floor(u);
-    int r = (int) Math.floor(v);
-    double fu = u - c;
-    double fv = v - r;
-    put(c, r, weight * (1 - fu) * (1 - fv));
-    put(c + 1, r, weight * fu * (1 - fv));
-    put(c, r + 1, weight * (1 - fu) * fv);
-    put(c + 1, r + 1, weight * fu * fv);
+  /** Shares a weight among four cells, bilinearly. */
+  private void addBetween(double column, double row, double weight) {
+    int c = (int) Math.floor(column);
+    int r = (int) Math.floor(row);
+    double right = column - c;
+    double above = row - r;
+    put(c, r, weight * (1 - right) * (1 - above));
+    put(c + 1, r, weight * right * (1 - above));
+    put(c, r + 1, weight * (1 - right) * above);
+    put(c + 1, r + 1, weight * right * above);
   }
 
   private void put(int column, int row, double weight) {
     if (column >= 0 && column < SIDE && row >= 0 && row < SIDE) {
       add(row * SIDE + column, weight);
     }
-  }
-
-  /** Adds another template that stands elsewhere. */
-  void absorb(ShapeTemplate other, double dx, double dy) {
-    for (int i = 0; i < CELLS; i++) {
-      if (other.mass[i] > 0) {
-        spread(dx + x(i) * other.cellPx, dy + y(i) * other.cellPx, other.mass[i], other.cellPx);
-      }
-    }
-  }
-
-  /**
-   * Least distance between solid cells of this and another template whose grid stands elsewhere.
-   */
-  double distance(ShapeTemplate other, double dx, double dy) {
-    double least = Double.POSITIVE_INFINITY;
-    for (int i = 0; i < CELLS; i++) {
-      if (!core[i] || isInner(i)) {
-        continue;
-      }
-      double px = x(i) * cellPx - dx;
-      double py = y(i) * cellPx - dy;
-      for (int j = 0; j < CELLS; j++) {
-        if (other.core[j]) {
-          double qx = px - x(j) * other.cellPx;
-          double qy = py - y(j) * other.cellPx;
-          least = Math.min(least, qx * qx + qy * qy);
-        }
-      }
-    }
-    return Math.max(0, Math.sqrt(least) - 0.5 * (cellPx + other.cellPx));
-  }
-
-  private boolean isInner(int i) {
-    int c = i % SIDE;
-    int r = i / SIDE;
-    return c > 0
-        && r > 0
-        && c < SIDE - 1
-        && r < SIDE - 1
-        && core[i - 1]
-        && core[i + 1]
-        && core[i - SIDE]
-        && core[i + SIDE];
   }
 }

@@ -26,6 +26,9 @@ final class TrackedObject {
   int id;
 
   long bornUs;
+  /** Since when all others are surely not this one. */
+  long apartUs;
+
   long activeUs;
   double events;
 
@@ -39,6 +42,7 @@ final class TrackedObject {
 
   TrackedObject(Component first, long nowUs) {
     bornUs = nowUs;
+    apartUs = nowUs;
     activeUs = nowUs;
     add(first);
   }

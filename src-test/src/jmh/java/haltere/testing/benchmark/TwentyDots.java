@@ -6,6 +6,8 @@ import haltere.core.simulation.dots.MovingDotsScene;
 import haltere.core.simulation.dots.MovingDotsSettings;
 import haltere.filters.cluster.ClusterTrackerFilter;
 import haltere.filters.cluster.ClusterTrackerSettings;
+import haltere.filters.object.ObjectTrackerFilter;
+import haltere.filters.object.ObjectTrackerSettings;
 import haltere.filters.track.KalmanTracksFilter;
 import haltere.filters.track.KalmanTracksSettings;
 import java.io.IOException;
@@ -52,6 +54,11 @@ final class TwentyDots {
   static EventFilter tracks() {
     return new KalmanTracksFilter(
         SENSOR, KalmanTracksSettings.defaults().withClusters(clusterSettings()));
+  }
+
+  /** Objects. */
+  static EventFilter objects() {
+    return new ObjectTrackerFilter(SENSOR, ObjectTrackerSettings.defaults());
   }
 
   private static ClusterTrackerSettings clusterSettings() {
