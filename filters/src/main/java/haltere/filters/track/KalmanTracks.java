@@ -32,7 +32,6 @@ public final class KalmanTracks {
   private final LongConsumer atReport;
   private final ClusterTracker clusters;
   private final List<Track> tracks = new ArrayList<>();
-  private final List<Track> coasting = new ArrayList<>();
   private final List<Cluster> unassigned = new ArrayList<>();
   private KalmanTracksSettings settings;
   private PlaneMapping mapping;
@@ -174,19 +173,18 @@ public final class KalmanTracks {
         && prediction.yPx <= geometry.height() - 0.5;
   }
 
-  /** Looks at the clusters: assigns, starts, updates and ends tracks. */
+  /** Looks at the clusters: assigns, starts, updates and ends tracks. Allocates for births only. */
   private void look(long timeUs) {
     unassigned.clear();
-    tracks.forEach(track -> track.cluster = null);
+    for (int i = 0; i < tracks.size(); i++) {
+      tracks.get(i).cluster = null;
+    }
     for (int i = 0; i < clusters.count(); i++) {
       Cluster cluster = clusters.cluster(i);
       if (cluster.isVisible() && !isFollowed(cluster, timeUs)) {
         unassigned.add(cluster);
       }
     }
-    coasting.clear();
-    coasting.addAll(tracks);
-    coasting.removeIf(track -> track.cluster != null);
     assign(timeUs);
     boolean together = settings.life().eventsOf() == TrackLifeSettings.EventCount.ALL_CLUSTERS;
     int wanted = settings.life().eventsTillTrack();
@@ -194,14 +192,18 @@ public final class KalmanTracks {
     if (isDue) {
       countedEvents = clusters.eventCount();
     }
-    for (Track track : tracks) {
+    for (int i = 0; i < tracks.size(); i++) {
+      Track track = tracks.get(i);
       long events = track.newEvents();
       if (events > 0 && (together ? isDue : events >= wanted)) {
         update(track, timeUs);
       }
+      if (isOver(track, timeUs)) {
+        tracks.remove(i--);
+      }
     }
-    tracks.removeIf(track -> isOver(track, timeUs));
-    for (Cluster cluster : unassigned) {
+    for (int i = 0; i < unassigned.size(); i++) {
+      Cluster cluster = unassigned.get(i);
       boolean isReady = together ? isDue : cluster.eventCount() >= wanted;
       if (isReady && tracks.size() < maxTracks && mapping.seesPlane(cluster.xPx(), cluster.yPx())) {
         Track born = new Track(++lastId);
@@ -214,7 +216,8 @@ public final class KalmanTracks {
 
   /** Whether a cluster has a track, which then sees it. */
   private boolean isFollowed(Cluster cluster, long timeUs) {
-    for (Track track : tracks) {
+    for (int i = 0; i < tracks.size(); i++) {
+      Track track = tracks.get(i);
       if (track.clusterId == cluster.id()) {
         track.cluster = cluster;
         track.seenUs = timeUs;
@@ -226,13 +229,14 @@ public final class KalmanTracks {
 
   /** Assigns clusters without a track to tracks without a cluster. */
   private void assign(long timeUs) {
-    if (coasting.isEmpty() || unassigned.isEmpty()) {
+    if (unassigned.isEmpty()) {
       return;
     }
-    assignment.start(coasting.size(), unassigned.size());
-    for (int i = 0; i < coasting.size(); i++) {
-      boolean isSeen = prediction.predict(coasting.get(i), timeUs);
-      for (int j = 0; isSeen && j < unassigned.size(); j++) {
+    assignment.start(tracks.size(), unassigned.size());
+    for (int i = 0; i < tracks.size(); i++) {
+      Track track = tracks.get(i);
+      boolean isCoasting = track.cluster == null && prediction.predict(track, timeUs);
+      for (int j = 0; isCoasting && j < unassigned.size(); j++) {
         Cluster cluster = unassigned.get(j);
         double distance2 = prediction.distance2(cluster.xPx(), cluster.yPx());
         if (distance2 <= gate) {
@@ -244,7 +248,7 @@ public final class KalmanTracks {
     for (int j = unassigned.size() - 1; j >= 0; j--) {
       int row = assignment.rowOf(j);
       if (row != Assignment.NONE) {
-        coasting.get(row).follow(unassigned.remove(j), timeUs);
+        tracks.get(row).follow(unassigned.remove(j), timeUs);
       }
     }
   }
