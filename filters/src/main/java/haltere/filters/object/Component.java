@@ -52,7 +52,6 @@ final class Component {
   final Presence presence = new Presence();
   final RegionFinder regions = new RegionFinder();
   final int slot;
-  final long serial;
   private final double[] pathX = new double[PATH];
   private final double[] pathY = new double[PATH];
   private final double[] row = new double[4];
@@ -81,9 +80,26 @@ final class Component {
   /** Probability to be moving, not below what lets a resting one begin again. */
   double active;
 
-  Component(int slot, long serial) {
+  /**
+   * A component to be used again and again.
+   *
+   * @param slot its number among all
+   */
+  Component(int slot) {
     this.slot = slot;
-    this.serial = serial;
+  }
+
+  /** Forgets all; what is begun gives it a state, a shape and a rate. */
+  void begin(long nowUs) {
+    presence.begin();
+    regions.clear();
+    walkedX = 0;
+    walkedY = 0;
+    age = 0;
+    object = null;
+    activeUs = nowUs;
+    novelty = 0;
+    weight = 0;
   }
 
   double x() {

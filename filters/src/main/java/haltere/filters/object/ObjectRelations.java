@@ -168,8 +168,10 @@ final class ObjectRelations {
     double prior = FAR;
     double sum = 0;
     double weights = 0;
-    for (Component one : a) {
-      for (Component other : b) {
+    for (int i = 0; i < a.size(); i++) {
+      Component one = a.get(i);
+      for (int j = 0; j < b.size(); j++) {
+        Component other = b.get(j);
         if (one != other) {
           prior = Math.max(prior, gap[one.slot][other.slot]);
           double weight = one.activeRate() * other.activeRate();

@@ -32,6 +32,11 @@ final class Presence {
   private double gone;
 
   Presence() {
+    begin();
+  }
+
+  /** What was just seen to be born moves, or is a flicker. */
+  void begin() {
     set(0.9, 0, 0.1);
   }
 

@@ -54,6 +54,10 @@ final class RegionFinder {
   private final int[] stack = new int[ShapeTemplate.CELLS];
   private List<Region> regions = List.of();
 
+  void clear() {
+    regions = List.of();
+  }
+
   void shift(double dx, double dy) {
     for (Region region : regions) {
       region.x -= dx;
@@ -68,6 +72,10 @@ final class RegionFinder {
   /** Looks at the template; returns a region that has stayed apart from the largest, or null. */
   Region findApart(ShapeTemplate shape) {
     List<Region> found = find(shape);
+    if (found.size() < 2) {
+      regions = List.of();
+      return null;
+    }
     for (Region now : found) {
       Region before = nearest(now);
       if (before != null) {
@@ -80,9 +88,6 @@ final class RegionFinder {
       now.looks++;
     }
     regions = found;
-    if (found.size() < 2) {
-      return null;
-    }
     Region largest = found.get(0);
     for (Region region : found) {
       largest = region.mass > largest.mass ? region : largest;

@@ -26,6 +26,7 @@ final class TrackedObject {
   int id;
 
   long bornUs;
+
   /** Since when all others are surely not this one. */
   long apartUs;
 
@@ -63,18 +64,17 @@ final class TrackedObject {
   }
 
   boolean isMoving() {
-    for (Component component : components) {
-      if (component.isMoving()) {
-        return true;
-      }
+    boolean isMoving = false;
+    for (int i = 0; i < components.size(); i++) {
+      isMoving |= components.get(i).isMoving();
     }
-    return false;
+    return isMoving;
   }
 
   double novelty() {
     double sum = 0;
-    for (Component component : components) {
-      sum += component.novelty;
+    for (int i = 0; i < components.size(); i++) {
+      sum += components.get(i).novelty;
     }
     return sum;
   }
@@ -82,8 +82,8 @@ final class TrackedObject {
   /** Ticks for which its oldest component was watched. */
   int age() {
     int age = 0;
-    for (Component component : components) {
-      age = Math.max(age, component.age());
+    for (int i = 0; i < components.size(); i++) {
+      age = Math.max(age, components.get(i).age());
     }
     return age;
   }
@@ -91,8 +91,8 @@ final class TrackedObject {
   /** Probability that one of its components is there. */
   double existence() {
     double none = 1;
-    for (Component component : components) {
-      none *= component.presence.gone();
+    for (int i = 0; i < components.size(); i++) {
+      none *= components.get(i).presence.gone();
     }
     return 1 - none;
   }
@@ -162,7 +162,8 @@ final class TrackedObject {
   private double mean(int row, int column) {
     double sum = 0;
     double all = 0;
-    for (Component c : components) {
+    for (int i = 0; i < components.size(); i++) {
+      Component c = components.get(i);
       double weight = c.activeRate();
       sum += weight * (column < 0 ? c.state.mean(row) : c.state.covariance(row, column));
       all += weight;
