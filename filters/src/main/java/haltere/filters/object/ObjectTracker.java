@@ -35,9 +35,6 @@ final class ObjectTracker {
   /** Events from which an object is reported: its extent is then known to a sixth. */
   private static final double CONFIRM_EVENTS = 40;
 
-  /** How long a component without events stays with an object that moves, seconds. */
-  private static final double STAY_S = 0.5;
-
   /** Prior log odds that an object comes back rather than that another comes: ten times. */
   private static final double RETURN_NAT = Math.log(10);
 
@@ -456,7 +453,7 @@ final class ObjectTracker {
         continue;
       }
       component.setVelocity(vx, vy);
-      if ((nowUs - component.activeUs) * 1e-6 > STAY_S || component.presence.gone() > 0.5) {
+      if ((nowUs - component.activeUs) * 1e-6 > ShapeTemplate.MEMORY_S || component.presence.gone() > 0.5) {
         object.components.remove(i);
         end(component);
       }

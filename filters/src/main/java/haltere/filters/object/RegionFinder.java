@@ -14,9 +14,6 @@ final class RegionFinder {
   /** Share of the extent's events below which a region is not followed. */
   private static final double MIN_SHARE = 0.1;
 
-  /** Events below which a region is not followed. */
-  private static final double MIN_EVENTS = 3;
-
   /** Looks for which two regions stay apart before they are components. */
   private static final int LOOKS = 3;
 
@@ -124,7 +121,7 @@ final class RegionFinder {
     for (int cell = 0; cell < ShapeTemplate.CELLS; cell++) {
       if (shape.core[cell] && label[cell] == 0) {
         Region region = fill(shape, cell, ++labels);
-        if (region.mass > Math.max(MIN_EVENTS, MIN_SHARE * shape.solidTotal)) {
+        if (region.mass > MIN_SHARE * shape.solidTotal) {
           found.add(region);
         }
       }

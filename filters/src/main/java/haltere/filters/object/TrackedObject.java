@@ -11,9 +11,6 @@ import java.util.List;
  * <p>Thread rule: one thread at a time.
  */
 final class TrackedObject {
-  /** Share of the events beyond either side of the extent of several components. */
-  private static final double TAIL = 0.04;
-
   /** Halvings of an interval until a side is known to a thousandth of a pixel. */
   private static final int HALVINGS = 20;
 
@@ -99,10 +96,10 @@ final class TrackedObject {
 
   /** Works out the box that holds all but the tails of its events. */
   void measure() {
-    lowX = quantile(TAIL, true);
-    highX = quantile(1 - TAIL, true);
-    lowY = quantile(TAIL, false);
-    highY = quantile(1 - TAIL, false);
+    lowX = quantile(ShapeTemplate.TAIL, true);
+    highX = quantile(1 - ShapeTemplate.TAIL, true);
+    lowY = quantile(ShapeTemplate.TAIL, false);
+    highY = quantile(1 - ShapeTemplate.TAIL, false);
   }
 
   double middleX() {
