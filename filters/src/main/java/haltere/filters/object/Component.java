@@ -18,6 +18,9 @@ final class Component {
   /** Power spectral density of the acceleration, squares of its own size per s³. */
   private static final double ACCELERATION = 20;
 
+  /** Memory of the rate of events, seconds: a stride, over which a rate varies. */
+  private static final double RATE_S = 0.5;
+
   /**
    * Independent registrations an event is worth: neighbouring pixels of one edge, and of two ticks,
    * repeat one another's error.
@@ -165,7 +168,9 @@ final class Component {
         activeUs = nowUs;
       }
     }
-    rate = Math.max(MIN_RATE, rate + (1 - Math.exp(-moved / memory)) * (weight - rate));
+    rate =
+        Math.max(
+            MIN_RATE, rate + (1 - Math.exp(-moved / Math.min(RATE_S, known))) * (weight - rate));
     walkedX += x() - beforeX;
     walkedY += y() - beforeY;
     pathX[age % PATH] = walkedX;

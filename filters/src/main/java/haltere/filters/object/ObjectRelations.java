@@ -47,8 +47,7 @@ final class ObjectRelations {
   private static final double BLUR_PX = 2 * ShapeTemplate.MIN_CELL_PX;
 
   /** Variance of a displacement from the cells of the template, px². */
-  private static final double CELL_VARIANCE =
-      ShapeTemplate.MIN_CELL_PX * ShapeTemplate.MIN_CELL_PX;
+  private static final double CELL_VARIANCE = ShapeTemplate.MIN_CELL_PX * ShapeTemplate.MIN_CELL_PX;
 
   /** Of pairs that are too far from one another to be compared. */
   private static final double FAR = Double.NEGATIVE_INFINITY;
@@ -200,7 +199,9 @@ final class ObjectRelations {
   }
 
   private static boolean mayJoin(TrackedObject object) {
-    return !object.isLost && object.isMoving() && object.novelty() >= MIN_NOVELTY;
+    return !object.isLost
+        && (object.isMoving() || object.isDecided())
+        && object.novelty() >= MIN_NOVELTY;
   }
 
   /** The component that leaves an object of several, or null. */

@@ -237,7 +237,8 @@ final class ObjectTracker {
 
   /**
    * The object that rests or is lost and comes back with a component, or null: odds of a normal
-   * density about its place, which widens with time, against a place anywhere in the picture.
+   * density about its place, which widens with time as it was fast and is large, against a place
+   * anywhere in the picture.
    */
   private TrackedObject returned(Component component, long nowUs) {
     TrackedObject best = null;
@@ -251,7 +252,7 @@ final class ObjectTracker {
       boolean isMoving = object.isMoving();
       double quietS = isMoving ? 0 : Math.min(1, (nowUs - object.activeUs) * 1e-6);
       double size = Math.max(object.size(), component.shape.size());
-      double sd = 0.5 * size * (0.5 + quietS);
+      double sd = 0.25 * size + 0.5 * Math.max(size, object.speed) * quietS;
       double dx =
           ObjectRelations.outside(
               component.middleX() - object.middleX(), component.shape.halfX + object.halfX());
@@ -419,6 +420,7 @@ final class ObjectTracker {
         }
       } else if (object.isMoving()) {
         object.activeUs = nowUs;
+        object.speed = Math.hypot(object.vx(), object.vy());
         dropSilent(object, nowUs);
       } else if (!object.isDecided()) {
         object.components.forEach(this::end);
@@ -453,7 +455,8 @@ final class ObjectTracker {
         continue;
       }
       component.setVelocity(vx, vy);
-      if ((nowUs - component.activeUs) * 1e-6 > ShapeTemplate.MEMORY_S || component.presence.gone() > 0.5) {
+      if ((nowUs - component.activeUs) * 1e-6 > ShapeTemplate.MEMORY_S
+          || component.presence.gone() > 0.5) {
         object.components.remove(i);
         end(component);
       }
@@ -469,7 +472,7 @@ final class ObjectTracker {
   private boolean isApart(TrackedObject object) {
     for (int i = 0; i < objects.size(); i++) {
       TrackedObject other = objects.get(i);
-      if (other != object && other.isDecided() && !other.isLost && other.isMoving()) {
+      if (other != object && other.isDecided() && !other.isLost) {
         if (!relations.areApart(object, other)) {
           return false;
         }

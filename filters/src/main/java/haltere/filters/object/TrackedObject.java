@@ -28,6 +28,10 @@ final class TrackedObject {
   long apartUs;
 
   long activeUs;
+
+  /** When it was last seen to move, px/s. */
+  double speed;
+
   double events;
 
   /** Whether it is only remembered. */
