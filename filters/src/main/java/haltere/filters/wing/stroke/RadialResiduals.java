@@ -54,7 +54,7 @@ final class RadialResiduals {
    * @param speed of the wing, radians a second
    */
   void add(int edge, double squarePx, double y, double speed) {
-    int ring = (int) Math.min(RINGS - 1, squarePx * ringsPerSquarePx);
+    int ring = Math.min(RINGS - 1, (int) (squarePx * ringsPerSquarePx));
     moment[edge][ring] += y * speed;
     weight[edge][ring] += speed * speed;
   }
