@@ -1,37 +1,30 @@
 package haltere.filters.orientation;
 
+import haltere.filters.estimation.GaussianState;
 import haltere.filters.orientation.camera.Vectors;
+import org.ejml.data.DMatrixRMaj;
 
 /**
- * How one guess of an axis differs from another: the difference of the states and the covariance,
- * carried along the great circle between them into the other's frame. Reused.
+ * The difference of two hypotheses of an axis: that of the states, and what carries a covariance
+ * along the great circle between them into the first one's frame. Reused.
  */
 final class AxisDifference {
   /** Cosine of an angle so near to 180 degrees that any great circle leads there. */
   private static final double OPPOSITE = -1 + 1e-9;
 
-  /** (a, ȧ, b, ḃ) in the other's frame. */
+  /** (a, ȧ, b, ḃ) of the second one in the first one's frame, minus the first one's. */
   final double[] d = new double[4];
 
-  /** Covariance in the other's frame. */
-  final double[] p = new double[16];
+  private AxisHypothesis first;
+  private AxisHypothesis second;
+  private final DMatrixRMaj carry = new DMatrixRMaj(4, 4);
+  private final GaussianState[] pair = {new GaussianState(4), new GaussianState(4)};
+  private final double[] weights = new double[2];
 
-  private final double[] own = new double[16];
-  private final double[] half = new double[16];
-  private final double[] carry = new double[16];
-
-  /** Works out the difference of two lines, whichever ends are heads. */
-  void betweenLines(AxisHypothesis from, AxisHypothesis to) {
-    between(from, to, Vectors.dot(from.u, to.u) < 0 ? -1 : 1);
-  }
-
-  /** Works out the difference of two axes with a head, which may be any angle apart. */
-  void betweenHeads(AxisHypothesis from, AxisHypothesis to) {
-    between(from, to, 1);
-  }
-
-  /** The covariance is left for {@link #carryCovariance}. */
-  private void between(AxisHypothesis from, AxisHypothesis to, double side) {
+  /** Sets the difference of an axis, or with the side −1 of its opposite end, to another axis. */
+  void between(AxisHypothesis from, AxisHypothesis to, double side) {
+    first = from;
+    second = to;
     double[] u = from.u;
     double cos = Math.max(OPPOSITE, Math.min(1, side * Vectors.dot(u, to.u)));
     double a = side * Vectors.dot(to.u, from.e1);
@@ -45,41 +38,36 @@ final class AxisDifference {
     double m10 = Vectors.dot(to.e1, from.e2) - along1 * b;
     double m01 = Vectors.dot(to.e2, from.e1) - along2 * a;
     double m11 = Vectors.dot(to.e2, from.e2) - along2 * b;
+    double va = to.error.mean(1);
+    double vb = to.error.mean(3);
     d[0] = scale * a;
-    d[1] = side * (m00 * to.va + m01 * to.vb) - from.va;
+    d[1] = side * (m00 * va + m01 * vb) - from.error.mean(1);
     d[2] = scale * b;
-    d[3] = side * (m10 * to.va + m11 * to.vb) - from.vb;
-    carry[0] = m00;
-    carry[2] = m01;
-    carry[5] = m00;
-    carry[7] = m01;
-    carry[8] = m10;
-    carry[10] = m11;
-    carry[13] = m10;
-    carry[15] = m11;
+    d[3] = side * (m10 * va + m11 * vb) - from.error.mean(3);
+    for (int rate = 0; rate < 2; rate++) {
+      carry.set(rate, rate, m00);
+      carry.set(rate, 2 + rate, m01);
+      carry.set(2 + rate, rate, m10);
+      carry.set(2 + rate, 2 + rate, m11);
+    }
   }
 
-  /** Carries the covariance of the guess that was given second. */
-  void carryCovariance(AxisHypothesis to) {
-    to.covariance(own);
+  /** Sets a belief to that of the second hypothesis in the first one's frame. */
+  void carry(GaussianState into) {
+    into.set(second.error);
+    into.transform(carry);
     for (int i = 0; i < 4; i++) {
-      for (int j = 0; j < 4; j++) {
-        double sum = 0;
-        for (int k = 0; k < 4; k++) {
-          sum += carry[4 * i + k] * own[4 * k + j];
-        }
-        half[4 * i + j] = sum;
-      }
+      into.setMean(i, first.error.mean(i) + d[i]);
     }
-    for (int i = 0; i < 4; i++) {
-      for (int j = i; j < 4; j++) {
-        double sum = 0;
-        for (int k = 0; k < 4; k++) {
-          sum += half[4 * i + k] * carry[4 * j + k];
-        }
-        p[4 * i + j] = sum;
-        p[4 * j + i] = sum;
-      }
-    }
+  }
+
+  /** Merges the second hypothesis into the first one, of whose sum it has a share. */
+  void merge(double share) {
+    pair[0].set(first.error);
+    carry(pair[1]);
+    weights[0] = 1 - share;
+    weights[1] = share;
+    first.error.mix(pair, weights);
+    first.recentre(false);
   }
 }

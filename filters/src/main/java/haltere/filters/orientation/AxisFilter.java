@@ -3,80 +3,65 @@ package haltere.filters.orientation;
 /**
  * Follows the undirected axis of a body through what cameras see of it.
  *
- * <p>Thread rule: one thread at a time. Nothing is allocated by a step.
+ * <p>Thread rule: one thread at a time.
  */
 sealed interface AxisFilter permits SphereFilter, QuaternionFilter {
-  /** Begins with an axis that was found. */
+  /**
+   * Estimate of an axis.
+   *
+   * @param u unit vector
+   * @param tipVelocity velocity of its tip, per second
+   * @param variance mean squared angle to the true axis, not capped
+   * @param agreement probability that the true axis is nearer to u than to its opposite
+   * @param isSettled whether it is unambiguous, so that its head is known by continuity
+   * @param rollSd standard deviation of the rotation about the axis, which no camera sees
+   * @param rollRate the rate of roll that the filter holds, 0 where it is left out
+   */
+  record Axis(
+      double[] u,
+      double[] tipVelocity,
+      double variance,
+      double agreement,
+      boolean isSettled,
+      double rollSd,
+      double rollRate) {}
+
+  /** Starts with an axis that was found. */
   void launch(AxisLaunch found);
 
-  /**
-   * Goes on in time. A step of 0 is none.
-   *
-   * @param dtS seconds, finite, not negative
-   */
+  /** Predicts by seconds, finite, not negative. */
   void predict(double dtS);
 
-  /**
-   * Takes in what several cameras saw at one time; says in each whether it was used.
-   *
-   * @param lines the first {@code count} of them
-   * @param count at least 0
-   */
+  /** Updates with the first lines, of one time, and sets their results. */
   void update(LineMeasurement[] lines, int count);
 
   /**
-   * Takes in that a body flies more or less where its head points.
+   * Updates with the direction of flight, which is that of the head but for an angle
+   * (flight-direction coupling).
    *
    * @param direction unit vector, of the flight
    * @param variance of the angle between axis and flight in each direction, squared radians
-   * @param fresh share of that angle that is another than an instant ago, greater than 0, at most 1
+   * @param fresh share of that angle that is new since the last time, above 0, at most 1
    */
-  void lean(double[] direction, double variance, double fresh);
+  default void coupleToFlight(double[] direction, double variance, double fresh) {}
 
-  /**
-   * Whether the axis had better be looked for anew, after these lines were taken in.
-   *
-   * @param lines the first {@code count} of them
-   * @param count at least 0
-   */
+  /** Whether to search the axis again, after an update with the first lines. */
   boolean doubts(LineMeasurement[] lines, int count);
 
-  /**
-   * Takes note of an axis that was found anew while there is one; returns whether it now is the
-   * axis.
-   */
+  /** Adds an axis that was found beside the present one; returns whether it replaces it. */
   boolean offer(AxisLaunch found);
 
-  /** Probability that the axis is nearer to the estimate than to its opposite. */
-  double agreement();
-
-  /** Whether the axis is not in doubt, so that it tells where the head is. */
-  boolean isSettled();
-
-  /** Puts the axis into an array of three. */
-  void axis(double[] out);
-
-  /** Puts the velocity of the axis' tip, per second, into an array of three. */
-  void tipVelocity(double[] out);
-
-  /** Mean squared angle between the estimate and the truth, not capped. */
-  double axisVariance();
-
-  /** Standard deviation of the rotation about the axis, which no camera sees. */
-  double rollSd();
-
-  /** The rate of roll that the filter holds, 0 where it is left out. */
-  double rollRate();
+  /** The estimate. */
+  Axis axis();
 
   /** Whether all numbers are finite. */
   boolean isSound();
 
-  /** From now on keeps each instant for a smoother; this allocates. */
-  void record();
+  /** From now on keeps each step for a smoother; this allocates. */
+  default void record() {}
 
-  /** The last instant, with the way to it; null if the form has no smoother. */
-  AxisStep step();
-
-  /** The state; without a covariance if it is of quaternions. */
-  AxisState state();
+  /** The last step, with those before; null if the form has no smoother. */
+  default AxisStep step() {
+    return null;
+  }
 }

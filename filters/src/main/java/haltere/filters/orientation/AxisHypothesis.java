@@ -4,17 +4,17 @@ import haltere.filters.estimation.GaussianState;
 import haltere.filters.orientation.camera.Vectors;
 import java.util.Arrays;
 import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.CommonOps_DDRM;
 
 /**
- * One guess of where an axis points and how it turns: a point u of the unit sphere with two
- * directions e₁, e₂ beside it, which move along without turning about it, and a Gaussian of the
- * error (a, ȧ, b, ḃ): how far u is off along e₁ and e₂ and how far its velocity is. The length of u
- * needs no care, and the rotation about u, which no camera sees, is no state and cannot be mistaken
- * for known.
+ * A hypothesis of an axis and its velocity: a point u of the unit sphere, an orthonormal frame e₁,
+ * e₂ of its tangent plane, which is transported in parallel, and a Gaussian of (a, ȧ, b, ḃ): angles
+ * of the true axis from u along e₁ and e₂, of mean 0 between updates, and their rates. The rotation
+ * about u, which no camera sees, is no state.
  *
- * <p>Between two times the axis goes along a great circle by the arc s = |v| g, with g = τ(1 − d)
- * and d = e^(−Δt/τ), and the velocity decays to d v. Errors along the way (t) and across it (n)
- * follow the deviation of neighbouring great circles (Jacobi's equation on the sphere):
+ * <p>In a time step the axis moves on a great circle by the arc s = |v| g, with g = τ(1 − d) and d
+ * = e^(−Δt/τ), and the velocity decays to d v. Errors along (t) and across (n) the motion follow
+ * Jacobi's equation on the sphere:
  *
  * <pre>
  * a_t ← a_t + g ȧ_t              ȧ_t ← d ȧ_t
@@ -24,159 +24,143 @@ import org.ejml.data.DMatrixRMaj;
  * <p>Reused; nothing is allocated by a step.
  */
 final class AxisHypothesis {
-  /** Variance in one direction at which a guess is too wide to be taken for straight. */
+  /** Variance in one direction above which a hypothesis is split, since lines are not linear. */
   private static final double WIDE_VARIANCE = Math.toRadians(12) * Math.toRadians(12);
 
-  /** Standard deviation of each of three guesses over that of the one they stand for. */
+  /** Standard deviation of each of three hypotheses over that of the one that is split. */
   private static final double NARROWER = 0.6;
 
-  /** Logarithm of the odds at which a body does not fly backwards but is taken for its tail. */
+  /** Logarithm of the odds above which a body that flies backwards has its ends exchanged. */
   private static final double FLIES_BACKWARDS = 2;
 
   final double[] u = new double[3];
   final double[] e1 = new double[3];
   final double[] e2 = new double[3];
-  double va;
-  double vb;
   final GaussianState error = new GaussianState(4);
 
-  private final double[] row = new double[4];
-  final double[] transition = new double[16];
-  private final DMatrixRMaj f = DMatrixRMaj.wrap(4, 4, transition);
+  /** Transition of errors over the last step. */
+  final DMatrixRMaj transition = new DMatrixRMaj(4, 4);
 
-  /** Logarithm of its probability up to a number that all have in common, while lines come in. */
+  /** Logarithm of its probability during an update, but for a common term. */
   double logWeight;
 
-  /** Its probability, given that any guess is right. */
+  /** Its probability if any hypothesis is true. */
   double weight;
 
-  /** Probability that the body is in a saccade, if this guess is right. */
+  /** Probability of a saccade if this hypothesis is true. */
   double saccadeShare;
 
-  /** Logarithm of how likely its angle to the flight was when that was last taken in. */
-  private double leanLog;
+  /** Logarithm of the likelihood of its angle to the flight at the last coupling. */
+  private double flightLog;
 
-  /** Lines that are not yet decided upon, and what became of the others. */
+  /** Lines that are neither used nor rejected yet. */
   int undecided;
 
   private int lines;
-
   boolean[] decided = new boolean[16];
-  boolean[] used = new boolean[16];
+
+  /** By line: normalised innovation squared and {@link LineComparison#own}; NaN until used. */
   double[] nis = new double[16];
 
-  /** What each line that was used says of its own variance. */
   double[] own = new double[16];
 
-  /** For a smoother: the instant before, and the state before this one's lines. */
+  /** For a smoother: path up to the last time, and the state before this time's lines. */
   AxisStep step;
 
   AxisState predicted;
+  private final double[] row = new double[4];
 
   void copy(AxisHypothesis other) {
     System.arraycopy(other.u, 0, u, 0, 3);
     System.arraycopy(other.e1, 0, e1, 0, 3);
     System.arraycopy(other.e2, 0, e2, 0, 3);
-    System.arraycopy(other.transition, 0, transition, 0, 16);
-    va = other.va;
-    vb = other.vb;
+    System.arraycopy(other.transition.data, 0, transition.data, 0, 16);
     error.set(other.error);
     logWeight = other.logWeight;
     weight = other.weight;
     saccadeShare = other.saccadeShare;
     undecided = other.undecided;
     lines = other.lines;
-    room(lines);
+    reserve(lines);
     System.arraycopy(other.decided, 0, decided, 0, lines);
-    System.arraycopy(other.used, 0, used, 0, lines);
     System.arraycopy(other.nis, 0, nis, 0, lines);
     System.arraycopy(other.own, 0, own, 0, lines);
-    leanLog = other.leanLog;
+    flightLog = other.flightLog;
     step = other.step;
     predicted = other.predicted;
   }
 
-  /** Begins with an axis and its covariance in the world; the rates are unknown but for a size. */
+  /** Starts with an axis, its covariance in the world and the variance of its rates. */
   void launch(double[] axis, double[] covariance, double rateVariance) {
     System.arraycopy(axis, 0, u, 0, 3);
     Vectors.normalise(u);
     System.arraycopy(Vectors.orthogonalTo(u), 0, e1, 0, 3);
     Vectors.cross(u, e1, e2);
-    va = 0;
-    vb = 0;
+    error.mean().zero();
     error.setVariances(
         Vectors.quadratic(covariance, e1, e1),
         rateVariance,
         Vectors.quadratic(covariance, e2, e2),
         rateVariance);
     error.addNoise(0, 2, Vectors.quadratic(covariance, e1, e2));
-    noError();
-    stay();
-    leanLog = 0;
+    CommonOps_DDRM.setIdentity(transition);
+    flightLog = 0;
     step = null;
     predicted = null;
   }
 
-  /** No time has passed. */
-  void stay() {
-    Arrays.fill(transition, 0);
-    for (int i = 0; i < 4; i++) {
-      transition[5 * i] = 1;
-    }
+  /** Sets a state. */
+  void set(AxisState state) {
+    System.arraycopy(state.u(), 0, u, 0, 3);
+    System.arraycopy(state.e1(), 0, e1, 0, 3);
+    System.arraycopy(state.e2(), 0, e2, 0, 3);
+    error.mean().zero();
+    error.setMean(1, state.va());
+    error.setMean(3, state.vb());
+    System.arraycopy(state.p(), 0, error.covariance().data, 0, 16);
   }
 
-  /** Goes on by a step, without its noise. */
+  /** Predicts by a step, without its noise. */
   void predict(RateDecay decay) {
+    double va = error.mean(1);
+    double vb = error.mean(3);
     double speed = Math.sqrt(va * va + vb * vb);
     double arc = speed * decay.reachS;
     double ta = speed > 0 ? va / speed : 1;
     double tb = speed > 0 ? vb / speed : 0;
     setTransition(-tb, ta, arc, speed, decay);
     transport(ta, tb, arc);
-    va *= decay.left;
-    vb *= decay.left;
-    error.transform(f);
+    error.setMean(1, va * decay.left);
+    error.setMean(3, vb * decay.left);
+    error.transform(transition);
   }
 
+  /** Sets the transition: along the motion for both directions, plus what it is across (n). */
   private void setTransition(double na, double nb, double s, double speed, RateDecay decay) {
     double g = decay.reachS;
     double left = decay.left;
-    double sinc = s < 1e-4 ? 1 - s * s / 6 : Math.sin(s) / s;
+    double sin = Math.sin(s);
     double fall = s < 1e-4 ? -s * s / 2 : Math.cos(s) - 1;
-    double placeByRate = g * (sinc - 1);
-    double rateByPlace = -left * speed * Math.sin(s);
-    double rateByRate = left * fall;
-    double[] f = transition;
-    double aa = na * na;
-    double ab = na * nb;
-    double bb = nb * nb;
-    f[0] = 1 + fall * aa;
-    f[1] = g + placeByRate * aa;
-    f[2] = fall * ab;
-    f[3] = placeByRate * ab;
-    f[4] = rateByPlace * aa;
-    f[5] = left + rateByRate * aa;
-    f[6] = rateByPlace * ab;
-    f[7] = rateByRate * ab;
-    f[8] = f[2];
-    f[9] = f[3];
-    f[10] = 1 + fall * bb;
-    f[11] = g + placeByRate * bb;
-    f[12] = f[6];
-    f[13] = f[7];
-    f[14] = rateByPlace * bb;
-    f[15] = left + rateByRate * bb;
+    double angleByRate = s < 1e-4 ? -g * s * s / 6 : g * (sin / s - 1);
+    double[] f = transition.data;
+    for (int i = 0; i < 4; i += 2) {
+      for (int j = 0; j < 4; j += 2) {
+        double across = (i == 0 ? na : nb) * (j == 0 ? na : nb);
+        double same = i == j ? 1 : 0;
+        f[4 * i + j] = same + fall * across;
+        f[4 * i + j + 1] = same * g + angleByRate * across;
+        f[4 * i + 4 + j] = -left * speed * sin * across;
+        f[4 * i + 5 + j] = left * (same + fall * across);
+      }
+    }
   }
 
   /** The noise of a step, of rates with a variance. */
   void addNoise(RateDecay decay, double rateVariance) {
-    double place = rateVariance * decay.angleNoise;
-    double joint = rateVariance * decay.jointNoise;
-    double rate = rateVariance * decay.rateNoise;
     for (int i = 0; i < 4; i += 2) {
-      error.addNoise(i, place);
-      error.addNoise(i + 1, rate);
-      error.addNoise(i, i + 1, joint);
+      error.addNoise(i, rateVariance * decay.angleNoise);
+      error.addNoise(i + 1, rateVariance * decay.rateNoise);
+      error.addNoise(i, i + 1, rateVariance * decay.jointNoise);
     }
   }
 
@@ -203,31 +187,28 @@ final class AxisHypothesis {
     Vectors.cross(u, e1, e2);
   }
 
-  /** Nothing is decided yet about so many lines. */
+  /** Starts an update with so many lines. */
   void expect(int count) {
-    room(count);
+    reserve(count);
     Arrays.fill(decided, 0, count, false);
-    Arrays.fill(used, 0, count, false);
     Arrays.fill(nis, 0, count, Double.NaN);
+    Arrays.fill(own, 0, count, Double.NaN);
     undecided = count;
     lines = count;
-    noError();
   }
 
-  private void room(int count) {
-    if (used.length < count) {
+  private void reserve(int count) {
+    if (decided.length < count) {
       decided = Arrays.copyOf(decided, count);
-      used = Arrays.copyOf(used, count);
       nis = Arrays.copyOf(nis, count);
       own = Arrays.copyOf(own, count);
     }
   }
 
-  /** Takes a line in that was compared with what is expected just now. */
-  void take(int index, LineComparison seen) {
+  /** Updates with a line that was compared with the present state. */
+  void accept(int index, LineComparison seen) {
     own[index] = seen.own();
     nis[index] = seen.nis();
-    used[index] = true;
     decided[index] = true;
     undecided--;
     correct(seen.ha, seen.hb, seen.innovation, seen.noise);
@@ -240,20 +221,13 @@ final class AxisHypothesis {
     error.correct(innovation, variance);
   }
 
-  private void noError() {
-    error.setMean(0, 0);
-    error.setMean(1, va);
-    error.setMean(2, 0);
-    error.setMean(3, vb);
-  }
-
-  /** Turns round if its head is so far off a direction that its tail is much likelier the head. */
+  /** Exchanges head and tail if the tail is much likelier to point in a direction. */
   void face(double[] direction, double variance) {
     double angle = Vectors.angle(u, direction);
     double opposite = logOf(Math.PI - angle, variance);
     if (opposite - logOf(angle, variance) > FLIES_BACKWARDS) {
       turnRound();
-      leanLog = opposite;
+      flightLog = opposite;
     }
   }
 
@@ -262,80 +236,69 @@ final class AxisHypothesis {
   }
 
   /**
-   * Takes in a direction that the axis has but for an angle, of which a share is fresh; leaves how
-   * likely that angle is. An angle that wanders (first-order Gauss-Markov) is as likely as its
-   * distribution says, over that of the part that has been counted before: a guess that turns away
-   * from the flight loses at once, one that stays loses no more.
+   * Updates with the direction of flight, which is that of the axis but for a slip angle, of which
+   * a share is fresh; sets {@link #logWeight} to its likelihood. The angle is a first-order
+   * Gauss-Markov process: its likelihood counts over that of the part that was counted before.
    */
-  void lean(double[] direction, double variance, double fresh) {
+  void coupleToFlight(double[] direction, double variance, double fresh) {
     double a = Vectors.dot(direction, e1);
     double b = Vectors.dot(direction, e2);
     double sin = Math.sqrt(a * a + b * b);
     double angle = Math.atan2(sin, Vectors.dot(direction, u));
     double scale = sin < 1e-7 ? 1 : angle / sin;
-    noError();
     double log = logOf(angle, variance);
-    logWeight = log - (1 - fresh) * leanLog;
-    leanLog = log;
+    logWeight = log - (1 - fresh) * flightLog;
+    flightLog = log;
     correct(1, 0, scale * a, variance / fresh);
     correct(0, 1, scale * b - error.mean(2), variance / fresh);
-    settle();
+    recentre(true);
   }
 
-  /** Follows the line by its other end from now on, as another one than that of before. */
-  void turnRound() {
+  /** Exchanges head and tail; a smoother does not pass this time. */
+  private void turnRound() {
     for (int k = 0; k < 3; k++) {
       u[k] = -u[k];
       e1[k] = -e1[k];
     }
-    vb = -vb;
+    error.setMean(3, -error.mean(3));
     error.scale(2, -1);
     error.scale(3, -1);
-    noError();
     if (step != null) {
       step = new AxisStep(null, null, state(), step.before());
     }
   }
 
-  /** Takes the error into the state, once all lines are decided upon. */
-  void settle() {
+  /** Moves the mean by a difference (a, ȧ, b, ḃ) along a great circle; the covariance stays. */
+  void move(double[] by) {
+    for (int i = 0; i < 4; i++) {
+      error.setMean(i, error.mean(i) + by[i]);
+    }
+    recentre(false);
+  }
+
+  /** Moves the axis by the mean angles: a tangent, or an arc of a great circle. */
+  void recentre(boolean isTangent) {
     double a = error.mean(0);
     double b = error.mean(2);
     double off = Math.sqrt(a * a + b * b);
     if (off > 0) {
-      transport(a / off, b / off, Math.atan(off));
+      transport(a / off, b / off, isTangent ? Math.atan(off) : off);
     }
-    va = error.mean(1);
-    vb = error.mean(3);
-    noError();
-  }
-
-  /** Moves the mean by a difference (a, ȧ, b, ḃ) along a great circle; the covariance stays. */
-  void move(double[] by) {
-    double off = Math.sqrt(by[0] * by[0] + by[2] * by[2]);
-    va += by[1];
-    vb += by[3];
-    if (off > 0) {
-      transport(by[0] / off, by[2] / off, off);
-    }
-    noError();
+    error.setMean(0, 0);
+    error.setMean(2, 0);
   }
 
   /**
-   * Makes itself narrower along the direction in which it is widest, if it is too wide to be taken
-   * for straight.
+   * Narrows the Gaussian along its widest direction, if it is too wide.
    *
-   * @param shift gets the step from it to each of two that stand beside it, so that the three with
-   *     weights 1 : 2 : 1 have the mean and the covariance of the one
+   * @param shift gets the difference of two others on both sides, so that the three with weights 1
+   *     : 2 : 1 have the mean and the covariance of the one
    * @return false if it is narrow enough
    */
   boolean narrow(double[] shift) {
     double p00 = error.covariance(0, 0);
     double p02 = error.covariance(0, 2);
     double p22 = error.covariance(2, 2);
-    if (p00 + p22 < WIDE_VARIANCE) {
-      return false;
-    }
     double half = 0.5 * (p00 - p22);
     double largest = 0.5 * (p00 + p22) + Math.sqrt(half * half + p02 * p02);
     if (!(largest > WIDE_VARIANCE)) {
@@ -349,10 +312,8 @@ final class AxisHypothesis {
       shift[i] = (error.covariance(i, 0) * wa + error.covariance(i, 2) * wb) / sd;
     }
     double[] p = error.covariance().data;
-    for (int i = 0; i < 4; i++) {
-      for (int j = 0; j < 4; j++) {
-        p[4 * i + j] -= (1 - NARROWER * NARROWER) * (shift[i] * shift[j]);
-      }
+    for (int i = 0; i < 16; i++) {
+      p[i] -= (1 - NARROWER * NARROWER) * (shift[i / 4] * shift[i % 4]);
     }
     for (int i = 0; i < 4; i++) {
       shift[i] *= Math.sqrt(2 * (1 - NARROWER * NARROWER));
@@ -360,47 +321,21 @@ final class AxisHypothesis {
     return true;
   }
 
-  /** Merges with another one, of which the difference and covariance in this one's frame are. */
-  void absorb(AxisDifference other, double share) {
-    double[] p = error.covariance().data;
-    double[] d = other.d;
-    for (int i = 0; i < 4; i++) {
-      for (int j = 0; j < 4; j++) {
-        int k = 4 * i + j;
-        p[k] = (1 - share) * p[k] + share * other.p[k] + share * (1 - share) * (d[i] * d[j]);
-      }
-    }
-    for (int i = 0; i < 4; i++) {
-      d[i] *= share;
-    }
-    move(d);
-  }
-
-  void covariance(double[] out) {
-    System.arraycopy(error.covariance().data, 0, out, 0, 16);
-  }
-
-  /** Everything that a smoother needs of the state. */
+  /** The state for a smoother. */
   AxisState state() {
-    double[] p = new double[16];
-    covariance(p);
-    return new AxisState(u.clone(), e1.clone(), e2.clone(), va, vb, p);
+    double[] p = error.covariance().data.clone();
+    return new AxisState(u.clone(), e1.clone(), e2.clone(), error.mean(1), error.mean(3), p);
+  }
+
+  /** Mean squared angle to the true axis. */
+  double angleVariance() {
+    return error.covariance(0, 0) + error.covariance(2, 2);
   }
 
   boolean isSound() {
-    double p0 = error.covariance(0, 0);
-    double p2 = error.covariance(2, 2);
-    return Double.isFinite(
-            u[0]
-                + u[1]
-                + u[2]
-                + va
-                + vb
-                + p0
-                + p2
-                + error.covariance(1, 1)
-                + error.covariance(3, 3))
-        && p0 > 0
-        && p2 > 0;
+    return error.isSound()
+        && Double.isFinite(u[0] + u[1] + u[2])
+        && error.covariance(0, 0) > 0
+        && error.covariance(2, 2) > 0;
   }
 }

@@ -1,12 +1,14 @@
 package haltere.filters.orientation;
 
+import org.ejml.data.DMatrixRMaj;
+
 /**
- * One instant of a guess of how an axis went, for a smoother.
+ * One time of a hypothesis of an axis, for a smoother.
  *
- * @param predicted the state before the instant's observations; null after a launch or where head
- *     and tail were exchanged
- * @param transition how errors went from the instant before; null likewise
+ * @param predicted the state before the time's observations; null after a launch or where head and
+ *     tail were exchanged
+ * @param transition of errors from the time before; null likewise
  * @param updated the state after them
- * @param before the instant before; null after a launch
+ * @param before the time before; null after a launch
  */
-record AxisStep(AxisState predicted, double[] transition, AxisState updated, AxisStep before) {}
+record AxisStep(AxisState predicted, DMatrixRMaj transition, AxisState updated, AxisStep before) {}

@@ -8,8 +8,8 @@ import java.util.Objects;
 import java.util.function.Consumer;
 
 /**
- * Follows one elongated body in the events of a camera by their second moments: place, angle,
- * length and width of the ellipse that its outline is.
+ * Follows one elongated body in the events of a camera by their second moments: position, angle,
+ * length and width of an ellipse.
  *
  * <p>A body that moves makes events of one polarity in front and of the other behind. Along the
  * outline their density goes with how much of it is across the motion; for an ellipse with the
@@ -24,27 +24,27 @@ import java.util.function.Consumer;
  * ellipse is an affine picture of it, and the density goes along). Plain second moments, W + δ δᵀ /
  * 4, would turn the line towards the motion. Which polarity is in front does not matter.
  *
- * <p>Moments are taken in a frame that moves with the body, and forget with its own events. Where
- * no body is followed, one begins where many events come in a place of 48 x 48 pixels.
+ * <p>Moments are taken in a frame that moves with the body, and forget with its own events. Without
+ * a body, one starts where many events come within 48 x 48 pixels.
  *
  * <p>Thread rule: one thread at a time. Nothing is allocated per event, and results do not depend
  * on how the stream is cut into packets.
  */
 public final class BodyLineTracker {
-  /** Share of the difference of the means that is no part of the covariance of the outline. */
+  /** Factor of δ δᵀ. */
   private static final double BETWEEN = 0.75 - 4 / (Math.PI * Math.PI);
 
   private static final int CELL_SHIFT = 4;
 
-  /** Events in a place of 3 x 3 cells, at which a body begins. */
-  private static final double BEGIN_EVENTS = 40;
+  /** Events in 3 x 3 cells at which a body starts. */
+  private static final double START_EVENTS = 40;
 
   private static final double CELL_DECAY = 0.6;
-  private static final double BEGIN_RADIUS_PX = 20;
-  private static final double LONGEST_STEP_S = 0.02;
+  private static final double START_RADIUS_PX = 20;
+  private static final double MAX_STEP_S = 0.02;
   private static final double VELOCITY_GAIN = 0.25;
 
-  /** Events after the beginning before there is a report, in outlines. */
+  /** Events between the start and the first report, in outlines. */
   private static final double WARM_UP = 1.5;
 
   private final SensorGeometry geometry;
@@ -165,7 +165,7 @@ public final class BodyLineTracker {
   }
 
   private void take(long timeUs, int eventX, int eventY, int polarity) {
-    double stepS = Math.min(LONGEST_STEP_S, (timeUs - movedUs) * 1e-6);
+    double stepS = Math.min(MAX_STEP_S, (timeUs - movedUs) * 1e-6);
     movedUs = timeUs;
     x += vx * stepS;
     y += vy * stepS;
@@ -217,7 +217,7 @@ public final class BodyLineTracker {
     double longAxis = Math.sqrt(mean + root);
     double shortAxis = Math.sqrt(Math.max(0.25, mean - root));
     if (total > WARM_UP / gain && geometry.contains((int) Math.round(x), (int) Math.round(y))) {
-      double lateS = Math.min(LONGEST_STEP_S, (atUs - movedUs) * 1e-6);
+      double lateS = Math.min(MAX_STEP_S, (atUs - movedUs) * 1e-6);
       listener.accept(
           new BodyLine(
               atUs,
@@ -235,12 +235,12 @@ public final class BodyLineTracker {
   private void shape() {
     double deltaX = meanX[0] - meanX[1];
     double deltaY = meanY[0] - meanY[1];
-    double least = settings.leastRadiusPx() * settings.leastRadiusPx();
+    double min = settings.leastRadiusPx() * settings.leastRadiusPx();
     sxx = 1.5 * (covXx[0] + covXx[1]) + BETWEEN * deltaX * deltaX;
     sxy = 1.5 * (covXy[0] + covXy[1]) + BETWEEN * deltaX * deltaY;
     syy = 1.5 * (covYy[0] + covYy[1]) + BETWEEN * deltaY * deltaY;
-    sxx = Math.max(least, sxx);
-    syy = Math.max(least, syy);
+    sxx = Math.max(min, sxx);
+    syy = Math.max(min, syy);
     double bound = Math.sqrt(sxx * syy) * 0.999;
     sxy = Math.max(-bound, Math.min(bound, sxy));
     double largest = 0.5 * (sxx + syy) + Math.sqrt(0.25 * (sxx - syy) * (sxx - syy) + sxy * sxy);
@@ -267,59 +267,44 @@ public final class BodyLineTracker {
     gain = 1 / Math.max(8, 0.5 * settings.turns() * outline);
   }
 
-  /** Begins where the most events are, if they are many; older ones count less. */
+  /** Starts a body where the most events are, if there are enough; older ones count less. */
   private void search() {
-    int rows = cells.length / columns;
     double most = 0;
-    int bestRow = 0;
-    int bestColumn = 0;
-    for (int row = 0; row < rows; row++) {
-      for (int column = 0; column < columns; column++) {
-        if (cells[row * columns + column] * 9 > most) {
-          double sum = around(row, column);
-          if (sum > most) {
-            most = sum;
-            bestRow = row;
-            bestColumn = column;
-          }
-        }
+    int best = 0;
+    for (int i = 0; i < cells.length; i++) {
+      double sum = cells[i] * 9 > most ? around(i, 1, 0, 0) : 0;
+      if (sum > most) {
+        most = sum;
+        best = i;
       }
     }
-    if (most >= BEGIN_EVENTS) {
-      begin(bestRow, bestColumn);
+    if (most >= START_EVENTS) {
+      double size = 1 << CELL_SHIFT;
+      start(
+          size * (around(best, 0, 1, 0) / most + 0.5) - 0.5,
+          size * (around(best, 0, 0, 1) / most + 0.5) - 0.5);
     }
     for (int i = 0; i < cells.length; i++) {
       cells[i] = cells[i] < 0.01f ? 0 : (float) (cells[i] * CELL_DECAY);
     }
   }
 
-  private double around(int row, int column) {
-    int rows = cells.length / columns;
+  /** Sum of a linear function of column and row over the events of 3 x 3 cells. */
+  private double around(int cell, double one, double byColumn, double byRow) {
+    int row = cell / columns;
+    int column = cell % columns;
     double sum = 0;
-    for (int r = Math.max(0, row - 1); r <= Math.min(rows - 1, row + 1); r++) {
+    for (int r = Math.max(0, row - 1); r <= row + 1 && r * columns < cells.length; r++) {
       for (int c = Math.max(0, column - 1); c <= Math.min(columns - 1, column + 1); c++) {
-        sum += cells[r * columns + c];
+        sum += cells[r * columns + c] * (one + byColumn * c + byRow * r);
       }
     }
     return sum;
   }
 
-  private void begin(int row, int column) {
-    int rows = cells.length / columns;
-    double sum = 0;
-    double sumX = 0;
-    double sumY = 0;
-    double size = 1 << CELL_SHIFT;
-    for (int r = Math.max(0, row - 1); r <= Math.min(rows - 1, row + 1); r++) {
-      for (int c = Math.max(0, column - 1); c <= Math.min(columns - 1, column + 1); c++) {
-        double count = cells[r * columns + c];
-        sum += count;
-        sumX += count * (size * (c + 0.5) - 0.5);
-        sumY += count * (size * (r + 0.5) - 0.5);
-      }
-    }
-    x = sumX / sum;
-    y = sumY / sum;
+  private void start(double atX, double atY) {
+    x = atX;
+    y = atY;
     vx = 0;
     vy = 0;
     Arrays.fill(meanX, 0);
@@ -330,7 +315,7 @@ public final class BodyLineTracker {
     Arrays.fill(seen, 0);
     total = 0;
     sinceReport = 0;
-    double radius = Math.min(BEGIN_RADIUS_PX, settings.greatestRadiusPx() / 2);
+    double radius = Math.min(START_RADIUS_PX, settings.greatestRadiusPx() / 2);
     sxx = radius * radius;
     sxy = 0;
     syy = sxx;

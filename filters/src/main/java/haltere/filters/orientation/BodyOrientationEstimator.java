@@ -5,14 +5,15 @@ import haltere.filters.orientation.camera.CameraModel;
 import haltere.filters.orientation.camera.LineObservation;
 import haltere.filters.orientation.camera.Vectors;
 import java.util.Arrays;
+import java.util.EnumMap;
 import java.util.List;
-import java.util.Objects;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 
 /**
- * Place and orientation of one body from what any number of calibrated cameras see of it, at each
- * instant from what was seen up to then.
+ * Position and orientation of one body from what any number of calibrated cameras see of it, at
+ * each time from what was seen up to then.
  *
  * <pre>{@code
  * BodyOrientationEstimator body =
@@ -21,74 +22,67 @@ import java.util.function.Consumer;
  *     .ifPresent(now -> ...);
  * }</pre>
  *
- * <p>The place comes from the pixels (an extended Kalman filter over place and velocity), the axis
- * from the angles (an error-state filter on the sphere, or quaternions), head or tail from the way
- * flown. What cannot be used is counted and changes nothing. Cameras need not look at the same
- * time: each call brings what was seen at one time, and a start takes the last view of each camera
- * that is recent enough.
+ * <p>The position is estimated from the pixels (extended Kalman filter over position and velocity),
+ * the axis from the angles (error-state filter on the sphere, or quaternions), the head from the
+ * displacement along the axis. Unusable observations are counted and ignored. Cameras need not
+ * expose at the same time: a call takes the observations of one time, and a start the last
+ * sufficiently recent one of each camera.
  *
  * <p>Thread rule: one thread at a time.
  */
 public final class BodyOrientationEstimator {
-  /** Variance of the axis beyond which it is as good as unknown. */
+  /** Variance of the axis above which it is unknown. */
   private static final double LOST_VARIANCE = Math.toRadians(50) * Math.toRadians(50);
 
-  /** Variance of the axis up to which it is the same one as an instant ago. */
-  private static final double VAGUE_VARIANCE = Math.toRadians(15) * Math.toRadians(15);
+  /** Variance of the axis up to which a change of sign is an exchange of its ends. */
+  private static final double CLEAR_VARIANCE = Math.toRadians(15) * Math.toRadians(15);
 
-  /** Squared angle up to which the direction of flight is known. */
-  private static final double CLEAR_COURSE = 0.1;
+  /** Variance of the direction of flight above which it is unknown, squared radians. */
+  private static final double MAX_FLIGHT_VARIANCE = 0.1;
 
-  /** How long an axis stays off the direction of flight by the same angle. */
-  private static final double SLIP_LASTS_S = 0.1;
+  /** Time constant of the angle between axis and flight. */
+  private static final double SLIP_TIME_S = 0.1;
 
-  private final List<CameraModel> cameras;
   private final OrientationSettings settings;
-  private final OrientationCounts counts = new OrientationCounts();
+  private final Map<OrientationCount, Long> counts = new EnumMap<>(OrientationCount.class);
   private final LineIntake intake;
   private final LineNoise noise;
-  private final LineGate gate;
   private final PositionFilter position;
-  private final AxisFilter axis;
+  final AxisFilter axis;
   private final AxisLaunch search;
   private final HeadOrTail head;
-  private final Course course = new Course();
+  private final FlightDirection flight = new FlightDirection();
   private final LineMeasurement[] lines;
   private final LineMeasurement[] views;
-  private final double[] residuals;
-  private final boolean[] used;
-  private final double[] place = new double[3];
-  private final double[] placeBefore = new double[3];
-  private final double[] u = new double[3];
-  private final double[] tip = new double[3];
-  private final double[] uAgreed = new double[3];
-  private final double[] uBefore = new double[3];
+  private final double[] at = new double[3];
+  private final double[] before = new double[3];
+  private final double[] vector = new double[3];
+  private double[] uSettled = new double[3];
+  private double[] uBefore = new double[3];
   private boolean wasClear;
-
   private boolean hasTime;
   private long lastUs;
   private long seenUs;
   private boolean hasAxis;
   private boolean hadAxis;
-  private boolean hasPlaceBefore;
+  private boolean hasBefore;
   private double nisSum;
   private long nisCount;
+  private int measured;
 
   /**
    * An estimator that has seen nothing.
    *
    * @param cameras the cameras that {@link LineObservation#camera} counts; those with a {@link
    *     CameraModel#problem} are left out
-   * @param settings what to do
+   * @param settings of all its parts
    */
   public BodyOrientationEstimator(List<CameraModel> cameras, OrientationSettings settings) {
-    this.cameras = List.copyOf(cameras);
-    this.settings = Objects.requireNonNull(settings, "settings");
-    int count = this.cameras.size();
-    intake = new LineIntake(this.cameras, settings.position().togetherS(), counts);
+    this.settings = settings;
+    int count = cameras.size();
     noise = new LineNoise(settings.line(), count);
-    gate = new LineGate(settings.gate(), noise);
-    position = new PositionFilter(this.cameras, settings.position());
+    intake = new LineIntake(List.copyOf(cameras), settings, noise);
+    position = new PositionFilter(List.copyOf(cameras), settings.position());
     axis =
         settings.form() == OrientationSettings.Form.QUATERNION
             ? new QuaternionFilter(settings)
@@ -97,8 +91,6 @@ public final class BodyOrientationEstimator {
     head = new HeadOrTail(settings.direction());
     lines = measurements(count);
     views = measurements(count);
-    residuals = new double[count];
-    used = new boolean[count];
   }
 
   private static LineMeasurement[] measurements(int count) {
@@ -108,33 +100,32 @@ public final class BodyOrientationEstimator {
   }
 
   /**
-   * Goes on to a time and takes in what was seen then.
+   * Estimates the orientation at a time with its observations.
    *
    * @param timeUs microseconds; one before the last is refused
-   * @param seen what cameras saw at this time, at most once each
+   * @param seen observations of this time, at most one of each camera
    * @return the orientation at this time, or empty as long as it is not known
    */
   public Optional<OrientationEstimate> update(long timeUs, List<LineObservation> seen) {
     if (hasTime && timeUs < lastUs) {
-      counts.add(OrientationCount.TIME_BACK, seen.size());
+      count(OrientationCount.TIME_BACK, seen.size());
       return Optional.empty();
     }
     double dtS = hasTime ? (timeUs - lastUs) * 1e-6 : 0;
     if (hasTime && timeUs - seenUs > settings.position().longestGapS() * 1e6) {
       position.stop();
-      course.forget();
+      flight.forget();
       hasAxis = false;
     }
     hasTime = true;
     lastUs = timeUs;
-    intake.take(timeUs, seen);
+    intake.accept(timeUs, seen, this::count);
     if (!intake.usable().isEmpty()) {
       seenUs = timeUs;
     }
-    Arrays.fill(residuals, Double.NaN);
-    Arrays.fill(used, false);
+    measured = 0;
     if (!locate(timeUs, dtS)) {
-      counts.add(OrientationCount.NO_PLACE, 1);
+      count(OrientationCount.NO_POSITION, 1);
       hasAxis = false;
       return Optional.empty();
     }
@@ -142,84 +133,72 @@ public final class BodyOrientationEstimator {
   }
 
   private boolean locate(long timeUs, double dtS) {
-    hasPlaceBefore = position.isRunning();
-    if (hasPlaceBefore) {
-      position.place(placeBefore);
+    hasBefore = position.isRunning();
+    if (hasBefore) {
+      position.position(before);
       position.predict(dtS);
       position.update(intake.usable());
     }
     if (!position.isRunning() || position.isLost()) {
-      hasPlaceBefore = false;
+      hasBefore = false;
       if (!position.launch(intake.recent(timeUs)) && !position.isRunning()) {
         return false;
       }
     }
-    position.place(place);
+    position.position(at);
     return true;
   }
 
   private Optional<OrientationEstimate> orient(long timeUs, double dtS) {
-    int skipped = 0;
-    int count = 0;
-    for (LineObservation observation : intake.usable()) {
-      Optional<OrientationCount> why =
-          gate.prepare(observation, cameras.get(observation.camera()), place, lines[count]);
-      if (why.isEmpty()) {
-        count++;
-      } else {
-        counts.add(why.get(), 1);
-        skipped++;
-      }
-    }
-    int taken = 0;
+    int count = intake.measure(intake.usable(), at, lines, this::count);
+    measured = count;
+    int skipped = intake.usable().size() - count;
+    int taken = count;
     if (hasAxis) {
       axis.predict(dtS);
       axis.update(lines, count);
       taken = note(count);
-      lean(dtS);
-      hasAxis = axis.isSound() && (axis.axisVariance() <= LOST_VARIANCE || taken > 0);
+      coupleToFlight(dtS);
+      hasAxis = axis.isSound() && (axis.axis().variance() <= LOST_VARIANCE || taken > 0);
       if (hasAxis && axis.doubts(lines, count) && finds(timeUs) && axis.offer(search)) {
         head.doubt();
-        counts.add(OrientationCount.RELAUNCHED, 1);
+        count(OrientationCount.RELAUNCHED, 1);
       }
     }
     if (!hasAxis) {
-      if (!finds(timeUs)) {
-        counts.add(OrientationCount.NO_AXIS, 1);
+      boolean isOpen = settings.gate().angleDeg() > 0;
+      if (!isOpen || !finds(timeUs)) {
+        count(OrientationCount.REJECTED, isOpen ? 0 : count);
+        count(OrientationCount.NO_AXIS, 1);
         return Optional.empty();
       }
-      taken = start(count);
+      start(count);
+      taken = count;
     }
     return Optional.of(estimate(timeUs, dtS, taken, count - taken + skipped));
   }
 
-  /** A body that flies points more or less to where it flies. */
-  private void lean(double dtS) {
-    if (hasPlaceBefore) {
-      course.step(placeBefore, place, dtS);
+  /** Flight-direction coupling: a body points where it flies, but for a slip angle. */
+  private void coupleToFlight(double dtS) {
+    if (hasBefore) {
+      flight.step(before, at, dtS);
     }
     double slip = Math.toRadians(settings.direction().slipSdDeg());
-    if (dtS > 0 && slip < Math.PI / 2 && course.direction(tip)) {
-      double noise = 2 * position.variance(tip) / (course.lengthM() * course.lengthM());
-      if (noise < CLEAR_COURSE) {
-        double sign = head.isFlipped() ? -1 : 1;
-        for (int k = 0; k < 3; k++) {
-          tip[k] *= sign;
-        }
-        axis.lean(tip, slip * slip + noise, Math.min(1, dtS / SLIP_LASTS_S));
+    double lengthM = flight.direction(vector);
+    if (dtS > 0 && slip < Math.PI / 2 && lengthM > 0) {
+      double variance = 2 * position.variance(vector) / (lengthM * lengthM);
+      if (variance < MAX_FLIGHT_VARIANCE) {
+        axis.coupleToFlight(
+            Vectors.scaled(head.sign(), vector),
+            slip * slip + variance,
+            Math.min(1, dtS / SLIP_TIME_S));
       }
     }
   }
 
-  /** Looks for an axis in what goes together; its head is where the body's was or flies to. */
+  /** Searches an axis in the recent lines, with the head by the last axis and the flight. */
   private boolean finds(long timeUs) {
-    int count = 0;
-    for (LineObservation observation : intake.recent(timeUs)) {
-      if (gate.prepare(observation, cameras.get(observation.camera()), place, views[count])
-          .isEmpty()) {
-        count++;
-      }
-    }
+    int count = intake.measure(intake.recent(timeUs), at, views, (problem, number) -> {});
     if (!search.find(views, count)) {
       return false;
     }
@@ -229,111 +208,88 @@ public final class BodyOrientationEstimator {
     return true;
   }
 
-  /**
-   * Whether an axis that was found anew points to the tail, by where the head last was for sure and
-   * by where the body flies.
-   */
+  /** Whether the found axis points to the tail, by the last settled axis and by the flight. */
   private boolean isAgainst(double[] found) {
-    position.velocity(tip);
-    double speed = Math.max(1e-9, Vectors.length(tip));
-    double sign = head.isFlipped() ? -1 : 1;
-    return sign * Vectors.dot(found, tip) / speed + Vectors.dot(found, uAgreed) < 0;
+    position.velocity(vector);
+    double speed = Math.max(1e-9, Vectors.length(vector));
+    return head.sign() * Vectors.dot(found, vector) / speed + Vectors.dot(found, uSettled) < 0;
   }
 
-  /** Begins with what was found; returns how many lines of this instant have started it. */
-  private int start(int count) {
+  /** Initialises the axis with the lines of this time. */
+  private void start(int count) {
     if (hadAxis) {
       head.doubt();
-      counts.add(OrientationCount.RELAUNCHED, 1);
+      count(OrientationCount.RELAUNCHED, 1);
     }
     axis.launch(search);
     hasAxis = true;
-    // a gate that rejects all rejects these too
-    int taken = settings.gate().angleDeg() > 0 ? count : 0;
-    counts.add(OrientationCount.USED, taken);
-    counts.add(OrientationCount.REJECTED, count - taken);
-    for (int i = 0; i < taken; i++) {
-      used[lines[i].camera] = true;
+    count(OrientationCount.USED, count);
+    for (int i = 0; i < count; i++) {
+      lines[i].used = true;
     }
-    return taken;
   }
 
-  /** Counts what became of the lines and learns their noise; returns how many were used. */
+  /** Counts used and rejected lines and learns their noise; returns how many were used. */
   private int note(int count) {
     int taken = 0;
     for (int i = 0; i < count; i++) {
       LineMeasurement each = lines[i];
-      residuals[each.camera] = each.residualRad;
-      used[each.camera] = each.used;
       if (each.used) {
         taken++;
         nisSum += each.nis;
-        nisCount++;
         noise.learn(each);
       }
     }
-    counts.add(OrientationCount.USED, taken);
-    counts.add(OrientationCount.REJECTED, count - taken);
+    nisCount += taken;
+    count(OrientationCount.USED, taken);
+    count(OrientationCount.REJECTED, count - taken);
     return taken;
   }
 
   private OrientationEstimate estimate(long timeUs, double dtS, int taken, int rejected) {
-    axis.axis(u);
-    boolean clear = axis.axisVariance() <= VAGUE_VARIANCE;
-    if (hadAxis && clear && wasClear && Vectors.dot(u, uBefore) < 0) {
+    AxisFilter.Axis now = axis.axis();
+    double[] u = now.u();
+    boolean isClear = now.variance() <= CLEAR_VARIANCE;
+    if (hadAxis && isClear && wasClear && Vectors.dot(u, uBefore) < 0) {
       head.turnRound(); // no body turns that fast
     }
-    wasClear = clear;
-    System.arraycopy(u, 0, uBefore, 0, 3);
-    if (hasPlaceBefore && hadAxis) {
-      double along = 0;
-      for (int k = 0; k < 3; k++) {
-        along += (place[k] - placeBefore[k]) * u[k];
-      }
+    wasClear = isClear;
+    uBefore = u;
+    if (hasBefore && hadAxis) {
+      double along = Vectors.dot(at, u) - Vectors.dot(before, u);
       head.step(along, position.variance(u), dtS);
     }
-    if (!hadAxis || axis.isSettled()) {
-      System.arraycopy(u, 0, uAgreed, 0, 3);
-    }
+    uSettled = !hadAxis || now.isSettled() ? u : uSettled;
     hadAxis = true;
-    axis.tipVelocity(tip);
-    double sign = head.isFlipped() ? -1 : 1;
-    double[] directed = {sign * u[0], sign * u[1], sign * u[2]};
-    double[] directedTip = {sign * tip[0], sign * tip[1], sign * tip[2]};
-    double[] rates = OrientationEstimate.rates(directed, directedTip);
-    return new OrientationEstimate(
+    // that the true axis is on this side and its head ahead, or neither
+    double headProbability =
+        now.agreement() * head.probability() + (1 - now.agreement()) * (1 - head.probability());
+    return OrientationEstimate.of(
         timeUs,
-        place[0],
-        place[1],
-        place[2],
-        directed[0],
-        directed[1],
-        directed[2],
-        Math.min(OrientationEstimate.RANDOM_SD, Math.sqrt(axis.axisVariance())),
-        axis.rollSd(),
-        axis.rollRate(),
-        rates[0],
-        rates[1],
-        headProbability(),
+        at,
+        Vectors.scaled(head.sign(), u),
+        Vectors.scaled(head.sign(), now.tipVelocity()),
+        Math.sqrt(now.variance()),
+        now.rollSd(),
+        now.rollRate(),
+        headProbability,
         taken,
         rejected);
   }
 
-  /** That the true axis is on this side and its head ahead, or neither. */
-  private double headProbability() {
-    double near = axis.agreement();
-    return near * head.probability() + (1 - near) * (1 - head.probability());
-  }
-
-  /** From now on keeps each step of the axis and hands out those of the place; this allocates. */
-  void record(Consumer<? super FilterStep> placeSteps) {
+  /** From now on keeps each step of the axis and hands out those of the position; allocates. */
+  void record(Consumer<? super FilterStep> positionSteps) {
     axis.record();
-    position.record(placeSteps);
+    position.record(positionSteps);
   }
 
-  /** The last instant of the axis with the way to it; null if its form has no smoother. */
+  /** The last step of the axis with those before; null if its form has no smoother. */
   AxisStep axisStep() {
     return axis.step();
+  }
+
+  private void count(OrientationCount what, long number) {
+    counts.merge(what, number, Long::sum);
   }
 
   /**
@@ -343,7 +299,7 @@ public final class BodyOrientationEstimator {
    * @return at least 0
    */
   public long count(OrientationCount what) {
-    return counts.of(what);
+    return counts.getOrDefault(what, 0L);
   }
 
   /**
@@ -357,46 +313,46 @@ public final class BodyOrientationEstimator {
   }
 
   /**
-   * Angle between what a camera saw at the last instant and what was expected.
+   * Angle between the observed and the expected line of a camera at the last time.
    *
    * @param camera its index
    * @return radians in (−π/2, π/2), NaN if it saw nothing then
    */
   public double residualRad(int camera) {
-    return residuals[camera];
+    return measurement(camera).map(each -> each.residualRad).orElse(Double.NaN);
   }
 
   /**
-   * Whether the line that a camera saw at the last instant was used.
+   * Whether the line that a camera saw at the last time was used.
    *
    * @param camera its index
    * @return false as well if it saw none
    */
   public boolean used(int camera) {
-    return used[camera];
+    return measurement(camera).map(each -> each.used).orElse(false);
   }
 
-  /** State of the axis after the last instant; without a covariance if it is of quaternions. */
-  AxisState axisState() {
-    return axis.state();
+  private Optional<LineMeasurement> measurement(int camera) {
+    return Arrays.stream(lines, 0, measured).filter(each -> each.camera == camera).findAny();
+  }
+
+  /**
+   * What a camera observed at the last time.
+   *
+   * @param camera its index
+   * @return empty if it observed nothing then
+   */
+  public Optional<LineObservation> observation(int camera) {
+    return intake.usable().stream().filter(each -> each.camera() == camera).findAny();
   }
 
   /**
    * Mean of the normalised innovations squared of all lines that were used: near 1 if the filter is
-   * as sure as it says (somewhat less, since lines far off are left out).
+   * consistent (somewhat less, since lines far off are left out).
    *
    * @return NaN before the first
    */
   public double meanNis() {
     return nisCount == 0 ? Double.NaN : nisSum / nisCount;
-  }
-
-  /**
-   * How often head and tail were exchanged after they had been decided.
-   *
-   * @return at least 0
-   */
-  public long headChanges() {
-    return head.changes();
   }
 }

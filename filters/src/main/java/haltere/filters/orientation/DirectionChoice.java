@@ -4,44 +4,43 @@ import haltere.filters.orientation.camera.Vectors;
 import java.util.List;
 
 /**
- * Which end is the head, at each time of a whole track: the way through the signs s_t = ±1 that
- * costs least (Viterbi 1967), at the source's cost of a step
+ * Chooses which end is the head at each time of a whole track: the path through the signs s_t = ±1
+ * of least cost (Viterbi 1967), with the cost of a step as in Straw et al. (2011)
  *
  * <pre>
  * w ∠(s_t u_t, v̂_t) + (1 − w) ∠(s_t u_t, s_{t−1} u_{t−1}) + (1 − w) ∠(s_t u_t, up)
  * </pre>
  *
  * <p>v̂ is the direction of travel, tipped up by up to 45°, since insects fly with their heads up.
- * A term that is not known is left out. In the source w = min(0.9, 0.5 · speed in m/s); a slow or
- * small body then has no say in it, so that {@link #weightOf} a speed against its standard
- * deviation is the default.
+ * An unknown term is left out. In Straw et al. w = min(0.9, 0.5 · speed in m/s), which is near 0
+ * for slow bodies; the default is {@link #weightOf} a speed and its standard deviation.
  */
 final class DirectionChoice {
   private static final double TIP_RAD = Math.toRadians(45);
-  private static final double MOST_WEIGHT = 0.9;
+  private static final double MAX_WEIGHT = 0.9;
   private static final double[] UP = {0, 0, 1};
 
   private DirectionChoice() {}
 
-  /** The source's weight of the direction of travel. */
+  /** Weight of the direction of travel as in Straw et al. (2011). */
   static double originalWeight(double speedMS) {
-    return Math.min(MOST_WEIGHT, 0.5 * speedMS);
+    return Math.min(MAX_WEIGHT, 0.5 * speedMS);
   }
 
-  /** The weight of a direction of travel by how well it is known: half of the most at 3 sigma. */
+  /** Weight of the direction of travel by the speed in standard deviations, half at 3. */
   static double weightOf(double speedMS, double sdMS) {
     double sigmas = speedMS / sdMS;
-    return sdMS > 0 ? MOST_WEIGHT * sigmas * sigmas / (sigmas * sigmas + 9) : MOST_WEIGHT;
+    return sdMS > 0 ? MAX_WEIGHT * sigmas * sigmas / (sigmas * sigmas + 9) : MAX_WEIGHT;
   }
 
   /**
-   * Chooses.
+   * Chooses the signs.
    *
    * @param axes unit vectors, of either sign
    * @param velocities of the body, metres a second, of any length
    * @param weights w of each time
-   * @param linked whether each time goes on from the one before
-   * @return whether each axis is to be turned round
+   * @param linked whether each axis is the one before, moved
+   * @return whether each axis is to be reversed
    */
   static boolean[] flips(
       List<double[]> axes, List<double[]> velocities, double[] weights, boolean[] linked) {

@@ -3,33 +3,31 @@ package haltere.filters.orientation;
 import org.apache.commons.statistics.distribution.ChiSquaredDistribution;
 
 /**
- * Which end of the axis is the head, while the body flies: two hypotheses, the axis as it is
- * followed and its opposite, told apart by the way that the body has flown along it.
+ * Decides which end of the axis is the head: that in whose direction the body has moved.
  *
- * <p>That way is the sum of steps along the axis, older ones counting less. Its noise is that of
- * the two ends only, since what is wrong with a place counts once forwards and once backwards; so a
- * tenth of a body length decides where a velocity would not. The decision is changed only when the
- * opposite is clear, so that a body which slips sideways in a turn keeps its head.
+ * <p>The displacement is the sum of steps along the axis, older ones counting less. Its noise is
+ * that of its two ends, since errors of positions between them cancel; a velocity would be noisier.
+ * The decision is changed only when the displacement is clearly backwards, so that a body which
+ * slips in a turn keeps its head.
  */
 final class HeadOrTail {
-  private final DirectionSettings settings;
+  private final OrientationSettings.HeadTail settings;
   private double wayM;
   private double sigmas;
   private boolean decided;
   private boolean flipped;
-  private long changes;
 
-  HeadOrTail(DirectionSettings settings) {
+  HeadOrTail(OrientationSettings.HeadTail settings) {
     this.settings = settings;
   }
 
-  /** The axis was lost and found: what was flown before tells no more, the decision stays. */
+  /** Forgets the displacement, after the axis was lost and found; the decision stays. */
   void doubt() {
     wayM = 0;
     sigmas = 0;
   }
 
-  /** The axis is followed by its other end. */
+  /** Keeps the head when the axis is reversed. */
   void turnRound() {
     wayM = -wayM;
     sigmas = -sigmas;
@@ -37,45 +35,39 @@ final class HeadOrTail {
   }
 
   /**
-   * A step.
+   * Adds a step.
    *
-   * @param alongM how far the body has come along the axis, metres
-   * @param varianceM2 variance of its place along the axis, square metres
-   * @param dtS in which time
+   * @param alongM displacement along the axis, metres
+   * @param varianceM2 variance of its position along the axis, square metres
+   * @param dtS its duration
    */
   void step(double alongM, double varianceM2, double dtS) {
     if (!Double.isFinite(alongM) || !(varianceM2 > 0)) {
       return;
     }
     double sd = Math.sqrt(2 * varianceM2);
-    double most = settings.certaintySigmas() * sd;
+    double max = settings.certaintySigmas() * sd;
     wayM = wayM * Math.exp(-dtS / settings.memoryS()) + alongM;
-    wayM = Math.max(-most, Math.min(most, wayM));
+    wayM = Math.max(-max, Math.min(max, wayM));
     sigmas = wayM / sd;
-    double forwards = flipped ? -sigmas : sigmas;
+    double forwards = sign() * sigmas;
     if (!decided) {
       flipped = wayM < 0;
       decided = Math.abs(sigmas) > settings.doubtSigmas();
     } else if (forwards < -settings.doubtSigmas()) {
       flipped = !flipped;
-      changes++;
     }
   }
 
-  /** Whether the head is opposite to the axis that is followed. */
-  boolean isFlipped() {
-    return flipped;
+  /** 1 if the axis points to the head, −1 if to the tail. */
+  double sign() {
+    return flipped ? -1 : 1;
   }
 
-  /** Probability that the head is where it is taken to be: that the way flown was forwards. */
+  /** Probability that the displacement was towards the head. */
   double probability() {
-    double forwards = flipped ? -sigmas : sigmas;
+    double forwards = sign() * sigmas;
     double within = ChiSquaredDistribution.of(1).cumulativeProbability(forwards * forwards);
     return 0.5 * (1 + Math.signum(forwards) * within);
-  }
-
-  /** How often head and tail were exchanged after they had been decided. */
-  long changes() {
-    return changes;
   }
 }

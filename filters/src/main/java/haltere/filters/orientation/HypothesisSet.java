@@ -1,42 +1,35 @@
 package haltere.filters.orientation;
 
-/**
- * The guesses of one time, and those of the time before while the new ones are made from them. A
- * fixed number of them is kept and reused.
- */
+import haltere.filters.orientation.camera.Vectors;
+import java.util.Arrays;
+
+/** Hypotheses of one time, and those of the time before. A fixed number is kept and reused. */
 final class HypothesisSet {
-  /** Guesses that are kept from one time to the next. */
-  private static final int MOST = 8;
+  /** Largest number between two times. */
+  static final int MAX_KEPT = 20;
 
-  /** The same, with those that stand for a wide one. */
-  private static final int MOST_SPLIT = 20;
+  /** Largest number during an update. */
+  private static final int CAPACITY = 64;
 
-  /** Guesses while lines are decided upon. */
-  private static final int ROOM = 64;
+  /** Probability below which a hypothesis is dropped. */
+  private static final double MIN_WEIGHT = 1e-4;
 
-  /** Probability below which a guess is dropped. */
-  private static final double LEAST = 1e-4;
+  /** Squared distance in standard deviations below which two hypotheses are merged. */
+  private static final double MERGE_DISTANCE = 0.5;
 
-  /** Squared distance in standard deviations below which two guesses are one. */
-  private static final double ALIKE = 0.5;
+  /** The same, times the share of the less likely one. */
+  private static final double MERGE_DISTANCE_BY_SHARE = 0.01;
 
-  /** The same, weighed with the share of the smaller one. */
-  private static final double ALIKE_BY_SHARE = 0.01;
-
-  private AxisHypothesis[] now = made(ROOM);
-  private AxisHypothesis[] before = made(ROOM);
+  private AxisHypothesis[] now = new AxisHypothesis[CAPACITY];
+  private AxisHypothesis[] before = new AxisHypothesis[CAPACITY];
   private int size;
-  private int oldSize;
   private double best = Double.NEGATIVE_INFINITY;
   private final AxisDifference difference = new AxisDifference();
   private final double[] shift = new double[4];
 
-  private static AxisHypothesis[] made(int count) {
-    AxisHypothesis[] all = new AxisHypothesis[count];
-    for (int i = 0; i < count; i++) {
-      all[i] = new AxisHypothesis();
-    }
-    return all;
+  HypothesisSet() {
+    Arrays.setAll(now, i -> new AxisHypothesis());
+    Arrays.setAll(before, i -> new AxisHypothesis());
   }
 
   int size() {
@@ -45,10 +38,6 @@ final class HypothesisSet {
 
   AxisHypothesis get(int index) {
     return now[index];
-  }
-
-  int oldSize() {
-    return oldSize;
   }
 
   AxisHypothesis old(int index) {
@@ -60,50 +49,46 @@ final class HypothesisSet {
     best = Double.NEGATIVE_INFINITY;
   }
 
-  /** The guesses become those of the time before. */
-  void startAnew() {
-    AxisHypothesis[] were = now;
+  /** Makes the hypotheses those of the time before; returns how many. */
+  int advance() {
+    AxisHypothesis[] latest = now;
     now = before;
-    before = were;
-    oldSize = size;
+    before = latest;
+    int count = size;
     clear();
+    return count;
   }
 
-  /** One more, of any content; null if there is no room. */
+  /** Adds a hypothesis of any content; null if the set is full. */
   AxisHypothesis add() {
-    return size < ROOM ? now[size++] : null;
+    return size < CAPACITY ? now[size++] : null;
   }
 
-  /** One more that will be kept, in place of the least likely one if need be. */
+  /** Adds a hypothesis that is kept; replaces the least likely one of a full set. */
   AxisHypothesis addKept() {
-    if (size >= MOST_SPLIT) {
+    if (size >= MAX_KEPT) {
       size--;
     }
     return add();
   }
 
-  /** Largest logarithm of a weight among the finished ones. */
+  /** Largest logarithm of a weight after {@link #finish}. */
   double best() {
     return best;
   }
 
-  void finish(AxisHypothesis guess) {
-    best = Math.max(best, guess.logWeight);
-  }
-
-  /** A guess that is no more pursued. */
-  void drop(AxisHypothesis guess) {
-    guess.logWeight = Double.NEGATIVE_INFINITY;
+  void finish(AxisHypothesis hypothesis) {
+    best = Math.max(best, hypothesis.logWeight);
   }
 
   /**
-   * Makes probabilities of the logarithms, likeliest first; drops, merges, and keeps a few.
+   * Normalises the weights, drops, merges and sorts hypotheses, and limits their number.
    *
-   * @param none weight of the case that no guess is right
+   * @param none weight of the case that no hypothesis is true
    * @return probability of that case
    */
   double settle(double none) {
-    double most = none > 0 ? Math.log(none) : Double.NEGATIVE_INFINITY;
+    double most = Math.log(none);
     for (int i = 0; i < size; i++) {
       most = Math.max(most, now[i].logWeight);
     }
@@ -120,20 +105,20 @@ final class HypothesisSet {
     double unknown = noneWeight / (noneWeight + sum);
     scale(1 / sum);
     sort();
-    while (size > 1 && now[size - 1].weight < LEAST) {
+    while (size > 1 && now[size - 1].weight < MIN_WEIGHT) {
       size--;
     }
     merge();
     sort();
-    size = Math.min(size, MOST_SPLIT);
+    size = Math.min(size, MAX_KEPT);
     normalise();
     return unknown;
   }
 
-  /** Makes three of each guess that is too wide, as far as there is room. */
+  /** Splits each hypothesis that is too wide into three, as far as the set has room. */
   void split() {
     int count = size;
-    for (int i = 0; i < count && size + 2 <= MOST_SPLIT; i++) {
+    for (int i = 0; i < count && size + 2 <= MAX_KEPT; i++) {
       AxisHypothesis middle = now[i];
       if (middle.narrow(shift)) {
         middle.weight *= 0.5;
@@ -152,17 +137,17 @@ final class HypothesisSet {
   }
 
   /**
-   * Takes in a direction that the axis has but for an angle ({@link AxisHypothesis#lean}).
+   * Couples the axis to the flight ({@link AxisHypothesis#coupleToFlight}).
    *
-   * @param vague whether heads that are far off it may have come round to the tail
+   * @param vague whether hypotheses may have exchanged head and tail
    */
-  void lean(double[] direction, double variance, double fresh, boolean vague) {
+  void coupleToFlight(double[] direction, double variance, double fresh, boolean vague) {
     for (int i = 0; i < size; i++) {
       AxisHypothesis each = now[i];
       if (vague) {
         each.face(direction, variance);
       }
-      each.lean(direction, variance, fresh);
+      each.coupleToFlight(direction, variance, fresh);
       each.weight *= Math.exp(each.logWeight);
     }
     sort();
@@ -170,18 +155,18 @@ final class HypothesisSet {
   }
 
   /**
-   * Takes in the guess that was added last.
+   * Weighs the hypothesis that was added last.
    *
    * @param chance its weight
-   * @param none weight of the case that no guess is right
+   * @param none weight of the case that no hypothesis is true
    * @param others weight of the others together
-   * @return probability that no guess is right
+   * @return probability that none is true
    */
-  double include(AxisHypothesis guess, double chance, double none, double others) {
+  double include(AxisHypothesis added, double chance, double none, double others) {
     double known = chance + others;
-    guess.weight = 0;
+    added.weight = 0;
     scale(others / known);
-    guess.weight = chance / known;
+    added.weight = chance / known;
     merge();
     sort();
     normalise();
@@ -216,41 +201,42 @@ final class HypothesisSet {
   private void merge() {
     for (int i = 0; i < size; i++) {
       for (int j = i + 1; j < size; j++) {
-        double share = now[j].weight / (now[i].weight + now[j].weight);
-        difference.betweenLines(now[i], now[j]);
-        double distance = distance(now[i], now[j]);
-        if ((now[i].saccadeShare < 0.5) != (now[j].saccadeShare < 0.5)) {
-          continue;
-        }
-        if (distance < ALIKE || share * distance < ALIKE_BY_SHARE) {
-          difference.carryCovariance(now[j]);
-          now[i].absorb(difference, share);
-          now[i].saccadeShare += share * (now[j].saccadeShare - now[i].saccadeShare);
-          now[i].weight += now[j].weight;
-          AxisHypothesis gone = now[j];
+        AxisHypothesis other = now[j];
+        double share = other.weight / (now[i].weight + other.weight);
+        if (areAlike(now[i], other, share)) {
+          difference.merge(share);
+          now[i].saccadeShare += share * (other.saccadeShare - now[i].saccadeShare);
+          now[i].weight += other.weight;
           System.arraycopy(now, j + 1, now, j, size - j - 1);
-          now[--size] = gone;
+          now[--size] = other;
           j--;
         }
       }
     }
   }
 
-  /** Of the differences by the variances of both, entry by entry. */
-  private double distance(AxisHypothesis a, AxisHypothesis b) {
-    double sum = 0;
+  /** Whether two hypotheses are of one mode and near, by the variances of each entry. */
+  private boolean areAlike(AxisHypothesis a, AxisHypothesis b, double share) {
+    double limit = Math.max(MERGE_DISTANCE, MERGE_DISTANCE_BY_SHARE / share);
+    double variance = a.angleVariance() + b.angleVariance();
+    double cos = Vectors.dot(a.u, b.u);
+    if ((a.saccadeShare < 0.5) != (b.saccadeShare < 0.5) || 1 - cos * cos > limit * variance) {
+      return false;
+    }
+    difference.between(a, b, cos < 0 ? -1 : 1);
+    double distance = 0;
     for (int k = 0; k < 4; k++) {
       double d = difference.d[k];
-      sum += d * d / (a.error.covariance(k, k) + b.error.covariance(k, k));
+      distance += d * d / (a.error.covariance(k, k) + b.error.covariance(k, k));
     }
-    return sum;
+    return distance < limit;
   }
 
-  /** Adds an instant to the way that each guess has come. */
+  /** Adds a time to the path of each hypothesis. */
   void record() {
     for (int i = 0; i < size; i++) {
       AxisHypothesis each = now[i];
-      each.step = new AxisStep(each.predicted, each.transition.clone(), each.state(), each.step);
+      each.step = new AxisStep(each.predicted, each.transition.copy(), each.state(), each.step);
     }
   }
 }

@@ -3,23 +3,23 @@ package haltere.filters.orientation;
 import haltere.filters.estimation.GaussianState;
 
 /**
- * A line beside what a guess of the axis expects of it: innovation, gradient, and both variances,
- * to the second order (Bar-Shalom, Li and Kirubarajan 2001, section 10.3.2). With the line's
- * picture z = vx + i vy and w = ∂z/z, the angle's first derivatives are Im w and its second ones
- * −Im w wᵀ. Reused.
+ * A line compared with the one that a hypothesis of the axis expects: innovation, gradient, and
+ * both variances, to the second order (Bar-Shalom, Li and Kirubarajan 2001, section 10.3.2). With
+ * the line's picture z = vx + i vy and w = ∂z/z, the angle's first derivatives are Im w and its
+ * second ones −Im w wᵀ. Reused.
  */
 final class LineComparison {
-  /** Least squared length of the axis in the picture; below, it is seen end-on. */
+  /** Squared length of the axis in the picture below which it is seen end-on. */
   private static final double END_ON = 1e-12;
 
-  /** Variance that is expected over that of the line, up to which it tells of its own. */
-  private static final double TELLING = 2;
+  /** Variance of the expected line over that of the line, up to which the latter is learnt. */
+  private static final double MAX_SPREAD = 2;
 
-  /** Noise with the second-order terms over that without, up to which it does. */
-  private static final double LINEAR = 1.1;
+  /** Noise with the second-order terms over that without, up to which it is learnt. */
+  private static final double MAX_NONLINEARITY = 1.1;
 
-  /** Largest normalised innovation squared that counts. */
-  private static final double MOST_NIS = 9;
+  /** Normalised innovation squared above which an innovation counts as this. */
+  private static final double MAX_NIS = 9;
 
   double innovation;
   double ha;
@@ -28,7 +28,7 @@ final class LineComparison {
   /** Variance of the line, with the second-order terms. */
   double noise;
 
-  /** Variance of what is expected. */
+  /** Variance of the expected line. */
   double spread;
 
   private double lineVariance;
@@ -38,20 +38,16 @@ final class LineComparison {
    *
    * @return false where the body is seen end-on
    */
-  boolean compare(AxisHypothesis guess, LineMeasurement line) {
-    GaussianState error = guess.error;
-    double[] u = guess.u;
-    double[] e1 = guess.e1;
-    double[] e2 = guess.e2;
+  boolean compare(AxisHypothesis hypothesis, LineMeasurement line) {
+    GaussianState error = hypothesis.error;
     double a = error.mean(0);
     double b = error.mean(2);
-    double[] n = line.n;
-    double x1 = n[0] * e1[0] + n[1] * e1[1] + n[2] * e1[2];
-    double y1 = n[3] * e1[0] + n[4] * e1[1] + n[5] * e1[2];
-    double x2 = n[0] * e2[0] + n[1] * e2[1] + n[2] * e2[2];
-    double y2 = n[3] * e2[0] + n[4] * e2[1] + n[5] * e2[2];
-    double vx = n[0] * u[0] + n[1] * u[1] + n[2] * u[2] + a * x1 + b * x2;
-    double vy = n[3] * u[0] + n[4] * u[1] + n[5] * u[2] + a * y1 + b * y2;
+    double x1 = line.vx(hypothesis.e1);
+    double y1 = line.vy(hypothesis.e1);
+    double x2 = line.vx(hypothesis.e2);
+    double y2 = line.vy(hypothesis.e2);
+    double vx = line.vx(hypothesis.u) + a * x1 + b * x2;
+    double vy = line.vy(hypothesis.u) + a * y1 + b * y2;
     double squares = vx * vx + vy * vy;
     if (!(squares > END_ON)) {
       return false;
@@ -87,14 +83,15 @@ final class LineComparison {
     return innovation * innovation / (spread + noise);
   }
 
-  /** By how much the expected line is vague, beyond the noise of lines. */
-  double vagueness() {
+  /** Variance of the innovation beyond that of the line. */
+  double expectedVariance() {
     return spread + noise - lineVariance;
   }
 
-  /** What the line says of its own variance, on average; NaN where it says nothing. */
+  /** Estimate of the line's own variance; NaN where the innovation does not tell. */
   double own() {
-    boolean tells = spread < TELLING * lineVariance && noise < LINEAR * lineVariance;
-    return tells ? Math.min(innovation * innovation, MOST_NIS * variance()) - spread : Double.NaN;
+    boolean isLearnt =
+        spread < MAX_SPREAD * lineVariance && noise < MAX_NONLINEARITY * lineVariance;
+    return isLearnt ? Math.min(innovation * innovation, MAX_NIS * variance()) - spread : Double.NaN;
   }
 }

@@ -4,28 +4,36 @@ import haltere.filters.orientation.camera.CameraModel;
 import haltere.filters.orientation.camera.LineObservation;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.ObjLongConsumer;
 
-/** What of the observations of one time can be used at all, and what cameras last saw. */
+/**
+ * Decides which observations of one time can be used, makes measurements of them, and keeps what
+ * each camera saw last.
+ */
 final class LineIntake {
   private final List<CameraModel> cameras;
-  private final OrientationCounts counts;
+  private final OrientationSettings.ObservationGate gate;
+  private final LineNoise noise;
   private final double togetherUs;
   private final LineObservation[] latest;
   private final long[] latestUs;
   private final List<LineObservation> usable = new ArrayList<>();
   private final List<LineObservation> views = new ArrayList<>();
+  private final double[] line = new double[3];
   private boolean together;
 
-  LineIntake(List<CameraModel> cameras, double togetherS, OrientationCounts counts) {
+  LineIntake(List<CameraModel> cameras, OrientationSettings settings, LineNoise noise) {
     this.cameras = cameras;
-    this.counts = counts;
-    togetherUs = togetherS * 1e6;
+    this.noise = noise;
+    gate = settings.gate();
+    togetherUs = settings.position().togetherS() * 1e6;
     latest = new LineObservation[cameras.size()];
     latestUs = new long[cameras.size()];
   }
 
-  /** Sorts out what cannot be used. */
-  void take(long timeUs, List<LineObservation> seen) {
+  /** Accepts the observations of a time, without those of unusable cameras and second ones. */
+  void accept(long timeUs, List<LineObservation> seen, ObjLongConsumer<OrientationCount> counter) {
     usable.clear();
     for (LineObservation observation : seen) {
       int camera = observation.camera();
@@ -34,11 +42,9 @@ final class LineIntake {
             "there is no camera " + camera + ", there are " + cameras.size());
       }
       if (cameras.get(camera).problem().isPresent()) {
-        counts.add(OrientationCount.UNUSABLE_CAMERA, 1);
-      } else if (latest[camera] != null
-          && latestUs[camera] == timeUs
-          && usable.contains(latest[camera])) {
-        counts.add(OrientationCount.TWICE, 1);
+        counter.accept(OrientationCount.UNUSABLE_CAMERA, 1);
+      } else if (latestUs[camera] == timeUs && usable.contains(latest[camera])) {
+        counter.accept(OrientationCount.TWICE, 1);
       } else {
         usable.add(observation);
         latest[camera] = observation;
@@ -54,8 +60,8 @@ final class LineIntake {
   }
 
   /**
-   * What goes together: what was seen now if cameras look at the same times, else the last views
-   * that are recent enough.
+   * The last views that are recent enough, of cameras that expose at different times; of those that
+   * expose together, what can be used of the last time.
    */
   List<LineObservation> recent(long timeUs) {
     if (together) {
@@ -68,5 +74,55 @@ final class LineIntake {
       }
     }
     return views;
+  }
+
+  /**
+   * Makes measurements of the lines of a body.
+   *
+   * @param positionM of the body, metres
+   * @param into gets the measurements
+   * @param counter counts the other observations
+   * @return how many measurements
+   */
+  int measure(
+      List<LineObservation> seen,
+      double[] positionM,
+      LineMeasurement[] into,
+      ObjLongConsumer<OrientationCount> counter) {
+    int count = 0;
+    for (LineObservation each : seen) {
+      Optional<OrientationCount> problem = measure(each, positionM, into[count]);
+      problem.ifPresent(reason -> counter.accept(reason, 1));
+      count += problem.isEmpty() ? 1 : 0;
+    }
+    return count;
+  }
+
+  private Optional<OrientationCount> measure(
+      LineObservation seen, double[] positionM, LineMeasurement into) {
+    CameraModel camera = cameras.get(seen.camera());
+    double ratio = seen.axisRatio();
+    line[0] = seen.xPx();
+    line[1] = seen.yPx();
+    line[2] = seen.angleRad();
+    OrientationCount problem = null;
+    if (!Double.isFinite(seen.angleRad())) {
+      problem = OrientationCount.WITHOUT_ANGLE;
+    } else if (seen.areaPx() <= gate.minAreaPx() && gate.minAreaPx() > 0) {
+      problem = OrientationCount.SMALL;
+    } else if (gate.minEccentricity() > 0 && ratio <= gate.minEccentricity()) {
+      problem = OrientationCount.ROUND;
+    } else if (!seen.hasPosition() && !camera.project(positionM, line)) {
+      problem = OrientationCount.WITHOUT_LINE;
+    } else if (!camera.straighten(line)) {
+      problem = OrientationCount.UNUSABLE_CAMERA;
+    } else if (!camera.lineNormals(positionM, into.n)) {
+      problem = OrientationCount.WITHOUT_LINE;
+    } else {
+      into.camera = seen.camera();
+      into.setAngle(line[2]);
+      noise.putInto(into, ratio);
+    }
+    return Optional.ofNullable(problem);
   }
 }

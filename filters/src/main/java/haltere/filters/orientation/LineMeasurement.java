@@ -3,8 +3,8 @@ package haltere.filters.orientation;
 import haltere.filters.orientation.camera.CameraModel;
 
 /**
- * A camera's line as a filter of the axis takes it: how the angle comes from a direction, the angle
- * without the lens, its variance; and, afterwards, what became of it. Reused.
+ * The line that a camera measured, for a filter of the axis: its angle without the lens, variance
+ * and derivatives; after an update, residual and result. Reused.
  */
 final class LineMeasurement {
   /** n₀ and n₁ of {@link CameraModel#lineNormals}. */
@@ -15,7 +15,7 @@ final class LineMeasurement {
   private double cos = 1;
   double varianceRad2;
 
-  /** By how much more than the camera's usual variance, because the detection is round. */
+  /** Factor of the camera's variance for a round detection, at least 1. */
   double roundness;
 
   boolean used;
@@ -23,23 +23,32 @@ final class LineMeasurement {
   /** Angle from the expected line, before any update. */
   double residualRad;
 
-  /** Normalised innovation squared when it was taken in. */
+  /** Normalised innovation squared at its update. */
   double nis;
 
-  /** What it says of its own variance, on average; NaN where it says nothing. */
+  /** Estimate of its own variance; NaN where the innovation does not tell. */
   double ownRad2;
 
-  /** What was observed, radians, modulo pi. */
+  /** Sets what was observed: an angle in radians, modulo pi. */
   void setAngle(double angleRad) {
+    used = false;
+    residualRad = Double.NaN;
     sin = Math.sin(angleRad);
     cos = Math.cos(angleRad);
   }
 
+  /** n₀ u and n₁ u: the direction in the picture of an axis u. */
+  double vx(double[] u) {
+    return n[0] * u[0] + n[1] * u[1] + n[2] * u[2];
+  }
+
+  double vy(double[] u) {
+    return n[3] * u[0] + n[4] * u[1] + n[5] * u[2];
+  }
+
   /** The difference between the observed line and that of a direction, in (−π/2, π/2). */
   double residual(double[] direction) {
-    double vx = n[0] * direction[0] + n[1] * direction[1] + n[2] * direction[2];
-    double vy = n[3] * direction[0] + n[4] * direction[1] + n[5] * direction[2];
-    return residual(vx, vy);
+    return residual(vx(direction), vy(direction));
   }
 
   double residual(double vx, double vy) {
@@ -50,8 +59,8 @@ final class LineMeasurement {
 
   /** ∂θ/∂u at a direction u: (vx n₁ − vy n₀) / (vx² + vy²); false where the line is a point. */
   boolean gradient(double[] direction, double[] gradient) {
-    double vx = n[0] * direction[0] + n[1] * direction[1] + n[2] * direction[2];
-    double vy = n[3] * direction[0] + n[4] * direction[1] + n[5] * direction[2];
+    double vx = vx(direction);
+    double vy = vy(direction);
     double squares = vx * vx + vy * vy;
     for (int i = 0; i < 3; i++) {
       gradient[i] = (vx * n[3 + i] - vy * n[i]) / squares;

@@ -2,28 +2,28 @@ package haltere.filters.orientation;
 
 import java.util.Arrays;
 
-/** How sure each camera's angles are, learnt from its own detections. */
+/** Variance of each camera's angles, learnt from its own detections. */
 final class LineNoise {
-  /** Detections that the learnt variance of a camera is a mean over. */
+  /** Detections over which the variance of a camera is averaged. */
   private static final double MEMORY = 300;
 
-  /** Detections that the variance to begin with counts for. */
-  private static final double BEGINNING = 30;
+  /** Weight of the initial variance, in detections. */
+  private static final double INITIAL_WEIGHT = 30;
 
-  private static final double LEAST_SD = Math.toRadians(0.05);
-  private static final double GREATEST_SD = Math.toRadians(30);
+  private static final double MIN_SD = Math.toRadians(0.05);
+  private static final double MAX_SD = Math.toRadians(30);
 
-  private final LineNoiseSettings settings;
+  private final OrientationSettings.AngleNoise settings;
   private final double[] variances;
   private final double[] weights;
 
-  LineNoise(LineNoiseSettings settings, int cameras) {
+  LineNoise(OrientationSettings.AngleNoise settings, int cameras) {
     this.settings = settings;
     variances = new double[cameras];
     double sd = Math.toRadians(settings.angleSdDeg());
     Arrays.fill(variances, sd * sd);
     weights = new double[cameras];
-    Arrays.fill(weights, BEGINNING);
+    Arrays.fill(weights, INITIAL_WEIGHT);
   }
 
   /** Gives a measurement its variance, by its camera and the ratio of its axes. */
@@ -33,8 +33,8 @@ final class LineNoise {
   }
 
   /**
-   * How much larger the variance of an ellipse's angle is than that of one with the ratio 2: it
-   * goes with (ρ / (ρ² − 1))², the derivative of the angle by the second moments.
+   * Variance of an ellipse's angle over that of one with the ratio 2: (ρ / (ρ² − 1))², from the
+   * derivative of the angle by the second moments.
    */
   private static double roundness(double ratio) {
     if (Double.isNaN(ratio) || ratio >= 2) {
@@ -44,7 +44,7 @@ final class LineNoise {
     return Math.min(400, lever * lever);
   }
 
-  /** Goes towards what a line says of its own variance. */
+  /** Learns from a line's estimate of its own variance. */
   void learn(LineMeasurement each) {
     double now = each.ownRad2 / each.roundness;
     if (settings.calibrate() && Double.isFinite(now)) {
@@ -52,8 +52,7 @@ final class LineNoise {
       double weight = Math.min(MEMORY, weights[each.camera] + 1);
       weights[each.camera] = weight;
       variance += (now - variance) / weight;
-      variances[each.camera] =
-          Math.min(GREATEST_SD * GREATEST_SD, Math.max(LEAST_SD * LEAST_SD, variance));
+      variances[each.camera] = Math.min(MAX_SD * MAX_SD, Math.max(MIN_SD * MIN_SD, variance));
     }
   }
 

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.TreeMap;
+import java.util.function.BiConsumer;
 
 /**
  * Orientation while it happens: takes the lines that the filters {@code body-line} of several event
@@ -28,22 +29,10 @@ import java.util.TreeMap;
  * <p>Thread rule: safe for use by several threads; the listener is called on one of them at a time.
  */
 public final class LiveOrientation {
-  /** Takes each orientation. */
-  @FunctionalInterface
-  public interface Listener {
-    /**
-     * An orientation was found.
-     *
-     * @param now where the body is and which way it points
-     * @param body what found it, for residuals and counts; not to be kept
-     */
-    void oriented(OrientationEstimate now, BodyOrientationEstimator body);
-  }
-
   private final List<CameraModel> cameras;
   private final OrientationSettings settings;
   private final long waitUs;
-  private final Listener listener;
+  private final BiConsumer<? super OrientationEstimate, ? super BodyOrientationEstimator> listener;
   private final TreeMap<Long, List<LineObservation>> pending = new TreeMap<>();
   private final long[] reachedUs;
   private BodyOrientationEstimator body;
@@ -57,10 +46,14 @@ public final class LiveOrientation {
    * @param cameras the calibrated cameras, in the order of the numbers given to {@link #line}
    * @param settings of the estimator
    * @param waitUs how long a camera is waited for, microseconds of the events' clock, not negative
-   * @param listener takes each orientation
+   * @param listener takes each orientation and the estimator, for residuals and counts, which is
+   *     not to be kept
    */
   public LiveOrientation(
-      List<CameraModel> cameras, OrientationSettings settings, long waitUs, Listener listener) {
+      List<CameraModel> cameras,
+      OrientationSettings settings,
+      long waitUs,
+      BiConsumer<? super OrientationEstimate, ? super BodyOrientationEstimator> listener) {
     if (waitUs < 0) {
       throw new IllegalArgumentException("waitUs must not be negative: " + waitUs);
     }
@@ -123,7 +116,7 @@ public final class LiveOrientation {
     while (!pending.isEmpty() && pending.firstKey() <= completeUs) {
       Map.Entry<Long, List<LineObservation>> first = pending.pollFirstEntry();
       doneUs = first.getKey();
-      body.update(doneUs, first.getValue()).ifPresent(now -> listener.oriented(now, body));
+      body.update(doneUs, first.getValue()).ifPresent(now -> listener.accept(now, body));
     }
   }
 

@@ -3,12 +3,12 @@ package haltere.filters.orientation;
 import haltere.filters.orientation.camera.Vectors;
 
 /**
- * Where a body is and which way it points, at one time.
+ * Position and orientation of a body at one time.
  *
  * @param timeUs time, microseconds
- * @param xM place, metres
- * @param yM place, metres
- * @param zM place, metres
+ * @param xM position, metres
+ * @param yM position, metres
+ * @param zM position, metres
  * @param ux axis, a unit vector from tail to head
  * @param uy axis
  * @param uz axis
@@ -20,7 +20,7 @@ import haltere.filters.orientation.camera.Vectors;
  * @param qRadS rate about the axis to the body's left if its back is up: positive when it pitches
  *     down
  * @param rRadS rate about the axis orthogonal to both: positive when it yaws to its left
- * @param headProbability how sure it is that the head is not the tail, 0 to 1
+ * @param headProbability probability that this end is the head, 0 to 1
  * @param used observations of this time that were used for the axis
  * @param rejected observations of this time that were not
  */
@@ -41,10 +41,61 @@ public record OrientationEstimate(
     int used,
     int rejected) {
   /** Root of the mean squared angle between a direction and a random one. */
-  static final double RANDOM_SD = Math.sqrt((Math.PI * Math.PI - 4) / 2);
+  private static final double RANDOM_SD = Math.sqrt((Math.PI * Math.PI - 4) / 2);
+
+  /**
+   * The line through the position along the axis, in Plücker coordinates as Hartley and Zisserman
+   * (2004, section 3.2.2) order them and Flydra stores them in {@code hz_line0} to {@code
+   * hz_line5}: the entries 12, 13, 14, 23, 42, 34 of A Bᵀ − B Aᵀ, with the homogeneous points A =
+   * (position, 1) and B = (position + axis, 1).
+   *
+   * @return six numbers: three of the moment m = position × axis in metres, three of the axis u, as
+   *     (m_z, −m_y, −u_x, m_x, u_y, −u_z)
+   */
+  public double[] hzLine() {
+    double[] moment = new double[3];
+    Vectors.cross(new double[] {xM, yM, zM}, new double[] {ux, uy, uz}, moment);
+    return new double[] {moment[2], -moment[1], -ux, moment[0], uy, -uz};
+  }
+
+  /**
+   * An estimate of vectors.
+   *
+   * @param axis unit vector, tail to head
+   * @param tip velocity of the head on the unit sphere, per second
+   */
+  static OrientationEstimate of(
+      long timeUs,
+      double[] positionM,
+      double[] axis,
+      double[] tip,
+      double sdAxisRad,
+      double sdRollRad,
+      double pRadS,
+      double headProbability,
+      int used,
+      int rejected) {
+    double[] rates = rates(axis, tip);
+    return new OrientationEstimate(
+        timeUs,
+        positionM[0],
+        positionM[1],
+        positionM[2],
+        axis[0],
+        axis[1],
+        axis[2],
+        Math.min(RANDOM_SD, sdAxisRad),
+        sdRollRad,
+        pRadS,
+        rates[0],
+        rates[1],
+        headProbability,
+        used,
+        rejected);
+  }
 
   /** What a tip velocity means in the frame of a body whose back is up: q and r. */
-  static double[] rates(double[] axis, double[] tipVelocity) {
+  private static double[] rates(double[] axis, double[] tipVelocity) {
     double[] turning = new double[3];
     Vectors.cross(axis, tipVelocity, turning);
     double[] left = {-axis[1], axis[0], 0};

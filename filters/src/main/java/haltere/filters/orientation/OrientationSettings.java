@@ -1,7 +1,9 @@
 package haltere.filters.orientation;
 
 import haltere.core.settings.Help;
+import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
+import haltere.core.settings.Unit;
 import java.util.List;
 
 /**
@@ -10,23 +12,24 @@ import java.util.List;
  * @param form which filter follows the axis
  * @param gate which observations are used
  * @param turning how the axis turns
- * @param line how sure an observed angle is
+ * @param line noise of observed angles
  * @param position how the body moves
- * @param direction how head and tail are told apart
+ * @param direction how head and tail are resolved
  */
 public record OrientationSettings(
-    @Help("The filter of the axis: on the sphere of directions, or on quaternions as the source.")
+    @Help(
+            "The filter of the axis: on the sphere of directions, or on quaternions, as Straw et al. (2011).")
         Form form,
-    ObservationGateSettings gate,
-    TurningSettings turning,
-    LineNoiseSettings line,
-    BodyPositionSettings position,
-    DirectionSettings direction) {
+    ObservationGate gate,
+    Turning turning,
+    AngleNoise line,
+    BodyMotion position,
+    HeadTail direction) {
   /** Which filter follows the axis. */
   public enum Form {
     /** The error of the axis in its tangent plane; roll, which nobody sees, is left out. */
     ERROR_STATE,
-    /** Body rates and a quaternion, seven numbers, as the source. */
+    /** Body rates and a quaternion, seven numbers, as Straw et al. (2011). */
     QUATERNION
   }
 
@@ -39,22 +42,23 @@ public record OrientationSettings(
   /**
    * The settings to start from.
    *
-   * @return the error-state filter for an insect that turns in saccades
+   * @return the error-state filter for an insect that turns in saccades, in metres, with the gate
+   *     of 40 degrees of Straw et al. (2011)
    */
   public static OrientationSettings defaults() {
     return new OrientationSettings(
         Form.ERROR_STATE,
-        ObservationGateSettings.defaults(),
-        TurningSettings.defaults(),
-        LineNoiseSettings.defaults(),
-        BodyPositionSettings.defaults(),
-        DirectionSettings.defaults());
+        new ObservationGate(40, 0, 0, 0.1),
+        new Turning(1, 40, 0.5, 0.3, 0.05, 0),
+        new AngleNoise(2, true, false),
+        new BodyMotion(1, 2, 5, 0.02, 0.5),
+        new HeadTail(0.5, 2, 12, 50));
   }
 
   /**
-   * The source's filter with its defaults: quaternions, R = 10 rad², 0.1 added to each variance at
-   * each update, a gate of 40° and no other. The sign of its last equation is mended, and the
-   * quaternion kept at length 1.
+   * The filter of Straw et al. (2011) with its defaults: quaternions, R = 10 rad², 0.1 added to
+   * each variance at each update, a gate of 40° and no other. The sign of its last equation is
+   * mended, and the quaternion kept at length 1.
    *
    * @return for comparison
    */
@@ -78,5 +82,206 @@ public record OrientationSettings(
    */
   public OrientationSettings with(String... assignments) {
     return SettingsSchema.of(OrientationSettings.class).withAssignments(this, List.of(assignments));
+  }
+
+  /**
+   * Which observations are used.
+   *
+   * @param angleDeg largest angle between what is seen and what is expected
+   * @param minAreaPx smallest area
+   * @param minEccentricity smallest ratio of the axes
+   * @param outlierShare share of observations that have nothing to do with the body
+   */
+  public record ObservationGate(
+      @Help(
+              "An observation is used if its line is less than this away from the expected one: 0"
+                  + " rejects all, those of the start included; 90 and more accept all, whatever the"
+                  + " outlier share is.")
+          @Range(min = 0, max = 180)
+          @Unit("deg")
+          double angleDeg,
+      @Help("A detection must be larger than this; one of unknown area is.")
+          @Range(min = 0, max = 1e9)
+          @Unit("px^2")
+          double minAreaPx,
+      @Help(
+              "A detection's long axis must be more than this times its short one; one of unknown"
+                  + " ratio is.")
+          @Range(min = 0, max = 1000)
+          @Unit("1")
+          double minEccentricity,
+      @Help(
+              "Share of lines that are not the body's; one that is more likely such a line is not"
+                  + " used. 0 leaves it all to the angle.")
+          @Range(min = 0, max = 0.5)
+          @Unit("1")
+          double outlierShare) {
+    /** Checks the ranges. */
+    public ObservationGate {
+      SettingsSchema.validate(
+          ObservationGate.class, angleDeg, minAreaPx, minEccentricity, outlierShare);
+    }
+
+    /** The outlier share, 0 where the angle accepts all. */
+    double effectiveOutlierShare() {
+      return angleDeg >= 90 ? 0 : outlierShare;
+    }
+  }
+
+  /**
+   * How the axis turns: at rates that decay and are driven by noise, calmly or in saccades.
+   *
+   * @param calmRateRadS standard deviation of a rate in calm flight
+   * @param saccadeRateRadS standard deviation of a rate in a saccade
+   * @param decayS time constant of the rates
+   * @param saccadesPerS how often a saccade begins
+   * @param saccadeS how long it lasts
+   * @param updateNoise variance that Straw et al. (2011) add at each update
+   */
+  public record Turning(
+      @Help("Standard deviation of the rate of turning about one axis, in calm flight.")
+          @Range(min = 0.001, max = 1000, logarithmic = true)
+          @Unit("rad/s")
+          double calmRateRadS,
+      @Help(
+              "Standard deviation of the rate in a saccade; as large as the calm one for a body that"
+                  + " makes none.")
+          @Range(min = 0.001, max = 1000, logarithmic = true)
+          @Unit("rad/s")
+          double saccadeRateRadS,
+      @Help("Time constant with which rates decay.")
+          @Range(min = 0.001, max = 1000, logarithmic = true)
+          @Unit("s")
+          double decayS,
+      @Help("How often a saccade begins.")
+          @Range(min = 0.001, max = 100, logarithmic = true)
+          @Unit("Hz")
+          double saccadesPerS,
+      @Help("How long a saccade lasts on average.")
+          @Range(min = 0.001, max = 100, logarithmic = true)
+          @Unit("s")
+          double saccadeS,
+      @Help(
+              "Quaternions only: a variance that is added to each of the seven states at every"
+                  + " update, as Straw et al. (2011) do, instead of the noise of the rates; 0 for none.")
+          @Range(min = 0, max = 1000)
+          @Unit("1")
+          double updateNoise) {
+    /** Checks the ranges. */
+    public Turning {
+      SettingsSchema.validate(
+          Turning.class,
+          calmRateRadS,
+          saccadeRateRadS,
+          decayS,
+          saccadesPerS,
+          saccadeS,
+          updateNoise);
+    }
+
+    /** Share of the time that is spent in saccades. */
+    double saccadeShare() {
+      return saccadesPerS * saccadeS / (1 + saccadesPerS * saccadeS);
+    }
+
+    /** Variance of a rate, over calm flight and saccades. */
+    double meanRateVariance() {
+      double share = saccadeShare();
+      return (1 - share) * calmRateRadS * calmRateRadS + share * saccadeRateRadS * saccadeRateRadS;
+    }
+  }
+
+  /**
+   * Noise of observed angles.
+   *
+   * @param angleSdDeg initial standard deviation
+   * @param calibrate whether that of each camera is learnt
+   * @param byEccentricity whether round detections count for less
+   */
+  public record AngleNoise(
+      @Help("Initial standard deviation of an observed angle; a larger value trusts lines less.")
+          @Range(min = 0.01, max = 1000, logarithmic = true)
+          @Unit("deg")
+          double angleSdDeg,
+      @Help("Whether the standard deviation of each camera is learnt from its own detections.")
+          boolean calibrate,
+      @Help("Whether a detection counts for less the rounder it is.") boolean byEccentricity) {
+    /** Checks the ranges. */
+    public AngleNoise {
+      SettingsSchema.validate(AngleNoise.class, angleSdDeg, calibrate, byEccentricity);
+    }
+  }
+
+  /**
+   * How the body moves, and when it is lost.
+   *
+   * @param pixelSd standard deviation of an observed position
+   * @param accelerationDensity how much the velocity wanders
+   * @param gateSigmas which positions are used
+   * @param togetherS how far apart in time cameras may look and still be taken together at the
+   *     start
+   * @param longestGapS when a body that nobody saw is lost
+   */
+  public record BodyMotion(
+      @Help("Standard deviation of a detection's position in the picture, in each coordinate.")
+          @Range(min = 0.001, max = 1000, logarithmic = true)
+          @Unit("px")
+          double pixelSd,
+      @Help("Spectral density of the body's acceleration.")
+          @Range(min = 1e-9, max = 1e9, logarithmic = true)
+          @Unit("m^2/s^3")
+          double accelerationDensity,
+      @Help("A position is used if it is within so many standard deviations of the expected one.")
+          @Range(min = 1, max = 30)
+          @Unit("sigma")
+          double gateSigmas,
+      @Help("Views of two cameras that are no further apart in time may start a body.")
+          @Range(min = 0, max = 10)
+          @Unit("s")
+          double togetherS,
+      @Help("A body that was not seen for longer is re-initialised.")
+          @Range(min = 0.001, max = 1000, logarithmic = true)
+          @Unit("s")
+          double longestGapS) {
+    /** Checks the ranges. */
+    public BodyMotion {
+      SettingsSchema.validate(
+          BodyMotion.class, pixelSd, accelerationDensity, gateSigmas, togetherS, longestGapS);
+    }
+  }
+
+  /**
+   * How head and tail are resolved.
+   *
+   * @param memoryS how long the way flown counts
+   * @param doubtSigmas how clear the opposite must be before the decision is changed
+   * @param certaintySigmas how clear the decision can become
+   * @param slipSdDeg how far the head is off the direction of flight
+   */
+  public record HeadTail(
+      @Help("Time constant with which the way that the body has flown along its axis is forgotten.")
+          @Range(min = 0.01, max = 1000, logarithmic = true)
+          @Unit("s")
+          double memoryS,
+      @Help(
+              "Head and tail are exchanged when the way flown backwards is so many times its standard"
+                  + " deviation.")
+          @Range(min = 0, max = 100)
+          @Unit("sigma")
+          double doubtSigmas,
+      @Help("The way flown forwards counts up to so many times its standard deviation.")
+          @Range(min = 1, max = 1000)
+          @Unit("sigma")
+          double certaintySigmas,
+      @Help(
+              "Standard deviation of the angle between axis and flight; it helps where cameras do not"
+                  + " tell the axis, and only there. 90 leaves the flight out.")
+          @Range(min = 5, max = 90)
+          @Unit("deg")
+          double slipSdDeg) {
+    /** Checks the ranges. */
+    public HeadTail {
+      SettingsSchema.validate(HeadTail.class, memoryS, doubtSigmas, certaintySigmas, slipSdDeg);
+    }
   }
 }

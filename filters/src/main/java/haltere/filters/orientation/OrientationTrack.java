@@ -2,8 +2,14 @@ package haltere.filters.orientation;
 
 import haltere.filters.estimation.Correction;
 import haltere.filters.estimation.Estimate;
+import haltere.filters.estimation.FilterOptions;
 import haltere.filters.estimation.FilterStep;
+import haltere.filters.estimation.GapPolicy;
+import haltere.filters.estimation.KalmanFilter;
+import haltere.filters.estimation.LinearMeasurement;
 import haltere.filters.estimation.RtsSmoother;
+import haltere.filters.estimation.motion.ConstantNoise;
+import haltere.filters.estimation.motion.ConstantVelocity;
 import haltere.filters.orientation.camera.CameraModel;
 import haltere.filters.orientation.camera.LineObservation;
 import haltere.filters.orientation.camera.Vectors;
@@ -11,45 +17,45 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.CommonOps_DDRM;
 
 /**
- * A body's whole track: what {@link BodyOrientationEstimator} says of it, kept, so that each time
+ * A body's whole track: the estimates of {@link BodyOrientationEstimator}, kept, so that each time
  * can have the benefit of what came after it. Memory grows with the track, by about 3 kB a time.
  *
  * <p>Thread rule: one thread at a time.
  */
 public final class OrientationTrack {
-  /** What was said at a time, and where its steps are. */
-  private record Instant(OrientationEstimate online, int place, AxisStep axis) {}
+  /** An online estimate, and where its steps are. */
+  private record Instant(OrientationEstimate online, int position, AxisStep axis) {}
 
   private final OrientationSettings settings;
   private final BodyOrientationEstimator estimator;
-  private final List<FilterStep> placeSteps = new ArrayList<>();
+  private final List<FilterStep> positionSteps = new ArrayList<>();
   private final List<Instant> instants = new ArrayList<>();
-  private int places = -1;
+  private int positions = -1;
 
   /**
    * A track without a time.
    *
    * @param cameras the cameras
-   * @param settings what to do
+   * @param settings of the estimator
    */
   public OrientationTrack(List<CameraModel> cameras, OrientationSettings settings) {
     this.settings = settings;
     estimator = new BodyOrientationEstimator(cameras, settings);
-    estimator.record(this::addPlaceStep);
+    estimator.record(this::addPositionStep);
   }
 
-  private void addPlaceStep(FilterStep step) {
-    boolean correction = step instanceof Correction;
-    int last = placeSteps.size() - 1;
-    if (!correction) {
-      places++;
-    }
-    if (correction && last >= 0 && placeSteps.get(last) instanceof Correction) {
-      placeSteps.set(last, step); // only the last one of a time is gone back over
+  private void addPositionStep(FilterStep step) {
+    boolean isCorrection = step instanceof Correction;
+    int last = positionSteps.size() - 1;
+    positions += isCorrection ? 0 : 1;
+    if (isCorrection && last >= 0 && positionSteps.get(last) instanceof Correction) {
+      positionSteps.set(last, step); // the smoother needs only the last one of a time
     } else {
-      placeSteps.add(step);
+      positionSteps.add(step);
     }
   }
 
@@ -62,7 +68,7 @@ public final class OrientationTrack {
    */
   public Optional<OrientationEstimate> update(long timeUs, List<LineObservation> seen) {
     Optional<OrientationEstimate> now = estimator.update(timeUs, seen);
-    now.ifPresent(estimate -> instants.add(new Instant(estimate, places, estimator.axisStep())));
+    now.ifPresent(each -> instants.add(new Instant(each, positions, estimator.axisStep())));
     return now;
   }
 
@@ -82,137 +88,134 @@ public final class OrientationTrack {
    *     is NaN
    */
   public List<OrientationEstimate> smoothed() {
-    List<Estimate> placesNow = RtsSmoother.smooth(placeSteps);
-    List<double[]> axes = new ArrayList<>();
-    List<double[]> tips = new ArrayList<>();
-    List<double[]> velocities = new ArrayList<>();
-    double[] sds = new double[instants.size()];
-    double[] weights = new double[instants.size()];
-    boolean[] linked = new boolean[instants.size()];
+    int count = instants.size();
+    List<Estimate> all = RtsSmoother.smooth(positionSteps);
+    List<Estimate> at = instants.stream().map(each -> all.get(each.position())).toList();
+    List<double[]> velocities =
+        at.stream().map(p -> new double[] {p.value(1), p.value(3), p.value(5)}).toList();
     boolean onSphere = settings.form() == OrientationSettings.Form.ERROR_STATE;
-    List<AxisStep> steps = onSphere ? way() : List.of();
+    List<AxisStep> steps = onSphere ? path() : List.of();
     List<AxisState> states = AxisSmoother.smooth(steps);
-    for (int k = 0; k < instants.size(); k++) {
+    List<double[]> axes = new ArrayList<>();
+    double[] weights = new double[count];
+    boolean[] linked = new boolean[count];
+    for (int k = 0; k < count; k++) {
       OrientationEstimate online = instants.get(k).online();
-      Estimate place = placesNow.get(instants.get(k).place());
-      double[] velocity = {place.value(1), place.value(3), place.value(5)};
-      velocities.add(velocity);
-      double speed = Vectors.length(velocity);
-      double sd =
-          Math.sqrt(
-              (place.covariance().get(1, 1)
-                      + place.covariance().get(3, 3)
-                      + place.covariance().get(5, 5))
-                  / 3);
+      double speed = Vectors.length(velocities.get(k));
       weights[k] =
-          onSphere ? DirectionChoice.weightOf(speed, sd) : DirectionChoice.originalWeight(speed);
-      if (onSphere) {
-        AxisState state = states.get(k);
-        axes.add(state.u());
-        double[] tip = new double[3];
-        for (int i = 0; i < 3; i++) {
-          tip[i] = state.va() * state.e1()[i] + state.vb() * state.e2()[i];
-        }
-        tips.add(tip);
-        sds[k] = Math.sqrt(state.p()[0] + state.p()[10]);
-        linked[k] = steps.get(k).predicted() != null;
-      } else {
-        axes.add(new double[] {online.ux(), online.uy(), online.uz()});
-        sds[k] = online.sdAxisRad();
-        linked[k] = k > 0;
-      }
+          onSphere
+              ? DirectionChoice.weightOf(speed, speedSd(at.get(k)))
+              : DirectionChoice.originalWeight(speed);
+      linked[k] = onSphere ? steps.get(k).predicted() != null : k > 0;
+      axes.add(onSphere ? states.get(k).u() : new double[] {online.ux(), online.uy(), online.uz()});
     }
     if (!onSphere) {
-      axes = smoothVectors(axes, velocities, weights, linked);
-      tips = differences(axes);
+      axes = smoothAsPositions(axes, DirectionChoice.flips(axes, velocities, weights, linked));
     }
     boolean[] flips = DirectionChoice.flips(axes, velocities, weights, linked);
-    List<OrientationEstimate> track = new ArrayList<>(instants.size());
-    for (int k = 0; k < instants.size(); k++) {
+    List<OrientationEstimate> track = new ArrayList<>(count);
+    for (int k = 0; k < count; k++) {
+      OrientationEstimate online = instants.get(k).online();
+      double[] tip = onSphere ? states.get(k).tipVelocity() : tipVelocity(axes, k);
+      double[] p = onSphere ? states.get(k).p() : null;
+      double sd = onSphere ? Math.sqrt(p[0] + p[10]) : online.sdAxisRad();
+      double sign = flips[k] ? -1 : 1;
       track.add(
-          estimate(
-              instants.get(k).online(),
-              placesNow.get(instants.get(k).place()),
-              axes.get(k),
-              tips.get(k),
-              sds[k],
-              flips[k]));
+          OrientationEstimate.of(
+              online.timeUs(),
+              new double[] {at.get(k).value(0), at.get(k).value(2), at.get(k).value(4)},
+              Vectors.scaled(sign, axes.get(k)),
+              Vectors.scaled(sign, tip),
+              sd,
+              online.sdRollRad(),
+              online.pRadS(),
+              Double.NaN,
+              online.used(),
+              online.rejected()));
     }
     return track;
   }
 
-  /** The way that led to the end, of which more is known there than there was on the way. */
-  private List<AxisStep> way() {
-    List<AxisStep> way = new ArrayList<>();
+  private static double speedSd(Estimate position) {
+    double sum = 0;
+    for (int i = 1; i < 6; i += 2) {
+      sum += position.covariance().get(i, i);
+    }
+    return Math.sqrt(sum / 3);
+  }
+
+  /** The steps that led to the end, of which more is known there than there was on the way. */
+  private List<AxisStep> path() {
+    List<AxisStep> path = new ArrayList<>();
     AxisStep step = null;
     for (int k = instants.size() - 1; k >= 0; k--) {
       step = step == null ? instants.get(k).axis() : step;
-      way.add(step);
+      path.add(step);
       step = step.before();
     }
-    Collections.reverse(way);
-    return way;
+    Collections.reverse(path);
+    return path;
   }
 
-  private List<double[]> smoothVectors(
-      List<double[]> axes, List<double[]> velocities, double[] weights, boolean[] linked) {
-    boolean[] flips = DirectionChoice.flips(axes, velocities, weights, linked);
-    List<double[]> signed = new ArrayList<>();
-    List<Long> timesUs = new ArrayList<>();
+  /**
+   * Smooths axes as Straw et al. (2011) do, for comparison: as if they were positions, with
+   * constant velocity, Q = I and R = 30 I at each step, P = 2 I at first; then made of length 1
+   * again.
+   */
+  private List<double[]> smoothAsPositions(List<double[]> axes, boolean[] flips) {
+    List<FilterStep> steps = new ArrayList<>();
+    LinearMeasurement measured = LinearMeasurement.ofEntries(6, 30, 0, 2, 4);
+    DMatrixRMaj x = new DMatrixRMaj(6, 1);
+    DMatrixRMaj z = new DMatrixRMaj(3, 1);
+    DMatrixRMaj start = CommonOps_DDRM.identity(6);
+    CommonOps_DDRM.scale(2, start);
+    KalmanFilter filter = null;
+    int[] predictions = new int[axes.size()];
     for (int k = 0; k < axes.size(); k++) {
-      double sign = flips[k] ? -1 : 1;
-      double[] u = axes.get(k);
-      signed.add(new double[] {sign * u[0], sign * u[1], sign * u[2]});
-      timesUs.add(instants.get(k).online().timeUs());
+      for (int i = 0; i < 3; i++) {
+        z.set(i, (flips[k] ? -1 : 1) * axes.get(k)[i]);
+        x.set(2 * i, z.get(i));
+      }
+      if (filter == null) {
+        filter =
+            new KalmanFilter(
+                ConstantNoise.perStep(new ConstantVelocity(3, 0), 1),
+                x,
+                start,
+                FilterOptions.DEFAULT.withGap(GapPolicy.UNLIMITED));
+        filter.observe(steps::add);
+      } else {
+        double dtS = secondsBetween(k - 1, k);
+        filter.predict(dtS);
+        predictions[k] = predictions[k - 1] + (dtS > 0 ? 1 : 0);
+      }
+      filter.update(measured, z);
     }
-    return UnitVectorSmoother.smooth(signed, timesUs);
+    List<Estimate> all = RtsSmoother.smooth(steps);
+    List<double[]> smoothed = new ArrayList<>();
+    for (int prediction : predictions) {
+      Estimate each = all.get(prediction);
+      double[] u = {each.value(0), each.value(2), each.value(4)};
+      Vectors.normalise(u);
+      smoothed.add(u);
+    }
+    return smoothed;
+  }
+
+  private double secondsBetween(int from, int to) {
+    return (instants.get(to).online().timeUs() - instants.get(from).online().timeUs()) * 1e-6;
   }
 
   /** Velocity of the tip from neighbouring axes of the same side. */
-  private List<double[]> differences(List<double[]> axes) {
-    List<double[]> tips = new ArrayList<>();
-    for (int k = 0; k < axes.size(); k++) {
-      int before = Math.max(0, k - 1);
-      int after = Math.min(axes.size() - 1, k + 1);
-      double dtS =
-          (instants.get(after).online().timeUs() - instants.get(before).online().timeUs()) * 1e-6;
-      double side = Vectors.dot(axes.get(before), axes.get(after)) < 0 ? -1 : 1;
-      double[] tip = new double[3];
-      for (int i = 0; i < 3 && dtS > 0; i++) {
-        tip[i] = (axes.get(after)[i] - side * axes.get(before)[i]) / dtS;
-      }
-      tips.add(tip);
+  private double[] tipVelocity(List<double[]> axes, int k) {
+    int before = Math.max(0, k - 1);
+    int after = Math.min(axes.size() - 1, k + 1);
+    double dtS = secondsBetween(before, after);
+    double side = Vectors.dot(axes.get(before), axes.get(after)) < 0 ? -1 : 1;
+    double[] tip = new double[3];
+    for (int i = 0; i < 3 && dtS > 0; i++) {
+      tip[i] = (axes.get(after)[i] - side * axes.get(before)[i]) / dtS;
     }
-    return tips;
-  }
-
-  private static OrientationEstimate estimate(
-      OrientationEstimate online,
-      Estimate place,
-      double[] u,
-      double[] tip,
-      double sd,
-      boolean flip) {
-    double sign = flip ? -1 : 1;
-    double[] directed = {sign * u[0], sign * u[1], sign * u[2]};
-    double[] rates =
-        OrientationEstimate.rates(
-            directed, new double[] {sign * tip[0], sign * tip[1], sign * tip[2]});
-    return new OrientationEstimate(
-        online.timeUs(),
-        place.value(0),
-        place.value(2),
-        place.value(4),
-        directed[0],
-        directed[1],
-        directed[2],
-        Math.min(OrientationEstimate.RANDOM_SD, sd),
-        online.sdRollRad(),
-        online.pRadS(),
-        rates[0],
-        rates[1],
-        Double.NaN,
-        online.used(),
-        online.rejected());
+    return tip;
   }
 }

@@ -1,35 +1,31 @@
 package haltere.filters.orientation;
 
-import java.util.Arrays;
+import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.CommonOps_DDRM;
 
 /**
- * A step of time of {@link BodyQuaternion}'s seven states, its derivative and its noise: exact, q ⊗
- * exp(½ g ω), with the noise of driven rates, or the source's, Euler's with the same variance for
- * all states. Reused.
+ * A time step of {@link BodyQuaternion}'s seven states with its derivative and its noise: exact, q
+ * ⊗ exp(½ g ω), with the noise of driven rates; or as Straw et al. (2011), Euler's with the same
+ * variance for all states. Reused.
  */
 final class QuaternionMotion {
-  private static final int N = 7;
-
-  /** How errors go over the last step, 7 x 7. */
-  final double[] transition = new double[N * N];
+  /** Transition of errors over the last step, 7 x 7. */
+  final DMatrixRMaj transition = new DMatrixRMaj(7, 7);
 
   /** Covariance that the last step added, 7 x 7. */
-  final double[] noise = new double[N * N];
+  final DMatrixRMaj noise = new DMatrixRMaj(7, 7);
 
   private final double tau;
   private final double rateVariance;
   private final double updateNoise;
   private final RateDecay decay;
-  private final double[] before = new double[4];
-  private final double[] moved = new double[4];
-  private final double[] rate = new double[N];
 
   /**
    * Motion.
    *
    * @param tau time constant of the rates, seconds
    * @param rateVariance of each rate
-   * @param updateNoise variance that the source adds to all states at each step; 0 for exact steps
+   * @param updateNoise variance that each step adds to all states; 0 for exact steps
    */
   QuaternionMotion(double tau, double rateVariance, double updateNoise) {
     this.tau = tau;
@@ -40,103 +36,86 @@ final class QuaternionMotion {
 
   /** Moves the states by a time above 0. */
   void step(double[] x, double dtS) {
-    Arrays.fill(transition, 0);
-    Arrays.fill(noise, 0);
+    transition.zero();
+    noise.zero();
     if (updateNoise > 0) {
       eulerStep(x, dtS);
     } else {
       exactStep(x, dtS);
+      addNoise(BodyQuaternion.byRates(x));
     }
   }
 
   /** x ← x + f Δt, F = I + Δt ∂f/∂x at a quaternion of length 1. */
   private void eulerStep(double[] x, double dtS) {
-    BodyQuaternion.derivative(x, tau, rate);
-    double half = 0.5 * dtS;
-    for (int i = 0; i < N; i++) {
-      transition[i * N + i] = 1;
-      noise[i * N + i] = updateNoise;
-    }
-    for (int i = 0; i < 3; i++) {
-      transition[i * N + i] -= dtS / tau;
-    }
+    double[] rate = BodyQuaternion.derivative(x, tau);
+    DMatrixRMaj byRates = BodyQuaternion.byRates(x);
+    DMatrixRMaj byQuaternion = BodyQuaternion.byQuaternion(x);
+    CommonOps_DDRM.scale(0.5 * dtS, byRates);
+    CommonOps_DDRM.scale(0.5 * dtS, byQuaternion);
     for (int i = 0; i < 4; i++) {
-      for (int j = 0; j < 3; j++) {
-        transition[(3 + i) * N + j] = half * BodyQuaternion.byRotation(x, i, j);
-      }
+      byQuaternion.add(i, i, 1);
       for (int j = 0; j < 4; j++) {
-        // The quotient's derivative: that of the numerator, and that of 1/n.
-        transition[(3 + i) * N + 3 + j] +=
-            half * BodyQuaternion.byRates(x, i, j) - dtS * rate[3 + i] * x[3 + j];
+        // the derivative of 1/n
+        byQuaternion.add(i, j, -dtS * rate[3 + i] * x[3 + j]);
       }
     }
-    for (int i = 0; i < N; i++) {
+    setTransition(1 - dtS / tau, byRates, byQuaternion);
+    for (int i = 0; i < 7; i++) {
       x[i] += rate[i] * dtS;
+      noise.set(i, i, updateNoise);
     }
   }
 
   private void exactStep(double[] x, double dtS) {
     decay.step(dtS);
-    double left = decay.left;
     double g = decay.reachS;
     double speed = Math.sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
     double halfAngle = 0.5 * g * speed;
     double ratio = speed * g < 1e-8 ? 0.5 * g : Math.sin(halfAngle) / speed;
     double cos = Math.cos(halfAngle);
     double bend = speed * g < 1e-4 ? -g * g * g / 24 : (0.5 * g * cos - ratio) / (speed * speed);
+    // (q⁺) = (cos + ratio Ω) q; by the rates: Ξ (ratio + bend ω ωᵀ) − ½ g ratio q ωᵀ
+    DMatrixRMaj rates = new DMatrixRMaj(3, 1, true, x[0], x[1], x[2]);
+    DMatrixRMaj before = new DMatrixRMaj(4, 1, true, x[3], x[4], x[5], x[6]);
+    DMatrixRMaj vector = new DMatrixRMaj(3, 3);
+    DMatrixRMaj byRates = new DMatrixRMaj(4, 3);
+    CommonOps_DDRM.multTransB(bend, rates, rates, vector);
     for (int i = 0; i < 3; i++) {
-      transition[i * N + i] = left;
+      vector.add(i, i, ratio);
+      x[i] *= decay.left;
     }
-    System.arraycopy(x, 3, before, 0, 4);
+    CommonOps_DDRM.multTransB(-0.5 * g * ratio, before, rates, byRates);
+    CommonOps_DDRM.multAdd(BodyQuaternion.byRates(x), vector, byRates);
+    DMatrixRMaj byQuaternion = BodyQuaternion.byQuaternion(rates.data);
+    CommonOps_DDRM.scale(ratio, byQuaternion);
     for (int i = 0; i < 4; i++) {
-      for (int j = 0; j < 3; j++) {
-        double sum = 0;
-        for (int k = 0; k < 3; k++) {
-          double vector = (k == j ? ratio : 0) + bend * x[k] * x[j];
-          sum += BodyQuaternion.byRotation(x, i, k) * vector;
-        }
-        transition[(3 + i) * N + j] = sum - before[i] * 0.5 * g * ratio * x[j];
-      }
+      byQuaternion.add(i, i, cos);
     }
-    for (int i = 0; i < 4; i++) {
-      for (int j = 0; j < 4; j++) {
-        transition[(3 + i) * N + 3 + j] =
-            (i == j ? cos : 0) + ratio * BodyQuaternion.byRates(x, i, j);
-      }
-    }
-    for (int i = 0; i < 4; i++) {
-      double sum = 0;
-      for (int j = 0; j < 4; j++) {
-        sum += transition[(3 + i) * N + 3 + j] * before[j];
-      }
-      moved[i] = sum;
-    }
-    for (int i = 0; i < 3; i++) {
-      x[i] *= left;
-    }
-    System.arraycopy(moved, 0, x, 3, 4);
-    addNoise(x);
+    DMatrixRMaj after = new DMatrixRMaj(4, 1);
+    CommonOps_DDRM.mult(byQuaternion, before, after);
+    System.arraycopy(after.data, 0, x, 3, 4);
+    setTransition(decay.left, byRates, byQuaternion);
   }
 
-  /** The noise of driven rates, in the quaternion after the step. */
-  private void addNoise(double[] x) {
-    double place = rateVariance * decay.angleNoise;
-    double both = rateVariance * decay.jointNoise;
+  private void setTransition(double left, DMatrixRMaj byRates, DMatrixRMaj byQuaternion) {
     for (int i = 0; i < 3; i++) {
-      noise[i * N + i] = rateVariance * decay.rateNoise;
+      transition.set(i, i, left);
     }
-    for (int i = 0; i < 4; i++) {
-      for (int j = 0; j < 3; j++) {
-        noise[(3 + i) * N + j] = 0.5 * both * BodyQuaternion.byRotation(x, i, j);
-        noise[j * N + 3 + i] = noise[(3 + i) * N + j];
-      }
-      for (int j = 0; j < 4; j++) {
-        double sum = 0;
-        for (int k = 0; k < 3; k++) {
-          sum += BodyQuaternion.byRotation(x, i, k) * BodyQuaternion.byRotation(x, j, k);
-        }
-        noise[(3 + i) * N + 3 + j] = 0.25 * place * sum;
-      }
+    CommonOps_DDRM.insert(byRates, transition, 3, 0);
+    CommonOps_DDRM.insert(byQuaternion, transition, 3, 3);
+  }
+
+  /** The noise of driven rates, which ½ Ξ takes to the quaternion after the step. */
+  private void addNoise(DMatrixRMaj byRates) {
+    DMatrixRMaj block = new DMatrixRMaj(4, 4);
+    CommonOps_DDRM.multTransB(0.25 * rateVariance * decay.angleNoise, byRates, byRates, block);
+    CommonOps_DDRM.insert(block, noise, 3, 3);
+    CommonOps_DDRM.scale(0.5 * rateVariance * decay.jointNoise, byRates);
+    CommonOps_DDRM.insert(byRates, noise, 3, 0);
+    CommonOps_DDRM.insert(CommonOps_DDRM.transpose(byRates, null), noise, 0, 3);
+    for (int i = 0; i < 3; i++) {
+      noise.set(i, i, rateVariance * decay.rateNoise);
     }
   }
 }

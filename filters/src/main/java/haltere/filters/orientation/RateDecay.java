@@ -9,22 +9,15 @@ package haltere.filters.orientation;
 final class RateDecay {
   private final double tauS;
 
-  /** 1 − d. */
-  double gone;
-
-  /** d. */
+  /** d = e^(−h), and τ (1 − d), seconds. */
   double left = 1;
 
-  /** τ (1 − d), seconds. */
   double reachS;
 
-  /** Variance of the angle. */
+  /** Variance of the angle, covariance of angle and rate, variance of the rate. */
   double angleNoise;
 
-  /** Covariance of angle and rate. */
   double jointNoise;
-
-  /** Variance of the rate. */
   double rateNoise;
 
   RateDecay(double tauS) {
@@ -34,7 +27,7 @@ final class RateDecay {
   /** A step of so many seconds, from 0 on. */
   void step(double dtS) {
     double h = dtS / tauS;
-    gone = -Math.expm1(-h);
+    double gone = -Math.expm1(-h);
     left = 1 - gone;
     reachS = tauS * gone;
     rateNoise = gone * (2 - gone);

@@ -1,84 +1,76 @@
 package haltere.filters.orientation;
 
-import haltere.filters.orientation.camera.Vectors;
-
 /**
- * The error-state form: a few {@link AxisHypothesis guesses} of the axis on the unit sphere, each
- * with its probability, and what they say together.
+ * The error-state form: a few {@link AxisHypothesis hypotheses} of the axis on the unit sphere,
+ * each with its probability.
  *
- * <p>A line is the body's with probability 1 − ε and any line with ε. Where what is seen does not
- * tell which, a guess becomes two, and later lines decide between them (Reid 1979); so one false
- * line of two, which nobody can tell at the time, makes the axis uncertain and does not lead it
- * astray. The rates have two noises, of calm flight and of saccades, and each guess is continued
- * with both, as in a Markov chain. What has become alike is merged, and what has become unlikely is
- * dropped.
+ * <p>A line is the body's with probability 1 − ε and an outlier with ε. An ambiguous line splits a
+ * hypothesis in two, and later lines decide between them (Reid 1979). One outlier of two lines thus
+ * makes the axis uncertain, not wrong. The rates have two noises, of calm flight and of saccades;
+ * each hypothesis is continued with both (Markov chain). Similar hypotheses are merged, unlikely
+ * ones dropped.
  *
- * <p>With some probability no guess is right: then the axis may be any. It grows when all lines
- * contradict, and an axis that is found anew then competes with the others ({@link #offer}).
+ * <p>With some probability no hypothesis is true and the axis may be any. It grows when all lines
+ * contradict; an axis that is then found anew competes with the others ({@link #offer}).
  *
- * <p>The axis is the mean of the guesses and its covariance their second moment about it, that of
- * an unknown axis included.
+ * <p>The estimate is the mean of the hypotheses with their second moment, that of an unknown axis
+ * included.
  */
 final class SphereFilter implements AxisFilter {
-  /** Odds of a guess to the best one below which it is no more pursued. */
-  private static final double LOG_HOPELESS = Math.log(1e5);
+  /** Logarithm of the odds to the best hypothesis beyond which one is dropped. */
+  private static final double MAX_LOG_ODDS = Math.log(1e5);
 
-  /** Probability that a line is the body's, or is not, beyond which no guess becomes two. */
-  private static final double CLEAR = 0.02;
+  /** Probability of an inlier, or of an outlier, below which a hypothesis is not split. */
+  private static final double MIN_AMBIGUITY = 0.02;
 
-  /** How often an axis is lost for no reason that the model knows, per second. */
+  /** Rate of losses of the axis that the model does not explain, per second. */
   private static final double LOSSES_PER_S = 0.01;
 
-  /** Probability that no guess is right, from which on an axis found anew is worth a try. */
-  private static final double WORTH_A_TRY = 1e-4;
+  /** Probability that no hypothesis is true above which the axis is searched again. */
+  private static final double SEARCH_THRESHOLD = 1e-4;
 
-  /** Probability of the best guess at which it is the only one that matters. */
+  /** Probability of the best hypothesis above which the axis is unambiguous. */
   private static final double SETTLED = 0.9;
 
-  /** Variance of an expected line at which the gate is half as wide again. */
-  private static final double VAGUE_LINE = Math.toRadians(15) * Math.toRadians(15);
+  /** Variance of an expected line at which the gate is √2 times as wide. */
+  private static final double GATE_VARIANCE = Math.toRadians(15) * Math.toRadians(15);
 
-  /** Variance of the axis beyond which a guess may have come round to the wrong end. */
+  /** Variance of the axis above which a hypothesis may have exchanged head and tail. */
   private static final double VAGUE_VARIANCE = Math.toRadians(15) * Math.toRadians(15);
 
-  /** Mean of the squared angle to a random line, per direction beside the axis. */
+  /** Variance of a random axis in each of two directions. */
   private static final double UNKNOWN_VARIANCE = (Math.PI - 2) / 2;
 
-  private final double[] rateVariances;
-  private final double saccadesPerS;
-  private final double saccadeS;
+  final double[] rateVariances;
+  private final OrientationSettings.Turning turning;
   private final double gateRad;
   private final double outliers;
   private final double logOutlier;
   private final double logInlier;
-  private final RateDecay decay;
-  private final HypothesisSet guesses = new HypothesisSet();
-  private final AxisSummary summary = new AxisSummary();
+  final RateDecay decay;
+  final HypothesisSet hypotheses = new HypothesisSet();
+  final AxisMixture mixture = new AxisMixture(hypotheses, UNKNOWN_VARIANCE);
   private LineComparison seen = new LineComparison();
   private LineComparison closest = new LineComparison();
-  private final double[] expected = new double[3];
 
   private double begins;
   private double ends;
   private boolean hasStepped;
 
-  /** Probability that no guess is right. */
+  /** Probability that no hypothesis is true. */
   private double unknown;
 
   private boolean recording;
-  private boolean summed;
 
   SphereFilter(OrientationSettings settings) {
-    TurningSettings turning = settings.turning();
+    turning = settings.turning();
     double calm = turning.calmRateRadS();
     double wild = turning.saccadeRateRadS();
     rateVariances =
         calm == wild ? new double[] {calm * calm} : new double[] {calm * calm, wild * wild};
     decay = new RateDecay(turning.decayS());
-    saccadesPerS = turning.saccadesPerS();
-    saccadeS = turning.saccadeS();
     gateRad = Math.toRadians(settings.gate().angleDeg());
-    outliers = settings.gate().angleDeg() >= 90 ? 0 : settings.gate().outlierShare();
+    outliers = settings.gate().effectiveOutlierShare();
     logOutlier = outliers == 0 ? Double.NEGATIVE_INFINITY : Math.log(outliers / Math.PI);
     logInlier = Math.log(1 - outliers);
   }
@@ -88,32 +80,30 @@ final class SphereFilter implements AxisFilter {
     launch(found.axis(), found.covariance());
     double rest = unexplained();
     unknown = rest / (rest + found.odds());
-    changed();
+    mixture.changed(unknown);
   }
 
-  /** Begins with an axis that is right for sure. */
+  /** Starts with an axis that is certain but for its covariance. */
   void launch(double[] axis, double[] covariance) {
-    guesses.clear();
-    begin(guesses.add(), axis, covariance).logWeight = 0;
-    guesses.settle(0);
+    hypotheses.clear();
+    start(hypotheses.add(), axis, covariance).logWeight = 0;
+    hypotheses.settle(0);
     unknown = 0;
     hasStepped = false;
-    changed();
+    mixture.changed(unknown);
   }
 
-  private AxisHypothesis begin(AxisHypothesis guess, double[] axis, double[] covariance) {
-    double share = saccadesPerS * saccadeS / (1 + saccadesPerS * saccadeS);
-    int last = rateVariances.length - 1;
-    guess.launch(axis, covariance, (1 - share) * rateVariances[0] + share * rateVariances[last]);
-    guess.saccadeShare = share;
-    guess.expect(0);
+  private AxisHypothesis start(AxisHypothesis hypothesis, double[] axis, double[] covariance) {
+    hypothesis.launch(axis, covariance, turning.meanRateVariance());
+    hypothesis.saccadeShare = turning.saccadeShare();
+    hypothesis.expect(0);
     if (recording) {
-      guess.step = new AxisStep(null, null, guess.state(), null);
+      hypothesis.step = new AxisStep(null, null, hypothesis.state(), null);
     }
-    return guess;
+    return hypothesis;
   }
 
-  /** Share of an unknown axis' lines that no axis found from two of them explains. */
+  /** Probability that at least one of two lines is an outlier. */
   private double unexplained() {
     return 1 - (1 - outliers) * (1 - outliers);
   }
@@ -122,20 +112,16 @@ final class SphereFilter implements AxisFilter {
   public void predict(double dtS) {
     hasStepped = dtS > 0;
     decay.step(dtS);
-    begins = -Math.expm1(-saccadesPerS * dtS);
-    ends = -Math.expm1(-dtS / saccadeS);
-    for (int i = 0; i < guesses.size(); i++) {
-      if (hasStepped) {
-        guesses.get(i).predict(decay);
-      } else {
-        guesses.get(i).stay();
-      }
+    begins = -Math.expm1(-turning.saccadesPerS() * dtS);
+    ends = -Math.expm1(-dtS / turning.saccadeS());
+    for (int i = 0; i < hypotheses.size(); i++) {
+      hypotheses.get(i).predict(decay);
     }
     if (outliers > 0) {
       double lost = -Math.expm1(-LOSSES_PER_S * dtS);
       unknown += (1 - unknown) * lost;
     }
-    changed();
+    mixture.changed(unknown);
   }
 
   @Override
@@ -143,40 +129,40 @@ final class SphereFilter implements AxisFilter {
     if (count == 0 && !hasStepped && !recording) {
       return;
     }
-    summary().axis(expected);
+    double[] expected = mixture.mean().u;
     for (int i = 0; i < count; i++) {
       lines[i].residualRad = lines[i].residual(expected);
     }
-    guesses.startAnew();
-    for (int i = 0; i < guesses.oldSize(); i++) {
-      continueWith(guesses.old(i), lines, count);
+    int known = hypotheses.advance();
+    for (int i = 0; i < known; i++) {
+      continueWith(hypotheses.old(i), lines, count);
     }
-    for (int i = 0; i < guesses.size(); i++) {
-      decide(guesses.get(i), lines, count);
+    for (int i = 0; i < hypotheses.size(); i++) {
+      decide(hypotheses.get(i), lines, count);
     }
     double none = unknown * Math.pow(Math.PI, -count);
-    unknown = guesses.settle(none);
-    guesses.split();
+    unknown = hypotheses.settle(none);
+    hypotheses.split();
     if (recording) {
-      guesses.record();
+      hypotheses.record();
     }
-    changed();
-    tell(lines, count);
+    mixture.changed(unknown);
+    report(lines, count);
     hasStepped = false;
   }
 
-  /** Continues a guess in calm flight and in a saccade. */
-  private void continueWith(AxisHypothesis guess, LineMeasurement[] lines, int count) {
-    double wild = guess.saccadeShare * (1 - ends) + (1 - guess.saccadeShare) * begins;
+  /** Continues a hypothesis in calm flight and in a saccade. */
+  private void continueWith(AxisHypothesis hypothesis, LineMeasurement[] lines, int count) {
+    double wild = nextSaccadeShare(hypothesis);
     int modes = hasStepped ? rateVariances.length : 1;
     for (int mode = 0; mode < modes; mode++) {
       double share = modes == 1 ? 1 : mode == 0 ? 1 - wild : wild;
-      AxisHypothesis next = guesses.add();
+      AxisHypothesis next = hypotheses.add();
       if (next == null) {
         return;
       }
-      next.copy(guess);
-      next.logWeight = Math.log(guess.weight * (1 - unknown) * share);
+      next.copy(hypothesis);
+      next.logWeight = Math.log(hypothesis.weight * (1 - unknown) * share);
       if (modes > 1) {
         next.saccadeShare = mode;
       }
@@ -189,38 +175,43 @@ final class SphereFilter implements AxisFilter {
       }
       for (int i = 0; i < count; i++) {
         if (!isInGate(next, lines[i])) {
-          leaveOut(next, i);
+          reject(next, i);
         }
       }
     }
   }
 
-  /** The gate is wider where the line that is expected is itself not known. */
-  private boolean isInGate(AxisHypothesis guess, LineMeasurement line) {
-    double off = Math.abs(line.residual(guess.u));
+  /** Probability that the body is in a saccade after the step. */
+  double nextSaccadeShare(AxisHypothesis hypothesis) {
+    return hypothesis.saccadeShare * (1 - ends) + (1 - hypothesis.saccadeShare) * begins;
+  }
+
+  /** Whether a line is in the gate, which is wider where the expected line is uncertain. */
+  private boolean isInGate(AxisHypothesis hypothesis, LineMeasurement line) {
+    double off = Math.abs(line.residual(hypothesis.u));
     return off < gateRad
-        || (seen.compare(guess, line)
-            && off < gateRad * Math.sqrt(1 + seen.vagueness() / VAGUE_LINE));
+        || (seen.compare(hypothesis, line)
+            && off < gateRad * Math.sqrt(1 + seen.expectedVariance() / GATE_VARIANCE));
   }
 
-  private void leaveOut(AxisHypothesis guess, int line) {
-    guess.decided[line] = true;
-    guess.undecided--;
-    guess.logWeight += Math.max(-20, logOutlier);
+  private void reject(AxisHypothesis hypothesis, int line) {
+    hypothesis.decided[line] = true;
+    hypothesis.undecided--;
+    hypothesis.logWeight += Math.max(-20, logOutlier);
   }
 
-  /** Decides upon the lines one after the other, the least surprising first. */
-  private void decide(AxisHypothesis guess, LineMeasurement[] lines, int count) {
-    while (guess.undecided > 0) {
-      if (guess.logWeight < guesses.best() - LOG_HOPELESS) {
-        guesses.drop(guess);
+  /** Assigns the lines one after the other, by increasing innovation. */
+  private void decide(AxisHypothesis hypothesis, LineMeasurement[] lines, int count) {
+    while (hypothesis.undecided > 0) {
+      if (hypothesis.logWeight < hypotheses.best() - MAX_LOG_ODDS) {
+        hypothesis.logWeight = Double.NEGATIVE_INFINITY;
         return;
       }
-      int nearest = nearest(guess, lines, count);
+      int nearest = nearest(hypothesis, lines, count);
       if (nearest < 0) {
         for (int i = 0; i < count; i++) {
-          if (!guess.decided[i]) {
-            leaveOut(guess, i);
+          if (!hypothesis.decided[i]) {
+            reject(hypothesis, i);
           }
         }
         break;
@@ -228,28 +219,28 @@ final class SphereFilter implements AxisFilter {
       LineComparison seen = closest;
       double log = logInlier - 0.5 * (seen.nis() + Math.log(2 * Math.PI * seen.variance()));
       double inlier = outliers == 0 ? 1 : 1 / (1 + Math.exp(logOutlier - log));
-      if (inlier < CLEAR) {
-        leaveOut(guess, nearest);
+      if (inlier < MIN_AMBIGUITY) {
+        reject(hypothesis, nearest);
         continue;
       }
-      AxisHypothesis without = inlier < 1 - CLEAR ? guesses.add() : null;
+      AxisHypothesis without = inlier < 1 - MIN_AMBIGUITY ? hypotheses.add() : null;
       if (without != null) {
-        without.copy(guess);
-        leaveOut(without, nearest);
+        without.copy(hypothesis);
+        reject(without, nearest);
       }
-      guess.take(nearest, seen);
-      guess.logWeight += log;
+      hypothesis.accept(nearest, seen);
+      hypothesis.logWeight += log;
     }
-    guess.settle();
-    guesses.finish(guess);
+    hypothesis.recentre(true);
+    hypotheses.finish(hypothesis);
   }
 
-  /** The line that is least surprising; what it is beside the guess is left in {@link #closest}. */
-  private int nearest(AxisHypothesis guess, LineMeasurement[] lines, int count) {
+  /** The undecided line with the smallest innovation, which {@link #closest} then holds. */
+  private int nearest(AxisHypothesis hypothesis, LineMeasurement[] lines, int count) {
     int nearest = -1;
     for (int i = 0; i < count; i++) {
-      if (!guess.decided[i]
-          && seen.compare(guess, lines[i])
+      if (!hypothesis.decided[i]
+          && seen.compare(hypothesis, lines[i])
           && (nearest < 0 || seen.nis() < closest.nis())) {
         LineComparison other = closest;
         closest = seen;
@@ -260,93 +251,58 @@ final class SphereFilter implements AxisFilter {
     return nearest;
   }
 
-  /** Says in each line what became of it by the best guess. */
-  private void tell(LineMeasurement[] lines, int count) {
-    AxisHypothesis best = guesses.get(0);
+  /** Sets the results of the lines by the best hypothesis. */
+  private void report(LineMeasurement[] lines, int count) {
+    AxisHypothesis best = hypotheses.get(0);
     for (int i = 0; i < count; i++) {
-      lines[i].used = best.used[i];
+      lines[i].used = !Double.isNaN(best.nis[i]);
       lines[i].nis = best.nis[i];
-      lines[i].ownRad2 = best.used[i] ? best.own[i] : Double.NaN;
+      lines[i].ownRad2 = best.own[i];
     }
-  }
-
-  private void changed() {
-    summed = false;
-  }
-
-  /** What the guesses say together, worked out when it is asked for. */
-  private AxisSummary summary() {
-    if (!summed) {
-      summary.of(guesses, unknown, UNKNOWN_VARIANCE);
-      summed = true;
-    }
-    return summary;
   }
 
   @Override
-  public void lean(double[] direction, double variance, double fresh) {
-    guesses.lean(direction, variance, fresh, summary().axisVariance() > VAGUE_VARIANCE);
-    changed();
+  public void coupleToFlight(double[] direction, double variance, double fresh) {
+    hypotheses.coupleToFlight(direction, variance, fresh, mixture.axisVariance() > VAGUE_VARIANCE);
+    mixture.changed(unknown);
   }
 
   @Override
   public boolean doubts(LineMeasurement[] lines, int count) {
-    return gateRad > 0 && unknown > WORTH_A_TRY;
+    return unknown > SEARCH_THRESHOLD;
   }
 
   @Override
   public boolean offer(AxisLaunch found) {
-    AxisHypothesis guess = guesses.addKept();
-    if (guess == null) {
+    AxisHypothesis hypothesis = hypotheses.addKept();
+    if (hypothesis == null) {
       return false;
     }
-    begin(guess, found.axis(), found.covariance());
+    start(hypothesis, found.axis(), found.covariance());
     double chance = unknown * found.odds();
     double rest = unknown * unexplained();
-    unknown = guesses.include(guess, chance, rest, 1 - unknown);
-    changed();
-    return guesses.get(0) == guess;
+    unknown = hypotheses.include(hypothesis, chance, rest, 1 - unknown);
+    mixture.changed(unknown);
+    return hypotheses.get(0) == hypothesis;
   }
 
+  /** Roll is unknown: no camera sees the rotation about the axis. */
   @Override
-  public double agreement() {
-    return summary().agreement(guesses) * (1 - unknown) + 0.5 * unknown;
-  }
-
-  @Override
-  public boolean isSettled() {
-    return guesses.get(0).weight * (1 - unknown) > SETTLED;
-  }
-
-  @Override
-  public void axis(double[] out) {
-    summary().axis(out);
-  }
-
-  @Override
-  public void tipVelocity(double[] out) {
-    summary().tipVelocity(out);
-  }
-
-  @Override
-  public double axisVariance() {
-    return summary().axisVariance();
-  }
-
-  /** That of any angle at all: the frame's own rotation about the axis means nothing. */
-  @Override
-  public double rollSd() {
-    return Math.PI / Math.sqrt(3);
-  }
-
-  @Override
-  public double rollRate() {
-    return 0;
+  public Axis axis() {
+    AxisState mean = mixture.mean().state();
+    return new Axis(
+        mean.u(),
+        mean.tipVelocity(),
+        mixture.axisVariance(),
+        mixture.agreement() * (1 - unknown) + 0.5 * unknown,
+        hypotheses.get(0).weight * (1 - unknown) > SETTLED,
+        Math.PI / Math.sqrt(3),
+        0);
   }
 
   @Override
   public boolean isSound() {
-    return guesses.size() > 0 && guesses.get(0).isSound();
+    return hypotheses.size() > 0 && hypotheses.get(0).isSound();
   }
 
   @Override
@@ -356,43 +312,6 @@ final class SphereFilter implements AxisFilter {
 
   @Override
   public AxisStep step() {
-    return guesses.get(0).step;
-  }
-
-  @Override
-  public AxisState state() {
-    return summary().state();
-  }
-
-  /** How many guesses there are. */
-  int hypotheses() {
-    return guesses.size();
-  }
-
-  /** Sets the velocity of the best guess' tip, of which the part along the axis is left out. */
-  void setTipVelocity(double[] velocity) {
-    AxisHypothesis best = guesses.get(0);
-    best.va = Vectors.dot(velocity, best.e1);
-    best.vb = Vectors.dot(velocity, best.e2);
-    changed();
-  }
-
-  /**
-   * The best guess' state before the update, with the noise of both modes in it as likely as they
-   * are; to be asked for between {@link #predict} and {@link #update}.
-   */
-  AxisState predictedState() {
-    AxisHypothesis best = guesses.get(0);
-    double wild = best.saccadeShare * (1 - ends) + (1 - best.saccadeShare) * begins;
-    int last = rateVariances.length - 1;
-    AxisHypothesis copy = new AxisHypothesis();
-    copy.copy(best);
-    copy.addNoise(decay, (1 - wild) * rateVariances[0] + wild * rateVariances[last]);
-    return copy.state();
-  }
-
-  /** How the best guess' errors went over the last step. */
-  double[] transition() {
-    return guesses.get(0).transition.clone();
+    return hypotheses.get(0).step;
   }
 }

@@ -3,7 +3,7 @@
  *
  * <ul>
  *   <li>{@link haltere.filters.orientation.BodyOrientationEstimator} is the whole of it for one
- *       body: position, axis, rates, head or tail, at each instant from what was seen up to then.
+ *       body: position, axis, rates, head or tail, at each time from the observations up to then.
  *       {@link haltere.filters.orientation.OrientationTrack} keeps a track and goes back over it.
  *   <li>{@link haltere.filters.orientation.camera.CameraModel} is a camera: a matrix and a {@link
  *       haltere.filters.orientation.camera.Lens}; {@link

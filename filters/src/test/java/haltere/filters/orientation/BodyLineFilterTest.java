@@ -56,7 +56,7 @@ class BodyLineFilterTest extends EventFilterContract {
                 double[] axis = {truth.ux(), truth.uy(), truth.uz()};
                 double[] pixel = new double[2];
                 camera.project(at, pixel);
-                double angle = camera.lineAngle(at, axis);
+                double angle = camera.heading(at, axis);
                 if (line.eccentricity() > 1.5) {
                   angles.add(Math.toDegrees(Math.abs(Angles.wrapHalfPi(line.angleRad() - angle))));
                 }

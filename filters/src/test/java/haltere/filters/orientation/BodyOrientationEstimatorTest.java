@@ -90,34 +90,31 @@ class BodyOrientationEstimatorTest {
   }
 
   @Test
-  void guessesFarApartHaveTheirMeanBetweenTheirHeads() {
-    HypothesisSet guesses = new HypothesisSet();
+  void hypothesesFarApartHaveTheirMeanBetweenTheirHeads() {
+    HypothesisSet hypotheses = new HypothesisSet();
     double[] small = {1e-4, 0, 0, 0, 1e-4, 0, 0, 0, 1e-4};
     double[] left = {Math.cos(1), Math.sin(1), 0};
     double[] right = {Math.cos(1), -Math.sin(1), 0};
-    guesses.add().launch(left, small, 1);
-    guesses.add().launch(right, small, 1);
-    guesses.settle(0);
-    AxisSummary summary = new AxisSummary();
-    summary.of(guesses, 0, 1);
-    double[] mean = new double[3];
-    summary.axis(mean);
-    assertEquals(0, Vectors.angle(mean, new double[] {1, 0, 0}), 1e-9);
-    assertEquals(1, Math.sqrt(summary.axisVariance()), 1e-3);
-    assertEquals(1, summary.agreement(guesses), 1e-12);
+    hypotheses.add().launch(left, small, 1);
+    hypotheses.add().launch(right, small, 1);
+    hypotheses.settle(0);
+    AxisMixture mixture = new AxisMixture(hypotheses, 1);
+    assertEquals(0, Vectors.angle(mixture.mean().u, new double[] {1, 0, 0}), 1e-9);
+    assertEquals(1, Math.sqrt(mixture.axisVariance()), 1e-3);
+    assertEquals(1, mixture.agreement(), 1e-12);
   }
 
   @Test
-  void aGuessThatCameRoundToTheTailIsTurnedAndStaysTheSameLine() {
-    AxisHypothesis guess = new AxisHypothesis();
+  void aHypothesisThatCameRoundToTheTailIsTurnedAndStaysTheSameLine() {
+    AxisHypothesis hypothesis = new AxisHypothesis();
     double[] covariance = {0.04, 0.01, 0, 0.01, 0.02, 0, 0, 0, 0.01};
-    guess.launch(new double[] {0.1, -0.2, 1}, covariance, 2);
-    guess.move(new double[] {0, 0.5, 0, -0.7});
-    AxisState before = guess.state();
-    guess.face(before.u(), 1);
-    assertEquals(0, Vectors.angle(before.u(), guess.u), 1e-12, "a head that is ahead stays");
-    guess.face(new double[] {-before.u()[0], -before.u()[1], -before.u()[2]}, 1);
-    AxisState turned = guess.state();
+    hypothesis.launch(new double[] {0.1, -0.2, 1}, covariance, 2);
+    hypothesis.move(new double[] {0, 0.5, 0, -0.7});
+    AxisState before = hypothesis.state();
+    hypothesis.face(before.u(), 1);
+    assertEquals(0, Vectors.angle(before.u(), hypothesis.u), 1e-12, "a head that is ahead stays");
+    hypothesis.face(new double[] {-before.u()[0], -before.u()[1], -before.u()[2]}, 1);
+    AxisState turned = hypothesis.state();
     assertEquals(Math.PI, Vectors.angle(before.u(), turned.u()), 1e-7);
     double[] expected = before.p();
     for (int k = 0; k < 3; k++) {
@@ -160,16 +157,19 @@ class BodyOrientationEstimatorTest {
         BodyOrientationEstimator body =
             new BodyOrientationEstimator(
                 Flights.cameras(scene), USUAL.with("gate.angleDeg=" + gate, "form=" + form));
-        int used = 0;
-        int rejected = 0;
+        int estimates = 0;
         for (long k = 0; k < 100; k++) {
           Optional<OrientationEstimate> now = body.update(scene.pictureTimeUs(k), seen(scene, k));
-          used += now.map(OrientationEstimate::used).orElse(0);
-          rejected += now.map(OrientationEstimate::rejected).orElse(0);
           now.ifPresent(BodyOrientationEstimatorTest::assertSound);
+          estimates += now.isPresent() ? 1 : 0;
+          assertEquals(0, now.map(OrientationEstimate::rejected).orElse(0), form + " " + gate);
         }
+        long used = body.count(OrientationCount.USED);
+        long rejected = body.count(OrientationCount.REJECTED);
+        assertEquals(gate == 0 ? 0 : 100, estimates, form + " " + gate);
         assertEquals(0, gate == 0 ? used : rejected, form + " " + gate);
         assertTrue((gate == 0 ? rejected : used) > 200, form + " " + gate);
+        assertEquals(gate == 0 ? 100 : 0, body.count(OrientationCount.NO_AXIS));
       }
     }
   }
@@ -203,7 +203,7 @@ class BodyOrientationEstimatorTest {
     for (long k = 0; k < 20; k++) {
       assertTrue(body.update(scene.pictureTimeUs(k), seen(scene, k)).isEmpty());
     }
-    assertEquals(20, body.count(OrientationCount.NO_PLACE));
+    assertEquals(20, body.count(OrientationCount.NO_POSITION));
   }
 
   @Test
@@ -221,7 +221,7 @@ class BodyOrientationEstimatorTest {
       }
       assertTrue(body.update(k * 10_000, seen).isEmpty());
     }
-    assertEquals(20, body.count(OrientationCount.NO_PLACE));
+    assertEquals(20, body.count(OrientationCount.NO_POSITION));
   }
 
   @Test
@@ -281,7 +281,7 @@ class BodyOrientationEstimatorTest {
                     i,
                     pixel[0],
                     pixel[1],
-                    cameras.get(i).lineAngle(at, new double[] {0.6, 0.8, 0}),
+                    cameras.get(i).heading(at, new double[] {0.6, 0.8, 0}),
                     10,
                     3));
           }

@@ -3,13 +3,14 @@ package haltere.filters.orientation;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assertions.fail;
 
 import haltere.core.simulation.flight.FlightDetection;
 import haltere.core.simulation.flight.FlightScene;
-import haltere.filters.orientation.camera.BraidzFile;
 import haltere.filters.orientation.camera.CameraFile;
 import haltere.filters.orientation.camera.CameraModel;
 import haltere.filters.orientation.camera.LineObservation;
+import haltere.filters.orientation.camera.ObservationFile;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -18,6 +19,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
+import java.util.TreeMap;
 import java.util.zip.GZIPOutputStream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
@@ -221,27 +224,38 @@ class CalibrationFilesTest {
   void whatABraidzFileSawGoesStraightIntoTheFilter() throws IOException {
     FlightScene scene = Flights.scene(3, 5, "run.startUs=1700000000000000");
     Path file = braidz(scene, 80, "");
-    assertTrue(BraidzFile.isZip(file));
-    BraidzFile read = BraidzFile.read(file);
+    assertTrue(ObservationFile.hasCameras(file));
+    ObservationFile read = ObservationFile.open(file, Optional.empty());
     assertEquals(1.4, read.cameras().minEccentricity());
     BodyOrientationEstimator body =
         new BodyOrientationEstimator(read.cameras().cameras(), OrientationSettings.defaults());
+    TreeMap<Long, List<LineObservation>> seen = new TreeMap<>();
+    read.read(
+        new ObservationFile.Listener() {
+          @Override
+          public void seen(long timeUs, String object, LineObservation line) {
+            assertEquals("42", object);
+            assertTrue(seen.isEmpty() || timeUs >= seen.lastKey(), "times ascend");
+            seen.computeIfAbsent(timeUs, time -> new ArrayList<>()).add(line);
+          }
+
+          @Override
+          public void bad(String where, String why) {
+            fail(where + " " + why);
+          }
+        });
+    assertTrue(read.hasFrames());
+    assertEquals(1, read.frame(scene.pictureTimeUs(1)));
     List<Double> errors = new ArrayList<>();
-    for (int i = 0; i < read.seen().size(); ) {
-      long timeUs = read.seen().get(i).timeUs();
-      List<LineObservation> seen = new ArrayList<>();
-      while (i < read.seen().size() && read.seen().get(i).timeUs() == timeUs) {
-        assertEquals("42", read.seen().get(i).object());
-        seen.add(read.seen().get(i++).line());
-      }
-      body.update(timeUs, seen)
-          .ifPresent(
-              now -> {
-                FlightScores scores = new FlightScores();
-                scores.note(now, scene.truthAt(timeUs), true);
-                errors.addAll(scores.lineDeg);
-              });
-    }
+    seen.forEach(
+        (timeUs, lines) ->
+            body.update(timeUs, lines)
+                .ifPresent(
+                    now -> {
+                      FlightScores scores = new FlightScores();
+                      scores.note(now, scene.truthAt(timeUs), true);
+                      errors.addAll(scores.lineDeg);
+                    }));
     assertTrue(errors.size() > 70, errors.size() + " estimates");
     assertTrue(FlightScores.quantile(errors, 0.5) < 2.5);
   }
@@ -256,13 +270,14 @@ class CalibrationFilesTest {
             "data2d_distorted.csv.gz",
             "data_association.csv.gz")) {
       Path file = braidz(scene, 3, missing);
-      IOException problem = assertThrows(IOException.class, () -> BraidzFile.read(file));
+      IOException problem =
+          assertThrows(IOException.class, () -> ObservationFile.open(file, Optional.empty()));
       assertTrue(problem.getMessage().contains(missing), problem.getMessage());
       assertTrue(problem.getMessage().startsWith(file.toString()), problem.getMessage());
     }
     Path cut = braidz(scene, 3, "");
     byte[] bytes = Files.readAllBytes(cut);
     Files.write(cut, java.util.Arrays.copyOf(bytes, bytes.length / 2));
-    assertThrows(IOException.class, () -> BraidzFile.read(cut));
+    assertThrows(IOException.class, () -> ObservationFile.open(cut, Optional.empty()));
   }
 }

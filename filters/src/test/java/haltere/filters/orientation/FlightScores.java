@@ -78,9 +78,8 @@ final class FlightScores {
           scores.inliersUsed += used ? 1 : 0;
         }
       }
-      AxisState state = body.axisState();
-      if (state.p() != null) {
-        double value = nees(state, truth);
+      if (body.axis instanceof SphereFilter filter) {
+        double value = nees(SpherePath.state(filter), truth);
         scores.nees.add(value);
         oneTime++;
         if (oneTime == (long) (seconds * 40)) {

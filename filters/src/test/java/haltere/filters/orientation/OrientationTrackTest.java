@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.simulation.flight.FlightScene;
+import haltere.filters.orientation.camera.LineObservation;
 import haltere.filters.orientation.camera.RandomCameras;
 import haltere.filters.orientation.camera.Vectors;
 import java.util.ArrayList;
@@ -59,7 +60,25 @@ class OrientationTrackTest {
   }
 
   @Test
-  void theWayThroughTheSignsIsTheCheapestOfAll() {
+  void twoUpdatesOfOneTimeAndAnEmptyTrackAreSmoothedToo() {
+    FlightScene scene = Flights.scene(3, 8);
+    for (OrientationSettings settings :
+        List.of(OrientationSettings.defaults(), OrientationSettings.original())) {
+      OrientationTrack track = new OrientationTrack(Flights.cameras(scene), settings);
+      assertEquals(List.of(), track.smoothed());
+      for (long k = 0; k < 40; k++) {
+        List<LineObservation> seen = Flights.observations(scene, scene.detections(k));
+        track.update(scene.pictureTimeUs(k), seen);
+        track.update(scene.pictureTimeUs(k), seen.subList(0, 1));
+      }
+      List<OrientationEstimate> smoothed = track.smoothed();
+      assertTrue(smoothed.size() > 70, smoothed.size() + " estimates");
+      assertEquals(smoothed.get(20).timeUs(), smoothed.get(21).timeUs());
+    }
+  }
+
+  @Test
+  void thePathThroughTheSignsIsTheCheapestOfAll() {
     SplittableRandom random = new SplittableRandom(1);
     for (int round = 0; round < 50; round++) {
       int count = 8;
@@ -127,7 +146,7 @@ class OrientationTrackTest {
   }
 
   @Test
-  void theSourceWeighsTheSpeedInMetresASecond() {
+  void theOriginalWeighsTheSpeedInMetresASecond() {
     assertEquals(0.15, DirectionChoice.originalWeight(0.3), 1e-12);
     assertEquals(0.9, DirectionChoice.originalWeight(5), 1e-12);
     assertEquals(0.45, DirectionChoice.weightOf(0.003, 0.001), 1e-12);

@@ -28,11 +28,7 @@ final class SpherePath {
   }
 
   static SpherePath of(AxisState state) {
-    double[] v = new double[3];
-    for (int k = 0; k < 3; k++) {
-      v[k] = state.va() * state.e1()[k] + state.vb() * state.e2()[k];
-    }
-    SpherePath path = new SpherePath(state.u().clone(), v);
+    SpherePath path = new SpherePath(state.u().clone(), state.tipVelocity());
     path.e1 = state.e1().clone();
     path.e2 = state.e2().clone();
     return path;
@@ -44,7 +40,28 @@ final class SpherePath {
   /** Gives a filter this axis and, as far as it can know, this velocity. */
   void putInto(SphereFilter filter) {
     filter.launch(u, new double[] {1e-4, 0, 0, 0, 1e-4, 0, 0, 0, 1e-4});
-    filter.setTipVelocity(v);
+    AxisHypothesis best = filter.hypotheses.get(0);
+    best.error.setMean(1, Vectors.dot(v, best.e1));
+    best.error.setMean(3, Vectors.dot(v, best.e2));
+  }
+
+  /** What a filter holds, all hypotheses together. */
+  static AxisState state(SphereFilter filter) {
+    return filter.mixture.meanWithCovariance().state();
+  }
+
+  /**
+   * State of the best hypothesis between prediction and update, with the noise of calm flight and
+   * of saccades in it as likely as they are.
+   */
+  static AxisState predicted(SphereFilter filter) {
+    AxisHypothesis best = filter.hypotheses.get(0);
+    double wild = filter.nextSaccadeShare(best);
+    double[] variances = filter.rateVariances;
+    AxisHypothesis copy = new AxisHypothesis();
+    copy.copy(best);
+    copy.addNoise(filter.decay, (1 - wild) * variances[0] + wild * variances[variances.length - 1]);
+    return copy.state();
   }
 
   double[] axis() {

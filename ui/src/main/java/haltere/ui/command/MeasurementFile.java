@@ -1,5 +1,6 @@
 package haltere.ui.command;
 
+import haltere.core.format.csv.CsvTable;
 import haltere.filters.estimation.example.Measurement;
 import haltere.filters.estimation.example.MeasurementSeries;
 import java.io.BufferedReader;
@@ -8,7 +9,6 @@ import java.nio.charset.CharacterCodingException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -22,13 +22,12 @@ final class MeasurementFile {
   private static final List<String> COLUMNS = List.of("t_s", "x_m", "a_m_s2");
 
   private final Path file;
-  private final int[] places = new int[COLUMNS.size()];
+  private final CsvTable table;
   private final List<Measurement> measurements = new ArrayList<>();
-  private int columns;
-  private int line;
 
-  private MeasurementFile(Path file) {
+  private MeasurementFile(Path file, CsvTable table) {
     this.file = file;
+    this.table = table;
   }
 
   /**
@@ -39,75 +38,66 @@ final class MeasurementFile {
    */
   static MeasurementSeries read(Path file) throws IOException {
     try (BufferedReader in = Files.newBufferedReader(file)) {
-      MeasurementFile table = new MeasurementFile(file);
-      for (String text = in.readLine(); text != null; text = in.readLine()) {
-        table.take(text);
-      }
-      if (table.line == 0) {
-        throw new CommandProblem(file + ": this file is empty; its first line names the columns");
-      }
-      if (table.measurements.size() < MeasurementSeries.MIN_SIZE) {
-        throw table.problem(
-            "the table ends after "
-                + table.measurements.size()
-                + " rows; at least "
-                + MeasurementSeries.MIN_SIZE
-                + " are needed");
-      }
-      return new MeasurementSeries(table.measurements);
+      return new MeasurementFile(file, new CsvTable(in, COLUMNS)).read();
     } catch (CharacterCodingException notText) {
       throw Failures.notText(file, notText);
     }
   }
 
-  private void take(String text) {
-    line++;
-    if (line > 1 && text.isBlank()) {
-      return;
+  private MeasurementSeries read() throws IOException {
+    List<String> header = table.header();
+    if (header.isEmpty()) {
+      throw new CommandProblem(file + ": this file is empty; its first line names the columns");
     }
-    List<String> fields =
-        Arrays.stream(text.replace("\ufeff", "").split(",", -1)).map(String::strip).toList();
-    if (line == 1) {
-      columns = fields.size();
-      Arrays.setAll(places, i -> fields.indexOf(COLUMNS.get(i)));
-      for (int i = 0; i < 2; i++) {
-        if (places[i] < 0) {
-          throw problem(
-              "there is no column "
-                  + COLUMNS.get(i)
-                  + "; the columns are t_s,x_m or t_s,x_m,a_m_s2");
-        }
+    for (String column : COLUMNS.subList(0, 2)) {
+      if (!header.contains(column)) {
+        throw problem(
+            "there is no column " + column + "; the columns are t_s,x_m or t_s,x_m,a_m_s2");
       }
-      return;
     }
-    if (fields.size() != columns) {
-      throw problem("it has " + fields.size() + " fields, not " + columns);
+    while (table.next()) {
+      take();
+    }
+    if (measurements.size() < MeasurementSeries.MIN_SIZE) {
+      throw problem(
+          "the table ends after "
+              + measurements.size()
+              + " rows; at least "
+              + MeasurementSeries.MIN_SIZE
+              + " are needed");
+    }
+    return new MeasurementSeries(measurements);
+  }
+
+  private void take() {
+    int columns = table.header().size();
+    if (table.size() != columns) {
+      throw problem("it has " + table.size() + " fields, not " + columns);
     }
     if (measurements.size() == MAX_ROWS) {
       throw problem("there are more than " + MAX_ROWS + " rows; cut or thin the measurements");
     }
-    double t = number(fields, 0);
+    double t = number(0);
     if (!measurements.isEmpty() && !(t > measurements.get(measurements.size() - 1).tS())) {
       throw problem("t_s is " + t + ", not after the row above; sort the rows by time");
     }
-    measurements.add(
-        new Measurement(t, number(fields, 1), places[2] < 0 ? Double.NaN : number(fields, 2)));
+    boolean hasAcceleration = table.header().contains(COLUMNS.get(2));
+    measurements.add(new Measurement(t, number(1), hasAcceleration ? number(2) : Double.NaN));
   }
 
-  private double number(List<String> fields, int column) {
-    String text = fields.get(places[column]);
+  private double number(int column) {
     try {
-      double value = Double.parseDouble(text);
-      if (Double.isFinite(value) && !Character.isLetter(text.charAt(text.length() - 1))) {
+      double value = table.number(column);
+      if (Double.isFinite(value)) {
         return value;
       }
     } catch (NumberFormatException noNumber) {
       // Told below.
     }
-    throw problem(COLUMNS.get(column) + " is \"" + text + "\", not a finite number");
+    throw problem(COLUMNS.get(column) + " is \"" + table.text(column) + "\", not a finite number");
   }
 
   private CommandProblem problem(String what) {
-    return new CommandProblem(file + ": line " + line + ": " + what);
+    return new CommandProblem(file + ": line " + table.line() + ": " + what);
   }
 }

@@ -1,14 +1,12 @@
 package haltere.ui.command;
 
 import haltere.core.settings.SettingsProblem;
-import haltere.core.sink.CsvSink;
 import haltere.filters.orientation.OrientationSettings;
-import haltere.filters.orientation.camera.BraidzFile;
 import haltere.filters.orientation.camera.CameraFile;
 import haltere.filters.orientation.camera.CameraModel;
 import haltere.filters.orientation.camera.LineObservation;
-import haltere.filters.orientation.camera.ObservationTable;
-import haltere.ui.command.results.OrientationRow;
+import haltere.filters.orientation.camera.ObservationFile;
+import haltere.ui.command.results.OrientationTable;
 import haltere.ui.command.results.OrientedBodies;
 import haltere.ui.command.terminal.Quantities;
 import java.io.IOException;
@@ -16,6 +14,7 @@ import java.nio.charset.CharacterCodingException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -37,7 +36,8 @@ final class OrientCommand extends Subcommand {
       index = "0",
       paramLabel = "OBSERVATIONS.csv",
       description = {
-        "A table t_us,camera,object,x_px,y_px,angle_rad,area_px,eccentricity; or a .braidz file."
+        "A table t_us,camera,object,x_px,y_px,angle_rad,area_px,eccentricity; or a .braidz file; or"
+            + " HDF5 with the tables of Flydra."
       })
   Path file;
 
@@ -51,7 +51,8 @@ final class OrientCommand extends Subcommand {
       names = "--out",
       required = true,
       paramLabel = "ORIENTATION.csv",
-      description = "Where the orientations go.")
+      description =
+          "Where the orientations go: CSV, or with frames also HDF5 by its name, such as OUT.h5.")
   Path out;
 
   @Option(
@@ -59,7 +60,7 @@ final class OrientCommand extends Subcommand {
       paramLabel = "DEG",
       description =
           "Lines this far and further from the expected one are rejected; 40 if not given, 0"
-              + " rejects all, 180 accepts all.")
+              + " rejects all, so that there is no orientation, 180 accepts all.")
   Double gateAngleDeg;
 
   @Option(
@@ -107,55 +108,70 @@ final class OrientCommand extends Subcommand {
     if (camerasFile != null) {
       WritingOptions.checkDifferent(camerasFile, out);
     }
-    BraidzFile braidz = BraidzFile.isZip(file) ? BraidzFile.read(file) : null;
-    CameraFile cameras = cameras(braidz);
+    if (camerasFile == null && !ObservationFile.hasCameras(file)) {
+      throw wrongArguments("--cameras is missing: a table has no cameras of its own");
+    }
+    ObservationFile observations = open();
+    CameraFile cameras = observations.cameras();
+    if (OrientationTable.isHdf5(out) && !observations.hasFrames()) {
+      throw wrongArguments(
+          "--out " + out + ": HDF5 is written of observations with frames only; choose a .csv");
+    }
     if (cameras.minEccentricity() > 0 && minEccentricity == null && preset == null) {
       settings = settings.with("gate.minEccentricity=" + cameras.minEccentricity());
     }
     tellProblems(cameras.cameras());
-    try (CsvSink<OrientationRow> table =
-        CsvSink.create(out, OrientationRow.class, writing.overwrite)) {
+    try (OrientationTable table = new OrientationTable(out, observations, writing.overwrite)) {
       OrientedBodies bodies = new OrientedBodies(cameras.cameras(), settings, smooth, table);
-      if (braidz != null) {
-        braidz.seen().forEach(each -> bodies.seen(each.timeUs(), each.object(), each.line()));
-      } else {
-        readTable(cameras.cameras(), bodies);
-      }
+      read(observations, bodies);
       bodies.finish();
       if (bodies.observations() == 0 && badRows > 0) {
         throw new CommandProblem(
             file + ": none of its " + badRows + " rows can be used; see the warnings above");
       }
       table.finish();
-      message("wrote " + out + " (" + Quantities.count(table.rows()) + " rows)");
+      message("wrote " + out + " (" + Quantities.count(bodies.estimates()) + " rows)");
       bodies.summary().forEach(this::result);
-      if (table.rows() == 0) {
+      if (bodies.estimates() == 0) {
         warning(
             file
-                + ": no orientation could be found; at least two cameras that look from different"
-                + " sides must see a body at nearly the same time");
+                + (settings.gate().angleDeg() == 0
+                    ? ": no orientation: a gate angle of 0 degrees rejects every line"
+                    : ": no orientation could be found; at least two cameras that look from"
+                        + " different sides must see a body at nearly the same time"));
       }
     }
     return OK;
   }
 
-  private void readTable(List<CameraModel> cameras, OrientedBodies bodies) throws IOException {
+  private ObservationFile open() throws IOException {
     try {
-      ObservationTable.read(
-          file,
-          cameras,
-          new ObservationTable.Listener() {
+      return ObservationFile.open(file, Optional.ofNullable(camerasFile));
+    } catch (CharacterCodingException notText) {
+      throw Failures.notText(camerasFile, notText);
+    }
+  }
+
+  private void read(ObservationFile observations, OrientedBodies bodies) throws IOException {
+    try {
+      observations.read(
+          new ObservationFile.Listener() {
             @Override
             public void seen(long timeUs, String object, LineObservation line) {
               bodies.seen(timeUs, object, line);
             }
 
             @Override
-            public void bad(long lineNumber, String why) {
+            public void bad(String where, String why) {
               badRows++;
               if (badRows <= ROWS_TOLD) {
-                warning(file + ": line " + lineNumber + ": " + why + "; the row is left out");
+                warning(file + ": " + where + ": " + why + "; the row is left out");
               }
+            }
+
+            @Override
+            public void remark(String words) {
+              warning(file + ": " + words);
             }
           });
     } catch (CharacterCodingException notText) {
@@ -165,20 +181,6 @@ final class OrientCommand extends Subcommand {
       warning(
           file + ": " + (badRows - ROWS_TOLD) + " more rows like that, " + badRows + " left out");
     }
-  }
-
-  private CameraFile cameras(BraidzFile braidz) throws IOException {
-    if (camerasFile != null) {
-      try {
-        return CameraFile.read(camerasFile);
-      } catch (CharacterCodingException notText) {
-        throw Failures.notText(camerasFile, notText);
-      }
-    }
-    if (braidz == null) {
-      throw wrongArguments("--cameras is missing: a table has no cameras of its own");
-    }
-    return braidz.cameras();
   }
 
   private void tellProblems(List<CameraModel> cameras) {

@@ -3,11 +3,9 @@ package haltere.ui.space;
 import haltere.filters.orientation.BodyOrientationEstimator;
 import haltere.filters.orientation.OrientationEstimate;
 import haltere.filters.orientation.OrientationSettings;
-import haltere.filters.orientation.camera.BraidzFile;
-import haltere.filters.orientation.camera.CameraFile;
 import haltere.filters.orientation.camera.CameraModel;
 import haltere.filters.orientation.camera.LineObservation;
-import haltere.filters.orientation.camera.ObservationTable;
+import haltere.filters.orientation.camera.ObservationFile;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -15,6 +13,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 /**
  * Where a body was and which way it pointed, time by time, with what each camera saw otherwise.
@@ -26,17 +25,22 @@ public record BodyFlight(List<CameraModel> cameras, List<Moment> moments) {
   /**
    * One time.
    *
-   * @param estimate place and axis from what was seen up to then
-   * @param residualsDeg for each camera, the angle from the expected to the observed line, degrees;
-   *     NaN where it saw none
-   * @param used for each camera, whether its line was used
+   * @param estimate position and axis from what was seen up to then
+   * @param lines for each camera, what it observed and what was expected
    */
-  public record Moment(
-      OrientationEstimate estimate, List<Double> residualsDeg, List<Boolean> used) {
+  public record Moment(OrientationEstimate estimate, List<CameraLine> lines) {
     /** Copies. */
     public Moment {
-      residualsDeg = List.copyOf(residualsDeg);
-      used = List.copyOf(used);
+      lines = List.copyOf(lines);
+    }
+
+    static Moment of(
+        OrientationEstimate now, BodyOrientationEstimator body, List<CameraModel> cameras) {
+      return new Moment(
+          now,
+          IntStream.range(0, cameras.size())
+              .mapToObj(i -> CameraLine.of(i, cameras.get(i), now, body))
+              .toList());
     }
   }
 
@@ -49,25 +53,16 @@ public record BodyFlight(List<CameraModel> cameras, List<Moment> moments) {
   /**
    * Follows the body that was seen first.
    *
-   * @param observations a table or a {@code .braidz} file
+   * @param observations a table, a {@code .braidz} file or HDF5 of Flydra
    * @param calibration the cameras; may be empty for a {@code .braidz} file
    * @return its flight; without a moment if no orientation could be found
    * @throws IOException if a file cannot be read or is another; the message names it
    */
   public static BodyFlight load(Path observations, Optional<Path> calibration) throws IOException {
     Map<Long, List<LineObservation>> seen = new LinkedHashMap<>();
-    Collector collector = new Collector(seen);
-    BraidzFile braidz = BraidzFile.isZip(observations) ? BraidzFile.read(observations) : null;
-    CameraFile cameras =
-        calibration.isPresent() || braidz == null
-            ? CameraFile.read(calibration.orElse(observations))
-            : braidz.cameras();
-    if (braidz != null) {
-      braidz.seen().forEach(each -> collector.seen(each.timeUs(), each.object(), each.line()));
-    } else {
-      ObservationTable.read(observations, cameras.cameras(), collector);
-    }
-    return follow(cameras.cameras(), seen);
+    ObservationFile file = ObservationFile.open(observations, calibration);
+    file.read(new Collector(seen));
+    return follow(file.cameras().cameras(), seen);
   }
 
   private static BodyFlight follow(
@@ -77,22 +72,13 @@ public record BodyFlight(List<CameraModel> cameras, List<Moment> moments) {
     List<Moment> moments = new ArrayList<>();
     for (Map.Entry<Long, List<LineObservation>> each : seen.entrySet()) {
       body.update(each.getKey(), each.getValue())
-          .ifPresent(
-              now -> {
-                List<Double> residuals = new ArrayList<>();
-                List<Boolean> used = new ArrayList<>();
-                for (int i = 0; i < cameras.size(); i++) {
-                  residuals.add(Math.toDegrees(body.residualRad(i)));
-                  used.add(body.used(i));
-                }
-                moments.add(new Moment(now, residuals, used));
-              });
+          .ifPresent(now -> moments.add(Moment.of(now, body, cameras)));
     }
     return new BodyFlight(cameras, moments);
   }
 
   /** Keeps what was seen of the first body. */
-  private static final class Collector implements ObservationTable.Listener {
+  private static final class Collector implements ObservationFile.Listener {
     private final Map<Long, List<LineObservation>> seen;
     private String first;
 
@@ -109,7 +95,7 @@ public record BodyFlight(List<CameraModel> cameras, List<Moment> moments) {
     }
 
     @Override
-    public void bad(long lineNumber, String why) {
+    public void bad(String where, String why) {
       // the command line tells of each; here the rest is shown
     }
   }

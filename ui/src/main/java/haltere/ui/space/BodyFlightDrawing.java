@@ -173,8 +173,8 @@ public final class BodyFlightDrawing {
       }
     }
     canvas.polyline(x, y, 5, MarkStyle.of(Role.REGION));
-    double residual = moment == null ? Double.NaN : moment.residualsDeg().get(index);
-    boolean used = moment != null && moment.used().get(index);
+    double residual = moment == null ? Double.NaN : moment.lines().get(index).residualDeg();
+    boolean isAccepted = moment != null && moment.lines().get(index).isAccepted();
     String words =
         Double.isNaN(residual)
             ? camera.id()
@@ -183,7 +183,7 @@ public final class BodyFlightDrawing {
         corner[0] + 6,
         corner[1] + 6,
         words,
-        MarkStyle.of(used || Double.isNaN(residual) ? Role.LABEL : Role.WARNING));
+        MarkStyle.of(isAccepted || Double.isNaN(residual) ? Role.LABEL : Role.WARNING));
   }
 
   /** From a camera to the middle of the flight, which is in front of it. */

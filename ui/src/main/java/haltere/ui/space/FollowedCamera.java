@@ -4,6 +4,7 @@ import haltere.core.camera.ClockRelation;
 import haltere.core.event.EventPacket;
 import haltere.core.playback.CameraPlayable;
 import haltere.core.playback.Playable;
+import haltere.core.playback.SliceSink;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import haltere.filters.orientation.BodyLineSettings;
@@ -27,6 +28,7 @@ final class FollowedCamera implements StreamHandler {
   private final Playable first;
   private final int number;
   private final LiveOrientation orientation;
+  private final Optional<SliceSink> picture;
   private final BodyLineTracker tracker;
   private final EventPacket waiting = new EventPacket(1024);
   private final EventPacket part = new EventPacket(1024);
@@ -40,8 +42,11 @@ final class FollowedCamera implements StreamHandler {
    * @param rig the cameras
    * @param number which one, from 1
    * @param orientation gets the body's lines
+   * @param picture gets the events as they are given to the tracker
    */
-  FollowedCamera(CameraRig rig, int number, LiveOrientation orientation) {
+  FollowedCamera(
+      CameraRig rig, int number, LiveOrientation orientation, Optional<SliceSink> picture) {
+    this.picture = picture;
     this.source = rig.others().get(number - 1);
     this.first = rig.first();
     this.number = number;
@@ -77,6 +82,7 @@ final class FollowedCamera implements StreamHandler {
       part.append(waiting, given, to);
       given = to;
       tracker.track(part);
+      picture.ifPresent(each -> each.packet(part));
     }
   }
 

@@ -14,6 +14,7 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * The flight of a body while a {@link CameraRig} plays: takes the events of the first camera from a
@@ -32,6 +33,7 @@ public final class LiveFlight implements SliceSink {
   private final CameraRig rig;
   private final LiveOrientation orientation;
   private final BodyLineTracker tracker;
+  private final List<SliceSink> pictures;
   private final List<FollowedCamera> others = new ArrayList<>();
   private final Deque<BodyFlight.Moment> moments = new ArrayDeque<>();
   private final Mailbox<BodyFlight> latest = new Mailbox<>();
@@ -43,30 +45,28 @@ public final class LiveFlight implements SliceSink {
    * Nothing has been seen yet.
    *
    * @param rig the cameras
+   * @param pictures takes the events of each camera but the first, in order; may be fewer
    */
-  public LiveFlight(CameraRig rig) {
+  public LiveFlight(CameraRig rig, List<? extends SliceSink> pictures) {
     this.rig = rig;
+    this.pictures = List.copyOf(pictures);
     orientation =
         new LiveOrientation(rig.cameras(), OrientationSettings.defaults(), WAIT_US, this::oriented);
     tracker =
         new BodyLineTracker(
             rig.first().geometry(), BodyLineSettings.defaults(), line -> orientation.line(0, line));
     for (int number = 1; number < rig.cameras().size(); number++) {
-      others.add(new FollowedCamera(rig, number, orientation));
+      Optional<SliceSink> picture =
+          number <= pictures.size() ? Optional.of(pictures.get(number - 1)) : Optional.empty();
+      others.add(new FollowedCamera(rig, number, orientation, picture));
     }
   }
 
   private void oriented(OrientationEstimate now, BodyOrientationEstimator body) {
-    List<Double> residuals = new ArrayList<>();
-    List<Boolean> used = new ArrayList<>();
-    for (int i = 0; i < rig.cameras().size(); i++) {
-      residuals.add(Math.toDegrees(body.residualRad(i)));
-      used.add(body.used(i));
-    }
     if (moments.size() == MOST_MOMENTS) {
       moments.removeFirst();
     }
-    moments.addLast(new BodyFlight.Moment(now, residuals, used));
+    moments.addLast(BodyFlight.Moment.of(now, body, rig.cameras()));
     changed = true;
   }
 
@@ -102,6 +102,7 @@ public final class LiveFlight implements SliceSink {
     if (notification.endsContinuity()) {
       forget();
     }
+    pictures.forEach(picture -> picture.notified(notification));
   }
 
   private void forget() {
@@ -113,6 +114,7 @@ public final class LiveFlight implements SliceSink {
 
   @Override
   public void sliceEnd(long fromUs, long toUs) {
+    pictures.forEach(picture -> picture.sliceEnd(fromUs, toUs));
     if (changed) {
       changed = false;
       latest.put(new BodyFlight(rig.cameras(), List.copyOf(moments)));

@@ -4,6 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import haltere.core.format.hdf5.Hdf5TableWriter;
+import haltere.core.format.hdf5.Hdf5TableWriter.Column;
+import haltere.core.format.hdf5.Hdf5TableWriter.Kind;
+import haltere.core.format.hdf5.Hdf5Tables;
 import haltere.core.simulation.flight.FlightScene;
 import haltere.core.simulation.flight.FlightSettings;
 import haltere.core.simulation.flight.FlightTruth;
@@ -139,9 +143,12 @@ class OrientCommandTest {
 
   @Test
   void aGateOfZeroRejectsAllAndOneOf180AcceptsAll() throws IOException {
-    assertEquals(0, orient("--gate-angle", "0").status());
-    for (String[] row : rows(out)) {
-      assertEquals("0", row[12]);
+    for (String mode : new String[] {"--quiet", "--smooth"}) {
+      CommandRun none = orient("--gate-angle", "0", "--overwrite", mode);
+      assertEquals(0, none.status(), none.err());
+      assertEquals(List.of(COLUMNS), Files.readAllLines(out));
+      assertTrue(none.err().contains("a gate angle of 0 degrees rejects every line"), none.err());
+      assertTrue(none.out().contains(" 0 used for the axis"), none.out());
     }
     assertEquals(0, orient("--gate-angle", "180", "--overwrite").status());
     List<String[]> rows = rows(out);
@@ -220,6 +227,90 @@ class OrientCommandTest {
     assertTrue(run.out().contains("without an angle"), run.out());
     assertTrue(rows(out).size() > 80);
     assertFalse(Files.readString(out).contains("NaN"));
+  }
+
+  /** The same lines as Flydra stores them. */
+  private Path flydra() throws IOException {
+    Path file = folder.resolve("flydra.h5");
+    List<Column> columns = new ArrayList<>();
+    for (String name : List.of("camn", "frame", "timestamp", "x", "y", "slope", "eccentricity")) {
+      columns.add(new Column(name, Kind.F64));
+    }
+    try (Hdf5TableWriter table = Hdf5TableWriter.create(file, "data2d_distorted", columns, false)) {
+      for (String[] row : rows(seen)) {
+        double[] numbers = new double[8];
+        for (int i = 3; i < 8; i++) {
+          numbers[i] = row[i].isEmpty() ? Double.NaN : Double.parseDouble(row[i]);
+        }
+        double timeUs = Double.parseDouble(row[0]);
+        table.append(
+            row[1].charAt(row[1].length() - 1) - '0',
+            timeUs / 10_000,
+            timeUs * 1e-6,
+            numbers[3],
+            numbers[4],
+            Math.tan(numbers[5]),
+            numbers[7]);
+      }
+      table.finish();
+    }
+    return file;
+  }
+
+  @Test
+  void linesInHdf5GiveTheSameAxesAndTheLineInSpaceBesideThem() throws IOException {
+    assertEquals(0, orient().status());
+    List<String[]> expected = rows(out);
+    Path file = flydra();
+    CommandRun run =
+        CommandRun.of("orient", file, "--cameras", cameras, "--out", out, "--overwrite");
+    assertEquals(0, run.status(), run.err());
+    assertTrue(run.err().contains("all are taken for one"), run.err());
+    assertEquals(
+        COLUMNS + ",frame,hz_line0,hz_line1,hz_line2,hz_line3,hz_line4,hz_line5",
+        Files.readAllLines(out).get(0));
+    List<String[]> rows = rows(out);
+    assertEquals(expected.size(), rows.size());
+    for (int k = 0; k < rows.size(); k++) {
+      String[] row = rows.get(k);
+      assertEquals(Long.parseLong(row[0]) / 10_000, Long.parseLong(row[14]), "frame");
+      for (int i = 2; i < 9; i++) {
+        assertEquals(Double.parseDouble(expected.get(k)[i]), Double.parseDouble(row[i]), 1e-6);
+      }
+      assertEquals(row[5], row[17].startsWith("-") ? row[17].substring(1) : "-" + row[17]);
+      assertEquals(row[6], row[19]);
+    }
+
+    Path lines = folder.resolve("lines.h5");
+    run = CommandRun.of("orient", file, "--cameras", cameras, "--out", lines, "--smooth");
+    assertEquals(0, run.status(), run.err());
+    try (Hdf5Tables tables = Hdf5Tables.open(lines)) {
+      tables.read(
+          "ML_estimates",
+          List.of("obj_id", "frame", "timestamp", "x", "hz_line2", "hz_line4", "hz_line5"),
+          7,
+          row -> {
+            String[] same = rows.get((int) row.index());
+            assertEquals("0", row.text(0));
+            assertEquals(same[14], row.text(1));
+            assertEquals(Long.parseLong(same[0]) * 1e-6, row.number(2), 1e-9);
+            assertEquals(Double.parseDouble(same[2]), row.number(3), 0.01);
+            assertEquals(
+                1,
+                Math.sqrt(
+                    Math.pow(row.number(4), 2)
+                        + Math.pow(row.number(5), 2)
+                        + Math.pow(row.number(6), 2)),
+                1e-6);
+          });
+    }
+    assertFailed(
+        2, "frames", "orient", seen, "--cameras", cameras, "--out", folder.resolve("no.h5"));
+    byte[] whole = Files.readAllBytes(file);
+    Files.write(file, java.util.Arrays.copyOf(whole, whole.length / 2));
+    assertFailed(
+        1, "ends before", "orient", file, "--cameras", cameras, "--out", out, "--overwrite");
+    assertEquals(rows.size(), rows(out).size(), "what was there stays");
   }
 
   @Test

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import haltere.core.overlay.MarkStyle;
 import haltere.core.overlay.MarkStyle.Role;
 import haltere.core.overlay.OverlayCanvas;
+import haltere.filters.orientation.camera.LineObservation;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -23,6 +24,7 @@ class BodyFlightDrawingTest {
     final List<double[]> axes = new ArrayList<>();
     final List<String> texts = new ArrayList<>();
     final List<double[]> outlines = new ArrayList<>();
+    final List<double[]> observed = new ArrayList<>();
 
     @Override
     public void circle(double x, double y, double radius, MarkStyle style) {
@@ -32,6 +34,9 @@ class BodyFlightDrawingTest {
     @Override
     public void line(double x1, double y1, double x2, double y2, MarkStyle style) {
       lines.add(style.role());
+      if (style.role() == Role.MEASUREMENT || style.role() == Role.WARNING) {
+        observed.add(new double[] {x1, y1, x2, y2});
+      }
       if (style.role() == Role.ESTIMATE) {
         axes.add(new double[] {x1, y1, x2, y2});
       }
@@ -87,6 +92,65 @@ class BodyFlightDrawingTest {
       assertTrue(marks.texts.stream().anyMatch(text -> text.startsWith("camera-" + camera)));
     }
     assertTrue(marks.texts.stream().anyMatch(text -> text.matches("camera-. [+-].*\u00b0")));
+  }
+
+  private static Marks drawn(CameraLine line) {
+    Marks marks = new Marks();
+    new CameraLineOverlay().draw(line, marks);
+    return marks;
+  }
+
+  @Test
+  void acceptedLinesAreSolidAndGatedOnesBrokenAlongWhatTheCameraSaw() throws IOException {
+    int accepted = 0;
+    int gated = 0;
+    for (BodyFlight.Moment moment : flight().moments()) {
+      for (CameraLine line : moment.lines()) {
+        Marks marks = drawn(line);
+        assertEquals(2, marks.axes.size(), "the axis and its head");
+        if (line.observed().isEmpty()) {
+          assertEquals(0, marks.observed.size());
+          assertEquals(List.of(), marks.texts);
+          continue;
+        }
+        Role role = line.isAccepted() ? Role.MEASUREMENT : Role.WARNING;
+        assertEquals(line.isAccepted() ? 2 : 6, marks.observed.size());
+        assertEquals(marks.observed.size(), marks.lines.stream().filter(role::equals).count());
+        double angleRad = line.observed().get().angleRad();
+        for (double[] piece : marks.observed) {
+          double across =
+              (piece[2] - piece[0]) * Math.sin(angleRad)
+                  - (piece[3] - piece[1]) * Math.cos(angleRad);
+          assertEquals(0, across, 1e-9, "along the observed line");
+          double beside =
+              (piece[0] - line.observed().get().xPx()) * Math.sin(angleRad)
+                  - (piece[1] - line.observed().get().yPx()) * Math.cos(angleRad);
+          assertEquals(0, beside, 1e-9, "through the observed position");
+        }
+        assertEquals(line.isGated(), marks.texts.get(0).endsWith("gated"), marks.texts.get(0));
+        accepted += line.isAccepted() ? 1 : 0;
+        gated += line.isGated() ? 1 : 0;
+        double[] axis = marks.axes.get(0);
+        double off =
+            Math.hypot(axis[0] + axis[2] - 2 * line.xPx(), axis[1] + axis[3] - 2 * line.yPx());
+        assertEquals(0, off, 1e-9, "the axis is at the estimated position");
+      }
+    }
+    assertTrue(accepted > 200 && gated > 10, accepted + " accepted, " + gated + " gated");
+  }
+
+  @Test
+  void aDetectionWithoutALineHasItsNameAndNoLine() throws IOException {
+    CameraLine some = flight().moments().get(50).lines().get(0);
+    LineObservation blob = new LineObservation(0, 10, 20, Double.NaN, Double.NaN, Double.NaN);
+    Marks marks =
+        drawn(
+            new CameraLine(
+                "left", Optional.of(blob), Double.NaN, false, Double.NaN, Double.NaN, Double.NaN));
+    assertEquals(List.of("left"), marks.texts);
+    assertEquals(List.of(), marks.lines);
+    assertEquals(List.of(), marks.axes);
+    assertTrue(some.halfLengthPx() > 1);
   }
 
   @Test

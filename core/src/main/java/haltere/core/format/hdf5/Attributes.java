@@ -60,7 +60,7 @@ final class Attributes {
     } else if (type.kind() == 's' && type.bytes() <= MAX_TEXT) {
       texts.put(name, body.text(type.bytes()));
     } else if (type.kind() == 'v') {
-      texts.put(name, heapText(file, body));
+      texts.put(name, new GlobalHeap(file).text(body, MAX_TEXT));
     }
   }
 
@@ -76,35 +76,6 @@ final class Attributes {
       return type.bytes() == 8 ? buffer.getDouble() : (double) buffer.getFloat();
     }
     return NumberColumn.whole(buffer, 0, type);
-  }
-
-  /** A text in the heap that all attributes share. */
-  private static String heapText(ContainerFile file, Metadata reference) throws IOException {
-    long length = reference.u4();
-    long place = reference.place();
-    long wanted = reference.u4();
-    if (length == 0 || length > MAX_TEXT) {
-      return "";
-    }
-    Metadata head = file.at(place, 8 + file.lengthBytes());
-    head.expect("GCOL");
-    head.skip(4);
-    Metadata heap = file.at(place, head.length());
-    heap.skip(8 + file.lengthBytes());
-    int frame = 8 + file.lengthBytes();
-    while (heap.remaining() >= frame) {
-      int index = heap.u2();
-      heap.skip(6);
-      long size = heap.length();
-      if (index == 0) {
-        break;
-      }
-      if (index == wanted) {
-        return heap.text((int) Math.min(length, size));
-      }
-      heap.skip(Math.min(heap.remaining(), (size + 7) / 8 * 8));
-    }
-    throw reference.problem("a text that is not in its heap");
   }
 
   OptionalLong whole(String name) throws RecordingProblem {

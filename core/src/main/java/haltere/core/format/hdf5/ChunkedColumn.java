@@ -8,8 +8,8 @@ import java.util.Arrays;
 import java.util.zip.Deflater;
 
 /**
- * A list of whole numbers on its way to a file: chunks of rows, packed if that is wanted, and the
- * tree that says where they are.
+ * A list of numbers or of rows of a table on its way to a file: chunks of rows, packed if that is
+ * wanted, and the tree that says where they are.
  *
  * <p>Thread rule: one thread.
  */
@@ -27,8 +27,8 @@ final class ChunkedColumn {
       NODE_HEAD + NODE_ENTRIES * 8 + (NODE_ENTRIES + 1) * KEY_BYTES;
 
   private final String name;
+  private final ElementType type;
   private final int size;
-  private final boolean signed;
   private final int level;
   private final Deflater deflater;
   private final byte[] chunk;
@@ -54,14 +54,13 @@ final class ChunkedColumn {
    * A column without rows.
    *
    * @param name of it in its group
-   * @param size bytes of a number
-   * @param signed whether numbers can be below zero
+   * @param type of its elements
    * @param level of deflate, 0 for chunks that are not packed
    */
-  ChunkedColumn(String name, int size, boolean signed, int level) {
+  ChunkedColumn(String name, ElementType type, int level) {
     this.name = name;
-    this.size = size;
-    this.signed = signed;
+    this.type = type;
+    size = type.bytes();
     this.level = level;
     chunk = new byte[CHUNK_ROWS * size];
     chunkBuffer = ByteBuffer.wrap(chunk);
@@ -75,12 +74,8 @@ final class ChunkedColumn {
     return name;
   }
 
-  int size() {
-    return size;
-  }
-
-  boolean isSigned() {
-    return signed;
+  ElementType type() {
+    return type;
   }
 
   int level() {

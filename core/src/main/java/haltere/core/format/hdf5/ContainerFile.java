@@ -34,14 +34,23 @@ final class ContainerFile {
   /** Reads the superblock. */
   static ContainerFile open(RecordingFile bytes) throws IOException {
     ContainerFile file = new ContainerFile(bytes);
+    long start = signatureAt(bytes);
+    if (start < 0) {
+      throw new RecordingProblem(bytes.path(), 0, "this is no HDF5 file: its signature is missing");
+    }
+    byte[] head = bytes.read(start, SUPERBLOCK_BYTES);
+    file.superblock(new Metadata(file, head, SIGNATURE.length, head.length, start), start);
+    return file;
+  }
+
+  /** Where the signature is, behind whatever was put before it; −1 for a file without one. */
+  static long signatureAt(RecordingFile bytes) throws IOException {
     for (long start = 0; start <= MAX_USER_BLOCK; start = start == 0 ? 512 : 2 * start) {
-      byte[] head = bytes.read(start, SUPERBLOCK_BYTES);
-      if (isSignature(head, 0)) {
-        file.superblock(new Metadata(file, head, SIGNATURE.length, head.length, start), start);
-        return file;
+      if (isSignature(bytes.read(start, SIGNATURE.length), 0)) {
+        return start;
       }
     }
-    throw new RecordingProblem(bytes.path(), 0, "this is no HDF5 file: its signature is missing");
+    return -1;
   }
 
   /** Whether the signature of HDF5 stands at an index. */

@@ -1,7 +1,10 @@
 package haltere.core.format.hdf5;
 
+import haltere.core.format.RecordingProblem;
 import java.io.IOException;
+import java.util.Collection;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * A dataset that is a list of elements, or a table whose rows are read as elements: where its bytes
@@ -34,6 +37,11 @@ record Dataset(
   private static final long MAX_CHUNK_BYTES = 0xffffffffL;
   private static final int MAX_TABLE_COLUMNS = 16;
   private static final byte[] NONE = {};
+
+  /** Unpacked chunks, and what is needed to unpack the largest, must fit this. */
+  private static final long MEMORY_BYTES = 28L << 20;
+
+  private static final int UNPACKING = 3;
 
   /** How the bytes of a dataset lie in the file. */
   enum Kind {
@@ -93,8 +101,8 @@ record Dataset(
     };
   }
 
-  private static haltere.core.format.RecordingProblem lacks(ContainerFile file, String name) {
-    return new haltere.core.format.RecordingProblem(
+  private static RecordingProblem lacks(ContainerFile file, String name) {
+    return new RecordingProblem(
         file.bytes().path(), "damaged: " + name + " lacks what every dataset has");
   }
 
@@ -229,5 +237,32 @@ record Dataset(
   /** Bytes of an unpacked chunk. */
   long chunkBytes() {
     return chunkRows * rowBytes;
+  }
+
+  /** Refuses what cannot be read, or not within bounded memory. */
+  static void check(ContainerFile container, Collection<Dataset> datasets) throws RecordingProblem {
+    long unpacked = 0;
+    long largest = 0;
+    for (Dataset dataset : datasets) {
+      for (FilterStep step : dataset.filters) {
+        Optional<String> obstacle = step.obstacle();
+        if (obstacle.isPresent()) {
+          throw new RecordingProblem(
+              container.bytes().path(), dataset.name() + " is packed with " + obstacle.get());
+        }
+      }
+      if (dataset.isChunked() && !dataset.filters.isEmpty()) {
+        unpacked += dataset.chunkBytes();
+        largest = Math.max(largest, dataset.chunkBytes());
+      }
+    }
+    if (unpacked + UNPACKING * largest > MEMORY_BYTES) {
+      throw new RecordingProblem(
+          container.bytes().path(),
+          "its data are packed in chunks of up to "
+              + (largest >> 10)
+              + " KiB, more than a reader with bounded memory takes; rewrite it with smaller ones,"
+              + " such as h5repack -l CHUNK=65536");
+    }
   }
 }

@@ -8,10 +8,11 @@ import java.util.List;
  * What the elements of a dataset or an attribute are.
  *
  * @param kind {@code i} whole, {@code u} whole without sign, {@code f} floating point, {@code s}
- *     text, {@code v} text that lies elsewhere, {@code c} several by name, {@code -} anything else
+ *     text, {@code v} text in a global heap, {@code l} a list in a global heap, {@code c} several
+ *     by name, {@code -} anything else
  * @param bytes size of an element
  * @param bigEndian whether its first byte is the highest
- * @param members of several by name
+ * @param members of several by name; of a list, its elements as the only member
  */
 record ElementType(char kind, int bytes, boolean bigEndian, List<Member> members) {
   private static final int MAX_MEMBERS = 256;
@@ -26,6 +27,16 @@ record ElementType(char kind, int bytes, boolean bigEndian, List<Member> members
    * @param type of it
    */
   record Member(String name, int offset, ElementType type) {}
+
+  /** A whole number, the lowest byte first. */
+  static ElementType whole(int bytes, boolean signed) {
+    return number(signed ? 'i' : 'u', bytes, false);
+  }
+
+  /** A floating-point number of 4 or 8 bytes, the lowest byte first. */
+  static ElementType real(int bytes) {
+    return number('f', bytes, false);
+  }
 
   static ElementType read(Metadata body) throws RecordingProblem {
     return read(body, MAX_DEPTH);
@@ -63,8 +74,10 @@ record ElementType(char kind, int bytes, boolean bigEndian, List<Member> members
       case 8:
         return enumeration(body, version, bits | (moreBits & 0xff) << 8, depth);
       case 9:
-        read(body, depth - 1);
-        return number((bits & 15) == 1 ? 'v' : '-', bytes, false);
+        ElementType base = read(body, depth - 1);
+        return (bits & 15) == 1
+            ? number('v', bytes, false)
+            : new ElementType('l', bytes, false, List.of(new Member("", 0, base)));
       case 10:
         int dimensions = body.u1();
         body.skip(version < 3 ? 3 + 8L * dimensions : 4L * dimensions);

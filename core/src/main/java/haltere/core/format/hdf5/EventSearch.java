@@ -9,39 +9,33 @@ import haltere.core.format.packed.DamagedPacketException;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalLong;
-import java.util.Set;
 
 /**
  * Looks for the events of a file: datasets that are named as columns of events and lie in one
  * group, or a dataset whose elements have such names, or a table of four columns.
  */
 final class EventSearch {
-  private static final int MAX_DATASETS = 512;
-  private static final int MAX_DEPTH = 4;
   private static final int LOOK_ROWS = 4096;
   private static final int MAX_SIDE = 32768;
   private static final double SMALLEST_NS = 1e17;
   private static final double SMALLEST_EXACT = 1e-9;
 
   private final ContainerFile file;
-  private final List<Dataset> datasets = new ArrayList<>();
-  private final List<Attributes> attributes = new ArrayList<>();
-  private final Set<Long> seen = new HashSet<>();
-  private final List<RecordingProblem> problems = new ArrayList<>();
-  private boolean hidden;
+  private final FileContents contents;
+  private final List<Dataset> datasets;
 
-  EventSearch(ContainerFile file) {
+  EventSearch(ContainerFile file) throws IOException {
     this.file = file;
+    contents = FileContents.of(file);
+    datasets = new ArrayList<>(contents.datasets());
   }
 
   EventTable table() throws IOException {
-    collect("", file.root(), MAX_DEPTH);
     datasets.sort(Comparator.comparingInt(EventSearch::rank));
     Map<EventColumn, EventTable.Column> columns = columns();
     long rows = Long.MAX_VALUE;
@@ -83,35 +77,6 @@ final class EventSearch {
     return dataset.name().startsWith("events/") ? 0 : dataset.name().startsWith("CD/") ? 1 : 2;
   }
 
-  private void collect(String path, long place, int depth) throws IOException {
-    if (!seen.add(place) || seen.size() > MAX_DATASETS) {
-      return;
-    }
-    ObjectHeader header = ObjectHeader.read(file, place);
-    if (!Group.isGroup(header)) {
-      if (header.has(ObjectHeader.LAYOUT)) {
-        datasets.add(Dataset.read(file, path, header));
-      }
-      return;
-    }
-    if (path.isEmpty() || path.equals("events")) {
-      attributes.add(Attributes.of(file, header));
-    }
-    Group group = Group.of(file, header);
-    hidden |= group.hasHidden();
-    if (depth > 0) {
-      for (Map.Entry<String, Long> member : group.members().entrySet()) {
-        String name = path.isEmpty() ? member.getKey() : path + "/" + member.getKey();
-        try {
-          collect(name, member.getValue(), depth - 1);
-        } catch (RecordingProblem problem) {
-          // What is not known may be something else than events.
-          problems.add(problem);
-        }
-      }
-    }
-  }
-
   private Map<EventColumn, EventTable.Column> columns() throws IOException {
     for (Dataset dataset : datasets) {
       Map<EventColumn, EventTable.Column> columns = EventTable.noColumns();
@@ -139,16 +104,8 @@ final class EventSearch {
         return columns;
       }
     }
-    if (!problems.isEmpty()) {
-      throw problems.get(0);
-    }
-    throw new RecordingProblem(
-        file.bytes().path(),
-        "its datasets "
-            + datasets.stream().map(Dataset::name).limit(20).toList()
-            + (hidden ? " (and some in a list that is not read here; h5repack rewrites it)" : "")
-            + " are no events: t, x, y and p are wanted, as lists in one group or as fields of one"
-            + " list");
+    throw contents.lacks(
+        "are no events: t, x, y and p are wanted, as lists in one group or as fields of one list");
   }
 
   private static void put(
@@ -227,7 +184,7 @@ final class EventSearch {
 
   /** Said by eventcv, or by the column's name; else as for other files of plain numbers. */
   private int timeScale(EventTable.Column time) throws IOException {
-    for (Attributes some : attributes) {
+    for (Attributes some : contents.attributes()) {
       OptionalDouble milliseconds = some.real("timestamp_scale_ms");
       if (milliseconds.isPresent()) {
         int power = (int) Math.round(Math.log10(milliseconds.getAsDouble())) + 3;
@@ -244,7 +201,7 @@ final class EventSearch {
   }
 
   private OptionalLong whole(String name) throws RecordingProblem {
-    for (Attributes some : attributes) {
+    for (Attributes some : contents.attributes()) {
       if (some.whole(name).isPresent()) {
         return some.whole(name);
       }
@@ -255,7 +212,7 @@ final class EventSearch {
   private Optional<SensorGeometry> sensor() throws RecordingProblem {
     long width = whole(EventTable.WIDTH).orElse(0);
     long height = whole(EventTable.HEIGHT).orElse(0);
-    for (Attributes some : attributes) {
+    for (Attributes some : contents.attributes()) {
       String[] sides = some.text("geometry").split("x", -1);
       if (sides.length == 2 && sides[0].matches("\\d{1,5}") && sides[1].matches("\\d{1,5}")) {
         width = Integer.parseInt(sides[0]);

@@ -42,11 +42,6 @@ record EventTable(
   static final String ROWS_UP = "rows_up";
   static final String TIME_OFFSET = "t_offset";
 
-  /** Unpacked chunks, and what is needed to unpack the largest, must fit this. */
-  private static final long MEMORY_BYTES = 28L << 20;
-
-  private static final int UNPACKING = 3;
-
   /**
    * A column.
    *
@@ -76,29 +71,7 @@ record EventTable(
 
   /** Refuses what cannot be read, or not within bounded memory. */
   void check() throws RecordingProblem {
-    long unpacked = 0;
-    long largest = 0;
-    for (Dataset dataset : datasets()) {
-      for (FilterStep step : dataset.filters()) {
-        Optional<String> obstacle = step.obstacle();
-        if (obstacle.isPresent()) {
-          throw new RecordingProblem(
-              container.bytes().path(), dataset.name() + " is packed with " + obstacle.get());
-        }
-      }
-      if (dataset.isChunked() && !dataset.filters().isEmpty()) {
-        unpacked += dataset.chunkBytes();
-        largest = Math.max(largest, dataset.chunkBytes());
-      }
-    }
-    if (unpacked + UNPACKING * largest > MEMORY_BYTES) {
-      throw new RecordingProblem(
-          container.bytes().path(),
-          "its events are packed in chunks of up to "
-              + (largest >> 10)
-              + " KiB, more than a reader with bounded memory takes; rewrite it with smaller ones,"
-              + " such as h5repack -l CHUNK=65536");
-    }
+    Dataset.check(container, datasets());
   }
 
   static Map<EventColumn, Column> noColumns() {

@@ -42,6 +42,12 @@ final class Hdf5Bytes {
     return this;
   }
 
+  /** A text with zeros behind it, a multiple of eight bytes. */
+  Hdf5Bytes padded(String text) {
+    text(text);
+    return skip(8 - text.length() % 8);
+  }
+
   /** Zeros up to a multiple of eight, so many at least. */
   Hdf5Bytes pad(int atLeast) {
     bytes.position((bytes.position() + atLeast + 7) / 8 * 8);

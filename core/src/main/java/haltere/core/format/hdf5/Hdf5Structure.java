@@ -40,11 +40,7 @@ final class Hdf5Structure {
       Map<ChunkedColumn, Long> events,
       Map<ChunkedColumn, Long> index) {
     Hdf5Structure structure = new Hdf5Structure();
-    Hdf5Bytes bytes = structure.bytes;
-    bytes.u1(0x89).text("HDF\r\n\u001a\n").u4(0).u1(0).u1(8).u1(8).u1(0);
-    bytes.u2(SYMBOLS_PER_NODE / 2).u2(16).u4(0).u8(0).u8(-1).u8(end).u8(-1);
-    bytes.skip(SYMBOL_BYTES);
-
+    structure.superblock(end);
     List<Member> columns = new ArrayList<>();
     events.forEach((column, tree) -> columns.add(structure.dataset(column, tree)));
     Group eventGroup = structure.group(columns);
@@ -52,9 +48,32 @@ final class Hdf5Structure {
     top.add(new Member("events", structure.header(eventGroup, Map.of()), eventGroup));
     index.forEach((column, tree) -> top.add(structure.dataset(column, tree)));
     top.add(structure.number(EventTable.TIME_OFFSET, timeOffsetUs));
-    Group root = structure.group(top);
-    long rootHeader = structure.header(root, attributes);
+    return structure.finish(top, attributes);
+  }
 
+  /**
+   * Lays out a file of one table.
+   *
+   * @param end bytes of the file
+   * @param table its rows
+   * @param tree root of its tree of chunks
+   * @return the first {@link #BYTES} of the file
+   */
+  static ByteBuffer of(long end, ChunkedColumn table, long tree) {
+    Hdf5Structure structure = new Hdf5Structure();
+    structure.superblock(end);
+    return structure.finish(List.of(structure.dataset(table, tree)), Map.of());
+  }
+
+  private void superblock(long end) {
+    bytes.u1(0x89).text("HDF\r\n\u001a\n").u4(0).u1(0).u1(8).u1(8).u1(0);
+    bytes.u2(SYMBOLS_PER_NODE / 2).u2(16).u4(0).u8(0).u8(-1).u8(end).u8(-1);
+    bytes.skip(SYMBOL_BYTES);
+  }
+
+  private ByteBuffer finish(List<Member> top, Map<String, Long> attributes) {
+    Group root = group(top);
+    long rootHeader = header(root, attributes);
     ByteBuffer whole = bytes.whole();
     whole.position(ROOT_ENTRY);
     entry(whole, 0, rootHeader, root);
@@ -119,13 +138,31 @@ final class Hdf5Structure {
     int message = startMessage(ObjectHeader.ATTRIBUTE);
     bytes.u1(1).u1(0).u2(name.length() + 1).u2(12).u2(8);
     bytes.text(name).pad(1);
-    type(8, true);
+    type(ElementType.whole(8, true));
     bytes.pad(0).u1(1).skip(7).u8(value);
     endMessage(message);
   }
 
-  private void type(int size, boolean signed) {
-    bytes.u1(0x10).u1(signed ? 8 : 0).u2(0).u4(size).u2(0).u2(8 * size);
+  private void type(ElementType type) {
+    int size = type.bytes();
+    switch (type.kind()) {
+      case 'c' -> {
+        bytes.u1(0x16).u1(type.members().size()).u2(0).u4(size);
+        for (ElementType.Member member : type.members()) {
+          bytes.padded(member.name()).u4(member.offset()).skip(28);
+          type(member.type());
+        }
+      }
+      case 'f' -> {
+        int mantissa = size == 8 ? 52 : 23;
+        int exponent = size == 8 ? 11 : 8;
+        bytes.u1(0x11).u1(0x20).u1(8 * size - 1).u1(0).u4(size).u2(0).u2(8 * size);
+        bytes.u1(mantissa).u1(exponent).u1(0).u1(mantissa).u4((1 << exponent - 1) - 1);
+      }
+      default -> {
+        bytes.u1(0x10).u1(type.kind() == 'i' ? 8 : 0).u2(0).u4(size).u2(0).u2(8 * size);
+      }
+    }
   }
 
   private Member number(String name, long value) {
@@ -135,7 +172,7 @@ final class Hdf5Structure {
     int message = startMessage(ObjectHeader.DATASPACE);
     bytes.u1(1).skip(7);
     endMessage(message);
-    typeAndFill(8, true);
+    typeAndFill(ElementType.whole(8, true));
     message = startMessage(ObjectHeader.LAYOUT);
     bytes.u1(3).u1(1).u8(place).u8(8);
     endMessage(message);
@@ -143,9 +180,9 @@ final class Hdf5Structure {
     return new Member(name, start, null);
   }
 
-  private void typeAndFill(int size, boolean signed) {
+  private void typeAndFill(ElementType type) {
     int message = startMessage(ObjectHeader.DATATYPE);
-    type(size, signed);
+    type(type);
     endMessage(message);
     message = startMessage(5);
     bytes.u1(2).u1(3).u1(2).u1(1).u4(0);
@@ -157,16 +194,16 @@ final class Hdf5Structure {
     int message = startMessage(ObjectHeader.DATASPACE);
     bytes.u1(1).u1(1).u1(1).skip(5).u8(column.rows()).u8(-1);
     endMessage(message);
-    typeAndFill(column.size(), column.isSigned());
+    typeAndFill(column.type());
     message = startMessage(ObjectHeader.LAYOUT);
-    bytes.u1(3).u1(2).u1(2).u8(tree).u4(column.chunkRows()).u4(column.size());
+    bytes.u1(3).u1(2).u1(2).u8(tree).u4(column.chunkRows()).u4(column.type().bytes());
     endMessage(message);
     if (column.level() > 0) {
-      boolean shuffled = column.size() > 1;
+      boolean shuffled = column.type().bytes() > 1;
       message = startMessage(ObjectHeader.FILTERS);
       bytes.u1(1).u1(shuffled ? 2 : 1).skip(6);
       if (shuffled) {
-        bytes.u2(FilterStep.SHUFFLE).u2(0).u2(1).u2(1).u4(column.size()).u4(0);
+        bytes.u2(FilterStep.SHUFFLE).u2(0).u2(1).u2(1).u4(column.type().bytes()).u4(0);
       }
       bytes.u2(FilterStep.DEFLATE).u2(0).u2(1).u2(1).u4(column.level()).u4(0);
       endMessage(message);

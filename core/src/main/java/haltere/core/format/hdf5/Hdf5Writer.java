@@ -40,7 +40,8 @@ public final class Hdf5Writer implements RecordingWriter {
   private final ChunkedColumn x;
   private final ChunkedColumn y;
   private final ChunkedColumn on;
-  private final ChunkedColumn index = new ChunkedColumn("ms_to_idx", 8, false, USUAL_LEVEL);
+  private final ChunkedColumn index =
+      new ChunkedColumn("ms_to_idx", ElementType.whole(8, false), USUAL_LEVEL);
 
   private boolean started;
   private long offsetUs;
@@ -58,10 +59,10 @@ public final class Hdf5Writer implements RecordingWriter {
     this.file = file;
     geometry = options.geometry();
     fromTop = options.origin().orElse(geometry.origin()) == Origin.TOP;
-    times = new ChunkedColumn("t", 8, true, level);
-    x = new ChunkedColumn("x", 2, false, level);
-    y = new ChunkedColumn("y", 2, false, level);
-    on = new ChunkedColumn("p", 1, false, level);
+    times = new ChunkedColumn("t", ElementType.whole(8, true), level);
+    x = new ChunkedColumn("x", ElementType.whole(2, false), level);
+    y = new ChunkedColumn("y", ElementType.whole(2, false), level);
+    on = new ChunkedColumn("p", ElementType.whole(1, false), level);
     file.channel().position(Hdf5Structure.BYTES);
   }
 

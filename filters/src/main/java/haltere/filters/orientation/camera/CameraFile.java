@@ -119,16 +119,10 @@ public record CameraFile(List<CameraModel> cameras, double minEccentricity) {
   }
 
   private static double[] numbers(Object value, String name, int count) throws JsonProblem {
-    if (value instanceof List<?> list && list.size() == count) {
-      double[] numbers = new double[count];
-      boolean all = true;
-      for (int i = 0; i < count; i++) {
-        all &= list.get(i) instanceof Number;
-        numbers[i] = list.get(i) instanceof Number number ? number.doubleValue() : Double.NaN;
-      }
-      if (all) {
-        return numbers;
-      }
+    if (value instanceof List<?> list
+        && list.size() == count
+        && list.stream().allMatch(Number.class::isInstance)) {
+      return list.stream().mapToDouble(each -> ((Number) each).doubleValue()).toArray();
     }
     throw new JsonProblem(name + " is a list of " + count + " numbers, not " + value);
   }

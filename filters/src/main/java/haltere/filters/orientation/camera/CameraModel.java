@@ -1,8 +1,10 @@
 package haltere.filters.orientation.camera;
 
-import haltere.filters.estimation.Angles;
+import java.util.Arrays;
 import java.util.Objects;
 import java.util.Optional;
+import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.CommonOps_DDRM;
 
 /**
  * A calibrated camera: a point X of the world is seen at (h₀/h₂, h₁/h₂), h = C (X, 1), with C the 3
@@ -18,13 +20,15 @@ import java.util.Optional;
  * expression. Thread rule: immutable.
  */
 public final class CameraModel {
-  /** Largest direction that is taken for the camera's own centre, relative. */
+  /** Relative depth below which a point is in the plane of the camera's centre. */
   private static final double AT_CENTRE = 1e-9;
+
+  private static final double DIFFERENCE_PX = 1e-3;
 
   private final String id;
   private final double[] matrix;
   private final double[] centre = new double[3];
-  private final double[] inverse = new double[9];
+  private final DMatrixRMaj inverse = new DMatrixRMaj(3, 3);
   private final Lens lens;
   private final int widthPx;
   private final int heightPx;
@@ -69,9 +73,9 @@ public final class CameraModel {
     if (problem != null) {
       return new CameraModel(id, own, null, widthPx, heightPx, problem);
     }
-    double[] m0 = {own[0], own[1], own[2]};
-    double[] m1 = {own[4], own[5], own[6]};
-    double[] r3 = {own[8], own[9], own[10]};
+    double[] m0 = left(own, 0);
+    double[] m1 = left(own, 1);
+    double[] r3 = left(own, 2);
     double cx = Vectors.dot(m0, r3);
     double cy = Vectors.dot(m1, r3);
     double[] r2 = {m1[0] - cy * r3[0], m1[1] - cy * r3[1], m1[2] - cy * r3[2]};
@@ -110,7 +114,7 @@ public final class CameraModel {
           "a camera's matrix has 12 numbers (3 rows of 4), not " + matrix.length);
     }
     double[] own = matrix.clone();
-    double scale = Math.sqrt(own[8] * own[8] + own[9] * own[9] + own[10] * own[10]);
+    double scale = Vectors.length(left(own, 2));
     for (int i = 0; i < 12 && scale > 0; i++) {
       own[i] /= scale;
     }
@@ -118,14 +122,12 @@ public final class CameraModel {
   }
 
   private static String problemOf(double[] m) {
-    for (double entry : m) {
-      if (!Double.isFinite(entry)) {
-        return "its matrix has entries that are not finite";
-      }
+    if (!Arrays.stream(m).allMatch(Double::isFinite)) {
+      return "its matrix has entries that are not finite";
     }
-    double[] m0 = {m[0], m[1], m[2]};
-    double[] m1 = {m[4], m[5], m[6]};
-    double[] m2 = {m[8], m[9], m[10]};
+    double[] m0 = left(m, 0);
+    double[] m1 = left(m, 1);
+    double[] m2 = left(m, 2);
     double[] across = new double[3];
     Vectors.cross(m0, m1, across);
     double volume = Math.abs(Vectors.dot(across, m2));
@@ -135,22 +137,16 @@ public final class CameraModel {
         : "its matrix has not the rank 3 in its left part, so it sees no lines in space";
   }
 
+  /** A row of the left part. */
+  private static double[] left(double[] matrix, int row) {
+    return Arrays.copyOfRange(matrix, 4 * row, 4 * row + 3);
+  }
+
   private void invert() {
-    double[] m = matrix;
-    double c00 = m[5] * m[10] - m[6] * m[9];
-    double c01 = m[6] * m[8] - m[4] * m[10];
-    double c02 = m[4] * m[9] - m[5] * m[8];
-    double determinant = m[0] * c00 + m[1] * c01 + m[2] * c02;
-    inverse[0] = c00 / determinant;
-    inverse[1] = (m[2] * m[9] - m[1] * m[10]) / determinant;
-    inverse[2] = (m[1] * m[6] - m[2] * m[5]) / determinant;
-    inverse[3] = c01 / determinant;
-    inverse[4] = (m[0] * m[10] - m[2] * m[8]) / determinant;
-    inverse[5] = (m[2] * m[4] - m[0] * m[6]) / determinant;
-    inverse[6] = c02 / determinant;
-    inverse[7] = (m[1] * m[8] - m[0] * m[9]) / determinant;
-    inverse[8] = (m[0] * m[5] - m[1] * m[4]) / determinant;
-    Vectors.multiply(inverse, new double[] {-m[3], -m[7], -m[11]}, centre);
+    CommonOps_DDRM.extract(DMatrixRMaj.wrap(3, 4, matrix), 0, 3, 0, 3, inverse);
+    CommonOps_DDRM.invert(inverse);
+    double[] last = {-matrix[3], -matrix[7], -matrix[11]};
+    Vectors.multiply(inverse.data, last, centre);
   }
 
   /**
@@ -242,34 +238,32 @@ public final class CameraModel {
   }
 
   /**
-   * At which angle a line on a body is seen, through the lens.
+   * In which direction an axis on a body points in the picture, through the lens.
    *
    * @param point where the body is, metres
-   * @param axis direction of the line, of any length but 0
-   * @return radians in (−π/2, π/2], NaN if it has none there
+   * @param axis of any length but 0
+   * @return radians from +x towards +y; NaN where none is seen
    */
-  public double lineAngle(double[] point, double[] axis) {
+  public double heading(double[] point, double[] axis) {
     double[] n = new double[6];
     double[] pixel = new double[2];
     if (!lineNormals(point, n) || !projectIdeal(point, pixel)) {
       return Double.NaN;
     }
-    double vx = n[0] * axis[0] + n[1] * axis[1] + n[2] * axis[2];
-    double vy = n[3] * axis[0] + n[4] * axis[1] + n[5] * axis[2];
+    double vx = Vectors.dot(n, axis);
+    double vy = Vectors.dot(Arrays.copyOfRange(n, 3, 6), axis);
     double length = Math.hypot(vx, vy);
     if (!(length > 1e-12 * Vectors.length(axis))) {
       return Double.NaN;
     }
-    if (lens.isStraight()) {
-      return Angles.wrapHalfPi(Math.atan2(vy, vx));
-    }
     // The derivative of the lens along the line, from both sides; its third order is far below.
-    double step = 1e-3;
-    double[] ahead = {pixel[0] + step * vx / length, pixel[1] + step * vy / length};
-    double[] behind = {pixel[0] - step * vx / length, pixel[1] - step * vy / length};
+    double stepX = DIFFERENCE_PX * vx / length;
+    double stepY = DIFFERENCE_PX * vy / length;
+    double[] ahead = {pixel[0] + stepX, pixel[1] + stepY};
+    double[] behind = {pixel[0] - stepX, pixel[1] - stepY};
     lens.distort(ahead);
     lens.distort(behind);
-    return Angles.wrapHalfPi(Math.atan2(ahead[1] - behind[1], ahead[0] - behind[0]));
+    return Math.atan2(ahead[1] - behind[1], ahead[0] - behind[0]);
   }
 
   /**
@@ -316,7 +310,7 @@ public final class CameraModel {
     if (problem != null) {
       return false;
     }
-    Vectors.multiply(inverse, new double[] {xPx, yPx, 1}, direction);
+    Vectors.multiply(inverse.data, new double[] {xPx, yPx, 1}, direction);
     return Double.isFinite(direction[0] + direction[1] + direction[2])
         && Vectors.normalise(direction);
   }
@@ -331,8 +325,14 @@ public final class CameraModel {
     return problem == null && lens.straighten(line);
   }
 
-  /** ∂(column, row)/∂point where the point is seen at a pixel; two rows of three. */
-  void pixelByPoint(double[] point, double[] pixel, double[] jacobian) {
+  /**
+   * The derivative of {@link #projectIdeal} by the point.
+   *
+   * @param point metres
+   * @param pixel where it is seen without the lens
+   * @param jacobian gets two rows of three
+   */
+  public void pixelByPoint(double[] point, double[] pixel, double[] jacobian) {
     double h2 = row(2, point);
     for (int k = 0; k < 3; k++) {
       jacobian[k] = (matrix[k] - pixel[0] * matrix[8 + k]) / h2;

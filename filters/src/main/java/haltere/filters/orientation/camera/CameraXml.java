@@ -68,16 +68,14 @@ final class CameraXml {
     if (id == null || matrixText == null) {
       throw new JsonProblem(name + " has no cam_id or no calibration_matrix");
     }
-    String[] rows = matrixText.split(";");
     double[] matrix = new double[12];
-    for (int i = 0; i < 3; i++) {
-      String[] words = rows.length == 3 ? rows[i].strip().split("\\s+") : new String[0];
-      if (words.length != 4) {
+    for (int i = 0; i < 12; i++) {
+      String[] rows = matrixText.split(";");
+      String[] words = rows[Math.min(i / 4, rows.length - 1)].strip().split("\\s+");
+      if (rows.length != 3 || words.length != 4) {
         throw new JsonProblem(name + ": calibration_matrix is 3 rows of 4 numbers, by semicolons");
       }
-      for (int j = 0; j < 4; j++) {
-        matrix[4 * i + j] = number(words[j], name + ": calibration_matrix");
-      }
+      matrix[i] = number(words[i % 4], name + ": calibration_matrix");
     }
     String[] size = camera.getOrDefault("resolution", "0 0").split("\\s+");
     int width = (int) number(size[0], name + ": resolution");

@@ -33,7 +33,7 @@ public record Lens(
     double p1,
     double p2,
     double k3) {
-  private static final int MOST_STEPS = 30;
+  private static final int MAX_STEPS = 30;
 
   /** Checks that the focal lengths are positive and all numbers finite. */
   public Lens {
@@ -85,7 +85,7 @@ public record Lens(
     double seenX = (line[0] - cx - skew * seenY) / fx;
     double x = seenX;
     double y = seenY;
-    for (int step = 0; step < MOST_STEPS; step++) {
+    for (int step = 0; step < MAX_STEPS; step++) {
       double r2 = x * x + y * y;
       double radial = 1 + r2 * (k1 + r2 * (k2 + r2 * k3));
       double slope = k1 + r2 * (2 * k2 + 3 * r2 * k3);

@@ -9,7 +9,7 @@ package haltere.filters.orientation.camera;
  * @param angleRad atan2(Δy, Δx) of its line in the same coordinates, known modulo π
  * @param areaPx how large it was, square pixels
  * @param eccentricity how long against its width: from 1 on the ratio of the axes, below 1 the
- *     eccentricity of the ellipse, which is taken for the same
+ *     eccentricity of the ellipse
  */
 public record LineObservation(
     int camera, double xPx, double yPx, double angleRad, double areaPx, double eccentricity) {
@@ -21,11 +21,11 @@ public record LineObservation(
   }
 
   /**
-   * Whether its place is known.
+   * Whether its position is known.
    *
    * @return true if both numbers are finite
    */
-  public boolean hasPlace() {
+  public boolean hasPosition() {
     return Double.isFinite(xPx) && Double.isFinite(yPx);
   }
 
@@ -35,8 +35,8 @@ public record LineObservation(
    * @return at least 1, infinite for a line, NaN if unknown
    */
   public double axisRatio() {
-    return eccentricity >= 1 || !(eccentricity >= 0)
-        ? (eccentricity >= 1 ? eccentricity : Double.NaN)
-        : 1 / Math.sqrt(1 - eccentricity * eccentricity);
+    return eccentricity >= 1
+        ? eccentricity
+        : eccentricity >= 0 ? 1 / Math.sqrt(1 - eccentricity * eccentricity) : Double.NaN;
   }
 }

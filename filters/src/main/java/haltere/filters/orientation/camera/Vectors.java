@@ -62,20 +62,31 @@ public final class Vectors {
   }
 
   /**
+   * A multiple.
+   *
+   * @param factor any
+   * @param a three numbers
+   * @return factor a, a new array
+   */
+  public static double[] scaled(double factor, double[] a) {
+    return new double[] {factor * a[0], factor * a[1], factor * a[2]};
+  }
+
+  /**
    * Any unit vector orthogonal to a unit vector.
    *
    * @param unit three numbers of length 1
    * @return a new array
    */
   public static double[] orthogonalTo(double[] unit) {
-    double[] least = new double[3];
+    double[] basis = new double[3];
     int axis = 0;
     for (int i = 1; i < 3; i++) {
       axis = Math.abs(unit[i]) < Math.abs(unit[axis]) ? i : axis;
     }
-    least[axis] = 1;
+    basis[axis] = 1;
     double[] out = new double[3];
-    cross(unit, least, out);
+    cross(unit, basis, out);
     normalise(out);
     return out;
   }
@@ -91,34 +102,6 @@ public final class Vectors {
     double[] across = new double[3];
     cross(a, b, across);
     return Math.atan2(length(across), dot(a, b));
-  }
-
-  /**
-   * Inverts a symmetric 3 x 3 matrix by its adjugate.
-   *
-   * @param m nine entries
-   * @param inverse gets the inverse, another array
-   * @return false if it is not positive definite, or nearly not
-   */
-  static boolean invertSymmetric(double[] m, double[] inverse) {
-    double c00 = m[4] * m[8] - m[5] * m[5];
-    double c01 = m[2] * m[5] - m[1] * m[8];
-    double c02 = m[1] * m[5] - m[2] * m[4];
-    double determinant = m[0] * c00 + m[1] * c01 + m[2] * c02;
-    double scale = (m[0] + m[4] + m[8]) / 3;
-    if (!(determinant > 1e-18 * scale * scale * scale) || Double.isInfinite(determinant)) {
-      return false;
-    }
-    inverse[0] = c00 / determinant;
-    inverse[1] = c01 / determinant;
-    inverse[2] = c02 / determinant;
-    inverse[3] = inverse[1];
-    inverse[4] = (m[0] * m[8] - m[2] * m[2]) / determinant;
-    inverse[5] = (m[1] * m[2] - m[0] * m[5]) / determinant;
-    inverse[6] = inverse[2];
-    inverse[7] = inverse[5];
-    inverse[8] = (m[0] * m[4] - m[1] * m[1]) / determinant;
-    return inverse[0] > 0 && inverse[4] > 0 && inverse[8] > 0;
   }
 
   /**

@@ -35,11 +35,11 @@ class CameraModelTest {
           i % 2 == 0 ? RandomCameras.random(random) : RandomCameras.random(random, DISTORTION);
       double[] at = near(random);
       double[] axis = RandomCameras.unit(random);
-      double angle = camera.lineAngle(at, axis);
+      double angle = camera.heading(at, axis);
       assertEquals(
           0, Angles.wrapHalfPi(angle - angleOfProjection(camera, at, axis)), 1e-6, "case " + i);
       double[] back = {-3 * axis[0], -3 * axis[1], -3 * axis[2]};
-      assertEquals(0, Angles.wrapHalfPi(angle - camera.lineAngle(at, back)), 1e-9);
+      assertEquals(-1, Math.cos(angle - camera.heading(at, back)), 1e-15, "the other way");
     }
   }
 
@@ -56,7 +56,7 @@ class CameraModelTest {
       camera.project(at, seen);
       double[] n = new double[6];
       camera.lineNormals(at, n);
-      double[] line = {seen[0], seen[1], camera.lineAngle(at, axis)};
+      double[] line = {seen[0], seen[1], camera.heading(at, axis)};
       assertTrue(camera.straighten(line));
       assertEquals(ideal[0], line[0], 1e-8);
       assertEquals(ideal[1], line[1], 1e-8);
@@ -80,7 +80,7 @@ class CameraModelTest {
     double[] n = new double[6];
     assertFalse(camera.project(camera.centre(), new double[2]));
     assertFalse(camera.lineNormals(camera.centre(), n));
-    assertTrue(Double.isNaN(camera.lineAngle(camera.centre(), new double[] {1, 0, 0})));
+    assertTrue(Double.isNaN(camera.heading(camera.centre(), new double[] {1, 0, 0})));
   }
 
   @Test

@@ -1,6 +1,5 @@
 package haltere.ui.command.results;
 
-import haltere.core.sink.CsvSink;
 import haltere.filters.orientation.BodyOrientationEstimator;
 import haltere.filters.orientation.OrientationCount;
 import haltere.filters.orientation.OrientationEstimate;
@@ -16,21 +15,23 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.BiConsumer;
 
 /**
- * All bodies of a table: gathers what was seen at one time, hands it to each body's estimator and
- * writes what that says; with smoothing, at the end. Rows are in order of time.
+ * All bodies of a table: gathers the observations of one time, hands them to each body's estimator
+ * and writes its estimates in order of time; with smoothing, at the end.
  */
 public final class OrientedBodies {
   private final List<CameraModel> cameras;
   private final OrientationSettings settings;
   private final boolean smooth;
-  private final CsvSink<OrientationRow> table;
+  private final BiConsumer<String, OrientationEstimate> output;
   private final Map<String, BodyOrientationEstimator> bodies = new LinkedHashMap<>();
   private final Map<String, OrientationTrack> tracks = new LinkedHashMap<>();
   private final Map<String, List<LineObservation>> together = new LinkedHashMap<>();
   private long nowUs;
   private long observations;
+  private long estimates;
 
   /**
    * No bodies yet.
@@ -38,17 +39,17 @@ public final class OrientedBodies {
    * @param cameras the cameras that {@link LineObservation#camera} counts
    * @param settings of each body's estimator
    * @param smooth whether rows wait for what is seen later
-   * @param table gets the rows
+   * @param output gets each body's name and its estimates, in order of time
    */
   public OrientedBodies(
       List<CameraModel> cameras,
       OrientationSettings settings,
       boolean smooth,
-      CsvSink<OrientationRow> table) {
+      BiConsumer<String, OrientationEstimate> output) {
     this.cameras = cameras;
     this.settings = settings;
     this.smooth = smooth;
-    this.table = table;
+    this.output = output;
   }
 
   /** Takes an observation; times ascend. */
@@ -82,7 +83,7 @@ public final class OrientedBodies {
             bodies
                 .computeIfAbsent(object, name -> new BodyOrientationEstimator(cameras, settings))
                 .update(nowUs, each.getValue());
-        now.ifPresent(estimate -> table.accept(OrientationRow.of(object, estimate)));
+        now.ifPresent(estimate -> write(object, estimate));
       }
     }
     together.clear();
@@ -91,13 +92,27 @@ public final class OrientedBodies {
   /** Takes in what is left and writes what was held back. */
   public void finish() {
     goOn();
-    List<OrientationRow> rows = new ArrayList<>();
+    List<Map.Entry<String, OrientationEstimate>> rows = new ArrayList<>();
     tracks.forEach(
         (object, track) ->
-            track.smoothed().forEach(estimate -> rows.add(OrientationRow.of(object, estimate))));
-    rows.sort(Comparator.comparingLong(OrientationRow::tUs));
-    rows.forEach(table);
+            track.smoothed().forEach(estimate -> rows.add(Map.entry(object, estimate))));
+    rows.sort(Comparator.comparingLong(row -> row.getValue().timeUs()));
+    rows.forEach(row -> write(row.getKey(), row.getValue()));
     tracks.forEach((object, track) -> bodies.put(object, track.estimator()));
+  }
+
+  private void write(String object, OrientationEstimate estimate) {
+    estimates++;
+    output.accept(object, estimate);
+  }
+
+  /**
+   * How much was written.
+   *
+   * @return estimates so far
+   */
+  public long estimates() {
+    return estimates;
   }
 
   /** What became of everything, a line for each kind. */
@@ -110,7 +125,7 @@ public final class OrientedBodies {
             Quantities.count(observations),
             bodies.size(),
             bodies.size() == 1 ? "body" : "bodies",
-            Quantities.count(table.rows())));
+            Quantities.count(estimates)));
     for (OrientationCount count : OrientationCount.values()) {
       long sum = bodies.values().stream().mapToLong(body -> body.count(count)).sum();
       if (sum > 0 || count == OrientationCount.USED || count == OrientationCount.REJECTED) {
@@ -118,7 +133,7 @@ public final class OrientedBodies {
       }
     }
     bodies.forEach((object, body) -> lines.add("body " + object + ": " + noise(body)));
-    if (table.rows() > 0) {
+    if (estimates > 0) {
       lines.add("roll is not seen by any camera: its standard deviation is 104 deg throughout");
     }
     return lines;

@@ -82,7 +82,7 @@ public final class FileDialogs {
   public Optional<Path> observations() {
     return open(
         "Open observations of several cameras",
-        new ExtensionFilter("Observations", "*.csv", "*.braidz"),
+        new ExtensionFilter("Observations", "*.csv", "*.braidz", "*.h5", "*.hdf5"),
         ALL_FILES);
   }
 

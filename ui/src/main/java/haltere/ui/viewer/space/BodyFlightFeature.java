@@ -1,6 +1,6 @@
 package haltere.ui.viewer.space;
 
-import haltere.filters.orientation.camera.BraidzFile;
+import haltere.filters.orientation.camera.ObservationFile;
 import haltere.ui.space.BodyFlight;
 import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.feature.ViewerContext;
@@ -28,7 +28,8 @@ public final class BodyFlightFeature implements ViewerFeature {
             ViewerAction.of("body-flight", "Orientation in space\u2026", "File", this::choose)
                 .withHelp(
                     "Shows a body's axis in space, how sure it is, and the cameras; from a table"
-                        + " of observations and a file of cameras, or a .braidz file."));
+                        + " of observations (CSV, or HDF5 of Flydra) and a file of cameras, or a"
+                        + " .braidz file."));
   }
 
   private void choose() {
@@ -37,7 +38,8 @@ public final class BodyFlightFeature implements ViewerFeature {
         file ->
             window
                 .background()
-                .file(() -> BraidzFile.isZip(file), zip -> open(file, zip), this::failed));
+                .file(
+                    () -> ObservationFile.hasCameras(file), own -> open(file, own), this::failed));
   }
 
   private void open(Path observations, boolean hasCameras) {

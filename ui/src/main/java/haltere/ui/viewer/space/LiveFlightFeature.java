@@ -2,9 +2,11 @@ package haltere.ui.viewer.space;
 
 import haltere.core.camera.Cameras;
 import haltere.core.format.ReadOptions;
+import haltere.core.overlay.OverlayCanvas;
 import haltere.core.simulation.flight.FlightSettings;
 import haltere.filters.orientation.camera.CameraFile;
 import haltere.filters.orientation.camera.CameraModel;
+import haltere.ui.space.CameraLineOverlay;
 import haltere.ui.space.CameraRig;
 import haltere.ui.space.LiveFlight;
 import haltere.ui.viewer.action.ViewerAction;
@@ -20,6 +22,7 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.function.Consumer;
 import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.SimpleBooleanProperty;
 
 /**
  * Where a body is and which way it points while the events of several cameras play: of a simulated
@@ -28,7 +31,10 @@ import javafx.beans.property.BooleanProperty;
  * <p>Thread rule: JavaFX thread only.
  */
 public final class LiveFlightFeature implements ViewerFeature {
-  private final LiveFlightPane pane = new LiveFlightPane();
+  private static final CameraLineOverlay LINES = new CameraLineOverlay();
+
+  private final BooleanProperty linesShown = new SimpleBooleanProperty(true);
+  private final LiveFlightPane pane = new LiveFlightPane(linesShown);
   private ViewerContext window;
   private BooleanProperty shown;
   private Optional<CameraRig> rig = Optional.empty();
@@ -62,10 +68,25 @@ public final class LiveFlightFeature implements ViewerFeature {
                             calibrated -> openCameras(calibrated, Cameras.installed())))
                 .withHelp(
                     "Asks for calibrated cameras, each with the id under which it is plugged in,"
-                        + " and finds a body's axis from all of them live."));
+                        + " and finds a body's axis from all of them live."),
+            ViewerAction.toggle("camera-lines", "Lines of several cameras", "View", linesShown)
+                .withHelp(
+                    "Draws accepted and gated lines and the axis over the picture of each camera"
+                        + " of a flight."));
+    window.settings().keep("space.cameraLines", linesShown);
+    window.panels().view().addLayer(this::drawFirst);
+    linesShown.addListener(changed -> window.panels().view().redrawMarks());
+    window.display().onChange(() -> pane.setOptions(window.display().options()));
     window.sessions().sessionProperty().addListener((property, was, is) -> follow(was, is));
     window.display().themeProperty().addListener((property, was, is) -> pane.setTheme(is));
     window.panels().onPulse(() -> flight.ifPresent(live -> pane.update(live.latest())));
+  }
+
+  /** The line of the first camera, over the picture of the window. */
+  private void drawFirst(OverlayCanvas canvas) {
+    if (linesShown.get() && flight.isPresent()) {
+      pane.first().ifPresent(line -> LINES.draw(line, canvas));
+    }
   }
 
   /** Opens the simulated flight. */
@@ -135,10 +156,11 @@ public final class LiveFlightFeature implements ViewerFeature {
     flight = Optional.empty();
     if (rig.isPresent() && is.isPresent()) {
       if (is.get().source() == rig.get().first()) {
-        LiveFlight live = new LiveFlight(rig.get());
+        LiveFlight live =
+            new LiveFlight(
+                rig.get(), pane.startAnew(rig.get().others(), window.display().options()));
         is.get().player().addRawSink(live);
         flight = Optional.of(live);
-        pane.startAnew();
         shown.set(true);
       } else {
         window.background().close(rig.get());

@@ -1,13 +1,26 @@
 package haltere.ui.viewer.space;
 
+import haltere.core.playback.Playable;
 import haltere.ui.space.BodyFlight;
 import haltere.ui.space.BodyFlightDrawing;
+import haltere.ui.space.CameraLine;
+import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Theme;
+import haltere.ui.viewer.picture.DisplayOptions;
+import haltere.ui.viewer.picture.DisplaySink;
+import java.util.List;
+import java.util.Optional;
+import javafx.beans.property.BooleanProperty;
+import javafx.geometry.Orientation;
+import javafx.scene.control.CheckBox;
 import javafx.scene.control.Label;
+import javafx.scene.control.SplitPane;
 import javafx.scene.layout.BorderPane;
+import javafx.scene.layout.VBox;
 
 /**
- * A body in space and the cameras that see it, now.
+ * A body in space and the cameras that see it, now, and the pictures of all cameras but the first,
+ * which the window itself shows.
  *
  * <p>Thread rule: JavaFX thread only.
  */
@@ -15,16 +28,33 @@ final class LiveFlightPane extends BorderPane {
   private static final String NOTHING = "Open a flight before several cameras, in the File menu.";
 
   private final SpaceCanvas canvas = new SpaceCanvas();
+  private final CameraPictures pictures;
+  private final SplitPane both;
   private final Label words = new Label(NOTHING);
+  private Optional<CameraLine> first = Optional.empty();
 
-  LiveFlightPane() {
+  /**
+   * Nothing is open.
+   *
+   * @param linesShown whether lines are drawn over the pictures
+   */
+  LiveFlightPane(BooleanProperty linesShown) {
     setId("live-flight");
-    setCenter(canvas);
+    pictures = new CameraPictures(linesShown);
+    both = new SplitPane(canvas);
+    both.setOrientation(Orientation.VERTICAL);
+    setCenter(both);
+    CheckBox lines = new CheckBox("Lines over the pictures");
+    lines.setId("camera-lines");
+    lines.selectedProperty().bindBidirectional(linesShown);
+    Controls.help(
+        lines, "Accepted lines are green, gated ones red and broken, the estimated axis white.");
     words.setId("live-flight-words");
     words.setWrapText(true);
     words.setMinHeight(USE_PREF_SIZE);
-    words.getStyleClass().add("flight-controls");
-    setBottom(words);
+    VBox controls = new VBox(4, lines, words);
+    controls.getStyleClass().add("flight-controls");
+    setBottom(controls);
   }
 
   /** Shows the last moment of a flight; null if it is the one that is shown. */
@@ -34,19 +64,40 @@ final class LiveFlightPane extends BorderPane {
       canvas.show(new BodyFlightDrawing(flight), Math.max(0, last));
       words.setText(
           last < 0 ? "no orientation yet" : SpaceCanvas.words(flight.moments().get(last)));
+      List<CameraLine> lines = last < 0 ? List.of() : flight.moments().get(last).lines();
+      first = lines.stream().findFirst();
+      pictures.setLines(lines.subList(Math.min(1, lines.size()), lines.size()));
     }
+    pictures.update();
+  }
+
+  /** The newest line of the first camera; empty if there is no orientation. */
+  Optional<CameraLine> first() {
+    return first;
   }
 
   /** Something else is open. */
   void clear() {
     canvas.clear();
+    pictures.clear();
+    both.getItems().setAll(canvas);
+    first = Optional.empty();
     words.setText(NOTHING);
   }
 
-  /** Begins with other cameras. */
-  void startAnew() {
+  /** Begins with other cameras; returns what takes the events of each. */
+  List<DisplaySink> startAnew(List<Playable> cameras, DisplayOptions options) {
     canvas.lookAnew();
+    both.getItems().setAll(canvas, pictures);
+    both.setDividerPositions(0.55);
+    first = Optional.empty();
     words.setText("no orientation yet");
+    return pictures.startAnew(cameras, options);
+  }
+
+  /** Shows events in another way. */
+  void setOptions(DisplayOptions options) {
+    pictures.setOptions(options);
   }
 
   /** Draws as a theme wants it. */

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import haltere.core.camera.Cameras;
 import haltere.core.format.ReadOptions;
 import haltere.core.playback.Playable;
+import haltere.core.playback.PlayerStatus;
 import haltere.core.simulation.flight.FlightScene;
 import haltere.core.simulation.flight.FlightSettings;
 import haltere.core.simulation.flight.FlightTruth;
@@ -21,7 +22,12 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.function.Supplier;
+import java.util.regex.Pattern;
+import javafx.scene.Node;
+import javafx.scene.control.CheckBox;
 import javafx.scene.control.Label;
+import javafx.scene.image.WritableImage;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -43,7 +49,7 @@ class LiveFlightTest {
   @Test
   void theAxisOfASimulatedBodyIsFoundWhileTwoEventCamerasPlay() throws IOException {
     try (CameraRig rig = CameraRig.simulated(SETTINGS)) {
-      LiveFlight live = new LiveFlight(rig);
+      LiveFlight live = new LiveFlight(rig, List.of());
       BodyFlight flight = play(rig, live);
       assertNear(flight);
       rig.first().seek(0);
@@ -62,7 +68,7 @@ class LiveFlightTest {
               + moment.estimate().uy() * truth.uy()
               + moment.estimate().uz() * truth.uz();
       errorsDeg.add(Math.toDegrees(Math.acos(Math.min(1, along))));
-      assertEquals(2, moment.residualsDeg().size());
+      assertEquals(2, moment.lines().size());
     }
     assertTrue(errorsDeg.size() > 30, errorsDeg.size() + " moments");
     Collections.sort(errorsDeg);
@@ -98,7 +104,7 @@ class LiveFlightTest {
     try (CameraRig rig =
         CameraRig.open(
             cameras, number -> Sources.recording(files.get(number), ReadOptions.DEFAULT))) {
-      LiveFlight live = new LiveFlight(rig);
+      LiveFlight live = new LiveFlight(rig, List.of());
       assertNear(play(rig, live));
       rig.first().seek(100_000);
       BodyFlight again = play(rig, live);
@@ -119,7 +125,7 @@ class LiveFlightTest {
   void camerasThatAreOpenAtOnceAreBroughtOntoOneClock() throws IOException {
     Cameras cameras = new Cameras(List.of(new FlightCameras(SETTINGS)));
     try (CameraRig rig = CameraRig.live(calibrated(), cameras)) {
-      assertNear(play(rig, new LiveFlight(rig)));
+      assertNear(play(rig, new LiveFlight(rig, List.of())));
     }
     try (ViewerHarness viewer = new ViewerHarness()) {
       LiveFlightFeature feature = viewer.window.feature(LiveFlightFeature.class);
@@ -156,6 +162,53 @@ class LiveFlightTest {
         () ->
             viewer.stage.getScene().lookup("#live-flight-words") instanceof Label words
                 && words.getText().contains("axis"));
+  }
+
+  /** Pauses at a time with an observation of each of three cameras; plays on where one has none. */
+  private static void pauseWhereEachCameraSeesTheBody(ViewerHarness viewer) {
+    Pattern allThree = Pattern.compile("used (3, rejected 0|2, rejected 1)");
+    Supplier<String> words =
+        () -> viewer.onFx(() -> viewer.node("live-flight-words", Label.class).getText());
+    waitForAnAxis(viewer);
+    do {
+      viewer.run(() -> viewer.session().player().play());
+      viewer.waitFor("a line of each camera", () -> allThree.matcher(words.get()).find());
+      viewer.run(() -> viewer.session().player().pause());
+      viewer.waitFor("a pause", () -> viewer.status().state() == PlayerStatus.State.PAUSED);
+    } while (!allThree.matcher(words.get()).find());
+  }
+
+  /** Pixels in which what a node shows changes by a switch. */
+  private static int changedBy(ViewerHarness viewer, String id, Runnable change) {
+    Node node = viewer.node(id, Node.class);
+    WritableImage before = viewer.onFx(() -> node.snapshot(null, null));
+    viewer.run(change);
+    WritableImage after = viewer.onFx(() -> node.snapshot(null, null));
+    int changed = 0;
+    for (int y = 0; y < (int) before.getHeight(); y++) {
+      for (int x = 0; x < (int) before.getWidth(); x++) {
+        changed +=
+            before.getPixelReader().getArgb(x, y) == after.getPixelReader().getArgb(x, y) ? 0 : 1;
+      }
+    }
+    return changed;
+  }
+
+  @Test
+  void linesAreDrawnOverThePictureOfEachCameraWhileTheyAreSwitchedOn() {
+    try (ViewerHarness viewer = new ViewerHarness()) {
+      LiveFlightFeature feature = viewer.window.feature(LiveFlightFeature.class);
+      viewer.run(feature::openScene);
+      pauseWhereEachCameraSeesTheBody(viewer);
+      CheckBox box = viewer.node("camera-lines", CheckBox.class);
+      assertTrue(box.isSelected(), "at first");
+      for (String picture : new String[] {"event-view", "camera-picture-1", "camera-picture-2"}) {
+        viewer.waitFor("a picture", () -> viewer.stage.getScene().lookup("#" + picture) != null);
+        assertTrue(changedBy(viewer, picture, () -> box.setSelected(false)) > 20, picture);
+        assertEquals(0, changedBy(viewer, picture, () -> {}), picture);
+        assertTrue(changedBy(viewer, picture, () -> box.setSelected(true)) > 20, picture);
+      }
+    }
   }
 
   @Test

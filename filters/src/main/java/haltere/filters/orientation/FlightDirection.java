@@ -1,18 +1,19 @@
 package haltere.filters.orientation;
 
 import haltere.filters.orientation.camera.Vectors;
+import java.util.Arrays;
 
-/** Where a body has flown in the last moments: its steps, older ones counting less. */
-final class Course {
+/** Direction of a body's recent flight: the sum of its steps, older ones counting less. */
+final class FlightDirection {
   private static final double MEMORY_S = 0.05;
 
   private final double[] wayM = new double[3];
 
   void forget() {
-    java.util.Arrays.fill(wayM, 0);
+    Arrays.fill(wayM, 0);
   }
 
-  /** A step from one place to another, metres. */
+  /** A step from one position to another, metres. */
   void step(double[] from, double[] to, double dtS) {
     double left = Math.exp(-dtS / MEMORY_S);
     for (int k = 0; k < 3; k++) {
@@ -20,14 +21,10 @@ final class Course {
     }
   }
 
-  /** Puts the direction into an array of three; false if there is none. */
-  boolean direction(double[] out) {
+  /** Puts the direction into an array of three; returns how far the body has flown, metres. */
+  double direction(double[] out) {
     System.arraycopy(wayM, 0, out, 0, 3);
-    return Vectors.normalise(out);
-  }
-
-  /** How far it has flown, metres. */
-  double lengthM() {
+    Vectors.normalise(out);
     return Vectors.length(wayM);
   }
 }

@@ -11,7 +11,7 @@ import org.ejml.data.DMatrixRMaj;
 import org.junit.jupiter.api.Test;
 
 /** On data drawn from its own model the filter is as sure as it says. */
-class AxisHonestyTest {
+class AxisConsistencyTest {
   private static final int RUNS = 200;
   private static final int STEPS = 60;
   private static final double TAU_S = 0.1;
@@ -80,14 +80,14 @@ class AxisHonestyTest {
         }
         // Lines of one step share the error of the prediction, so one of them is looked at.
         LineMeasurement only = lines[step % lines.length];
-        double innovation = normalised(only, filter.predictedState());
+        double innovation = normalised(only, SpherePath.predicted(filter));
         filter.update(lines, lines.length);
         nis += innovation * innovation;
         nisCount++;
         series[step] = innovation;
       }
       whiteness[run] = Consistency.lagOneAutocorrelation(series);
-      AxisState state = filter.state();
+      AxisState state = SpherePath.state(filter);
       double[] error = truth.errorFrom(state);
       nees += Consistency.nees(new DMatrixRMaj(4, 1, true, error), square(state.p(), 4));
       double[] axis = {error[0], error[2]};
