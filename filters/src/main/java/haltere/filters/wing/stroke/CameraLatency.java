@@ -74,8 +74,18 @@ final class CameraLatency {
    */
   static double fastShare(double lagS, double timingSdS) {
     double half = Math.max(0, lagS) / 2;
-    double delay = timingSdS / THRESHOLD_MISMATCH;
+    double delay = delayS(timingSdS);
     return half == 0 ? 0 : half * half / (half * half + delay * delay);
+  }
+
+  /**
+   * Delay of a pixel, from the spread of the times of its events over the mismatch of thresholds.
+   *
+   * @param timingSdS standard deviation of the time of an event, seconds
+   * @return seconds
+   */
+  static double delayS(double timingSdS) {
+    return timingSdS / THRESHOLD_MISMATCH;
   }
 
   /**

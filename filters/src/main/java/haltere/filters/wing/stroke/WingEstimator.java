@@ -405,14 +405,16 @@ public final class WingEstimator implements SideEstimator {
 
   /** A slow pixel spreads the times of both edges, the shape of a wing those of one. */
   private double fastShare(double lagS) {
-    double leading = noise.of(LEADING).timingSdS();
-    double trailing = noise.of(TRAILING).timingSdS();
-    return CameraLatency.fastShare(lagS, Math.sqrt(leading * trailing));
+    return CameraLatency.fastShare(lagS, timingSdS());
+  }
+
+  private double timingSdS() {
+    return Math.sqrt(noise.of(LEADING).timingSdS() * noise.of(TRAILING).timingSdS());
   }
 
   /**
    * Variance of {@link #chordS}: of the choice between chord and lag, of where in a passage a slow
-   * pixel answers, and of a middle that is not straight.
+   * pixel answers, of the delay of a fast one, and of a middle that is not straight.
    */
   private double chordVariance(double lagS) {
     if (!hasBothEdges()) {
@@ -420,7 +422,10 @@ public final class WingEstimator implements SideEstimator {
     }
     double passage = passageShare(lagS);
     double slow = radial.chordShare() * (1 - radial.answeredShare() * fastShare(lagS));
-    return (passage * (1 - passage) + slow) * lagS * lagS / 4 + radial.bendVariance();
+    double delayS = CameraLatency.delayS(timingSdS());
+    return (passage * (1 - passage) + slow) * lagS * lagS / 4
+        + passage * delayS * delayS
+        + radial.bendVariance();
   }
 
   private double angle() {
