@@ -422,8 +422,9 @@ public final class WingEstimator implements SideEstimator {
     }
     double passage = passageShare(lagS);
     double slow = radial.chordShare() * (1 - radial.answeredShare() * fastShare(lagS));
-    double delayS = CameraLatency.delayS(timingSdS());
-    return (passage * (1 - passage) + slow) * lagS * lagS / 4
+    double halfS = lagS / 2;
+    double delayS = Math.min(halfS, CameraLatency.delayS(timingSdS()));
+    return (passage * (1 - passage) + slow) * halfS * halfS
         + passage * delayS * delayS
         + radial.bendVariance();
   }
