@@ -40,8 +40,8 @@ final class ObjectRelations {
   /** Bend between components of one object, as a share of their size, in {@link #WATCH_S}. */
   private static final double BEND_SHARE = 0.15;
 
-  /** Standard deviation of the rate at which an object turns, rad/s: a turn in six seconds. */
-  private static final double TURN_RAD_S = 1;
+  /** Standard deviation of the rate at which an object turns, rad/s: half a turn a second. */
+  private static final double TURN_RAD_S = Math.PI;
 
   /** Time over which displacements are compared, seconds. */
   static final double WATCH_S = 0.3;
