@@ -48,8 +48,7 @@ class DefaultChainTest extends EventFilterContract {
   @Test
   void itFollowsWhatMovesAndNeedsNoNoiseFilter() {
     FilterChain chain = DefaultChain.create(SENSOR);
-    assertEquals(
-        List.of("object-tracker"), chain.stages().stream().map(ChainStage::name).toList());
+    assertEquals(List.of("object-tracker"), chain.stages().stream().map(ChainStage::name).toList());
     List<ObjectTrack> rows = new ArrayList<>();
     chain.outlet("objects", ObjectTrack.class).subscribe(rows::add);
     BlobPath path = new BlobPath(64, 64, 35, 1e6, 6);
