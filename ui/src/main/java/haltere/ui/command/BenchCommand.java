@@ -32,7 +32,8 @@ import picocli.CommandLine.Parameters;
 
 /**
  * Measures what this machine does: each stage by itself, on one thread, with the time of the stage
- * alone. The figures are medians of rounds after a round that warms up.
+ * alone. Each stage warms up for as long as it is measured, a round at least, so that it is
+ * compiled; the figures are medians of the rounds that follow.
  */
 @Command(
     name = "bench",
@@ -55,8 +56,10 @@ final class BenchCommand extends Subcommand {
   @Option(
       names = "--seconds",
       paramLabel = "S",
-      defaultValue = "1",
-      description = "Time to measure each stage for; 1 if not given.")
+      defaultValue = "3",
+      description =
+          "Time for which each stage warms up, and as long again for which it is measured; 3 if"
+              + " not given.")
   double seconds;
 
   @Mixin ReadingOptions reading;
@@ -133,6 +136,13 @@ final class BenchCommand extends Subcommand {
             + Quantities.events(decoded)
             + ", sensor "
             + geometry);
+    message(
+        String.format(
+            Locale.ROOT,
+            "each stage warms up for %s s, then the median of %d or more rounds in %s s",
+            seconds,
+            FEWEST_ROUNDS,
+            seconds));
     result(String.format(Locale.ROOT, "%-24s %10s %10s", "stage", "Mev/s", "ns/event"));
     stage("decode " + format, decoded, () -> decode(recording));
     for (FilterProvider<?> provider : Filters.all().values()) {
@@ -143,7 +153,7 @@ final class BenchCommand extends Subcommand {
 
   private void stage(String name, long events, Round round) throws IOException {
     try (ProgressBar bar = progressBar(name)) {
-      round.run();
+      warmUp(round);
       long[] nanos = new long[1024];
       int rounds = 0;
       double spent = 0;
@@ -169,6 +179,14 @@ final class BenchCommand extends Subcommand {
               perEvent));
       surroundings().out().flush();
     }
+  }
+
+  private void warmUp(Round round) throws IOException {
+    double spent = 0;
+    do {
+      checkInterrupted();
+      spent += round.run() / 1e9;
+    } while (spent < seconds);
   }
 
   private long decode(Path recording) throws IOException {

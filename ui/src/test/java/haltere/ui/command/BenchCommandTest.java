@@ -20,6 +20,7 @@ class BenchCommandTest {
     Path recording = TinyRecording.hundred().write(folder.resolve("hundred.aedat"));
     CommandRun run = CommandRun.of("bench", "--seconds", "0", recording);
     assertEquals(0, run.status(), run.err());
+    assertTrue(run.err().contains("each stage warms up for 0.0 s, then the median"), run.err());
     List<String> lines = run.out().lines().toList();
     assertEquals(recording + ": 100 events, sensor 128x128", lines.get(0));
     List<String> stages = new ArrayList<>(List.of("decode aedat2"));

@@ -32,6 +32,12 @@ final class CameraLatency {
   /** Uncertainty of a lag that events of one edge alone do not tell, as a share of it. */
   private static final double HELD_SHARE = 0.1;
 
+  /**
+   * Mismatch of the thresholds of pixels as a share of the threshold: 2.1 % of contrast at a
+   * threshold of 15 % (Lichtsteiner, Posch and Delbruck 2008).
+   */
+  private static final double THRESHOLD_MISMATCH = 0.14;
+
   private CameraLatency() {}
 
   /** Time for which the wing is over a pixel, by its root mean square speed. */
@@ -55,6 +61,31 @@ final class CameraLatency {
     double variance = own.belief.covariance(StrokeEkf.LAG, StrokeEkf.LAG);
     double otherVariance = other.belief.covariance(StrokeEkf.LAG, StrokeEkf.LAG);
     return lag + variance / (variance + otherVariance) * (other.x[StrokeEkf.LAG] - lag);
+  }
+
+  /**
+   * Degree to which pixels are too fast to explain the lag of ON events by their own delay. The
+   * time that a pixel takes to its threshold spreads with the threshold: its delay is the spread of
+   * the times over the mismatch.
+   *
+   * @param lagS of ON behind OFF events, seconds
+   * @param timingSdS standard deviation of the time of an event, seconds
+   * @return 0 to 1
+   */
+  static double fastShare(double lagS, double timingSdS) {
+    double half = Math.max(0, lagS) / 2;
+    double delay = delayS(timingSdS);
+    return half == 0 ? 0 : half * half / (half * half + delay * delay);
+  }
+
+  /**
+   * Delay of a pixel, from the spread of the times of its events over the mismatch of thresholds.
+   *
+   * @param timingSdS standard deviation of the time of an event, seconds
+   * @return seconds
+   */
+  static double delayS(double timingSdS) {
+    return timingSdS / THRESHOLD_MISMATCH;
   }
 
   /**

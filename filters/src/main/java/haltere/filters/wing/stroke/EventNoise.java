@@ -108,6 +108,11 @@ final class EventNoise {
     return varianceNow;
   }
 
+  /** Standard deviation of the time of an event, seconds. */
+  double timingSdS() {
+    return Math.sqrt(scale * timing);
+  }
+
   /** Mean normalised innovation squared of late. */
   double nis() {
     return nis;

@@ -71,6 +71,10 @@ public final class StrokeFrame {
     byHand = said;
   }
 
+  double outerSquare() {
+    return outerSquare;
+  }
+
   boolean isByHand() {
     return byHand;
   }

@@ -44,6 +44,8 @@ public final class WingEstimator implements SideEstimator {
   private final BeatClock clock;
   private final StrokeShape shape = new StrokeShape();
   private final HingeTracker hinge = new HingeTracker();
+  private final RadialResiduals radial = new RadialResiduals();
+  private final double[] eventVariances = new double[2];
   private LockJudge judge = new LockJudge();
   private FrequencyNoise frequencyNoise = new FrequencyNoise();
   private WingEstimator other;
@@ -156,6 +158,7 @@ public final class WingEstimator implements SideEstimator {
     frequencyNoise = new FrequencyNoise();
     judge = new LockJudge();
     hinge.launch(0.3);
+    radial.launch(frame.outerSquare());
     shape.of(filter);
     clock.launch(phase());
   }
@@ -203,6 +206,10 @@ public final class WingEstimator implements SideEstimator {
     double w = belief / variance;
     double ws = w * slope;
     frequencyNoise.add(y, ws, slope);
+    if (speed * speed > full * full / 2) {
+      radial.add(edge, frame.square, y, speed);
+      eventVariances[edge] = REPEATING * variance;
+    }
     if (followsHinge) {
       // the residual counts by its distance on the sensor, which changes with the hinge as well
       double gx = (y * frame.dx - frame.turn() * frame.dy) / frame.square;
@@ -268,6 +275,9 @@ public final class WingEstimator implements SideEstimator {
         q[StrokeEkf.OMEGA] + (byHand[StrokeEkf.OMEGA] ? 0 : frequencyNoise.added());
     boolean both = hasBothEdges();
     StrokeMemory.forget(filter, dtS, q, both);
+    double rmsSpeed = fullSpeed() * Math.sqrt(0.5);
+    radial.look(
+        dtS, filter.x[StrokeEkf.WIDTH] / rmsSpeed + filter.x[StrokeEkf.LAG] / 2, eventVariances);
     if (!both) {
       takeFromOther();
     }
@@ -365,8 +375,58 @@ public final class WingEstimator implements SideEstimator {
   }
 
   private double ahead() {
-    return CameraLatency.seconds(options.latencyUs(), lagS(), fullSpeed())
-        * filter.x[StrokeEkf.OMEGA];
+    double lagS = lagS();
+    double pixelLagS = (1 - passageShare(lagS)) * lagS;
+    double latencyS = CameraLatency.seconds(options.latencyUs(), pixelLagS, fullSpeed());
+    return (latencyS - chordS(lagS)) * filter.x[StrokeEkf.OMEGA];
+  }
+
+  /**
+   * Time by which OFF events come before the middle of the wing beyond its constant half width:
+   * half of the lag of ON events, as far as that is a passage of the chord.
+   */
+  private double chordS(double lagS) {
+    return passageShare(lagS) * lagS / 2;
+  }
+
+  /**
+   * Probability that the lag of ON events is a passage of the chord over fast pixels: odds of the
+   * distance over the radius times odds of the times.
+   */
+  private double passageShare(double lagS) {
+    if (!hasBothEdges()) {
+      return 0;
+    }
+    double chord = radial.chordShare();
+    double fast = fastShare(lagS);
+    double both = chord * fast;
+    return both == 0 ? 0 : radial.answeredShare() * both / (both + (1 - chord) * (1 - fast));
+  }
+
+  /** A slow pixel spreads the times of both edges, the shape of a wing those of one. */
+  private double fastShare(double lagS) {
+    return CameraLatency.fastShare(lagS, timingSdS());
+  }
+
+  private double timingSdS() {
+    return Math.sqrt(noise.of(LEADING).timingSdS() * noise.of(TRAILING).timingSdS());
+  }
+
+  /**
+   * Variance of {@link #chordS}: of the choice between chord and lag, of where in a passage a slow
+   * pixel answers, of the delay of a fast one, and of a middle that is not straight.
+   */
+  private double chordVariance(double lagS) {
+    if (!hasBothEdges()) {
+      return 0;
+    }
+    double passage = passageShare(lagS);
+    double slow = radial.chordShare() * (1 - radial.answeredShare() * fastShare(lagS));
+    double halfS = lagS / 2;
+    double delayS = Math.min(halfS, CameraLatency.delayS(timingSdS()));
+    return (passage * (1 - passage) + slow) * halfS * halfS
+        + passage * delayS * delayS
+        + radial.bendVariance();
   }
 
   private double angle() {
@@ -412,7 +472,11 @@ public final class WingEstimator implements SideEstimator {
   private double sdAngle(int at) {
     double variance = filter.angleVariance(at);
     double speed = filter.slope(filter.cos, filter.sin) * filter.x[StrokeEkf.OMEGA];
-    double late = CameraLatency.sdSeconds(hasBothEdges() ? 0 : lagS()) * speed;
+    double lagS = lagS();
+    double late =
+        Math.hypot(
+                CameraLatency.sdSeconds(hasBothEdges() ? 0 : lagS), Math.sqrt(chordVariance(lagS)))
+            * speed;
     return Math.sqrt(Math.max(0, variance) + SYSTEMATIC_RAD * SYSTEMATIC_RAD + late * late);
   }
 
