@@ -8,35 +8,53 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * Maps objects in the picture to a plane in the scene. An object stands on the plane where its
- * extent is lowest in the picture: the edge nearest to the camera, at the ground. The velocity is
- * that of this point, and covariances are mapped to first order (J C Jᵀ).
+ * Maps objects in the picture to a plane in the scene. A camera that looks along the plane sees an
+ * object stand on it where its extent is lowest in the picture: the edge nearest to the camera, at
+ * the ground. One that looks down sees its middle. The velocity is that of this point, and
+ * covariances are mapped to first order (J C Jᵀ).
  *
  * <p>Thread rule: immutable.
  */
 public final class ObjectsOnPlane {
   private final PlaneMapping mapping;
+  private final boolean isAlong;
+
+  private ObjectsOnPlane(PlaneMapping mapping, boolean isAlong) {
+    this.mapping = Objects.requireNonNull(mapping, "mapping");
+    this.isAlong = isAlong;
+  }
 
   /**
-   * A map of objects.
+   * For a camera that looks along the plane, such as along a road.
    *
    * @param mapping pixels to the plane
+   * @return a map of objects by their lowest points
    */
-  public ObjectsOnPlane(PlaneMapping mapping) {
-    this.mapping = Objects.requireNonNull(mapping, "mapping");
+  public static ObjectsOnPlane seenAlong(PlaneMapping mapping) {
+    return new ObjectsOnPlane(mapping, true);
+  }
+
+  /**
+   * For a camera that looks down on the plane, such as on an arena.
+   *
+   * @param mapping pixels to the plane
+   * @return a map of objects by their middles
+   */
+  public static ObjectsOnPlane seenFromAbove(PlaneMapping mapping) {
+    return new ObjectsOnPlane(mapping, false);
   }
 
   /**
    * Where an object is on the plane.
    *
    * @param track in the picture
-   * @return empty where its lowest point does not see the plane
+   * @return empty where its point does not see the plane
    */
   public Optional<PlanePoint> locate(ObjectTrack track) {
     double along = track.majorPx() * Math.sin(track.angleRad());
     double across = track.minorPx() * Math.cos(track.angleRad());
     double x = track.xPx();
-    double y = track.yPx() - Math.hypot(along, across);
+    double y = track.yPx() - (isAlong ? Math.hypot(along, across) : 0);
     if (!mapping.seesPlane(x, y)) {
       return Optional.empty();
     }

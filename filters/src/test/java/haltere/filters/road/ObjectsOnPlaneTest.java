@@ -20,7 +20,7 @@ class ObjectsOnPlaneTest {
   @Test
   void anObjectStandsWhereItsExtentIsLowest() {
     RoadMapping road = new RoadMapping(RoadViewSettings.defaults(), new SensorGeometry(128, 128));
-    PlanePoint point = new ObjectsOnPlane(road).locate(at(64, 60, 20, 5)).orElseThrow();
+    PlanePoint point = ObjectsOnPlane.seenAlong(road).locate(at(64, 60, 20, 5)).orElseThrow();
     assertEquals(road.planeY(64, 55), point.yM(), 1e-9);
     double metres = road.planeY(64, 55.001) - road.planeY(64, 54.999);
     assertEquals(20 * metres / 0.002, point.vyMS(), 1e-3);
@@ -29,9 +29,18 @@ class ObjectsOnPlaneTest {
   }
 
   @Test
+  void fromAboveItIsWhereItsMiddleIs() {
+    PlanePoint point =
+        ObjectsOnPlane.seenFromAbove(PlaneMapping.PICTURE).locate(at(64, 60, 20, 5)).orElseThrow();
+    assertEquals(64, point.xM());
+    assertEquals(60, point.yM());
+    assertEquals(20, point.vyMS());
+  }
+
+  @Test
   void whatIsAboveTheHorizonIsNotOnTheRoad() {
     RoadMapping road = new RoadMapping(RoadViewSettings.defaults(), new SensorGeometry(128, 128));
-    assertEquals(Optional.empty(), new ObjectsOnPlane(road).locate(at(64, 140, 0, 5)));
-    assertTrue(new ObjectsOnPlane(PlaneMapping.PICTURE).locate(at(64, 140, 0, 5)).isPresent());
+    assertEquals(Optional.empty(), ObjectsOnPlane.seenAlong(road).locate(at(64, 140, 0, 5)));
+    assertTrue(ObjectsOnPlane.seenAlong(PlaneMapping.PICTURE).locate(at(64, 140, 0, 5)).isPresent());
   }
 }

@@ -1,18 +1,25 @@
 package haltere.ui.command;
 
+import haltere.core.event.SensorGeometry;
 import haltere.core.json.Json;
 import haltere.core.json.JsonProblem;
 import haltere.core.settings.Parameter;
 import haltere.core.settings.SettingsJson;
 import haltere.core.settings.SettingsProblem;
 import haltere.core.settings.SettingsSchema;
+import haltere.filters.plane.Homography;
+import haltere.filters.plane.PointPair;
+import haltere.filters.plane.RoadMapping;
 import haltere.filters.plane.RoadViewSettings;
 import haltere.filters.road.CountingLineSettings;
 import haltere.filters.road.LaneSettings;
+import haltere.filters.road.ObjectsOnPlane;
 import haltere.filters.track.RoadTracksSettings;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 
 /**
@@ -28,11 +35,23 @@ import java.util.Map;
  * <p>What is left out has its default: no lanes, no lines, the vanishing point in the middle of the
  * top row.
  *
+ * <p>Any other plane, such as an arena that is seen from above, is given by four points:
+ *
+ * <pre>{@code
+ * {"points": [{"xPx": 10, "yPx": 12, "xM": 0, "yM": 0}, ...]}
+ * }</pre>
+ *
  * @param view how the camera sees the road
  * @param lanes its lanes
  * @param lines its counting lines
+ * @param points pixels whose positions are known; none where the view says what is seen
  */
-record RoadFile(RoadViewSettings view, LaneSettings lanes, CountingLineSettings lines) {
+record RoadFile(
+    RoadViewSettings view,
+    LaneSettings lanes,
+    CountingLineSettings lines,
+    List<PointPair> points) {
+  private static final String POINTS = "points";
   private static final String VANISHING_POINT = "vanishingPoint";
   private static final String LANES = "lanes";
   private static final String LINES = "countingLines";
@@ -61,6 +80,7 @@ record RoadFile(RoadViewSettings view, LaneSettings lanes, CountingLineSettings 
     Map<Object, Object> view = new LinkedHashMap<>(object);
     Object lanes = view.remove(LANES);
     Object lines = view.remove(LINES);
+    Object points = view.remove(POINTS);
     if (view.get(VANISHING_POINT) instanceof Map<?, ?> point && !point.containsKey("marked")) {
       Map<Object, Object> marked = new LinkedHashMap<>(point);
       marked.put("marked", true);
@@ -69,7 +89,43 @@ record RoadFile(RoadViewSettings view, LaneSettings lanes, CountingLineSettings 
     return new RoadFile(
         SettingsJson.fromMap(view, SettingsSchema.of(RoadViewSettings.class)),
         part(LANES, lanes, LaneSettings.class),
-        part(LINES, lines, CountingLineSettings.class));
+        part(LINES, lines, CountingLineSettings.class),
+        points(points));
+  }
+
+  private static List<PointPair> points(Object value) {
+    if (value == null) {
+      return List.of();
+    }
+    if (!(value instanceof List<?> list)) {
+      throw new SettingsProblem("\"points\" is an array of {xPx, yPx, xM, yM}");
+    }
+    List<PointPair> points = new ArrayList<>();
+    for (Object one : list) {
+      points.add(
+          new PointPair(
+              number(one, "xPx"), number(one, "yPx"), number(one, "xM"), number(one, "yM")));
+    }
+    try {
+      new Homography(points);
+    } catch (IllegalArgumentException problem) {
+      throw new SettingsProblem("\"points\": " + problem.getMessage());
+    }
+    return List.copyOf(points);
+  }
+
+  private static double number(Object point, String name) {
+    if (point instanceof Map<?, ?> object && object.get(name) instanceof Number number) {
+      return number.doubleValue();
+    }
+    throw new SettingsProblem("\"points\": each has the numbers xPx, yPx, xM, yM, not " + point);
+  }
+
+  /** How objects are mapped to metres. */
+  ObjectsOnPlane objects(SensorGeometry sensor) {
+    return points.isEmpty()
+        ? ObjectsOnPlane.seenAlong(new RoadMapping(view, sensor))
+        : ObjectsOnPlane.seenFromAbove(new Homography(points));
   }
 
   private static <S extends Record> S part(String name, Object value, Class<S> type) {

@@ -18,7 +18,6 @@ import haltere.filters.object.ObjectTrack;
 import haltere.filters.object.ObjectTrackerFilter;
 import haltere.filters.object.ObjectTrackerSettings;
 import haltere.filters.plane.PlanePoint;
-import haltere.filters.plane.RoadMapping;
 import haltere.filters.road.LineCounter;
 import haltere.filters.road.LineCrossing;
 import haltere.filters.road.ObjectsOnPlane;
@@ -118,7 +117,8 @@ final class TrackCommand extends Subcommand {
       description = {
         "The road that the camera looks along: tracks are on it, and columns in metres are added."
             + " Keys: bridgeHeightM, nearestM, farthestM, vanishingPoint {xPx, yPx}, lanes {lanes,"
-            + " leftEdgeM, widthM}, countingLines {lines, firstM, apartM}; all may be left out."
+            + " leftEdgeM, widthM}, countingLines {lines, firstM, apartM}; all may be left out. Or any"
+            + " plane: four points {xPx, yPx, xM, yM}."
       })
   Path roadFile;
 
@@ -267,7 +267,7 @@ final class TrackCommand extends Subcommand {
       }
       return;
     }
-    ObjectsOnPlane onRoad = new ObjectsOnPlane(new RoadMapping(road.view(), chain.geometry()));
+    ObjectsOnPlane onRoad = road.objects(chain.geometry());
     try (CsvSink<RoadObjectRow> table =
             CsvSink.create(out, RoadObjectRow.class, writing.overwrite);
         CsvSink<LineCrossing> counts = counts()) {

@@ -371,4 +371,36 @@ class TrackCommandTest {
     assertEquals(0, lenient.status(), lenient.err());
     assertTrue(lenient.err().contains("warning"), lenient.err());
   }
+
+  @Test
+  void fourPointsOfAPlaneGivePositionsInMetres() throws IOException {
+    Path plane = folder.resolve("arena.json");
+    Files.writeString(
+        plane,
+        """
+        {"points": [{"xPx": 0, "yPx": 0, "xM": 0, "yM": 0}, {"xPx": 100, "yPx": 0, "xM": 1, "yM": 0},
+         {"xPx": 100, "yPx": 100, "xM": 1, "yM": 1}, {"xPx": 0, "yPx": 100, "xM": 0, "yM": 1}]}
+        """);
+    CommandRun run = CommandRun.of("track", in, "--out", out, "--road", plane);
+    assertEquals(0, run.status(), run.err());
+    List<String> header = List.of(Files.readAllLines(out).get(0).split(","));
+    for (String[] row : rows(out)) {
+      double x = Double.parseDouble(row[header.indexOf("x_px")]);
+      double y = Double.parseDouble(row[header.indexOf("y_px")]);
+      assertEquals(x / 100, Double.parseDouble(row[header.indexOf("x_m")]), 1e-3);
+      assertEquals(y / 100, Double.parseDouble(row[header.indexOf("y_m")]), 1e-3);
+    }
+  }
+
+  @Test
+  void pointsThatMakeNoPlaneAreRefusedInOneLine() throws IOException {
+    for (String points : List.of("3", "[]", "[{\"xPx\": 1}]")) {
+      Path plane = folder.resolve("arena.json");
+      Files.writeString(plane, "{\"points\": " + points + "}");
+      CommandRun run = CommandRun.of("track", in, "--out", out, "--road", plane, "--overwrite");
+      assertNotEquals(0, run.status());
+      assertTrue(run.err().contains("points"), run.err());
+      assertEquals(1, run.err().strip().lines().count(), run.err());
+    }
+  }
 }
