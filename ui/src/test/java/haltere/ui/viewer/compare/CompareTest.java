@@ -42,7 +42,7 @@ class CompareTest {
 
   @Test
   void theSecondChainIsACopyThatIsChangedByItself() {
-    viewer = ViewerHarness.withBlob();
+    viewer = ViewerHarness.withBlobAndNoiseFilters();
     viewer.run(() -> viewer.window.actions().run("compare"));
     viewer.waitFor("the second chain", () -> compare().secondChain().isPresent());
     FilterChain second = viewer.onFx(() -> compare().secondChain().orElseThrow());
