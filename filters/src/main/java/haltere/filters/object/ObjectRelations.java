@@ -49,6 +49,9 @@ final class ObjectRelations {
   /** Variance of a displacement from the cells of the template, px². */
   private static final double CELL_VARIANCE = ShapeTemplate.MIN_CELL_PX * ShapeTemplate.MIN_CELL_PX;
 
+  /** Gap in sizes beyond which no evidence makes one object: the prior is −7 nat. */
+  private static final double FAR_SIZES = 8;
+
   /** Of pairs that are too far from one another to be compared. */
   private static final double FAR = Double.NEGATIVE_INFINITY;
 
@@ -110,12 +113,11 @@ final class ObjectRelations {
   }
 
   private double gapLog(Component a, Component b) {
+    double dx = outside(a.middleX() - b.middleX(), a.shape.halfX + b.shape.halfX);
+    double dy = outside(a.middleY() - b.middleY(), a.shape.halfY + b.shape.halfY);
     double size = sizeOf(a, b);
-    double apart =
-        Math.hypot(
-            outside(a.middleX() - b.middleX(), a.shape.halfX + b.shape.halfX),
-            outside(a.middleY() - b.middleY(), a.shape.halfY + b.shape.halfY));
-    if (apart > 8 * size + a.shape.reach() + b.shape.reach()) {
+    double apart = Math.sqrt(dx * dx + dy * dy);
+    if (apart > FAR_SIZES * size) {
       return FAR;
     }
     // The boxes' distance will do where the cells' makes no difference.
