@@ -30,7 +30,7 @@ final class PublishingOptions {
   @Option(
       names = "--outlet",
       paramLabel = "STAGE/OUTLET",
-      description = "Send only this, such as kalman-tracks/tracks. May be repeated.")
+      description = "Send only this, such as object-tracker/objects. May be repeated.")
   List<String> outlets = List.of();
 
   @Option(

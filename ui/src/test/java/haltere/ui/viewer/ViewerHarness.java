@@ -94,19 +94,30 @@ public final class ViewerHarness extends JavaFxHarness implements AutoCloseable 
 
   /** A window in which the blob moves, with two noise filters before the usual chain. */
   public static ViewerHarness withBlobAndNoiseFilters() {
-    return withBlobAnd("background-activity", "hot-pixels", "object-tracker");
+    ViewerHarness harness = withBlob();
+    harness.addNoiseFilters();
+    return harness;
   }
 
   /** A window in which the blob moves, with other filters than usual. */
   static ViewerHarness withBlobAnd(String... filters) {
     ViewerHarness harness = withBlob();
+    harness.putFilters(filters);
+    return harness;
+  }
+
+  /** Puts two noise filters before the usual chain. */
+  public void addNoiseFilters() {
+    putFilters("background-activity", "hot-pixels", "object-tracker");
+  }
+
+  private void putFilters(String... filters) {
     FilterChain chain = new FilterChain(BlobSource.GEOMETRY);
     for (String name : filters) {
       chain.add(Filters.named(name));
     }
-    harness.run(() -> harness.window.editor().replaceAll(chain));
-    harness.waitFor("the first card", () -> harness.isThere("stage-" + filters[0]));
-    return harness;
+    run(() -> window.editor().replaceAll(chain));
+    waitFor("the first card", () -> isThere("stage-" + filters[0]));
   }
 
   /** A window that plays a recording of the blob. */

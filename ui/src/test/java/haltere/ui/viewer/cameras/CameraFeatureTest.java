@@ -136,7 +136,7 @@ class CameraFeatureTest {
     try (var reader = haltere.core.format.Recordings.open(file)) {
       Map<String, String> metadata = reader.metadata();
       assertEquals("0.3 ln", metadata.get("camera.bias.threshold"));
-      assertTrue(metadata.get("chain").contains("background-activity"), metadata.toString());
+      assertTrue(metadata.get("chain").contains("object-tracker"), metadata.toString());
       assertTrue(metadata.containsKey("clockOffsetUs"));
     }
   }

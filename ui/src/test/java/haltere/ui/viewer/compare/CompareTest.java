@@ -42,7 +42,7 @@ class CompareTest {
 
   @Test
   void theSecondChainIsACopyThatIsChangedByItself() {
-    viewer = ViewerHarness.withBlob();
+    viewer = ViewerHarness.withBlobAndNoiseFilters();
     viewer.run(() -> viewer.window.actions().run("compare"));
     viewer.waitFor("the second chain", () -> compare().secondChain().isPresent());
     FilterChain second = viewer.onFx(() -> compare().secondChain().orElseThrow());
@@ -86,6 +86,7 @@ class CompareTest {
   void aChainInsideTheChainIsKeptAndFilledByItself() {
     viewer = new ViewerHarness(UserSettings.load(folder));
     viewer.open(() -> new ScenePlayable(() -> new BlobSource(Long.MAX_VALUE), "blob"));
+    viewer.addNoiseFilters();
     viewer.run(() -> viewer.window.editor().addChain());
     viewer.waitFor("its card", () -> viewer.isThere("stage-chain"));
     FilterChain inside = (FilterChain) viewer.session().chain().stage("chain").filter();
@@ -128,6 +129,7 @@ class CompareTest {
     UserSettings settings = UserSettings.load(folder);
     viewer = new ViewerHarness(settings);
     viewer.open(() -> new ScenePlayable(() -> new BlobSource(Long.MAX_VALUE), "blob"));
+    viewer.addNoiseFilters();
     viewer.run(() -> presets().save("usual", viewer.window.editor()));
     viewer.waitFor("the file", () -> Files.exists(folder.resolve("presets").resolve("usual.json")));
     viewer.waitFor("the offer", () -> viewer.window.actions().find("preset-usual").isPresent());
