@@ -22,7 +22,7 @@ final class BirthDetector {
   private static final double CELL_NAT = 2;
 
   /** Standard deviation of a velocity before it was seen, sizes per second: as fast things move. */
-  private static final double SPEED_SIZES_S = 5;
+  static final double SPEED_SIZES_S = 5;
 
   /** Events from which a place and a velocity can be estimated. */
   private static final int MIN_EVENTS = 6;

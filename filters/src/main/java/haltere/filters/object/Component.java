@@ -15,8 +15,12 @@ import java.util.Arrays;
  * <p>Thread rule: one thread at a time.
  */
 final class Component {
-  /** Power spectral density of the acceleration, squares of its own size per s³. */
-  private static final double ACCELERATION = 20;
+  /**
+   * Power spectral density of the acceleration, squares of its own size per s³: 2 σ²/τ where
+   * velocities have a deviation σ and last for τ (Singer, IEEE TAES 6, 1970).
+   */
+  private static final double ACCELERATION =
+      2 * BirthDetector.SPEED_SIZES_S * BirthDetector.SPEED_SIZES_S * Presence.STOP_HZ;
 
   /** Memory of the rate of events, seconds: a stride, over which a rate varies. */
   private static final double RATE_S = 0.5;

@@ -13,7 +13,7 @@ final class Presence {
   static final double[] DIMMINGS = {1, Math.sqrt(0.2), 0.2};
 
   /** Rate at which a moving component stops, Hz: people and animals pause about every second. */
-  private static final double STOP_HZ = 1;
+  static final double STOP_HZ = 1;
 
   /** Rate at which a moving component vanishes inside the picture, Hz. */
   private static final double VANISH_HZ = 0.1;

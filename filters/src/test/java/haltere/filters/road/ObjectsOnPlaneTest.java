@@ -41,6 +41,7 @@ class ObjectsOnPlaneTest {
   void whatIsAboveTheHorizonIsNotOnTheRoad() {
     RoadMapping road = new RoadMapping(RoadViewSettings.defaults(), new SensorGeometry(128, 128));
     assertEquals(Optional.empty(), ObjectsOnPlane.seenAlong(road).locate(at(64, 140, 0, 5)));
-    assertTrue(ObjectsOnPlane.seenAlong(PlaneMapping.PICTURE).locate(at(64, 140, 0, 5)).isPresent());
+    assertTrue(
+        ObjectsOnPlane.seenAlong(PlaneMapping.PICTURE).locate(at(64, 140, 0, 5)).isPresent());
   }
 }

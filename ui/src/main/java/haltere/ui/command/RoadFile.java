@@ -47,10 +47,7 @@ import java.util.Map;
  * @param points pixels whose positions are known; none where the view says what is seen
  */
 record RoadFile(
-    RoadViewSettings view,
-    LaneSettings lanes,
-    CountingLineSettings lines,
-    List<PointPair> points) {
+    RoadViewSettings view, LaneSettings lanes, CountingLineSettings lines, List<PointPair> points) {
   private static final String POINTS = "points";
   private static final String VANISHING_POINT = "vanishingPoint";
   private static final String LANES = "lanes";
