@@ -16,6 +16,7 @@ import java.util.Arrays;
  */
 final class ClutterMap {
   static final int CELL_SHIFT = 3;
+  static final int CELL_PX = 1 << CELL_SHIFT;
 
   /** Memory of a pixel's rate, seconds: noise changes with light and temperature, slowly. */
   private static final double MEMORY_S = 5;

@@ -29,7 +29,7 @@ final class Component {
    * Independent registrations an event is worth: neighbouring pixels of one edge, and of two ticks,
    * repeat one another's error.
    */
-  private static final double INDEPENDENT = 0.2;
+  private static final double INDEPENDENT = 0.5;
 
   /** Ticks of the path. */
   private static final int PATH = 64;
@@ -203,7 +203,9 @@ final class Component {
 
   private void predict() {
     double dt = ObjectTracker.TICK_S;
-    double q = ACCELERATION * shape.size() * shape.size();
+    // what is smaller than a cell of births moves as fast as what fills one
+    double size = Math.max(shape.size(), ClutterMap.CELL_PX);
+    double q = ACCELERATION * size * size;
     for (int i = 0; i < 4; i += 2) {
       state.shear(i, i + 1, dt);
       state.addNoise(i, q * dt * dt * dt / 3);

@@ -58,8 +58,8 @@ class ShapeTemplateTest {
       squares += error * error / 200;
       stated += 1 / (events * template.infoXx) / 200;
     }
-    // what Component takes for the variance is five times the information's
-    assertTrue(squares < 5 * stated, squares + " px2 where " + stated + " is stated");
+    // what Component takes for the variance is twice the information's
+    assertTrue(squares < 2 * stated, squares + " px2 where " + stated + " is stated");
   }
 
   @Test

@@ -22,6 +22,7 @@ import haltere.ui.viewer.session.ViewerSession;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -117,7 +118,9 @@ public final class ViewerHarness extends JavaFxHarness implements AutoCloseable 
       chain.add(Filters.named(name));
     }
     run(() -> window.editor().replaceAll(chain));
-    waitFor("the first card", () -> isThere("stage-" + filters[0]));
+    waitFor(
+        "the cards of all filters",
+        () -> Arrays.stream(filters).allMatch(filter -> isThere("stage-" + filter)));
   }
 
   /** A window that plays a recording of the blob. */
