@@ -17,14 +17,14 @@ public final class DefaultChain {
   private DefaultChain() {}
 
   /**
-   * Noise filters first, then the tracker, all with their default settings.
+   * The object tracker with its default settings; noise is part of its model.
    *
    * @param geometry the sensor whose events it will see
    * @return a new chain
    */
   public static FilterChain create(SensorGeometry geometry) {
-    FilterChain chain = withoutNoise(geometry);
-    chain.add(Filters.named("cluster-tracker"));
+    FilterChain chain = new FilterChain(geometry);
+    chain.add(Filters.named("object-tracker"));
     return chain;
   }
 

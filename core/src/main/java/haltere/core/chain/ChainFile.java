@@ -12,6 +12,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 
 /**
  * A chain as JSON: the filters' names in order, whether they are on, and their settings.
@@ -24,7 +25,8 @@ import java.util.Map;
  * ]}
  * }</pre>
  *
- * <p>Settings that are left out have their defaults, so a chain saved by an older version opens.
+ * <p>Settings that are left out have their defaults, so a chain saved by an earlier version opens.
+ * Where settings have got other names since, or are no more, a note says what takes their place.
  *
  * <p>Thread rule: all methods may be called from any thread.
  */
@@ -41,7 +43,22 @@ public final class ChainFile {
    * @throws IOException if the file cannot be read
    */
   public static FilterChain read(Path file, SensorGeometry geometry) throws IOException {
-    return chain(Json.read(file), file.toString(), geometry);
+    return read(file, geometry, note -> {});
+  }
+
+  /**
+   * Reads a chain.
+   *
+   * @param file JSON
+   * @param geometry the sensor whose events the chain will see
+   * @param notes takes a line for each filter with settings of an earlier version
+   * @return a chain of new filters
+   * @throws JsonProblem if the file is not JSON or not a chain; the message names the file
+   * @throws IOException if the file cannot be read
+   */
+  public static FilterChain read(Path file, SensorGeometry geometry, Consumer<String> notes)
+      throws IOException {
+    return chain(Json.read(file), file.toString(), geometry, notes);
   }
 
   /**
@@ -55,20 +72,22 @@ public final class ChainFile {
    */
   public static FilterChain parse(String text, String name, SensorGeometry geometry)
       throws JsonProblem {
-    return chain(Json.parse(text, name), name, geometry);
+    return chain(Json.parse(text, name), name, geometry, note -> {});
   }
 
-  private static FilterChain chain(Object value, String name, SensorGeometry geometry)
+  private static FilterChain chain(
+      Object value, String name, SensorGeometry geometry, Consumer<String> notes)
       throws JsonProblem {
     try {
-      return nested(value, geometry, "");
+      return nested(value, geometry, "", note -> notes.accept(name + ": " + note));
     } catch (SettingsProblem | ChainProblem problem) {
       throw new JsonProblem(name + ": " + problem.getMessage());
     }
   }
 
   /** A chain that stands at a place: empty for the outermost, else such as "filter 3". */
-  private static FilterChain nested(Object value, SensorGeometry geometry, String place) {
+  private static FilterChain nested(
+      Object value, SensorGeometry geometry, String place, Consumer<String> notes) {
     String what = place.isEmpty() ? "the chain" : place;
     Map<?, ?> object = object(value, what);
     requireKeys(object, what, List.of("filters", "name", "enabled", "comment"));
@@ -78,7 +97,7 @@ public final class ChainFile {
     FilterChain chain = new FilterChain(geometry);
     for (int i = 0; i < entries.size(); i++) {
       String entryPlace = (place.isEmpty() ? "" : place + ", ") + "filter " + (i + 1);
-      addStage(chain, object(entries.get(i), entryPlace), entryPlace);
+      addStage(chain, object(entries.get(i), entryPlace), entryPlace, notes);
     }
     return chain;
   }
@@ -92,13 +111,14 @@ public final class ChainFile {
     }
   }
 
-  private static void addStage(FilterChain chain, Map<?, ?> entry, String place) {
+  private static void addStage(
+      FilterChain chain, Map<?, ?> entry, String place, Consumer<String> notes) {
     boolean enabled = enabled(entry, place);
     if (entry.containsKey("filters")) {
       Object name = entry.get("name");
       chain.add(
           name == null ? "chain" : name.toString(),
-          nested(entry, chain.geometry(), place),
+          nested(entry, chain.geometry(), place, notes),
           enabled,
           chain.stages().size());
       return;
@@ -108,15 +128,17 @@ public final class ChainFile {
       throw new ChainProblem(place + " needs \"filter\", the name of a filter");
     }
     Object settings = entry.get("settings");
+    String stage = place + " (" + kind + "): ";
     EventFilter filter;
     try {
       filter =
           create(
               Filters.named(kind),
               chain.geometry(),
-              settings == null ? Map.of() : object(settings, "its settings"));
+              settings == null ? Map.of() : object(settings, "its settings"),
+              note -> notes.accept(stage + note));
     } catch (SettingsProblem | ChainProblem problem) {
-      throw new ChainProblem(place + " (" + kind + "): " + problem.getMessage());
+      throw new ChainProblem(stage + problem.getMessage());
     }
     chain.add(kind, filter, enabled, chain.stages().size());
   }
@@ -130,8 +152,11 @@ public final class ChainFile {
   }
 
   private static <S extends Record> EventFilter create(
-      FilterProvider<S> provider, SensorGeometry geometry, Map<?, ?> settings) {
-    return provider.create(geometry, SettingsJson.fromMap(settings, provider.schema()));
+      FilterProvider<S> provider,
+      SensorGeometry geometry,
+      Map<?, ?> settings,
+      Consumer<String> notes) {
+    return provider.create(geometry, SettingsJson.fromMap(settings, provider.schema(), notes));
   }
 
   private static Map<?, ?> object(Object value, String what) {

@@ -1,7 +1,11 @@
 package haltere.core.settings;
 
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
+import java.util.stream.Collectors;
 
 /**
  * Settings as the plain values of a JSON object, and back. Nested records are nested objects; an
@@ -56,19 +60,52 @@ public final class SettingsJson {
     return schema.with(schema.defaults(), flat);
   }
 
+  /**
+   * A record from the values of a JSON object that an earlier version may have written. A value of
+   * a setting that has another name now is taken over; one of a setting that is no more is left
+   * out.
+   *
+   * @param values names and values; what is missing keeps its default
+   * @param schema the record's schema
+   * @param notes takes a line that says what has taken the place of former names, if there are any
+   * @param <S> the record
+   * @return a valid record
+   * @throws SettingsProblem for a name that has never existed or a value out of range
+   */
+  public static <S extends Record> S fromMap(
+      Map<?, ?> values, SettingsSchema<S> schema, Consumer<String> notes) {
+    Map<String, Object> flat = new LinkedHashMap<>();
+    flatten(values, "", flat, schema);
+    Map<String, Object> present = new LinkedHashMap<>();
+    Map<String, List<String>> formerNames = new LinkedHashMap<>();
+    flat.forEach(
+        (name, value) -> {
+          String successor = schema.has(name) ? name : schema.successor(name);
+          if (successor == null || schema.has(successor)) {
+            present.put(successor == null ? name : successor, value);
+          }
+          if (successor != null && !successor.equals(name)) {
+            formerNames.computeIfAbsent(successor, key -> new ArrayList<>()).add(name);
+          }
+        });
+    if (!formerNames.isEmpty()) {
+      notes.accept(
+          formerNames.entrySet().stream()
+              .map(entry -> String.join(", ", entry.getValue()) + " -> " + entry.getKey())
+              .collect(Collectors.joining("; ", "settings of an earlier version: ", "")));
+    }
+    return schema.with(schema.defaults(), present);
+  }
+
   private static void flatten(
       Map<?, ?> values, String prefix, Map<String, Object> flat, SettingsSchema<?> schema) {
     for (Map.Entry<?, ?> entry : values.entrySet()) {
       String name = prefix + entry.getKey();
-      if (entry.getValue() instanceof Map<?, ?> nested && isGroup(name, schema)) {
+      if (entry.getValue() instanceof Map<?, ?> nested && schema.isGroup(name)) {
         flatten(nested, name + ".", flat, schema);
       } else {
         flat.put(name, entry.getValue());
       }
     }
-  }
-
-  private static boolean isGroup(String name, SettingsSchema<?> schema) {
-    return schema.parameters().stream().anyMatch(p -> p.name().startsWith(name + "."));
   }
 }

@@ -9,6 +9,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.stream.Stream;
 
 /**
  * What can be set in a settings record, read once off its annotated components: the panel, the
@@ -18,6 +19,11 @@ import java.util.concurrent.ConcurrentHashMap;
  * another settings record; every leaf has {@link Help} and every number {@link Range} and {@link
  * Unit}; a static method {@code defaults()} returns the default values; its compact constructor
  * calls {@link #validate} with all of its components.
+ *
+ * <p>A record whose settings had other names before may say so in a static method {@code
+ * formerNames()}: a map from the former name of a setting, or of a group, to its present name or to
+ * a sentence that says what takes its place. Such names are explained where they are used, and read
+ * in files, see {@link SettingsJson}.
  *
  * <p>Thread rule: immutable, may be used from any thread.
  *
@@ -30,6 +36,7 @@ public final class SettingsSchema<S extends Record> {
   private final Class<S> type;
   private final S defaults;
   private final Map<String, Parameter> parameters;
+  private final Map<String, String> formerNames = new LinkedHashMap<>();
 
   private SettingsSchema(Class<S> type) {
     this.type = type;
@@ -37,6 +44,7 @@ public final class SettingsSchema<S extends Record> {
     Map<String, Parameter> found = new LinkedHashMap<>();
     collect(type, defaults, "", found);
     parameters = Collections.unmodifiableMap(found);
+    collectFormerNames(type, "");
   }
 
   /**
@@ -118,14 +126,44 @@ public final class SettingsSchema<S extends Record> {
   public Parameter parameter(String name) {
     Parameter parameter = parameters.get(name);
     if (parameter == null) {
+      String successor = successor(name);
       throw new SettingsProblem(
-          "there is no setting "
-              + name
-              + (parameters.isEmpty()
-                  ? ", there are none here"
-                  : "; there are " + String.join(", ", parameters.keySet())));
+          successor != null
+              ? "there is no setting " + name + " any more: " + successor
+              : "there is no setting "
+                  + name
+                  + (parameters.isEmpty()
+                      ? ", there are none here"
+                      : "; there are " + String.join(", ", parameters.keySet())));
     }
     return parameter;
+  }
+
+  /**
+   * What has taken the place of a setting of an earlier version.
+   *
+   * @param name dotted path that the setting had
+   * @return the present name of the setting, or a sentence; null for any other name
+   */
+  String successor(String name) {
+    for (String former = name; ; former = former.substring(0, former.lastIndexOf('.'))) {
+      String successor = formerNames.get(former);
+      if (successor != null || former.indexOf('.') < 0) {
+        return successor;
+      }
+    }
+  }
+
+  /** Whether settings of an earlier version, or of this one, were in a group of this name. */
+  boolean isGroup(String name) {
+    String start = name + ".";
+    return Stream.concat(parameters.keySet().stream(), formerNames.keySet().stream())
+        .anyMatch(one -> one.startsWith(start));
+  }
+
+  /** Whether there is a setting of this name. */
+  boolean has(String name) {
+    return parameters.containsKey(name);
   }
 
   /**
@@ -198,13 +236,17 @@ public final class SettingsSchema<S extends Record> {
     if (parameters.containsKey(name)) {
       return name;
     }
-    List<String> found =
-        parameters.keySet().stream().filter(whole -> whole.endsWith("." + name)).toList();
+    List<String> found = endingIn(name, parameters);
     if (found.size() > 1) {
       throw new SettingsProblem(
           "several settings end in " + name + ": " + String.join(", ", found));
     }
-    return found.isEmpty() ? name : found.get(0);
+    List<String> former = endingIn(name, formerNames);
+    return found.size() == 1 ? found.get(0) : former.size() == 1 ? former.get(0) : name;
+  }
+
+  private static List<String> endingIn(String name, Map<String, ?> named) {
+    return named.keySet().stream().filter(whole -> whole.endsWith("." + name)).toList();
   }
 
   /**
@@ -294,6 +336,28 @@ public final class SettingsSchema<S extends Record> {
       } else {
         found.put(name, leaf(component, name, value));
       }
+    }
+  }
+
+  private void collectFormerNames(Class<?> type, String prefix) {
+    for (RecordComponent component : type.getRecordComponents()) {
+      if (component.getType().isRecord()) {
+        collectFormerNames(component.getType(), prefix + component.getName() + ".");
+      }
+    }
+    try {
+      var method = type.getDeclaredMethod("formerNames");
+      method.setAccessible(true);
+      ((Map<?, ?>) method.invoke(null))
+          .forEach(
+              (former, successor) -> {
+                boolean isSentence = successor.toString().indexOf(' ') >= 0;
+                formerNames.put(prefix + former, (isSentence ? "" : prefix) + successor);
+              });
+    } catch (NoSuchMethodException none) {
+      // Its settings have always had their names.
+    } catch (ReflectiveOperationException broken) {
+      throw new IllegalStateException(type + ".formerNames()", broken);
     }
   }
 

@@ -4,41 +4,36 @@ import haltere.core.settings.Help;
 import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
-import haltere.filters.selection.PolaritySettings;
+import haltere.filters.selection.PolaritySettings.Keep;
 
 /**
- * Which events count for clusters, and how.
+ * Which events a cluster takes, and what those at its edge do.
  *
- * @param polarity events of which polarity
- * @param edges whether the two polarities may lie at two places, as those of two edges do
- * @param inhibition what an event in the surround takes from the mass
- * @param edgeThickness how far from its outline events move a cluster, as a share of its radius
+ * @param polarity polarity of the events that count
+ * @param inhibition mass that an event in the surround takes away
+ * @param edgeThickness thickness of the edge whose events move a cluster, as a share of its radius
  */
 public record ClusterEventSettings(
-    @Help("Events of which polarity count; the others go by.") PolaritySettings.Keep polarity,
-    @Help("The centre is half way between the ON and the OFF events, not their mean.")
-        boolean edges,
-    @Help("An event around a cluster, not in it, takes this many events from its mass; 0: none.")
+    @Help("Polarity of the events that count; the others are ignored.") Keep polarity,
+    @Help("An event in the surround takes this mass away instead of adding one; 0: it adds one.")
         @Range(min = 0, max = 100)
         @Unit("events")
         double inhibition,
-    @Help(
-            "Only events within this share of the radius from the outline move a cluster and give it"
-                + " its size; 0: all do.")
+    @Help("Only events within this share of the radius from the edge move a cluster; 0: all do.")
         @Range(min = 0, max = 1)
         @Unit("1")
         double edgeThickness) {
   /** Checks the ranges. */
   public ClusterEventSettings {
-    SettingsSchema.validate(ClusterEventSettings.class, polarity, edges, inhibition, edgeThickness);
+    SettingsSchema.validate(ClusterEventSettings.class, polarity, inhibition, edgeThickness);
   }
 
   /**
-   * The default.
+   * The settings to start from.
    *
-   * @return both polarities, edges told apart, no inhibition, events anywhere
+   * @return both polarities, no inhibition, events anywhere
    */
   public static ClusterEventSettings defaults() {
-    return new ClusterEventSettings(PolaritySettings.Keep.BOTH, true, 0, 0);
+    return new ClusterEventSettings(Keep.BOTH, 0, 0);
   }
 }

@@ -6,40 +6,36 @@ import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
 /**
- * How clusters take on the size of what they follow.
+ * Adaptation of the shape to the second moments of the events, which are averaged with the weights
+ * of the location.
  *
- * @param size whether the size follows the spread of the events
- * @param aspect whether the ratio of the half axes does
- * @param mostScale by how much a radius may differ from the one to begin with
- * @param surround how much larger than the cluster the region is whose events it takes
- * @param events over how many events the spread is averaged
+ * @param size whether the radius adapts
+ * @param aspect whether the ratio of the half axes adapts
+ * @param maxScale largest ratio of a radius to the a-priori one, and of that to the radius
+ * @param surround capture region over cluster, while the size adapts
  */
 public record ClusterGrowthSettings(
-    @Help("The size of a cluster follows the spread of its events.") boolean size,
-    @Help("The ratio of a cluster's half axes follows the spread of its events.") boolean aspect,
-    @Help("A radius stays between the one to begin with over this, and times this.")
+    @Help("The radius adapts to the spread of the events.") boolean size,
+    @Help("The ratio of the half axes adapts to the spread of the events.") boolean aspect,
+    @Help("Size range (factor): how much a radius may grow or shrink from the a-priori one.")
         @Range(min = 1, max = 30, logarithmic = true)
         @Unit("1")
-        double mostScale,
-    @Help("While the size follows, events up to this many radii away belong to the cluster.")
+        double maxScale,
+    @Help("While the size adapts, a cluster captures events up to this many radii away.")
         @Range(min = 1, max = 5)
         @Unit("1")
-        double surround,
-    @Help("The spread is averaged over about this many events.")
-        @Range(min = 5, max = 10_000, logarithmic = true)
-        @Unit("events")
-        double events) {
+        double surround) {
   /** Checks the ranges. */
   public ClusterGrowthSettings {
-    SettingsSchema.validate(ClusterGrowthSettings.class, size, aspect, mostScale, surround, events);
+    SettingsSchema.validate(ClusterGrowthSettings.class, size, aspect, maxScale, surround);
   }
 
   /**
-   * The default growth.
+   * The settings to start from.
    *
-   * @return the size follows 100 events, up to 6 times larger or smaller
+   * @return no adaptation; once it is on, by up to a factor of 4, with a surround of 2
    */
   public static ClusterGrowthSettings defaults() {
-    return new ClusterGrowthSettings(true, false, 6, 1.3, 100);
+    return new ClusterGrowthSettings(false, false, 4, 2);
   }
 }

@@ -6,51 +6,46 @@ import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
 /**
- * When there is a cluster, when it is visible, and when it is no more.
+ * Support, visibility and death of clusters.
  *
- * @param birthEvents recent events at a place that make a cluster
- * @param recentUs how long an event counts as recent
- * @param visibleBy what makes a cluster visible
- * @param visibleMass recent events that make it visible
- * @param visibleRateHz event rate of a pixel that makes it visible
- * @param leastSpeedPxPerS slower ones are not visible
- * @param lifetimeUs how long it lives without support
+ * @param massTimeUs time constant of the mass
+ * @param lifetimeUs how long a cluster lives without support
+ * @param supportedBy what counts as support
+ * @param visibleMass mass that is support
+ * @param visibleRateHz event rate of a pixel that is support
+ * @param minSpeedPxS slower clusters are not visible
  * @param border when a cluster dies at the sensor's border
  */
 public record ClusterLifeSettings(
-    @Help("As many recent events at a place, more than noise makes, begin a cluster.")
-        @Range(min = 2, max = 10_000, logarithmic = true)
-        @Unit("events")
-        double birthEvents,
-    @Help("An event counts less and less with this time constant.")
+    @Help("Mass: events of a cluster, each of which decays with this time constant.")
         @Range(min = 2000, max = 10_000_000, logarithmic = true)
         @Unit("us")
-        int recentUs,
-    @Help("What makes a cluster visible: recent events, or the event rate of its pixels.")
-        Visibility visibleBy,
-    @Help("With visible-by mass: a cluster is visible once it has this many recent events.")
-        @Range(min = 1, max = 100_000, logarithmic = true)
-        @Unit("events")
-        double visibleMass,
-    @Help("With visible-by rate: a cluster is visible once its pixels fire at this rate, in mean.")
-        @Range(min = 0.01, max = 10_000, logarithmic = true)
-        @Unit("Hz")
-        double visibleRateHz,
-    @Help("A cluster becomes visible only when it is at least as fast; 0: all do.")
-        @Range(min = 0, max = 100_000)
-        @Unit("px/s")
-        double leastSpeedPxPerS,
-    @Help("A cluster that has had hardly any events for longer than this dies.")
+        int massTimeUs,
+    @Help("A cluster, newborn or not, dies after this time without support.")
         @Range(min = 1000, max = 10_000_000, logarithmic = true)
         @Unit("us")
         int lifetimeUs,
-    @Help("Whether a cluster dies at the border: never, with its centre outside, or touching it.")
+    @Help("Support, which makes a cluster visible: its mass, or the event rate of its pixels.")
+        Support supportedBy,
+    @Help("Mass from which on a cluster is visible, if that is its support.")
+        @Range(min = 1, max = 100_000, logarithmic = true)
+        @Unit("events")
+        double visibleMass,
+    @Help("Mean event rate of a pixel from which on a cluster is visible, if that is its support.")
+        @Range(min = 0.01, max = 10_000, logarithmic = true)
+        @Unit("Hz")
+        double visibleRateHz,
+    @Help("Slower clusters are not visible; 0: all are.")
+        @Range(min = 0, max = 100_000)
+        @Unit("px/s")
+        double minSpeedPxS,
+    @Help("A cluster dies at the border: never, with its centre outside, or touching it.")
         Border border) {
-  /** What makes a cluster visible. */
-  public enum Visibility {
-    /** Recent events. */
+  /** What keeps a cluster alive and makes it visible. */
+  public enum Support {
+    /** Its mass. */
     MASS,
-    /** Event rate over the pixels within the cluster. */
+    /** The mean event rate of its pixels. */
     RATE
   }
 
@@ -58,9 +53,9 @@ public record ClusterLifeSettings(
   public enum Border {
     /** Never. */
     NEVER,
-    /** When its centre is outside. */
+    /** With its centre outside. */
     CENTRE,
-    /** When its outline is. */
+    /** With any of it outside. */
     OUTLINE
   }
 
@@ -68,22 +63,23 @@ public record ClusterLifeSettings(
   public ClusterLifeSettings {
     SettingsSchema.validate(
         ClusterLifeSettings.class,
-        birthEvents,
-        recentUs,
-        visibleBy,
+        massTimeUs,
+        lifetimeUs,
+        supportedBy,
         visibleMass,
         visibleRateHz,
-        leastSpeedPxPerS,
-        lifetimeUs,
+        minSpeedPxS,
         border);
   }
 
   /**
-   * The default life.
+   * The settings to start from.
    *
-   * @return born of 8 events in 50 ms, visible at 12, dead 100 ms after the last, or at the border
+   * @return visible from 3 Hz of a pixel on, averaged over 50 ms, which noise of 1 Hz does not
+   *     reach and which does not depend on the sensor; dead after 20 ms without that or at the
+   *     border
    */
   public static ClusterLifeSettings defaults() {
-    return new ClusterLifeSettings(8, 50_000, Visibility.MASS, 12, 10, 0, 100_000, Border.CENTRE);
+    return new ClusterLifeSettings(50_000, 20_000, Support.RATE, 10, 3, 0, Border.CENTRE);
   }
 }

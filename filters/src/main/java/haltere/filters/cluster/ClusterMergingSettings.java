@@ -6,53 +6,37 @@ import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
 /**
- * Which clusters become one.
+ * Which clusters merge.
  *
  * @param allowed whether any do
- * @param overlap how near two of the same motion must be
- * @param differentAngleDeg directions of motion that differ by more are those of two things
- * @param seenTogetherUs how long two must have been near, in the same motion
- * @param seenApartUs the same for two that were seen apart before
- * @param joinSize whether the size of both together is taken on
+ * @param overlap nearness of two clusters that merge
+ * @param differentAngleDeg difference of two directions of motion from which on they do not
+ * @param joinSize whether the merged cluster has the size of both together
  */
 public record ClusterMergingSettings(
-    @Help("Clusters may merge.") boolean allowed,
-    @Help("Clusters may merge when their centres are nearer than this share of both radii.")
+    @Help("Clusters merge.") boolean allowed,
+    @Help("Clusters merge when their boxes, scaled by this, overlap.")
         @Range(min = 0.1, max = 2)
         @Unit("1")
         double overlap,
-    @Help("Clusters whose directions of motion differ by more do not merge; 180: all do.")
+    @Help("Clusters whose directions of motion differ by more do not merge; 180: all merge.")
         @Range(min = 10, max = 180)
         @Unit("deg")
         double differentAngleDeg,
-    @Help("Clusters merge after they have been near each other for this time, in one motion.")
-        @Range(min = 0, max = 10_000_000)
-        @Unit("us")
-        int seenTogetherUs,
-    @Help("The same time for clusters that have been seen apart from each other before.")
-        @Range(min = 0, max = 100_000_000)
-        @Unit("us")
-        int seenApartUs,
-    @Help("The merged cluster takes on the size of both together, not that of the heavier one.")
+    @Help("The merged cluster has the size of both together, not that of the heavier one.")
         boolean joinSize) {
   /** Checks the ranges. */
   public ClusterMergingSettings {
     SettingsSchema.validate(
-        ClusterMergingSettings.class,
-        allowed,
-        overlap,
-        differentAngleDeg,
-        seenTogetherUs,
-        seenApartUs,
-        joinSize);
+        ClusterMergingSettings.class, allowed, overlap, differentAngleDeg, joinSize);
   }
 
   /**
-   * The default rule.
+   * The settings to start from.
    *
-   * @return near at 0.6 of both radii, 60 degrees, 20 ms, 1 s, sizes joined
+   * @return boxes that overlap merge unless their directions differ by 60 degrees
    */
   public static ClusterMergingSettings defaults() {
-    return new ClusterMergingSettings(true, 0.6, 60, 20_000, 1_000_000, true);
+    return new ClusterMergingSettings(true, 1, 60, false);
   }
 }

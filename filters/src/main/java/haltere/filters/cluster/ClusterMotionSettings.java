@@ -6,72 +6,87 @@ import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
 /**
- * How events move a cluster.
+ * How events move a cluster, x ← (1 − m) x + m z, and its velocity: its motion, low-pass filtered.
  *
- * @param mixing what decides the weight of an event
- * @param mixingFactor the weight, where it is constant
- * @param mixingTimeUs the time constant, where that is
- * @param longestMemoryUs the longest stretch that a line is fitted to, where the weight adapts
- * @param predict whether clusters move on with their velocity between events
- * @param velocity how fast it is taken to be
+ * @param weight what decides the weight m
+ * @param mixingFactor m, where it is constant
+ * @param mixingTimeUs time constant of the location, where that is constant
+ * @param predict whether clusters move by their velocity at each update
+ * @param velocityTimeUs time constant of the velocity
+ * @param frictionTimeUs time constant with which the velocity decays, 0 for no decay
+ * @param startVelocity velocity at birth
+ * @param neighbourRadii neighbourhood whose fastest cluster limits the speed, 0 for no limit
  */
 public record ClusterMotionSettings(
-    @Help("What decides the weight of an event: itself, the time, or how well a line fits.")
-        Mixing mixing,
-    @Help("With mixing per-event: an event moves its cluster by this share of the distance.")
+    @Help("Weight of an event: constant, lower at high event rates, or of a time constant.")
+        Weight weight,
+    @Help("With a weight per event, an event moves its cluster by this share of the distance.")
         @Range(min = 0.0001, max = 1, logarithmic = true)
         @Unit("1")
         double mixingFactor,
-    @Help("With mixing per-time: events count less and less with this time constant.")
+    @Help("With a weight per time, the location averages events over this time constant.")
         @Range(min = 2000, max = 10_000_000, logarithmic = true)
         @Unit("us")
         int mixingTimeUs,
-    @Help("With mixing adaptive: straight motion is averaged over up to this time.")
-        @Range(min = 5000, max = 10_000_000, logarithmic = true)
+    @Help("Clusters move by their velocity at each update.") boolean predict,
+    @Help("The velocity is averaged over this time constant.")
+        @Range(min = 1000, max = 10_000_000, logarithmic = true)
         @Unit("us")
-        int longestMemoryUs,
-    @Help("Clusters move on with their velocity between events.") boolean predict,
-    ClusterVelocitySettings velocity) {
-  /** What decides the weight of an event in the centre of its cluster. */
-  public enum Mixing {
-    /** Each event has the same weight: x = (1 - m) x + m z. */
+        int velocityTimeUs,
+    @Help("The velocity decays with this time constant; 0: it does not.")
+        @Range(min = 0, max = 10_000_000)
+        @Unit("us")
+        int frictionTimeUs,
+    @Help("Velocity at birth: zero, or the mean of the visible clusters.")
+        StartVelocity startVelocity,
+    @Help(
+            "A cluster is no faster than the fastest visible one within this many radii; 0: no limit.")
+        @Range(min = 0, max = 100)
+        @Unit("1")
+        double neighbourRadii) {
+  /** What decides the weight of an event. */
+  public enum Weight {
+    /** It is constant: Cardinale (2006), part I, eq. 1. */
     PER_EVENT,
-    /**
-     * As with {@link #PER_EVENT}, but where the pixels of a cluster fire faster than makes it
-     * visible, the weight is inverse to their rate.
-     */
+    /** It is constant up to the visible rate of a pixel, and inverse to the rate above. */
     PER_EVENT_AND_RATE,
     /**
-     * The centre is the mean of the events weighted by exp(-age / tau): m = 1 / W with W = 1 + W
-     * exp(-dt / tau), which for events at equal intervals becomes 1 - exp(-dt / tau).
+     * The location is the mean of the events weighted by exp(−age/τ): m = 1 / W with W ← 1 + W
+     * exp(−Δt/τ), which at a constant rate tends to m = 1 − exp(−Δt/τ). Simultaneous events have
+     * equal weights.
      */
-    PER_TIME,
-    /**
-     * A line is fitted to the events of a memory, which is as long as a line fits: long where
-     * motion is straight, short where it turns.
-     */
-    ADAPTIVE
+    PER_TIME
+  }
+
+  /** Velocity at birth. */
+  public enum StartVelocity {
+    /** Zero. */
+    ZERO,
+    /** The mean velocity of the visible clusters. */
+    MEAN
   }
 
   /** Checks the ranges. */
   public ClusterMotionSettings {
     SettingsSchema.validate(
         ClusterMotionSettings.class,
-        mixing,
+        weight,
         mixingFactor,
         mixingTimeUs,
-        longestMemoryUs,
         predict,
-        velocity);
+        velocityTimeUs,
+        frictionTimeUs,
+        startVelocity,
+        neighbourRadii);
   }
 
   /**
-   * The default motion.
+   * The settings to start from.
    *
-   * @return adaptive, up to 300 ms, with prediction
+   * @return a constant weight of 0.05, prediction with an average over 100 ms, no friction or limit
    */
   public static ClusterMotionSettings defaults() {
     return new ClusterMotionSettings(
-        Mixing.ADAPTIVE, 0.05, 20_000, 300_000, true, ClusterVelocitySettings.defaults());
+        Weight.PER_EVENT, 0.05, 20_000, true, 100_000, 0, StartVelocity.ZERO, 0);
   }
 }

@@ -6,49 +6,49 @@ import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
 /**
- * What a cluster tracker keeps and tells.
+ * Bounds and results of a cluster tracker.
  *
- * @param mostClusters how many clusters there may be
- * @param upkeepUs how often clusters are attended to
- * @param reportRateHz how often the visible clusters are reported
- * @param pathPoints positions that a trail has
- * @param onlyClustered whether events outside visible clusters are taken out of the stream
+ * @param maxClusters largest number of clusters
+ * @param updateIntervalUs time between two updates
+ * @param reportRateHz reports a second of recording time
+ * @param pathPoints positions of a path
+ * @param onlyClustered whether events outside visible clusters are removed from the stream
  */
 public record ClusterOutputSettings(
-    @Help("There are no more clusters than this at a time.")
+    @Help("Largest number of clusters at a time; at this number none is born.")
         @Range(min = 1, max = 200, logarithmic = true)
         @Unit("clusters")
-        int mostClusters,
-    @Help("Births, deaths, sizes and mergers are attended to at this interval of event time.")
+        int maxClusters,
+    @Help("Interval of event time at which clusters are predicted, merged and removed.")
         @Range(min = 100, max = 100_000, logarithmic = true)
         @Unit("us")
-        int upkeepUs,
-    @Help("The visible clusters are reported at this rate of recording time.")
-        @Range(min = 1, max = 10_000, logarithmic = true)
+        int updateIntervalUs,
+    @Help("Visible clusters are reported at this rate of recording time.")
+        @Range(min = 0.001, max = 100_000, logarithmic = true)
         @Unit("Hz")
         double reportRateHz,
-    @Help("A trail has up to this many positions, one a report.")
+    @Help("A path has up to this many positions, one a report.")
         @Range(min = 1, max = 1000, logarithmic = true)
         @Unit("positions")
         int pathPoints,
-    @Help("Only events within visible clusters are passed on.") boolean onlyClustered) {
+    @Help("Only events in visible clusters are passed on.") boolean onlyClustered) {
   /** Checks the ranges. */
   public ClusterOutputSettings {
     SettingsSchema.validate(
         ClusterOutputSettings.class,
-        mostClusters,
-        upkeepUs,
+        maxClusters,
+        updateIntervalUs,
         reportRateHz,
         pathPoints,
         onlyClustered);
   }
 
   /**
-   * The default.
+   * The settings to start from.
    *
-   * @return 40 clusters, attended to each millisecond, reported at 100 Hz, a second of trail
+   * @return 20 clusters, updated each millisecond, 100 reports a second with a second of path
    */
   public static ClusterOutputSettings defaults() {
-    return new ClusterOutputSettings(40, 1000, 100, 100, false);
+    return new ClusterOutputSettings(20, 1000, 100, 100, false);
   }
 }

@@ -15,8 +15,8 @@ import haltere.core.sink.Column;
  * @param aspect half axis at the angle over the other one
  * @param angleRad direction of the first half axis, counterclockwise from +x, above -pi/2 and up to
  *     pi/2
- * @param events events that the cluster has taken since its birth
- * @param mass recent events, each counting less the longer ago it was
+ * @param events events of the cluster since its birth
+ * @param mass events, each decayed with the time constant of the mass
  * @param rateHz events a second
  * @param ageUs time since its birth, microseconds; it was born before it was visible
  */

@@ -4,28 +4,26 @@ import haltere.core.overlay.MarkStyle;
 import haltere.core.overlay.MarkStyle.Role;
 import haltere.core.overlay.Overlay;
 import haltere.core.overlay.OverlayCanvas;
-import java.util.List;
 
 /**
- * Draws each visible cluster as an ellipse with its identity, the path that it has come, and a line
- * to where it would be in a tenth of a second.
+ * Draws each visible cluster as its box or ellipse with its identity, its path, and its velocity as
+ * the motion of a tenth of a second.
  */
 public final class ClusterTrackOverlay implements Overlay<ClusterSnapshot> {
+  /** Time whose motion a velocity is drawn as, seconds: short enough to stay in the picture. */
   private static final double VELOCITY_S = 0.1;
 
   @Override
   public void draw(ClusterSnapshot snapshot, OverlayCanvas canvas) {
     for (ClusterSnapshot.Trail trail : snapshot.clusters()) {
-      drawPath(trail.path(), canvas);
       ClusterTrack now = trail.now();
       int id = now.id();
-      canvas.ellipse(
-          now.xPx(),
-          now.yPx(),
-          now.radiusAlongPx(),
-          now.radiusAcrossPx(),
-          now.angleRad(),
-          MarkStyle.of(Role.OBJECT, id));
+      canvas.polyline(
+          trail.path().stream().mapToDouble(ClusterTrack::xPx).toArray(),
+          trail.path().stream().mapToDouble(ClusterTrack::yPx).toArray(),
+          trail.path().size(),
+          MarkStyle.of(Role.PATH, id));
+      drawShape(snapshot.type(), now, canvas);
       canvas.line(
           now.xPx(),
           now.yPx(),
@@ -41,13 +39,25 @@ public final class ClusterTrackOverlay implements Overlay<ClusterSnapshot> {
     }
   }
 
-  private static void drawPath(List<ClusterTrack> path, OverlayCanvas canvas) {
-    double[] x = new double[path.size()];
-    double[] y = new double[path.size()];
-    for (int i = 0; i < x.length; i++) {
-      x[i] = path.get(i).xPx();
-      y[i] = path.get(i).yPx();
+  private static void drawShape(
+      ClusterShapeSettings.Type type, ClusterTrack track, OverlayCanvas canvas) {
+    MarkStyle style = MarkStyle.of(Role.OBJECT, track.id());
+    double a = track.radiusAlongPx();
+    double b = track.radiusAcrossPx();
+    if (type == ClusterShapeSettings.Type.ELLIPSE) {
+      canvas.ellipse(track.xPx(), track.yPx(), a, b, track.angleRad(), style);
+      return;
     }
-    canvas.polyline(x, y, x.length, MarkStyle.of(Role.PATH, path.get(0).id()));
+    double cos = Math.cos(track.angleRad());
+    double sin = Math.sin(track.angleRad());
+    double[] along = {a, -a, -a, a, a};
+    double[] across = {b, b, -b, -b, b};
+    double[] x = new double[along.length];
+    double[] y = new double[along.length];
+    for (int i = 0; i < along.length; i++) {
+      x[i] = track.xPx() + cos * along[i] - sin * across[i];
+      y[i] = track.yPx() + sin * along[i] + cos * across[i];
+    }
+    canvas.polyline(x, y, x.length, style);
   }
 }

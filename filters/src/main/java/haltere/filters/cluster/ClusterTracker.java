@@ -3,93 +3,76 @@ package haltere.filters.cluster;
 import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.stream.ReportClock;
+import haltere.filters.cluster.ClusterShapeSettings.Type;
 import haltere.filters.selection.PolaritySettings.Keep;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
-import java.util.function.LongConsumer;
 
 /**
- * Follows compact groups of events: things that move.
+ * The cluster tracker of J. Cardinale (2006), "Tracking objects and wing beat analysis methods of a
+ * fruit fly with the event-based silicon retina", part I, section 1, with the options of the
+ * trackers of T. Delbruck that followed it.
  *
- * <p>An event within the region of a cluster moves it. Events in no cluster gather at {@link
- * BirthPlaces}, and where there are more than noise makes a cluster is born: noise needs no
- * clusters and takes no room. A cluster becomes visible, and gets its identity, when it has enough
- * recent events; it dies when it has had none, or no more than noise, for a lifetime. What moves it
- * is {@link ClusterMotion}, how large it is {@link ClusterForm}, which clusters become one {@link
- * ClusterMerging}; which may take an event at all a {@link ClusterGrid} knows.
- *
- * <p>Where the regions of clusters overlap, an event is shared among those that it is in, by how
- * likely it is each one's given where their ON and OFF events have been. To give it to the nearest
- * would push clusters that meet apart; shared, they go through each other.
- *
- * <p>The idea of clusters that events move, and most of the settings, come from J. Cardinale,
- * "Tracking objects and wing beat analysis methods of a fruit fly with the event-based silicon
- * retina", 2006, and from T. Delbruck's trackers that followed it.
- *
- * <p>Times at which something happens are whole multiples of its interval on the clock of the
- * events; it happens after the events before that time and before those at or after it. So results
- * do not depend on how the stream is cut into packets.
+ * <p>An event moves the nearest cluster that contains it; one in no cluster starts a cluster if
+ * there are fewer than the maximum. At each update, a whole multiple of an interval on the clock of
+ * the events, clusters move by their velocity, adapt their shape, gain and lose support, merge and
+ * die. An update comes after the events before its time and before those at it. So results do not
+ * depend on how the stream is cut into packets.
  *
  * <p>Thread rule: not safe for use by two threads at a time.
  */
 public final class ClusterTracker {
-  /** A second cluster that is less likely by more than this has no share in an event. */
-  private static final double LEAST_SHARE = 0.02;
+  private static final double US = 1e-6;
 
   private final SensorGeometry geometry;
-  private final Clusters clusters = new Clusters();
-  private final ClusterTimes times = new ClusterTimes();
-  private final ClusterReports reports;
+  private final ClusterListener listener;
   private final ClusterGrid grid;
-  private final ClusterMerging merging = new ClusterMerging();
-  private final ClusterUpkeep upkeep;
-  private final ClusterReader reader = new ClusterReader(merging);
+  private final ReportClock reports = new ReportClock();
   private ClusterTrackerSettings settings;
-  private ClusterMotion motion;
-  private ClusterForm form;
-  private ClusterLife life;
-  private BirthPlaces places;
-  private ClusterObserver observer;
+  private ClusterShape shape;
+  private ClusterUpdate update;
+  private ClusterMerging merging;
+
+  /** Clusters in the order of their births; behind their number, ones to be used again. */
+  private Cluster[] clusters = new Cluster[0];
+
+  private int count;
+  private int lastId;
+  private long eventCount;
+  private boolean started;
+  private long nextUpdateUs;
 
   // Derived from the settings.
-  private long upkeepUs;
   private boolean box;
-  private boolean onlyClustered;
-  private int otherPolarity;
-  private EventRegion region;
+  private boolean learnsShape;
   private boolean uniform;
-  private double leastShare;
-
-  private boolean observedSomething;
+  private int ignoredPolarity;
+  private double surroundFrom;
+  private double edgeFrom;
+  private double edgeTo;
 
   /**
    * A tracker that has seen nothing.
    *
    * @param geometry the sensor whose events it will see
    * @param settings what to do
-   * @param atReport is called at each report time, in microseconds, while there is a visible
-   *     cluster and once when there is none any more; it may ask for {@link #tracks} or {@link
-   *     #snapshot}
+   * @param listener is told of updates and reports
    */
   public ClusterTracker(
-      SensorGeometry geometry, ClusterTrackerSettings settings, LongConsumer atReport) {
+      SensorGeometry geometry, ClusterTrackerSettings settings, ClusterListener listener) {
     this.geometry = Objects.requireNonNull(geometry, "geometry");
-    reports = new ClusterReports(clusters, Objects.requireNonNull(atReport, "atReport"));
+    this.listener = Objects.requireNonNull(listener, "listener");
     grid = new ClusterGrid(geometry);
-    ClusterLines lines = new ClusterLines(geometry.width(), geometry.height());
-    upkeep = new ClusterUpkeep(clusters, merging, lines);
     apply(settings);
   }
 
   /** Forgets all clusters. Their identities are not given out again. */
   public void reset() {
-    clusters.count = 0;
-    times.reset();
-    reports.reset();
-    observedSomething = false;
-    places.reset();
-    merging.reset();
-    index();
+    count = 0;
+    started = false;
+    grid.index(clusters, count);
   }
 
   /**
@@ -102,277 +85,274 @@ public final class ClusterTracker {
   }
 
   /**
-   * Does something else from the next packet on, with the clusters that there are; where fewer are
-   * allowed, the latest born go.
+   * Takes new settings from the next packet on, with the clusters that there are; where fewer are
+   * allowed, the latest born are removed.
    *
    * @param newSettings the settings to use
    */
   public void apply(ClusterTrackerSettings newSettings) {
     settings = Objects.requireNonNull(newSettings, "newSettings");
-    upkeepUs = settings.output().upkeepUs();
-    onlyClustered = settings.output().onlyClustered();
-    region = new EventRegion(settings);
-    uniform = region.isUniform();
-    leastShare = region.isEdgeOnly() ? 1 : LEAST_SHARE;
+    shape = new ClusterShape(geometry, settings);
+    update = new ClusterUpdate(geometry, settings, shape);
+    merging = new ClusterMerging(settings, shape);
+    box = settings.shape().type() == Type.BOX;
+    learnsShape = shape.isAdaptive();
     Keep keep = settings.events().polarity();
-    otherPolarity = keep == Keep.BOTH ? -1 : keep == Keep.ON ? 0 : 1;
-    motion = new ClusterMotion(settings);
-    form = new ClusterForm(geometry, settings);
-    box = form.isBox();
-    places = new BirthPlaces(geometry, form.startRadius());
-    places.apply(settings);
-    life = new ClusterLife(geometry, settings, places);
-    SpeedLimit limit = new SpeedLimit(settings.motion().velocity().neighbourRadii());
-    upkeep.apply(motion, form, life, limit, (int) upkeepUs);
-    merging.apply(settings.merging(), settings.output().mostClusters());
-    clusters.setMost(settings.output().mostClusters());
-    for (Cluster cluster : clusters.all) {
-      cluster.path.setMost(settings.output().pathPoints());
+    ignoredPolarity = keep == Keep.BOTH ? -1 : keep == Keep.ON ? 0 : 1;
+    double thickness = settings.events().edgeThickness();
+    double region = shape.surround();
+    surroundFrom = settings.events().inhibition() > 0 ? 1 / (region * region) : Double.MAX_VALUE;
+    edgeFrom = thickness > 0 ? Math.pow((1 - thickness) / region, 2) : 0;
+    edgeTo = thickness > 0 ? Math.pow((1 + thickness) / region, 2) : Double.MAX_VALUE;
+    uniform = thickness == 0 && settings.events().inhibition() == 0;
+    resize(settings.output().maxClusters());
+    for (int i = 0; i < count; i++) {
+      update.setGains(clusters[i]);
+      shape.adapt(clusters[i]);
     }
-    for (int i = 0; i < clusters.count; i++) {
-      Cluster cluster = clusters.all[i];
-      cluster.addUp();
-      form.upkeep(cluster, cluster.atUs, 0);
-      motion.setGains(cluster);
+    grid.index(clusters, count);
+    if (started) {
+      nextUpdateUs = nextMultiple(nextUpdateUs - 1);
     }
-    index();
-    times.apply(upkeepUs, Math.round(1e6 / settings.output().reportRateHz()));
+    reports.setRate(settings.output().reportRateHz());
+  }
+
+  private void resize(int maxClusters) {
+    Cluster[] before = clusters;
+    clusters = new Cluster[maxClusters];
+    count = Math.min(count, maxClusters);
+    for (int i = 0; i < maxClusters; i++) {
+      clusters[i] = i < before.length ? before[i] : new Cluster();
+    }
   }
 
   /**
-   * Sets who hears of the visible clusters.
+   * How many clusters there are, visible or not.
    *
-   * @param newObserver takes the place of the one before; null for nobody
-   * @param intervalUs time between two readings, microseconds, at least 1
+   * @return at least 0
    */
-  public void observe(ClusterObserver newObserver, long intervalUs) {
-    if (intervalUs < 1) {
-      throw new IllegalArgumentException("an interval is at least 1 us, not " + intervalUs);
+  public int count() {
+    return count;
+  }
+
+  /**
+   * Events of all clusters that there have been.
+   *
+   * @return a count up to the last update
+   */
+  public long eventCount() {
+    return eventCount;
+  }
+
+  /**
+   * One of the clusters, in the order of their births.
+   *
+   * @param index from 0
+   * @return the same object as long as the cluster lives
+   */
+  public Cluster cluster(int index) {
+    return clusters[Objects.checkIndex(index, count)];
+  }
+
+  /**
+   * Moves a cluster, as a filter that knows better does; to be called at an update only.
+   *
+   * @param cluster one of those that there are
+   * @param xPx column, pixels, finite
+   * @param yPx row, pixels, finite
+   */
+  public void move(Cluster cluster, double xPx, double yPx) {
+    if (Double.isFinite(xPx) && Double.isFinite(yPx)) {
+      cluster.x = xPx;
+      cluster.y = yPx;
     }
-    observer = newObserver;
-    observedSomething = false;
-    times.observe(observer == null ? 0 : intervalUs);
+  }
+
+  /**
+   * The visible clusters.
+   *
+   * @param timeUs time of a report, or now, microseconds
+   * @return where they are at that time, a new list
+   */
+  public List<ClusterTrack> tracks(long timeUs) {
+    List<ClusterTrack> tracks = new ArrayList<>(count);
+    for (int i = 0; i < count; i++) {
+      if (clusters[i].visible) {
+        double sinceS = US * (timeUs - clusters[i].updatedUs);
+        tracks.add(clusters[i].track(timeUs, settings.motion().predict() ? sinceS : 0));
+      }
+    }
+    return tracks;
   }
 
   /**
    * Takes events.
    *
-   * @param packet only read, unless events outside clusters are to be taken out
+   * @param packet only read, unless events outside clusters are to be removed
    */
   public void track(EventPacket packet) {
     long[] timesUs = packet.timesUs();
     int[] addresses = packet.addresses();
+    boolean removes = settings.output().onlyClustered();
     int kept = 0;
     int from = 0;
     while (from < packet.size()) {
       advance(timesUs[from]);
-      int to = packet.indexAtOrAfter(times.nextUs(), from);
-      if (onlyClustered) {
-        for (int i = from; i < to; i++) {
-          Cluster taker = take(addresses[i], timesUs[i]);
-          if (taker != null && taker.isVisible()) {
-            packet.move(i, kept++);
-          }
-        }
-      } else {
-        for (int i = from; i < to; i++) {
-          take(addresses[i], timesUs[i]);
+      int to = packet.indexAtOrAfter(Math.min(nextUpdateUs, reports.nextUs()), from);
+      for (int i = from; i < to; i++) {
+        Cluster cluster = take(addresses[i], timesUs[i]);
+        if (removes && cluster != null && cluster.visible) {
+          packet.move(i, kept++);
         }
       }
       from = to;
     }
-    if (onlyClustered) {
+    if (removes) {
       packet.truncate(kept);
     }
   }
 
-  /**
-   * Where the visible clusters are.
-   *
-   * @return a new list, as of the last report
-   */
-  public List<ClusterTrack> tracks() {
-    return reports.tracks();
-  }
-
-  /**
-   * Where the visible clusters are and have been.
-   *
-   * @param timeUs the time to write on it, microseconds
-   * @return as of the last report
-   */
-  public ClusterSnapshot snapshot(long timeUs) {
-    return reports.snapshot(timeUs);
-  }
-
-  /** Takes an event, and says which cluster it is in, or null. */
+  /** Gives an event to the nearest cluster that contains it; null if there is none. */
   private Cluster take(int address, long timeUs) {
-    if ((address & EventAddress.ON_BIT) == otherPolarity) {
+    if ((address & EventAddress.ON_BIT) == ignoredPolarity) {
       return null;
     }
     int x = EventAddress.x(address);
     int y = EventAddress.y(address);
-    int sign = 2 * (address & EventAddress.ON_BIT) - 1;
-    int cell = grid.at(x, y);
-    if (cell != 0) {
-      Cluster taker =
-          ClusterGrid.count(cell) == 1
-              ? takeAlone(clusters.all[ClusterGrid.name(cell, 0)], x, y, sign, timeUs)
-              : takeOfMany(cell, x, y, sign, timeUs);
-      if (taker != null) {
-        return taker;
+    long names = grid.at(x, y);
+    Cluster nearest = null;
+    double leastPx2 = Double.MAX_VALUE;
+    if (names == ClusterGrid.ALL) {
+      for (int i = 0; i < count; i++) {
+        double px2 = distancePx2(clusters[i], x, y);
+        nearest = px2 < leastPx2 ? clusters[i] : nearest;
+        leastPx2 = Math.min(leastPx2, px2);
+      }
+    } else {
+      for (; names != 0; names >>>= Byte.SIZE) {
+        Cluster cluster = clusters[(int) (names & 0xff) - 1];
+        double px2 = distancePx2(cluster, x, y);
+        nearest = px2 < leastPx2 ? cluster : nearest;
+        leastPx2 = Math.min(leastPx2, px2);
       }
     }
-    if (places.add(x, y, timeUs)) {
-      birth(x, y, timeUs);
-    }
-    return null;
-  }
-
-  /** Gives an event to a cluster if it is in its region, else to none, which is null. */
-  private Cluster takeAlone(Cluster only, int x, int y, int sign, long timeUs) {
-    double distance = only.distance(x, y, timeUs, box);
-    if (!(distance < 1)) {
+    if (nearest == null) {
+      if (count < clusters.length) {
+        start(x, y, timeUs);
+      }
       return null;
     }
-    give(only, x, y, sign, timeUs, distance);
-    return only;
+    take(nearest, x - nearest.x, y - nearest.y);
+    return nearest;
   }
 
-  /** Shares an event among the two clusters that it is most likely to belong to. */
-  private Cluster takeOfMany(int cell, int x, int y, int sign, long timeUs) {
-    Cluster first = null;
-    Cluster second = null;
-    double firstDistance = 0;
-    // Not worked out as long as there is only one.
-    double best = Double.NaN;
-    double next = 0;
-    boolean all = cell == ClusterGrid.ALL;
-    int candidates = all ? clusters.count : ClusterGrid.count(cell);
-    for (int i = 0; i < candidates; i++) {
-      Cluster cluster = clusters.all[all ? i : ClusterGrid.name(cell, i)];
-      double distance = cluster.distance(x, y, timeUs, box);
-      if (!(distance < 1)) {
-        continue;
+  /** Squared distance of an event from the centre of a cluster that contains it, else infinite. */
+  private double distancePx2(Cluster cluster, int x, int y) {
+    double dx = x - cluster.x;
+    double dy = y - cluster.y;
+    return cluster.distance(dx, dy, box) <= 1 ? dx * dx + dy * dy : Double.POSITIVE_INFINITY;
+  }
+
+  private void take(Cluster cluster, double dx, double dy) {
+    if (!uniform) {
+      double distance = cluster.distance(dx, dy, box);
+      if (distance > surroundFrom) {
+        cluster.inhibited += settings.events().inhibition() + 1;
       }
-      if (first == null) {
-        first = cluster;
-        firstDistance = distance;
-        continue;
-      }
-      if (second == null) {
-        best = first.likelihood(x, y, sign, timeUs);
-      }
-      double likelihood = cluster.likelihood(x, y, sign, timeUs);
-      if (likelihood > best) {
-        second = first;
-        next = best;
-        first = cluster;
-        best = likelihood;
-        firstDistance = distance;
-      } else if (second == null || likelihood > next) {
-        second = cluster;
-        next = likelihood;
-      }
-    }
-    if (second != null) {
-      share(first, second, x, y, sign, timeUs, best, next, firstDistance);
-    } else if (first != null) {
-      give(first, x, y, sign, timeUs, firstDistance);
-    }
-    return first;
-  }
-
-  /**
-   * Shares an event among two by how likely it is each one's, unless the second is too unlikely.
-   */
-  private void share(
-      Cluster first,
-      Cluster second,
-      int x,
-      int y,
-      int sign,
-      long timeUs,
-      double best,
-      double next,
-      double firstDistance) {
-    double share = next / (best + next);
-    if (!(share >= leastShare)) {
-      give(first, x, y, sign, timeUs, firstDistance);
-      return;
-    }
-    first.take(x, y, sign, timeUs, 1 - share);
-    second.take(x, y, sign, timeUs, share);
-    if (first.hasLeftIndex() || second.hasLeftIndex()) {
-      index();
-    }
-  }
-
-  private void give(Cluster cluster, int x, int y, int sign, long timeUs, double distance) {
-    if (uniform || region.moves(cluster, timeUs, distance)) {
-      cluster.take(x, y, sign, timeUs);
-    }
-    if (cluster.hasLeftIndex()) {
-      index();
-    }
-  }
-
-  private void birth(int x, int y, long timeUs) {
-    Cluster born = clusters.isFull() ? life.weakest(clusters) : clusters.add();
-    if (born == null) {
-      places.clearBirth(x, y);
-      return;
-    }
-    merging.forget(born);
-    life.begin(born, clusters, timeUs);
-    form.begin(born);
-    motion.begin(born, places.bornEvents(), (timeUs - places.bornFirstUs()) * 1e-6);
-    places.clearBirth(x, y);
-    index();
-  }
-
-  private void index() {
-    grid.index(clusters, upkeepUs * 1e-6);
-  }
-
-  /** Lets everything happen that is due until an event. */
-  private void advance(long timeUs) {
-    times.startAt(timeUs);
-    while (times.nextUs() <= timeUs) {
-      if (isIdle()) {
-        times.skipTo(timeUs);
+      if (distance < edgeFrom || distance > edgeTo) {
+        cluster.fresh++;
         return;
       }
-      if (times.isUpkeepNext()) {
-        upkeep.run(times.takeUpkeep(), observer);
-        grid.refresh(clusters, upkeepUs * 1e-6);
-      } else if (times.isObservationNext()) {
-        observation(times.takeObservation());
+    }
+    cluster.take(dx, dy);
+    if (learnsShape) {
+      cluster.learnShape(dx, dy);
+    }
+    if (grid.hasLeft(cluster)) {
+      grid.index(clusters, count);
+    }
+  }
+
+  /** Starts a cluster at an event. */
+  private void start(int x, int y, long timeUs) {
+    Cluster born = clusters[count];
+    update.start(born, clusters, count, timeUs);
+    born.x = x;
+    born.y = y;
+    shape.start(born);
+    update.setGains(born);
+    grid.add(born, count);
+    count++;
+  }
+
+  /** Does what is due until a time. */
+  private void advance(long timeUs) {
+    if (!started) {
+      started = true;
+      skipTo(timeUs);
+    }
+    while (Math.min(nextUpdateUs, reports.nextUs()) <= timeUs) {
+      if (count == 0 && !listener.isWaiting()) {
+        skipTo(timeUs);
+      } else if (nextUpdateUs <= reports.nextUs()) {
+        update(nextUpdateUs);
+        nextUpdateUs += settings.output().updateIntervalUs();
       } else {
-        reports.report(times.takeReport());
+        long reportUs = reports.nextUs();
+        reports.advance();
+        listener.reported(reportUs);
       }
     }
   }
 
-  /** Whether nothing can happen until the next event. */
-  private boolean isIdle() {
-    return clusters.count == 0
-        && !reports.isShowing()
-        && !observedSomething
-        && places.areForgotten()
-        && (observer == null || !observer.isWaiting(times.nextUs()));
+  /** Leaves out what is due until a time. */
+  private void skipTo(long timeUs) {
+    nextUpdateUs = nextMultiple(timeUs);
+    reports.skipTo(timeUs + 1);
   }
 
-  private void observation(long timeUs) {
-    reader.open(clusters.all, clusters.count, timeUs, geometry.width(), geometry.height());
-    boolean something = reader.count() > 0;
-    if (something || observedSomething || observer.isWaiting(timeUs)) {
-      observedSomething = something;
-      observer.clustersRead(timeUs, reader);
+  /** The first time of an update after a time. */
+  private long nextMultiple(long timeUs) {
+    long intervalUs = settings.output().updateIntervalUs();
+    return (Math.floorDiv(timeUs, intervalUs) + 1) * intervalUs;
+  }
+
+  private void update(long timeUs) {
+    update.limitSpeeds(clusters, count);
+    for (int i = 0; i < count; i++) {
+      eventCount += clusters[i].fresh;
+      update.update(clusters[i], timeUs);
     }
-    reader.close();
-    if (reader.wasFedBack()) {
-      grid.refresh(clusters, upkeepUs * 1e-6);
+    for (int i = 0; i < count; i++) {
+      for (int j = i + 1; j < count; j++) {
+        if (merging.areOne(clusters[i], clusters[j], timeUs)) {
+          boolean firstStays = ClusterMerging.isStronger(clusters[i], clusters[j]);
+          merging.merge(clusters[firstStays ? i : j], clusters[firstStays ? j : i]);
+          remove(firstStays ? j : i);
+          // The merged cluster may overlap one that was compared before.
+          i = 0;
+          j = 0;
+        }
+      }
     }
+    for (int i = count - 1; i >= 0; i--) {
+      if (update.isDead(clusters[i], timeUs)) {
+        remove(i);
+      }
+    }
+    for (int i = 0; i < count; i++) {
+      if (clusters[i].visible && clusters[i].id == 0) {
+        clusters[i].id = ++lastId;
+      }
+    }
+    listener.updated(timeUs);
+    grid.index(clusters, count);
+  }
+
+  /** Removes a cluster; the order of the others stays. */
+  private void remove(int index) {
+    Cluster removed = clusters[index];
+    System.arraycopy(clusters, index + 1, clusters, index, count - index - 1);
+    clusters[--count] = removed;
   }
 }

@@ -5,17 +5,23 @@ import haltere.core.chain.Outlet;
 import haltere.core.chain.PublishingFilter;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
 
 /**
- * {@link ClusterTracker} as a stage of a chain. Lets all events through; publishes a {@link
- * ClusterTrack} for each visible cluster at each report, and all of them together as a {@link
- * ClusterSnapshot}.
+ * {@link ClusterTracker} as a stage of a chain. Publishes a {@link ClusterTrack} for each visible
+ * cluster at each report, and all of them together as a {@link ClusterSnapshot}, once also when
+ * there is none any more. Passes all events on unless its settings say otherwise.
  */
 public final class ClusterTrackerFilter extends PublishingFilter<ClusterTrackerSettings> {
   private final Outlet<ClusterTrack> clusters = outlet("clusters", ClusterTrack.class);
-  private final Outlet<ClusterSnapshot> snapshot =
+  private final Outlet<ClusterSnapshot> snapshots =
       drawnOutlet("snapshot", ClusterSnapshot.class, "clusters", new ClusterTrackOverlay());
+  private final Paths<ClusterTrack> paths = new Paths<>();
   private final ClusterTracker tracker;
+  private boolean showing;
 
   /**
    * A filter in its initial state.
@@ -24,16 +30,38 @@ public final class ClusterTrackerFilter extends PublishingFilter<ClusterTrackerS
    * @param settings what to do
    */
   public ClusterTrackerFilter(SensorGeometry geometry, ClusterTrackerSettings settings) {
-    tracker = new ClusterTracker(geometry, settings, this::publish);
+    tracker = new ClusterTracker(geometry, settings, new Publisher());
   }
 
-  private void publish(long timeUs) {
-    if (clusters.hasSubscribers()) {
-      tracker.tracks().forEach(clusters::publish);
+  private final class Publisher implements ClusterListener {
+    @Override
+    public void reported(long timeUs) {
+      showing = (clusters.hasSubscribers() || snapshots.hasSubscribers()) && publish(timeUs);
     }
-    if (snapshot.hasSubscribers()) {
-      snapshot.publish(tracker.snapshot(timeUs));
+
+    @Override
+    public boolean isWaiting() {
+      return showing;
     }
+  }
+
+  /** Publishes what is visible; false if nothing is. */
+  private boolean publish(long timeUs) {
+    List<ClusterTrack> tracks = tracker.tracks(timeUs);
+    tracks.forEach(clusters::publish);
+    Set<Integer> ids = tracks.stream().map(ClusterTrack::id).collect(Collectors.toSet());
+    paths.keep(ids);
+    if (snapshots.hasSubscribers() && (showing || !tracks.isEmpty())) {
+      int maxLength = settings().output().pathPoints();
+      snapshots.publish(
+          new ClusterSnapshot(
+              timeUs,
+              settings().shape().type(),
+              tracks.stream()
+                  .map(track -> new ClusterSnapshot.Trail(paths.add(track.id(), track, maxLength)))
+                  .toList()));
+    }
+    return !tracks.isEmpty();
   }
 
   @Override
@@ -44,6 +72,8 @@ public final class ClusterTrackerFilter extends PublishingFilter<ClusterTrackerS
   @Override
   public void reset() {
     tracker.reset();
+    paths.keep(Set.of());
+    showing = false;
   }
 
   /** Time goes on over a gap in the data, and clusters live on for as long as they live anyway. */
@@ -71,12 +101,17 @@ public final class ClusterTrackerFilter extends PublishingFilter<ClusterTrackerS
 
     @Override
     public String description() {
-      return "Follows things that move as clusters of events.";
+      return "Tracks clusters of events, boxes or ellipses that events move (Cardinale, 2006).";
     }
 
     @Override
     public Class<ClusterTrackerSettings> settingsType() {
       return ClusterTrackerSettings.class;
+    }
+
+    @Override
+    public Map<String, ClusterTrackerSettings> presets() {
+      return Map.of("original", ClusterTrackerSettings.original());
     }
 
     @Override

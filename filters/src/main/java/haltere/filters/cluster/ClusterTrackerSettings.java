@@ -1,21 +1,24 @@
 package haltere.filters.cluster;
 
 import haltere.core.settings.SettingsSchema;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
 
 /**
  * Settings of {@link ClusterTracker}.
  *
- * @param form which form clusters begin with
- * @param growth how they take on the size of what they follow
- * @param motion how events move them
- * @param life when there is one, when it is visible, when it is no more
- * @param merging which become one
- * @param perspective how their size depends on where they are
+ * @param shape a-priori shape
+ * @param growth adaptation of the shape to the events
+ * @param motion how events move a cluster, and its velocity
+ * @param life support, visibility and death
+ * @param merging which clusters merge
+ * @param perspective how the size depends on the position
  * @param events which events count
- * @param output what is kept and told
+ * @param output bounds and results
  */
 public record ClusterTrackerSettings(
-    ClusterFormSettings form,
+    ClusterShapeSettings shape,
     ClusterGrowthSettings growth,
     ClusterMotionSettings motion,
     ClusterLifeSettings life,
@@ -27,7 +30,7 @@ public record ClusterTrackerSettings(
   public ClusterTrackerSettings {
     SettingsSchema.validate(
         ClusterTrackerSettings.class,
-        form,
+        shape,
         growth,
         motion,
         life,
@@ -38,14 +41,13 @@ public record ClusterTrackerSettings(
   }
 
   /**
-   * The settings to start from. They follow things of 2 to 80 pixels on a sensor of 128 x 128
-   * pixels, and accordingly larger ones on a larger sensor, whatever their event rate is.
+   * The settings to start from.
    *
    * @return the defaults of all parts
    */
   public static ClusterTrackerSettings defaults() {
     return new ClusterTrackerSettings(
-        ClusterFormSettings.defaults(),
+        ClusterShapeSettings.defaults(),
         ClusterGrowthSettings.defaults(),
         ClusterMotionSettings.defaults(),
         ClusterLifeSettings.defaults(),
@@ -56,14 +58,62 @@ public record ClusterTrackerSettings(
   }
 
   /**
+   * The defaults of the tracker of Cardinale (2006): at most 10 clusters of 0.15 of the longer
+   * side, a weight of 0.01, visible from 10 events on, dead after 10 ms, merging whatever they do.
+   *
+   * @return these settings
+   */
+  public static ClusterTrackerSettings original() {
+    return defaults()
+        .with(
+            "shape.size=0.15",
+            "motion.mixingFactor=0.01",
+            "motion.predict=false",
+            "life.supportedBy=mass",
+            "life.lifetimeUs=10000",
+            "life.border=never",
+            "merging.differentAngleDeg=180",
+            "output.maxClusters=10");
+  }
+
+  /**
    * These settings but for some.
    *
-   * @param assignments texts of the form {@code name=value}, such as {@code form.size=0.1}
+   * @param assignments texts of the form {@code name=value}, such as {@code shape.size=0.1}
    * @return new settings
    * @throws haltere.core.settings.SettingsProblem for a name or a value that is not valid
    */
   public ClusterTrackerSettings with(String... assignments) {
     return SettingsSchema.of(ClusterTrackerSettings.class)
-        .withAssignments(this, java.util.List.of(assignments));
+        .withAssignments(this, List.of(assignments));
+  }
+
+  /** Names of settings of earlier versions, see {@link SettingsSchema}. */
+  static Map<String, String> formerNames() {
+    String object = "left to object-tracker";
+    Map<String, String> names = new LinkedHashMap<>();
+    names.put("form.outline", "shape.type");
+    for (String name : List.of("size", "aspect", "angleDeg", "angle")) {
+      names.put("form." + name, "shape." + name);
+    }
+    names.put("growth.mostScale", "growth.maxScale");
+    names.put("growth.events", "averaged with the weights of the location");
+    names.put("motion.mixing", "use motion.weight, or object-tracker, which adapts");
+    names.put("motion.longestMemoryUs", object);
+    names.put("motion.velocity.timeUs", "motion.velocityTimeUs");
+    names.put("motion.velocity.frictionTimeUs", "motion.frictionTimeUs");
+    names.put("motion.velocity.start", "use motion.startVelocity");
+    names.put("motion.velocity.neighbourRadii", "motion.neighbourRadii");
+    names.put("life.birthEvents", "each event outside all clusters starts one");
+    names.put("life.recentUs", "life.massTimeUs");
+    names.put("life.visibleBy", "life.supportedBy");
+    names.put("life.leastSpeedPxPerS", "life.minSpeedPxS");
+    names.put("merging.seenTogetherUs", object);
+    names.put("merging.seenApartUs", object);
+    names.put("perspective.leastScale", "perspective.minScale");
+    names.put("events.edges", object);
+    names.put("output.mostClusters", "output.maxClusters");
+    names.put("output.upkeepUs", "output.updateIntervalUs");
+    return names;
   }
 }

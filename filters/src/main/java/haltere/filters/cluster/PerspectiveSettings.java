@@ -6,13 +6,13 @@ import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
 /**
- * How the size of clusters depends on where they are: a camera above a road sees things the smaller
- * the nearer they are to the vanishing point.
+ * How the size of clusters depends on where they are: a camera above a road sees objects the
+ * smaller the nearer they are to the vanishing point.
  *
  * @param enabled whether it does
  * @param vanishingX column of the vanishing point as a share of the sensor's width
  * @param vanishingY row of the vanishing point as a share of the sensor's height, 1 at the top
- * @param leastScale the smallest scale, at the vanishing point
+ * @param minScale the smallest scale, at the vanishing point
  */
 public record PerspectiveSettings(
     @Help("Clusters are the smaller the nearer they are to the vanishing point.") boolean enabled,
@@ -27,10 +27,10 @@ public record PerspectiveSettings(
     @Help("Clusters are not scaled down to less than this.")
         @Range(min = 0.01, max = 1, logarithmic = true)
         @Unit("1")
-        double leastScale) {
+        double minScale) {
   /** Checks the ranges. */
   public PerspectiveSettings {
-    SettingsSchema.validate(PerspectiveSettings.class, enabled, vanishingX, vanishingY, leastScale);
+    SettingsSchema.validate(PerspectiveSettings.class, enabled, vanishingX, vanishingY, minScale);
   }
 
   /**

@@ -1,2 +1,5 @@
-/** Follows compact groups of events: things that move. */
+/**
+ * Classic clusters: rectangles or ellipses of Cardinale (2006) that events move, with the options
+ * of the trackers that followed. {@code docs/clusters.md} has the equations.
+ */
 package haltere.filters.cluster;

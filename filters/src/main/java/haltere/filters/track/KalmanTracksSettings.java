@@ -1,84 +1,63 @@
 package haltere.filters.track;
 
-import haltere.core.settings.Help;
-import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
-import haltere.core.settings.Unit;
 import haltere.filters.cluster.ClusterTrackerSettings;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 
 /**
- * Settings of {@link haltere.filters.track.kalman.TrackEstimator TrackEstimator}.
+ * Settings of {@link KalmanTracks}.
  *
  * @param clusters the cluster tracker below it
- * @param updateIntervalUs how often tracks look at their clusters
- * @param motion how tracks are expected to move
- * @param measurement what they take from their clusters
- * @param life how they begin and end
- * @param things which are of one thing
+ * @param filter variances of the filters
+ * @param life when tracks start, are updated and end
  * @param road the road that they are on, if they are on one
  */
 public record KalmanTracksSettings(
     ClusterTrackerSettings clusters,
-    @Help("Tracks take what their clusters have gathered in this time.")
-        @Range(min = 1000, max = 1_000_000, logarithmic = true)
-        @Unit("us")
-        int updateIntervalUs,
-    MotionSettings motion,
-    MeasurementSettings measurement,
-    LifeSettings life,
-    ThingSettings things,
+    TrackFilterSettings filter,
+    TrackLifeSettings life,
     RoadTracksSettings road) {
   /** Checks the ranges. */
   public KalmanTracksSettings {
-    SettingsSchema.validate(
-        KalmanTracksSettings.class,
-        clusters,
-        updateIntervalUs,
-        motion,
-        measurement,
-        life,
-        things,
-        road);
+    SettingsSchema.validate(KalmanTracksSettings.class, clusters, filter, life, road);
   }
 
   /**
    * The settings to start from.
    *
-   * @return those of each part, and 10 ms
+   * @return those of each part
    */
   public static KalmanTracksSettings defaults() {
     return new KalmanTracksSettings(
         ClusterTrackerSettings.defaults(),
-        10_000,
-        MotionSettings.defaults(),
-        MeasurementSettings.defaults(),
-        LifeSettings.defaults(),
-        ThingSettings.defaults(),
+        TrackFilterSettings.defaults(),
+        TrackLifeSettings.defaults(),
         RoadTracksSettings.defaults());
   }
 
   /**
-   * The filter of the original on today's cluster tracker, with its mathematics mended: one model
-   * of constant velocity, the centre of the cluster as the measurement, 100 events of all clusters
-   * together, variances that change with the age of a track, no feedback.
+   * The defaults of Cardinale (2006), on clusters with the defaults of that time: updates after 100
+   * events of all clusters, dynamic variances that end at 8 px² and at 1 per update, a unit start
+   * covariance, no feedback, no coasting.
    *
-   * @return the original's values
+   * @return these settings
    */
   public static KalmanTracksSettings original() {
     return defaults()
+        .withClusters(ClusterTrackerSettings.original())
         .with(
-            "motion.model=straight",
-            "motion.noise=per-update",
-            "motion.minProcessVariance=1",
-            "measurement.source=centre",
-            "measurement.eventsTillTrack=100",
-            "measurement.eventsOf=all-clusters",
-            "measurement.dynamicVariances=true",
-            "measurement.maxMeasurementVariance=8",
-            "life.feedbackToCluster=false",
-            "things.together=false",
-            "things.standing=true");
+            "filter.noise=per-update",
+            "filter.minProcessVariance=1",
+            "filter.maxMeasurementVariance=8",
+            "filter.dynamicVariances=true",
+            "filter.launchSpeedPxS=1",
+            "life.trackIntervalUs=1000",
+            "life.eventsTillTrack=100",
+            "life.eventsOf=all-clusters",
+            "life.coastTimeS=0",
+            "road.processVariance=1");
   }
 
   /**
@@ -100,8 +79,7 @@ public record KalmanTracksSettings(
    * @return new settings
    */
   public KalmanTracksSettings onRoad(RoadTracksSettings view) {
-    return new KalmanTracksSettings(
-        clusters, updateIntervalUs, motion, measurement, life, things, view);
+    return new KalmanTracksSettings(clusters, filter, life, view);
   }
 
   /**
@@ -111,17 +89,32 @@ public record KalmanTracksSettings(
    * @return new settings
    */
   public KalmanTracksSettings withClusters(ClusterTrackerSettings settings) {
-    return new KalmanTracksSettings(
-        settings, updateIntervalUs, motion, measurement, life, things, road);
+    return new KalmanTracksSettings(settings, filter, life, road);
   }
 
-  /**
-   * These settings with another rate of reports.
-   *
-   * @param rateHz reports a second of recording time, 0.001 to 100,000
-   * @return new settings
-   */
-  public KalmanTracksSettings withReportRate(double rateHz) {
-    return with("life.reportRateHz=" + rateHz);
+  /** Names of settings of earlier versions, see {@link SettingsSchema}. */
+  static Map<String, String> formerNames() {
+    Map<String, String> names = new LinkedHashMap<>();
+    names.put("updateIntervalUs", "life.trackIntervalUs");
+    names.put("motion.noise", "filter.noise");
+    names.put("motion.launchSpeedPxS", "filter.launchSpeedPxS");
+    names.put("measurement.dynamicVariances", "filter.dynamicVariances");
+    // They were those of one of three motions, and of one of three measurements.
+    names.put("motion.minProcessVariance", "use filter.minProcessVariance");
+    names.put("measurement.maxMeasurementVariance", "use filter.maxMeasurementVariance");
+    names.put("measurement.eventsTillTrack", "life.eventsTillTrack");
+    names.put("measurement.eventsOf", "life.eventsOf");
+    names.put("measurement.rampTimeS", "use filter.varianceMixingFactor");
+    names.put("life.reportRateHz", "clusters.output.reportRateHz");
+    names.put("life.updatesTillShown", "use life.eventsTillTrack");
+    names.put("life.mostTracks", "use clusters.output.maxClusters");
+    names.put("life.pathS", "use clusters.output.pathPoints");
+    // What else was in these groups.
+    for (String name : List.of("motion", "measurement", "things", "life.restTimeS")) {
+      names.put(name, "left to object-tracker");
+    }
+    names.put("road.lanes", "use the road file of track");
+    names.put("road.countingLines", "use the road file of track");
+    return names;
   }
 }

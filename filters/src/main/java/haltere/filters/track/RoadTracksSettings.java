@@ -4,52 +4,34 @@ import haltere.core.settings.Help;
 import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
+import haltere.filters.plane.RoadViewSettings;
 
 /**
- * Tracks on a road, in metres, and what is counted there.
+ * Tracks on a road, in metres.
  *
  * @param mapToRoad whether tracks are on a road
  * @param view how the camera sees the road
- * @param processVariance process noise of a vehicle that keeps its speed and lane
- * @param lanes the lanes
- * @param countingLines the lines at which vehicles are counted
+ * @param processVariance process noise on the road: as a density m²/s³; per update m² and m²/s²
  */
 public record RoadTracksSettings(
-    @Help("Tracks live on the road, in metres, instead of in the picture.") boolean mapToRoad,
-    RoadSettings view,
-    @Help("Process noise of a vehicle that keeps its speed; steering has 300 times as much.")
-        @Range(min = 0, max = 1000, logarithmic = true)
+    @Help("The state of a track is on the road, in metres, instead of in the picture.")
+        boolean mapToRoad,
+    RoadViewSettings view,
+    @Help("Process noise on the road; larger values follow changes of speed faster.")
+        @Range(min = 0, max = 1e6, logarithmic = true)
         @Unit("m^2/s^3")
-        double processVariance,
-    LaneSettings lanes,
-    CountingLineSettings countingLines) {
+        double processVariance) {
   /** Checks the ranges. */
   public RoadTracksSettings {
-    SettingsSchema.validate(
-        RoadTracksSettings.class, mapToRoad, view, processVariance, lanes, countingLines);
+    SettingsSchema.validate(RoadTracksSettings.class, mapToRoad, view, processVariance);
   }
 
   /**
    * The settings to start from.
    *
-   * @return not on a road
+   * @return not on a road; there, a density of 10 m²/s³
    */
   public static RoadTracksSettings defaults() {
-    return new RoadTracksSettings(
-        false,
-        RoadSettings.defaults(),
-        0.02,
-        LaneSettings.defaults(),
-        CountingLineSettings.defaults());
-  }
-
-  /**
-   * Tracks on the road that a camera sees.
-   *
-   * @param newView how it sees it
-   * @return these settings with the mapping on
-   */
-  public RoadTracksSettings seenAs(RoadSettings newView) {
-    return new RoadTracksSettings(true, newView, processVariance, lanes, countingLines);
+    return new RoadTracksSettings(false, RoadViewSettings.defaults(), 10);
   }
 }

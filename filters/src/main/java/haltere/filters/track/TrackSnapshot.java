@@ -1,21 +1,20 @@
 package haltere.filters.track;
 
+import haltere.filters.plane.PlanePoint;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 
 /**
- * All tracks that are shown at one time, and the road that they are on.
+ * All tracks in the picture at one time.
  *
  * @param timeUs time on the clock of the events, microseconds
  * @param tracks each track once
- * @param road what is marked on the road; empty where there is none
  */
-public record TrackSnapshot(long timeUs, List<Shown> tracks, Optional<RoadMarks> road) {
-  /** Copies the list; nothing may be null. */
+public record TrackSnapshot(long timeUs, List<TrackSnapshot.Shown> tracks) {
+  /** Copies the list. */
   public TrackSnapshot {
     tracks = List.copyOf(tracks);
-    Objects.requireNonNull(road, "road");
   }
 
   /**
@@ -23,21 +22,20 @@ public record TrackSnapshot(long timeUs, List<Shown> tracks, Optional<RoadMarks>
    *
    * @param path where it was at the last reports, oldest first; the last one is the present
    * @param covarianceXyPx2 covariance of column and row, px²
-   * @param coasting whether it goes on without events
-   * @param speedKmH speed on a road in kilometres an hour; NaN where there is no road
-   * @param sdSpeedKmH its standard deviation, kilometres an hour; NaN where there is no road
+   * @param coasting whether it goes on without a cluster
+   * @param onRoad where it is on a road; empty where there is none
    */
   public record Shown(
       List<TrackPoint> path,
       double covarianceXyPx2,
       boolean coasting,
-      double speedKmH,
-      double sdSpeedKmH) {
-    /** Copies the list, which has at least one element. */
+      Optional<PlanePoint> onRoad) {
+    /** Copies the list, which has at least one element; nothing may be null. */
     public Shown {
       path = List.copyOf(path);
+      Objects.requireNonNull(onRoad, "onRoad");
       if (path.isEmpty()) {
-        throw new IllegalArgumentException("a track has at least one place");
+        throw new IllegalArgumentException("a track has at least one position");
       }
     }
 

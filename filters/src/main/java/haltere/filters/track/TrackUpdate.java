@@ -3,42 +3,48 @@ package haltere.filters.track;
 import haltere.core.sink.Column;
 
 /**
- * One step of a track's filter with all that is between measurement and estimate, in the units of
- * the track: pixels, or metres on a road. Innovation, S and NIS are those of all models together,
- * weighted by the probabilities that they had before the measurement; the gain is that of the most
- * probable. Where a measurement was refused, the estimates are those predicted for its time.
+ * One update of a track's Kalman filter with its intermediates. State, P and Q are in the units of
+ * the track, pixels or metres on a road; innovation, S and R are in pixels. The state is (x, v_x,
+ * y, v_y); Q is block-diagonal with equal blocks for both axes, R = r I.
  *
- * @param timeUs time of the measurement on the clock of the events, microseconds
+ * @param timeUs time of the update on the clock of the events, microseconds
  * @param id identity of the track
- * @param measuredX measured place, first coordinate
- * @param measuredY measured place, second coordinate
- * @param innovationX measured less expected
- * @param innovationY measured less expected
- * @param sXx variance of the innovation
- * @param sXy covariance of the innovation
- * @param sYy variance of the innovation
+ * @param measuredX location of the cluster, first coordinate
+ * @param measuredY location of the cluster, second coordinate
+ * @param rPx2 variance of the measurement, px²
+ * @param qXx process noise Q of the prediction before, variance of a position
+ * @param qXvx process noise Q, covariance of a position and its velocity
+ * @param qVxvx process noise Q, variance of a velocity
+ * @param innovationX measured less predicted column, pixels
+ * @param innovationY measured less predicted row, pixels
+ * @param sXx innovation covariance S, variance of the column, px²
+ * @param sXy innovation covariance S, covariance, px²
+ * @param sYy innovation covariance S, variance of the row, px²
  * @param nis normalised innovation squared, two degrees of freedom
- * @param gainX share of the innovation that the first coordinate takes
- * @param gainY share of the innovation that the second coordinate takes
- * @param gainVx what the first velocity takes of the first innovation, 1/s
- * @param gainVy what the second velocity takes of the second innovation, 1/s
- * @param x estimated place after the update
- * @param y estimated place after the update
- * @param vx estimated velocity after the update
- * @param vy estimated velocity after the update
+ * @param gainX entry of the gain K, position by the innovation of its axis
+ * @param gainY entry of the gain K, position by the innovation of its axis
+ * @param gainVx entry of the gain K, velocity by the innovation of its axis
+ * @param gainVy entry of the gain K, velocity by the innovation of its axis
+ * @param x estimated position
+ * @param y estimated position
+ * @param vx estimated velocity
+ * @param vy estimated velocity
  * @param pXx entry of P after the update
  * @param pXvx entry of P
  * @param pVxvx entry of P
  * @param pYy entry of P
  * @param pYvy entry of P
  * @param pVyvy entry of P
- * @param accepted whether the measurement was taken in
  */
 public record TrackUpdate(
     @Column("t_us") long timeUs,
     int id,
     double measuredX,
     double measuredY,
+    double rPx2,
+    double qXx,
+    double qXvx,
+    double qVxvx,
     double innovationX,
     double innovationY,
     double sXx,
@@ -58,5 +64,4 @@ public record TrackUpdate(
     double pVxvx,
     double pYy,
     double pYvy,
-    double pVyvy,
-    boolean accepted) {}
+    double pVyvy) {}

@@ -1,6 +1,5 @@
 /**
- * Tracks of things that move: the settings of their estimator and what it says of them, and where
- * on the road an image position lies. The estimator itself is in {@code track.kalman}; nothing here
- * knows it.
+ * Kalman filters on the clusters of {@code haltere.filters.cluster}, after Cardinale (2006). {@code
+ * docs/tracking.md} has the equations.
  */
 package haltere.filters.track;

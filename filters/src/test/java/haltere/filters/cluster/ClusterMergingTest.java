@@ -1,173 +1,120 @@
 package haltere.filters.cluster;
 
+import static haltere.filters.cluster.ClusterRun.SENSOR;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import haltere.core.event.EventPacket;
+import haltere.testing.EventPackets;
+import haltere.testing.EventPackets.BlobPath;
+import java.util.List;
+import java.util.Set;
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
 class ClusterMergingTest {
-  private static final int UPKEEP_US = 1000;
-
-  private final Cluster first = cluster(0);
-  private final Cluster second = cluster(1);
-  private ClusterMerging merging = merging();
-  private long timeUs;
-
-  private static ClusterMerging merging(String... changes) {
-    ClusterMerging made = new ClusterMerging();
-    made.apply(ClusterTrackerSettings.defaults().with(changes).merging(), 2);
-    return made;
-  }
-
-  private static Cluster cluster(int slot) {
-    Cluster cluster = new Cluster(slot);
-    cluster.id = slot + 1;
-    cluster.x = 50;
-    cluster.y = 50;
-    cluster.cos = 1;
-    cluster.setRadii(5, 5);
-    cluster.extentX = 6.5;
-    cluster.extentY = 6.5;
-    cluster.mass = 100;
-    return cluster;
-  }
-
-  /**
-   * Milliseconds until the two become one as they are, or -1 if they do not within three seconds.
-   */
-  private int untilOne() {
-    for (int i = 1; i <= 3000; i++) {
-      timeUs += UPKEEP_US;
-      if (merging.unite(first, second, timeUs, UPKEEP_US)) {
-        return i;
+  /** A blob that stands still, and a lighter one that comes nearer and stays. */
+  private static EventPacket meeting() {
+    SplittableRandom random = new SplittableRandom(20);
+    EventPacket events = new EventPacket(0);
+    for (long timeUs = 0; timeUs < 2_000_000; timeUs += 50) {
+      events.append(timeUs, 64 + random.nextInt(-4, 5), 64 + random.nextInt(-4, 5), true);
+      if (timeUs % 100 == 0) {
+        int x = Math.max(70, 110 - (int) (timeUs / 25_000));
+        events.append(timeUs, x + random.nextInt(-4, 5), 64 + random.nextInt(-4, 5), true);
       }
     }
-    return -1;
+    return events;
   }
 
-  private void seeApart() {
-    second.x = 80;
-    assertEquals(-1, untilOne());
-    second.x = 53;
+  /** Two blobs that move through each other at 75 px/s, side by side by 2 px. */
+  private static EventPacket crossing() {
+    BlobPath left = new BlobPath(64, -2000, 2064, 2 * Math.PI * 2064 / 75 * 1e6, 3);
+    // It is at the top of its large circle after a quarter of a round.
+    long quarterUs = Math.round(2 * Math.PI * 2064 / 75 * 1e6 / 4);
+    long halfUs = 600_000;
+    return ClusterRun.merged(
+        window(EventPackets.blob(SENSOR, 1, quarterUs + halfUs, left, 10_000, 0), quarterUs),
+        window(
+            mirrored(EventPackets.blob(SENSOR, 2, quarterUs + halfUs, left, 10_000, 0)),
+            quarterUs));
   }
 
-  @Test
-  void twoThatWereNeverSeenApartAreSoonOne() {
-    second.x = 53;
-    assertEquals(20, untilOne());
+  private static EventPacket window(EventPacket events, long middleUs) {
+    long fromUs = middleUs - 600_000;
+    return EventPackets.shifted(
+        EventPackets.part(events, events.indexAtOrAfter(fromUs), events.size()), -fromUs);
   }
 
-  @Test
-  void twoThatWereSeenApartAreOneAfterALongTime() {
-    seeApart();
-    assertEquals(1000, untilOne());
-  }
-
-  @Test
-  void twoThatMeetAtAnAngleStayTwoIfTheAngleIsADifferentOne() {
-    merging = merging("merging.differentAngleDeg=60");
-    seeApart();
-    first.vx = 8;
-    second.vy = 8;
-    assertEquals(-1, untilOne());
-    merging = merging("merging.differentAngleDeg=120");
-    seeApart();
-    assertEquals(1000, untilOne());
+  private static EventPacket mirrored(EventPacket events) {
+    EventPacket mirrored = new EventPacket(events.size());
+    for (int i = 0; i < events.size(); i++) {
+      mirrored.append(events.timeUs(i), 128 - events.x(i), events.y(i) - 2, events.isOn(i));
+    }
+    return mirrored;
   }
 
   @Test
-  void twoThatSoonPartAreNotOneWhateverTheirDirection() {
-    seeApart();
-    first.vx = 30;
-    second.vx = 70;
-    assertEquals(-1, untilOne());
+  void clustersThatOverlapMergeIntoTheHeavierOne() {
+    ClusterRun run = new ClusterRun().take(meeting());
+    assertEquals(2, run.at(100_000).size(), "two at first");
+    List<ClusterTrack> end = run.at(1_990_000);
+    assertEquals(1, end.size());
+    ClusterTrack early =
+        run.rows.stream().filter(row -> Math.abs(row.xPx() - 64) < 1).findFirst().orElseThrow();
+    assertEquals(early.id(), end.get(0).id());
   }
 
   @Test
-  void velocitiesThatAreNotKnownAreNotDifferent() {
-    seeApart();
-    first.vx = 30;
-    second.vx = 70;
-    second.velocityVariance = 40 * 40;
-    assertEquals(1000, untilOne());
+  void withoutMergingTheyStayTwo() {
+    assertEquals(2, new ClusterRun("merging.allowed=false").take(meeting()).at(1_990_000).size());
+    assertEquals(1, new ClusterRun("merging.overlap=1").take(meeting()).at(1_400_000).size());
+    assertEquals(2, new ClusterRun("merging.overlap=0.3").take(meeting()).at(1_400_000).size());
   }
 
   @Test
-  void twoThatAreKeptApartMergeWhenThatIsOver() {
-    second.x = 53;
-    merging.keepApart(first, second, 100_000);
-    assertEquals(120, untilOne());
+  void clustersThatMoveDifferentlyPassEachOtherWithoutMerging() {
+    ClusterRun different = new ClusterRun("shape.size=0.04").take(crossing());
+    assertEquals(Set.of(1, 2), different.identities());
+    assertEquals(2, different.at(600_000).size(), "at the same place");
+    assertEquals(2, different.at(1_150_000).size());
+    ClusterRun all =
+        new ClusterRun("shape.size=0.04", "merging.differentAngleDeg=180").take(crossing());
+    assertEquals(1, all.at(600_000).size(), "merged where they meet");
   }
 
   @Test
-  void theEdgesInFrontAndBehindMergeAllTheSame() {
-    second.x = 65;
-    first.balance = 0.9;
-    second.balance = -0.9;
-    merging.keepApart(first, second, Long.MAX_VALUE);
-    assertEquals(20, untilOne());
-    second.balance = 0.9;
-    merging.reset();
-    assertEquals(-1, untilOne());
+  void theMergedClusterHasTheEventsAndTheSizeOfBothIfThatIsAsked() {
+    ClusterRun joined =
+        new ClusterRun("merging.joinSize=true", "growth.maxScale=4").take(meeting());
+    ClusterTrack before = joined.at(100_000).get(0);
+    ClusterTrack after = joined.last();
+    assertEquals(2 * before.radiusPx(), after.radiusPx(), 1e-9);
+    assertTrue(after.events() > 0.95 * meeting().size(), after.toString());
+    ClusterRun heavier = new ClusterRun().take(meeting());
+    assertEquals(before.radiusPx(), heavier.last().radiusPx(), 1e-9);
   }
 
   @Test
-  void nothingMergesIfItIsNotAllowed() {
-    merging = merging("merging.allowed=false");
-    second.x = 51;
-    assertEquals(-1, untilOne());
-    assertTrue(first.overlapped && second.overlapped);
-  }
-
-  @Test
-  void theOneThatStaysTakesTheSizeOfBothIfItIsToldTo() {
-    second.x = 56;
-    first.cxx = 4;
-    second.cxx = 4;
-    merging.absorb(first, second);
-    assertEquals(53, first.x, 1e-9);
-    assertEquals(4 + 9, first.cxx, 1e-9);
-    merging = merging("merging.joinSize=false");
-    first.cxx = 4;
-    merging.absorb(first, second);
-    assertEquals(4, first.cxx, 1e-9);
-  }
-
-  @Test
-  void theVisibleOneStaysElseTheHeavierOne() {
-    second.mass = 200;
-    assertFalse(merging.isStronger(first, second));
-    second.id = 0;
-    assertTrue(merging.isStronger(first, second));
-  }
-
-  @Test
-  void twoThatHavePartedAndStayInOnePlaceAreSoonOneAgain() {
-    merging.parted(first, second);
-    second.x = 53;
-    assertEquals(200, untilOne());
-  }
-
-  @Test
-  void twoThatHavePartedAndAreSeenApartAreTwo() {
-    merging.parted(first, second);
-    seeApart();
-    assertEquals(1000, untilOne());
-  }
-
-  @Test
-  void twoThatHavePartedAndAreBesideEachOtherAreTwo() {
-    merging.parted(first, second);
-    second.x = 55;
-    assertEquals(1000, untilOne());
-  }
-
-  @Test
-  void ofTwoThatHavePartedTheOneWhoseIdentityItWasStays() {
-    second.mass = 200;
-    merging.parted(first, second);
-    assertTrue(merging.isStronger(first, second));
-    assertFalse(merging.isStronger(second, first));
+  void aMergerKeepsTheVelocity() {
+    // Cardinale's tracker began again with no velocity.
+    SplittableRandom random = new SplittableRandom(21);
+    EventPacket events = new EventPacket(0);
+    for (long timeUs = 0; timeUs < 900_000; timeUs += 50) {
+      double x = 10 + 100 * timeUs * 1e-6 + random.nextDouble(-3, 3);
+      events.append(timeUs, (int) Math.round(x), 64 + random.nextInt(-3, 4), true);
+      double ahead = 40 + 60 * timeUs * 1e-6 + random.nextDouble(-3, 3);
+      events.append(timeUs, (int) Math.round(ahead), 64 + random.nextInt(-3, 4), true);
+    }
+    ClusterRun run = new ClusterRun("shape.size=0.04").take(events);
+    assertEquals(2, run.at(300_000).size());
+    long mergedUs =
+        run.after(300_000).stream()
+            .filter(row -> run.at(row.timeUs()).size() == 1)
+            .findFirst()
+            .orElseThrow()
+            .timeUs();
+    double velocity = run.at(mergedUs).get(0).vxPxPerS();
+    assertTrue(velocity > 55 && velocity < 105, velocity + " px/s at " + mergedUs);
   }
 }

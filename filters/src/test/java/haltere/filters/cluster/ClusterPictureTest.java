@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import haltere.core.event.EventPacket;
 import haltere.filters.noise.BackgroundActivity;
 import haltere.filters.noise.BackgroundActivitySettings;
+import haltere.testing.EventPackets;
 import haltere.testing.evaluation.TrackingScene;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -22,18 +23,17 @@ class ClusterPictureTest {
 
   @Test
   void thePictureShowsAClusterForEachDisc() throws IOException {
-    TrackingScene scene = TrackingScene.of(1001);
+    TrackingScene scene = TrackingScene.of(1021);
     EventPacket events = new EventPacket(0);
     events.append(scene.events(), 0, scene.events().indexAtOrAfter(SHOWN_US));
     new BackgroundActivity(scene.geometry(), BackgroundActivitySettings.defaults()).filter(events);
+    ClusterTrackerFilter filter =
+        new ClusterTrackerFilter(scene.geometry(), ClusterTrackerSettings.defaults());
     ClusterSnapshot[] last = new ClusterSnapshot[1];
-    ClusterTracker[] tracker = new ClusterTracker[1];
-    tracker[0] =
-        new ClusterTracker(
-            scene.geometry(),
-            ClusterTrackerSettings.defaults(),
-            timeUs -> last[0] = tracker[0].snapshot(timeUs));
-    tracker[0].track(events);
+    filter.outlets().stream()
+        .filter(outlet -> outlet.type() == ClusterSnapshot.class)
+        .forEach(outlet -> outlet.subscribe(snapshot -> last[0] = (ClusterSnapshot) snapshot));
+    filter.process(EventPackets.copy(events));
     SvgCanvas canvas = new SvgCanvas(scene.geometry());
     canvas.events(events, events.indexAtOrAfter(SHOWN_US - EVENTS_OF_US));
     new ClusterTrackOverlay().draw(last[0], canvas);

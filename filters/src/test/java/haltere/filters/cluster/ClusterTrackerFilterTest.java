@@ -7,21 +7,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import haltere.core.chain.EventFilter;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.core.simulation.dots.DotTruth;
-import haltere.core.simulation.dots.MovingDotsScene;
-import haltere.core.simulation.dots.MovingDotsSettings;
 import haltere.core.stream.DataLost;
-import haltere.core.stream.StreamHandler;
-import haltere.core.stream.StreamNotification;
-import haltere.filters.noise.BackgroundActivity;
-import haltere.filters.noise.BackgroundActivitySettings;
 import haltere.testing.EventFilterContract;
 import haltere.testing.EventPackets;
 import haltere.testing.EventPackets.BlobPath;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
-import java.util.SplittableRandom;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 
@@ -74,32 +66,42 @@ class ClusterTrackerFilterTest extends EventFilterContract {
         track.ageUs());
   }
 
-  @Test
-  void aBlobThatMovesThroughNoiseIsFollowedAsOneClusterWithinAPixelAndAHalf() {
-    run(EventPackets.blob(SENSOR, 1, 3 * SECOND_US, CIRCLE, 50_000, 1));
-    assertEquals(Set.of(1), identities());
-    assertEquals(0, tracks.get(0).timeUs() % 10_000);
-    assertTrue(tracks.size() >= 298, "reports: " + tracks.size());
-    for (ClusterTrack track : tracks) {
-      double error =
-          Math.hypot(
-              track.xPx() - CIRCLE.x(track.timeUs()), track.yPx() - CIRCLE.y(track.timeUs()));
-      assertTrue(error < 1.5, error + " px from the truth: " + track);
-    }
+  private ClusterTrackerFilter subscribed(String... changes) {
+    ClusterTrackerFilter filter =
+        new ClusterTrackerFilter(SENSOR, ClusterTrackerSettings.defaults().with(changes));
+    filter.outlets().get(0).subscribe(result -> tracks.add((ClusterTrack) result));
+    filter.outlets().get(1).subscribe(result -> snapshots.add((ClusterSnapshot) result));
+    return filter;
+  }
+
+  private void run(EventPacket events) {
+    subscribed().process(events);
+  }
+
+  private Set<Integer> identities() {
+    return tracks.stream().map(ClusterTrack::id).collect(Collectors.toSet());
   }
 
   @Test
-  void theVelocityIsThatOfTheBlob() {
-    run(EventPackets.blob(SENSOR, 2, 3 * SECOND_US, CIRCLE, 50_000, 1));
+  void aBlobThatMovesIsOneClusterAtItsPositionWithItsVelocity() {
+    run(EventPackets.blob(SENSOR, 1, 3 * SECOND_US, CIRCLE, 50_000, 0));
+    assertEquals(Set.of(1), identities());
+    assertEquals(0, tracks.get(0).timeUs() % 10_000);
+    assertTrue(tracks.size() >= 298, "reports: " + tracks.size());
     double speed = 2 * Math.PI * CIRCLE.circleRadiusPx();
     for (ClusterTrack track : tracks) {
       if (track.timeUs() > 500_000) {
+        // Four standard deviations of the mean of some 40 events of a disc of 6 px.
+        assertEquals(CIRCLE.x(track.timeUs()), track.xPx(), 2, track::toString);
+        assertEquals(CIRCLE.y(track.timeUs()), track.yPx(), 2, track::toString);
         double angle = 2 * Math.PI * track.timeUs() / SECOND_US;
-        double error =
+        double off =
             Math.hypot(
                 track.vxPxPerS() + speed * Math.sin(angle),
                 track.vyPxPerS() - speed * Math.cos(angle));
-        assertTrue(error < 0.25 * speed, error + " px/s off: " + track);
+        // A velocity averaged over 0.1 s lags by 36 degrees on a round of a second.
+        assertTrue(off < 0.75 * speed, off + " px/s off: " + track);
+        assertEquals(speed, Math.hypot(track.vxPxPerS(), track.vyPxPerS()), 0.35 * speed);
       }
     }
   }
@@ -108,152 +110,52 @@ class ClusterTrackerFilterTest extends EventFilterContract {
   void twoBlobsAreTwoClustersAndKeepTheirIdentities() {
     BlobPath left = new BlobPath(30, 64, 15, SECOND_US, 5);
     BlobPath right = new BlobPath(98, 64, 15, 700_000, 5);
-    EventPacket events =
-        merged(
-            EventPackets.blob(SENSOR, 3, 2 * SECOND_US, left, 20_000, 1),
-            EventPackets.blob(SENSOR, 4, 2 * SECOND_US, right, 20_000, 0));
-    run(events);
+    run(
+        ClusterRun.merged(
+            EventPackets.blob(SENSOR, 3, 2 * SECOND_US, left, 20_000, 0),
+            EventPackets.blob(SENSOR, 4, 2 * SECOND_US, right, 20_000, 0)));
     assertEquals(Set.of(1, 2), identities());
     ClusterTrack first = tracks.stream().filter(track -> track.id() == 1).findFirst().orElseThrow();
     boolean firstIsLeft = first.xPx() < 64;
     for (ClusterTrack track : tracks) {
-      BlobPath truth = (track.id() == 1) == firstIsLeft ? left : right;
-      assertEquals(truth.x(track.timeUs()), track.xPx(), 1.5);
-      assertEquals(truth.y(track.timeUs()), track.yPx(), 1.5);
+      if (track.timeUs() > 300_000) {
+        BlobPath truth = (track.id() == 1) == firstIsLeft ? left : right;
+        assertEquals(truth.x(track.timeUs()), track.xPx(), 2);
+        assertEquals(truth.y(track.timeUs()), track.yPx(), 2);
+      }
     }
   }
 
   @Test
-  void twoThingsThatAppearAtOnceAreBothSeenAsSoonAsTheirSizeShowsThatTheyAreApart() {
-    BlobPath left = new BlobPath(55, 64, 0, SECOND_US, 2);
-    BlobPath right = new BlobPath(72, 64, 0, SECOND_US, 2);
-    run(
-        merged(
-            EventPackets.blob(SENSOR, 5, 100_000, left, 6_000, 0),
-            EventPackets.blob(SENSOR, 6, 100_000, right, 6_000, 0)));
-    long bothUs =
-        tracks.stream().filter(track -> track.id() == 2).findFirst().orElseThrow().timeUs();
-    assertTrue(bothUs <= 40_000, "the second one after " + bothUs + " us");
-    assertEquals(Set.of(1, 2), identities());
-  }
-
-  @Test
-  void noiseAloneShowsNothingAndDoesNotHideABlob() {
-    run(EventPackets.uniform(SENSOR, 5, 50_000, 0, 60));
-    assertTrue(tracks.isEmpty(), "clusters in pure noise: " + tracks.size());
-    EventPacket noisy =
-        merged(
-            EventPackets.uniform(SENSOR, 6, 16_000, 0, 60),
-            EventPackets.blob(SENSOR, 7, SECOND_US, CIRCLE, 20_000, 0));
-    run(noisy);
-    assertEquals(1, identities().size(), "one cluster in noise: " + identities());
-  }
-
-  @Test
-  void aClusterWithoutEventsDiesAfterItsLifetimeAndIsLastReportedAsGone() {
+  void aClusterWithoutEventsDiesAfterItsLifetimeAndIsReportedAsGoneOnce() {
     EventPacket blob = EventPackets.blob(SENSOR, 8, 200_000, CIRCLE, 50_000, 0);
     blob.append(5 * SECOND_US, 0, 0, true);
     run(blob);
-    assertEquals(290_000, tracks.get(tracks.size() - 1).timeUs());
+    // The mass falls from 2500 to 10 in 0.28 s.
+    long lastUs = tracks.get(tracks.size() - 1).timeUs();
+    assertTrue(lastUs > 400_000 && lastUs < 520_000, "last seen at " + lastUs);
     ClusterSnapshot last = snapshots.get(snapshots.size() - 1);
     assertTrue(last.clusters().isEmpty());
-    assertEquals(300_000, last.timeUs());
+    assertEquals(lastUs + 10_000, last.timeUs());
     assertEquals(tracks.size() + 1, snapshots.size());
-  }
-
-  @Test
-  void aSimulatedDotIsWhereTheTruthSaysItIs() {
-    MovingDotsScene scene =
-        new MovingDotsScene(
-            MovingDotsSettings.defaults()
-                .with(
-                    "dots.count=1", "dots.eventsPerPixel=5", "dots.radiusPx=5", "run.durationS=2"));
-    EventPacket events = eventsOf(scene);
-    new BackgroundActivity(scene.geometry(), BackgroundActivitySettings.defaults()).filter(events);
-    run(events);
-    assertTrue(tracks.size() > 150, "reports: " + tracks.size());
-    for (ClusterTrack track : tracks) {
-      DotTruth truth = scene.truthRows(track.timeUs()).get(0);
-      double error = Math.hypot(track.xPx() - truth.xPx(), track.yPx() - truth.yPx());
-      assertTrue(error < 2, error + " px from the truth: " + track);
-    }
-  }
-
-  private static EventPacket eventsOf(MovingDotsScene scene) {
-    EventPacket events = new EventPacket(0);
-    StreamHandler collector =
-        new StreamHandler() {
-          @Override
-          public void packet(EventPacket packet) {
-            events.append(packet, 0, packet.size());
-          }
-
-          @Override
-          public void notified(StreamNotification notification) {
-            // Only the events are wanted.
-          }
-        };
-    while (scene.next(collector)) {
-      // Until the end.
-    }
-    return events;
   }
 
   @Test
   void identitiesAreNotGivenOutTwiceNotEvenAfterAReset() {
     EventPacket blob = EventPackets.blob(SENSOR, 9, 200_000, CIRCLE, 50_000, 0);
-    ClusterTrackerFilter filter = subscribed(ClusterTrackerSettings.defaults());
+    ClusterTrackerFilter filter = subscribed();
     filter.process(EventPackets.copy(blob));
-    Set<Integer> before = identities();
+    assertEquals(Set.of(1), identities());
     tracks.clear();
     filter.reset();
     filter.process(EventPackets.copy(blob));
-    assertEquals(Set.of(1), before);
     assertEquals(Set.of(2), identities());
-  }
-
-  @Test
-  void clustersThatOverlapMergeIntoTheHeavierOne() {
-    SplittableRandom random = new SplittableRandom(20);
-    EventPacket events = new EventPacket(0);
-    for (long timeUs = 0; timeUs < 3_000_000; timeUs += 50) {
-      // A thing that stands still, and a lighter one that comes nearer and stays.
-      events.append(timeUs, 64 + random.nextInt(-4, 5), 64 + random.nextInt(-4, 5), true);
-      if (timeUs % 100 == 0) {
-        int place = Math.max(66, 110 - (int) (timeUs / 10_000));
-        events.append(timeUs, place + random.nextInt(-4, 5), 64 + random.nextInt(-4, 5), true);
-      }
-    }
-    run(events);
-    assertTrue(
-        tracks.stream().filter(track -> track.timeUs() == 100_000).count() == 2, "two at first");
-    List<ClusterTrack> end = tracks.stream().filter(track -> track.timeUs() == 2_990_000).toList();
-    assertEquals(1, end.size());
-    ClusterTrack early =
-        tracks.stream().filter(track -> Math.abs(track.xPx() - 64) < 1).findFirst().orElseThrow();
-    assertEquals(early.id(), end.get(0).id());
-  }
-
-  @Test
-  void thereAreNeverMoreClustersThanAllowed() {
-    ClusterTrackerFilter filter =
-        subscribed(ClusterTrackerSettings.defaults().with("output.mostClusters=3"));
-    EventPacket events = EventPackets.blob(SENSOR, 20, SECOND_US, CIRCLE, 20_000, 1);
-    for (int i = 1; i < 8; i++) {
-      BlobPath path = new BlobPath(16 + 14 * i, 64, 4 + 2 * i, SECOND_US, 3);
-      events = merged(events, EventPackets.blob(SENSOR, 20 + i, SECOND_US, path, 20_000, 0));
-    }
-    filter.process(events);
-    assertTrue(snapshots.size() > 10);
-    for (ClusterSnapshot snapshot : snapshots) {
-      assertTrue(snapshot.clusters().size() <= 3);
-    }
   }
 
   @Test
   void aGapInTheDataThatIsShorterThanALifetimeIsBridged() {
     EventPacket blob = EventPackets.blob(SENSOR, 11, 400_000, CIRCLE, 50_000, 0);
-    ClusterTrackerFilter filter = subscribed(ClusterTrackerSettings.defaults());
+    ClusterTrackerFilter filter = subscribed();
     filter.process(EventPackets.part(blob, 0, blob.indexAtOrAfter(200_000)));
     filter.notified(new DataLost(512, 128, 200_000, 210_000, "the test"));
     filter.process(EventPackets.part(blob, blob.indexAtOrAfter(210_000), blob.size()));
@@ -263,22 +165,21 @@ class ClusterTrackerFilterTest extends EventFilterContract {
 
   @Test
   void newSettingsAreTakenWithTheClustersThatThereAre() {
-    ClusterTrackerFilter filter = subscribed(ClusterTrackerSettings.defaults());
+    ClusterTrackerFilter filter = subscribed();
     EventPacket blob = EventPackets.blob(SENSOR, 12, 400_000, CIRCLE, 50_000, 0);
     int half = blob.indexAtOrAfter(200_000);
     filter.process(EventPackets.part(blob, 0, half));
     filter.apply(
         ClusterTrackerSettings.defaults()
             .with(
-                "growth.size=false",
-                "form.size=0.15",
-                "output.mostClusters=1",
+                "shape.size=0.15",
+                "motion.weight=per-time",
+                "output.maxClusters=1",
                 "output.reportRateHz=50"));
     filter.process(EventPackets.part(blob, half, blob.size()));
     assertEquals(Set.of(1), identities());
-    ClusterTrack first = tracks.get(0);
     ClusterTrack last = tracks.get(tracks.size() - 1);
-    assertNotEquals(first.radiusPx(), last.radiusPx());
+    assertNotEquals(tracks.get(0).radiusPx(), last.radiusPx());
     assertEquals(20_000, last.timeUs() - tracks.get(tracks.size() - 2).timeUs());
   }
 
@@ -292,34 +193,12 @@ class ClusterTrackerFilterTest extends EventFilterContract {
     assertEquals(last.timeUs(), last.clusters().get(0).now().timeUs());
   }
 
-  private void run(EventPacket events) {
-    tracks.clear();
-    snapshots.clear();
-    subscribed(ClusterTrackerSettings.defaults()).process(events);
-  }
-
-  private ClusterTrackerFilter subscribed(ClusterTrackerSettings settings) {
-    ClusterTrackerFilter filter = new ClusterTrackerFilter(SENSOR, settings);
-    filter.outlets().get(0).subscribe(result -> tracks.add((ClusterTrack) result));
-    filter.outlets().get(1).subscribe(result -> snapshots.add((ClusterSnapshot) result));
-    return filter;
-  }
-
-  private Set<Integer> identities() {
-    return tracks.stream().map(ClusterTrack::id).collect(Collectors.toSet());
-  }
-
-  static EventPacket merged(EventPacket first, EventPacket second) {
-    EventPacket merged = new EventPacket(first.size() + second.size());
-    int i = 0;
-    int j = 0;
-    while (i < first.size() || j < second.size()) {
-      boolean takeFirst =
-          j == second.size() || (i < first.size() && first.timeUs(i) <= second.timeUs(j));
-      EventPacket from = takeFirst ? first : second;
-      int index = takeFirst ? i++ : j++;
-      merged.append(from.timeUs(index), from.address(index));
-    }
-    return merged;
+  @Test
+  void onlyEventsOfVisibleClustersArePassedOnIfThatIsAsked() {
+    EventPacket blob = EventPackets.blob(SENSOR, 14, 500_000, CIRCLE, 20_000, 0);
+    EventPacket noise = EventPackets.uniform(SENSOR, 15, 500, 0, 1000);
+    EventPacket events = ClusterRun.merged(blob, noise);
+    subscribed("output.onlyClustered=true").process(events);
+    assertEquals(blob.size(), events.size(), 0.05 * blob.size());
   }
 }

@@ -18,9 +18,8 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * What Kalman tracks cost on top of the clusters that they stand on: time of an event with 20 dots
- * on circles before 640x480 pixels. The figure to reach is 10 % more than clusters alone; where
- * others use the machine as well {@link TracksByTurns} tells that better.
+ * What the object tracker costs, clusters, and Kalman tracks with the clusters that they stand on:
+ * time of an event with 20 dots on circles before 640x480 pixels.
  *
  * <p>Run: {@code ./gradlew :src-test:jmh -Pbench=TracksBenchmark}
  */
@@ -31,8 +30,8 @@ import org.openjdk.jmh.annotations.Warmup;
 @Warmup(iterations = 3, time = 1)
 @Measurement(iterations = 5, time = 1)
 public class TracksBenchmark {
-  /** Clusters alone, or tracks with clusters of their own. */
-  @Param({"clusters", "tracks"})
+  /** Objects; clusters alone; or tracks with clusters of their own. */
+  @Param({"objects", "clusters", "tracks"})
   public String filter;
 
   /** Share of the 0.67 million events a second that are noise. */
@@ -50,7 +49,12 @@ public class TracksBenchmark {
   @Setup
   public void setUp() throws IOException {
     workload = TwentyDots.events(noiseShare);
-    tested = filter.equals("clusters") ? TwentyDots.clusters() : TwentyDots.tracks();
+    tested =
+        switch (filter) {
+          case "objects" -> TwentyDots.objects();
+          case "clusters" -> TwentyDots.clusters();
+          default -> TwentyDots.tracks();
+        };
   }
 
   /**

@@ -6,8 +6,10 @@ import haltere.core.simulation.dots.MovingDotsScene;
 import haltere.core.simulation.dots.MovingDotsSettings;
 import haltere.filters.cluster.ClusterTrackerFilter;
 import haltere.filters.cluster.ClusterTrackerSettings;
+import haltere.filters.object.ObjectTrackerFilter;
+import haltere.filters.object.ObjectTrackerSettings;
+import haltere.filters.track.KalmanTracksFilter;
 import haltere.filters.track.KalmanTracksSettings;
-import haltere.filters.track.kalman.KalmanTracksFilter;
 import java.io.IOException;
 
 /**
@@ -54,7 +56,12 @@ final class TwentyDots {
         SENSOR, KalmanTracksSettings.defaults().withClusters(clusterSettings()));
   }
 
+  /** Objects. */
+  static EventFilter objects() {
+    return new ObjectTrackerFilter(SENSOR, ObjectTrackerSettings.defaults());
+  }
+
   private static ClusterTrackerSettings clusterSettings() {
-    return ClusterTrackerSettings.defaults().with("output.mostClusters=40");
+    return ClusterTrackerSettings.defaults().with("output.maxClusters=40", "shape.size=0.02");
   }
 }

@@ -1,6 +1,6 @@
 package haltere.testing.evaluation;
 
-import haltere.filters.track.Assignment;
+import haltere.filters.estimation.Assignment;
 import java.util.List;
 
 /**

@@ -1,6 +1,6 @@
 package haltere.testing.evaluation;
 
-import haltere.filters.track.Assignment;
+import haltere.filters.estimation.Assignment;
 
 /**
  * How long each object is followed under one identity: IDF1 and its parts.

@@ -248,20 +248,15 @@ class ArchitectureTest {
                             type -> type.getSimpleName().equals("TrackerParts"))))
             .because("the tracker of 2006 is there for comparison, and can be taken away"));
     knowsNoneOf(
-        "haltere.filters.track",
-        Set.of(
-            "haltere.filters.track.motion",
-            "haltere.filters.track.road",
-            "haltere.filters.track.kalman"),
-        "results and settings are read without an estimator");
+        "haltere.filters.plane",
+        Set.of("haltere.filters.cluster", "haltere.filters.track", "haltere.filters.road"),
+        "a plane is mapped whoever tracks on it");
     knowsNoneOf(
-        "haltere.filters.track.motion",
-        Set.of("haltere.filters.track.road", "haltere.filters.track.kalman"),
-        "a point moves whoever follows it");
+        "haltere.filters.road",
+        Set.of("haltere.filters.cluster", "haltere.filters.track"),
+        "crossings are counted whoever tracks");
     knowsNoneOf(
-        "haltere.filters.track.road",
-        Set.of("haltere.filters.track.kalman"),
-        "a line is found whoever follows it");
+        "haltere.filters.cluster", Set.of("haltere.filters.track"), "clusters know no filter");
     knowsNoneOf(
         "haltere.ui.command.results", Set.of("haltere.ui.command"), "tables know no command");
     knowsNoneOf(

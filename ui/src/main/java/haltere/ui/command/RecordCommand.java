@@ -163,7 +163,9 @@ final class RecordCommand extends Subcommand {
 
   private FilterChain chain(SensorGeometry geometry) throws IOException {
     try {
-      return chainFile == null ? new FilterChain(geometry) : ChainFile.read(chainFile, geometry);
+      return chainFile == null
+          ? new FilterChain(geometry)
+          : ChainFile.read(chainFile, geometry, this::warning);
     } catch (CharacterCodingException notText) {
       throw Failures.notText(chainFile, notText);
     }

@@ -6,9 +6,9 @@ import haltere.core.settings.Parameter;
 import haltere.core.settings.SettingsJson;
 import haltere.core.settings.SettingsProblem;
 import haltere.core.settings.SettingsSchema;
-import haltere.filters.track.CountingLineSettings;
-import haltere.filters.track.LaneSettings;
-import haltere.filters.track.RoadSettings;
+import haltere.filters.plane.RoadViewSettings;
+import haltere.filters.road.CountingLineSettings;
+import haltere.filters.road.LaneSettings;
 import haltere.filters.track.RoadTracksSettings;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -27,36 +27,37 @@ import java.util.Map;
  *
  * <p>What is left out has its default: no lanes, no lines, the vanishing point in the middle of the
  * top row.
+ *
+ * @param view how the camera sees the road
+ * @param lanes its lanes
+ * @param lines its counting lines
  */
-final class RoadFile {
+record RoadFile(RoadViewSettings view, LaneSettings lanes, CountingLineSettings lines) {
   private static final String VANISHING_POINT = "vanishingPoint";
   private static final String LANES = "lanes";
   private static final String LINES = "countingLines";
-
-  private RoadFile() {}
 
   /**
    * Reads a road.
    *
    * @param file JSON
-   * @param usual what the file does not speak of
-   * @return tracks on that road
+   * @return the road
    * @throws JsonProblem if the file is not a road; the message names it
    * @throws IOException if it cannot be read
    */
-  static RoadTracksSettings read(Path file, RoadTracksSettings usual) throws IOException {
+  static RoadFile read(Path file) throws IOException {
     Object value = Json.read(file);
     if (!(value instanceof Map<?, ?> object)) {
       throw new JsonProblem(file + ": a road is a JSON object with keys such as bridgeHeightM");
     }
     try {
-      return road(object, usual);
+      return road(object);
     } catch (SettingsProblem problem) {
       throw new JsonProblem(file + ": " + problem.getMessage());
     }
   }
 
-  private static RoadTracksSettings road(Map<?, ?> object, RoadTracksSettings usual) {
+  private static RoadFile road(Map<?, ?> object) {
     Map<Object, Object> view = new LinkedHashMap<>(object);
     Object lanes = view.remove(LANES);
     Object lines = view.remove(LINES);
@@ -65,10 +66,8 @@ final class RoadFile {
       marked.put("marked", true);
       view.put(VANISHING_POINT, marked);
     }
-    return new RoadTracksSettings(
-        true,
-        SettingsJson.fromMap(view, SettingsSchema.of(RoadSettings.class)),
-        usual.processVariance(),
+    return new RoadFile(
+        SettingsJson.fromMap(view, SettingsSchema.of(RoadViewSettings.class)),
         part(LANES, lanes, LaneSettings.class),
         part(LINES, lines, CountingLineSettings.class));
   }
@@ -86,5 +85,10 @@ final class RoadFile {
               + schema.parameters().stream().map(Parameter::name).toList());
     }
     return SettingsJson.fromMap(object, schema);
+  }
+
+  /** Tracks on this road, with the process noise of others. */
+  RoadTracksSettings tracks(RoadTracksSettings usual) {
+    return new RoadTracksSettings(true, view, usual.processVariance());
   }
 }

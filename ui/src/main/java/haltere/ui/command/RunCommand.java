@@ -175,7 +175,7 @@ final class RunCommand extends Subcommand {
 
   private FilterChain chain(SensorGeometry geometry) throws IOException {
     try {
-      return ChainFile.read(chainFile, geometry);
+      return ChainFile.read(chainFile, geometry, this::warning);
     } catch (CharacterCodingException notText) {
       throw Failures.notText(chainFile, notText);
     }

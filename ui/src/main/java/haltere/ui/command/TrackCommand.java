@@ -6,17 +6,26 @@ import haltere.core.chain.ChainStage;
 import haltere.core.chain.ConfigurableFilter;
 import haltere.core.chain.FilterChain;
 import haltere.core.chain.Filters;
+import haltere.core.chain.Outlet;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.RecordingReader;
 import haltere.core.pipeline.Pipeline;
 import haltere.core.pipeline.PipelineCounters;
+import haltere.core.settings.SettingsProblem;
+import haltere.core.settings.SettingsSchema;
 import haltere.core.sink.CsvSink;
-import haltere.filters.cluster.ClusterTrackerFilter;
+import haltere.filters.object.ObjectTrack;
+import haltere.filters.object.ObjectTrackerFilter;
+import haltere.filters.object.ObjectTrackerSettings;
+import haltere.filters.plane.PlanePoint;
+import haltere.filters.plane.RoadMapping;
+import haltere.filters.road.LineCounter;
+import haltere.filters.road.LineCrossing;
+import haltere.filters.road.ObjectsOnPlane;
+import haltere.filters.track.KalmanTracksFilter;
 import haltere.filters.track.KalmanTracksSettings;
-import haltere.filters.track.LineCrossing;
-import haltere.filters.track.RoadTracksSettings;
 import haltere.filters.track.TrackPoint;
-import haltere.filters.track.kalman.KalmanTracksFilter;
+import haltere.ui.command.results.RoadObjectRow;
 import haltere.ui.command.results.RoadTrackRow;
 import haltere.ui.command.terminal.ProgressBar;
 import haltere.ui.command.terminal.Quantities;
@@ -25,22 +34,25 @@ import java.nio.charset.CharacterCodingException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
+import java.util.function.Consumer;
 import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Follows what moves in a recording and writes a table of it. */
+/** Tracks what moves in a recording and writes a table of it. */
 @Command(
     name = "track",
     description = {
-      "Follow what moves in a recording or before a camera and write where it is, how fast, and how"
-          + " sure that is.",
-      "A row for each visible track at each tick of the rate, from events before that time only."
+      "Track what moves in a recording or before a camera and write where it is, how fast, how"
+          + " large, and how sure that is.",
+      "A row for each visible object at each tick of the rate, from events before that time only;"
+          + " whether it is an object is decided up to 2 s later."
     })
 final class TrackCommand extends Subcommand {
-  private static final String TRACKS = "kalman-tracks";
+  private static final String OBJECTS = "object-tracker";
+  private static final String CLUSTERS = "kalman-tracks";
 
   /** Runs what is to be tracked through a chain, to its end. */
   private interface Feed {
@@ -73,25 +85,40 @@ final class TrackCommand extends Subcommand {
       paramLabel = "CHAIN.json",
       description =
           "A chain of filters; one without "
-              + TRACKS
-              + " gets it at its end. If not given: background activity, hot pixels and tracks.")
+              + OBJECTS
+              + " or "
+              + CLUSTERS
+              + " gets the first at its end. If not given: "
+              + OBJECTS
+              + " alone, which needs no noise filter.")
   Path chainFile;
 
   @Option(
       names = "--preset",
       paramLabel = "NAME",
       description =
-          "original: the Kalman filter on clusters of the source with its defaults, for comparison;"
-              + " not with --chain.")
+          "original: the Kalman filter on clusters of Cardinale (2006) with its defaults, for"
+              + " comparison; not with --chain.")
   String preset;
+
+  @Option(
+      names = "--set",
+      paramLabel = "name=value",
+      description =
+          "A setting of "
+              + OBJECTS
+              + " (with --preset: of "
+              + CLUSTERS
+              + "), see: haltere filters; may be repeated.")
+  List<String> assignments = List.of();
 
   @Option(
       names = "--road",
       paramLabel = "ROAD.json",
       description = {
-        "The road that the camera looks along: adds columns in metres. Keys: bridgeHeightM,"
-            + " nearestM, farthestM, vanishingPoint {xPx, yPx}, lanes {lanes, leftEdgeM, widthM},"
-            + " countingLines {lines, firstM, apartM}; all may be left out."
+        "The road that the camera looks along: tracks are on it, and columns in metres are added."
+            + " Keys: bridgeHeightM, nearestM, farthestM, vanishingPoint {xPx, yPx}, lanes {lanes,"
+            + " leftEdgeM, widthM}, countingLines {lines, firstM, apartM}; all may be left out."
       })
   Path roadFile;
 
@@ -99,8 +126,8 @@ final class TrackCommand extends Subcommand {
       names = "--crossings",
       paramLabel = "CROSSINGS.csv",
       description =
-          "Where goes who crossed which counting line of the road (--road), when, in which lane and"
-              + " direction, how fast, and how many had by then.")
+          "Table of the tracks that crossed a counting line of the road (--road): time, lane,"
+              + " direction, speed and counts.")
   Path crossings;
 
   @Mixin CameraOptionsGroup cameras;
@@ -132,7 +159,7 @@ final class TrackCommand extends Subcommand {
     }
     if (preset != null) {
       if (chainFile != null) {
-        throw wrongArguments("--preset and --chain both say what " + TRACKS + " does");
+        throw wrongArguments("--preset and --chain both say how to track");
       }
       start = preset(new KalmanTracksFilter.Provider(), preset);
     }
@@ -180,39 +207,31 @@ final class TrackCommand extends Subcommand {
   private FilterChain chain(SensorGeometry geometry) throws IOException {
     if (chainFile == null) {
       FilterChain chain = new FilterChain(geometry);
-      for (String name : List.of("background-activity", "hot-pixels", TRACKS)) {
-        chain.add(Filters.named(name));
-      }
+      (start == null ? List.of(OBJECTS) : List.of("background-activity", "hot-pixels", CLUSTERS))
+          .forEach(name -> chain.add(Filters.named(name)));
       return chain;
     }
     try {
-      return ChainFile.read(chainFile, geometry);
+      return ChainFile.read(chainFile, geometry, this::warning);
     } catch (CharacterCodingException notText) {
       throw Failures.notText(chainFile, notText);
     }
   }
 
-  private RoadTracksSettings road(RoadTracksSettings usual) throws IOException {
+  /** The road, or null if there is none. */
+  private RoadFile road() throws IOException {
+    if (roadFile == null) {
+      return null;
+    }
     try {
-      return roadFile == null ? usual : RoadFile.read(roadFile, usual);
+      RoadFile road = RoadFile.read(roadFile);
+      if (crossings != null && road.lines().lines() == 0) {
+        throw wrongArguments("--crossings needs counting lines, and " + roadFile + " has none");
+      }
+      return road;
     } catch (CharacterCodingException notText) {
       throw Failures.notText(roadFile, notText);
     }
-  }
-
-  /** The chain's own tracks, or new ones at its end that stand on the clusters it asks for. */
-  private KalmanTracksFilter tracks(FilterChain chain) {
-    KalmanTracksFilter tracks = last(chain, KalmanTracksFilter.class);
-    if (tracks == null) {
-      ClusterTrackerFilter clusters = last(chain, ClusterTrackerFilter.class);
-      KalmanTracksSettings settings = KalmanTracksSettings.defaults();
-      if (clusters != null) {
-        settings = settings.withClusters(clusters.settings());
-      }
-      tracks = new KalmanTracksFilter(chain.geometry(), settings);
-      chain.add(TRACKS, tracks);
-    }
-    return tracks;
   }
 
   private static <F extends ConfigurableFilter<?>> F last(FilterChain chain, Class<F> type) {
@@ -229,56 +248,121 @@ final class TrackCommand extends Subcommand {
   }
 
   private void track(FilterChain chain, Feed feed) throws IOException {
-    KalmanTracksFilter tracks = tracks(chain);
-    KalmanTracksSettings from = start == null ? tracks.settings() : start;
-    tracks.apply(from.onRoad(road(from.road())).withReportRate(rateHz));
-    long rows;
-    if (roadFile == null) {
-      try (CsvSink<TrackPoint> table = CsvSink.create(out, TrackPoint.class, writing.overwrite)) {
-        tracks.points().subscribe(table);
-        rows = run(feed, chain, table);
+    ObjectTrackerFilter objects = last(chain, ObjectTrackerFilter.class);
+    KalmanTracksFilter clusters = last(chain, KalmanTracksFilter.class);
+    if (objects == null && clusters != null) {
+      trackClusters(clusters, chain, feed);
+      return;
+    }
+    if (objects == null) {
+      objects = new ObjectTrackerFilter(chain.geometry(), ObjectTrackerSettings.defaults());
+      chain.add(OBJECTS, objects);
+    }
+    objects.apply(assigned(ObjectTrackerSettings.class, objects.settings(), "reportRateHz"));
+    RoadFile road = road();
+    if (road == null) {
+      try (CsvSink<ObjectTrack> table = CsvSink.create(out, ObjectTrack.class, writing.overwrite)) {
+        run(objects, chain, feed, table);
+        finish(table, out);
       }
-    } else {
-      try (CsvSink<RoadTrackRow> table =
-              CsvSink.create(out, RoadTrackRow.class, writing.overwrite);
-          CsvSink<LineCrossing> counts = counts(tracks)) {
-        // A track's place in the picture is published before its place on the road.
-        TrackPoint[] inPicture = new TrackPoint[1];
-        tracks.points().subscribe(point -> inPicture[0] = point);
-        tracks
-            .roadPoints()
-            .subscribe(onRoad -> table.accept(RoadTrackRow.of(inPicture[0], onRoad)));
-        rows = run(feed, chain, table);
-        finish(counts);
+      return;
+    }
+    ObjectsOnPlane onRoad = new ObjectsOnPlane(new RoadMapping(road.view(), chain.geometry()));
+    try (CsvSink<RoadObjectRow> table =
+            CsvSink.create(out, RoadObjectRow.class, writing.overwrite);
+        CsvSink<LineCrossing> counts = counts()) {
+      Consumer<PlanePoint> counter = counter(road, counts);
+      run(
+          objects,
+          chain,
+          feed,
+          track ->
+              onRoad
+                  .locate(track)
+                  .ifPresent(
+                      point -> {
+                        table.accept(RoadObjectRow.of(track, point, road.lanes()));
+                        counter.accept(point);
+                      }));
+      finish(table, out);
+      if (counts != null) {
+        finish(counts, crossings);
       }
     }
-    message("wrote " + out + " (" + Quantities.count(rows) + " rows)");
+  }
+
+  private static void run(
+      ObjectTrackerFilter objects, FilterChain chain, Feed feed, Consumer<ObjectTrack> sink)
+      throws IOException {
+    OrderedTracks ordered = new OrderedTracks(sink);
+    objects.tracks().subscribe(ordered);
+    feed.run(chain);
+    ordered.finish();
+  }
+
+  private void trackClusters(KalmanTracksFilter tracks, FilterChain chain, Feed feed)
+      throws IOException {
+    KalmanTracksSettings settings = start == null ? tracks.settings() : start;
+    RoadFile road = road();
+    if (road != null) {
+      settings = settings.onRoad(road.tracks(settings.road()));
+    }
+    tracks.apply(assigned(KalmanTracksSettings.class, settings, "clusters.output.reportRateHz"));
+    if (road == null) {
+      try (CsvSink<TrackPoint> table = CsvSink.create(out, TrackPoint.class, writing.overwrite)) {
+        outlet(tracks, TrackPoint.class).subscribe(table);
+        feed.run(chain);
+        finish(table, out);
+      }
+      return;
+    }
+    try (CsvSink<RoadTrackRow> table = CsvSink.create(out, RoadTrackRow.class, writing.overwrite);
+        CsvSink<LineCrossing> counts = counts()) {
+      // A track's position in the picture is published before its position on the road.
+      TrackPoint[] inPicture = new TrackPoint[1];
+      outlet(tracks, TrackPoint.class).subscribe(point -> inPicture[0] = point);
+      outlet(tracks, PlanePoint.class)
+          .subscribe(onRoad -> table.accept(RoadTrackRow.of(inPicture[0], onRoad, road.lanes())));
+      outlet(tracks, PlanePoint.class).subscribe(counter(road, counts));
+      feed.run(chain);
+      finish(table, out);
+      if (counts != null) {
+        finish(counts, crossings);
+      }
+    }
   }
 
   /** The table of crossings, or null if none is wanted. */
-  private CsvSink<LineCrossing> counts(KalmanTracksFilter tracks) throws IOException {
-    if (crossings == null) {
-      return null;
-    }
-    if (tracks.settings().road().countingLines().lines() == 0) {
-      throw wrongArguments("--crossings needs counting lines, and " + roadFile + " has none");
-    }
-    CsvSink<LineCrossing> counts = CsvSink.create(crossings, LineCrossing.class, writing.overwrite);
-    tracks.crossings().subscribe(counts);
-    return counts;
+  private CsvSink<LineCrossing> counts() throws IOException {
+    return crossings == null
+        ? null
+        : CsvSink.create(crossings, LineCrossing.class, writing.overwrite);
   }
 
-  private void finish(CsvSink<LineCrossing> counts) throws IOException {
-    if (counts != null) {
-      counts.finish();
-      message("wrote " + crossings + " (" + Quantities.count(counts.rows()) + " rows)");
+  private static Consumer<PlanePoint> counter(RoadFile road, CsvSink<LineCrossing> counts) {
+    return counts == null ? point -> {} : new LineCounter(road.lanes(), road.lines(), counts);
+  }
+
+  private <S extends Record> S assigned(Class<S> type, S settings, String rate) {
+    try {
+      List<String> all =
+          Stream.concat(assignments.stream(), Stream.of(rate + "=" + rateHz)).toList();
+      return SettingsSchema.of(type).withAssignments(settings, all);
+    } catch (SettingsProblem problem) {
+      throw wrongArguments(problem.getMessage());
     }
   }
 
-  private static long run(Feed feed, FilterChain chain, CsvSink<?> table) throws IOException {
-    feed.run(chain);
+  /** The outlet of a filter that publishes results of a type. */
+  @SuppressWarnings("unchecked")
+  private static <T> Outlet<T> outlet(KalmanTracksFilter tracks, Class<T> type) {
+    return (Outlet<T>)
+        tracks.outlets().stream().filter(one -> one.type() == type).findFirst().orElseThrow();
+  }
+
+  private void finish(CsvSink<?> table, Path path) throws IOException {
     table.finish();
-    return table.rows();
+    message("wrote " + path + " (" + Quantities.count(table.rows()) + " rows)");
   }
 
   private void run(RecordingReader reader, FilterChain chain) throws IOException {

@@ -51,7 +51,7 @@ public record PlotSet(String title, String stage, List<List<PlotField>> lanes) {
             "variances/phase_frequency_rad2_per_s",
             "variances/nis"));
     sets.put(
-        "Measured and estimated place",
+        "Measured and estimated position",
         List.of("estimates/measured_x estimates/x", "estimates/measured_y estimates/y"));
     sets.put(
         "Covariance and gain",
@@ -61,6 +61,9 @@ public record PlotSet(String title, String stage, List<List<PlotField>> lanes) {
             "estimates/p_vxvx estimates/p_vyvy",
             "estimates/gain_x estimates/gain_y",
             "estimates/nis"));
+    sets.put(
+        "Measurement and process variance",
+        List.of("estimates/r_px2", "estimates/q_xx", "estimates/q_vxvx"));
     return sets;
   }
 

@@ -122,17 +122,6 @@ public final class PresetFeature implements ViewerFeature, ChainPresets {
 
   @Override
   public void load(String name, ChainEditor chain) {
-    Path file = folder.resolve(name + ENDING);
-    window
-        .sessions()
-        .session()
-        .ifPresent(
-            open ->
-                window
-                    .background()
-                    .file(
-                        () -> ChainFile.read(file, open.chain().geometry()),
-                        chain::replaceAll,
-                        window.status()::showProblem));
+    window.loadChain(folder.resolve(name + ENDING), chain);
   }
 }

@@ -133,9 +133,20 @@ class TrackCommandTest {
          "vanishingPoint": {"xPx": 63.5, "yPx": 127},
          "lanes": {"lanes": 4, "leftEdgeM": -7, "widthM": 3.5}, "countingLines": {"lines": 2}}
         """);
+    // Vehicles are narrower than the clusters' usual size.
     Path crossings = folder.resolve("crossings.csv");
     CommandRun run =
-        CommandRun.of("track", cars, "--out", out, "--road", road, "--crossings", crossings);
+        CommandRun.of(
+            "track",
+            cars,
+            "--out",
+            out,
+            "--road",
+            road,
+            "--crossings",
+            crossings,
+            "--set",
+            "clusters.shape.size=0.03");
     assertEquals(0, run.status(), run.err());
     List<String> crossed = Files.readAllLines(crossings);
     assertEquals(
@@ -164,16 +175,44 @@ class TrackCommandTest {
         """
         {"filters": [
           {"filter": "refractory"},
-          {"filter": "kalman-tracks", "settings": {"life": {"updatesTillShown": 40}}}
+          {"filter": "kalman-tracks", "settings": {"life": {"eventsTillTrack": 500}}}
         ]}
         """);
     assertEquals(0, CommandRun.of("track", in, "--out", out, "--chain", chain).status());
-    long late = Long.parseLong(rows(out).get(0)[0]);
-    assertTrue(late >= 5_390_000, "first row at " + late);
+    for (String[] row : rows(out)) {
+      assertTrue(Long.parseLong(row[10]) >= 500, Arrays.toString(row));
+    }
     Files.writeString(chain, "{\"filters\": [{\"filter\": \"cluster-tracker\"}]}");
     Path other = folder.resolve("other.csv");
     assertEquals(0, CommandRun.of("track", in, "--out", other, "--chain", chain).status());
     assertTrue(rows(other).size() > 100);
+  }
+
+  @Test
+  void aChainOfAnEarlierVersionIsReadWithALineThatSaysWhatTakesThePlaceOfASetting()
+      throws IOException {
+    Path chain = folder.resolve("chain.json");
+    Files.writeString(
+        chain,
+        """
+        {"filters": [
+          {"filter": "kalman-tracks", "settings": {"measurement": {"eventsTillTrack": 500},
+                                                   "life": {"updatesTillShown": 40}}}
+        ]}
+        """);
+    CommandRun run = CommandRun.of("track", in, "--out", out, "--chain", chain);
+    assertEquals(0, run.status(), run.err());
+    String line = run.errorLines().get(0);
+    assertTrue(line.contains("measurement.eventsTillTrack -> life.eventsTillTrack"), line);
+    assertTrue(line.contains("life.updatesTillShown -> "), line);
+    assertTrue(Long.parseLong(rows(out).get(0)[10]) >= 500);
+  }
+
+  @Test
+  void settingsOfTheTracksAreSetByName() throws IOException {
+    CommandRun run = CommandRun.of("track", in, "--out", out, "--set", "life.eventsTillTrack=500");
+    assertEquals(0, run.status(), run.err());
+    assertTrue(Long.parseLong(rows(out).get(0)[10]) >= 500);
   }
 
   @Test
@@ -205,6 +244,8 @@ class TrackCommandTest {
     assertFails(2, "--rate", "track", in, "--out", out, "--rate", "0");
     assertFails(2, "--rate", "track", in, "--out", out, "--rate", "NaN");
     assertFails(2, "--rate", "track", in, "--out", out, "--rate", "fast");
+    assertFails(2, "life.none", "track", in, "--out", out, "--set", "life.none=1");
+    assertFails(2, "coastTimeS", "track", in, "--out", out, "--set", "life.coastTimeS=-1");
     assertFails(2, "no preset new", "track", in, "--out", out, "--preset", "new");
     assertFails(2, "--chain", "track", in, "--out", out, "--preset", "original", "--chain", in);
   }

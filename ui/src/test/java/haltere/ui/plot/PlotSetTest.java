@@ -28,8 +28,9 @@ class PlotSetTest {
             "wing-tracker: Kalman filter beside running average (method BOTH)",
             "wing-tracker: Left beside right",
             "wing-tracker: Covariance of the stroke",
-            "kalman-tracks: Measured and estimated place",
-            "kalman-tracks: Covariance and gain"),
+            "kalman-tracks: Measured and estimated position",
+            "kalman-tracks: Covariance and gain",
+            "kalman-tracks: Measurement and process variance"),
         titles("wing-tracker", "kalman-tracks"));
   }
 }

@@ -1,7 +1,8 @@
 package haltere.ui.command.results;
 
 import haltere.core.sink.Column;
-import haltere.filters.track.RoadTrackPoint;
+import haltere.filters.plane.PlanePoint;
+import haltere.filters.road.LaneSettings;
 import haltere.filters.track.TrackPoint;
 
 /** A row of the table of tracks where there is a road; units are in the names of the columns. */
@@ -29,7 +30,7 @@ public record RoadTrackRow(
     @Column(decimals = 3) double sdSpeedKmH,
     int lane) {
   /** A track in the picture and on the road at one time. */
-  public static RoadTrackRow of(TrackPoint inPicture, RoadTrackPoint onRoad) {
+  public static RoadTrackRow of(TrackPoint inPicture, PlanePoint onRoad, LaneSettings lanes) {
     return new RoadTrackRow(
         inPicture.timeUs(),
         inPicture.id(),
@@ -52,6 +53,6 @@ public record RoadTrackRow(
         onRoad.sdVyMS(),
         onRoad.speedKmH(),
         onRoad.sdSpeedKmH(),
-        onRoad.lane());
+        lanes.laneAt(onRoad.xM()));
   }
 }

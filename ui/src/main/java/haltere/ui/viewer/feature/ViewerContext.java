@@ -1,5 +1,7 @@
 package haltere.ui.viewer.feature;
 
+import haltere.core.chain.ChainFile;
+import haltere.core.event.SensorGeometry;
 import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.chain.ChainEditor;
@@ -9,6 +11,9 @@ import haltere.ui.viewer.picture.ViewTool;
 import haltere.ui.viewer.playback.PlaybackController;
 import haltere.ui.viewer.session.SessionHost;
 import haltere.ui.viewer.session.ViewerSession;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
@@ -81,6 +86,30 @@ public record ViewerContext(
 
   private void callWhileShown(ViewerSession made, Consumer<ViewerSession> listener) {
     sessions.session().filter(shown -> shown == made).ifPresent(listener);
+  }
+
+  /**
+   * Reads a saved chain in the background and puts it in place of another one. A note on settings
+   * of an earlier version is shown in the bottom line.
+   *
+   * @param file a chain file
+   * @param chain what it takes the place of
+   */
+  public void loadChain(Path file, ChainEditor chain) {
+    sessions.session().ifPresent(open -> loadChain(file, open.chain().geometry(), chain));
+  }
+
+  private void loadChain(Path file, SensorGeometry geometry, ChainEditor chain) {
+    List<String> notes = new ArrayList<>();
+    background.file(
+        () -> ChainFile.read(file, geometry, notes::add),
+        loaded -> {
+          chain.replaceAll(loaded);
+          if (!notes.isEmpty()) {
+            status.showError(String.join("; ", notes));
+          }
+        },
+        status::showProblem);
   }
 
   /**

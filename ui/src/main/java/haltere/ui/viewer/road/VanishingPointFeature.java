@@ -3,10 +3,9 @@ package haltere.ui.viewer.road;
 import haltere.core.chain.ChainStage;
 import haltere.core.chain.FilterChain;
 import haltere.core.settings.SettingsProblem;
+import haltere.filters.plane.VanishingPoint;
+import haltere.filters.track.KalmanTracksFilter;
 import haltere.filters.track.KalmanTracksSettings;
-import haltere.filters.track.RoadTracksSettings;
-import haltere.filters.track.VanishingPoint;
-import haltere.filters.track.kalman.KalmanTracksFilter;
 import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
@@ -46,8 +45,11 @@ public final class VanishingPointFeature implements ViewerFeature {
     }
 
     KalmanTracksSettings vanishingAt(VanishingPoint point) {
-      RoadTracksSettings road = settings.road();
-      return settings.onRoad(road.seenAs(road.view().withVanishingPoint(point)));
+      return settings.with(
+          "road.mapToRoad=true",
+          "road.view.vanishingPoint.marked=true",
+          "road.view.vanishingPoint.xPx=" + point.xPx(),
+          "road.view.vanishingPoint.yPx=" + point.yPx());
     }
   }
 

@@ -1,6 +1,5 @@
 package haltere.ui.viewer.saving;
 
-import haltere.core.chain.ChainFile;
 import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.controls.FileDialogs;
 import haltere.ui.viewer.feature.StatusLine;
@@ -64,17 +63,7 @@ public final class SavingFeature implements ViewerFeature {
 
   /** Puts a saved chain in place of the one that is open. */
   public void loadChain(Path file) {
-    window
-        .sessions()
-        .session()
-        .ifPresent(
-            open ->
-                window
-                    .background()
-                    .file(
-                        () -> ChainFile.read(file, open.chain().geometry()),
-                        window.editor()::replaceAll,
-                        window.status()::showProblem));
+    window.loadChain(file, window.editor());
   }
 
   /** Saves the chain that is open. */

@@ -4,9 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import haltere.filters.plane.VanishingPoint;
+import haltere.filters.track.KalmanTracksFilter;
 import haltere.filters.track.RoadTracksSettings;
-import haltere.filters.track.VanishingPoint;
-import haltere.filters.track.kalman.KalmanTracksFilter;
 import haltere.ui.viewer.ViewerHarness;
 import haltere.ui.viewer.picture.EventView;
 import haltere.ui.viewer.picture.ViewTool;

@@ -1,0 +1,31 @@
+package haltere.filters.cluster;
+
+/**
+ * Is told what a {@link ClusterTracker} does at regular times of the events. Called on the thread
+ * of the tracker, which must not be given events meanwhile.
+ */
+public interface ClusterListener {
+  /**
+   * All clusters are up to date.
+   *
+   * @param timeUs a whole multiple of the interval of updates, microseconds
+   */
+  default void updated(long timeUs) {}
+
+  /**
+   * It is time for a report.
+   *
+   * @param timeUs a time of the rate of reports, microseconds
+   */
+  default void reported(long timeUs) {}
+
+  /**
+   * Whether updates and reports go on although there is no cluster. A tracker without clusters
+   * skips them otherwise.
+   *
+   * @return false unless overridden
+   */
+  default boolean isWaiting() {
+    return false;
+  }
+}

@@ -1,0 +1,279 @@
+package haltere.filters.estimation;
+
+import java.util.Arrays;
+
+/**
+ * Assigns rows to columns, one to one, so that the sum of the costs is the least there is: tracks
+ * to measurements, say. Pairs can be forbidden (outside a gate), and a row or a column may stay
+ * unassigned at a stated cost. All pairs are decided together; nearest first would let one greedy
+ * pair ruin two others.
+ *
+ * <p>Shortest augmenting paths with dual prices, O(n² m) for n ≤ m: R. Jonker and A. Volgenant
+ * (1987), "A Shortest Augmenting Path Algorithm for Dense and Sparse Linear Assignment Problems",
+ * Computing 38, in the rectangular form of D. F. Crouse (2016), "On Implementing 2D Rectangular
+ * Assignment Algorithms", IEEE Transactions on Aerospace and Electronic Systems 52(4).
+ *
+ * <p>With r and c the costs of a row and of a column that stay unassigned, a pair changes the sum
+ * by w = cost − r − c against leaving both. Pairs with w ≥ 0 are never needed, so they, and the
+ * forbidden ones, get w = 0; the full assignment of least w then is an optimal one, and those of
+ * its pairs with w = 0 are dropped. No dummy rows or columns are needed.
+ *
+ * <p>Usage: {@link #start}, {@link #setCost} for the pairs that are allowed, {@link #solve}, then
+ * read {@link #columnOf} and {@link #rowOf}. Nothing is allocated after the construction. Equal
+ * inputs give equal outputs, ties included.
+ *
+ * <p>Thread rule: for one thread at a time.
+ */
+public final class Assignment {
+  /** Stands for no row or no column. */
+  public static final int NONE = -1;
+
+  /** Costs of greater size would overflow when they are added up. */
+  private static final double LARGEST_COST = 1e150;
+
+  private final int mostRows;
+  private final int mostColumns;
+  private final double[] costs;
+  private final int[] columnOfRow;
+  private final int[] rowOfColumn;
+
+  // Below, "near" is the shorter side of the matrix and "far" the longer one.
+  private final double[] nearPrice;
+  private final double[] farPrice;
+  private final double[] distance;
+  private final int[] from;
+  private final int[] open;
+  private final int[] farOfNear;
+  private final int[] nearOfFar;
+  private final int[] closed;
+
+  private int rows;
+  private int columns;
+  private double unassigned;
+  private int nearStride;
+  private int farStride;
+  private double totalCost;
+
+  /**
+   * Room for a matrix.
+   *
+   * @param mostRows the most rows there will be, at least 0
+   * @param mostColumns the most columns there will be, at least 0
+   */
+  public Assignment(int mostRows, int mostColumns) {
+    if (mostRows < 0 || mostColumns < 0) {
+      throw new IllegalArgumentException(
+          "a matrix cannot have " + mostRows + " x " + mostColumns + " entries");
+    }
+    this.mostRows = mostRows;
+    this.mostColumns = mostColumns;
+    int near = Math.min(mostRows, mostColumns);
+    int far = Math.max(mostRows, mostColumns);
+    costs = new double[Math.multiplyExact(mostRows, mostColumns)];
+    columnOfRow = new int[mostRows];
+    rowOfColumn = new int[mostColumns];
+    nearPrice = new double[near];
+    farOfNear = new int[near];
+    farPrice = new double[far];
+    nearOfFar = new int[far];
+    distance = new double[far];
+    from = new int[far];
+    open = new int[far];
+    closed = new int[far];
+  }
+
+  /**
+   * Begins a new problem in which all pairs are forbidden and nothing is assigned.
+   *
+   * @param rows 0 to the most rows
+   * @param columns 0 to the most columns
+   */
+  public void start(int rows, int columns) {
+    if (rows < 0 || rows > mostRows || columns < 0 || columns > mostColumns) {
+      throw new IllegalArgumentException(
+          rows
+              + " x "
+              + columns
+              + " is outside the room for "
+              + mostRows
+              + " x "
+              + mostColumns
+              + " entries");
+    }
+    this.rows = rows;
+    this.columns = columns;
+    Arrays.fill(costs, 0, rows * columns, Double.POSITIVE_INFINITY);
+    Arrays.fill(columnOfRow, 0, rows, NONE);
+    Arrays.fill(rowOfColumn, 0, columns, NONE);
+    totalCost = 0;
+  }
+
+  /**
+   * States what a pair costs.
+   *
+   * @param row 0 to rows − 1
+   * @param column 0 to columns − 1
+   * @param cost at most 1e150 in size, or positive infinity for a pair that is forbidden
+   */
+  public void setCost(int row, int column, double cost) {
+    checkRow(row);
+    checkColumn(column);
+    if (cost != Double.POSITIVE_INFINITY) {
+      requireCost("cost of a pair", cost);
+    }
+    costs[row * columns + column] = cost;
+  }
+
+  /**
+   * Finds an assignment of least total cost. A pair that costs just as much as leaving both of its
+   * ends unassigned is left out. Costs are compared by the precision of a double at the greatest of
+   * them, so keep them on one scale.
+   *
+   * @param unassignedRow cost of each row that gets no column, at most 1e150 in size
+   * @param unassignedColumn cost of each column that gets no row, at most 1e150 in size
+   * @return the total cost
+   */
+  public double solve(double unassignedRow, double unassignedColumn) {
+    requireCost("cost of an unassigned row", unassignedRow);
+    requireCost("cost of an unassigned column", unassignedColumn);
+    unassigned = unassignedRow + unassignedColumn;
+    boolean rowsAreNear = rows <= columns;
+    int near = Math.min(rows, columns);
+    int far = Math.max(rows, columns);
+    nearStride = rowsAreNear ? columns : 1;
+    farStride = rowsAreNear ? 1 : columns;
+    Arrays.fill(nearPrice, 0, near, 0);
+    Arrays.fill(farPrice, 0, far, 0);
+    Arrays.fill(farOfNear, 0, near, NONE);
+    Arrays.fill(nearOfFar, 0, far, NONE);
+    for (int i = 0; i < near; i++) {
+      augment(i, far);
+    }
+    Arrays.fill(columnOfRow, 0, rows, NONE);
+    Arrays.fill(rowOfColumn, 0, columns, NONE);
+    int pairs = 0;
+    totalCost = 0;
+    for (int i = 0; i < near; i++) {
+      int j = farOfNear[i];
+      if (change(i, j) < 0) {
+        int row = rowsAreNear ? i : j;
+        int column = rowsAreNear ? j : i;
+        columnOfRow[row] = column;
+        rowOfColumn[column] = row;
+        totalCost += costs[row * columns + column];
+        pairs++;
+      }
+    }
+    totalCost += (rows - pairs) * unassignedRow + (columns - pairs) * unassignedColumn;
+    return totalCost;
+  }
+
+  /**
+   * The column that a row got.
+   *
+   * @param row 0 to rows − 1
+   * @return a column or {@link #NONE}
+   */
+  public int columnOf(int row) {
+    checkRow(row);
+    return columnOfRow[row];
+  }
+
+  /**
+   * The row that a column got.
+   *
+   * @param column 0 to columns − 1
+   * @return a row or {@link #NONE}
+   */
+  public int rowOf(int column) {
+    checkColumn(column);
+    return rowOfColumn[column];
+  }
+
+  /**
+   * What the last solution costs.
+   *
+   * @return pairs, unassigned rows and unassigned columns together
+   */
+  public double totalCost() {
+    return totalCost;
+  }
+
+  /** Gives one more of the near side an end, along the path that costs least. */
+  private void augment(int start, int far) {
+    for (int j = 0; j < far; j++) {
+      open[j] = j;
+      distance[j] = Double.POSITIVE_INFINITY;
+    }
+    int openCount = far;
+    int closedCount = 0;
+    int i = start;
+    double reached = 0;
+    int end = NONE;
+    while (end == NONE) {
+      int nearest = 0;
+      for (int k = 0; k < openCount; k++) {
+        int j = open[k];
+        double d = reached + (change(i, j) - nearPrice[i] - farPrice[j]);
+        if (d < distance[j]) {
+          distance[j] = d;
+          from[j] = i;
+        }
+        double best = distance[open[nearest]];
+        if (distance[j] < best || distance[j] == best && nearOfFar[j] == NONE) {
+          nearest = k;
+        }
+      }
+      int j = open[nearest];
+      reached = distance[j];
+      open[nearest] = open[--openCount];
+      closed[closedCount++] = j;
+      if (nearOfFar[j] == NONE) {
+        end = j;
+      } else {
+        i = nearOfFar[j];
+      }
+    }
+    nearPrice[start] += reached;
+    for (int k = 0; k < closedCount; k++) {
+      int j = closed[k];
+      double ahead = reached - distance[j];
+      farPrice[j] -= ahead;
+      if (nearOfFar[j] != NONE) {
+        nearPrice[nearOfFar[j]] += ahead;
+      }
+    }
+    int j = end;
+    do {
+      i = from[j];
+      nearOfFar[j] = i;
+      int before = farOfNear[i];
+      farOfNear[i] = j;
+      j = before;
+    } while (i != start);
+  }
+
+  /** What a pair changes against leaving both ends unassigned; 0 where it is of no use. */
+  private double change(int i, int j) {
+    return Math.min(costs[i * nearStride + j * farStride] - unassigned, 0);
+  }
+
+  private void checkRow(int row) {
+    if (row < 0 || row >= rows) {
+      throw new IndexOutOfBoundsException("there is no row " + row + " of " + rows);
+    }
+  }
+
+  private void checkColumn(int column) {
+    if (column < 0 || column >= columns) {
+      throw new IndexOutOfBoundsException("there is no column " + column + " of " + columns);
+    }
+  }
+
+  private static void requireCost(String what, double cost) {
+    if (!(Math.abs(cost) <= LARGEST_COST)) {
+      throw new IllegalArgumentException(
+          what + " must be at most " + LARGEST_COST + " in size: " + cost);
+    }
+  }
+}

@@ -1,0 +1,291 @@
+package haltere.filters.object;
+
+import haltere.filters.estimation.GaussianState;
+import java.util.Arrays;
+
+/**
+ * A piece of an object that moves as one: a shape that makes events, a place and a velocity, a rate
+ * and whether it is present. An object is one component or several, as a person with swinging
+ * limbs.
+ *
+ * <p>The place is the middle of the template, x and y in pixels; state (x, vx, y, vy). The velocity
+ * is a random walk (white acceleration: Bar-Shalom, Li and Kirubarajan, Estimation with
+ * Applications to Tracking and Navigation, 2001, eq. 6.2.2-12).
+ *
+ * <p>Thread rule: one thread at a time.
+ */
+final class Component {
+  /** Power spectral density of the acceleration, squares of its own size per s³. */
+  private static final double ACCELERATION = 20;
+
+  /** Memory of the rate of events, seconds. */
+  private static final double RATE_S = 0.5;
+
+  /** At first the memories are this short, seconds: a birth knows little. */
+  private static final double FIRST_S = 0.05;
+
+  /** How fast a component without events loses its velocity, seconds. */
+  private static final double HALT_S = 0.1;
+
+  /**
+   * Independent registrations an event is worth: neighbouring pixels of one edge, and of two ticks,
+   * repeat one another's error.
+   */
+  private static final double INDEPENDENT = 0.2;
+
+  /** Ticks of the path. */
+  private static final int PATH = 64;
+
+  /** Least information along a direction, 1/px²: below it an edge tells nothing along itself. */
+  private static final double MIN_INFORMATION = 1e-4;
+
+  /** Ticks between two refreshments of a shape that lasts thirty. */
+  private static final int REFRESH_TICKS = 4;
+
+  /** Age up to which the shape is refreshed at each tick: it is only just being seen. */
+  private static final int REFRESH_AGE = 20;
+
+  private static final double MIN_RATE = 0.05;
+
+  final GaussianState state = new GaussianState(4);
+  final ShapeTemplate shape = new ShapeTemplate();
+  final Presence presence = new Presence();
+  final RegionFinder regions = new RegionFinder();
+  final int slot;
+  final long serial;
+  private final double[] pathX = new double[PATH];
+  private final double[] pathY = new double[PATH];
+  private final double[] row = new double[4];
+  private double walkedX;
+  private double walkedY;
+  private int age;
+  TrackedObject object;
+  long activeUs;
+
+  /** Expected events of a tick. */
+  double rate;
+
+  /** Log ratio of its events under motion and under a place that repeats itself. */
+  double novelty;
+
+  // sums of the tick
+  double weight;
+  double gradientX;
+  double gradientY;
+  final double[] products = new double[Presence.DIMMINGS.length];
+  final double[] logs = new double[Presence.DIMMINGS.length];
+
+  /** Expected events of a tick, square pixel and unit of density. */
+  double intensity;
+
+  /** Probability to be moving, not below what lets a resting one begin again. */
+  double active;
+
+  Component(int slot, long serial) {
+    this.slot = slot;
+    this.serial = serial;
+  }
+
+  double x() {
+    return state.mean(0);
+  }
+
+  double vx() {
+    return state.mean(1);
+  }
+
+  double y() {
+    return state.mean(2);
+  }
+
+  double vy() {
+    return state.mean(3);
+  }
+
+  double middleX() {
+    return x() + shape.middleX;
+  }
+
+  double middleY() {
+    return y() + shape.middleY;
+  }
+
+  int age() {
+    return age;
+  }
+
+  boolean isMoving() {
+    return presence.isMoving();
+  }
+
+  /** Events of a tick, as far as it moves. */
+  double activeRate() {
+    return rate * Math.max(presence.moving(), 1e-3);
+  }
+
+  void beginTick() {
+    weight = 0;
+    gradientX = 0;
+    gradientY = 0;
+    Arrays.fill(products, 1);
+    Arrays.fill(logs, 0);
+    intensity = rate / (shape.cellPx * shape.cellPx);
+    active = Math.max(presence.moving(), 0.02);
+  }
+
+  /** Multiplies the likelihood ratios by those of an event: 1 + ratio. */
+  void addLikelihood(double ratio) {
+    for (int i = 0; i < products.length; i++) {
+      double product = products[i] * (1 + ratio * Presence.DIMMINGS[i]);
+      if (product > 1e200) {
+        logs[i] += Math.log(product);
+        product = 1;
+      }
+      products[i] = product;
+    }
+  }
+
+  /** Takes the sums of a tick that ends at a time. */
+  void endTick(long nowUs, double inside) {
+    for (int i = 0; i < logs.length; i++) {
+      logs[i] += Math.log(products[i]);
+    }
+    presence.update(logs, rate, inside);
+    double beforeX = x();
+    double beforeY = y();
+    predict();
+    double moved = ObjectTracker.TICK_S * presence.moving();
+    double known = FIRST_S + age * ObjectTracker.TICK_S;
+    if (weight > 0.5) {
+      register();
+      shape.decay(Math.exp(-moved / Math.min(ShapeTemplate.MEMORY_S, known)));
+      if (isMoving()) {
+        activeUs = nowUs;
+      }
+    }
+    double memory = weight > 0.5 ? Math.min(RATE_S, known) : RATE_S;
+    rate = Math.max(MIN_RATE, rate + (1 - Math.exp(-moved / memory)) * (weight - rate));
+    walkedX += x() - beforeX;
+    walkedY += y() - beforeY;
+    pathX[age % PATH] = walkedX;
+    pathY[age % PATH] = walkedY;
+    age++;
+    if (age < REFRESH_AGE || (age + slot) % REFRESH_TICKS == 0) {
+      refresh();
+    }
+  }
+
+  /** Works its shape out anew, with the extent in the middle and cells that fit its size. */
+  void refresh() {
+    shape.refresh();
+    double cell = shape.wantedCell();
+    double far = Math.max(Math.abs(shape.middleX), Math.abs(shape.middleY));
+    if (cell != shape.cellPx || far > 1.5 * shape.cellPx) {
+      double dx = shape.middleX;
+      double dy = shape.middleY;
+      shape.resample(cell, dx, dy);
+      shape.refresh();
+      state.setMean(0, x() + dx);
+      state.setMean(2, y() + dy);
+      regions.shift(dx, dy);
+    }
+  }
+
+  private void predict() {
+    double dt = ObjectTracker.TICK_S;
+    double q = ACCELERATION * shape.size() * shape.size();
+    for (int i = 0; i < 4; i += 2) {
+      state.shear(i, i + 1, dt);
+      state.addNoise(i, q * dt * dt * dt / 3);
+      state.addNoise(i, i + 1, q * dt * dt / 2);
+      state.addNoise(i + 1, q * dt);
+    }
+    if (!isMoving()) {
+      double keep = Math.exp(-dt / HALT_S);
+      setVelocity(keep * vx(), keep * vy());
+    }
+  }
+
+  /**
+   * Displacement of the events against the template by maximum likelihood: one step of Newton's
+   * with Fisher's information (Lehmann and Casella, Theory of Point Estimation, 1998, §6.3), in the
+   * two directions in which the information is independent. An edge tells nothing along itself.
+   */
+  private void register() {
+    double scale = weight * INDEPENDENT;
+    double xx = scale * shape.infoXx;
+    double xy = scale * shape.infoXy;
+    double yy = scale * shape.infoYy;
+    double angle = 0.5 * Math.atan2(2 * xy, xx - yy);
+    double apart = Math.hypot(0.5 * (xx - yy), xy);
+    double mean = 0.5 * (xx + yy);
+    for (int k = 0; k < 2; k++) {
+      double information = k == 0 ? mean + apart : mean - apart;
+      if (information < MIN_INFORMATION) {
+        continue;
+      }
+      double cos = k == 0 ? Math.cos(angle) : -Math.sin(angle);
+      double sin = k == 0 ? Math.sin(angle) : Math.cos(angle);
+      row[0] = cos;
+      row[2] = sin;
+      state.project(row);
+      state.correct(
+          INDEPENDENT * (cos * gradientX + sin * gradientY) / information, 1 / information);
+    }
+  }
+
+  void setVelocity(double vx, double vy) {
+    state.setMean(1, vx);
+    state.setMean(3, vy);
+  }
+
+  /** Moves it without a registration. */
+  void shift(double dx, double dy) {
+    state.setMean(0, x() + dx);
+    state.setMean(2, y() + dy);
+    walkedX += dx;
+    walkedY += dy;
+  }
+
+  /** Displacement along x over the last ticks, pixels; at most {@link #knownTicks} of them. */
+  double displacementX(int ticks) {
+    return displacement(pathX, ticks);
+  }
+
+  double displacementY(int ticks) {
+    return displacement(pathY, ticks);
+  }
+
+  private double displacement(double[] path, int ticks) {
+    int last = age - 1;
+    return last < 1 ? 0 : path[last % PATH] - path[(last - ticks) % PATH];
+  }
+
+  /** Ticks over which the displacement is known. */
+  int knownTicks() {
+    return Math.max(0, Math.min(PATH - 1, age - 1));
+  }
+
+  /** Takes another component in, which covers the same object. */
+  void absorb(Component other) {
+    double dx = other.x() - x();
+    double dy = other.y() - y();
+    double need =
+        Math.max(
+            Math.abs(dx) + other.shape.halfX + Math.abs(other.shape.middleX),
+            Math.abs(dy) + other.shape.halfY + Math.abs(other.shape.middleY));
+    while (shape.reach() < 1.05 * need) {
+      shape.resample(shape.coarser(), 0, 0);
+    }
+    shape.absorb(other.shape, dx, dy);
+    double share = other.rate / (other.rate + rate);
+    setVelocity(vx() + share * (other.vx() - vx()), vy() + share * (other.vy() - vy()));
+    rate += other.rate;
+    novelty += other.novelty;
+    if (other.presence.moving() > presence.moving()) {
+      presence.set(other.presence);
+    }
+    activeUs = Math.max(activeUs, other.activeUs);
+    refresh();
+  }
+}

@@ -1,0 +1,226 @@
+package haltere.filters.object;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+
+/**
+ * Decides which components are one object: log odds of one against two. A prior falls with the gap
+ * between them; evidence comes from how their displacements over 0.3 s differ, summed with
+ * forgetting. Under "one" they differ by what was measured badly, by a bend and by a turn of the
+ * object; under "two" by their own motions also.
+ *
+ * <p>The log ratio of the two normal densities is that of track-to-track association (Bar-Shalom,
+ * IEEE TAC 26, 1981).
+ *
+ * <p>Thread rule: one thread at a time.
+ */
+final class ObjectRelations {
+  /** Prior log odds of touching components: four of five are one object. */
+  private static final double TOUCH_NAT = Math.log(4);
+
+  /** Gap at which the prior begins to fall steeply, as a share of the size. */
+  private static final double GAP_SHARE = 0.15;
+
+  /** Tail of the prior: the exponent with which it falls, as Cauchy's. */
+  private static final double GAP_TAIL = 2;
+
+  /** A gap of up to this many pixels is none: both sides have blurred cells. */
+  private static final double BLUR_PX = 3;
+
+  /** Log odds from which two are joined: an odds ratio of e. */
+  private static final double JOIN_NAT = 1;
+
+  /** Log odds below which a joined one leaves, and from which two identities become one: 20. */
+  private static final double SURE_NAT = 3;
+
+  /** Novelty from which a component is one rather than a flicker, nat: see BIRTH_NAT. */
+  static final double MIN_NOVELTY = 10;
+
+  /** Bend between components of one object, as a share of their size, in {@link #WATCH_S}. */
+  private static final double BEND_SHARE = 0.15;
+
+  /** Standard deviation of the rate at which an object turns, rad/s: half a turn a second. */
+  private static final double TURN_RAD_S = Math.PI;
+
+  /** Time over which displacements are compared, seconds. */
+  static final double WATCH_S = 0.3;
+
+  /** Memory of the evidence, seconds: three independent comparisons. */
+  private static final double EVIDENCE_S = 1;
+
+  /** Variance of a displacement from the cells of the template, px². */
+  private static final double CELL_VARIANCE = 2;
+
+  /** Log odds of pairs that are too far from one another to be compared. */
+  private static final double FAR = -99;
+
+  private final double[][] gap = new double[ObjectTracker.MAX_COMPONENTS][];
+  private final double[][] evidence = new double[ObjectTracker.MAX_COMPONENTS][];
+  private double scalePx;
+
+  ObjectRelations() {
+    for (int i = 0; i < ObjectTracker.MAX_COMPONENTS; i++) {
+      gap[i] = new double[ObjectTracker.MAX_COMPONENTS];
+      evidence[i] = new double[ObjectTracker.MAX_COMPONENTS];
+    }
+  }
+
+  void apply(ObjectTrackerSettings settings) {
+    scalePx = settings.scalePx();
+  }
+
+  /** Forgets what is known of a slot, or gives it what is known of another. */
+  void begin(int slot, Component like) {
+    for (int i = 0; i < ObjectTracker.MAX_COMPONENTS; i++) {
+      double known = like == null || like.slot == i ? 0 : evidence[like.slot][i];
+      evidence[slot][i] = known;
+      evidence[i][slot] = known;
+      gap[slot][i] = FAR;
+      gap[i][slot] = FAR;
+    }
+  }
+
+  /**
+   * Compares all pairs.
+   *
+   * @param seconds since the last comparison
+   */
+  void compare(List<Component> components, double seconds) {
+    double fade = Math.exp(-seconds / EVIDENCE_S);
+    int watch = (int) Math.round(WATCH_S / ObjectTracker.TICK_S);
+    for (int i = 0; i < components.size(); i++) {
+      Component a = components.get(i);
+      for (int j = i + 1; j < components.size(); j++) {
+        Component b = components.get(j);
+        double prior = gapLog(a, b);
+        double sum = evidence[a.slot][b.slot];
+        if (prior == FAR) {
+          sum = 0;
+        } else if (a.isMoving() && b.isMoving()) {
+          sum *= fade;
+          int ticks = Math.min(watch, Math.min(a.knownTicks(), b.knownTicks()));
+          if (ticks > watch / 3) {
+            sum += motionLog(a, b, ticks) * seconds / WATCH_S;
+          }
+        }
+        gap[a.slot][b.slot] = prior;
+        gap[b.slot][a.slot] = prior;
+        evidence[a.slot][b.slot] = sum;
+        evidence[b.slot][a.slot] = sum;
+      }
+    }
+  }
+
+  private double gapLog(Component a, Component b) {
+    double size = sizeOf(a, b);
+    double apart =
+        Math.hypot(
+            outside(a.middleX() - b.middleX(), a.shape.halfX + b.shape.halfX),
+            outside(a.middleY() - b.middleY(), a.shape.halfY + b.shape.halfY));
+    if (apart > 8 * size + a.shape.reach() + b.shape.reach()) {
+      return FAR;
+    }
+    // The boxes' distance will do where the cells' makes no difference.
+    double distance =
+        apart > 2 * size ? apart : a.shape.distance(b.shape, b.x() - a.x(), b.y() - a.y());
+    double shares = Math.max(0, distance - BLUR_PX) / (GAP_SHARE * size);
+    return TOUCH_NAT - 0.5 * GAP_TAIL * Math.log1p(shares * shares);
+  }
+
+  private double sizeOf(Component a, Component b) {
+    return scalePx > 0 ? scalePx : Math.sqrt(a.shape.size() * b.shape.size());
+  }
+
+  static double outside(double distance, double reach) {
+    return Math.max(0, Math.abs(distance) - reach);
+  }
+
+  /** Log ratio of the difference of two displacements under one object and under two. */
+  private double motionLog(Component a, Component b, int ticks) {
+    double ax = a.displacementX(ticks);
+    double ay = a.displacementY(ticks);
+    double bx = b.displacementX(ticks);
+    double by = b.displacementY(ticks);
+    double dx = ax - bx;
+    double dy = ay - by;
+    double own = 0.5 * (ax * ax + ay * ay + bx * bx + by * by);
+    double bend = BEND_SHARE * sizeOf(a, b);
+    double turn = TURN_RAD_S * ticks * ObjectTracker.TICK_S;
+    double lineX = turn * (b.middleX() - a.middleX());
+    double lineY = turn * (b.middleY() - a.middleY());
+    double both = bend * bend + CELL_VARIANCE;
+    // Places at both ends of the displacement; a turn moves across the line between the two.
+    double xx = 2 * (a.state.covariance(0, 0) + b.state.covariance(0, 0)) + both + lineY * lineY;
+    double xy = 2 * (a.state.covariance(0, 2) + b.state.covariance(0, 2)) - lineX * lineY;
+    double yy = 2 * (a.state.covariance(2, 2) + b.state.covariance(2, 2)) + both + lineX * lineX;
+    return logDensity(dx, dy, xx, xy, yy) - logDensity(dx, dy, xx + own, xy, yy + own);
+  }
+
+  /** Of a normal distribution with mean zero, up to a constant. */
+  private static double logDensity(double dx, double dy, double xx, double xy, double yy) {
+    double det = xx * yy - xy * xy;
+    return -0.5 * (Math.log(det) + (yy * dx * dx - 2 * xy * dx * dy + xx * dy * dy) / det);
+  }
+
+  /** Log odds that two sets of components are one object: the least gap, the mean evidence. */
+  double score(List<Component> a, List<Component> b) {
+    double prior = FAR;
+    double sum = 0;
+    double weights = 0;
+    for (Component one : a) {
+      for (Component other : b) {
+        if (one != other) {
+          prior = Math.max(prior, gap[one.slot][other.slot]);
+          double weight = one.activeRate() * other.activeRate();
+          sum += weight * evidence[one.slot][other.slot];
+          weights += weight;
+        }
+      }
+    }
+    return weights > 0 ? prior + sum / weights : FAR;
+  }
+
+  /** Whether two objects are surely not one. */
+  boolean areApart(TrackedObject a, TrackedObject b) {
+    return score(a.components, b.components) < -SURE_NAT;
+  }
+
+  /** Whether two objects are to be one. */
+  boolean areOne(TrackedObject a, TrackedObject b) {
+    if (!mayJoin(a) || !mayJoin(b)) {
+      return false;
+    }
+    double odds = score(a.components, b.components);
+    if (a.isDecided() && b.isDecided()) {
+      return odds > SURE_NAT;
+    }
+    double watched = Math.min(a.age(), b.age()) * ObjectTracker.TICK_S;
+    return watched > WATCH_S ? odds > JOIN_NAT : watched > WATCH_S / 3 && odds >= TOUCH_NAT - 0.05;
+  }
+
+  private static boolean mayJoin(TrackedObject object) {
+    return !object.isLost && object.isMoving() && object.novelty() >= MIN_NOVELTY;
+  }
+
+  /** The component that leaves an object of several, or null. */
+  Component leaving(TrackedObject object) {
+    if (object.isLost || object.components.size() < 2) {
+      return null;
+    }
+    List<Component> byRate = new ArrayList<>(object.components);
+    byRate.removeIf(component -> !component.isMoving());
+    byRate.sort(Comparator.comparingDouble(component -> component.rate));
+    for (Component component : byRate) {
+      if (byRate.size() > 1 && score(List.of(component), byRate) < -SURE_NAT) {
+        return component;
+      }
+    }
+    return null;
+  }
+
+  /** Whether two components of one object cover the same: they touch, and nothing parts them. */
+  boolean areFused(Component a, Component b) {
+    return gap[a.slot][b.slot] >= TOUCH_NAT && evidence[a.slot][b.slot] > -JOIN_NAT;
+  }
+}

@@ -1,0 +1,501 @@
+package haltere.filters.object;
+
+import haltere.core.event.EventAddress;
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.stream.ReportClock;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.function.LongConsumer;
+
+/**
+ * Tracks what moves. Events change one grid; every 10 ms of their time the grid is shared among the
+ * components and clutter, which updates all states. {@code docs/objects.md} has the model.
+ *
+ * <p>Thread rule: one thread at a time.
+ */
+final class ObjectTracker {
+  /** Length of a tick: at 1000 px/s an edge moves ten pixels, less than a template's cells. */
+  static final long TICK_US = 10_000;
+
+  static final double TICK_S = TICK_US * 1e-6;
+
+  /** Components at most, so that the work of a tick is bounded. */
+  static final int MAX_COMPONENTS = 400;
+
+  /** Ticks between two comparisons of the components. */
+  private static final int COMPARE_TICKS = 2;
+
+  /** Novelty from which an object is reported, nat: twice what one of two may have. */
+  private static final double CONFIRM_NOVELTY = 2 * ObjectRelations.MIN_NOVELTY;
+
+  /** Events from which an object is reported: its extent is then known to a sixth. */
+  private static final double CONFIRM_EVENTS = 40;
+
+  /** How long a component without events stays with an object that moves, seconds. */
+  private static final double STAY_S = 0.5;
+
+  /** Prior log odds that an object comes back rather than that another comes: ten times. */
+  private static final double RETURN_NAT = Math.log(10);
+
+  private final SensorGeometry geometry;
+  private final Consumer<ObjectTrack> listener;
+  private final LongConsumer ticked;
+  private final ActivityGrid grid;
+  private final ClutterMap clutter;
+  private final BirthDetector births;
+  private final EventAssociation association;
+  private final ObjectRelations relations = new ObjectRelations();
+  private final ReportClock reports = new ReportClock();
+  private final List<Component> components = new ArrayList<>();
+  private final List<TrackedObject> objects = new ArrayList<>();
+  private final ArrayDeque<Integer> freeSlots = new ArrayDeque<>();
+  private ObjectTrackerSettings settings;
+  private boolean isStarted;
+  private long tickStartUs;
+  private int passed;
+  private long ticks;
+  private long serials;
+  private int ids;
+
+  /**
+   * A tracker in its initial state.
+   *
+   * @param listener takes each row
+   * @param ticked told the time after the rows of a report
+   */
+  ObjectTracker(
+      SensorGeometry geometry,
+      ObjectTrackerSettings settings,
+      Consumer<ObjectTrack> listener,
+      LongConsumer ticked) {
+    this.geometry = geometry;
+    this.listener = listener;
+    this.ticked = ticked;
+    grid = new ActivityGrid(geometry);
+    clutter = new ClutterMap(geometry, grid);
+    births = new BirthDetector(grid, clutter);
+    association = new EventAssociation(geometry, grid, clutter, births);
+    apply(settings);
+    reset();
+  }
+
+  ObjectTrackerSettings settings() {
+    return settings;
+  }
+
+  void apply(ObjectTrackerSettings newSettings) {
+    settings = newSettings;
+    relations.apply(newSettings);
+    reports.setRate(newSettings.reportRateHz());
+  }
+
+  /** Forgets all but the identities that were given out. */
+  void reset() {
+    clutter.reset();
+    births.reset();
+    grid.next();
+    components.clear();
+    objects.clear();
+    freeSlots.clear();
+    for (int slot = 0; slot < MAX_COMPONENTS; slot++) {
+      freeSlots.add(slot);
+    }
+    isStarted = false;
+    passed = 1;
+    ticks = 0;
+  }
+
+  void track(EventPacket packet) {
+    for (int i = 0; i < packet.size(); i++) {
+      long timeUs = packet.timeUs(i);
+      if (timeUs >= tickStartUs + TICK_US || !isStarted) {
+        advance(timeUs);
+      }
+      int address = packet.address(i);
+      grid.add(EventAddress.x(address), EventAddress.y(address), (int) (timeUs - tickStartUs));
+    }
+  }
+
+  private void advance(long timeUs) {
+    if (!isStarted) {
+      tickStartUs = Math.floorDiv(timeUs, TICK_US) * TICK_US;
+      reports.skipTo(tickStartUs);
+      isStarted = true;
+      return;
+    }
+    while (timeUs >= tickStartUs + TICK_US) {
+      step();
+      if (objects.isEmpty()) {
+        // nothing happens until the tick of this event
+        passed = (int) Math.min(1_000_000, (timeUs - tickStartUs) / TICK_US);
+        tickStartUs = Math.floorDiv(timeUs, TICK_US) * TICK_US;
+      } else {
+        passed = 1;
+        tickStartUs += TICK_US;
+      }
+    }
+  }
+
+  /** Ends the stream: no more evidence comes, so what is undecided is decided. */
+  void finish() {
+    if (isStarted) {
+      update(tickStartUs + TICK_US);
+      for (TrackedObject object : objects) {
+        if (!object.isDecided() && isEvident(object) && isApart(object)) {
+          decide(object);
+        }
+      }
+    }
+  }
+
+  private void step() {
+    long nowUs = tickStartUs + TICK_US;
+    update(nowUs);
+    report(nowUs);
+  }
+
+  private void update(long nowUs) {
+    clutter.begin(passed);
+    births.begin(passed);
+    association.associate(components);
+    clutter.end();
+    for (Component component : components) {
+      component.endTick(nowUs, inside(component));
+      component.object.events += component.weight;
+    }
+    for (int[] cells : births.find()) {
+      begin(cells, nowUs);
+    }
+    if (++ticks % RegionFinder.LOOK_TICKS == 0) {
+      splitComponents();
+    }
+    if (ticks % COMPARE_TICKS == 0) {
+      relations.compare(components, COMPARE_TICKS * TICK_S);
+      splitObjects();
+      joinObjects();
+      fuseComponents();
+    }
+    live(nowUs);
+    grid.next();
+  }
+
+  /** Share of a component's extent that is within the picture shortly after now. */
+  private double inside(Component c) {
+    double s = ClutterMap.BIRTH_S;
+    return within(c.middleX() + c.vx() * s, c.shape.halfX, geometry.width())
+        * within(c.middleY() + c.vy() * s, c.shape.halfY, geometry.height());
+  }
+
+  private static double within(double middle, double half, double size) {
+    double low = Math.max(0, middle - half);
+    double high = Math.min(size - 1, middle + half);
+    return Math.max(0, high - low) / (2 * half);
+  }
+
+  // births and returns
+
+  private Component newComponent(Component like) {
+    int slot = freeSlots.pop();
+    relations.begin(slot, like);
+    return new Component(slot, ++serials);
+  }
+
+  private void begin(int[] cells, long nowUs) {
+    if (freeSlots.isEmpty()) {
+      return;
+    }
+    Component component = newComponent(null);
+    if (!births.begin(cells, component)) {
+      freeSlots.push(component.slot);
+      return;
+    }
+    component.activeUs = nowUs;
+    TrackedObject returned = returned(component, nowUs);
+    if (returned == null) {
+      objects.add(new TrackedObject(component, nowUs));
+      components.add(component);
+    } else {
+      takeUp(returned, component, nowUs);
+    }
+  }
+
+  /**
+   * The object that rests or is lost and comes back with a component, or null: odds of a normal
+   * density about its place, which widens with time, against a place anywhere in the picture.
+   */
+  private TrackedObject returned(Component component, long nowUs) {
+    TrackedObject best = null;
+    double most = 0;
+    double area = geometry.width() * (double) geometry.height();
+    for (TrackedObject object : objects) {
+      if (!object.isDecided()) {
+        continue;
+      }
+      object.measure();
+      boolean isMoving = object.isMoving();
+      double quietS = isMoving ? 0 : Math.min(1, (nowUs - object.activeUs) * 1e-6);
+      double size = Math.max(object.size(), component.shape.size());
+      double sd = 0.5 * size * (0.5 + quietS);
+      double dx =
+          ObjectRelations.outside(
+              component.middleX() - object.middleX(), component.shape.halfX + object.halfX());
+      double dy =
+          ObjectRelations.outside(
+              component.middleY() - object.middleY(), component.shape.halfY + object.halfY());
+      double log =
+          RETURN_NAT
+              + Math.log(area / (2 * Math.PI * sd * sd + size * size))
+              - (dx * dx + dy * dy) / (2 * sd * sd);
+      if (log > most) {
+        most = log;
+        // beside one that moves it is compared with that one
+        best = isMoving ? null : object;
+      }
+    }
+    return best;
+  }
+
+  /** An object goes on, moved to where the component that was seen lies within it. */
+  private void takeUp(TrackedObject object, Component seen, long nowUs) {
+    object.shift(
+        into(seen.middleX() - object.middleX(), object.halfX() - seen.shape.halfX),
+        into(seen.middleY() - object.middleY(), object.halfY() - seen.shape.halfY));
+    Component nearest = null;
+    double least = ShapeTemplate.MIN_CELL_PX * 2;
+    for (Component component : object.components) {
+      double d =
+          Math.hypot(
+              ObjectRelations.outside(
+                  component.middleX() - seen.middleX(), component.shape.halfX + seen.shape.halfX),
+              ObjectRelations.outside(
+                  component.middleY() - seen.middleY(), component.shape.halfY + seen.shape.halfY));
+      if (d < least) {
+        least = d;
+        nearest = component;
+      }
+      component.presence.set(0.4, 0.5, 0.1);
+      if (object.isLost) {
+        components.add(component);
+      }
+    }
+    object.isLost = false;
+    object.activeUs = nowUs;
+    if (nearest == null) {
+      object.add(seen);
+      components.add(seen);
+      return;
+    }
+    double rate = Math.max(seen.rate, 0.5 * nearest.rate);
+    nearest.absorb(seen);
+    nearest.rate = rate;
+    nearest.setVelocity(seen.vx(), seen.vy());
+    nearest.state.covariance().setTo(seen.state.covariance());
+    nearest.presence.set(0.9, 0.05, 0.05);
+    freeSlots.push(seen.slot);
+  }
+
+  /** How far an interval is to be moved until a place is within it. */
+  private static double into(double distance, double reach) {
+    return Math.signum(distance) * ObjectRelations.outside(distance, Math.max(0, reach));
+  }
+
+  // one or two
+
+  private void splitComponents() {
+    int count = components.size();
+    for (int i = 0; i < count && !freeSlots.isEmpty(); i++) {
+      Component component = components.get(i);
+      if (component.isMoving() && component.weight > 0) {
+        RegionFinder.Region region = component.regions.findApart(component.shape);
+        if (region != null) {
+          split(component, region);
+        }
+      }
+    }
+  }
+
+  private void split(Component from, RegionFinder.Region region) {
+    Component to = newComponent(from);
+    to.state.set(from.state);
+    to.shape.clear(from.shape.cellPx);
+    from.regions.move(region, from.shape, to.shape);
+    double seconds = RegionFinder.LOOK_TICKS * TICK_S;
+    to.setVelocity(from.vx() + region.slipX() / seconds, from.vy() + region.slipY() / seconds);
+    to.shape.settle();
+    from.shape.settle();
+    double share = to.shape.total / (to.shape.total + from.shape.total);
+    to.rate = from.rate * share;
+    to.novelty = from.novelty * share;
+    from.rate -= to.rate;
+    from.novelty -= to.novelty;
+    to.activeUs = from.activeUs;
+    to.presence.set(from.presence);
+    from.refresh();
+    to.refresh();
+    from.object.add(to);
+    components.add(to);
+  }
+
+  private void splitObjects() {
+    for (int i = objects.size() - 1; i >= 0; i--) {
+      TrackedObject object = objects.get(i);
+      for (Component c = relations.leaving(object); c != null; c = relations.leaving(object)) {
+        object.components.remove(c);
+        TrackedObject other = new TrackedObject(c, object.activeUs);
+        other.bornUs = object.bornUs;
+        objects.add(other);
+      }
+    }
+  }
+
+  private void joinObjects() {
+    for (int i = 0; i < objects.size(); i++) {
+      TrackedObject a = objects.get(i);
+      for (int j = objects.size() - 1; j > i; j--) {
+        TrackedObject b = objects.get(j);
+        if (relations.areOne(a, b)) {
+          boolean isFirst = a.isDecided() && (!b.isDecided() || a.id < b.id) || !b.isDecided();
+          TrackedObject into = isFirst ? a : b;
+          into.absorb(isFirst ? b : a);
+          objects.remove(j);
+          objects.set(i, into);
+          a = into;
+        }
+      }
+    }
+  }
+
+  private void fuseComponents() {
+    for (TrackedObject object : objects) {
+      List<Component> parts = object.components;
+      for (int i = 0; i < parts.size() && !object.isLost; i++) {
+        for (int j = parts.size() - 1; j > i; j--) {
+          Component a = parts.get(i);
+          Component b = parts.get(j);
+          if (relations.areFused(a, b)) {
+            boolean isFirst = a.rate * a.age() >= b.rate * b.age();
+            Component into = isFirst ? a : b;
+            Component from = isFirst ? b : a;
+            into.absorb(from);
+            parts.set(i, into);
+            parts.remove(j);
+            end(from);
+          }
+        }
+      }
+    }
+  }
+
+  private void end(Component component) {
+    components.remove(component);
+    freeSlots.push(component.slot);
+  }
+
+  // life
+
+  private void live(long nowUs) {
+    for (int i = objects.size() - 1; i >= 0; i--) {
+      TrackedObject object = objects.get(i);
+      if (object.isLost) {
+        if ((nowUs - object.activeUs) * 1e-6 > settings.rememberS()) {
+          for (Component component : object.components) {
+            freeSlots.push(component.slot);
+          }
+          objects.remove(i);
+        }
+      } else if (object.isMoving()) {
+        object.activeUs = nowUs;
+        dropSilent(object, nowUs);
+      } else if (!object.isDecided()) {
+        object.components.forEach(this::end);
+        objects.remove(i);
+      } else if (object.existence() < 0.5) {
+        object.isLost = true;
+        components.removeAll(object.components);
+      }
+    }
+    for (TrackedObject object : objects) {
+      if (object.isDecided()) {
+        continue;
+      }
+      if (!isApart(object)) {
+        object.apartUs = nowUs;
+      }
+      boolean isWatched = (nowUs - object.apartUs) * 1e-6 >= settings.confirmS();
+      if (isWatched && isEvident(object)) {
+        decide(object);
+      }
+    }
+  }
+
+  /** A component without events goes along with the others, and ends after a while. */
+  private void dropSilent(TrackedObject object, long nowUs) {
+    double vx = object.vx();
+    double vy = object.vy();
+    for (int i = object.components.size() - 1; i >= 0; i--) {
+      Component component = object.components.get(i);
+      if (component.isMoving()) {
+        continue;
+      }
+      component.setVelocity(vx, vy);
+      if ((nowUs - component.activeUs) * 1e-6 > STAY_S || component.presence.gone() > 0.5) {
+        object.components.remove(i);
+        end(component);
+      }
+    }
+  }
+
+  private static boolean isEvident(TrackedObject object) {
+    return object.isMoving()
+        && object.events >= CONFIRM_EVENTS
+        && object.novelty() >= CONFIRM_NOVELTY;
+  }
+
+  private boolean isApart(TrackedObject object) {
+    for (TrackedObject other : objects) {
+      if (other != object && other.isDecided() && !other.isLost && other.isMoving()) {
+        if (!relations.areApart(object, other)) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  /** Gives an object its identity, and all its rows since it began. */
+  private void decide(TrackedObject object) {
+    object.id = ++ids;
+    for (ObjectTrack row : object.undecided) {
+      listener.accept(row.withId(object.id));
+    }
+    object.undecided.clear();
+  }
+
+  private void report(long nowUs) {
+    if (reports.nextUs() < nowUs) {
+      reports.skipTo(nowUs);
+    }
+    for (; reports.nextUs() < nowUs + TICK_US; reports.advance()) {
+      long timeUs = reports.nextUs();
+      for (TrackedObject object : objects) {
+        if (object.isLost) {
+          continue;
+        }
+        ObjectTrack row = object.row(nowUs, timeUs, geometry.width(), geometry.height());
+        if (object.isDecided()) {
+          listener.accept(row);
+        } else {
+          object.undecided.add(row);
+          while (object.undecided.peekFirst().timeUs()
+              < timeUs - Math.round(ObjectTrackerFilter.UNDECIDED_S * 1e6)) {
+            object.undecided.removeFirst();
+          }
+        }
+      }
+      ticked.accept(timeUs);
+    }
+  }
+}

@@ -1,0 +1,147 @@
+package haltere.filters.object;
+
+import haltere.core.chain.FilterProvider;
+import haltere.core.chain.Outlet;
+import haltere.core.chain.PublishingFilter;
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.stream.EndOfStream;
+import haltere.core.stream.StreamNotification;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * Tracks what moves, of any shape: an object is one track from its first to its last event, also
+ * through stops, gaps and encounters. Lets all events through. It needs no noise filter before it.
+ * {@code docs/objects.md} has the model and its sources. Publishes
+ *
+ * <ul>
+ *   <li>{@code objects}: an {@link ObjectTrack} for each object at each report, from events before
+ *       that time only. When an identity is decided, the rows since the object began come at once,
+ *       at most two seconds of them; the rows of one object are in order of their times;
+ *   <li>{@code object-snapshot}: an {@link ObjectSnapshot} at each report.
+ * </ul>
+ *
+ * <p>Thread rule: as {@link haltere.core.chain.EventFilter}.
+ */
+public final class ObjectTrackerFilter extends PublishingFilter<ObjectTrackerSettings> {
+  /** How much older than the latest row those of an identity may be that is decided, seconds. */
+  public static final double UNDECIDED_S = 2;
+
+  private final Outlet<ObjectTrack> tracks = outlet("objects", ObjectTrack.class);
+  private final Outlet<ObjectSnapshot> snapshots =
+      drawnOutlet("object-snapshot", ObjectSnapshot.class, "objects", new ObjectOverlay());
+  private final Map<Integer, ArrayDeque<ObjectTrack>> paths = new HashMap<>();
+  private final ObjectTracker tracker;
+
+  /**
+   * A filter in its initial state.
+   *
+   * @param geometry the sensor whose events it will see
+   * @param settings what to do
+   */
+  public ObjectTrackerFilter(SensorGeometry geometry, ObjectTrackerSettings settings) {
+    tracker = new ObjectTracker(geometry, settings, this::accept, this::show);
+  }
+
+  @Override
+  public void process(EventPacket packet) {
+    tracker.track(packet);
+  }
+
+  @Override
+  public void reset() {
+    tracker.reset();
+    paths.clear();
+  }
+
+  @Override
+  public void notified(StreamNotification notification) {
+    if (notification instanceof EndOfStream) {
+      tracker.finish();
+    }
+    super.notified(notification);
+  }
+
+  /** Time goes on over a gap in the data, and objects are remembered for as long anyway. */
+  @Override
+  public boolean bridgesGaps() {
+    return true;
+  }
+
+  /**
+   * Where the objects come out.
+   *
+   * @return a result for each object at each report
+   */
+  public Outlet<ObjectTrack> tracks() {
+    return tracks;
+  }
+
+  @Override
+  public ObjectTrackerSettings settings() {
+    return tracker.settings();
+  }
+
+  @Override
+  public void apply(ObjectTrackerSettings settings) {
+    tracker.apply(settings);
+  }
+
+  private void accept(ObjectTrack track) {
+    tracks.publish(track);
+    if (snapshots.hasSubscribers()) {
+      paths.computeIfAbsent(track.id(), id -> new ArrayDeque<>()).add(track);
+    }
+  }
+
+  private void show(long timeUs) {
+    if (!snapshots.hasSubscribers()) {
+      paths.clear();
+      return;
+    }
+    long fromUs = timeUs - Math.round(settings().pathS() * 1e6);
+    List<List<ObjectTrack>> shown = new ArrayList<>();
+    paths
+        .values()
+        .removeIf(
+            path -> {
+              if (path.peekLast().timeUs() < timeUs) {
+                return true;
+              }
+              while (path.peekFirst().timeUs() < fromUs) {
+                path.removeFirst();
+              }
+              return false;
+            });
+    paths.values().forEach(path -> shown.add(List.copyOf(path)));
+    snapshots.publish(new ObjectSnapshot(timeUs, shown));
+  }
+
+  /** Makes the filter where its name is found in a chain. */
+  public static final class Provider implements FilterProvider<ObjectTrackerSettings> {
+    @Override
+    public String name() {
+      return "object-tracker";
+    }
+
+    @Override
+    public String description() {
+      return "Tracks what moves, of any shape and size, through stops, gaps and encounters; needs"
+          + " no noise filter before it.";
+    }
+
+    @Override
+    public Class<ObjectTrackerSettings> settingsType() {
+      return ObjectTrackerSettings.class;
+    }
+
+    @Override
+    public ObjectTrackerFilter create(SensorGeometry geometry, ObjectTrackerSettings settings) {
+      return new ObjectTrackerFilter(geometry, settings);
+    }
+  }
+}

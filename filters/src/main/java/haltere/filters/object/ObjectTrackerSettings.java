@@ -1,0 +1,67 @@
+package haltere.filters.object;
+
+import haltere.core.settings.Help;
+import haltere.core.settings.Range;
+import haltere.core.settings.SettingsSchema;
+import haltere.core.settings.Unit;
+import java.util.List;
+
+/**
+ * Settings of {@link ObjectTrackerFilter}.
+ *
+ * @param scalePx usual size of an object; 0: each object's own
+ * @param confirmS how long an object is watched before it is reported
+ * @param rememberS how long the identity of an object that makes no events is kept
+ * @param reportRateHz how often objects are reported
+ * @param pathS how long a piece of an object's path is drawn
+ */
+public record ObjectTrackerSettings(
+    @Help(
+            "Usual size of an object. Pieces whose gap is a small share of it are one object."
+                + " 0 compares the gap with the sizes of the pieces themselves.")
+        @Range(min = 0, max = 2000)
+        @Unit("px")
+        double scalePx,
+    @Help(
+            "An object is reported once it was watched for this long, with its rows since it"
+                + " began. Shorter is sooner, and less sure what is one object.")
+        @Range(min = 0.1, max = 2)
+        @Unit("s")
+        double confirmS,
+    @Help("An object that makes no events keeps its identity for this long.")
+        @Range(min = 0, max = 600)
+        @Unit("s")
+        double rememberS,
+    @Help("Objects are reported at this rate of recording time.")
+        @Range(min = 0.001, max = 100_000, logarithmic = true)
+        @Unit("Hz")
+        double reportRateHz,
+    @Help("The path of an object is drawn for this long.") @Range(min = 0, max = 60) @Unit("s")
+        double pathS) {
+  /** Checks the ranges. */
+  public ObjectTrackerSettings {
+    SettingsSchema.validate(
+        ObjectTrackerSettings.class, scalePx, confirmS, rememberS, reportRateHz, pathS);
+  }
+
+  /**
+   * The settings to start from.
+   *
+   * @return each object's own scale, reported after 0.3 s, remembered for 5 s, 100 reports a second
+   */
+  public static ObjectTrackerSettings defaults() {
+    return new ObjectTrackerSettings(0, 0.3, 5, 100, 1);
+  }
+
+  /**
+   * These settings with some of them changed.
+   *
+   * @param assignments such as {@code scalePx=40}
+   * @return the changed settings
+   * @throws haltere.core.settings.SettingsProblem if a name or a value is wrong
+   */
+  public ObjectTrackerSettings with(String... assignments) {
+    return SettingsSchema.of(ObjectTrackerSettings.class)
+        .withAssignments(this, List.of(assignments));
+  }
+}

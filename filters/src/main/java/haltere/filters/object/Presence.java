@@ -1,0 +1,88 @@
+package haltere.filters.object;
+
+/**
+ * Whether a component moves, rests or is gone: a hidden Markov chain, filtered forward (Rabiner,
+ * Proceedings of the IEEE 77, 1989, eq. 19–20), in the role of the existence of Mušicki, Evans and
+ * Stankovic (IEEE TAC 39, 1994). Only a moving component makes events. Its rate is not known well,
+ * for it varies with speed and direction: the likelihood is the mean over three dimmings of it.
+ *
+ * <p>Thread rule: one thread at a time.
+ */
+final class Presence {
+  /** Dimmings of the rate: as expected, and down to a fifth of it. */
+  static final double[] DIMMINGS = {1, Math.sqrt(0.2), 0.2};
+
+  /** Rate at which a moving component stops, Hz: people and animals pause about every second. */
+  private static final double STOP_HZ = 1;
+
+  /** Rate at which a moving component vanishes inside the picture, Hz. */
+  private static final double VANISH_HZ = 0.1;
+
+  /** Rate at which one vanishes that is wholly outside of the picture, Hz. */
+  private static final double LEAVE_HZ = 20;
+
+  /** Rate at which a resting component is given up, Hz. */
+  private static final double FORGET_HZ = 0.5;
+
+  /** A tick's evidence is bounded: 30 nat are a certainty, and no overflow. */
+  private static final double MAX_NAT = 30;
+
+  private double moving;
+  private double resting;
+  private double gone;
+
+  Presence() {
+    set(0.9, 0, 0.1);
+  }
+
+  void set(double moving, double resting, double gone) {
+    this.moving = moving;
+    this.resting = resting;
+    this.gone = gone;
+  }
+
+  void set(Presence other) {
+    set(other.moving, other.resting, other.gone);
+  }
+
+  double moving() {
+    return moving;
+  }
+
+  double gone() {
+    return gone;
+  }
+
+  boolean isMoving() {
+    return moving >= 0.5;
+  }
+
+  /**
+   * A tick of length {@link ObjectTracker#TICK_S}.
+   *
+   * @param logs for each dimming, the log likelihood ratio of the tick's events
+   * @param expected events expected of the component in the tick
+   * @param inside share of its extent that is within the picture
+   */
+  void update(double[] logs, double expected, double inside) {
+    double dt = ObjectTracker.TICK_S;
+    double vanish = (VANISH_HZ + LEAVE_HZ * (1 - inside) * (1 - inside)) * dt;
+    double stop = STOP_HZ * dt;
+    double forget = FORGET_HZ * dt;
+    double nextMoving = moving * (1 - stop - vanish) + resting * stop;
+    double nextResting = moving * stop + resting * (1 - stop - forget);
+    double nextGone = gone + moving * vanish + resting * forget;
+    double best = Double.NEGATIVE_INFINITY;
+    for (int i = 0; i < DIMMINGS.length; i++) {
+      best = Math.max(best, logs[i] - DIMMINGS[i] * expected);
+    }
+    double sum = 0;
+    for (int i = 0; i < DIMMINGS.length; i++) {
+      sum += Math.exp(logs[i] - DIMMINGS[i] * expected - best);
+    }
+    double log = best + Math.log(sum / DIMMINGS.length);
+    nextMoving *= Math.exp(Math.max(-MAX_NAT, Math.min(MAX_NAT, log)));
+    double all = nextMoving + nextResting + nextGone;
+    set(nextMoving / all, nextResting / all, nextGone / all);
+  }
+}

@@ -1,0 +1,200 @@
+package haltere.filters.object;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * Connected regions of a component's template, followed for as long as they last. Two that stay
+ * apart are two components.
+ *
+ * <p>Thread rule: one thread at a time.
+ */
+final class RegionFinder {
+  /** Share of the extent's events below which a region is not followed. */
+  private static final double MIN_SHARE = 0.1;
+
+  /** Events below which a region is not followed. */
+  private static final double MIN_EVENTS = 3;
+
+  /** Looks for which two regions stay apart before they are components. */
+  private static final int LOOKS = 3;
+
+  /** Ticks between two looks: half a shape's memory is three of them. */
+  static final int LOOK_TICKS = 5;
+
+  /** A connected region; pixels from the middle of the template. */
+  static final class Region {
+    private double mass;
+    private double x;
+    private double y;
+    private double halfX;
+    private double halfY;
+    private int label;
+    private int looks;
+    private final double[] pathX = new double[LOOKS];
+    private final double[] pathY = new double[LOOKS];
+
+    /** Velocity against the component over the last looks, pixels a look. */
+    double slipX() {
+      return (pathX[(looks - 1) % LOOKS] - pathX[looks % LOOKS]) / (LOOKS - 1);
+    }
+
+    double slipY() {
+      return (pathY[(looks - 1) % LOOKS] - pathY[looks % LOOKS]) / (LOOKS - 1);
+    }
+
+    private double distance(double atX, double atY) {
+      return Math.hypot(
+          Math.max(0, Math.abs(atX - x) - halfX), Math.max(0, Math.abs(atY - y) - halfY));
+    }
+  }
+
+  private final int[] label = new int[ShapeTemplate.CELLS];
+  private final int[] stack = new int[ShapeTemplate.CELLS];
+  private List<Region> regions = List.of();
+
+  void shift(double dx, double dy) {
+    for (Region region : regions) {
+      region.x -= dx;
+      region.y -= dy;
+      for (int i = 0; i < LOOKS; i++) {
+        region.pathX[i] -= dx;
+        region.pathY[i] -= dy;
+      }
+    }
+  }
+
+  /** Looks at the template; returns a region that has stayed apart from the largest, or null. */
+  Region findApart(ShapeTemplate shape) {
+    List<Region> found = find(shape);
+    for (Region now : found) {
+      Region before = nearest(now);
+      if (before != null) {
+        now.looks = before.looks;
+        System.arraycopy(before.pathX, 0, now.pathX, 0, LOOKS);
+        System.arraycopy(before.pathY, 0, now.pathY, 0, LOOKS);
+      }
+      now.pathX[now.looks % LOOKS] = now.x;
+      now.pathY[now.looks % LOOKS] = now.y;
+      now.looks++;
+    }
+    regions = found;
+    if (found.size() < 2) {
+      return null;
+    }
+    Region largest = found.get(0);
+    for (Region region : found) {
+      largest = region.mass > largest.mass ? region : largest;
+    }
+    for (Region region : found) {
+      if (region != largest && region.looks >= LOOKS && largest.looks >= LOOKS) {
+        return region;
+      }
+    }
+    return null;
+  }
+
+  /** Which of the earlier regions goes on as this one, by their places; each at most once. */
+  private Region nearest(Region now) {
+    Region best = null;
+    double least = 2 * Math.max(now.halfX, now.halfY);
+    for (Region region : regions) {
+      double d = Math.hypot(region.x - now.x, region.y - now.y);
+      if (region.label != 0 && d < least) {
+        least = d;
+        best = region;
+      }
+    }
+    if (best != null) {
+      best.label = 0;
+    }
+    return best;
+  }
+
+  private List<Region> find(ShapeTemplate shape) {
+    Arrays.fill(label, 0);
+    List<Region> found = new ArrayList<>(2);
+    int labels = 0;
+    for (int cell = 0; cell < ShapeTemplate.CELLS; cell++) {
+      if (shape.core[cell] && label[cell] == 0) {
+        Region region = fill(shape, cell, ++labels);
+        if (region.mass > Math.max(MIN_EVENTS, MIN_SHARE * shape.solidTotal)) {
+          found.add(region);
+        }
+      }
+    }
+    return found;
+  }
+
+  private Region fill(ShapeTemplate shape, int start, int number) {
+    int side = ShapeTemplate.SIDE;
+    Region region = new Region();
+    region.label = number;
+    int top = 0;
+    stack[top++] = start;
+    label[start] = number;
+    int lowX = side;
+    int highX = -1;
+    int lowY = side;
+    int highY = -1;
+    while (top > 0) {
+      int here = stack[--top];
+      int column = here % side;
+      int row = here / side;
+      double mass = shape.mass[here];
+      region.mass += mass;
+      region.x += mass * ShapeTemplate.x(here);
+      region.y += mass * ShapeTemplate.y(here);
+      lowX = Math.min(lowX, column);
+      highX = Math.max(highX, column);
+      lowY = Math.min(lowY, row);
+      highY = Math.max(highY, row);
+      for (int r = Math.max(0, row - 1); r <= Math.min(side - 1, row + 1); r++) {
+        for (int c = Math.max(0, column - 1); c <= Math.min(side - 1, column + 1); c++) {
+          int next = r * side + c;
+          if (shape.core[next] && label[next] == 0) {
+            label[next] = number;
+            stack[top++] = next;
+          }
+        }
+      }
+    }
+    double cell = shape.cellPx;
+    double scale = region.mass > 0 ? cell / region.mass : 0;
+    region.x *= scale;
+    region.y *= scale;
+    region.halfX = 0.5 * (highX - lowX + 1) * cell;
+    region.halfY = 0.5 * (highY - lowY + 1) * cell;
+    return region;
+  }
+
+  /** Moves the cells that are nearest to a region from one template to another. */
+  void move(Region leaving, ShapeTemplate from, ShapeTemplate to) {
+    from.settle();
+    for (int cell = 0; cell < ShapeTemplate.CELLS; cell++) {
+      if (from.mass[cell] > 0 && owner(cell, from) == leaving) {
+        to.add(cell, from.mass[cell]);
+        from.add(cell, -from.mass[cell]);
+      }
+    }
+    regions = List.of();
+  }
+
+  private Region owner(int cell, ShapeTemplate shape) {
+    Region best = null;
+    double least = Double.POSITIVE_INFINITY;
+    for (Region region : regions) {
+      double d =
+          label[cell] == region.label
+              ? -1
+              : region.distance(
+                  ShapeTemplate.x(cell) * shape.cellPx, ShapeTemplate.y(cell) * shape.cellPx);
+      if (d < least) {
+        least = d;
+        best = region;
+      }
+    }
+    return best;
+  }
+}

@@ -1,0 +1,227 @@
+package haltere.filters.object;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * An object: its components, its identity once that is decided, and its extent. It is the only
+ * place where identity lives.
+ *
+ * <p>Thread rule: one thread at a time.
+ */
+final class TrackedObject {
+  /** Share of the events beyond either side of the extent of several components. */
+  private static final double TAIL = 0.04;
+
+  /** Halvings of an interval until a side is known to a thousandth of a pixel. */
+  private static final int HALVINGS = 20;
+
+  final List<Component> components = new ArrayList<>(1);
+
+  /** Rows from before its identity was decided, oldest first. */
+  final ArrayDeque<ObjectTrack> undecided = new ArrayDeque<>();
+
+  /** 0 before it is decided. */
+  int id;
+
+  long bornUs;
+  /** Since when all others are surely not this one. */
+  long apartUs;
+
+  long activeUs;
+  double events;
+
+  /** Whether it is only remembered. */
+  boolean isLost;
+
+  private double lowX;
+  private double highX;
+  private double lowY;
+  private double highY;
+
+  TrackedObject(Component first, long nowUs) {
+    bornUs = nowUs;
+    apartUs = nowUs;
+    activeUs = nowUs;
+    add(first);
+  }
+
+  void add(Component component) {
+    component.object = this;
+    components.add(component);
+  }
+
+  void absorb(TrackedObject other) {
+    other.components.forEach(this::add);
+    bornUs = Math.min(bornUs, other.bornUs);
+    events += other.events;
+  }
+
+  boolean isDecided() {
+    return id > 0;
+  }
+
+  boolean isMoving() {
+    for (Component component : components) {
+      if (component.isMoving()) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  double novelty() {
+    double sum = 0;
+    for (Component component : components) {
+      sum += component.novelty;
+    }
+    return sum;
+  }
+
+  /** Ticks for which its oldest component was watched. */
+  int age() {
+    int age = 0;
+    for (Component component : components) {
+      age = Math.max(age, component.age());
+    }
+    return age;
+  }
+
+  /** Probability that one of its components is there. */
+  double existence() {
+    double none = 1;
+    for (Component component : components) {
+      none *= component.presence.gone();
+    }
+    return 1 - none;
+  }
+
+  /** Works out the box that holds all but the tails of its events. */
+  void measure() {
+    lowX = quantile(TAIL, true);
+    highX = quantile(1 - TAIL, true);
+    lowY = quantile(TAIL, false);
+    highY = quantile(1 - TAIL, false);
+  }
+
+  double middleX() {
+    return 0.5 * (lowX + highX);
+  }
+
+  double middleY() {
+    return 0.5 * (lowY + highY);
+  }
+
+  double halfX() {
+    return 0.5 * (highX - lowX);
+  }
+
+  double halfY() {
+    return 0.5 * (highY - lowY);
+  }
+
+  double size() {
+    return 2 * Math.max(halfX(), halfY());
+  }
+
+  /** Quantile of the events along a direction, each component being evenly filled. */
+  private double quantile(double share, boolean alongX) {
+    double low = Double.POSITIVE_INFINITY;
+    double high = Double.NEGATIVE_INFINITY;
+    double all = 0;
+    for (Component c : components) {
+      double middle = alongX ? c.middleX() : c.middleY();
+      double half = alongX ? c.shape.halfX : c.shape.halfY;
+      low = Math.min(low, middle - half);
+      high = Math.max(high, middle + half);
+      all += c.activeRate();
+    }
+    if (components.size() == 1) {
+      return share < 0.5 ? low : high;
+    }
+    for (int k = 0; k < HALVINGS; k++) {
+      double at = 0.5 * (low + high);
+      double sum = 0;
+      for (Component c : components) {
+        double middle = alongX ? c.middleX() : c.middleY();
+        double half = alongX ? c.shape.halfX : c.shape.halfY;
+        double below = (at - middle + half) / (2 * half);
+        sum += c.activeRate() * Math.max(0, Math.min(1, below));
+      }
+      if (sum < share * all) {
+        low = at;
+      } else {
+        high = at;
+      }
+    }
+    return 0.5 * (low + high);
+  }
+
+  /** Mean of its components by their events: of a mean or a covariance of the state. */
+  private double mean(int row, int column) {
+    double sum = 0;
+    double all = 0;
+    for (Component c : components) {
+      double weight = c.activeRate();
+      sum += weight * (column < 0 ? c.state.mean(row) : c.state.covariance(row, column));
+      all += weight;
+    }
+    return sum / all;
+  }
+
+  double vx() {
+    return mean(1, -1);
+  }
+
+  double vy() {
+    return mean(3, -1);
+  }
+
+  /** Moves all of it without a registration. */
+  void shift(double dx, double dy) {
+    for (Component component : components) {
+      component.shift(dx, dy);
+    }
+  }
+
+  /**
+   * The row of a time at or after the last tick.
+   *
+   * @param nowUs end of the last tick
+   * @param timeUs of the row
+   */
+  ObjectTrack row(long nowUs, long timeUs, int widthPx, int heightPx) {
+    measure();
+    double s = (timeUs - nowUs) * 1e-6;
+    double vx = vx();
+    double vy = vy();
+    double rate = 0;
+    double cell = 0;
+    for (Component c : components) {
+      rate += c.activeRate();
+      cell = Math.max(cell, c.shape.cellPx);
+    }
+    // The sides of the extent are known to a cell of the template.
+    double side = cell * cell / 4;
+    Ellipse ellipse = Ellipse.of(components, middleX(), middleY()).fit(halfX(), halfY());
+    return new ObjectTrack(
+        timeUs,
+        id,
+        Math.max(0, Math.min(widthPx - 1, middleX() + vx * s)),
+        Math.max(0, Math.min(heightPx - 1, middleY() + vy * s)),
+        vx,
+        vy,
+        Math.sqrt(mean(0, 0) + side + s * (2 * mean(0, 1) + s * mean(1, 1))),
+        Math.sqrt(mean(2, 2) + side + s * (2 * mean(2, 3) + s * mean(3, 3))),
+        Math.sqrt(mean(1, 1)),
+        Math.sqrt(mean(3, 3)),
+        Math.round(events),
+        ellipse.major(),
+        ellipse.minor(),
+        ellipse.angleRad(),
+        existence(),
+        rate / ObjectTracker.TICK_S,
+        (timeUs - bornUs) * 1e-6);
+  }
+}

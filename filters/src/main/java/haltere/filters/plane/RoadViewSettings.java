@@ -1,0 +1,53 @@
+package haltere.filters.plane;
+
+import haltere.core.settings.Help;
+import haltere.core.settings.Range;
+import haltere.core.settings.SettingsProblem;
+import haltere.core.settings.SettingsSchema;
+import haltere.core.settings.Unit;
+
+/**
+ * How a camera on a bridge sees the road below it; see {@link RoadMapping}.
+ *
+ * @param bridgeHeightM height of the camera above the road
+ * @param nearestM distance along the road, from below the camera, that the bottom row sees
+ * @param farthestM distance along the road that the row of the vanishing point sees
+ * @param vanishingPoint where the road vanishes in the picture
+ */
+public record RoadViewSettings(
+    @Help("Height of the camera above the road.")
+        @Range(min = 0.1, max = 1000, logarithmic = true)
+        @Unit("m")
+        double bridgeHeightM,
+    @Help("Distance along the road that the bottom row of the picture sees.")
+        @Range(min = 0.1, max = 250, logarithmic = true)
+        @Unit("m")
+        double nearestM,
+    @Help("Distance along the road that is taken for the row of the vanishing point.")
+        @Range(min = 2.5, max = 100_000, logarithmic = true)
+        @Unit("m")
+        double farthestM,
+    VanishingPoint vanishingPoint) {
+  /** Checks the ranges, and that the road goes away from the camera. */
+  public RoadViewSettings {
+    SettingsSchema.validate(
+        RoadViewSettings.class, bridgeHeightM, nearestM, farthestM, vanishingPoint);
+    if (farthestM <= nearestM) {
+      throw new SettingsProblem(
+          "farthestM must be greater than nearestM, "
+              + farthestM
+              + " m is not beyond "
+              + nearestM
+              + " m");
+    }
+  }
+
+  /**
+   * The settings to start from: the defaults of Cardinale (2006).
+   *
+   * @return 5 m high, 2 m to 300 m, no vanishing point marked
+   */
+  public static RoadViewSettings defaults() {
+    return new RoadViewSettings(5, 2, 300, VanishingPoint.defaults());
+  }
+}

@@ -1,0 +1,62 @@
+package haltere.filters.plane;
+
+import haltere.core.event.SensorGeometry;
+import haltere.core.settings.Help;
+import haltere.core.settings.Range;
+import haltere.core.settings.SettingsSchema;
+import haltere.core.settings.Unit;
+
+/**
+ * Where a road vanishes in the picture.
+ *
+ * @param marked whether it is the marked one; else it is the middle of the top row
+ * @param xPx column of the mark, pixels; may lie beside the sensor
+ * @param yPx row of the mark above the bottom row, pixels; may lie above the sensor
+ */
+public record VanishingPoint(
+    @Help("On, the vanishing point is the marked one; off, the middle of the top row.")
+        boolean marked,
+    @Help("Column of the marked vanishing point, which may lie beside the sensor.")
+        @Range(min = -32767, max = 32767)
+        @Unit("px")
+        double xPx,
+    @Help("Row of the marked vanishing point, counted from the bottom row.")
+        @Range(min = 1, max = 32767)
+        @Unit("px")
+        double yPx) {
+  /** Checks the ranges. */
+  public VanishingPoint {
+    SettingsSchema.validate(VanishingPoint.class, marked, xPx, yPx);
+  }
+
+  /**
+   * The settings to start from.
+   *
+   * @return no mark; its values are the middle of the top row of 128 x 128 pixels
+   */
+  public static VanishingPoint defaults() {
+    return new VanishingPoint(false, 63.5, 127);
+  }
+
+  /**
+   * A mark, such as a click.
+   *
+   * @param xPx column, pixels
+   * @param yPx row above the bottom row, pixels
+   * @return that point
+   */
+  public static VanishingPoint at(double xPx, double yPx) {
+    return new VanishingPoint(true, xPx, yPx);
+  }
+
+  /**
+   * The point in use on a sensor.
+   *
+   * @param sensor the sensor
+   * @return this one if it is marked, else the middle of the sensor's top row
+   * @throws haltere.core.settings.SettingsProblem if nothing is marked and there is one row only
+   */
+  VanishingPoint on(SensorGeometry sensor) {
+    return marked ? this : at((sensor.width() - 1) / 2.0, sensor.height() - 1);
+  }
+}

@@ -1,0 +1,5 @@
+/**
+ * Maps from pixels to a plane in the scene and back: a road seen from a bridge, an arena, a belt.
+ * Trackers that state positions in metres stand on it.
+ */
+package haltere.filters.plane;

@@ -1,0 +1,51 @@
+package haltere.filters.road;
+
+import haltere.core.settings.Help;
+import haltere.core.settings.Range;
+import haltere.core.settings.SettingsSchema;
+import haltere.core.settings.Unit;
+
+/**
+ * Lines across a road at which vehicles are counted, at equal distances.
+ *
+ * @param lines their number
+ * @param firstM distance of the nearest one along the road, metres
+ * @param apartM distance from one to the next, metres
+ */
+public record CountingLineSettings(
+    @Help("Number of lines across the road at which vehicles are counted, 0 for none.")
+        @Range(min = 0, max = 32)
+        @Unit("lines")
+        int lines,
+    @Help("Distance of the nearest counting line along the road.")
+        @Range(min = 0.1, max = 10_000, logarithmic = true)
+        @Unit("m")
+        double firstM,
+    @Help("Distance from one counting line to the next.")
+        @Range(min = 0.1, max = 10_000, logarithmic = true)
+        @Unit("m")
+        double apartM) {
+  /** Checks the ranges. */
+  public CountingLineSettings {
+    SettingsSchema.validate(CountingLineSettings.class, lines, firstM, apartM);
+  }
+
+  /**
+   * The settings to start from.
+   *
+   * @return no lines; each 20 m once there are some
+   */
+  public static CountingLineSettings defaults() {
+    return new CountingLineSettings(0, 20, 20);
+  }
+
+  /**
+   * Position of a line.
+   *
+   * @param line from 0
+   * @return metres along the road
+   */
+  public double distanceM(int line) {
+    return firstM + line * apartM;
+  }
+}

@@ -1,0 +1,68 @@
+package haltere.filters.track;
+
+import haltere.core.settings.Help;
+import haltere.core.settings.Range;
+import haltere.core.settings.SettingsSchema;
+import haltere.core.settings.Unit;
+
+/**
+ * Variances of the Kalman filters of tracks.
+ *
+ * @param noise how the process noise grows
+ * @param minProcessVariance process noise in the picture: as a density px²/s³; per update px² for
+ *     positions and px²/s² for velocities
+ * @param maxMeasurementVariance variance of a cluster's location
+ * @param dynamicVariances whether the variances depend on the age of a track
+ * @param varianceMixingFactor share of the way to their ends that dynamic variances go at each
+ *     update
+ * @param launchSpeedPxS standard deviation of the velocity of a new track
+ */
+public record TrackFilterSettings(
+    @Help("Process noise as a density per second, or the same at every update.") Noise noise,
+    @Help("Process noise; larger values follow manoeuvres faster (px^2 per update in that form).")
+        @Range(min = 0, max = 1e9, logarithmic = true)
+        @Unit("px^2/s^3")
+        double minProcessVariance,
+    @Help("Variance of a cluster's location; larger values smooth more.")
+        @Range(min = 1e-4, max = 1e6, logarithmic = true)
+        @Unit("px^2")
+        double maxMeasurementVariance,
+    @Help("A young track has a smaller measurement variance and a larger process variance.")
+        boolean dynamicVariances,
+    @Help("Dynamic variances go this share of the way to their ends at each update.")
+        @Range(min = 1e-4, max = 1, logarithmic = true)
+        @Unit("1")
+        double varianceMixingFactor,
+    @Help("Standard deviation of the unknown velocity of a new track.")
+        @Range(min = 1, max = 1e5, logarithmic = true)
+        @Unit("px/s")
+        double launchSpeedPxS) {
+  /** How the process noise grows. */
+  public enum Noise {
+    /** White acceleration of a density per second, integrated over each step. */
+    DENSITY,
+    /** The same variance of each state at each update, however long the step is. */
+    PER_UPDATE
+  }
+
+  /** Checks the ranges. */
+  public TrackFilterSettings {
+    SettingsSchema.validate(
+        TrackFilterSettings.class,
+        noise,
+        minProcessVariance,
+        maxMeasurementVariance,
+        dynamicVariances,
+        varianceMixingFactor,
+        launchSpeedPxS);
+  }
+
+  /**
+   * The settings to start from.
+   *
+   * @return constant variances: a density of 20,000 px²/s³, 1 px², 300 px/s at launch
+   */
+  public static TrackFilterSettings defaults() {
+    return new TrackFilterSettings(Noise.DENSITY, 20_000, 1, false, 0.01, 300);
+  }
+}

@@ -1,0 +1,66 @@
+package haltere.filters.track;
+
+import haltere.core.settings.Help;
+import haltere.core.settings.Range;
+import haltere.core.settings.SettingsSchema;
+import haltere.core.settings.Unit;
+
+/**
+ * When tracks start, are updated and end.
+ *
+ * @param trackIntervalUs how often tracks look at their clusters
+ * @param eventsTillTrack events until a track starts, and then until it is updated
+ * @param eventsOf whose events these are
+ * @param feedbackToCluster whether a cluster is moved to the estimate of its track
+ * @param coastTimeS how long a track goes on without a visible cluster
+ * @param gateSigmas largest distance of a new cluster from a track that takes it
+ */
+public record TrackLifeSettings(
+    @Help("Tracks look at their clusters at this interval, at updates of the clusters.")
+        @Range(min = 100, max = 1_000_000, logarithmic = true)
+        @Unit("us")
+        int trackIntervalUs,
+    @Help("A track starts, and is updated, when so many events have come in.")
+        @Range(min = 1, max = 100_000, logarithmic = true)
+        @Unit("events")
+        int eventsTillTrack,
+    @Help("Events are counted for each cluster, or for all clusters together.") EventCount eventsOf,
+    @Help("Moves each cluster to the estimate of its track at each update.")
+        boolean feedbackToCluster,
+    @Help("A track without a visible cluster goes on for this time and takes a new one that fits.")
+        @Range(min = 0, max = 60)
+        @Unit("s")
+        double coastTimeS,
+    @Help("A track takes a new cluster within this many standard deviations of its prediction.")
+        @Range(min = 1, max = 30)
+        @Unit("sigma")
+        double gateSigmas) {
+  /** Whose events are counted until tracks are updated. */
+  public enum EventCount {
+    /** Each track waits for the events of its own cluster. */
+    EACH_CLUSTER,
+    /** All tracks are updated when all clusters together have the events: Cardinale (2006). */
+    ALL_CLUSTERS
+  }
+
+  /** Checks the ranges. */
+  public TrackLifeSettings {
+    SettingsSchema.validate(
+        TrackLifeSettings.class,
+        trackIntervalUs,
+        eventsTillTrack,
+        eventsOf,
+        feedbackToCluster,
+        coastTimeS,
+        gateSigmas);
+  }
+
+  /**
+   * The settings to start from.
+   *
+   * @return updates each 10 ms from 10 events on, no feedback, half a second of coasting, 4 sigma
+   */
+  public static TrackLifeSettings defaults() {
+    return new TrackLifeSettings(10_000, 10, EventCount.EACH_CLUSTER, false, 0.5, 4);
+  }
+}

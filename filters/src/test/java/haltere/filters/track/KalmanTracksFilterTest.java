@@ -1,0 +1,117 @@
+package haltere.filters.track;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.core.chain.EventFilter;
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.filters.plane.PlanePoint;
+import haltere.testing.EventFilterContract;
+import haltere.testing.EventPackets;
+import haltere.testing.EventPackets.BlobPath;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+class KalmanTracksFilterTest extends EventFilterContract {
+  private static final SensorGeometry SENSOR = new SensorGeometry(128, 128);
+
+  @Override
+  protected EventFilter create(SensorGeometry geometry) {
+    return new KalmanTracksFilter(geometry, KalmanTracksSettings.defaults());
+  }
+
+  @Override
+  protected EventPacket stream(SensorGeometry geometry, long seed) {
+    BlobPath path =
+        new BlobPath(
+            geometry.width() / 2.0, geometry.height() / 2.0, geometry.height() / 3.0, 7e5, 3);
+    return EventPackets.blob(geometry, seed, 1_000_000, path, 30_000, 2);
+  }
+
+  @Override
+  protected Object withoutIdentity(Object result) {
+    if (result instanceof TrackPoint p) {
+      return withoutIdentity(p);
+    }
+    if (result instanceof TrackUpdate u) {
+      return List.of(u.timeUs(), u.x(), u.y(), u.vx(), u.vy(), u.nis(), u.pXx());
+    }
+    if (result instanceof TrackSnapshot snapshot) {
+      return snapshot.tracks().stream()
+          .map(track -> track.path().stream().map(this::withoutIdentity).toList())
+          .toList();
+    }
+    return result;
+  }
+
+  private Object withoutIdentity(TrackPoint p) {
+    return List.of(
+        p.timeUs(), p.xPx(), p.yPx(), p.vxPxS(), p.vyPxS(), p.sdXPx(), p.sdVxPxS(), p.events());
+  }
+
+  private static <T> List<T> results(KalmanTracksFilter filter, Class<T> type) {
+    List<T> results = new ArrayList<>();
+    filter.outlets().stream()
+        .filter(outlet -> outlet.type() == type)
+        .forEach(outlet -> outlet.subscribe(result -> results.add(type.cast(result))));
+    return results;
+  }
+
+  @Test
+  void eachOutletHasWhatItSays() {
+    BlobPath circle = new BlobPath(64, 40, 25, 1_000_000, 4);
+    KalmanTracksFilter filter =
+        new KalmanTracksFilter(SENSOR, KalmanTracksSettings.defaults().with("road.mapToRoad=true"));
+    List<TrackPoint> points = results(filter, TrackPoint.class);
+    List<PlanePoint> onRoad = results(filter, PlanePoint.class);
+    List<TrackUpdate> updates = results(filter, TrackUpdate.class);
+    List<TrackSnapshot> snapshots = results(filter, TrackSnapshot.class);
+    filter.process(EventPackets.blob(SENSOR, 3, 500_000, circle, 20_000, 0));
+    assertTrue(points.size() > 40, points.size() + " points");
+    assertEquals(points.size(), onRoad.size());
+    assertTrue(updates.size() > 40, updates.size() + " updates");
+    TrackSnapshot last = snapshots.get(snapshots.size() - 1);
+    assertEquals(points.get(points.size() - 1), last.tracks().get(0).now());
+    assertEquals(onRoad.get(onRoad.size() - 1), last.tracks().get(0).onRoad().orElseThrow());
+    assertEquals(points.size(), last.tracks().get(0).path().size());
+    assertEquals(false, last.tracks().get(0).coasting());
+  }
+
+  @Test
+  void newSettingsKeepTheTracksUnlessTheRoadChanges() {
+    BlobPath circle = new BlobPath(64, 40, 25, 1_000_000, 4);
+    EventPacket events = EventPackets.blob(SENSOR, 4, 900_000, circle, 20_000, 0);
+    KalmanTracksFilter filter = new KalmanTracksFilter(SENSOR, KalmanTracksSettings.defaults());
+    List<TrackPoint> points = results(filter, TrackPoint.class);
+    filter.process(EventPackets.part(events, 0, events.indexAtOrAfter(300_000)));
+    filter.apply(
+        filter.settings().with("reportRateHz=50", "minProcessVariance=500", "noise=per-update"));
+    int third = events.indexAtOrAfter(600_000);
+    filter.process(EventPackets.part(events, events.indexAtOrAfter(300_000), third));
+    assertTrue(points.stream().allMatch(point -> point.id() == 1));
+    assertEquals(580_000, points.get(points.size() - 1).timeUs());
+    filter.apply(filter.settings().with("mapToRoad=true"));
+    points.clear();
+    filter.process(EventPackets.part(events, third, events.size()));
+    assertTrue(points.size() > 10);
+    assertTrue(points.stream().allMatch(point -> point.id() == 2));
+  }
+
+  @Test
+  void whenTheLastTrackHasEndedThatIsShownOnce() {
+    BlobPath still = new BlobPath(64, 64, 0, 1, 4);
+    EventPacket events = EventPackets.blob(SENSOR, 5, 300_000, still, 20_000, 0);
+    events.append(5_000_000, 3, 3, true);
+    KalmanTracksFilter filter = new KalmanTracksFilter(SENSOR, KalmanTracksSettings.defaults());
+    List<TrackSnapshot> snapshots = results(filter, TrackSnapshot.class);
+    filter.process(events);
+    TrackSnapshot last = snapshots.get(snapshots.size() - 1);
+    assertEquals(List.of(), last.tracks());
+    TrackSnapshot before = snapshots.get(snapshots.size() - 2);
+    assertTrue(before.tracks().get(0).coasting());
+    // The cluster is visible until 0.5 s or so, and the track goes on for half a second.
+    assertEquals(1_000_000, last.timeUs(), 100_000);
+  }
+}
