@@ -1,22 +1,19 @@
 package haltere.filters.estimation;
 
 /**
- * Counts what became of measurements and finds losses of lock: runs of gated innovations.
+ * Counts measurements taken in and gated, and finds losses of lock: runs of gated innovations.
  *
  * <p>A measurement that cannot be used (NaN) neither lengthens nor ends a run. Thread rule: that of
  * its estimator.
  */
 public final class InnovationMonitor {
-  /** Gated innovations in a row that mean a loss of lock, unless said otherwise. */
-  public static final int DEFAULT_LOSS_AFTER = 20;
+  /** Gated innovations in a row that mean a loss of lock of a {@link KalmanFilter}. */
+  public static final int LOSS_AFTER = 20;
 
   private final int lossAfter;
   private long applied;
   private long gated;
-  private long unusable;
-  private long lossesOfLock;
   private int run;
-  private int longestRun;
 
   /**
    * A monitor that has seen nothing.
@@ -47,21 +44,7 @@ public final class InnovationMonitor {
   public UpdateOutcome noteGated() {
     gated++;
     run++;
-    longestRun = Math.max(longestRun, run);
-    if (run == lossAfter) {
-      lossesOfLock++;
-    }
-    return run >= lossAfter ? UpdateOutcome.LOCK_LOST : UpdateOutcome.GATED;
-  }
-
-  /**
-   * Notes a measurement that is not a number.
-   *
-   * @return {@link UpdateOutcome#UNUSABLE}
-   */
-  public UpdateOutcome noteUnusable() {
-    unusable++;
-    return UpdateOutcome.UNUSABLE;
+    return lockLost() ? UpdateOutcome.LOCK_LOST : UpdateOutcome.GATED;
   }
 
   /** Ends the present run, as a new launch of the filter does; the counts stay. */
@@ -94,41 +77,5 @@ public final class InnovationMonitor {
    */
   public long gated() {
     return gated;
-  }
-
-  /**
-   * Measurements that were not numbers.
-   *
-   * @return at least 0
-   */
-  public long unusable() {
-    return unusable;
-  }
-
-  /**
-   * How often the lock was lost.
-   *
-   * @return at least 0
-   */
-  public long lossesOfLock() {
-    return lossesOfLock;
-  }
-
-  /**
-   * Gated innovations since the last one that was taken in.
-   *
-   * @return at least 0
-   */
-  public int run() {
-    return run;
-  }
-
-  /**
-   * The longest run of gated innovations so far.
-   *
-   * @return at least {@link #run()}
-   */
-  public int longestRun() {
-    return longestRun;
   }
 }

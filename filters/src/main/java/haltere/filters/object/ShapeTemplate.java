@@ -209,8 +209,7 @@ final class ShapeTemplate {
   private void widen() {
     float share = 1f / (2 * GROWTH_CELLS + 1);
     for (int i = GROWTH_CELLS; i < CELLS - GROWTH_CELLS; i++) {
-      work[i] =
-          share * (smooth[i - 2] + smooth[i - 1] + smooth[i] + smooth[i + 1] + smooth[i + 2]);
+      work[i] = share * (smooth[i - 2] + smooth[i - 1] + smooth[i] + smooth[i + 1] + smooth[i + 2]);
     }
     int step = SIDE;
     for (int i = GROWTH_CELLS * step; i < CELLS - GROWTH_CELLS * step; i++) {

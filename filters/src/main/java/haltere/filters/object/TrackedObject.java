@@ -26,6 +26,7 @@ final class TrackedObject {
   int id;
 
   long bornUs;
+
   /** Since when all others are surely not this one. */
   long apartUs;
 

@@ -165,8 +165,6 @@ final class EdgeFilter extends EdgeEstimator {
     } else if (belief.correct(innovation, r)) {
       monitor.noteApplied();
       mend();
-    } else {
-      monitor.noteUnusable();
     }
   }
 
