@@ -42,7 +42,6 @@ public record BodyLineSettings(
         @Range(min = 1000, max = 1000000000, logarithmic = true)
         @Unit("us")
         long forgetUs) {
-  /** Checks the ranges. */
   public BodyLineSettings {
     SettingsSchema.validate(
         BodyLineSettings.class,

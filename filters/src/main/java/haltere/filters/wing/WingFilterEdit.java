@@ -23,7 +23,6 @@ public record WingFilterEdit(WingPart part, Table table, int row, int column, do
     MEASUREMENT_NOISE
   }
 
-  /** Checks that the number is one, but where it is given back. */
   public WingFilterEdit {
     boolean noise = table == Table.PROCESS_NOISE || table == Table.MEASUREMENT_NOISE;
     if (!Double.isFinite(value) && !(noise && Double.isNaN(value))) {

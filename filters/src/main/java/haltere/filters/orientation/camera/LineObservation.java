@@ -13,7 +13,6 @@ package haltere.filters.orientation.camera;
  */
 public record LineObservation(
     int camera, double xPx, double yPx, double angleRad, double areaPx, double eccentricity) {
-  /** Checks the index. */
   public LineObservation {
     if (camera < 0) {
       throw new IllegalArgumentException("a camera's index is from 0 on: " + camera);

@@ -50,6 +50,19 @@ public final class WingTrackerFilter extends PublishingFilter<WingTrackerSetting
   /** Of no chain: nothing is published here but by a person's hand. */
   private final Outlet<WingByHand> byHand = new Outlet<>("by-hand", WingByHand.class);
 
+  private final Map<Class<? extends WingResult>, Outlet<? extends WingResult>> byKind =
+      Map.of(
+          WingEstimate.class, estimates,
+          WingMeasurement.class, measurements,
+          WingVariances.class, variances,
+          WingDifference.class, differences,
+          WingPair.class, pairs,
+          WingBeat.class, beats,
+          FlyGeometry.class, geometries,
+          WingTrackerState.class, states,
+          WingSnapshot.class, snapshots,
+          WingByHand.class, byHand);
+
   private final WingTracker tracker;
 
   /**
@@ -114,40 +127,20 @@ public final class WingTrackerFilter extends PublishingFilter<WingTrackerSetting
       return kind == WingEstimate.class
           ? Stream.of(estimates, wings, averages, differences, pairs)
               .anyMatch(Outlet::hasSubscribers)
-          : (kind == WingSnapshot.class
-                  ? snapshots
-                  : kind == WingMeasurement.class ? measurements : variances)
-              .hasSubscribers();
+          : byKind.get(kind).hasSubscribers();
     }
 
     @Override
+    @SuppressWarnings("unchecked")
     public void take(WingResult result) {
-      if (result instanceof WingEstimate estimate) {
-        estimates.publish(estimate);
-        if (estimate.edge().isWing()) {
-          wings.publish(estimate);
-        }
-      } else if (result instanceof WingMeasurement measurement) {
-        measurements.publish(measurement);
-      } else if (result instanceof WingVariances row) {
-        variances.publish(row);
-      } else if (result instanceof WingDifference difference) {
-        differences.publish(difference);
-      } else if (result instanceof WingAverage average) {
+      if (result instanceof WingAverage average) {
         averages.publish(average.estimate());
-      } else if (result instanceof WingPair pair) {
-        pairs.publish(pair);
-      } else if (result instanceof WingBeat beat) {
-        beats.publish(beat);
-      } else if (result instanceof FlyGeometry geometry) {
-        geometries.publish(geometry);
-      } else if (result instanceof WingTrackerState state) {
-        states.publish(state);
-      } else if (result instanceof WingSnapshot snapshot) {
-        snapshots.publish(snapshot);
-      } else if (result instanceof WingByHand change) {
-        byHand.publish(change);
+        return;
       }
+      if (result instanceof WingEstimate estimate && estimate.edge().isWing()) {
+        wings.publish(estimate);
+      }
+      ((Outlet<WingResult>) byKind.get(result.getClass())).publish(result);
     }
   }
 
