@@ -24,11 +24,7 @@ public final class InnovationMonitor {
     this.lossAfter = Require.atLeast("gated innovations until lock is lost", 1, lossAfter);
   }
 
-  /**
-   * Notes a measurement that was taken in.
-   *
-   * @return {@link UpdateOutcome#APPLIED}
-   */
+  /** {@return {@link UpdateOutcome#APPLIED}, noted as a measurement that was taken in} */
   public UpdateOutcome noteApplied() {
     applied++;
     run = 0;
@@ -53,28 +49,18 @@ public final class InnovationMonitor {
   }
 
   /**
-   * Whether the last innovations in a row were gated, and too many of them.
-   *
-   * @return true until a measurement is taken in, or the filter launched anew
+   * {@return whether lock is lost: the last innovations in a row were gated, and too many of them}
    */
   public boolean lockLost() {
     return run >= lossAfter;
   }
 
-  /**
-   * Measurements taken in.
-   *
-   * @return at least 0
-   */
+  /** {@return the number of measurements taken in} */
   public long applied() {
     return applied;
   }
 
-  /**
-   * Measurements outside the gate.
-   *
-   * @return at least 0
-   */
+  /** {@return the number of measurements outside the gate} */
   public long gated() {
     return gated;
   }

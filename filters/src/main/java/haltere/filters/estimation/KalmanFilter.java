@@ -157,21 +157,13 @@ public final class KalmanFilter {
     return belief.covariance(row, column);
   }
 
-  /**
-   * The estimate of now.
-   *
-   * @return an immutable copy
-   */
+  /** {@return the estimate of now, an immutable copy} */
   public Estimate estimate() {
     return new Estimate(
         timeS, ConstMatrix.copyOf(belief.mean()), ConstMatrix.copyOf(belief.covariance()));
   }
 
-  /**
-   * What became of the measurements so far.
-   *
-   * @return the filter's own monitor
-   */
+  /** {@return the filter's own monitor: what became of the measurements so far} */
   public InnovationMonitor monitor() {
     return monitor;
   }

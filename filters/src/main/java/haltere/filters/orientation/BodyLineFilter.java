@@ -25,11 +25,7 @@ public final class BodyLineFilter extends PublishingFilter<BodyLineSettings> {
     tracker = new BodyLineTracker(geometry, settings, lines::publish);
   }
 
-  /**
-   * Where the lines come out.
-   *
-   * @return a line at each report
-   */
+  /** {@return the outlet of the lines, one at each report} */
   public Outlet<BodyLine> lines() {
     return lines;
   }

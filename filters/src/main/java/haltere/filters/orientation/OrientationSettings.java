@@ -39,10 +39,8 @@ public record OrientationSettings(
   }
 
   /**
-   * The settings to start from.
-   *
-   * @return the error-state filter for an insect that turns in saccades, in metres, with the gate
-   *     of 40 degrees of Straw et al. (2011)
+   * {@return the settings to start from: the error-state filter for an insect that turns in
+   * saccades, in metres, with the gate of 40 degrees of Straw et al. (2011)}
    */
   public static OrientationSettings defaults() {
     return new OrientationSettings(

@@ -70,11 +70,7 @@ public final class OrientationTrack {
     return now;
   }
 
-  /**
-   * The estimator that the track is made with.
-   *
-   * @return for its counts
-   */
+  /** {@return the estimator that the track is made with, for its counts} */
   public BodyOrientationEstimator estimator() {
     return estimator;
   }

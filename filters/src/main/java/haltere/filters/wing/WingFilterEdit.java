@@ -31,9 +31,7 @@ public record WingFilterEdit(WingPart part, Table table, int row, int column, do
   }
 
   /**
-   * Whether the number is no longer that of a person.
-   *
-   * @return true for noise that is given back
+   * {@return whether the number is no longer that of a person: true for noise that is given back}
    */
   public boolean givesBack() {
     return Double.isNaN(value);

@@ -24,11 +24,7 @@ public record WingTrackerSettings(
         WingTrackerSettings.class, search, place, filter, noise, average, output);
   }
 
-  /**
-   * The settings to start from.
-   *
-   * @return valid settings
-   */
+  /** {@return the settings to start from} */
   public static WingTrackerSettings defaults() {
     return new WingTrackerSettings(
         new WingSearchSettings(35_000, 400, 70, 400, 0),

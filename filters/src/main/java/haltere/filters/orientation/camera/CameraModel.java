@@ -140,56 +140,32 @@ public final class CameraModel {
     Vectors.multiply(inverse.data, last, centre);
   }
 
-  /**
-   * Its name.
-   *
-   * @return as in the calibration
-   */
+  /** {@return its name, as in the calibration} */
   public String id() {
     return id;
   }
 
-  /**
-   * Why it cannot be used.
-   *
-   * @return what is wrong with it, or empty
-   */
+  /** {@return why it cannot be used, or empty} */
   public Optional<String> problem() {
     return Optional.ofNullable(problem);
   }
 
-  /**
-   * Columns of its sensor.
-   *
-   * @return pixels, 0 if unknown
-   */
+  /** {@return the columns of its sensor, pixels, 0 if unknown} */
   public int widthPx() {
     return widthPx;
   }
 
-  /**
-   * Rows of its sensor.
-   *
-   * @return pixels, 0 if unknown
-   */
+  /** {@return the rows of its sensor, pixels, 0 if unknown} */
   public int heightPx() {
     return heightPx;
   }
 
-  /**
-   * Where it stands.
-   *
-   * @return metres; NaN for a camera with a problem
-   */
+  /** {@return where it stands, metres; NaN for a camera with a problem} */
   public double[] centre() {
     return problem == null ? centre.clone() : new double[] {Double.NaN, Double.NaN, Double.NaN};
   }
 
-  /**
-   * Its matrix, with the third row's direction of length 1.
-   *
-   * @return twelve numbers, row by row
-   */
+  /** {@return its matrix row by row, with the third row's direction of length 1} */
   public double[] matrix() {
     return matrix.clone();
   }

@@ -19,20 +19,12 @@ public record LineObservation(
     }
   }
 
-  /**
-   * Whether its position is known.
-   *
-   * @return true if both numbers are finite
-   */
+  /** {@return whether its position is known: both numbers are finite} */
   public boolean hasPosition() {
     return Double.isFinite(xPx) && Double.isFinite(yPx);
   }
 
-  /**
-   * Long axis over short axis.
-   *
-   * @return at least 1, infinite for a line, NaN if unknown
-   */
+  /** {@return long axis over short axis, at least 1, infinite for a line, NaN if unknown} */
   public double axisRatio() {
     return eccentricity >= 1
         ? eccentricity

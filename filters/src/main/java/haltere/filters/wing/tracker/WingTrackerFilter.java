@@ -75,20 +75,14 @@ public final class WingTrackerFilter extends PublishingFilter<WingTrackerSetting
     tracker = new WingTracker(geometry, settings, new OutletsOfFilter());
   }
 
-  /**
-   * The tracker, to ask for settings that place the fly as a person says.
-   *
-   * @return always the same
-   */
+  /** {@return the tracker, to ask for settings that place the fly as a person says} */
   public WingTracker tracker() {
     return tracker;
   }
 
   /**
-   * What a person does to the Kalman filters while they run, when it is done. Not among {@link
-   * #outlets()}, for it is no result.
-   *
-   * @return always the same
+   * {@return the outlet of what a person does to the Kalman filters while they run; not among
+   * {@link #outlets()}, for it is no result}
    */
   public Outlet<WingByHand> byHand() {
     return byHand;
