@@ -4,12 +4,13 @@ import haltere.core.chain.ChainStage;
 import haltere.core.chain.FilterChain;
 import haltere.core.chain.Filters;
 import haltere.core.event.SensorGeometry;
+import haltere.filters.noise.BackgroundActivitySettings;
 import haltere.filters.wing.WingTrackerSettings;
-import java.util.List;
 
 /** The chains that a new user starts with. */
 public final class DefaultChain {
-  private static final List<String> NOISE_FILTERS = List.of("background-activity", "hot-pixels");
+  /** A wing's edge passes neighbouring pixels within a millisecond; blurred ones within ten. */
+  private static final int WING_CORRELATION_US = 10_000;
 
   /** Some ten estimates a wing beat, so that a plot of them shows the stroke. */
   private static final String ESTIMATES_RATE = "output.rateHz=2000";
@@ -35,15 +36,13 @@ public final class DefaultChain {
    * @return a new chain
    */
   public static FilterChain forFly(SensorGeometry geometry) {
-    FilterChain chain = withoutNoise(geometry);
+    FilterChain chain = new FilterChain(geometry);
+    chain.apply(
+        chain.add(Filters.named("background-activity")),
+        new BackgroundActivitySettings(WING_CORRELATION_US, 1, false));
+    chain.add(Filters.named("hot-pixels"));
     ChainStage wings = chain.add(Filters.named("wing-tracker"));
     chain.apply(wings, WingTrackerSettings.defaults().with(ESTIMATES_RATE));
-    return chain;
-  }
-
-  private static FilterChain withoutNoise(SensorGeometry geometry) {
-    FilterChain chain = new FilterChain(geometry);
-    NOISE_FILTERS.forEach(name -> chain.add(Filters.named(name)));
     return chain;
   }
 }

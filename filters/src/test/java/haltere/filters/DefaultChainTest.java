@@ -11,17 +11,19 @@ import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.simulation.fly.FlyScene;
 import haltere.core.simulation.fly.FlySceneSettings;
-import haltere.filters.cluster.ClusterSnapshot;
-import haltere.filters.cluster.ClusterTrack;
+import haltere.filters.object.ObjectSnapshot;
+import haltere.filters.object.ObjectTrack;
 import haltere.filters.wing.WingEstimate;
 import haltere.filters.wing.WingPart;
 import haltere.testing.EventFilterContract;
 import haltere.testing.EventPackets;
 import haltere.testing.EventPackets.BlobPath;
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 
 class DefaultChainTest extends EventFilterContract {
@@ -34,24 +36,33 @@ class DefaultChainTest extends EventFilterContract {
 
   @Override
   protected Object withoutIdentity(Object result) {
-    if (result instanceof ClusterTrack track) {
-      return List.of(track.timeUs(), track.xPx(), track.yPx(), track.events());
+    if (result instanceof ObjectTrack track) {
+      return List.of(track.timeUs(), track.xPx(), track.yPx(), track.vxPxS(), track.events());
     }
-    return ((ClusterSnapshot) result).clusters().size();
+    return ((ObjectSnapshot) result)
+        .paths().stream()
+            .map(path -> path.stream().map(this::withoutIdentity).toList())
+            .collect(Collectors.toSet());
   }
 
   @Test
-  void itRemovesNoiseAndThenFollowsWhatMoves() {
+  void itFollowsWhatMovesAndNeedsNoNoiseFilter() {
     FilterChain chain = DefaultChain.create(SENSOR);
-    assertEquals(
-        List.of("background-activity", "hot-pixels", "cluster-tracker"),
-        chain.stages().stream().map(ChainStage::name).toList());
+    assertEquals(List.of("object-tracker"), chain.stages().stream().map(ChainStage::name).toList());
+    List<ObjectTrack> rows = new ArrayList<>();
+    chain.outlet("objects", ObjectTrack.class).subscribe(rows::add);
     BlobPath path = new BlobPath(64, 64, 35, 1e6, 6);
     EventPacket packet = EventPackets.blob(SENSOR, 1, 1_000_000, path, 50_000, 5);
     int before = packet.size();
     chain.process(packet);
-    assertTrue(packet.size() < before - 50_000, "noise left: " + packet.size());
-    assertTrue(packet.size() > 45_000, "events of the blob lost: " + packet.size());
+    assertEquals(before, packet.size(), "it lets all events through");
+    assertEquals(1, rows.stream().mapToInt(ObjectTrack::id).distinct().count(), "identities");
+    assertTrue(rows.size() > 80, rows.size() + " rows");
+    for (ObjectTrack row : rows.subList(20, rows.size())) {
+      double x = path.x(row.timeUs());
+      double y = path.y(row.timeUs());
+      assertEquals(0, Math.hypot(row.xPx() - x, row.yPx() - y), 4, row.toString());
+    }
   }
 
   @Test

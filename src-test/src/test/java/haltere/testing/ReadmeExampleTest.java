@@ -50,7 +50,7 @@ class ReadmeExampleTest {
                 "\"recording.aedat\"", "\"" + recording.toString().replace("\\", "\\\\") + "\""));
     List<String> lines = printed.lines().toList();
     assertTrue(lines.size() > 5, printed);
-    assertTrue(lines.stream().allMatch(line -> line.contains("ClusterTrack[")), printed);
+    assertTrue(lines.stream().allMatch(line -> line.contains("ObjectTrack[")), printed);
   }
 
   private static String example() throws IOException {

@@ -5,6 +5,7 @@ import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import java.util.Arrays;
 import java.util.Objects;
+import java.util.function.Consumer;
 
 /**
  * Passes an event if enough of its eight neighbours fired shortly before it: what moves fires
@@ -16,6 +17,9 @@ import java.util.Objects;
  * Electronics, 2008, with a number of neighbours as in the spatio-temporal correlation filter of S.
  * Guo and T. Delbruck, "Low cost and latency event camera background activity denoising", IEEE
  * TPAMI 2023.
+ *
+ * <p>The time of support is a setting or chosen every tenth of a second from the noise that was
+ * measured, see {@code docs/using.md}.
  *
  * <p>Each pixel's last time lies in a map with a border of one pixel all around that never fires,
  * so that every pixel has eight neighbours, and as 32-bit microseconds since an epoch, which halves
@@ -37,6 +41,8 @@ public final class BackgroundActivity {
   /** Events that are worked on together, in three steps, which takes less time than in one. */
   private static final int BLOCK = 1024;
 
+  private final Consumer<? super BackgroundActivityShare> listener;
+  private final SupportTime automatic;
   private final int stride;
   private final int mapSize;
   private int[] lastUs;
@@ -47,6 +53,11 @@ public final class BackgroundActivity {
   private BackgroundActivitySettings settings;
   private long epochUs;
   private boolean empty = true;
+  private int supportUs;
+  private boolean isWindowOpen;
+  private long windowEndUs;
+  private long windowEvents;
+  private long windowPassed;
 
   /**
    * A filter that has seen nothing.
@@ -55,7 +66,23 @@ public final class BackgroundActivity {
    * @param settings what to do
    */
   public BackgroundActivity(SensorGeometry geometry, BackgroundActivitySettings settings) {
+    this(geometry, settings, share -> {});
+  }
+
+  /**
+   * A filter that has seen nothing.
+   *
+   * @param geometry the sensor whose events it will see
+   * @param settings what to do
+   * @param listener told after each window of 100 ms in which there were events
+   */
+  public BackgroundActivity(
+      SensorGeometry geometry,
+      BackgroundActivitySettings settings,
+      Consumer<? super BackgroundActivityShare> listener) {
     this.settings = Objects.requireNonNull(settings, "settings");
+    this.listener = Objects.requireNonNull(listener, "listener");
+    automatic = new SupportTime(geometry);
     stride = geometry.width() + 2;
     mapSize = Math.multiplyExact(stride, geometry.height() + 2);
     makeMaps();
@@ -69,8 +96,19 @@ public final class BackgroundActivity {
 
   /** Forgets all events. */
   public void reset() {
+    forgetTimes();
+    automatic.reset();
+    isWindowOpen = false;
+    chooseSupport();
+  }
+
+  private void forgetTimes() {
     Arrays.fill(lastUs, NEVER);
     empty = true;
+  }
+
+  private void chooseSupport() {
+    supportUs = settings.isAutomatic() ? automatic.supportUs() : settings.correlationUs();
   }
 
   /**
@@ -90,7 +128,11 @@ public final class BackgroundActivity {
    */
   public void apply(BackgroundActivitySettings newSettings) {
     boolean sameMaps = newSettings.samePolarity() == settings.samePolarity();
+    if (newSettings.isAutomatic() != settings.isAutomatic()) {
+      automatic.reset();
+    }
     settings = newSettings;
+    chooseSupport();
     if (!sameMaps) {
       makeMaps();
     }
@@ -106,18 +148,25 @@ public final class BackgroundActivity {
     int from = 0;
     while (from < packet.size()) {
       moveEpoch(packet.timeUs(from));
+      moveWindow(packet.timeUs(from));
       int end = Math.min(packet.size(), from + BLOCK);
-      int to =
-          packet.timeUs(end - 1) - epochUs < LAST_RELATIVE_US
-              ? end
-              : packet.indexAtOrAfter(epochUs + LAST_RELATIVE_US, from);
+      long endUs = Math.min(windowEndUs, epochUs + LAST_RELATIVE_US);
+      int to = packet.timeUs(end - 1) < endUs ? end : packet.indexAtOrAfter(endUs, from);
       findPlaces(packet.addresses(), from, to);
-      if (settings.neighbours() == 1) {
-        findAny(packet.timesUs(), from, to);
-      } else {
-        findEnough(packet.timesUs(), from, to);
+      if (settings.isAutomatic()) {
+        automatic.count(packet.addresses(), from, to);
       }
+      if (settings.neighbours() > 1) {
+        findEnough(packet.timesUs(), from, to);
+      } else if (settings.isAutomatic()) {
+        findAnyAndMeasure(packet.timesUs(), from, to);
+      } else {
+        findAny(packet.timesUs(), from, to);
+      }
+      int keptBefore = kept;
       kept = keepSupported(packet, from, to, kept);
+      windowEvents += to - from;
+      windowPassed += kept - keptBefore;
       from = to;
     }
     packet.truncate(kept);
@@ -143,7 +192,7 @@ public final class BackgroundActivity {
   private void findAny(long[] timesUs, int from, int to) {
     int[] places = block;
     int[] last = lastUs;
-    int correlationUs = settings.correlationUs();
+    int correlationUs = supportUs;
     for (int i = from; i < to; i++) {
       int relativeUs = (int) (timesUs[i] - epochUs);
       int left = places[i - from];
@@ -157,11 +206,33 @@ public final class BackgroundActivity {
     }
   }
 
+  /**
+   * Finds events with any support, and measures how long before them the latest neighbour fired.
+   */
+  private void findAnyAndMeasure(long[] timesUs, int from, int to) {
+    int[] places = block;
+    int[] last = lastUs;
+    int correlationUs = supportUs;
+    for (int i = from; i < to; i++) {
+      int relativeUs = (int) (timesUs[i] - epochUs);
+      int left = places[i - from];
+      int latest = Math.max(Math.max(last[left], last[left + 1]), last[left + 2]);
+      left += stride;
+      latest = Math.max(latest, Math.max(last[left], last[left + 2]));
+      last[left + 1] = relativeUs;
+      left += stride;
+      latest = Math.max(latest, Math.max(Math.max(last[left], last[left + 1]), last[left + 2]));
+      int sinceUs = relativeUs - latest;
+      automatic.delay(sinceUs);
+      places[i - from] = sinceUs - correlationUs - 1 >>> 31;
+    }
+  }
+
   /** Finds events that enough neighbours support, by counting the signs. */
   private void findEnough(long[] timesUs, int from, int to) {
     int[] places = block;
     int[] last = lastUs;
-    int correlationUs = settings.correlationUs();
+    int correlationUs = supportUs;
     int tooFew = settings.neighbours() - 1;
     for (int i = from; i < to; i++) {
       int relativeUs = (int) (timesUs[i] - epochUs);
@@ -198,6 +269,29 @@ public final class BackgroundActivity {
     return kept;
   }
 
+  /** Ends the windows before an event's time. */
+  private void moveWindow(long timeUs) {
+    if (!isWindowOpen || timeUs < windowEndUs - SupportTime.WINDOW_US) {
+      long start = Math.floorDiv(timeUs, SupportTime.WINDOW_US) * SupportTime.WINDOW_US;
+      windowEndUs = start + SupportTime.WINDOW_US;
+      windowEvents = 0;
+      windowPassed = 0;
+      isWindowOpen = true;
+    } else if (timeUs >= windowEndUs) {
+      double passed = windowPassed / (double) windowEvents;
+      listener.accept(
+          new BackgroundActivityShare(windowEndUs, supportUs, windowEvents, passed, 1 - passed));
+      long windows = (timeUs - windowEndUs) / SupportTime.WINDOW_US + 1;
+      if (settings.isAutomatic()) {
+        automatic.endWindow(windows, settings.neighbours(), settings.samePolarity() ? 2 : 1);
+        chooseSupport();
+      }
+      windowEndUs += windows * SupportTime.WINDOW_US;
+      windowEvents = 0;
+      windowPassed = 0;
+    }
+  }
+
   /** Makes an event's time fit, without loss: see the class comment. */
   private void moveEpoch(long timeUs) {
     long relativeUs = timeUs - epochUs;
@@ -206,7 +300,7 @@ public final class BackgroundActivity {
     }
     if (empty || relativeUs < 0 || relativeUs >= 2L * LAST_RELATIVE_US) {
       // Nothing to keep: the memory is empty, or older than any correlation time.
-      reset();
+      forgetTimes();
       epochUs = timeUs;
     } else {
       // Keeps the longest correlation time before the event on the new scale.

@@ -1,13 +1,20 @@
 package haltere.filters.noise;
 
-import haltere.core.chain.ConfigurableFilter;
 import haltere.core.chain.FilterProvider;
+import haltere.core.chain.Outlet;
+import haltere.core.chain.PublishingFilter;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 
-/** {@link BackgroundActivity} as a stage of a chain. */
-public final class BackgroundActivityFilter
-    implements ConfigurableFilter<BackgroundActivitySettings> {
+/**
+ * {@link BackgroundActivity} as a stage of a chain. Publishes {@code shares}: a {@link
+ * BackgroundActivityShare} after each window of 100 ms in which there were events.
+ *
+ * <p>Thread rule: as {@link haltere.core.chain.EventFilter}.
+ */
+public final class BackgroundActivityFilter extends PublishingFilter<BackgroundActivitySettings> {
+  private final Outlet<BackgroundActivityShare> shares =
+      outlet("shares", BackgroundActivityShare.class);
   private final BackgroundActivity activity;
 
   /**
@@ -17,7 +24,7 @@ public final class BackgroundActivityFilter
    * @param settings what to do
    */
   public BackgroundActivityFilter(SensorGeometry geometry, BackgroundActivitySettings settings) {
-    activity = new BackgroundActivity(geometry, settings);
+    activity = new BackgroundActivity(geometry, settings, shares::publish);
   }
 
   @Override
@@ -49,7 +56,8 @@ public final class BackgroundActivityFilter
 
     @Override
     public String description() {
-      return "Passes an event if enough of its eight neighbours fired shortly before, which removes noise.";
+      return "Passes an event if enough of its eight neighbours fired shortly before, which removes"
+          + " noise; tells what share it removed.";
     }
 
     @Override

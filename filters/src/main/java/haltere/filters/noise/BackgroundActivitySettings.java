@@ -8,13 +8,15 @@ import haltere.core.settings.Unit;
 /**
  * Settings of {@link BackgroundActivityFilter}.
  *
- * @param correlationUs how long an event supports its neighbours
+ * @param correlationUs how long an event supports its neighbours; 0: from the measured noise
  * @param neighbours how many of the eight must have fired
  * @param samePolarity whether only neighbours of the event's own polarity count
  */
 public record BackgroundActivitySettings(
-    @Help("A neighbour supports an event if it fired at most this long before.")
-        @Range(min = 1, max = BackgroundActivitySettings.MAX_CORRELATION_US, logarithmic = true)
+    @Help(
+            "A neighbour supports an event if it fired at most this long before. 0 chooses the time"
+                + " from the measured noise, 1 to 500 ms.")
+        @Range(min = 0, max = BackgroundActivitySettings.MAX_CORRELATION_US, logarithmic = true)
         @Unit("us")
         int correlationUs,
     @Help("An event passes if at least this many of its eight neighbours support it.")
@@ -33,13 +35,16 @@ public record BackgroundActivitySettings(
   }
 
   /**
-   * The settings to start from: 10 ms and one neighbour. At a background activity of 1 Hz a pixel
-   * they pass one noise event in 13, and every edge that moves faster than 100 pixels a second; of
-   * a DVS128's recording of a slowly moving box they pass 75 %, where 5 ms pass 58 %.
+   * The settings to start from.
    *
-   * @return 10 ms, one neighbour of any polarity
+   * @return automatic time, one neighbour of any polarity
    */
   public static BackgroundActivitySettings defaults() {
-    return new BackgroundActivitySettings(10_000, 1, false);
+    return new BackgroundActivitySettings(0, 1, false);
+  }
+
+  /** Whether the time of support is chosen from the measured noise. */
+  boolean isAutomatic() {
+    return correlationUs == 0;
   }
 }

@@ -38,6 +38,7 @@ final class BirthDetector {
   private final int[] stack;
   private final boolean[] seen;
   private final boolean[] mine;
+  private final List<int[]> found = new ArrayList<>();
   private long remembered;
   private int tick;
 
@@ -96,9 +97,9 @@ final class BirthDetector {
     ringTick[i] = tick;
   }
 
-  /** The clouds of this tick that begin a component; none on most. */
+  /** Cells of each birth of this tick; the list is used again. */
   List<int[]> find() {
-    List<int[]> found = new ArrayList<>(0);
+    found.clear();
     boolean isClean = true;
     for (int cell = 0; cell < seen.length; cell++) {
       if (!isSurprising(cell)) {

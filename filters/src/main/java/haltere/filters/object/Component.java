@@ -18,14 +18,8 @@ final class Component {
   /** Power spectral density of the acceleration, squares of its own size per s³. */
   private static final double ACCELERATION = 20;
 
-  /** Memory of the rate of events, seconds. */
+  /** Memory of the rate of events, seconds: a stride, over which a rate varies. */
   private static final double RATE_S = 0.5;
-
-  /** At first the memories are this short, seconds: a birth knows little. */
-  private static final double FIRST_S = 0.05;
-
-  /** How fast a component without events loses its velocity, seconds. */
-  private static final double HALT_S = 0.1;
 
   /**
    * Independent registrations an event is worth: neighbouring pixels of one edge, and of two ticks,
@@ -36,14 +30,8 @@ final class Component {
   /** Ticks of the path. */
   private static final int PATH = 64;
 
-  /** Least information along a direction, 1/px²: below it an edge tells nothing along itself. */
-  private static final double MIN_INFORMATION = 1e-4;
-
   /** Ticks between two refreshments of a shape that lasts thirty. */
   private static final int REFRESH_TICKS = 4;
-
-  /** Age up to which the shape is refreshed at each tick: it is only just being seen. */
-  private static final int REFRESH_AGE = 20;
 
   private static final double MIN_RATE = 0.05;
 
@@ -52,7 +40,6 @@ final class Component {
   final Presence presence = new Presence();
   final RegionFinder regions = new RegionFinder();
   final int slot;
-  final long serial;
   private final double[] pathX = new double[PATH];
   private final double[] pathY = new double[PATH];
   private final double[] row = new double[4];
@@ -81,9 +68,26 @@ final class Component {
   /** Probability to be moving, not below what lets a resting one begin again. */
   double active;
 
-  Component(int slot, long serial) {
+  /**
+   * A component to be used again and again.
+   *
+   * @param slot its number among all
+   */
+  Component(int slot) {
     this.slot = slot;
-    this.serial = serial;
+  }
+
+  /** Forgets all; what is begun gives it a state, a shape and a rate. */
+  void begin(long nowUs) {
+    presence.begin();
+    regions.clear();
+    walkedX = 0;
+    walkedY = 0;
+    age = 0;
+    object = null;
+    activeUs = nowUs;
+    novelty = 0;
+    weight = 0;
   }
 
   double x() {
@@ -155,22 +159,24 @@ final class Component {
     double beforeY = y();
     predict();
     double moved = ObjectTracker.TICK_S * presence.moving();
-    double known = FIRST_S + age * ObjectTracker.TICK_S;
+    double known = ClutterMap.BIRTH_S + age * ObjectTracker.TICK_S;
+    double memory = Math.min(ShapeTemplate.MEMORY_S, known);
     if (weight > 0.5) {
       register();
-      shape.decay(Math.exp(-moved / Math.min(ShapeTemplate.MEMORY_S, known)));
+      shape.decay(Math.exp(-moved / memory));
       if (isMoving()) {
         activeUs = nowUs;
       }
     }
-    double memory = weight > 0.5 ? Math.min(RATE_S, known) : RATE_S;
-    rate = Math.max(MIN_RATE, rate + (1 - Math.exp(-moved / memory)) * (weight - rate));
+    rate =
+        Math.max(
+            MIN_RATE, rate + (1 - Math.exp(-moved / Math.min(RATE_S, known))) * (weight - rate));
     walkedX += x() - beforeX;
     walkedY += y() - beforeY;
     pathX[age % PATH] = walkedX;
     pathY[age % PATH] = walkedY;
     age++;
-    if (age < REFRESH_AGE || (age + slot) % REFRESH_TICKS == 0) {
+    if (age < REFRESH_TICKS * REFRESH_TICKS || (age + slot) % REFRESH_TICKS == 0) {
       refresh();
     }
   }
@@ -201,8 +207,8 @@ final class Component {
       state.addNoise(i + 1, q * dt);
     }
     if (!isMoving()) {
-      double keep = Math.exp(-dt / HALT_S);
-      setVelocity(keep * vx(), keep * vy());
+      // what probably rests has that share of its velocity
+      setVelocity(presence.moving() * vx(), presence.moving() * vy());
     }
   }
 
@@ -221,7 +227,7 @@ final class Component {
     double mean = 0.5 * (xx + yy);
     for (int k = 0; k < 2; k++) {
       double information = k == 0 ? mean + apart : mean - apart;
-      if (information < MIN_INFORMATION) {
+      if (!(information > 0)) {
         continue;
       }
       double cos = k == 0 ? Math.cos(angle) : -Math.sin(angle);

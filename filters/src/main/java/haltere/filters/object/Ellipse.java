@@ -10,9 +10,6 @@ import java.util.List;
  * @param angleRad direction of the longer axis, radians modulo π
  */
 record Ellipse(double major, double minor, double angleRad) {
-  /** Least ratio of the axes: a thin line has a width. */
-  private static final double MIN_RATIO = 0.2;
-
   /** Two standard deviations of a covariance. */
   static Ellipse of(double xx, double xy, double yy) {
     double apart = Math.hypot(0.5 * (xx - yy), xy);
@@ -44,7 +41,8 @@ record Ellipse(double major, double minor, double angleRad) {
 
   /** The ellipse of the same direction and ratio that touches a box. */
   Ellipse fit(double halfX, double halfY) {
-    double ratio = major > 0 ? Math.max(MIN_RATIO, minor / major) : 1;
+    // a thin line is a pixel wide
+    double ratio = major > 1 ? Math.max(1, minor) / major : 1;
     double cos = Math.cos(angleRad);
     double sin = Math.sin(angleRad);
     double x2 = cos * cos + ratio * ratio * sin * sin;

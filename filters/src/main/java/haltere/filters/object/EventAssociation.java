@@ -63,7 +63,8 @@ final class EventAssociation {
   private void index(List<Component> components) {
     Arrays.fill(head, -1);
     entries = 0;
-    for (Component component : components) {
+    for (int i = 0; i < components.size(); i++) {
+      Component component = components.get(i);
       component.beginTick();
       double reach = component.shape.reach();
       double reachX = reach + Math.abs(component.vx()) * ObjectTracker.TICK_S;

@@ -19,14 +19,8 @@ final class ObjectRelations {
   /** Prior log odds of touching components: four of five are one object. */
   private static final double TOUCH_NAT = Math.log(4);
 
-  /** Gap at which the prior begins to fall steeply, as a share of the size. */
+  /** Gap at which the prior is half, as a share of the size; its tail is Cauchy's. */
   private static final double GAP_SHARE = 0.15;
-
-  /** Tail of the prior: the exponent with which it falls, as Cauchy's. */
-  private static final double GAP_TAIL = 2;
-
-  /** A gap of up to this many pixels is none: both sides have blurred cells. */
-  private static final double BLUR_PX = 3;
 
   /** Log odds from which two are joined: an odds ratio of e. */
   private static final double JOIN_NAT = 1;
@@ -49,11 +43,17 @@ final class ObjectRelations {
   /** Memory of the evidence, seconds: three independent comparisons. */
   private static final double EVIDENCE_S = 1;
 
-  /** Variance of a displacement from the cells of the template, px². */
-  private static final double CELL_VARIANCE = 2;
+  /** A gap of the cells of both sides is none, pixels. */
+  private static final double BLUR_PX = 2 * ShapeTemplate.MIN_CELL_PX;
 
-  /** Log odds of pairs that are too far from one another to be compared. */
-  private static final double FAR = -99;
+  /** Variance of a displacement from the cells of the template, px². */
+  private static final double CELL_VARIANCE = ShapeTemplate.MIN_CELL_PX * ShapeTemplate.MIN_CELL_PX;
+
+  /** Gap in sizes beyond which no evidence makes one object: the prior is −7 nat. */
+  private static final double FAR_SIZES = 8;
+
+  /** Of pairs that are too far from one another to be compared. */
+  private static final double FAR = Double.NEGATIVE_INFINITY;
 
   private final double[][] gap = new double[ObjectTracker.MAX_COMPONENTS][];
   private final double[][] evidence = new double[ObjectTracker.MAX_COMPONENTS][];
@@ -113,19 +113,18 @@ final class ObjectRelations {
   }
 
   private double gapLog(Component a, Component b) {
+    double dx = outside(a.middleX() - b.middleX(), a.shape.halfX + b.shape.halfX);
+    double dy = outside(a.middleY() - b.middleY(), a.shape.halfY + b.shape.halfY);
     double size = sizeOf(a, b);
-    double apart =
-        Math.hypot(
-            outside(a.middleX() - b.middleX(), a.shape.halfX + b.shape.halfX),
-            outside(a.middleY() - b.middleY(), a.shape.halfY + b.shape.halfY));
-    if (apart > 8 * size + a.shape.reach() + b.shape.reach()) {
+    double apart = Math.sqrt(dx * dx + dy * dy);
+    if (apart > FAR_SIZES * size) {
       return FAR;
     }
     // The boxes' distance will do where the cells' makes no difference.
     double distance =
         apart > 2 * size ? apart : a.shape.distance(b.shape, b.x() - a.x(), b.y() - a.y());
     double shares = Math.max(0, distance - BLUR_PX) / (GAP_SHARE * size);
-    return TOUCH_NAT - 0.5 * GAP_TAIL * Math.log1p(shares * shares);
+    return TOUCH_NAT - Math.log1p(shares * shares);
   }
 
   private double sizeOf(Component a, Component b) {
@@ -168,8 +167,10 @@ final class ObjectRelations {
     double prior = FAR;
     double sum = 0;
     double weights = 0;
-    for (Component one : a) {
-      for (Component other : b) {
+    for (int i = 0; i < a.size(); i++) {
+      Component one = a.get(i);
+      for (int j = 0; j < b.size(); j++) {
+        Component other = b.get(j);
         if (one != other) {
           prior = Math.max(prior, gap[one.slot][other.slot]);
           double weight = one.activeRate() * other.activeRate();
@@ -200,7 +201,9 @@ final class ObjectRelations {
   }
 
   private static boolean mayJoin(TrackedObject object) {
-    return !object.isLost && object.isMoving() && object.novelty() >= MIN_NOVELTY;
+    return !object.isLost
+        && (object.isMoving() || object.isDecided())
+        && object.novelty() >= MIN_NOVELTY;
   }
 
   /** The component that leaves an object of several, or null. */

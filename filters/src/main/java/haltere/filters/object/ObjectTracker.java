@@ -7,6 +7,7 @@ import haltere.core.stream.ReportClock;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.LongConsumer;
 
@@ -34,15 +35,13 @@ final class ObjectTracker {
   /** Events from which an object is reported: its extent is then known to a sixth. */
   private static final double CONFIRM_EVENTS = 40;
 
-  /** How long a component without events stays with an object that moves, seconds. */
-  private static final double STAY_S = 0.5;
-
   /** Prior log odds that an object comes back rather than that another comes: ten times. */
   private static final double RETURN_NAT = Math.log(10);
 
   private final SensorGeometry geometry;
   private final Consumer<ObjectTrack> listener;
   private final LongConsumer ticked;
+  private final BooleanSupplier isWatched;
   private final ActivityGrid grid;
   private final ClutterMap clutter;
   private final BirthDetector births;
@@ -51,13 +50,16 @@ final class ObjectTracker {
   private final ReportClock reports = new ReportClock();
   private final List<Component> components = new ArrayList<>();
   private final List<TrackedObject> objects = new ArrayList<>();
-  private final ArrayDeque<Integer> freeSlots = new ArrayDeque<>();
+
+  /** Components by their slots, and those that are not in use. */
+  private final List<Component> pool = new ArrayList<>();
+
+  private final ArrayDeque<Component> free = new ArrayDeque<>();
   private ObjectTrackerSettings settings;
   private boolean isStarted;
   private long tickStartUs;
   private int passed;
   private long ticks;
-  private long serials;
   private int ids;
 
   /**
@@ -65,15 +67,18 @@ final class ObjectTracker {
    *
    * @param listener takes each row
    * @param ticked told the time after the rows of a report
+   * @param isWatched whether rows are wanted
    */
   ObjectTracker(
       SensorGeometry geometry,
       ObjectTrackerSettings settings,
       Consumer<ObjectTrack> listener,
-      LongConsumer ticked) {
+      LongConsumer ticked,
+      BooleanSupplier isWatched) {
     this.geometry = geometry;
     this.listener = listener;
     this.ticked = ticked;
+    this.isWatched = isWatched;
     grid = new ActivityGrid(geometry);
     clutter = new ClutterMap(geometry, grid);
     births = new BirthDetector(grid, clutter);
@@ -97,12 +102,10 @@ final class ObjectTracker {
     clutter.reset();
     births.reset();
     grid.next();
+    free.clear();
+    free.addAll(pool);
     components.clear();
     objects.clear();
-    freeSlots.clear();
-    for (int slot = 0; slot < MAX_COMPONENTS; slot++) {
-      freeSlots.add(slot);
-    }
     isStarted = false;
     passed = 1;
     ticks = 0;
@@ -162,12 +165,14 @@ final class ObjectTracker {
     births.begin(passed);
     association.associate(components);
     clutter.end();
-    for (Component component : components) {
+    for (int i = 0; i < components.size(); i++) {
+      Component component = components.get(i);
       component.endTick(nowUs, inside(component));
       component.object.events += component.weight;
     }
-    for (int[] cells : births.find()) {
-      begin(cells, nowUs);
+    List<int[]> born = births.find();
+    for (int i = 0; i < born.size(); i++) {
+      begin(born.get(i), nowUs);
     }
     if (++ticks % RegionFinder.LOOK_TICKS == 0) {
       splitComponents();
@@ -197,22 +202,30 @@ final class ObjectTracker {
 
   // births and returns
 
-  private Component newComponent(Component like) {
-    int slot = freeSlots.pop();
-    relations.begin(slot, like);
-    return new Component(slot, ++serials);
+  private Component newComponent(Component like, long nowUs) {
+    Component component = free.poll();
+    if (component == null) {
+      component = new Component(pool.size());
+      pool.add(component);
+    }
+    component.begin(nowUs);
+    relations.begin(component.slot, like);
+    return component;
+  }
+
+  private boolean isFull() {
+    return free.isEmpty() && pool.size() == MAX_COMPONENTS;
   }
 
   private void begin(int[] cells, long nowUs) {
-    if (freeSlots.isEmpty()) {
+    if (isFull()) {
       return;
     }
-    Component component = newComponent(null);
+    Component component = newComponent(null, nowUs);
     if (!births.begin(cells, component)) {
-      freeSlots.push(component.slot);
+      free.push(component);
       return;
     }
-    component.activeUs = nowUs;
     TrackedObject returned = returned(component, nowUs);
     if (returned == null) {
       objects.add(new TrackedObject(component, nowUs));
@@ -224,7 +237,8 @@ final class ObjectTracker {
 
   /**
    * The object that rests or is lost and comes back with a component, or null: odds of a normal
-   * density about its place, which widens with time, against a place anywhere in the picture.
+   * density about its place, which widens with time as it was fast and is large, against a place
+   * anywhere in the picture.
    */
   private TrackedObject returned(Component component, long nowUs) {
     TrackedObject best = null;
@@ -238,7 +252,7 @@ final class ObjectTracker {
       boolean isMoving = object.isMoving();
       double quietS = isMoving ? 0 : Math.min(1, (nowUs - object.activeUs) * 1e-6);
       double size = Math.max(object.size(), component.shape.size());
-      double sd = 0.5 * size * (0.5 + quietS);
+      double sd = 0.25 * size + 0.5 * Math.max(size, object.speed) * quietS;
       double dx =
           ObjectRelations.outside(
               component.middleX() - object.middleX(), component.shape.halfX + object.halfX());
@@ -294,7 +308,7 @@ final class ObjectTracker {
     nearest.setVelocity(seen.vx(), seen.vy());
     nearest.state.covariance().setTo(seen.state.covariance());
     nearest.presence.set(0.9, 0.05, 0.05);
-    freeSlots.push(seen.slot);
+    free.push(seen);
   }
 
   /** How far an interval is to be moved until a place is within it. */
@@ -306,7 +320,7 @@ final class ObjectTracker {
 
   private void splitComponents() {
     int count = components.size();
-    for (int i = 0; i < count && !freeSlots.isEmpty(); i++) {
+    for (int i = 0; i < count && !isFull(); i++) {
       Component component = components.get(i);
       if (component.isMoving() && component.weight > 0) {
         RegionFinder.Region region = component.regions.findApart(component.shape);
@@ -318,7 +332,7 @@ final class ObjectTracker {
   }
 
   private void split(Component from, RegionFinder.Region region) {
-    Component to = newComponent(from);
+    Component to = newComponent(from, from.activeUs);
     to.state.set(from.state);
     to.shape.clear(from.shape.cellPx);
     from.regions.move(region, from.shape, to.shape);
@@ -331,7 +345,6 @@ final class ObjectTracker {
     to.novelty = from.novelty * share;
     from.rate -= to.rate;
     from.novelty -= to.novelty;
-    to.activeUs = from.activeUs;
     to.presence.set(from.presence);
     from.refresh();
     to.refresh();
@@ -369,7 +382,8 @@ final class ObjectTracker {
   }
 
   private void fuseComponents() {
-    for (TrackedObject object : objects) {
+    for (int k = 0; k < objects.size(); k++) {
+      TrackedObject object = objects.get(k);
       List<Component> parts = object.components;
       for (int i = 0; i < parts.size() && !object.isLost; i++) {
         for (int j = parts.size() - 1; j > i; j--) {
@@ -391,7 +405,7 @@ final class ObjectTracker {
 
   private void end(Component component) {
     components.remove(component);
-    freeSlots.push(component.slot);
+    free.push(component);
   }
 
   // life
@@ -401,13 +415,12 @@ final class ObjectTracker {
       TrackedObject object = objects.get(i);
       if (object.isLost) {
         if ((nowUs - object.activeUs) * 1e-6 > settings.rememberS()) {
-          for (Component component : object.components) {
-            freeSlots.push(component.slot);
-          }
+          free.addAll(object.components);
           objects.remove(i);
         }
       } else if (object.isMoving()) {
         object.activeUs = nowUs;
+        object.speed = Math.hypot(object.vx(), object.vy());
         dropSilent(object, nowUs);
       } else if (!object.isDecided()) {
         object.components.forEach(this::end);
@@ -417,15 +430,16 @@ final class ObjectTracker {
         components.removeAll(object.components);
       }
     }
-    for (TrackedObject object : objects) {
+    for (int i = 0; i < objects.size(); i++) {
+      TrackedObject object = objects.get(i);
       if (object.isDecided()) {
         continue;
       }
       if (!isApart(object)) {
         object.apartUs = nowUs;
       }
-      boolean isWatched = (nowUs - object.apartUs) * 1e-6 >= settings.confirmS();
-      if (isWatched && isEvident(object)) {
+      boolean isCompared = (nowUs - object.apartUs) * 1e-6 >= settings.confirmS();
+      if (isCompared && isEvident(object)) {
         decide(object);
       }
     }
@@ -441,7 +455,8 @@ final class ObjectTracker {
         continue;
       }
       component.setVelocity(vx, vy);
-      if ((nowUs - component.activeUs) * 1e-6 > STAY_S || component.presence.gone() > 0.5) {
+      if ((nowUs - component.activeUs) * 1e-6 > ShapeTemplate.MEMORY_S
+          || component.presence.gone() > 0.5) {
         object.components.remove(i);
         end(component);
       }
@@ -455,8 +470,9 @@ final class ObjectTracker {
   }
 
   private boolean isApart(TrackedObject object) {
-    for (TrackedObject other : objects) {
-      if (other != object && other.isDecided() && !other.isLost && other.isMoving()) {
+    for (int i = 0; i < objects.size(); i++) {
+      TrackedObject other = objects.get(i);
+      if (other != object && other.isDecided() && !other.isLost) {
         if (!relations.areApart(object, other)) {
           return false;
         }
@@ -480,8 +496,9 @@ final class ObjectTracker {
     }
     for (; reports.nextUs() < nowUs + TICK_US; reports.advance()) {
       long timeUs = reports.nextUs();
-      for (TrackedObject object : objects) {
-        if (object.isLost) {
+      for (int i = 0; i < objects.size(); i++) {
+        TrackedObject object = objects.get(i);
+        if (object.isLost || !isWatched.getAsBoolean()) {
           continue;
         }
         ObjectTrack row = object.row(nowUs, timeUs, geometry.width(), geometry.height());

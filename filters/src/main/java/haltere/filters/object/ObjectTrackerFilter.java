@@ -44,7 +44,13 @@ public final class ObjectTrackerFilter extends PublishingFilter<ObjectTrackerSet
    * @param settings what to do
    */
   public ObjectTrackerFilter(SensorGeometry geometry, ObjectTrackerSettings settings) {
-    tracker = new ObjectTracker(geometry, settings, this::accept, this::show);
+    tracker =
+        new ObjectTracker(
+            geometry,
+            settings,
+            this::accept,
+            this::show,
+            () -> tracks.hasSubscribers() || snapshots.hasSubscribers());
   }
 
   @Override

@@ -24,14 +24,16 @@ final class Presence {
   /** Rate at which a resting component is given up, Hz. */
   private static final double FORGET_HZ = 0.5;
 
-  /** A tick's evidence is bounded: 30 nat are a certainty, and no overflow. */
-  private static final double MAX_NAT = 30;
-
   private double moving;
   private double resting;
   private double gone;
 
   Presence() {
+    begin();
+  }
+
+  /** What was just seen to be born moves, or is a flicker. */
+  void begin() {
     set(0.9, 0, 0.1);
   }
 
@@ -81,7 +83,11 @@ final class Presence {
       sum += Math.exp(logs[i] - DIMMINGS[i] * expected - best);
     }
     double log = best + Math.log(sum / DIMMINGS.length);
-    nextMoving *= Math.exp(Math.max(-MAX_NAT, Math.min(MAX_NAT, log)));
+    // scaled by the larger likelihood, so that nothing overflows
+    double silent = Math.exp(Math.min(0, -log));
+    nextMoving *= Math.exp(Math.min(0, log));
+    nextResting *= silent;
+    nextGone *= silent;
     double all = nextMoving + nextResting + nextGone;
     set(nextMoving / all, nextResting / all, nextGone / all);
   }

@@ -14,9 +14,6 @@ final class RegionFinder {
   /** Share of the extent's events below which a region is not followed. */
   private static final double MIN_SHARE = 0.1;
 
-  /** Events below which a region is not followed. */
-  private static final double MIN_EVENTS = 3;
-
   /** Looks for which two regions stay apart before they are components. */
   private static final int LOOKS = 3;
 
@@ -54,6 +51,10 @@ final class RegionFinder {
   private final int[] stack = new int[ShapeTemplate.CELLS];
   private List<Region> regions = List.of();
 
+  void clear() {
+    regions = List.of();
+  }
+
   void shift(double dx, double dy) {
     for (Region region : regions) {
       region.x -= dx;
@@ -68,6 +69,10 @@ final class RegionFinder {
   /** Looks at the template; returns a region that has stayed apart from the largest, or null. */
   Region findApart(ShapeTemplate shape) {
     List<Region> found = find(shape);
+    if (found.size() < 2) {
+      regions = List.of();
+      return null;
+    }
     for (Region now : found) {
       Region before = nearest(now);
       if (before != null) {
@@ -80,9 +85,6 @@ final class RegionFinder {
       now.looks++;
     }
     regions = found;
-    if (found.size() < 2) {
-      return null;
-    }
     Region largest = found.get(0);
     for (Region region : found) {
       largest = region.mass > largest.mass ? region : largest;
@@ -119,7 +121,7 @@ final class RegionFinder {
     for (int cell = 0; cell < ShapeTemplate.CELLS; cell++) {
       if (shape.core[cell] && label[cell] == 0) {
         Region region = fill(shape, cell, ++labels);
-        if (region.mass > Math.max(MIN_EVENTS, MIN_SHARE * shape.solidTotal)) {
+        if (region.mass > MIN_SHARE * shape.solidTotal) {
           found.add(region);
         }
       }

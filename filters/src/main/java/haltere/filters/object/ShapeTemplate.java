@@ -37,7 +37,7 @@ final class ShapeTemplate {
   private static final double SPARSE = 0.3;
 
   /** Share of the events beyond either side of the extent: two standard deviations. */
-  private static final double TAIL = 0.02;
+  static final double TAIL = 0.02;
 
   /** Cells that the longer side spans: between both, the cells keep their size. */
   private static final double MIN_SPAN = 0.5 * SIDE;

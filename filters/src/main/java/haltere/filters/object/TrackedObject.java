@@ -11,9 +11,6 @@ import java.util.List;
  * <p>Thread rule: one thread at a time.
  */
 final class TrackedObject {
-  /** Share of the events beyond either side of the extent of several components. */
-  private static final double TAIL = 0.04;
-
   /** Halvings of an interval until a side is known to a thousandth of a pixel. */
   private static final int HALVINGS = 20;
 
@@ -31,6 +28,10 @@ final class TrackedObject {
   long apartUs;
 
   long activeUs;
+
+  /** When it was last seen to move, px/s. */
+  double speed;
+
   double events;
 
   /** Whether it is only remembered. */
@@ -64,18 +65,17 @@ final class TrackedObject {
   }
 
   boolean isMoving() {
-    for (Component component : components) {
-      if (component.isMoving()) {
-        return true;
-      }
+    boolean isMoving = false;
+    for (int i = 0; i < components.size(); i++) {
+      isMoving |= components.get(i).isMoving();
     }
-    return false;
+    return isMoving;
   }
 
   double novelty() {
     double sum = 0;
-    for (Component component : components) {
-      sum += component.novelty;
+    for (int i = 0; i < components.size(); i++) {
+      sum += components.get(i).novelty;
     }
     return sum;
   }
@@ -83,8 +83,8 @@ final class TrackedObject {
   /** Ticks for which its oldest component was watched. */
   int age() {
     int age = 0;
-    for (Component component : components) {
-      age = Math.max(age, component.age());
+    for (int i = 0; i < components.size(); i++) {
+      age = Math.max(age, components.get(i).age());
     }
     return age;
   }
@@ -92,18 +92,18 @@ final class TrackedObject {
   /** Probability that one of its components is there. */
   double existence() {
     double none = 1;
-    for (Component component : components) {
-      none *= component.presence.gone();
+    for (int i = 0; i < components.size(); i++) {
+      none *= components.get(i).presence.gone();
     }
     return 1 - none;
   }
 
   /** Works out the box that holds all but the tails of its events. */
   void measure() {
-    lowX = quantile(TAIL, true);
-    highX = quantile(1 - TAIL, true);
-    lowY = quantile(TAIL, false);
-    highY = quantile(1 - TAIL, false);
+    lowX = quantile(ShapeTemplate.TAIL, true);
+    highX = quantile(1 - ShapeTemplate.TAIL, true);
+    lowY = quantile(ShapeTemplate.TAIL, false);
+    highY = quantile(1 - ShapeTemplate.TAIL, false);
   }
 
   double middleX() {
@@ -163,7 +163,8 @@ final class TrackedObject {
   private double mean(int row, int column) {
     double sum = 0;
     double all = 0;
-    for (Component c : components) {
+    for (int i = 0; i < components.size(); i++) {
+      Component c = components.get(i);
       double weight = c.activeRate();
       sum += weight * (column < 0 ? c.state.mean(row) : c.state.covariance(row, column));
       all += weight;

@@ -44,7 +44,8 @@ public class FilterBenchmark {
     "hot-pixels",
     "region",
     "polarity",
-    "cluster-tracker"
+    "cluster-tracker",
+    "object-tracker"
   })
   public String filter;
 

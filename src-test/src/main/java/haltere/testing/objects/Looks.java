@@ -80,7 +80,10 @@ final class Looks {
     side = Math.min(size[0], size[1]);
     sensor = new BrightnessSensor(geometry, random.split());
     int wanted = random.nextInt(2, MAX_OBJECTS + 1);
-    for (int tries = 0; objects.size() < 2 || objects.size() < wanted && tries < 100; tries++) {
+    // A first object may leave no room for a second one; another draw has.
+    for (int tries = 0;
+        tries < 100 && objects.size() < wanted || tries < 1000 && objects.size() < 2;
+        tries++) {
       addObjects(wanted);
     }
   }
@@ -94,7 +97,8 @@ final class Looks {
   static ObjectScene scene(Look look, long seed, int sensors) {
     String name = look.name().toLowerCase(Locale.ROOT);
     for (long i = 0; ; i++) {
-      ObjectScene scene = new Looks(look, seed * 1000 + i, sensors).scene(name, seed);
+      Looks drawn = new Looks(look, seed * 1000 + i, sensors);
+      ObjectScene scene = drawn.objects.size() < 2 ? null : drawn.scene(name, seed);
       if (scene != null) {
         return scene;
       }

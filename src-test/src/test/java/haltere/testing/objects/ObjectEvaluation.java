@@ -111,8 +111,8 @@ public final class ObjectEvaluation {
     if (tracks != null) {
       return (scene, events) -> TrackTable.read(Path.of(tracks, scene + ".csv"));
     }
-    String chain = setting("chain", "background-activity,hot-pixels,kalman-tracks");
-    return new ChainTracker(List.of(chain.split(",")), setting("outlet", "tracks"));
+    String chain = setting("chain", "object-tracker");
+    return new ChainTracker(List.of(chain.split(",")), setting("outlet", "objects"));
   }
 
   private static void export(ObjectScene scene, Path folder) throws IOException {

@@ -60,6 +60,8 @@ class LiveResultsPageTest {
         CommandRun.of("run", recording, "--chain", chain, "--out", folder.resolve("left.csv"));
     assertEquals(0, tables.status(), tables.err());
     int rows = Files.readAllLines(folder.resolve("left.cluster-tracker.clusters.csv")).size() - 1;
+    int shares =
+        Files.readAllLines(folder.resolve("left.background-activity.shares.csv")).size() - 1;
     Path program = Path.of(System.getProperty("haltere.installed"), "bin", "haltere");
     Process haltere =
         new ProcessBuilder(
@@ -94,11 +96,16 @@ class LiveResultsPageTest {
     Map<?, ?> counts = (Map<?, ?>) Json.parse(lines.get(lines.size() - 1), "the last line");
     assertTrue(rows > 0);
     assertEquals((long) rows, counts.get("cluster-tracker/clusters"));
-    assertEquals(rows, lines.size() - 1);
-    String[] first = lines.get(0).split("\t");
-    assertEquals("cluster-tracker/clusters", first[0]);
-    assertTrue(Long.parseLong(first[1]) < 300_000, lines.get(0));
-    assertTrue(Long.parseLong(first[2]) > 1_700_000_000_000_000L, lines.get(0));
+    assertEquals((long) shares, counts.get("background-activity/shares"));
+    assertEquals(rows + shares, lines.size() - 1);
+    String cluster =
+        lines.stream()
+            .filter(line -> line.startsWith("cluster-tracker/clusters\t"))
+            .findFirst()
+            .get();
+    String[] first = cluster.split("\t");
+    assertTrue(Long.parseLong(first[1]) < 300_000, cluster);
+    assertTrue(Long.parseLong(first[2]) > 1_700_000_000_000_000L, cluster);
   }
 
   @Test
@@ -136,7 +143,11 @@ class LiveResultsPageTest {
             "a/b");
     assertEquals(1, run.status());
     assertTrue(
-        run.err().contains("nothing publishes a/b; there are cluster-tracker/clusters"), run.err());
+        run.err()
+            .contains(
+                "nothing publishes a/b; there are background-activity/shares,"
+                    + " cluster-tracker/clusters"),
+        run.err());
   }
 
   @Test

@@ -60,12 +60,22 @@ class RunCommandTest {
     CommandRun run = CommandRun.of("run", in, "--chain", chain, "--out", out);
     assertEquals(0, run.status(), run.err());
     assertEquals(
-        List.of("chain.json", "fly.aedat", "left.cluster-tracker.clusters.csv", "left.csv"),
+        List.of(
+            "chain.json",
+            "fly.aedat",
+            "left.background-activity.shares.csv",
+            "left.cluster-tracker.clusters.csv",
+            "left.csv"),
         names());
-    assertEquals(3, run.errorLines().size(), run.err());
+    assertEquals(4, run.errorLines().size(), run.err());
     assertTrue(run.errorLines().get(0).contains("rows count from the bottom"), run.err());
     assertTrue(run.errorLines().get(1).startsWith("wrote " + out + " ("), run.err());
-    assertTrue(run.errorLines().get(2).contains("left.cluster-tracker.clusters.csv ("), run.err());
+    String shares = "left.background-activity.shares.csv";
+    assertTrue(run.errorLines().get(2).contains(shares + " ("), run.err());
+    assertEquals(
+        "t_us,correlation_us,events,passed_share,removed_share",
+        Files.readAllLines(folder.resolve(shares)).get(0));
+    assertTrue(run.errorLines().get(3).contains("left.cluster-tracker.clusters.csv ("), run.err());
     List<String> rows = Files.readAllLines(folder.resolve("left.cluster-tracker.clusters.csv"));
     assertTrue(rows.get(0).startsWith("t_us,id,"), rows.get(0));
     assertTrue(rows.size() > 1);

@@ -17,8 +17,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 class TrackCommandTest {
-  private static final String COLUMNS =
+  private static final String CLUSTER_COLUMNS =
       "t_us,id,x_px,y_px,vx_px_s,vy_px_s,sd_x_px,sd_y_px,sd_vx_px_s,sd_vy_px_s,events";
+  private static final String EXTENT_COLUMNS = ",major_px,minor_px,angle_rad,existence";
+  private static final String COLUMNS = CLUSTER_COLUMNS + EXTENT_COLUMNS + ",event_rate_hz,age_s";
+  private static final String METRES =
+      ",x_m,y_m,vx_m_s,vy_m_s,sd_x_m,sd_y_m,sd_vx_m_s,sd_vy_m_s,speed_km_h,sd_speed_km_h,lane";
 
   @TempDir Path folder;
 
@@ -50,7 +54,7 @@ class TrackCommandTest {
   }
 
   @Test
-  void eachTrackHasARowAtEachTickOfRecordingTime() throws IOException {
+  void eachObjectHasARowAtEachTickOfRecordingTime() throws IOException {
     CommandRun run = CommandRun.of("track", in, "--out", out);
     assertEquals(0, run.status(), run.err());
     assertEquals(COLUMNS, Files.readAllLines(out).get(0));
@@ -60,12 +64,29 @@ class TrackCommandTest {
       long timeUs = Long.parseLong(row[0]);
       assertTrue(timeUs > 5_000_000 && timeUs < 6_000_000, row[0]);
       assertEquals(0, timeUs % 10_000);
-      assertEquals(11, row.length);
+      assertEquals(17, row.length);
       for (int i = 6; i < 10; i++) {
         assertTrue(Double.parseDouble(row[i]) > 0, Arrays.toString(row));
       }
+      double major = Double.parseDouble(row[11]);
+      double minor = Double.parseDouble(row[12]);
+      assertTrue(minor > 0 && major >= minor, Arrays.toString(row));
+      double existence = Double.parseDouble(row[14]);
+      assertTrue(existence > 0 && existence <= 1, Arrays.toString(row));
     }
     assertTrue(run.err().contains("wrote " + out + " ("), run.err());
+  }
+
+  @Test
+  void rowsAscendInTimeAlsoWhereAnIdentityIsDecidedLate() throws IOException {
+    assertEquals(0, CommandRun.of("track", in, "--out", out).status());
+    List<String[]> rows = rows(out);
+    for (int i = 1; i < rows.size(); i++) {
+      long step = Long.parseLong(rows.get(i)[0]) - Long.parseLong(rows.get(i - 1)[0]);
+      assertTrue(step >= 0, Arrays.toString(rows.get(i)));
+      boolean isAnother = Integer.parseInt(rows.get(i)[1]) > Integer.parseInt(rows.get(i - 1)[1]);
+      assertTrue(step > 0 || isAnother, Arrays.toString(rows.get(i)));
+    }
   }
 
   @Test
@@ -105,6 +126,7 @@ class TrackCommandTest {
     assertEquals(0, run.status(), run.err());
     List<String[]> rows = rows(out);
     assertTrue(rows.size() > 20, rows.size() + " rows");
+    assertEquals(CLUSTER_COLUMNS, Files.readAllLines(out).get(0));
     assertNotEquals(usual, Files.readString(out));
     // R rises towards 8 px², so that it is less sure than with the defaults
     assertTrue(Double.parseDouble(rows.get(rows.size() - 1)[6]) > 0.3);
@@ -112,6 +134,26 @@ class TrackCommandTest {
 
   @Test
   void withARoadThereAreMetresToo() throws IOException {
+    checkRoad(COLUMNS.replace(",event_rate_hz,age_s", ""), 15);
+  }
+
+  @Test
+  void withKalmanTracksInTheChainThereAreMetresToo() throws IOException {
+    Path chain = folder.resolve("chain.json");
+    Files.writeString(
+        chain,
+        """
+        {"filters": [
+          {"filter": "background-activity", "settings": {"correlationUs": 10000}},
+          {"filter": "hot-pixels"},
+          {"filter": "kalman-tracks"}
+        ]}
+        """);
+    // Vehicles are narrower than the clusters' usual size.
+    checkRoad(CLUSTER_COLUMNS, 11, "--chain", chain, "--set", "clusters.shape.size=0.03");
+  }
+
+  private void checkRoad(String columns, int firstOfMetres, Object... options) throws IOException {
     Path cars = folder.resolve("road.aedat");
     CommandRun made =
         CommandRun.of(
@@ -133,42 +175,36 @@ class TrackCommandTest {
          "vanishingPoint": {"xPx": 63.5, "yPx": 127},
          "lanes": {"lanes": 4, "leftEdgeM": -7, "widthM": 3.5}, "countingLines": {"lines": 2}}
         """);
-    // Vehicles are narrower than the clusters' usual size.
     Path crossings = folder.resolve("crossings.csv");
     CommandRun run =
         CommandRun.of(
-            "track",
-            cars,
-            "--out",
-            out,
-            "--road",
-            road,
-            "--crossings",
-            crossings,
-            "--set",
-            "clusters.shape.size=0.03");
+            Stream.concat(
+                    Stream.of("track", cars, "--out", out, "--road", road),
+                    Stream.concat(Stream.of("--crossings", crossings), Stream.of(options)))
+                .toArray());
     assertEquals(0, run.status(), run.err());
     List<String> crossed = Files.readAllLines(crossings);
     assertEquals(
         "t_us,id,line_m,direction,lane,speed_km_h,sd_speed_km_h,count_away,count_towards",
         crossed.get(0));
     assertTrue(crossed.size() > 1, "nobody crossed a line");
-    assertEquals(
-        COLUMNS
-            + ",x_m,y_m,vx_m_s,vy_m_s,sd_x_m,sd_y_m,sd_vx_m_s,sd_vy_m_s,speed_km_h,sd_speed_km_h,lane",
-        Files.readAllLines(out).get(0));
+    assertEquals(columns + METRES, Files.readAllLines(out).get(0));
     List<String[]> rows = rows(out);
     assertTrue(rows.size() > 100, rows.size() + " rows");
     long onTheRoad =
         rows.stream()
-            .filter(row -> Math.abs(Double.parseDouble(row[11])) < 9)
-            .filter(row -> Double.parseDouble(row[12]) > 4 && Double.parseDouble(row[12]) < 130)
+            .filter(row -> Math.abs(Double.parseDouble(row[firstOfMetres])) < 9)
+            .filter(row -> isFrom4To130(Double.parseDouble(row[firstOfMetres + 1])))
             .count();
     assertTrue(onTheRoad > 0.9 * rows.size(), onTheRoad + " of " + rows.size());
   }
 
+  private static boolean isFrom4To130(double metres) {
+    return metres > 4 && metres < 130;
+  }
+
   @Test
-  void aChainOfOnesOwnIsUsedAndGetsTracksIfItHasNone() throws IOException {
+  void aChainOfOnesOwnIsUsedAndGetsObjectsIfItHasNoTracks() throws IOException {
     Path chain = folder.resolve("chain.json");
     Files.writeString(
         chain,
@@ -179,12 +215,14 @@ class TrackCommandTest {
         ]}
         """);
     assertEquals(0, CommandRun.of("track", in, "--out", out, "--chain", chain).status());
+    assertEquals(CLUSTER_COLUMNS, Files.readAllLines(out).get(0));
     for (String[] row : rows(out)) {
       assertTrue(Long.parseLong(row[10]) >= 500, Arrays.toString(row));
     }
     Files.writeString(chain, "{\"filters\": [{\"filter\": \"cluster-tracker\"}]}");
     Path other = folder.resolve("other.csv");
     assertEquals(0, CommandRun.of("track", in, "--out", other, "--chain", chain).status());
+    assertEquals(COLUMNS, Files.readAllLines(other).get(0));
     assertTrue(rows(other).size() > 100);
   }
 
@@ -209,10 +247,25 @@ class TrackCommandTest {
   }
 
   @Test
-  void settingsOfTheTracksAreSetByName() throws IOException {
-    CommandRun run = CommandRun.of("track", in, "--out", out, "--set", "life.eventsTillTrack=500");
+  void settingsAreSetByName() throws IOException {
+    CommandRun run = CommandRun.of("track", in, "--out", out, "--set", "scalePx=40");
     assertEquals(0, run.status(), run.err());
-    assertTrue(Long.parseLong(rows(out).get(0)[10]) >= 500);
+    assertTrue(rows(out).size() > 100);
+    Path original = folder.resolve("original.csv");
+    run =
+        CommandRun.of(
+            "track",
+            in,
+            "--out",
+            original,
+            "--preset",
+            "original",
+            "--set",
+            "life.eventsTillTrack=500",
+            "--set",
+            "life.eventsOf=each-cluster");
+    assertEquals(0, run.status(), run.err());
+    assertTrue(Long.parseLong(rows(original).get(0)[10]) >= 500);
   }
 
   @Test
@@ -245,7 +298,10 @@ class TrackCommandTest {
     assertFails(2, "--rate", "track", in, "--out", out, "--rate", "NaN");
     assertFails(2, "--rate", "track", in, "--out", out, "--rate", "fast");
     assertFails(2, "life.none", "track", in, "--out", out, "--set", "life.none=1");
-    assertFails(2, "coastTimeS", "track", in, "--out", out, "--set", "life.coastTimeS=-1");
+    assertFails(2, "scalePx", "track", in, "--out", out, "--set", "scalePx=-1");
+    assertFails(2, "confirmS", "track", in, "--out", out, "--set", "confirmS=NaN");
+    String coast = "life.coastTimeS=-1";
+    assertFails(2, "coastTimeS", "track", in, "--out", out, "--preset", "original", "--set", coast);
     assertFails(2, "no preset new", "track", in, "--out", out, "--preset", "new");
     assertFails(2, "--chain", "track", in, "--out", out, "--preset", "original", "--chain", in);
   }

@@ -45,13 +45,13 @@ class LaneTest {
   void whatADefaultChainPublishesCanBePlottedAndFound() {
     FilterChain chain = DefaultChain.create(new SensorGeometry(64, 64));
     List<PlotField> fields = PlotField.of(chain);
-    PlotField x = new PlotField("cluster-tracker", "clusters", "x_px");
+    PlotField x = new PlotField("object-tracker", "objects", "x_px");
     assertTrue(fields.contains(x), () -> "only " + fields);
     for (PlotField field : fields) {
       PlotFeed.open(field, chain).orElseThrow().close();
     }
-    assertTrue(new PlotField("gone", "clusters", "x_px").find(chain).isEmpty());
-    assertTrue(PlotFeed.open(new PlotField("cluster-tracker", "clusters", "no"), chain).isEmpty());
+    assertTrue(new PlotField("gone", "objects", "x_px").find(chain).isEmpty());
+    assertTrue(PlotFeed.open(new PlotField("object-tracker", "objects", "no"), chain).isEmpty());
   }
 
   @Test

@@ -38,10 +38,12 @@ class AccessibleNamesTest {
 
   @Test
   void allPanelsOfARecording() {
-    viewer = ViewerHarness.withBlob();
+    List<String> filters =
+        List.of("background-activity", "hot-pixels", "object-tracker", "cluster-tracker");
+    viewer = ViewerHarness.withBlobAnd(filters.toArray(String[]::new));
     List.of("show-plots", "show-space-time", "show-live-flight", "compare").forEach(this::run);
     viewer.run(() -> viewer.window.plots().addLane(PlotField.EVENT_RATE));
-    for (String name : List.of("background-activity", "hot-pixels", "cluster-tracker")) {
+    for (String name : filters) {
       // in the tab behind
       viewer.fire("expand-" + name);
     }

@@ -97,7 +97,8 @@ class KeyboardTest {
   @Test
   void theFocusIsSeen() {
     viewer = ViewerHarness.withBlob();
-    for (String id : List.of("play", "expand-hot-pixels", "power-hot-pixels", "more-hot-pixels")) {
+    for (String id :
+        List.of("play", "expand-object-tracker", "power-object-tracker", "more-object-tracker")) {
       goTo("mark");
       viewer.pause();
       Node node = viewer.node(id, Node.class);

@@ -93,7 +93,7 @@ class MannersTest {
 
   @Test
   void changesOfSettingsAndOfTheChainAreTakenBack() {
-    viewer = ViewerHarness.withBlob();
+    viewer = ViewerHarness.withBlobAndNoiseFilters();
     viewer.click("expand-" + NOISE);
     enter("entry-" + NOISE + "-neighbours", "3");
     viewer.waitFor("three", () -> text("entry-" + NOISE + "-neighbours").equals("3"));
@@ -113,7 +113,7 @@ class MannersTest {
 
   @Test
   void settingsAreSearchedAndThoseChangedAreShownAlone() {
-    viewer = ViewerHarness.withBlob();
+    viewer = ViewerHarness.withBlobAndNoiseFilters();
     enter("settings-search", "same polarity");
     viewer.waitFor("it is found", () -> isSeen("check-" + NOISE + "-samePolarity"));
     assertFalse(isSeen("entry-" + NOISE + "-neighbours"));

@@ -49,7 +49,7 @@ class OpeningTest {
 
   @Test
   void theFiltersComeOneAfterTheOtherAndAllOfThemBeforeItPlays() throws IOException {
-    viewer = ViewerHarness.withBlob();
+    viewer = ViewerHarness.withBlobAndNoiseFilters();
     List<Integer> cardsShown = new ArrayList<>();
     Parent list = (Parent) viewer.onFx(() -> viewer.stage.getScene().lookup(".cards"));
     InvalidationListener counter = changed -> cardsShown.add(list.getChildrenUnmodifiable().size());

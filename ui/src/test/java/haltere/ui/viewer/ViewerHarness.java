@@ -2,6 +2,8 @@ package haltere.ui.viewer;
 
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 
+import haltere.core.chain.FilterChain;
+import haltere.core.chain.Filters;
 import haltere.core.event.EventPacket;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.Recordings;
@@ -87,6 +89,23 @@ public final class ViewerHarness extends JavaFxHarness implements AutoCloseable 
   public static ViewerHarness withBlob() {
     ViewerHarness harness = new ViewerHarness();
     harness.open(() -> new ScenePlayable(() -> new BlobSource(Long.MAX_VALUE), "blob"));
+    return harness;
+  }
+
+  /** A window in which the blob moves, with two noise filters before the usual chain. */
+  public static ViewerHarness withBlobAndNoiseFilters() {
+    return withBlobAnd("background-activity", "hot-pixels", "object-tracker");
+  }
+
+  /** A window in which the blob moves, with other filters than usual. */
+  static ViewerHarness withBlobAnd(String... filters) {
+    ViewerHarness harness = withBlob();
+    FilterChain chain = new FilterChain(BlobSource.GEOMETRY);
+    for (String name : filters) {
+      chain.add(Filters.named(name));
+    }
+    harness.run(() -> harness.window.editor().replaceAll(chain));
+    harness.waitFor("the first card", () -> harness.isThere("stage-" + filters[0]));
     return harness;
   }
 

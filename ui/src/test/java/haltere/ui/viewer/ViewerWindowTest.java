@@ -84,7 +84,7 @@ class ViewerWindowTest {
     viewer.waitUntilOpen("other.aedat");
     viewer.waitFor(
         "the usual filters, because nobody has chosen others",
-        () -> viewer.isThere("stage-cluster-tracker") && !viewer.isThere("stage-wing-tracker"));
+        () -> viewer.isThere("stage-object-tracker") && !viewer.isThere("stage-wing-tracker"));
   }
 
   @Test

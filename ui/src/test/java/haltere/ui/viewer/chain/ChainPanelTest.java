@@ -31,7 +31,7 @@ class ChainPanelTest {
 
   @BeforeEach
   void open() {
-    viewer = ViewerHarness.withBlob();
+    viewer = ViewerHarness.withBlobAndNoiseFilters();
   }
 
   @AfterEach

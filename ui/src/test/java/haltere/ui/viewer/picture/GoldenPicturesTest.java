@@ -71,9 +71,9 @@ class GoldenPicturesTest {
   }
 
   @Test
-  void theClusterOfTheBlob() throws IOException {
+  void theObjectOfTheBlob() throws IOException {
     GoldenPictures.check(
-        "cluster",
+        "object",
         picture(
             new BlobSource(Long.MAX_VALUE),
             DefaultChain.create(SENSOR),

@@ -25,7 +25,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** Plots of what filters publish, in the real window. */
 class PlotPanelTest {
-  private static final PlotField X = new PlotField("cluster-tracker", "clusters", "x_px");
+  private static final PlotField X = new PlotField("object-tracker", "objects", "x_px");
 
   @TempDir Path folder;
   private ViewerHarness viewer;

@@ -1,0 +1,275 @@
+package haltere.filters.noise;
+
+import haltere.core.event.EventAddress;
+import haltere.core.event.SensorGeometry;
+import java.util.Arrays;
+
+/**
+ * Chooses how long an event supports its neighbours, from what was measured in the last seconds.
+ *
+ * <p>Noise is a Poisson process of rate λ in each pixel. At least k of n = 8 neighbours fired
+ * within T with probability P(T) = 1 − Σ (i &lt; k) C(n, i) qⁱ (1 − q)ⁿ⁻ⁱ, q = 1 − exp(−λT): the
+ * share of noise that passes. For k = 1 it is 1 − exp(−8λT), by the superposition of Poisson
+ * processes (Kingman, "Poisson Processes", 1993, section 2.2). T is at least the time at which
+ * {@value #USUAL_PASSED} of the noise passes and at most that at which {@value #MAX_PASSED} does.
+ * Between the two it is the shortest time that gives support to {@value #KEPT} of the objects'
+ * events that the longest would give it to, for k = 1; for other k it is the shortest.
+ *
+ * <p>The rate λ is that of the quietest cells of the picture in windows of 100 ms: the mean of the
+ * Poisson distribution that has the measured share of counts up to their lower decile. Objects and
+ * hot pixels add to some cells, which changes the share little.
+ *
+ * <p>Thread rule: one thread at a time.
+ */
+final class SupportTime {
+  /** Length of a window: an object covers few cells within it. */
+  static final long WINDOW_US = 100_000;
+
+  static final int MIN_US = 1_000;
+  static final int MAX_US = 500_000;
+
+  /** What is used before the first window has ended: of noise of 0.2 Hz one in twenty passes. */
+  static final int INITIAL_US = 32_000;
+
+  /** Windows at the beginning of which neighbours may have fired before the first event. */
+  private static final long FIRST_WINDOWS = MAX_US / WINDOW_US;
+
+  /** Share of the noise that passes if objects need no more. */
+  static final double USUAL_PASSED = 0.05;
+
+  /** Share of the noise that may pass where objects fire rarely. */
+  static final double MAX_PASSED = 0.3;
+
+  /** Share of the objects' events with support that are kept. */
+  static final double KEPT = 0.99;
+
+  /** Time constant of what is remembered: noise changes with light and temperature, in minutes. */
+  private static final double MEMORY_S = 4;
+
+  /** Standard deviations of a count within which it may be noise alone. */
+  private static final double CLIP_SD = 3;
+
+  private static final int NEIGHBOURS = 8;
+
+  /** Cells have at most 16 pixels a side: at 0.2 Hz five events a window. */
+  private static final int MAX_CELL_BITS = 4;
+
+  /** Events of a cell in a window above which none is counted: 20 Hz a pixel is no noise. */
+  private static final int MAX_COUNT = 512;
+
+  /** Share of the cells and windows that objects are assumed to leave free. */
+  private static final double QUIET_SHARE = 0.1;
+
+  /** Bins of the time since the last neighbour: four for each doubling. */
+  private static final int BINS_PER_OCTAVE = 4;
+
+  private static final int BINS = 32 * BINS_PER_OCTAVE;
+  private static final int FIRST_BIN = bin(MIN_US);
+  private static final int LAST_BIN = bin(MAX_US);
+
+  private final int cellBits;
+  private final int cellsX;
+  private final int fullX;
+  private final int fullY;
+  private final int[] cells;
+  private final int[] quietWindows;
+  private final double[] counts = new double[MAX_COUNT + 1];
+  private final int[] bins = new int[BINS];
+  private final double[] delays = new double[BINS];
+  private long windowsSeen;
+  private int supportUs;
+
+  SupportTime(SensorGeometry geometry) {
+    int side = Math.min(geometry.width(), geometry.height());
+    cellBits = Math.min(MAX_CELL_BITS, 31 - Integer.numberOfLeadingZeros(side));
+    cellsX = (geometry.width() - 1 >> cellBits) + 1;
+    fullX = geometry.width() >> cellBits;
+    fullY = geometry.height() >> cellBits;
+    cells = new int[cellsX * ((geometry.height() - 1 >> cellBits) + 1)];
+    quietWindows = new int[cells.length];
+    reset();
+  }
+
+  void reset() {
+    Arrays.fill(cells, 0);
+    Arrays.fill(quietWindows, Integer.MAX_VALUE);
+    Arrays.fill(bins, 0);
+    Arrays.fill(delays, 0);
+    Arrays.fill(counts, 0);
+    windowsSeen = 0;
+    supportUs = INITIAL_US;
+  }
+
+  int supportUs() {
+    return supportUs;
+  }
+
+  /** Counts events in their cells. */
+  void count(int[] addresses, int from, int to) {
+    for (int i = from; i < to; i++) {
+      int address = addresses[i];
+      cells[
+          (EventAddress.y(address) >> cellBits) * cellsX + (EventAddress.x(address) >> cellBits)]++;
+    }
+  }
+
+  /** Counts an event by the time since the last event of a neighbour, microseconds from 0. */
+  void delay(int sinceUs) {
+    bins[bin(sinceUs)]++;
+  }
+
+  private static int bin(int us) {
+    int octave = 31 - Integer.numberOfLeadingZeros(us | BINS_PER_OCTAVE);
+    return octave * BINS_PER_OCTAVE + (us >>> octave - 2 & BINS_PER_OCTAVE - 1);
+  }
+
+  /** First time above a bin, microseconds. */
+  private static double endUs(int bin) {
+    int octave = bin / BINS_PER_OCTAVE;
+    return Math.scalb(BINS_PER_OCTAVE + bin % BINS_PER_OCTAVE + 1.0, octave - 2);
+  }
+
+  /**
+   * Ends a window.
+   *
+   * @param windows how many ended, of which all but the first were empty
+   * @param neighbours how many of the eight must support an event
+   * @param polarities 2 where only neighbours of the own polarity count, else 1
+   */
+  void endWindow(long windows, int neighbours, int polarities) {
+    double windowS = WINDOW_US * 1e-6;
+    double each = Math.exp(-windowS / MEMORY_S);
+    double sinceFirst = Math.pow(each, windows - 1.0);
+    double all = sinceFirst * each;
+    double emptyWindows = (1 - sinceFirst) / (1 - each);
+    int active = countCells(windows, all, sinceFirst, emptyWindows);
+    Arrays.fill(cells, 0);
+    windowsSeen += windows;
+    if (windowsSeen > FIRST_WINDOWS) {
+      for (int i = 0; i < BINS; i++) {
+        delays[i] = delays[i] * all + bins[i] * sinceFirst;
+      }
+    }
+    Arrays.fill(bins, 0);
+    if (active > 0) {
+      double pixels = 1 << 2 * cellBits;
+      choose(noisePerWindow() / (windowS * pixels), neighbours, polarities);
+    }
+  }
+
+  /** Counts cells by their events. One without events within the memory sees nothing. */
+  private int countCells(long windows, double all, double sinceFirst, double emptyWindows) {
+    for (int i = 0; i < counts.length; i++) {
+      counts[i] *= all;
+    }
+    int active = 0;
+    long remembered = Math.round(MEMORY_S * 1e6 / WINDOW_US);
+    for (int y = 0; y < fullY; y++) {
+      for (int x = 0; x < fullX; x++) {
+        int cell = y * cellsX + x;
+        long quiet = cells[cell] > 0 ? windows - 1 : quietWindows[cell] + windows;
+        quietWindows[cell] = (int) Math.min(Integer.MAX_VALUE, quiet);
+        if (quiet < remembered) {
+          counts[Math.min(MAX_COUNT, cells[cell])] += sinceFirst;
+          active++;
+        }
+      }
+    }
+    counts[0] += emptyWindows * active;
+    return active;
+  }
+
+  /** Mean count of a cell in a window by noise alone. */
+  private double noisePerWindow() {
+    double total = Arrays.stream(counts).sum();
+    int most = 0;
+    double share = counts[0] / total;
+    while (share < QUIET_SHARE) {
+      share += counts[++most] / total;
+    }
+    // the share falls as the mean rises
+    double low = 0;
+    double high = most + CLIP_SD * CLIP_SD + CLIP_SD * Math.sqrt(most + 1.0);
+    for (int step = 0; step < 40; step++) {
+      double middle = (low + high) / 2;
+      if (poisson(most, middle) > share) {
+        low = middle;
+      } else {
+        high = middle;
+      }
+    }
+    return low;
+  }
+
+  /** Probability of at most a count. */
+  private static double poisson(int count, double mean) {
+    double term = Math.exp(-mean);
+    double sum = term;
+    for (int i = 1; i <= count; i++) {
+      term *= mean / i;
+      sum += term;
+    }
+    return sum;
+  }
+
+  private void choose(double noiseHz, int neighbours, int polarities) {
+    double supportHz = noiseHz / polarities;
+    int shortest = FIRST_BIN;
+    while (shortest < LAST_BIN && passed(shortest + 1, supportHz, neighbours) <= USUAL_PASSED) {
+      shortest++;
+    }
+    int longest = shortest;
+    while (longest < LAST_BIN && passed(longest + 1, supportHz, neighbours) <= MAX_PASSED) {
+      longest++;
+    }
+    supportUs = (int) endUs(neighbours == 1 ? chosen(shortest, longest, supportHz) : shortest) - 1;
+    supportUs = Math.max(MIN_US, Math.min(MAX_US, supportUs));
+  }
+
+  private int chosen(int shortest, int longest, double supportHz) {
+    double events = upTo(BINS - 1);
+    if (events == 0) {
+      return longest;
+    }
+    double random = (events - upTo(longest)) / (1 - passed(longest, supportHz, 1));
+    double most = supported(longest, random, supportHz);
+    int chosen = shortest;
+    if (most > CLIP_SD * Math.sqrt(events)) {
+      while (chosen < longest && isLess(chosen, longest, KEPT * most, random, supportHz)) {
+        chosen++;
+      }
+    }
+    return chosen;
+  }
+
+  /** Whether a time gives support to fewer events than wanted, or chance may hide that it does. */
+  private boolean isLess(int bin, int longest, double wanted, double random, double supportHz) {
+    double byChance = passed(longest, supportHz, 1) - passed(bin, supportHz, 1);
+    return supported(bin, random, supportHz) < wanted + Math.sqrt(random * byChance);
+  }
+
+  /** Events of objects with support within the times up to a bin, without those of chance. */
+  private double supported(int bin, double random, double supportHz) {
+    return upTo(bin) - random * passed(bin, supportHz, 1);
+  }
+
+  private double upTo(int bin) {
+    double all = 0;
+    for (int i = 0; i <= bin; i++) {
+      all += delays[i];
+    }
+    return all;
+  }
+
+  /** Share of the noise that passes with the times up to a bin. */
+  private static double passed(int bin, double supportHz, int neighbours) {
+    double q = Math.min(1 - 1e-12, -Math.expm1(-supportHz * endUs(bin) * 1e-6));
+    double term = Math.pow(1 - q, NEIGHBOURS);
+    double fewer = 0;
+    for (int i = 0; i < neighbours; i++) {
+      fewer += term;
+      term *= q / (1 - q) * (NEIGHBOURS - i) / (i + 1);
+    }
+    return 1 - fewer;
+  }
+}

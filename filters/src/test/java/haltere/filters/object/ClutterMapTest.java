@@ -1,0 +1,95 @@
+package haltere.filters.object;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.core.event.SensorGeometry;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+
+class ClutterMapTest {
+  private static final SensorGeometry SENSOR = new SensorGeometry(64, 64);
+
+  private final ActivityGrid grid = new ActivityGrid(SENSOR);
+  private final ClutterMap clutter = new ClutterMap(SENSOR, grid);
+  private final SplittableRandom random = new SplittableRandom(1);
+
+  /** A tick in which each pixel fires with its probability. */
+  private void tick(double usual, int hotTile, double hot) {
+    clutter.begin(1);
+    for (int tile = 0; tile < grid.columns * grid.rows; tile++) {
+      for (int pixel = 0; pixel < ActivityGrid.TILE_PIXELS; pixel++) {
+        if (random.nextDouble() < (tile == hotTile && pixel == 0 ? hot : usual)) {
+          clutter.touch(tile);
+          clutter.add(tile, pixel, clutter.cellOf(tile), 1);
+        }
+      }
+    }
+    clutter.end();
+  }
+
+  @Test
+  void aHotPixelsRateIsItsOwnAndTheOthersShareTheirs() {
+    for (int i = 0; i < 1000; i++) {
+      tick(0.01, 5, 0.5);
+    }
+    clutter.begin(1);
+    clutter.touch(5);
+    clutter.touch(100);
+    assertEquals(0.5, clutter.rate(5, 0), 0.1);
+    double sum = 0;
+    for (int pixel = 1; pixel < ActivityGrid.TILE_PIXELS; pixel++) {
+      sum += clutter.rate(100, pixel) / (ActivityGrid.TILE_PIXELS - 1);
+    }
+    assertEquals(0.01, sum, 0.004);
+  }
+
+  @Test
+  void noiseAsUsualIsNoSurpriseAndABurstInOneCellIs() {
+    for (int i = 0; i < 500; i++) {
+      tick(0.01, -1, 0);
+    }
+    int surprised = 0;
+    for (int cell = 0; cell < clutter.cells(); cell++) {
+      surprised += clutter.surprise(cell) > 6 ? 1 : 0;
+      assertTrue(clutter.maySurprise(cell, 2) || clutter.surprise(cell) < 2);
+    }
+    assertTrue(surprised <= 1, surprised + " cells");
+    for (int i = 0; i < 30; i++) {
+      clutter.add(0, i % 16, 0, 1);
+    }
+    assertTrue(clutter.surprise(0) > 12, clutter.surprise(0) + " nat");
+  }
+
+  @Test
+  void aFlashOverThePictureRaisesAllRates() {
+    for (int i = 0; i < 500; i++) {
+      tick(0.01, -1, 0);
+    }
+    clutter.touch(7);
+    double before = clutter.rate(7, 3);
+    for (int i = 0; i < 5; i++) {
+      tick(0.2, -1, 0);
+    }
+    clutter.begin(1);
+    clutter.touch(7);
+    assertTrue(clutter.rate(7, 3) > 5 * before);
+    for (int cell = 0; cell < clutter.cells(); cell++) {
+      assertTrue(clutter.surprise(cell) < 12, clutter.surprise(cell) + " nat");
+    }
+  }
+
+  @Test
+  void timeWithoutEventsLowersTheRates() {
+    for (int i = 0; i < 500; i++) {
+      tick(0.05, -1, 0);
+    }
+    clutter.touch(7);
+    double before = clutter.rate(7, 3);
+    clutter.begin(2000);
+    clutter.end();
+    clutter.begin(1);
+    clutter.touch(7);
+    assertTrue(clutter.rate(7, 3) < 0.2 * before);
+  }
+}

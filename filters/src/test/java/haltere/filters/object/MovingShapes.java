@@ -1,0 +1,79 @@
+package haltere.filters.object;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.testing.EventList;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.function.DoubleFunction;
+
+/** Seeded events of shapes that move before noise. */
+final class MovingShapes {
+  /** Where a shape is at a time; null where it makes no events. */
+  record Place(double x, double y) {}
+
+  private record Shape(
+      DoubleFunction<Place> path, double halfWidth, double halfHeight, double rateHz) {}
+
+  private final SensorGeometry sensor;
+  private final SplittableRandom random;
+  private final List<Shape> shapes = new ArrayList<>();
+  private double noiseHz;
+
+  MovingShapes(SensorGeometry sensor, long seed) {
+    this.sensor = sensor;
+    random = new SplittableRandom(seed);
+  }
+
+  /** Adds a filled box whose pixels fire at random. */
+  MovingShapes box(double halfWidth, double halfHeight, double rateHz, DoubleFunction<Place> path) {
+    shapes.add(new Shape(path, halfWidth, halfHeight, rateHz));
+    return this;
+  }
+
+  MovingShapes noise(double hertzPerPixel) {
+    noiseHz = hertzPerPixel;
+    return this;
+  }
+
+  /** Events of a time from the start, in order. */
+  EventPacket events(double durationS) {
+    EventList events = new EventList();
+    double stepS = 1e-4;
+    for (int step = 0; step < durationS / stepS; step++) {
+      double s = step * stepS;
+      for (Shape shape : shapes) {
+        Place place = shape.path.apply(s);
+        for (int n = place == null ? 0 : count(shape.rateHz * stepS); n > 0; n--) {
+          add(
+              events,
+              s + stepS * random.nextDouble(),
+              place.x() + shape.halfWidth * (2 * random.nextDouble() - 1),
+              place.y() + shape.halfHeight * (2 * random.nextDouble() - 1));
+        }
+      }
+      for (int n = count(noiseHz * sensor.pixels() * stepS); n > 0; n--) {
+        add(
+            events,
+            s + stepS * random.nextDouble(),
+            random.nextDouble(sensor.width()) - 0.5,
+            random.nextDouble(sensor.height()) - 0.5);
+      }
+    }
+    return events.sorted(0, Math.round(durationS * 1e6));
+  }
+
+  private int count(double expected) {
+    int whole = (int) expected;
+    return whole + (random.nextDouble() < expected - whole ? 1 : 0);
+  }
+
+  private void add(EventList events, double s, double x, double y) {
+    int column = (int) Math.round(x);
+    int row = (int) Math.round(y);
+    if (column >= 0 && row >= 0 && column < sensor.width() && row < sensor.height()) {
+      events.add(Math.round(s * 1e6), column, row, random.nextBoolean());
+    }
+  }
+}

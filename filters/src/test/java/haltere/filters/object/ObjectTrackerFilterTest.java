@@ -1,0 +1,255 @@
+package haltere.filters.object;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.core.chain.EventFilter;
+import haltere.core.event.EventAddress;
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.settings.SettingsProblem;
+import haltere.core.stream.EndOfStream;
+import haltere.core.stream.Reset;
+import haltere.filters.object.MovingShapes.Place;
+import haltere.testing.EventFilterContract;
+import haltere.testing.EventPackets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.SplittableRandom;
+import java.util.TreeMap;
+import java.util.function.DoubleFunction;
+import org.junit.jupiter.api.Test;
+
+class ObjectTrackerFilterTest extends EventFilterContract {
+  private static final SensorGeometry SENSOR = new SensorGeometry(128, 128);
+
+  private final List<ObjectTrack> rows = new ArrayList<>();
+  private final ObjectTrackerFilter filter = subscribed();
+
+  @Override
+  protected EventFilter create(SensorGeometry geometry) {
+    return new ObjectTrackerFilter(geometry, ObjectTrackerSettings.defaults());
+  }
+
+  @Override
+  protected EventPacket stream(SensorGeometry geometry, long seed) {
+    double middle = geometry.height() / 2.0;
+    return new MovingShapes(geometry, seed)
+        .noise(1)
+        .box(5, 5, 20_000, s -> new Place(15 + 60 * s, middle))
+        .events(1);
+  }
+
+  @Override
+  protected Object withoutIdentity(Object result) {
+    return result instanceof ObjectTrack track
+        ? track.withId(0)
+        : ((ObjectSnapshot) result)
+            .paths().stream()
+                .map(path -> path.stream().map(track -> track.withId(0)).toList())
+                .toList();
+  }
+
+  private ObjectTrackerFilter subscribed(String... changes) {
+    ObjectTrackerFilter made =
+        new ObjectTrackerFilter(SENSOR, ObjectTrackerSettings.defaults().with(changes));
+    made.tracks().subscribe(rows::add);
+    return made;
+  }
+
+  private void run(MovingShapes shapes, double durationS) {
+    filter.process(shapes.events(durationS));
+    filter.notified(new EndOfStream(0));
+  }
+
+  private Map<Integer, List<ObjectTrack>> byIdentity() {
+    Map<Integer, List<ObjectTrack>> byId = new TreeMap<>();
+    rows.forEach(row -> byId.computeIfAbsent(row.id(), id -> new ArrayList<>()).add(row));
+    return byId;
+  }
+
+  private static MovingShapes shapes(long seed) {
+    return new MovingShapes(SENSOR, seed).noise(0.5);
+  }
+
+  private static DoubleFunction<Place> along(double x, double y, double vx, double vy) {
+    return s -> new Place(x + vx * s, y + vy * s);
+  }
+
+  @Test
+  void aBoxThatMovesIsOneTrackWithItsPlaceVelocityAndExtent() {
+    run(shapes(1).box(8, 5, 20_000, along(20, 40, 60, 20)), 1.2);
+    assertEquals(1, byIdentity().size());
+    for (ObjectTrack row : rows) {
+      if (row.ageS() < 0.4) {
+        continue;
+      }
+      double s = row.timeUs() * 1e-6;
+      assertEquals(20 + 60 * s, row.xPx(), 2);
+      assertEquals(40 + 20 * s, row.yPx(), 2);
+      assertEquals(60, row.vxPxS(), 10);
+      assertEquals(20, row.vyPxS(), 10);
+      assertEquals(9, row.majorPx(), 3);
+      assertEquals(5, row.minorPx(), 3);
+      assertTrue(row.existence() > 0.9);
+    }
+    assertTrue(rows.size() > 100, rows.size() + " rows");
+  }
+
+  @Test
+  void theRowsSinceItsFirstEventsComeWhenItIsDecided() {
+    run(shapes(2).box(6, 6, 20_000, along(20, 40, 60, 0)), 1);
+    assertTrue(rows.get(0).timeUs() < 150_000, rows.get(0).timeUs() + " us");
+    for (int i = 1; i < rows.size(); i++) {
+      assertTrue(rows.get(i).timeUs() > rows.get(i - 1).timeUs());
+    }
+  }
+
+  @Test
+  void noiseAloneIsNoObject() {
+    for (double hertz : new double[] {0.1, 2, 20}) {
+      run(new MovingShapes(SENSOR, 3).noise(hertz), 2);
+      assertEquals(List.of(), rows, hertz + " Hz");
+      filter.reset();
+    }
+  }
+
+  @Test
+  void anObjectThatStopsForTwoSecondsKeepsItsIdentity() {
+    run(
+        shapes(4)
+            .box(
+                6,
+                6,
+                20_000,
+                s ->
+                    s < 0.8
+                        ? new Place(20 + 60 * s, 60)
+                        : s < 2.8 ? null : new Place(68 + 60 * (s - 2.8), 60)),
+        3.4);
+    assertEquals(1, byIdentity().size());
+    ObjectTrack last = rows.get(rows.size() - 1);
+    assertEquals(68 + 60 * (last.timeUs() * 1e-6 - 2.8), last.xPx(), 3);
+  }
+
+  @Test
+  void twoObjectsThatMoveApartAreTwo() {
+    run(
+        shapes(5).box(5, 5, 15_000, along(60, 30, -40, 0)).box(5, 5, 15_000, along(68, 90, 40, 0)),
+        1);
+    assertEquals(2, byIdentity().size());
+  }
+
+  @Test
+  void twoEdgesThatMoveTogetherAreOneObject() {
+    run(
+        shapes(6).box(1, 8, 8_000, along(20, 50, 70, 0)).box(1, 8, 8_000, along(34, 50, 70, 0)),
+        1.2);
+    assertEquals(1, byIdentity().size());
+    ObjectTrack last = rows.get(rows.size() - 1);
+    assertEquals(27 + 70 * last.timeUs() * 1e-6, last.xPx(), 4);
+  }
+
+  @Test
+  void objectsThatPassOneAnotherKeepTheirIdentities() {
+    int kept = 0;
+    for (int seed = 0; seed < 10; seed++) {
+      rows.clear();
+      filter.reset();
+      run(
+          shapes(100 + seed)
+              .box(5, 5, 15_000, along(15, 56, 70, 0))
+              .box(5, 5, 15_000, along(113, 76, -70, 0)),
+          1.4);
+      boolean isKept =
+          byIdentity().size() == 2
+              && byIdentity().values().stream()
+                  .allMatch(
+                      path -> Math.abs(path.get(0).yPx() - path.get(path.size() - 1).yPx()) < 8);
+      kept += isKept ? 1 : 0;
+    }
+    assertTrue(kept >= 9, kept + " of 10");
+  }
+
+  @Test
+  void aHotPixelALampAndAllEventsAtOneTimeAreNoObjects() {
+    SplittableRandom random = new SplittableRandom(7);
+    EventPacket hot = new EventPacket(0);
+    EventPacket lamp = new EventPacket(0);
+    for (int i = 0; i < 100_000; i++) {
+      hot.append(i * 20L, EventAddress.pack(40, 40, true));
+      long burstUs = i / 2000 * 20_000L;
+      lamp.append(burstUs, EventAddress.pack(random.nextInt(128), random.nextInt(128), i % 2 == 0));
+    }
+    EventPacket flash = new EventPacket(0);
+    for (int i = 0; i < 1_000_000; i++) {
+      flash.append(5_000, EventAddress.pack(random.nextInt(128), random.nextInt(128), true));
+    }
+    for (EventPacket events : List.of(hot, lamp, flash)) {
+      filter.process(events);
+      filter.notified(new EndOfStream(0));
+      byIdentity()
+          .values()
+          .forEach(path -> assertTrue(path.get(path.size() - 1).ageS() < 0.5, "a false object"));
+      rows.clear();
+      filter.reset();
+    }
+  }
+
+  @Test
+  void afterAnHourOfSilenceOrAResetNoObjectIsLeft() {
+    EventPacket events = shapes(8).box(6, 6, 20_000, along(20, 60, 60, 0)).events(1);
+    filter.process(EventPackets.copy(events));
+    filter.process(EventPackets.shifted(events, 3_600_000_000L));
+    Map<Integer, List<ObjectTrack>> paths = byIdentity();
+    assertEquals(2, paths.size());
+    assertTrue(paths.get(1).get(paths.get(1).size() - 1).timeUs() < 10_000_000);
+    filter.notified(new Reset(Reset.Cause.SEEK, 0, 0));
+    rows.clear();
+    filter.process(EventPackets.copy(events));
+    assertEquals(java.util.Set.of(3), byIdentity().keySet());
+  }
+
+  @Test
+  void theRateOfReportsIsASetting() {
+    ObjectTrackerFilter fast = subscribed("reportRateHz=250");
+    fast.process(shapes(9).box(6, 6, 20_000, along(20, 60, 60, 0)).events(1));
+    assertTrue(rows.stream().allMatch(row -> row.timeUs() % 4000 == 0));
+    assertTrue(rows.size() > 200, rows.size() + " rows");
+  }
+
+  @Test
+  void absurdSettingsAreRefused() {
+    for (String absurd : List.of("scalePx=NaN", "confirmS=0", "rememberS=-1", "reportRateHz=0")) {
+      assertThrows(
+          SettingsProblem.class, () -> ObjectTrackerSettings.defaults().with(absurd), absurd);
+    }
+  }
+
+  @Test
+  void statedDeviationsOfPlaceAndVelocityHoldTheErrors() {
+    int inPlace = 0;
+    int inVelocity = 0;
+    int all = 0;
+    for (int seed = 0; seed < 20; seed++) {
+      rows.clear();
+      filter.reset();
+      double vy = 3 * seed - 30;
+      run(shapes(200 + seed).box(7, 7, 20_000, along(20, 64, 60, vy)), 1.2);
+      for (ObjectTrack row : rows) {
+        if (row.ageS() < 0.5 || row.timeUs() % 100_000 != 0) {
+          continue;
+        }
+        all++;
+        double errorPx = row.xPx() - 20 - 60 * row.timeUs() * 1e-6;
+        inPlace += Math.abs(errorPx) < 1.96 * row.sdXPx() ? 1 : 0;
+        inVelocity += Math.abs(row.vxPxS() - 60) < 1.96 * row.sdVxPxS() ? 1 : 0;
+      }
+    }
+    assertTrue(all > 100, all + " rows");
+    assertTrue(inPlace >= 0.92 * all, inPlace + " places of " + all);
+    assertTrue(inVelocity >= 0.92 * all, inVelocity + " velocities of " + all);
+  }
+}

@@ -1,0 +1,109 @@
+package haltere.filters.object;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+
+class ShapeTemplateTest {
+  private final SplittableRandom random = new SplittableRandom(1);
+
+  private ShapeTemplate box(double halfX, double halfY) {
+    ShapeTemplate template = new ShapeTemplate();
+    template.clear(2);
+    for (int i = 0; i < 2000; i++) {
+      template.spread(
+          halfX * (2 * random.nextDouble() - 1), halfY * (2 * random.nextDouble() - 1), 1, 1);
+    }
+    template.refresh();
+    return template;
+  }
+
+  @Test
+  void theDensityOfAnEventIsAProbability() {
+    double sum = 0;
+    for (float density : box(10, 6).density) {
+      sum += density;
+    }
+    assertEquals(1, sum, 0.01);
+  }
+
+  @Test
+  void theExtentHoldsTheEvents() {
+    ShapeTemplate template = box(10, 6);
+    assertEquals(10, template.halfX, 1.5);
+    assertEquals(6, template.halfY, 1.5);
+    assertEquals(0, template.middleX, 0.5);
+    assertEquals(100 / 3.0, template.varianceX, 4);
+    assertEquals(36 / 3.0, template.varianceY, 2);
+  }
+
+  @Test
+  void theGradientTellsADisplacementAndItsInformationItsVariance() {
+    double squares = 0;
+    double stated = 0;
+    for (int trial = 0; trial < 200; trial++) {
+      ShapeTemplate template = box(10, 6);
+      double shift = random.nextDouble() - 0.5;
+      double gradient = 0;
+      int events = 300;
+      for (int i = 0; i < events; i++) {
+        int cell =
+            template.cell(
+                shift + 10 * (2 * random.nextDouble() - 1), 6 * (2 * random.nextDouble() - 1));
+        gradient -= template.gradientX[cell];
+      }
+      double error = gradient / (events * template.infoXx) - shift;
+      squares += error * error / 200;
+      stated += 1 / (events * template.infoXx) / 200;
+    }
+    // what Component takes for the variance is five times the information's
+    assertTrue(squares < 5 * stated, squares + " px2 where " + stated + " is stated");
+  }
+
+  @Test
+  void anEdgeTellsMostAcrossIt() {
+    ShapeTemplate edge = new ShapeTemplate();
+    edge.clear(2);
+    for (int i = 0; i < 3000; i++) {
+      edge.spread(random.nextDouble(), 40 * (random.nextDouble() - 0.5), 1, 1);
+    }
+    edge.refresh();
+    assertTrue(edge.infoXx > 5 * edge.infoYy, edge.infoXx + " and " + edge.infoYy);
+  }
+
+  @Test
+  void weightsFadeAndKeepTheirRatio() {
+    ShapeTemplate template = new ShapeTemplate();
+    template.clear(2);
+    int cell = template.cell(0, 0);
+    template.add(cell, 8);
+    template.decay(0.5);
+    template.add(cell, 1);
+    template.decay(0.5);
+    template.settle();
+    assertEquals(2.5, template.total, 1e-6);
+  }
+
+  @Test
+  void resamplingKeepsWeightMiddleAndExtent() {
+    ShapeTemplate template = box(10, 6);
+    template.resample(template.coarser(), 3, -2);
+    template.refresh();
+    assertEquals(2000, template.total, 1);
+    assertEquals(-3, template.middleX, 0.7);
+    assertEquals(2, template.middleY, 0.7);
+    assertEquals(10, template.halfX, 2);
+  }
+
+  @Test
+  void theDistanceOfTwoIsTheirGap() {
+    ShapeTemplate one = box(6, 6);
+    ShapeTemplate other = box(6, 6);
+    assertEquals(0, one.distance(other, 5, 0));
+    assertEquals(18, one.distance(other, 30, 0), 2 * one.cellPx + 0.1);
+    assertEquals(18 * Math.sqrt(2), one.distance(other, 30, 30), 3 * one.cellPx);
+    assertEquals(one.distance(other, 30, 4), other.distance(one, -30, -4), 1e-3);
+  }
+}
