@@ -1,6 +1,6 @@
 package haltere.filters.wing.tracker;
 
-import haltere.core.chain.FilterProvider;
+import haltere.core.chain.NamedProvider;
 import haltere.core.chain.Outlet;
 import haltere.core.chain.PublishingFilter;
 import haltere.core.event.EventPacket;
@@ -139,30 +139,19 @@ public final class WingTrackerFilter extends PublishingFilter<WingTrackerSetting
   }
 
   /** Makes the filter where its name is found in a chain. */
-  public static final class Provider implements FilterProvider<WingTrackerSettings> {
-    @Override
-    public String name() {
-      return "wing-tracker";
-    }
-
-    @Override
-    public String description() {
-      return "Follows the wings of a tethered fly within each beat.";
-    }
-
-    @Override
-    public Class<WingTrackerSettings> settingsType() {
-      return WingTrackerSettings.class;
+  public static final class Provider extends NamedProvider<WingTrackerSettings> {
+    /** Found by its name in the list of services. */
+    public Provider() {
+      super(
+          "wing-tracker",
+          "Follows the wings of a tethered fly within each beat.",
+          WingTrackerSettings.class,
+          WingTrackerFilter::new);
     }
 
     @Override
     public Map<String, WingTrackerSettings> presets() {
       return Map.of("original", WingTrackerSettings.original());
-    }
-
-    @Override
-    public WingTrackerFilter create(SensorGeometry geometry, WingTrackerSettings settings) {
-      return new WingTrackerFilter(geometry, settings);
     }
   }
 }
