@@ -18,7 +18,7 @@ import java.util.stream.Stream;
  * <p>A settings record has components of type int, long, double, boolean, String, an enum or
  * another settings record; every leaf has {@link Help} and every number {@link Range} and {@link
  * Unit}; a static method {@code defaults()} returns the default values; its compact constructor
- * calls {@link #validate} with all of its components.
+ * calls {@link #validate} with all of its components, which checks those of nested records too.
  *
  * <p>A record whose settings had other names before may say so in a static method {@code
  * formerNames()}: a map from the former name of a setting, or of a group, to its present name or to
@@ -86,6 +86,11 @@ public final class SettingsSchema<S extends Record> {
     }
     for (int i = 0; i < values.length; i++) {
       components.get(i).check(values[i]);
+      if (values[i] instanceof Record nested) {
+        Stream<String> names =
+            Stream.of(nested.getClass().getRecordComponents()).map(each -> each.getName());
+        validate(nested.getClass(), names.map(name -> component(nested, name)).toArray());
+      }
     }
   }
 

@@ -160,9 +160,8 @@ public final class BatchLeastSquares {
   }
 
   /**
-   * Follows the trajectory from a first state: J and x, and on request Λ, g and Φ.
-   *
-   * @return NaN as soon as J is no number or above a limit
+   * Follows the trajectory from a first state: J and x, and on request Λ, g and Φ; NaN as soon as J
+   * is no number or above a limit.
    */
   private double follow(DMatrixRMaj first, DMatrixRMaj x, boolean linearise, double limit) {
     int n = first.numRows;

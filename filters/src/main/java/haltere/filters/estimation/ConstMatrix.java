@@ -26,20 +26,12 @@ public final class ConstMatrix {
         matrix.numRows, matrix.numCols, Arrays.copyOf(matrix.data, matrix.getNumElements()));
   }
 
-  /**
-   * Number of rows.
-   *
-   * @return at least 0
-   */
+  /** {@return the number of rows} */
   public int rows() {
     return rows;
   }
 
-  /**
-   * Number of columns.
-   *
-   * @return at least 0; 1 for a vector
-   */
+  /** {@return the number of columns; 1 for a vector} */
   public int columns() {
     return columns;
   }
@@ -65,11 +57,7 @@ public final class ConstMatrix {
     return values[index];
   }
 
-  /**
-   * A matrix to calculate with.
-   *
-   * @return a new one at each call
-   */
+  /** {@return a matrix to calculate with, a new one at each call} */
   public DMatrixRMaj toMatrix() {
     return new DMatrixRMaj(rows, columns, true, values.clone());
   }

@@ -53,29 +53,17 @@ public final class GaussianState {
     e = new double[n];
   }
 
-  /**
-   * Number of entries of the state.
-   *
-   * @return at least 1
-   */
+  /** {@return the number of entries of the state, at least 1} */
   public int size() {
     return n;
   }
 
-  /**
-   * The mean itself.
-   *
-   * @return n × 1, not a copy; the caller may write to it
-   */
+  /** {@return the mean itself, n × 1, not a copy; the caller may write to it} */
   public DMatrixRMaj mean() {
     return x;
   }
 
-  /**
-   * The covariance itself.
-   *
-   * @return n × n, not a copy; who writes to it keeps it symmetric
-   */
+  /** {@return the covariance itself, n × n, not a copy; who writes to it keeps it symmetric} */
   public DMatrixRMaj covariance() {
     return p;
   }
@@ -403,11 +391,7 @@ public final class GaussianState {
     p.setTo(CovarianceEdit.with(p, row, column, value));
   }
 
-  /**
-   * Whether all numbers are finite and no variance is negative.
-   *
-   * @return false if the belief is of no use
-   */
+  /** {@return whether all numbers are finite and no variance is negative} */
   public boolean isSound() {
     double sum = 0;
     for (int i = 0; i < n; i++) {

@@ -22,49 +22,17 @@ final class Innovation {
   private double nis;
   private double logLikelihood;
 
-  /** Compares a measurement with what x and P lead one to expect; false if it cannot be used. */
+  /**
+   * Compares a measurement with what x and P lead one to expect; false if it cannot be used. S = H
+   * P Hᵀ + R, K = P Hᵀ S⁻¹.
+   */
   boolean compute(MeasurementModel model, DMatrixRMaj z, DMatrixRMaj x, DMatrixRMaj p) {
-    computeModel(model, z, x);
-    return finish(p);
-  }
-
-  /** One row of a vector measurement with independent noise, with the innovation given. */
-  boolean computeRow(Innovation all, int row, double innovation, DMatrixRMaj p) {
-    reshape(1, all.h.numCols);
-    for (int j = 0; j < h.numCols; j++) {
-      h.set(0, j, all.h.get(row, j));
-    }
-    r.set(0, 0, all.r.get(row, row));
-    y.set(0, 0, innovation);
-    return finish(p);
-  }
-
-  /** Models, H and R of a vector measurement, without S and K. */
-  void computeModel(MeasurementModel model, DMatrixRMaj z, DMatrixRMaj x) {
     Require.size("measurement", z, model.size(), 1);
     reshape(model.size(), x.numRows);
     model.expected(x, expected);
     model.jacobian(x, h);
     model.noise(x, r);
     model.residual(z, expected, y);
-  }
-
-  int size() {
-    return y.numRows;
-  }
-
-  /** yᵀ S⁻¹ y. */
-  double nis() {
-    return nis;
-  }
-
-  /** ln N(y; 0, S). */
-  double logLikelihood() {
-    return logLikelihood;
-  }
-
-  /** S = H P Hᵀ + R, K = P Hᵀ S⁻¹. */
-  private boolean finish(DMatrixRMaj p) {
     CommonOps_DDRM.mult(h, p, hp);
     CommonOps_DDRM.multTransB(hp, h, s);
     CommonOps_DDRM.addEquals(s, r);
@@ -92,6 +60,20 @@ final class Innovation {
     }
     logLikelihood = -0.5 * (nis + logDeterminant + size() * LOG_TWO_PI);
     return Double.isFinite(logLikelihood);
+  }
+
+  int size() {
+    return y.numRows;
+  }
+
+  /** yᵀ S⁻¹ y. */
+  double nis() {
+    return nis;
+  }
+
+  /** ln N(y; 0, S). */
+  double logLikelihood() {
+    return logLikelihood;
   }
 
   private void reshape(int m, int n) {

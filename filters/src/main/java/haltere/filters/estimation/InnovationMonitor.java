@@ -1,22 +1,19 @@
 package haltere.filters.estimation;
 
 /**
- * Counts what became of measurements and finds losses of lock: runs of gated innovations.
+ * Counts measurements taken in and gated, and finds losses of lock: runs of gated innovations.
  *
  * <p>A measurement that cannot be used (NaN) neither lengthens nor ends a run. Thread rule: that of
  * its estimator.
  */
 public final class InnovationMonitor {
-  /** Gated innovations in a row that mean a loss of lock, unless said otherwise. */
-  public static final int DEFAULT_LOSS_AFTER = 20;
+  /** Gated innovations in a row that mean a loss of lock of a {@link KalmanFilter}. */
+  public static final int LOSS_AFTER = 20;
 
   private final int lossAfter;
   private long applied;
   private long gated;
-  private long unusable;
-  private long lossesOfLock;
   private int run;
-  private int longestRun;
 
   /**
    * A monitor that has seen nothing.
@@ -27,11 +24,7 @@ public final class InnovationMonitor {
     this.lossAfter = Require.atLeast("gated innovations until lock is lost", 1, lossAfter);
   }
 
-  /**
-   * Notes a measurement that was taken in.
-   *
-   * @return {@link UpdateOutcome#APPLIED}
-   */
+  /** {@return {@link UpdateOutcome#APPLIED}, noted as a measurement that was taken in} */
   public UpdateOutcome noteApplied() {
     applied++;
     run = 0;
@@ -47,21 +40,7 @@ public final class InnovationMonitor {
   public UpdateOutcome noteGated() {
     gated++;
     run++;
-    longestRun = Math.max(longestRun, run);
-    if (run == lossAfter) {
-      lossesOfLock++;
-    }
-    return run >= lossAfter ? UpdateOutcome.LOCK_LOST : UpdateOutcome.GATED;
-  }
-
-  /**
-   * Notes a measurement that is not a number.
-   *
-   * @return {@link UpdateOutcome#UNUSABLE}
-   */
-  public UpdateOutcome noteUnusable() {
-    unusable++;
-    return UpdateOutcome.UNUSABLE;
+    return lockLost() ? UpdateOutcome.LOCK_LOST : UpdateOutcome.GATED;
   }
 
   /** Ends the present run, as a new launch of the filter does; the counts stay. */
@@ -70,65 +49,19 @@ public final class InnovationMonitor {
   }
 
   /**
-   * Whether the last innovations in a row were gated, and too many of them.
-   *
-   * @return true until a measurement is taken in, or the filter launched anew
+   * {@return whether lock is lost: the last innovations in a row were gated, and too many of them}
    */
   public boolean lockLost() {
     return run >= lossAfter;
   }
 
-  /**
-   * Measurements taken in.
-   *
-   * @return at least 0
-   */
+  /** {@return the number of measurements taken in} */
   public long applied() {
     return applied;
   }
 
-  /**
-   * Measurements outside the gate.
-   *
-   * @return at least 0
-   */
+  /** {@return the number of measurements outside the gate} */
   public long gated() {
     return gated;
-  }
-
-  /**
-   * Measurements that were not numbers.
-   *
-   * @return at least 0
-   */
-  public long unusable() {
-    return unusable;
-  }
-
-  /**
-   * How often the lock was lost.
-   *
-   * @return at least 0
-   */
-  public long lossesOfLock() {
-    return lossesOfLock;
-  }
-
-  /**
-   * Gated innovations since the last one that was taken in.
-   *
-   * @return at least 0
-   */
-  public int run() {
-    return run;
-  }
-
-  /**
-   * The longest run of gated innovations so far.
-   *
-   * @return at least {@link #run()}
-   */
-  public int longestRun() {
-    return longestRun;
   }
 }

@@ -1,5 +1,6 @@
 package haltere.filters.estimation;
 
+import java.util.Arrays;
 import java.util.Objects;
 import java.util.function.Consumer;
 import org.ejml.data.DMatrixRMaj;
@@ -22,34 +23,23 @@ import org.ejml.dense.row.MatrixFeatures_DDRM;
  * and prediction problems"; Bar-Shalom, Li and Kirubarajan (2001), eq. 5.2.3-1 to 5.2.3-18 and
  * section 10.3.3, first order. Mean and covariance are a {@link GaussianState}; nothing is
  * allocated by a prediction or an update as long as nobody observes it.
+ *
+ * <p>Time steps are seconds and must be finite and not negative: a caller whose clock jumps back
+ * launches anew. A step of 0 predicts nothing. A measurement that is not finite is refused with
+ * {@link UpdateOutcome#UNUSABLE} and leaves the estimate as it is.
+ *
+ * <p>Thread rule: not safe for use by two threads at a time.
  */
-public final class KalmanFilter implements Estimator {
+public final class KalmanFilter {
   private final ProcessModel process;
-  private final GapPolicy gap;
-  private final InnovationMonitor monitor;
+  private final InnovationMonitor monitor = new InnovationMonitor(InnovationMonitor.LOSS_AFTER);
   private final GaussianState belief;
   private final DMatrixRMaj evolved;
   private final DMatrixRMaj f;
   private final DMatrixRMaj q;
-  private final DMatrixRMaj launchState;
-  private final DMatrixRMaj launchCovariance;
   private final Innovation innovation = new Innovation();
-  private final Innovation rowInnovation = new Innovation();
   private Consumer<? super FilterStep> observer;
   private double timeS;
-  private double gapS;
-  private long relaunches;
-
-  /**
-   * A filter with {@link FilterOptions#DEFAULT}.
-   *
-   * @param process how the state evolves
-   * @param x state to launch from
-   * @param p its covariance, positive definite
-   */
-  public KalmanFilter(ProcessModel process, DMatrixRMaj x, DMatrixRMaj p) {
-    this(process, x, p, FilterOptions.DEFAULT);
-  }
 
   /**
    * A filter.
@@ -57,190 +47,43 @@ public final class KalmanFilter implements Estimator {
    * @param process how the state evolves
    * @param x state to launch from
    * @param p its covariance, positive definite
-   * @param options gap policy, loss of lock
    */
-  public KalmanFilter(ProcessModel process, DMatrixRMaj x, DMatrixRMaj p, FilterOptions options) {
+  public KalmanFilter(ProcessModel process, DMatrixRMaj x, DMatrixRMaj p) {
     this.process = Objects.requireNonNull(process, "process model");
     int n = process.stateSize();
-    gap = options.gap();
-    monitor = new InnovationMonitor(options.lossAfter());
     belief = new GaussianState(n);
     evolved = new DMatrixRMaj(n, 1);
     f = new DMatrixRMaj(n, n);
     q = new DMatrixRMaj(n, n);
-    launchState = new DMatrixRMaj(n, 1);
-    launchCovariance = new DMatrixRMaj(n, n);
-    begin(x, p);
+    launch(x, p);
   }
 
-  @Override
-  public int stateSize() {
-    return process.stateSize();
+  /**
+   * Begins (again) from a state. The clock and the counts go on; a run of gated innovations ends.
+   *
+   * @param x state, copied
+   * @param p its covariance, symmetric and positive definite, copied
+   */
+  public void launch(DMatrixRMaj x, DMatrixRMaj p) {
+    Require.state(x, process.stateSize());
+    Require.covariance("covariance", p, process.stateSize());
+    monitor.endRun();
+    belief.set(x, p);
+    if (observer != null) {
+      observer.accept(new Launch(estimate()));
+    }
   }
 
-  @Override
-  public void launch(DMatrixRMaj state, DMatrixRMaj p) {
-    begin(state, p);
-  }
-
-  @Override
+  /**
+   * Predicts over a time step.
+   *
+   * @param dtS seconds, finite and not negative
+   */
   public void predict(double dtS) {
-    Require.timeStep(dtS);
-    timeS += dtS;
-    if (gap.relaunches(gapS, dtS)) {
-      relaunches++;
-      gapS = 0;
-      set(launchState, launchCovariance);
-      monitor.endRun();
+    timeS += Require.timeStep(dtS);
+    if (dtS == 0) {
       return;
     }
-    double stepS = gap.predicted(gapS, dtS);
-    gapS += dtS;
-    if (stepS > 0) {
-      step(stepS);
-    }
-  }
-
-  @Override
-  public UpdateOutcome update(MeasurementModel model, DMatrixRMaj z) {
-    boolean usable = innovate(model, z);
-    if (!usable) {
-      return monitor.noteUnusable();
-    }
-    if (!model.gate().passes(innovation.nis(), innovation.size())) {
-      return refuse();
-    }
-    return correct();
-  }
-
-  /**
-   * Takes in a vector of independent measurements one number after the other: no matrix is
-   * factored, and each number has a gate of its own. Without gating the result is that of {@link
-   * #update} to rounding: the model is linearised once, at the prediction.
-   *
-   * @param model its noise R must be diagonal
-   * @param z the measurement, not kept
-   * @return how many numbers were taken in
-   */
-  public int updateOneByOne(MeasurementModel model, DMatrixRMaj z) {
-    DMatrixRMaj x = belief.mean();
-    innovation.computeModel(model, z, x);
-    requireIndependent(innovation.r);
-    DMatrixRMaj before = evolved;
-    before.setTo(x);
-    int applied = 0;
-    for (int i = 0; i < innovation.size(); i++) {
-      double y = innovation.y.get(i);
-      for (int j = 0; j < x.numRows; j++) {
-        y -= innovation.h.get(i, j) * (x.get(j) - before.get(j));
-      }
-      if (!rowInnovation.computeRow(innovation, i, y, belief.covariance())) {
-        monitor.noteUnusable();
-      } else if (!model.gate().passes(rowInnovation.nis(), 1)) {
-        note(monitor.noteGated(), rowInnovation, null);
-      } else if (apply(rowInnovation).applied()) {
-        applied++;
-      }
-    }
-    return applied;
-  }
-
-  @Override
-  public double state(int index) {
-    return belief.mean(index);
-  }
-
-  @Override
-  public double covariance(int row, int column) {
-    return belief.covariance(row, column);
-  }
-
-  @Override
-  public Estimate estimate() {
-    return new Estimate(
-        timeS, ConstMatrix.copyOf(belief.mean()), ConstMatrix.copyOf(belief.covariance()));
-  }
-
-  @Override
-  public InnovationMonitor monitor() {
-    return monitor;
-  }
-
-  @Override
-  public long relaunches() {
-    return relaunches;
-  }
-
-  /**
-   * Hands every further step to an observer, which may keep it; this allocates.
-   *
-   * @param newObserver such as {@code steps::add}; null for none
-   */
-  public void observe(Consumer<? super FilterStep> newObserver) {
-    observer = newObserver;
-    if (observer != null) {
-      observer.accept(new Launch(estimate()));
-    }
-  }
-
-  /**
-   * Normalised innovation squared of the last update, whether it was taken in or not.
-   *
-   * @return yᵀ S⁻¹ y
-   */
-  public double nis() {
-    return innovation.nis();
-  }
-
-  /**
-   * Logarithm of the likelihood of the last update's measurement, given all before it.
-   *
-   * @return ln N(y; 0, S)
-   */
-  public double logLikelihood() {
-    return innovation.logLikelihood();
-  }
-
-  // ---- In parts, for the mixing of several filters
-
-  GaussianState belief() {
-    return belief;
-  }
-
-  /** Sets state and covariance without making them those to launch from. */
-  void set(DMatrixRMaj state, DMatrixRMaj p) {
-    belief.set(state, p);
-    if (observer != null) {
-      observer.accept(new Launch(estimate()));
-    }
-  }
-
-  /** Computes the innovation of a measurement; false if it cannot be used. */
-  boolean innovate(MeasurementModel model, DMatrixRMaj z) {
-    return innovation.compute(model, z, belief.mean(), belief.covariance());
-  }
-
-  /** Takes in the measurement of the last innovation. */
-  UpdateOutcome correct() {
-    return apply(innovation);
-  }
-
-  /** Gates the measurement of the last innovation. */
-  UpdateOutcome refuse() {
-    return note(monitor.noteGated(), innovation, null);
-  }
-
-  private void begin(DMatrixRMaj state, DMatrixRMaj p) {
-    Require.state(state, process.stateSize());
-    Require.covariance("covariance", p, process.stateSize());
-    launchState.setTo(state);
-    launchCovariance.setTo(p);
-    gapS = 0;
-    monitor.endRun();
-    set(state, p);
-  }
-
-  private void step(double dtS) {
     DMatrixRMaj x = belief.mean();
     process.jacobian(x, dtS, f);
     process.noise(x, dtS, q);
@@ -258,41 +101,99 @@ public final class KalmanFilter implements Estimator {
     }
   }
 
-  private UpdateOutcome apply(Innovation in) {
+  /**
+   * Takes in a measurement, unless it lies outside its gate.
+   *
+   * @param model how it comes from the state
+   * @param z the measurement, not kept
+   * @return what became of it
+   * @throws ArithmeticException if the state leaves the numbers, as that of a diverged extended
+   *     filter may; launch anew
+   */
+  public UpdateOutcome update(MeasurementModel model, DMatrixRMaj z) {
+    if (!innovation.compute(model, z, belief.mean(), belief.covariance())) {
+      return UpdateOutcome.UNUSABLE;
+    }
     Estimate prior = observer == null ? null : estimate();
-    belief.correct(in);
+    if (!model.gate().passes(innovation.nis(), innovation.size())) {
+      return note(monitor.noteGated(), prior);
+    }
+    belief.correct(innovation);
     if (MatrixFeatures_DDRM.hasUncountable(belief.mean())) {
       throw new ArithmeticException("the state is no longer finite: " + belief.mean());
     }
-    gapS = 0;
-    return note(monitor.noteApplied(), in, prior);
+    return note(monitor.noteApplied(), prior);
   }
 
-  private UpdateOutcome note(UpdateOutcome outcome, Innovation in, Estimate prior) {
+  /**
+   * Takes in a measurement given as numbers; allocates.
+   *
+   * @param model how it comes from the state
+   * @param z the measurement
+   * @return what became of it
+   */
+  public UpdateOutcome update(MeasurementModel model, double... z) {
+    return update(model, new DMatrixRMaj(z.length, 1, true, Arrays.copyOf(z, z.length)));
+  }
+
+  /**
+   * One entry of the state.
+   *
+   * @param index from 0
+   * @return in the state's own unit
+   */
+  public double state(int index) {
+    return belief.mean(index);
+  }
+
+  /**
+   * One entry of the covariance.
+   *
+   * @param row from 0
+   * @param column from 0
+   * @return in the product of the two entries' units
+   */
+  public double covariance(int row, int column) {
+    return belief.covariance(row, column);
+  }
+
+  /** {@return the estimate of now, an immutable copy} */
+  public Estimate estimate() {
+    return new Estimate(
+        timeS, ConstMatrix.copyOf(belief.mean()), ConstMatrix.copyOf(belief.covariance()));
+  }
+
+  /** {@return the filter's own monitor: what became of the measurements so far} */
+  public InnovationMonitor monitor() {
+    return monitor;
+  }
+
+  /**
+   * Hands every further step to an observer, which may keep it; this allocates.
+   *
+   * @param newObserver such as {@code steps::add}; null for none
+   */
+  public void observe(Consumer<? super FilterStep> newObserver) {
+    observer = newObserver;
     if (observer != null) {
-      Estimate now = estimate();
+      observer.accept(new Launch(estimate()));
+    }
+  }
+
+  private UpdateOutcome note(UpdateOutcome outcome, Estimate prior) {
+    if (observer != null) {
       observer.accept(
           new Correction(
               outcome,
-              prior == null ? now : prior,
-              ConstMatrix.copyOf(in.h),
-              ConstMatrix.copyOf(in.y),
-              ConstMatrix.copyOf(in.s),
-              ConstMatrix.copyOf(in.gain),
-              in.nis(),
-              in.logLikelihood(),
-              now));
+              prior,
+              ConstMatrix.copyOf(innovation.h),
+              ConstMatrix.copyOf(innovation.y),
+              ConstMatrix.copyOf(innovation.s),
+              ConstMatrix.copyOf(innovation.gain),
+              innovation.nis(),
+              innovation.logLikelihood(),
+              estimate()));
     }
     return outcome;
-  }
-
-  private static void requireIndependent(DMatrixRMaj r) {
-    for (int i = 0; i < r.numRows; i++) {
-      for (int j = 0; j < i; j++) {
-        if (r.get(i, j) != 0 || r.get(j, i) != 0) {
-          throw new IllegalArgumentException("R is not diagonal: its measurements are not apart");
-        }
-      }
-    }
   }
 }

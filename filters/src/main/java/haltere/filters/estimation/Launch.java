@@ -1,7 +1,7 @@
 package haltere.filters.estimation;
 
 /**
- * A filter was set to a state and covariance from outside: at first, anew, or by mixing.
+ * A filter was set to a state and covariance from outside: at first, or anew.
  *
  * @param estimate what it was set to
  */

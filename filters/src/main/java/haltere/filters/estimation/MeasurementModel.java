@@ -10,11 +10,7 @@ import org.ejml.dense.row.CommonOps_DDRM;
  * allocates nothing.
  */
 public interface MeasurementModel {
-  /**
-   * Dimension of the measurement.
-   *
-   * @return at least 1
-   */
+  /** {@return the dimension of the measurement, at least 1} */
   int size();
 
   /**
@@ -52,11 +48,7 @@ public interface MeasurementModel {
     CommonOps_DDRM.subtract(z, expected, y);
   }
 
-  /**
-   * Which innovations are believed.
-   *
-   * @return the gate, open unless overridden
-   */
+  /** {@return the gate that tells which innovations are believed, open unless overridden} */
   default Gate gate() {
     return Gate.OPEN;
   }

@@ -9,11 +9,7 @@ import org.ejml.data.DMatrixRMaj;
  * allocates nothing. A model is not changed by being used, unless it says so.
  */
 public interface ProcessModel {
-  /**
-   * Dimension of the state.
-   *
-   * @return at least 1
-   */
+  /** {@return the dimension of the state, at least 1} */
   int stateSize();
 
   /**

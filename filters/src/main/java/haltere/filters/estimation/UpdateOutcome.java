@@ -12,14 +12,5 @@ public enum UpdateOutcome {
    */
   LOCK_LOST,
   /** It, or its innovation covariance, is not finite or not positive; the estimate is as before. */
-  UNUSABLE;
-
-  /**
-   * Whether the estimate has changed.
-   *
-   * @return true for {@link #APPLIED} only
-   */
-  public boolean applied() {
-    return this == APPLIED;
-  }
+  UNUSABLE
 }

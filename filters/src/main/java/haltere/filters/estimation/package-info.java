@@ -1,6 +1,6 @@
 /**
- * Estimators that state how sure they are: linear and extended Kalman filters, interacting multiple
- * models, a smoother, and tests of their consistency.
+ * Estimators that state how sure they are: linear and extended Kalman filters, a smoother, a batch
+ * estimator, and tests of their consistency.
  *
  * <ul>
  *   <li>A model is one method per equation: {@link haltere.filters.estimation.ProcessModel}
@@ -11,9 +11,8 @@
  *       the operations on them, allocation-free, for use at every event. Every estimator keeps its
  *       covariance there.
  *   <li>{@link haltere.filters.estimation.KalmanFilter} runs it over models; {@link
- *       haltere.filters.estimation.InteractingMultipleModels} mixes several; {@link
  *       haltere.filters.estimation.RtsSmoother} goes back over recorded steps.
- *   <li>{@link haltere.filters.estimation.Consistency} (NEES, NIS, whiteness) judges an estimator.
+ *   <li>{@link haltere.filters.estimation.Consistency} (NEES, NIS) judges an estimator.
  * </ul>
  *
  * <p>Nothing here knows of events or of the chain; times are seconds, angles radians, and noise is

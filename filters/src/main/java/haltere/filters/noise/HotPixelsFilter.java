@@ -1,7 +1,7 @@
 package haltere.filters.noise;
 
 import haltere.core.chain.ConfigurableFilter;
-import haltere.core.chain.FilterProvider;
+import haltere.core.chain.NamedProvider;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 
@@ -46,25 +46,14 @@ public final class HotPixelsFilter implements ConfigurableFilter<HotPixelsSettin
   }
 
   /** Makes the filter where its name is found in a chain. */
-  public static final class Provider implements FilterProvider<HotPixelsSettings> {
-    @Override
-    public String name() {
-      return "hot-pixels";
-    }
-
-    @Override
-    public String description() {
-      return "Learns which pixels fire abnormally and drops their events.";
-    }
-
-    @Override
-    public Class<HotPixelsSettings> settingsType() {
-      return HotPixelsSettings.class;
-    }
-
-    @Override
-    public HotPixelsFilter create(SensorGeometry geometry, HotPixelsSettings settings) {
-      return new HotPixelsFilter(geometry, settings);
+  public static final class Provider extends NamedProvider<HotPixelsSettings> {
+    /** Found by its name in the list of services. */
+    public Provider() {
+      super(
+          "hot-pixels",
+          "Learns which pixels fire abnormally and drops their events.",
+          HotPixelsSettings.class,
+          HotPixelsFilter::new);
     }
   }
 }

@@ -1,7 +1,7 @@
 package haltere.filters.noise;
 
 import haltere.core.chain.ConfigurableFilter;
-import haltere.core.chain.FilterProvider;
+import haltere.core.chain.NamedProvider;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 
@@ -43,25 +43,14 @@ public final class RefractoryFilter implements ConfigurableFilter<RefractorySett
   }
 
   /** Makes the filter where its name is found in a chain. */
-  public static final class Provider implements FilterProvider<RefractorySettings> {
-    @Override
-    public String name() {
-      return "refractory";
-    }
-
-    @Override
-    public String description() {
-      return "Passes an event if its pixel has been silent for a while, which thins out bursts.";
-    }
-
-    @Override
-    public Class<RefractorySettings> settingsType() {
-      return RefractorySettings.class;
-    }
-
-    @Override
-    public RefractoryFilter create(SensorGeometry geometry, RefractorySettings settings) {
-      return new RefractoryFilter(geometry, settings);
+  public static final class Provider extends NamedProvider<RefractorySettings> {
+    /** Found by its name in the list of services. */
+    public Provider() {
+      super(
+          "refractory",
+          "Passes an event if its pixel has been silent for a while, which thins out bursts.",
+          RefractorySettings.class,
+          RefractoryFilter::new);
     }
   }
 }

@@ -36,12 +36,9 @@ sealed interface AxisFilter permits SphereFilter, QuaternionFilter {
   void update(LineMeasurement[] lines, int count);
 
   /**
-   * Updates with the direction of flight, which is that of the head but for an angle
-   * (flight-direction coupling).
-   *
-   * @param direction unit vector, of the flight
-   * @param variance of the angle between axis and flight in each direction, squared radians
-   * @param fresh share of that angle that is new since the last time, above 0, at most 1
+   * Updates with the direction of flight, a unit vector, which is that of the head but for an angle
+   * of a variance in each direction (flight-direction coupling). Fresh is the share of that angle
+   * that is new since the last time, above 0, at most 1.
    */
   default void coupleToFlight(double[] direction, double variance, double fresh) {}
 

@@ -289,11 +289,9 @@ final class AxisHypothesis {
   }
 
   /**
-   * Narrows the Gaussian along its widest direction, if it is too wide.
-   *
-   * @param shift gets the difference of two others on both sides, so that the three with weights 1
-   *     : 2 : 1 have the mean and the covariance of the one
-   * @return false if it is narrow enough
+   * Narrows the Gaussian along its widest direction; false if it is narrow enough. The shift gets
+   * the difference of two others on both sides, so that the three with weights 1 : 2 : 1 have the
+   * mean and the covariance of the one.
    */
   boolean narrow(double[] shift) {
     double p00 = error.covariance(0, 0);

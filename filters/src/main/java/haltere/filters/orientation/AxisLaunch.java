@@ -39,11 +39,7 @@ final class AxisLaunch {
   private double odds;
   private int tried;
 
-  /**
-   * A search.
-   *
-   * @param outlierShare share of lines that are not of the body
-   */
+  /** A search among lines of which a share is not of the body. */
   AxisLaunch(double outlierShare) {
     this.outlierShare = outlierShare;
   }
@@ -77,11 +73,8 @@ final class AxisLaunch {
   }
 
   /**
-   * Searches.
-   *
-   * @param lines the first {@code count} of them
-   * @param count how many
-   * @return false with fewer than two lines, lines that contradict, or planes that are all one
+   * Searches the first lines; false with fewer than two, lines that contradict, or planes that are
+   * all one.
    */
   boolean find(LineMeasurement[] lines, int count) {
     tried = count;

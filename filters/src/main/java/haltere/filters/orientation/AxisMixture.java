@@ -23,10 +23,8 @@ final class AxisMixture {
   private boolean hasCovariance;
 
   /**
-   * A mixture.
-   *
-   * @param hypotheses the likeliest first, with probabilities that add up to 1
-   * @param unknownVariance variance of the axis in each direction if none of them is true
+   * A mixture of hypotheses, the likeliest first, with probabilities that add up to 1, and of the
+   * variance of the axis in each direction if none of them is true.
    */
   AxisMixture(HypothesisSet hypotheses, double unknownVariance) {
     this.hypotheses = hypotheses;

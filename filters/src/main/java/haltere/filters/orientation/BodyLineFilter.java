@@ -1,6 +1,6 @@
 package haltere.filters.orientation;
 
-import haltere.core.chain.FilterProvider;
+import haltere.core.chain.NamedProvider;
 import haltere.core.chain.Outlet;
 import haltere.core.chain.PublishingFilter;
 import haltere.core.event.EventPacket;
@@ -25,11 +25,7 @@ public final class BodyLineFilter extends PublishingFilter<BodyLineSettings> {
     tracker = new BodyLineTracker(geometry, settings, lines::publish);
   }
 
-  /**
-   * Where the lines come out.
-   *
-   * @return a line at each report
-   */
+  /** {@return the outlet of the lines, one at each report} */
   public Outlet<BodyLine> lines() {
     return lines;
   }
@@ -55,25 +51,14 @@ public final class BodyLineFilter extends PublishingFilter<BodyLineSettings> {
   }
 
   /** Makes the filter where its name is found in a chain. */
-  public static final class Provider implements FilterProvider<BodyLineSettings> {
-    @Override
-    public String name() {
-      return "body-line";
-    }
-
-    @Override
-    public String description() {
-      return "Follows one elongated body and says where its line is, for orientation in space.";
-    }
-
-    @Override
-    public Class<BodyLineSettings> settingsType() {
-      return BodyLineSettings.class;
-    }
-
-    @Override
-    public BodyLineFilter create(SensorGeometry geometry, BodyLineSettings settings) {
-      return new BodyLineFilter(geometry, settings);
+  public static final class Provider extends NamedProvider<BodyLineSettings> {
+    /** Found by its name in the list of services. */
+    public Provider() {
+      super(
+          "body-line",
+          "Follows one elongated body and says where its line is, for orientation in space.",
+          BodyLineSettings.class,
+          BodyLineFilter::new);
     }
   }
 }

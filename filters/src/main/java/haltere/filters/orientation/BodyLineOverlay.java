@@ -8,7 +8,7 @@ import haltere.core.overlay.OverlayCanvas;
 /**
  * Draws the body's outline as an ellipse, its line, and where it would be in a tenth of a second.
  */
-public final class BodyLineOverlay implements Overlay<BodyLine> {
+final class BodyLineOverlay implements Overlay<BodyLine> {
   private static final double VELOCITY_S = 0.1;
 
   @Override

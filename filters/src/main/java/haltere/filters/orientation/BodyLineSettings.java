@@ -42,7 +42,6 @@ public record BodyLineSettings(
         @Range(min = 1000, max = 1000000000, logarithmic = true)
         @Unit("us")
         long forgetUs) {
-  /** Checks the ranges. */
   public BodyLineSettings {
     SettingsSchema.validate(
         BodyLineSettings.class,
@@ -55,11 +54,7 @@ public record BodyLineSettings(
         forgetUs);
   }
 
-  /**
-   * The settings to start from.
-   *
-   * @return an insect of 4 to 120 pixels
-   */
+  /** {@return the settings to start from: an insect of 4 to 120 pixels} */
   public static BodyLineSettings defaults() {
     return new BodyLineSettings(200, 1, 1.6, 8, 1, 60, 200_000);
   }

@@ -99,21 +99,12 @@ public final class BodyLineTracker {
     apply(settings);
   }
 
-  /**
-   * The settings in force.
-   *
-   * @return an immutable record
-   */
-  public BodyLineSettings settings() {
+  BodyLineSettings settings() {
     return settings;
   }
 
-  /**
-   * Takes new settings; a body that is followed stays.
-   *
-   * @param newSettings valid settings
-   */
-  public void apply(BodyLineSettings newSettings) {
+  /** Takes new settings; a body that is followed stays. */
+  void apply(BodyLineSettings newSettings) {
     settings = newSettings;
     periodUs = Math.max(1, Math.round(1e6 / newSettings.rateHz()));
     hasTime = false;

@@ -347,10 +347,9 @@ public final class BodyOrientationEstimator {
   }
 
   /**
-   * Mean of the normalised innovations squared of all lines that were used: near 1 if the filter is
-   * consistent (somewhat less, since lines far off are left out).
-   *
-   * @return NaN before the first
+   * {@return the mean of the normalised innovations squared of all lines that were used: near 1 if
+   * the filter is consistent (somewhat less, since lines far off are left out), NaN before the
+   * first}
    */
   public double meanNis() {
     return nisCount == 0 ? Double.NaN : nisSum / nisCount;

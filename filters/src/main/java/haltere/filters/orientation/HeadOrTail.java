@@ -34,13 +34,7 @@ final class HeadOrTail {
     flipped = !flipped;
   }
 
-  /**
-   * Adds a step.
-   *
-   * @param alongM displacement along the axis, metres
-   * @param varianceM2 variance of its position along the axis, square metres
-   * @param dtS its duration
-   */
+  /** Adds a displacement along the axis in metres, with the variance of the position along it. */
   void step(double alongM, double varianceM2, double dtS) {
     if (!Double.isFinite(alongM) || !(varianceM2 > 0)) {
       return;

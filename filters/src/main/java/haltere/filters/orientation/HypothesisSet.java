@@ -82,10 +82,8 @@ final class HypothesisSet {
   }
 
   /**
-   * Normalises the weights, drops, merges and sorts hypotheses, and limits their number.
-   *
-   * @param none weight of the case that no hypothesis is true
-   * @return probability of that case
+   * Normalises the weights, drops, merges and sorts hypotheses, and limits their number. Takes the
+   * weight of the case that no hypothesis is true and returns its probability.
    */
   double settle(double none) {
     double most = Math.log(none);
@@ -137,9 +135,8 @@ final class HypothesisSet {
   }
 
   /**
-   * Couples the axis to the flight ({@link AxisHypothesis#coupleToFlight}).
-   *
-   * @param vague whether hypotheses may have exchanged head and tail
+   * Couples the axis to the flight ({@link AxisHypothesis#coupleToFlight}); vague hypotheses may
+   * have exchanged head and tail.
    */
   void coupleToFlight(double[] direction, double variance, double fresh, boolean vague) {
     for (int i = 0; i < size; i++) {
@@ -155,12 +152,8 @@ final class HypothesisSet {
   }
 
   /**
-   * Weighs the hypothesis that was added last.
-   *
-   * @param chance its weight
-   * @param none weight of the case that no hypothesis is true
-   * @param others weight of the others together
-   * @return probability that none is true
+   * Weighs the hypothesis that was added last by its chance, beside the weight of no true
+   * hypothesis and that of the others together. Returns the probability that none is true.
    */
   double include(AxisHypothesis added, double chance, double none, double others) {
     double known = chance + others;

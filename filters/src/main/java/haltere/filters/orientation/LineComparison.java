@@ -33,11 +33,7 @@ final class LineComparison {
 
   private double lineVariance;
 
-  /**
-   * Compares.
-   *
-   * @return false where the body is seen end-on
-   */
+  /** Compares; false where the body is seen end-on. */
   boolean compare(AxisHypothesis hypothesis, LineMeasurement line) {
     GaussianState error = hypothesis.error;
     double a = error.mean(0);

@@ -77,12 +77,8 @@ final class LineIntake {
   }
 
   /**
-   * Makes measurements of the lines of a body.
-   *
-   * @param positionM of the body, metres
-   * @param into gets the measurements
-   * @param counter counts the other observations
-   * @return how many measurements
+   * Makes measurements of the lines of a body at a position in metres, counts the other
+   * observations, and returns how many measurements.
    */
   int measure(
       List<LineObservation> seen,

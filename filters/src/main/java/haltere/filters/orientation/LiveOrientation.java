@@ -120,12 +120,8 @@ public final class LiveOrientation {
     }
   }
 
-  /**
-   * Lines that came after their time had been handed over.
-   *
-   * @return at least 0
-   */
-  public synchronized long late() {
+  /** Lines that came after their time had been handed over. */
+  synchronized long late() {
     return late;
   }
 }

@@ -36,11 +36,7 @@ public enum OrientationCount {
     this.words = words;
   }
 
-  /**
-   * What is counted, for a person.
-   *
-   * @return words that follow a number
-   */
+  /** {@return what is counted, in words that follow a number} */
   public String words() {
     return words;
   }

@@ -59,10 +59,8 @@ public record OrientationEstimate(
   }
 
   /**
-   * An estimate of vectors.
-   *
-   * @param axis unit vector, tail to head
-   * @param tip velocity of the head on the unit sphere, per second
+   * An estimate of vectors: the axis, a unit vector from tail to head, and the velocity of the head
+   * on the unit sphere, per second.
    */
   static OrientationEstimate of(
       long timeUs,

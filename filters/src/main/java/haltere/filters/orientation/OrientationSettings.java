@@ -33,17 +33,14 @@ public record OrientationSettings(
     QUATERNION
   }
 
-  /** Checks the parts. */
   public OrientationSettings {
     SettingsSchema.validate(
         OrientationSettings.class, form, gate, turning, line, position, direction);
   }
 
   /**
-   * The settings to start from.
-   *
-   * @return the error-state filter for an insect that turns in saccades, in metres, with the gate
-   *     of 40 degrees of Straw et al. (2011)
+   * {@return the settings to start from: the error-state filter for an insect that turns in
+   * saccades, in metres, with the gate of 40 degrees of Straw et al. (2011)}
    */
   public static OrientationSettings defaults() {
     return new OrientationSettings(
@@ -116,12 +113,6 @@ public record OrientationSettings(
           @Range(min = 0, max = 0.5)
           @Unit("1")
           double outlierShare) {
-    /** Checks the ranges. */
-    public ObservationGate {
-      SettingsSchema.validate(
-          ObservationGate.class, angleDeg, minAreaPx, minEccentricity, outlierShare);
-    }
-
     /** The outlier share, 0 where the angle accepts all. */
     double effectiveOutlierShare() {
       return angleDeg >= 90 ? 0 : outlierShare;
@@ -167,18 +158,6 @@ public record OrientationSettings(
           @Range(min = 0, max = 1000)
           @Unit("1")
           double updateNoise) {
-    /** Checks the ranges. */
-    public Turning {
-      SettingsSchema.validate(
-          Turning.class,
-          calmRateRadS,
-          saccadeRateRadS,
-          decayS,
-          saccadesPerS,
-          saccadeS,
-          updateNoise);
-    }
-
     /** Share of the time that is spent in saccades. */
     double saccadeShare() {
       return saccadesPerS * saccadeS / (1 + saccadesPerS * saccadeS);
@@ -205,12 +184,7 @@ public record OrientationSettings(
           double angleSdDeg,
       @Help("Whether the standard deviation of each camera is learnt from its own detections.")
           boolean calibrate,
-      @Help("Whether a detection counts for less the rounder it is.") boolean byEccentricity) {
-    /** Checks the ranges. */
-    public AngleNoise {
-      SettingsSchema.validate(AngleNoise.class, angleSdDeg, calibrate, byEccentricity);
-    }
-  }
+      @Help("Whether a detection counts for less the rounder it is.") boolean byEccentricity) {}
 
   /**
    * How the body moves, and when it is lost.
@@ -242,13 +216,7 @@ public record OrientationSettings(
       @Help("A body that was not seen for longer is re-initialised.")
           @Range(min = 0.001, max = 1000, logarithmic = true)
           @Unit("s")
-          double longestGapS) {
-    /** Checks the ranges. */
-    public BodyMotion {
-      SettingsSchema.validate(
-          BodyMotion.class, pixelSd, accelerationDensity, gateSigmas, togetherS, longestGapS);
-    }
-  }
+          double longestGapS) {}
 
   /**
    * How head and tail are resolved.
@@ -278,10 +246,5 @@ public record OrientationSettings(
                   + " tell the axis, and only there. 90 leaves the flight out.")
           @Range(min = 5, max = 90)
           @Unit("deg")
-          double slipSdDeg) {
-    /** Checks the ranges. */
-    public HeadTail {
-      SettingsSchema.validate(HeadTail.class, memoryS, doubtSigmas, certaintySigmas, slipSdDeg);
-    }
-  }
+          double slipSdDeg) {}
 }

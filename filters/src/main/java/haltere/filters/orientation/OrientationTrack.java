@@ -2,9 +2,7 @@ package haltere.filters.orientation;
 
 import haltere.filters.estimation.Correction;
 import haltere.filters.estimation.Estimate;
-import haltere.filters.estimation.FilterOptions;
 import haltere.filters.estimation.FilterStep;
-import haltere.filters.estimation.GapPolicy;
 import haltere.filters.estimation.KalmanFilter;
 import haltere.filters.estimation.LinearMeasurement;
 import haltere.filters.estimation.RtsSmoother;
@@ -72,11 +70,7 @@ public final class OrientationTrack {
     return now;
   }
 
-  /**
-   * The estimator that the track is made with.
-   *
-   * @return for its counts
-   */
+  /** {@return the estimator that the track is made with, for its counts} */
   public BodyOrientationEstimator estimator() {
     return estimator;
   }
@@ -177,12 +171,7 @@ public final class OrientationTrack {
         x.set(2 * i, z.get(i));
       }
       if (filter == null) {
-        filter =
-            new KalmanFilter(
-                ConstantNoise.perStep(new ConstantVelocity(3, 0), 1),
-                x,
-                start,
-                FilterOptions.DEFAULT.withGap(GapPolicy.UNLIMITED));
+        filter = new KalmanFilter(ConstantNoise.perStep(new ConstantVelocity(3, 0), 1), x, start);
         filter.observe(steps::add);
       } else {
         double dtS = secondsBetween(k - 1, k);

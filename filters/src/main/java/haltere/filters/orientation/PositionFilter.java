@@ -1,8 +1,6 @@
 package haltere.filters.orientation;
 
-import haltere.filters.estimation.FilterOptions;
 import haltere.filters.estimation.FilterStep;
-import haltere.filters.estimation.GapPolicy;
 import haltere.filters.estimation.KalmanFilter;
 import haltere.filters.estimation.UpdateOutcome;
 import haltere.filters.estimation.motion.ConstantVelocity;
@@ -65,7 +63,7 @@ final class PositionFilter {
       }
       p.set(2 * i + 1, 2 * i + 1, START_SPEED_M_S * START_SPEED_M_S);
     }
-    filter = new KalmanFilter(motion, x, p, FilterOptions.DEFAULT.withGap(GapPolicy.UNLIMITED));
+    filter = new KalmanFilter(motion, x, p);
     if (recorder != null) {
       filter.observe(recorder);
     }

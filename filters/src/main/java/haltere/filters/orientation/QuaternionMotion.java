@@ -21,11 +21,8 @@ final class QuaternionMotion {
   private final RateDecay decay;
 
   /**
-   * Motion.
-   *
-   * @param tau time constant of the rates, seconds
-   * @param rateVariance of each rate
-   * @param updateNoise variance that each step adds to all states; 0 for exact steps
+   * Motion with a time constant and a variance of the rates, and the variance that each step adds
+   * to all states; 0 for exact steps.
    */
   QuaternionMotion(double tau, double rateVariance, double updateNoise) {
     this.tau = tau;

@@ -41,11 +41,7 @@ final class Triangulation {
   private final List<Sight> sights = new ArrayList<>();
   private final double pixelSd;
 
-  /**
-   * A triangulation.
-   *
-   * @param pixelSd standard deviation of an observed position in each coordinate, pixels
-   */
+  /** A triangulation of positions with a standard deviation in each coordinate, pixels. */
   Triangulation(double pixelSd) {
     this.pixelSd = pixelSd;
   }

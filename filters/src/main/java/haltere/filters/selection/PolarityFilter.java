@@ -1,9 +1,8 @@
 package haltere.filters.selection;
 
 import haltere.core.chain.ConfigurableFilter;
-import haltere.core.chain.FilterProvider;
+import haltere.core.chain.NamedProvider;
 import haltere.core.event.EventPacket;
-import haltere.core.event.SensorGeometry;
 
 /** {@link PolaritySelection} as a stage of a chain. */
 public final class PolarityFilter implements ConfigurableFilter<PolaritySettings> {
@@ -39,25 +38,14 @@ public final class PolarityFilter implements ConfigurableFilter<PolaritySettings
   }
 
   /** Makes the filter where its name is found in a chain. */
-  public static final class Provider implements FilterProvider<PolaritySettings> {
-    @Override
-    public String name() {
-      return "polarity";
-    }
-
-    @Override
-    public String description() {
-      return "Passes the events of one polarity, or of both.";
-    }
-
-    @Override
-    public Class<PolaritySettings> settingsType() {
-      return PolaritySettings.class;
-    }
-
-    @Override
-    public PolarityFilter create(SensorGeometry geometry, PolaritySettings settings) {
-      return new PolarityFilter(settings);
+  public static final class Provider extends NamedProvider<PolaritySettings> {
+    /** Found by its name in the list of services. */
+    public Provider() {
+      super(
+          "polarity",
+          "Passes the events of one polarity, or of both.",
+          PolaritySettings.class,
+          (geometry, settings) -> new PolarityFilter(settings));
     }
   }
 }

@@ -1,9 +1,8 @@
 package haltere.filters.selection;
 
 import haltere.core.chain.ConfigurableFilter;
-import haltere.core.chain.FilterProvider;
+import haltere.core.chain.NamedProvider;
 import haltere.core.event.EventPacket;
-import haltere.core.event.SensorGeometry;
 
 /** {@link Region} as a stage of a chain. */
 public final class RegionFilter implements ConfigurableFilter<RegionSettings> {
@@ -39,25 +38,14 @@ public final class RegionFilter implements ConfigurableFilter<RegionSettings> {
   }
 
   /** Makes the filter where its name is found in a chain. */
-  public static final class Provider implements FilterProvider<RegionSettings> {
-    @Override
-    public String name() {
-      return "region";
-    }
-
-    @Override
-    public String description() {
-      return "Passes the events inside, or those outside, of a rectangle.";
-    }
-
-    @Override
-    public Class<RegionSettings> settingsType() {
-      return RegionSettings.class;
-    }
-
-    @Override
-    public RegionFilter create(SensorGeometry geometry, RegionSettings settings) {
-      return new RegionFilter(settings);
+  public static final class Provider extends NamedProvider<RegionSettings> {
+    /** Found by its name in the list of services. */
+    public Provider() {
+      super(
+          "region",
+          "Passes the events inside, or those outside, of a rectangle.",
+          RegionSettings.class,
+          (geometry, settings) -> new RegionFilter(settings));
     }
   }
 }

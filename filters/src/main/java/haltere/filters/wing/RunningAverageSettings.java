@@ -2,7 +2,6 @@ package haltere.filters.wing;
 
 import haltere.core.settings.Help;
 import haltere.core.settings.Range;
-import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
 /**
@@ -32,25 +31,4 @@ public record RunningAverageSettings(
     @Help("Least hysteresis, whatever the amplitude.") @Range(min = 0, max = 1.5) @Unit("rad")
         double leastHysteresisRad,
     @Help("Whether the body follows the events after each beat.") boolean bodyUpdate,
-    @Help("Whether the heading follows the events after each beat.") boolean headingUpdate) {
-  /** Checks the ranges. */
-  public RunningAverageSettings {
-    SettingsSchema.validate(
-        RunningAverageSettings.class,
-        mixingFactor,
-        timeConstantUs,
-        hysteresis,
-        leastHysteresisRad,
-        bodyUpdate,
-        headingUpdate);
-  }
-
-  /**
-   * The settings to start from: the source's weight, a hysteresis that follows the amplitude.
-   *
-   * @return 0.1 an event, a third of the amplitude, at least 5 degrees
-   */
-  public static RunningAverageSettings defaults() {
-    return new RunningAverageSettings(0.1, 0, 0.33, 0.0873, false, false);
-  }
-}
+    @Help("Whether the heading follows the events after each beat.") boolean headingUpdate) {}

@@ -10,7 +10,6 @@ import java.util.Optional;
  * @param edit the number that was changed; empty where the filter was begun anew
  */
 public record WingByHand(WingPart part, Optional<WingFilterEdit> edit) implements WingResult {
-  /** Nothing may be null. */
   public WingByHand {
     Objects.requireNonNull(part, "part");
     Objects.requireNonNull(edit, "edit");

@@ -23,7 +23,6 @@ public record WingFilterEdit(WingPart part, Table table, int row, int column, do
     MEASUREMENT_NOISE
   }
 
-  /** Checks that the number is one, but where it is given back. */
   public WingFilterEdit {
     boolean noise = table == Table.PROCESS_NOISE || table == Table.MEASUREMENT_NOISE;
     if (!Double.isFinite(value) && !(noise && Double.isNaN(value))) {
@@ -32,9 +31,7 @@ public record WingFilterEdit(WingPart part, Table table, int row, int column, do
   }
 
   /**
-   * Whether the number is no longer that of a person.
-   *
-   * @return true for noise that is given back
+   * {@return whether the number is no longer that of a person: true for noise that is given back}
    */
   public boolean givesBack() {
     return Double.isNaN(value);

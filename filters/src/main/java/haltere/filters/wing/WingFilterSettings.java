@@ -2,7 +2,6 @@ package haltere.filters.wing;
 
 import haltere.core.settings.Help;
 import haltere.core.settings.Range;
-import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
 /**
@@ -43,27 +42,4 @@ public record WingFilterSettings(
         @Unit("SD")
         double gateSd,
     @Help("Whether only the first of a pixel's events of one polarity in a row counts.")
-        boolean firstOfRun) {
-  /** Checks the ranges. */
-  public WingFilterSettings {
-    SettingsSchema.validate(
-        WingFilterSettings.class,
-        method,
-        model,
-        harmonics,
-        latencyUs,
-        averagingUs,
-        averagedEvents,
-        gateSd,
-        firstOfRun);
-  }
-
-  /**
-   * The settings to start from.
-   *
-   * @return a filter for each wing with four harmonics, 50 us, 4 SD
-   */
-  public static WingFilterSettings defaults() {
-    return new WingFilterSettings(WingMethod.EKF, WingModel.WINGS, 4, 0, 50, 1, 4, true);
-  }
-}
+        boolean firstOfRun) {}

@@ -43,7 +43,6 @@ public record WingFilterState(
     BY_HAND
   }
 
-  /** Copies the lists and arrays. */
   public WingFilterState {
     names = List.copyOf(names);
     units = List.copyOf(units);

@@ -2,7 +2,6 @@ package haltere.filters.wing;
 
 import haltere.core.settings.Help;
 import haltere.core.settings.Range;
-import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
 /**
@@ -49,27 +48,4 @@ public record WingNoiseSettings(
     @Help("Variance of a measurement; 0 learns it from the events.")
         @Range(min = 0, max = 1e5, logarithmic = true)
         @Unit("rad^2")
-        double measurement) {
-  /** Checks the ranges. */
-  public WingNoiseSettings {
-    SettingsSchema.validate(
-        WingNoiseSettings.class,
-        centre,
-        amplitude,
-        phase,
-        frequency,
-        manoeuvre,
-        rateSd,
-        hingePx2PerS,
-        measurement);
-  }
-
-  /**
-   * The settings to start from, found on simulated flies.
-   *
-   * @return see the manual
-   */
-  public static WingNoiseSettings defaults() {
-    return new WingNoiseSettings(0.005, 0.02, 1e-4, 10, 4e4, 200, 4, 0);
-  }
-}
+        double measurement) {}

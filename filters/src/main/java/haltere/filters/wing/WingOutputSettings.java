@@ -2,7 +2,6 @@ package haltere.filters.wing;
 
 import haltere.core.settings.Help;
 import haltere.core.settings.Range;
-import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
 /**
@@ -23,12 +22,6 @@ public record WingOutputSettings(
     @Help("Whether events of the left trailing edge are taken.") boolean leftTrailing,
     @Help("Whether events of the right leading edge are taken.") boolean rightLeading,
     @Help("Whether events of the right trailing edge are taken.") boolean rightTrailing) {
-  /** Checks the ranges. */
-  public WingOutputSettings {
-    SettingsSchema.validate(
-        WingOutputSettings.class, rateHz, leftLeading, leftTrailing, rightLeading, rightTrailing);
-  }
-
   /**
    * Whether events of an edge are taken.
    *
@@ -43,14 +36,5 @@ public record WingOutputSettings(
       case RIGHT_TRAILING -> rightTrailing;
       default -> throw new IllegalArgumentException(edge + " is no edge");
     };
-  }
-
-  /**
-   * The settings to start from.
-   *
-   * @return 1000 Hz, all edges
-   */
-  public static WingOutputSettings defaults() {
-    return new WingOutputSettings(1000, true, true, true, true);
   }
 }

@@ -49,31 +49,19 @@ public enum WingPart {
     return side == 0 ? LEFT : RIGHT;
   }
 
-  /**
-   * The wing that it is, or is an edge of.
-   *
-   * @return left or right
-   */
+  /** {@return the wing that it is, or is an edge of} */
   public WingSide side() {
     return this == LEFT || this == LEFT_LEADING || this == LEFT_TRAILING
         ? WingSide.LEFT
         : WingSide.RIGHT;
   }
 
-  /**
-   * Whether it is a wing as a whole.
-   *
-   * @return false for an edge
-   */
+  /** {@return whether it is a wing as a whole} */
   public boolean isWing() {
     return this == LEFT || this == RIGHT;
   }
 
-  /**
-   * The name in tables.
-   *
-   * @return such as {@code left-leading}
-   */
+  /** {@return the name in tables, such as {@code left-leading}} */
   @Override
   public String toString() {
     return text;

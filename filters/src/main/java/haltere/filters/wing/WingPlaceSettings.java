@@ -2,7 +2,6 @@ package haltere.filters.wing;
 
 import haltere.core.settings.Help;
 import haltere.core.settings.Range;
-import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
 /**
@@ -42,27 +41,4 @@ public record WingPlaceSettings(
         double innerRadiusPx,
     @Help("Whether the hinges follow the body as it sways.") boolean followsHinges,
     @Help("Whether the heading follows the body as it turns, by the symmetry of the strokes.")
-        boolean followsHeading) {
-  /** Checks the ranges. */
-  public WingPlaceSettings {
-    SettingsSchema.validate(
-        WingPlaceSettings.class,
-        bodyOffsetXPx,
-        bodyOffsetYPx,
-        headingOffsetRad,
-        flipHeading,
-        regionOffsetPx,
-        innerRadiusPx,
-        followsHinges,
-        followsHeading);
-  }
-
-  /**
-   * The settings to start from: nothing said.
-   *
-   * @return no offsets, 5 px, follows both
-   */
-  public static WingPlaceSettings defaults() {
-    return new WingPlaceSettings(0, 0, 0, false, 0, 5, true, true);
-  }
-}
+        boolean followsHeading) {}

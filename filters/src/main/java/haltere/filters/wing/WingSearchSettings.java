@@ -2,7 +2,6 @@ package haltere.filters.wing;
 
 import haltere.core.settings.Help;
 import haltere.core.settings.Range;
-import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
 /**
@@ -34,24 +33,4 @@ public record WingSearchSettings(
     @Help("Wing beat frequency if it is known, else 0: it is found then.")
         @Range(min = 0, max = 1000)
         @Unit("Hz")
-        double startFrequencyHz) {
-  /** Checks the ranges. */
-  public WingSearchSettings {
-    SettingsSchema.validate(
-        WingSearchSettings.class,
-        windowUs,
-        leastEvents,
-        leastFrequencyHz,
-        mostFrequencyHz,
-        startFrequencyHz);
-  }
-
-  /**
-   * The settings to start from: more than two beats of the slowest fly.
-   *
-   * @return 35 ms, 400 events, 70 to 400 Hz
-   */
-  public static WingSearchSettings defaults() {
-    return new WingSearchSettings(35_000, 400, 70, 400, 0);
-  }
-}
+        double startFrequencyHz) {}

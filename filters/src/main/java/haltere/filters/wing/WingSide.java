@@ -7,11 +7,7 @@ public enum WingSide {
   /** Clockwise of the heading. */
   RIGHT;
 
-  /**
-   * The name in tables.
-   *
-   * @return {@code left} or {@code right}
-   */
+  /** {@return the name in tables, {@code left} or {@code right}} */
   @Override
   public String toString() {
     return this == LEFT ? "left" : "right";

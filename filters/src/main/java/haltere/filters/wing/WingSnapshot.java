@@ -19,7 +19,6 @@ public record WingSnapshot(
     double[] edgesRad,
     double[] sdRad)
     implements WingResult {
-  /** Copies the arrays. */
   public WingSnapshot {
     edgesRad = edgesRad.clone();
     sdRad = sdRad.clone();

@@ -19,25 +19,20 @@ public record WingTrackerSettings(
     WingNoiseSettings noise,
     RunningAverageSettings average,
     WingOutputSettings output) {
-  /** Checks that nothing is missing. */
   public WingTrackerSettings {
     SettingsSchema.validate(
         WingTrackerSettings.class, search, place, filter, noise, average, output);
   }
 
-  /**
-   * The settings to start from.
-   *
-   * @return valid settings
-   */
+  /** {@return the settings to start from} */
   public static WingTrackerSettings defaults() {
     return new WingTrackerSettings(
-        WingSearchSettings.defaults(),
-        WingPlaceSettings.defaults(),
-        WingFilterSettings.defaults(),
-        WingNoiseSettings.defaults(),
-        RunningAverageSettings.defaults(),
-        WingOutputSettings.defaults());
+        new WingSearchSettings(35_000, 400, 70, 400, 0),
+        new WingPlaceSettings(0, 0, 0, false, 0, 5, true, true),
+        new WingFilterSettings(WingMethod.EKF, WingModel.WINGS, 4, 0, 50, 1, 4, true),
+        new WingNoiseSettings(0.005, 0.02, 1e-4, 10, 4e4, 200, 4, 0),
+        new RunningAverageSettings(0.1, 0, 0.33, 0.0873, false, false),
+        new WingOutputSettings(1000, true, true, true, true));
   }
 
   /**
@@ -49,14 +44,13 @@ public record WingTrackerSettings(
    * @return valid settings
    */
   public static WingTrackerSettings original() {
-    WingTrackerSettings defaults = defaults();
     return new WingTrackerSettings(
         new WingSearchSettings(35_000, 2000, 70, 400, 240),
         new WingPlaceSettings(0, 0, 0, false, 0, 0, false, false),
         new WingFilterSettings(WingMethod.EKF, WingModel.ORIGINAL, 1, 0, 0, 1, 1000, false),
         new WingNoiseSettings(2, 1, 0.5, 2, 0, 0.001, 0, 1000),
         new RunningAverageSettings(0.1, 0, 0.01, 0.1745, true, true),
-        defaults.output());
+        defaults().output());
   }
 
   /**

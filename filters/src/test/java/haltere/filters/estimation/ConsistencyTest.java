@@ -43,7 +43,7 @@ class ConsistencyTest {
     Draws draws = new Draws(22);
     double[] white = new double[500];
     double[] smooth = new double[500];
-    Interval band = Consistency.whitenessBand(500, 0.95);
+    Interval band = Whiteness.band(500, 0.95);
     int inside = 0;
     int trials = 1000;
     for (int t = 0; t < trials; t++) {
@@ -51,12 +51,12 @@ class ConsistencyTest {
         white[i] = draws.normal(3);
         smooth[i] = i == 0 ? white[0] : 0.3 * smooth[i - 1] + white[i];
       }
-      inside += band.contains(Consistency.lagOneAutocorrelation(white)) ? 1 : 0;
-      assertFalse(band.contains(Consistency.lagOneAutocorrelation(smooth)));
+      inside += band.contains(Whiteness.lagOneAutocorrelation(white)) ? 1 : 0;
+      assertFalse(band.contains(Whiteness.lagOneAutocorrelation(smooth)));
     }
     assertEquals(0.95, inside / (double) trials, 4 * Math.sqrt(0.95 * 0.05 / trials));
-    assertEquals(0, Consistency.lagOneAutocorrelation(new double[5]));
-    assertEquals(1, Consistency.lagOneAutocorrelation(new double[] {2, 2, 2}), 1e-15);
+    assertEquals(0, Whiteness.lagOneAutocorrelation(new double[5]));
+    assertEquals(1, Whiteness.lagOneAutocorrelation(new double[] {2, 2, 2}), 1e-15);
     assertTrue(band.upper() > 0 && band.lower() == -band.upper());
   }
 }

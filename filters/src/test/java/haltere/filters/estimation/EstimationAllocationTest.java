@@ -28,7 +28,6 @@ class EstimationAllocationTest {
               for (int k = 0; k < STEPS; k++) {
                 filter.predict(0.01);
                 filter.update(place, z);
-                filter.updateOneByOne(place, z);
               }
             }));
   }

@@ -123,7 +123,7 @@ class EstimatorConsistencyTest {
     int m = world.measurement().size();
     Interval neesBand = Consistency.meanBand(n, RUNS, 0.95);
     Interval nisBand = Consistency.meanBand(m, RUNS * STEPS, 0.95);
-    Interval white = Consistency.whitenessBand(RUNS * STEPS, 0.95);
+    Interval white = Whiteness.band(RUNS * STEPS, 0.95);
     assertTrue(neesBand.contains(verdict.nees), "NEES " + verdict.nees + " in " + neesBand);
     assertTrue(nisBand.contains(verdict.nis), "NIS " + verdict.nis + " in " + nisBand);
     assertTrue(white.contains(verdict.lagOne), "lag one " + verdict.lagOne + " in " + white);
@@ -135,7 +135,7 @@ class EstimatorConsistencyTest {
     Verdict verdict = judge(world, LinearMeasurement.ofEntries(2, 0.5, 0));
     assertFalse(Consistency.meanBand(2, RUNS, 0.95).contains(verdict.nees));
     assertFalse(Consistency.meanBand(1, RUNS * STEPS, 0.95).contains(verdict.nis));
-    assertFalse(Consistency.whitenessBand(RUNS * STEPS, 0.95).contains(verdict.lagOne));
+    assertFalse(Whiteness.band(RUNS * STEPS, 0.95).contains(verdict.lagOne));
   }
 
   private record Verdict(double nees, double nis, double lagOne) {}
@@ -176,6 +176,6 @@ class EstimatorConsistencyTest {
       CommonOps_DDRM.subtractEquals(error, truth);
       nees += Consistency.nees(error, filter.covariance()) / RUNS;
     }
-    return new Verdict(nees, nis, Consistency.lagOneAutocorrelation(innovations));
+    return new Verdict(nees, nis, Whiteness.lagOneAutocorrelation(innovations));
   }
 }

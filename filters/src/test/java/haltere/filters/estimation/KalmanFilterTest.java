@@ -158,38 +158,6 @@ class KalmanFilterTest {
   }
 
   @Test
-  void independentNumbersMayComeAsAVectorOrOneByOne() {
-    Draws draws = new Draws(3);
-    for (int run = 0; run < 20; run++) {
-      DMatrixRMaj x = draws.normal(diagonal(1, 1, 1, 1));
-      DMatrixRMaj p = draws.covariance(4);
-      KalmanFilter together = new KalmanFilter(new ConstantVelocity(2, 0.3), x, p);
-      KalmanFilter apart = new KalmanFilter(new ConstantVelocity(2, 0.3), x, p);
-      LinearMeasurement place = LinearMeasurement.ofEntries(4, 0.2, 0, 2);
-      for (int k = 0; k < 10; k++) {
-        together.predict(0.1);
-        apart.predict(0.1);
-        DMatrixRMaj z = draws.normal(diagonal(1, 1));
-        assertEquals(UpdateOutcome.APPLIED, together.update(place, z));
-        assertEquals(2, apart.updateOneByOne(place, z));
-      }
-      assertClose(
-          together.estimate().state().toMatrix(), apart.estimate().state().toMatrix(), 1e-12);
-      assertSameCovariance(covarianceOf(together), covarianceOf(apart), 1e-12);
-    }
-  }
-
-  @Test
-  void oneByOneRefusesNoiseThatIsNotIndependent() {
-    DMatrixRMaj h = CommonOps_DDRM.identity(2);
-    DMatrixRMaj r = Matrices.rows(new double[] {1, 0.5}, new double[] {0.5, 1});
-    KalmanFilter filter =
-        new KalmanFilter(new ConstantVelocity(1, 1), column(0, 0), diagonal(1, 1));
-    LinearMeasurement both = new LinearMeasurement(h, r, Gate.OPEN);
-    assertThrows(IllegalArgumentException.class, () -> filter.updateOneByOne(both, column(1, 1)));
-  }
-
-  @Test
   void correlatedNoiseIsTakenAsTheTextbookSays() {
     Draws draws = new Draws(8);
     for (int run = 0; run < 50; run++) {
@@ -279,56 +247,6 @@ class KalmanFilterTest {
   }
 
   @Test
-  void anHourOfSilenceIsCoastedForTheLongestStepOnly() {
-    FilterOptions options = FilterOptions.DEFAULT.withGap(GapPolicy.cap(2));
-    KalmanFilter hour =
-        new KalmanFilter(new ConstantVelocity(1, 5), column(0, 1), diagonal(1, 1), options);
-    KalmanFilter twoSeconds =
-        new KalmanFilter(new ConstantVelocity(1, 5), column(0, 1), diagonal(1, 1), options);
-    hour.predict(3600);
-    twoSeconds.predict(2);
-    assertEquals(twoSeconds.estimate().state(), hour.estimate().state());
-    assertEquals(twoSeconds.estimate().covariance(), hour.estimate().covariance());
-    assertEquals(3600, hour.estimate().timeS());
-    assertEquals(0, hour.relaunches());
-  }
-
-  @Test
-  void aSilenceIsAsLongWhenItIsPredictedInManySteps() {
-    FilterOptions options = FilterOptions.DEFAULT.withGap(GapPolicy.cap(2));
-    KalmanFilter filter =
-        new KalmanFilter(new ConstantVelocity(1, 5), column(0, 1), diagonal(1, 1), options);
-    KalmanFilter twoSeconds =
-        new KalmanFilter(new ConstantVelocity(1, 5), column(0, 1), diagonal(1, 1), options);
-    for (int i = 0; i < 360_000; i++) {
-      filter.predict(0.01);
-    }
-    twoSeconds.predict(2);
-    assertEquals(2, filter.state(0), 1e-9);
-    assertEquals(twoSeconds.covariance(0, 0), filter.covariance(0, 0), 1e-9);
-    filter.update(LinearMeasurement.ofEntries(2, 1, 0), 2);
-    double before = filter.covariance(0, 0);
-    filter.predict(0.01);
-    assertTrue(filter.covariance(0, 0) > before, "a measurement ends the gap");
-  }
-
-  @Test
-  void anHourOfSilenceMayAlsoBeginAgain() {
-    KalmanFilter filter =
-        new KalmanFilter(
-            new ConstantVelocity(1, 5),
-            column(3, 1),
-            diagonal(1, 2),
-            FilterOptions.DEFAULT.withGap(GapPolicy.relaunch(2)));
-    filter.predict(1.5);
-    filter.update(LinearMeasurement.ofEntries(2, 1, 0), 9);
-    filter.predict(3600);
-    assertEquals(1, filter.relaunches());
-    assertEquals(3, filter.state(0));
-    assertEquals(2, filter.covariance(1, 1));
-  }
-
-  @Test
   void aYearOfSilencesLeavesACovarianceThatCanStillBeUsed() {
     KalmanFilter filter =
         new KalmanFilter(new ConstantVelocity(1, 1e6), column(0, 1), diagonal(1, 1));
@@ -362,7 +280,6 @@ class KalmanFilterTest {
     assertThrows(IllegalArgumentException.class, () -> new ConstantVelocity(1, -1));
     assertThrows(
         IllegalArgumentException.class, () -> LinearMeasurement.ofEntries(2, Double.NaN, 0));
-    assertThrows(IllegalArgumentException.class, () -> GapPolicy.cap(0));
     KalmanFilter filter = new KalmanFilter(model, x, diagonal(1, 1));
     assertThrows(
         IllegalArgumentException.class,

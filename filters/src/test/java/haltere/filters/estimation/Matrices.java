@@ -21,7 +21,7 @@ final class Matrices {
     return new DMatrixRMaj(rows);
   }
 
-  static DMatrixRMaj covarianceOf(Estimator estimator) {
+  static DMatrixRMaj covarianceOf(KalmanFilter estimator) {
     return estimator.estimate().covariance().toMatrix();
   }
 

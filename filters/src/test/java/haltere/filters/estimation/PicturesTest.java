@@ -7,7 +7,6 @@ import haltere.filters.estimation.motion.ConstantVelocity;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 import org.junit.jupiter.api.Test;
@@ -70,6 +69,8 @@ class PicturesTest {
     ConstantVelocity model = new ConstantVelocity(1, 1);
     DMatrixRMaj q = new DMatrixRMaj(2, 2);
     model.noise(0.02, q);
+    double[] nis = new double[1];
+    filter.observe(step -> nis[0] = step instanceof Correction c ? c.nis() : nis[0]);
     double[] means = new double[50];
     for (int k = 0; k < means.length * window; k++) {
       DMatrixRMaj next = new DMatrixRMaj(2, 1);
@@ -77,51 +78,8 @@ class PicturesTest {
       CommonOps_DDRM.add(next, draws.normal(q), truth);
       filter.predict(0.02);
       filter.update(position, truth.get(0) + draws.normal(Math.sqrt(0.3)));
-      means[k / window] += filter.nis() / window;
+      means[k / window] += nis[0] / window;
     }
     return means;
-  }
-
-  @Test
-  void theProbabilityOfTurningRisesWithATurn() throws IOException {
-    Draws draws = new Draws(6);
-    InteractingMultipleModels both =
-        new InteractingMultipleModels(
-            List.of(new ConstantVelocity(1, 1), new ConstantVelocity(1, 2e4)),
-            ModeSwitching.meanStays(2, 0.5),
-            Matrices.column(0, 60),
-            Matrices.diagonal(1, 100),
-            FilterOptions.DEFAULT);
-    LinearMeasurement position = LinearMeasurement.ofEntries(2, 0.5, 0);
-    double dtS = 0.01;
-    double[] t = new double[400];
-    double[] turning = new double[400];
-    double at = 0;
-    double speed = 60;
-    for (int k = 0; k < t.length; k++) {
-      t[k] = k * dtS;
-      // Straight, a turn from 1.5 s to 2 s, straight again the other way.
-      speed += t[k] >= 1.5 && t[k] < 2 ? -240 * dtS : 0;
-      at += speed * dtS;
-      both.predict(dtS);
-      both.update(position, at + draws.normal(Math.sqrt(0.5)));
-      turning[k] = both.modeProbability(1);
-    }
-    SvgPlot plot = new SvgPlot(0, 4, 0, 1);
-    plot.band(
-        "it turns", MEASURED, new double[] {1.5, 2}, new double[] {0, 0}, new double[] {1, 1});
-    plot.line("probability that it turns", BLUE, t, turning);
-    write(plot, "modes", "Two models of one target", "time (s)", "probability");
-    assertTrue(mean(turning, 100, 150) < 0.25, "straight");
-    assertTrue(mean(turning, 160, 200) > 0.6, "in the turn");
-    assertTrue(mean(turning, 260, 400) < 0.25, "straight again");
-  }
-
-  private static double mean(double[] values, int from, int to) {
-    double sum = 0;
-    for (int i = from; i < to; i++) {
-      sum += values[i];
-    }
-    return sum / (to - from);
   }
 }

@@ -15,7 +15,7 @@ interface Subject {
   DMatrixRMaj covariance();
 
   /** An estimator over models with its only measurement. */
-  static Subject of(Estimator estimator, MeasurementModel measurement) {
+  static Subject of(KalmanFilter estimator, MeasurementModel measurement) {
     return new Subject() {
       @Override
       public void launch(DMatrixRMaj x, DMatrixRMaj p) {

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.filters.estimation.Consistency;
 import haltere.filters.estimation.Interval;
+import haltere.filters.estimation.Whiteness;
 import haltere.filters.orientation.camera.RandomCameras;
 import haltere.filters.orientation.camera.Vectors;
 import java.util.SplittableRandom;
@@ -86,7 +87,7 @@ class AxisConsistencyTest {
         nisCount++;
         series[step] = innovation;
       }
-      whiteness[run] = Consistency.lagOneAutocorrelation(series);
+      whiteness[run] = Whiteness.lagOneAutocorrelation(series);
       AxisState state = SpherePath.state(filter);
       double[] error = truth.errorFrom(state);
       nees += Consistency.nees(new DMatrixRMaj(4, 1, true, error), square(state.p(), 4));
@@ -98,7 +99,7 @@ class AxisConsistencyTest {
     assertIn(Consistency.meanBand(2, runs, 0.95), axisNees / runs, "NEES of the axis");
     assertIn(Consistency.meanBand(1, nisCount, 0.95), nis / nisCount, "NIS");
     double mean = java.util.Arrays.stream(whiteness).average().orElseThrow();
-    assertIn(Consistency.whitenessBand(runs * STEPS, 0.95), mean, "autocorrelation");
+    assertIn(Whiteness.band(runs * STEPS, 0.95), mean, "autocorrelation");
   }
 
   /** Innovation over its standard deviation. */

@@ -11,6 +11,7 @@ import haltere.filters.cluster.ClusterTracker;
 import haltere.filters.cluster.ClusterTrackerSettings;
 import haltere.filters.estimation.Consistency;
 import haltere.filters.estimation.Interval;
+import haltere.filters.estimation.Whiteness;
 import haltere.filters.plane.PlaneJacobian;
 import haltere.filters.plane.PlaneMapping;
 import haltere.filters.plane.RoadMapping;
@@ -80,7 +81,7 @@ class TrackConsistencyTest {
   private void assertInBands() {
     assertIn(Consistency.meanBand(4, RUNS, CONFIDENCE), neesSum / RUNS, "NEES");
     assertIn(Consistency.meanBand(2, nisCount, CONFIDENCE), nisSum / nisCount, "NIS");
-    assertIn(Consistency.whitenessBand(nisCount, CONFIDENCE), productSum / squareSum, "whiteness");
+    assertIn(Whiteness.band(nisCount, CONFIDENCE), productSum / squareSum, "whiteness");
   }
 
   private static void assertIn(Interval band, double value, String what) {

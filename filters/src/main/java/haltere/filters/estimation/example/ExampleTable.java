@@ -50,9 +50,8 @@ public final class ExampleTable {
   }
 
   /**
-   * The table as text: comma separated, a header, {@code .} as decimal point, unknown is empty.
-   *
-   * @return lines that end in a line feed
+   * {@return the table as comma-separated text: a header, {@code .} as decimal point, unknown is
+   * empty}
    */
   public String csv() {
     StringBuilder csv = new StringBuilder(String.join(",", columns.keySet())).append('\n');

@@ -2,9 +2,7 @@ package haltere.filters.estimation.example;
 
 import haltere.filters.estimation.BatchLeastSquares;
 import haltere.filters.estimation.Estimate;
-import haltere.filters.estimation.FilterOptions;
 import haltere.filters.estimation.FilterStep;
-import haltere.filters.estimation.GapPolicy;
 import haltere.filters.estimation.Gate;
 import haltere.filters.estimation.KalmanFilter;
 import haltere.filters.estimation.LinearMeasurement;
@@ -49,8 +47,7 @@ public final class FallingWeight {
         new KalmanFilter(
             new WhiteJerk(1, JERK_DENSITY),
             new DMatrixRMaj(3, 1, true, series.get(0).xM(), 0, 2),
-            CommonOps_DDRM.diag(1, 25, 100),
-            FilterOptions.DEFAULT.withGap(GapPolicy.UNLIMITED));
+            CommonOps_DDRM.diag(1, 25, 100));
     List<FilterStep> steps = new ArrayList<>();
     filter.observe(steps::add);
     DMatrixRMaj r = series.noise();

@@ -9,8 +9,6 @@ import haltere.filters.estimation.BatchLeastSquares;
 import haltere.filters.estimation.BatchLeastSquares.Solution;
 import haltere.filters.estimation.Consistency;
 import haltere.filters.estimation.Estimate;
-import haltere.filters.estimation.FilterOptions;
-import haltere.filters.estimation.GapPolicy;
 import haltere.filters.estimation.KalmanFilter;
 import haltere.filters.estimation.MeasurementModel;
 import haltere.filters.estimation.ProcessModel;
@@ -170,8 +168,7 @@ public final class Oscillator {
   }
 
   private KalmanFilter filter() {
-    return new KalmanFilter(
-        motion, mean, covariance, FilterOptions.DEFAULT.withGap(GapPolicy.UNLIMITED));
+    return new KalmanFilter(motion, mean, covariance);
   }
 
   private static void launch(KalmanFilter filter, Estimate found) {

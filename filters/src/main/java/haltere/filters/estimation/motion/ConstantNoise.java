@@ -1,7 +1,6 @@
 package haltere.filters.estimation.motion;
 
 import haltere.filters.estimation.LinearProcessModel;
-import haltere.filters.estimation.ProcessModel;
 import haltere.filters.estimation.Require;
 import org.ejml.data.DMatrixRMaj;
 
@@ -24,18 +23,7 @@ public final class ConstantNoise {
     return new Linear(model, diagonal(model, variance));
   }
 
-  /**
-   * A model with constant noise.
-   *
-   * @param model whose evolution is kept
-   * @param variance q, added to each entry's variance at each step, in the square of its unit
-   * @return the model with Q = q I
-   */
-  public static ProcessModel perStep(ProcessModel model, double variance) {
-    return new NonLinear(model, diagonal(model, variance));
-  }
-
-  private static DMatrixRMaj diagonal(ProcessModel model, double variance) {
+  private static DMatrixRMaj diagonal(LinearProcessModel model, double variance) {
     Require.notNegative("variance per step", variance);
     DMatrixRMaj q = new DMatrixRMaj(model.stateSize(), model.stateSize());
     for (int i = 0; i < q.numRows; i++) {
@@ -58,28 +46,6 @@ public final class ConstantNoise {
 
     @Override
     public void noise(double dtS, DMatrixRMaj q) {
-      q.setTo(constant);
-    }
-  }
-
-  private record NonLinear(ProcessModel model, DMatrixRMaj constant) implements ProcessModel {
-    @Override
-    public int stateSize() {
-      return model.stateSize();
-    }
-
-    @Override
-    public void evolve(DMatrixRMaj x, double dtS, DMatrixRMaj evolved) {
-      model.evolve(x, dtS, evolved);
-    }
-
-    @Override
-    public void jacobian(DMatrixRMaj x, double dtS, DMatrixRMaj f) {
-      model.jacobian(x, dtS, f);
-    }
-
-    @Override
-    public void noise(DMatrixRMaj x, double dtS, DMatrixRMaj q) {
       q.setTo(constant);
     }
   }

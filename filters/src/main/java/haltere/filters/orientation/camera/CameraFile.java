@@ -28,7 +28,6 @@ import java.util.Set;
  * @param minEccentricity smallest ratio of the axes that the calibration asks for, 0 for any
  */
 public record CameraFile(List<CameraModel> cameras, double minEccentricity) {
-  /** Copies. */
   public CameraFile {
     cameras = List.copyOf(cameras);
   }

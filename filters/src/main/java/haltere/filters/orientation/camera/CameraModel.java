@@ -8,7 +8,7 @@ import org.ejml.dense.row.CommonOps_DDRM;
 
 /**
  * A calibrated camera: a point X of the world is seen at (h₀/h₂, h₁/h₂), h = C (X, 1), with C the 3
- * x 4 matrix, and then moved by the {@link Lens}.
+ * x 4 matrix, and then moved by the lens.
  *
  * <p>A line on a body at A, with the direction u, is seen at the angle
  *
@@ -91,17 +91,8 @@ public final class CameraModel {
     return new CameraModel(id, own, lens, widthPx, heightPx, null);
   }
 
-  /**
-   * A camera whose lens is known by itself.
-   *
-   * @param id its name
-   * @param matrix twelve numbers, row by row: to pixels of the picture without distortion
-   * @param lens the distortion
-   * @param widthPx columns of its sensor, 0 if unknown
-   * @param heightPx rows of its sensor, 0 if unknown
-   * @return a camera; one whose matrix sees nothing has a {@link #problem}
-   */
-  public static CameraModel of(String id, double[] matrix, Lens lens, int widthPx, int heightPx) {
+  /** A camera whose lens is known by itself; the matrix is to pixels without distortion. */
+  static CameraModel of(String id, double[] matrix, Lens lens, int widthPx, int heightPx) {
     double[] own = normalised(matrix);
     return new CameraModel(
         id, own, Objects.requireNonNull(lens, "lens"), widthPx, heightPx, problemOf(own));
@@ -149,56 +140,32 @@ public final class CameraModel {
     Vectors.multiply(inverse.data, last, centre);
   }
 
-  /**
-   * Its name.
-   *
-   * @return as in the calibration
-   */
+  /** {@return its name, as in the calibration} */
   public String id() {
     return id;
   }
 
-  /**
-   * Why it cannot be used.
-   *
-   * @return what is wrong with it, or empty
-   */
+  /** {@return why it cannot be used, or empty} */
   public Optional<String> problem() {
     return Optional.ofNullable(problem);
   }
 
-  /**
-   * Columns of its sensor.
-   *
-   * @return pixels, 0 if unknown
-   */
+  /** {@return the columns of its sensor, pixels, 0 if unknown} */
   public int widthPx() {
     return widthPx;
   }
 
-  /**
-   * Rows of its sensor.
-   *
-   * @return pixels, 0 if unknown
-   */
+  /** {@return the rows of its sensor, pixels, 0 if unknown} */
   public int heightPx() {
     return heightPx;
   }
 
-  /**
-   * Where it stands.
-   *
-   * @return metres; NaN for a camera with a problem
-   */
+  /** {@return where it stands, metres; NaN for a camera with a problem} */
   public double[] centre() {
     return problem == null ? centre.clone() : new double[] {Double.NaN, Double.NaN, Double.NaN};
   }
 
-  /**
-   * Its matrix, with the third row's direction of length 1.
-   *
-   * @return twelve numbers, row by row
-   */
+  /** {@return its matrix row by row, with the third row's direction of length 1} */
   public double[] matrix() {
     return matrix.clone();
   }

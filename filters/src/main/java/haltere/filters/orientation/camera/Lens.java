@@ -22,7 +22,7 @@ package haltere.filters.orientation.camera;
  * @param p2 tangential
  * @param k3 radial, sixth order
  */
-public record Lens(
+record Lens(
     double fx,
     double fy,
     double skew,
@@ -35,29 +35,19 @@ public record Lens(
     double k3) {
   private static final int MAX_STEPS = 30;
 
-  /** Checks that the focal lengths are positive and all numbers finite. */
-  public Lens {
+  Lens {
     if (!(fx > 0 && fy > 0)
         || !Double.isFinite(fx + fy + skew + cx + cy + k1 + k2 + p1 + p2 + k3)) {
       throw new IllegalArgumentException("a lens needs positive focal lengths and finite numbers");
     }
   }
 
-  /**
-   * Whether straight lines stay straight.
-   *
-   * @return true without any distortion
-   */
-  public boolean isStraight() {
+  boolean isStraight() {
     return k1 == 0 && k2 == 0 && p1 == 0 && p2 == 0 && k3 == 0;
   }
 
-  /**
-   * Where a point of the ideal picture is seen.
-   *
-   * @param point column and row, pixels; replaced
-   */
-  public void distort(double[] point) {
+  /** Replaces a point of the ideal picture, column and row, by where it is seen. */
+  void distort(double[] point) {
     if (isStraight()) {
       return;
     }
@@ -72,12 +62,10 @@ public record Lens(
   }
 
   /**
-   * Where a point that is seen would be in the ideal picture, and how a line through it would run.
-   *
-   * @param line column and row, pixels, and angle, radians, NaN if there is none; replaced
-   * @return false where no point of the ideal picture is seen there; the line is then as it was
+   * Replaces a line that is seen (column, row, angle or NaN) by where it would be in the ideal
+   * picture; false, and as it was, where no point of the ideal picture is seen there.
    */
-  public boolean straighten(double[] line) {
+  boolean straighten(double[] line) {
     if (isStraight()) {
       return true;
     }

@@ -13,27 +13,18 @@ package haltere.filters.orientation.camera;
  */
 public record LineObservation(
     int camera, double xPx, double yPx, double angleRad, double areaPx, double eccentricity) {
-  /** Checks the index. */
   public LineObservation {
     if (camera < 0) {
       throw new IllegalArgumentException("a camera's index is from 0 on: " + camera);
     }
   }
 
-  /**
-   * Whether its position is known.
-   *
-   * @return true if both numbers are finite
-   */
+  /** {@return whether its position is known: both numbers are finite} */
   public boolean hasPosition() {
     return Double.isFinite(xPx) && Double.isFinite(yPx);
   }
 
-  /**
-   * Long axis over short axis.
-   *
-   * @return at least 1, infinite for a line, NaN if unknown
-   */
+  /** {@return long axis over short axis, at least 1, infinite for a line, NaN if unknown} */
   public double axisRatio() {
     return eccentricity >= 1
         ? eccentricity

@@ -89,19 +89,14 @@ public final class ObservationFile {
     return BraidzTables.isZip(file);
   }
 
-  /**
-   * The cameras.
-   *
-   * @return those of the calibration that was given, else the file's own
-   */
+  /** {@return the cameras of the calibration that was given, else the file's own} */
   public CameraFile cameras() {
     return cameras;
   }
 
   /**
-   * Whether observations have the number of the picture that they were made in.
-   *
-   * @return true for {@code .braidz} files and HDF5
+   * {@return whether observations have the number of the picture that they were made in, as in
+   * {@code .braidz} files and HDF5}
    */
   public boolean hasFrames() {
     return isBraidz || isHdf5;

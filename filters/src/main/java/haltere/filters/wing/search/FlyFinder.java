@@ -61,14 +61,7 @@ final class FlyFinder {
     py = new double[capacity];
   }
 
-  /**
-   * Searches.
-   *
-   * @param events the last events
-   * @param nowUs the end of the window
-   * @param settings its length and the range of frequencies
-   * @return the fly, or null if there is none
-   */
+  /** Searches the last events for the fly up to the end of a window; null if there is none. */
   FoundFly find(RecentEvents events, long nowUs, WingSearchSettings settings) {
     sample.take(events, nowUs - settings.windowUs());
     if (sample.supportedCount < LEAST_SUPPORTED) {

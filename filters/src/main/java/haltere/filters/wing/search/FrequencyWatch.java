@@ -82,20 +82,12 @@ public final class FrequencyWatch {
     wrong = right ? 0 : wrong + 1;
   }
 
-  /**
-   * Whether a frequency has contradicted the spectrum for two looks.
-   *
-   * @return true if the beat is to be searched for
-   */
+  /** {@return whether a frequency has contradicted the spectrum for two looks} */
   public boolean isWrong() {
     return wrong >= LOOKS;
   }
 
-  /**
-   * Whether all frequencies explained the events when that could last be told.
-   *
-   * @return false before the first look
-   */
+  /** {@return whether all frequencies explained the events when that could last be told} */
   public boolean isRight() {
     return right;
   }

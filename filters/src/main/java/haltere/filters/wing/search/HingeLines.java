@@ -21,14 +21,8 @@ final class HingeLines {
   double y;
 
   /**
-   * Searches from a point.
-   *
-   * @param sample events
-   * @param side which class to take
-   * @param classes class of each event
-   * @param startX where to begin
-   * @param startY where to begin
-   * @return false if there are too few lines
+   * Searches from a point, among the events of the class of a side; false if there are too few
+   * lines.
    */
   boolean search(StrokeSample sample, int side, byte[] classes, double startX, double startY) {
     x = startX;

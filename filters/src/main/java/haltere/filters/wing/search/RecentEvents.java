@@ -53,11 +53,7 @@ public final class RecentEvents {
     size = 0;
   }
 
-  /**
-   * How many events there are.
-   *
-   * @return 0 to the capacity
-   */
+  /** {@return the number of events} */
   public int size() {
     return size;
   }

@@ -119,12 +119,7 @@ final class StrokeFit {
     return (low + high) / 2;
   }
 
-  /**
-   * The stroke as a seed.
-   *
-   * @param startUs of the sample
-   * @param flipped whether angles are to be measured from the opposite direction
-   */
+  /** The stroke as a seed; flipped angles are measured from the opposite direction. */
   StrokeSeed seed(long startUs, boolean flipped) {
     double sign = flipped ? -1 : 1;
     double phase = Math.atan2(sign * cosine(1), sign * sine(1));
@@ -327,11 +322,8 @@ final class StrokeFit {
   }
 
   /**
-   * Adds the information of the fit to larger equations.
-   *
-   * @param equations take it from an unknown on
-   * @param from the unknown
-   * @param repeating so many events count for one
+   * Adds the information of the fit to larger equations from an unknown on; so many repeating
+   * events count for one.
    */
   void addTo(NormalEquations equations, int from, double repeating) {
     equations.addInformation(normal, from, 1 / (repeating * Math.max(1, residual * residual)));

@@ -20,14 +20,7 @@ final class BeatClock {
     lastCrossingUs = Double.NaN;
   }
 
-  /**
-   * Looks, several times a beat.
-   *
-   * @param timeUs now
-   * @param phase now, in [0, 2 pi)
-   * @param omega angular frequency
-   * @param shape of the stroke
-   */
+  /** Looks, several times a beat, at the phase in [0, 2 pi). */
   void look(long timeUs, double phase, double omega, StrokeShape shape) {
     if (phase < lastPhase - Math.PI) {
       double crossingUs = timeUs - phase / omega * 1e6;

@@ -46,12 +46,8 @@ final class CameraLatency {
   }
 
   /**
-   * Lag of ON behind OFF events. Both wings are seen by the same pixels, so that what each of them
-   * says counts by how sure it is.
-   *
-   * @param own filter of the wing
-   * @param other filter of the other wing, null if that is not tracked
-   * @return seconds
+   * Lag of ON behind OFF events, seconds. Both wings are seen by the same pixels, so that what each
+   * of them says counts by how sure it is; the other wing is null if it is not tracked.
    */
   static double lagS(StrokeEkf own, StrokeEkf other) {
     double lag = own.x[StrokeEkf.LAG];
@@ -79,10 +75,8 @@ final class CameraLatency {
   }
 
   /**
-   * Delay of a pixel, from the spread of the times of its events over the mismatch of thresholds.
-   *
-   * @param timingSdS standard deviation of the time of an event, seconds
-   * @return seconds
+   * Delay of a pixel, seconds, from the spread of the times of its events over the mismatch of
+   * thresholds.
    */
   static double delayS(double timingSdS) {
     return timingSdS / THRESHOLD_MISMATCH;
@@ -104,9 +98,7 @@ final class CameraLatency {
 
   /**
    * Standard deviation of {@link #seconds}, where the constant delay is known or does not matter.
-   *
-   * @param heldLagS lag of ON events that is not told by events of both edges; 0 if it is
-   * @return seconds
+   * The held lag is one that is not told by events of both edges, else 0.
    */
   static double sdSeconds(double heldLagS) {
     return Math.hypot(LEFT_S, HELD_SHARE * heldLagS);

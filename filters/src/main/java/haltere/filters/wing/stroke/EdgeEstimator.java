@@ -42,11 +42,7 @@ abstract class EdgeEstimator {
     omega = seed.omega();
   }
 
-  /**
-   * Takes an event.
-   *
-   * @return whether it ends a beat of the edge
-   */
+  /** Takes an event; returns whether it ends a beat of the edge. */
   abstract boolean event(long timeUs, double measured);
 
   abstract double angle(double atUs);

@@ -4,7 +4,6 @@ import haltere.filters.estimation.Angles;
 import haltere.filters.estimation.Gate;
 import haltere.filters.estimation.GaussianState;
 import haltere.filters.estimation.InnovationMonitor;
-import haltere.filters.estimation.SineCosine;
 import haltere.filters.wing.WingFilterEdit;
 import haltere.filters.wing.WingFilterState;
 import haltere.filters.wing.WingFilterState.Source;
@@ -165,8 +164,6 @@ final class EdgeFilter extends EdgeEstimator {
     } else if (belief.correct(innovation, r)) {
       monitor.noteApplied();
       mend();
-    } else {
-      monitor.noteUnusable();
     }
   }
 

@@ -61,11 +61,7 @@ public interface EdgeNoise {
     return meanUs;
   }
 
-  /**
-   * Whether the process noise is that of a second.
-   *
-   * @return false if it is that of an update
-   */
+  /** {@return whether the process noise is that of a second, not of an update} */
   default boolean isDensity() {
     return true;
   }

@@ -29,9 +29,8 @@ final class EdgeSums {
   }
 
   /**
-   * Updates a filter and begins anew.
-   *
-   * @return variance that the filter expected, or what is given if there was no event
+   * Updates a filter and begins anew. Returns the variance that the filter expected, or what is
+   * given if there was no event.
    */
   double update(StrokeEkf filter, double otherwise) {
     if (!(weight > 0)) {

@@ -38,10 +38,8 @@ final class EventNoise {
   private double varianceNow = 1e-3;
 
   /**
-   * Noise of events of which nothing is known yet.
-   *
-   * @param gateSd innovations beyond this are refused
-   * @param fixed variance of a measurement, 0 to learn it
+   * Noise of events of which nothing is known yet: innovations beyond the gate are refused, a fixed
+   * variance of 0 is learnt.
    */
   EventNoise(double gateSd, double fixed) {
     apply(gateSd, fixed);

@@ -18,12 +18,7 @@ final class FastAngle {
     return table;
   }
 
-  /**
-   * Like {@link Math#atan2}, within 2e-8 radians; 0 for the origin.
-   *
-   * @param y ordinate, finite
-   * @param x abscissa, finite
-   */
+  /** Like {@link Math#atan2} of finite numbers, within 2e-8 radians; 0 for the origin. */
   static double of(double y, double x) {
     double ay = Math.abs(y);
     double ax = Math.abs(x);

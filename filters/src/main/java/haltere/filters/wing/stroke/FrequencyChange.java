@@ -33,12 +33,7 @@ final class FrequencyChange {
     other = wing;
   }
 
-  /**
-   * Looks, about once in a millisecond.
-   *
-   * @param history of the wing's filter, up to now
-   * @param calm whether the fly flies steadily, so that this change counts as usual
-   */
+  /** Looks, about once in a millisecond; in calm flight, the change counts as usual. */
   void look(FrequencyHistory history, boolean calm) {
     if (weight == 0) {
       usual = FIRST_SHARE * history.variance[history.ago(0)];

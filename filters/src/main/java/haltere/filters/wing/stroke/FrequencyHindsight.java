@@ -30,13 +30,7 @@ final class FrequencyHindsight {
   private double share = FIRST_SHARE;
   private double weight = FIRST_WEIGHT;
 
-  /**
-   * Looks, about once in a millisecond.
-   *
-   * @param dtS since the last time
-   * @param history of the wing's filter, up to now
-   * @param calm whether the fly flies steadily
-   */
+  /** Looks, about once in a millisecond. */
   void look(double dtS, FrequencyHistory history, boolean calm) {
     steady = !calm ? 0 : dtS > GAP_S ? 1 : steady + 1;
     if (steady >= LOOKS) {
@@ -68,9 +62,8 @@ final class FrequencyHindsight {
   }
 
   /**
-   * Variance in steady flight as a share of what a filter thinks, as both wings tell it.
-   *
-   * @param other of the other wing of the same fly; null if that is not tracked
+   * Variance in steady flight as a share of what a filter thinks, as both wings tell it, or this
+   * one alone.
    */
   double share(FrequencyHindsight other) {
     return other == null

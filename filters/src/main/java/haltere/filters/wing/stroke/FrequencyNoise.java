@@ -54,11 +54,7 @@ final class FrequencyNoise {
   }
 
   /**
-   * Looks, about once in a millisecond.
-   *
-   * @param dtS since the last time
-   * @param filter of the wing
-   * @param most that is added to the density of the noise
+   * Looks, about once in a millisecond, and adds no more than the most to the density of the noise.
    */
   void look(double dtS, StrokeEkf filter, double most) {
     double omega = filter.x[StrokeEkf.OMEGA];

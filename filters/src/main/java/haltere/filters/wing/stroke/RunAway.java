@@ -40,13 +40,7 @@ final class RunAway {
     w += weight * slope;
   }
 
-  /**
-   * Looks, about once in a millisecond; the residuals of the last beat count.
-   *
-   * @param dtS since the last time
-   * @param omega angular frequency
-   * @param most largest density
-   */
+  /** Looks, about once in a millisecond; the residuals of the last beat count. */
   void look(double dtS, double omega, double most) {
     if (w > 0) {
       double excess = excess();

@@ -55,11 +55,7 @@ public interface SideEstimator {
    */
   WingEstimate estimate(int part);
 
-  /**
-   * The Kalman filters, of the wing or of its edges.
-   *
-   * @return as they are now; none for a method without
-   */
+  /** {@return the Kalman filters of the wing or of its edges as they are now; none without} */
   default List<WingFilterState> filters() {
     return List.of();
   }
@@ -72,11 +68,7 @@ public interface SideEstimator {
    */
   void edit(WingFilterEdit edit);
 
-  /**
-   * The stroke as it is now.
-   *
-   * @return for another estimator to begin with
-   */
+  /** {@return the stroke as it is now, for another estimator to begin with} */
   StrokeSeed seed();
 
   /**

@@ -144,9 +144,8 @@ final class StrokeEkf {
   }
 
   /**
-   * Takes the covariance on by a time: the phase gathers the error of the frequency.
-   *
-   * @param density of the process noise of the first entries
+   * Takes the covariance on by a time: the phase gathers the error of the frequency. The densities
+   * are those of the process noise of the first entries.
    */
   void predictCovariance(double dtS, double[] density) {
     belief.shearCovariance(PHASE, OMEGA, dtS);
@@ -157,11 +156,8 @@ final class StrokeEkf {
   }
 
   /**
-   * Makes the row of derivatives for an event of an edge at a phase.
-   *
-   * @param c1 cosine of the phase
-   * @param s1 sine of the phase
-   * @param edge 1 for an OFF event, -1 for an ON event, 0 for the middle of the wing
+   * Makes the row of derivatives for an event at a phase: edge 1 for OFF, -1 for ON, 0 for the
+   * middle of the wing.
    */
   void look(double c1, double s1, int edge) {
     double slope = slope(c1, s1);

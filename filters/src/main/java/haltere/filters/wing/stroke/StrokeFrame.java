@@ -35,11 +35,7 @@ public final class StrokeFrame {
     turn = side == WingSide.LEFT ? 1 : -1;
   }
 
-  /**
-   * Which way stroke angles grow on the sensor.
-   *
-   * @return 1 for the left wing, -1 for the right
-   */
+  /** {@return which way stroke angles grow on the sensor: 1 for the left wing, -1 for the right} */
   public double turn() {
     return turn;
   }
@@ -101,28 +97,19 @@ public final class StrokeFrame {
     hingeY += byY;
   }
 
-  /**
-   * Where the hinge is.
-   *
-   * @return column
-   */
+  /** {@return the column of the hinge} */
   public double hingeX() {
     return hingeX;
   }
 
-  /**
-   * Where the hinge is.
-   *
-   * @return row
-   */
+  /** {@return the row of the hinge} */
   public double hingeY() {
     return hingeY;
   }
 
   /**
-   * The direction that stroke angles refer to.
-   *
-   * @return from tail to head, counterclockwise from +x
+   * {@return the direction that stroke angles refer to: from tail to head, counterclockwise from
+   * +x}
    */
   public double headingRad() {
     return headingRad;
@@ -143,9 +130,8 @@ public final class StrokeFrame {
   }
 
   /**
-   * Stroke angle of the pixel last looked at.
-   *
-   * @return in (-pi, pi]; just beyond the tail is near -pi
+   * {@return the stroke angle of the pixel last looked at, in (-pi, pi]; just beyond the tail is
+   * near -pi}
    */
   public double angle() {
     double along = dx * headingCos + dy * headingSin;

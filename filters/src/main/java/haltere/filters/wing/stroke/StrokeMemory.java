@@ -27,13 +27,8 @@ final class StrokeMemory {
   }
 
   /**
-   * Forgets.
-   *
-   * @param filter of the wing
-   * @param dtS since the last time
-   * @param q density of the process noise of each entry
-   * @param both whether events of both edges come; one edge does not tell width and lag, which then
-   *     stay as they are, for sure
+   * Forgets. Events of one edge alone do not tell width and lag, which then stay as they are, for
+   * sure.
    */
   static void forget(StrokeEkf filter, double dtS, double[] q, boolean both) {
     double share = 1 - Math.exp(-dtS / FORGET_S);

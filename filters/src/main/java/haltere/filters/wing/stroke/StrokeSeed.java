@@ -58,9 +58,8 @@ public record StrokeSeed(
   }
 
   /**
-   * The same stroke measured from the opposite direction, the other way round.
-   *
-   * @return the stroke of a wing on the other side
+   * {@return the same stroke measured from the opposite direction, that of a wing on the other
+   * side}
    */
   public StrokeSeed mirrored() {
     double[] c = cosines.clone();

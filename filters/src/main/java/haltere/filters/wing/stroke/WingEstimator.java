@@ -463,9 +463,7 @@ public final class WingEstimator implements SideEstimator {
   }
 
   private double phase() {
-    double phase = filter.x[StrokeEkf.PHASE] + ahead() - shape.crossingRad;
-    double turns = phase / (2 * Math.PI);
-    return (turns - Math.floor(turns)) * 2 * Math.PI;
+    return Angles.wrapTwoPi(filter.x[StrokeEkf.PHASE] + ahead() - shape.crossingRad);
   }
 
   /** Standard deviation of the angle of the wing's middle, 0, or of an edge on one of its sides. */

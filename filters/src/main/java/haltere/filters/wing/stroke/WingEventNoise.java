@@ -24,10 +24,8 @@ final class WingEventNoise {
   private double refused;
 
   /**
-   * Noise of events of which nothing is known yet.
-   *
-   * @param gateSd innovations beyond this are refused
-   * @param fixed variance of a measurement, 0 to learn it
+   * Noise of events of which nothing is known yet: innovations beyond the gate are refused, a fixed
+   * variance of 0 is learnt.
    */
   WingEventNoise(double gateSd, double fixed) {
     edges = new EventNoise[] {new EventNoise(gateSd, fixed), new EventNoise(gateSd, fixed)};

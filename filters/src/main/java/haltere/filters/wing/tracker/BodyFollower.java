@@ -50,9 +50,7 @@ final class BodyFollower {
   }
 
   /**
-   * Takes an event of a wing, after the running average has.
-   *
-   * @return whether the body was moved
+   * Takes an event of a wing, after the running average has; returns whether the body was moved.
    */
   boolean event(int side, int x, int y) {
     if (!follows) {

@@ -58,11 +58,7 @@ final class FlyPlace {
     frames[1].place(now.leftHingeX(), now.leftHingeY(), heading, innerPx, regionPx);
   }
 
-  /**
-   * Moves by what a person says differently.
-   *
-   * @return by how much the heading turns, radians
-   */
+  /** Moves by what a person says differently; returns by how much the heading turns, radians. */
   double move(WingPlaceSettings before, WingPlaceSettings after) {
     double turn = Angles.wrapPi(after.headingOffsetRad() - before.headingOffsetRad());
     regionPx =

@@ -22,12 +22,7 @@ final class FlyReport {
   private final WingEstimators wings;
   private final long[] beatCount = new long[2];
 
-  /**
-   * A report.
-   *
-   * @param listener takes the results
-   * @param wings estimators of both wings, read anew each time
-   */
+  /** A report to a listener of the estimators of both wings, read anew each time. */
   FlyReport(WingListener listener, WingEstimators wings) {
     this.listener = listener;
     this.wings = wings;
@@ -40,9 +35,7 @@ final class FlyReport {
   }
 
   /**
-   * Tells everything but snapshots.
-   *
-   * @param both whether the running average runs beside the Kalman filter
+   * Tells everything but snapshots; both, where the running average runs beside the Kalman filter.
    */
   void tick(long timeUs, boolean both) {
     WingEstimate[] now = new WingEstimate[2];

@@ -171,9 +171,8 @@ final class WingEstimators {
   }
 
   /**
-   * Takes new settings over.
-   *
-   * @return whether they need other estimators; those that are there take them over else
+   * Takes new settings over. Returns whether they need other estimators; those that are there take
+   * them over else.
    */
   boolean apply(WingTrackerSettings changed) {
     boolean others = !isSameEstimator(settings.filter(), changed.filter());

@@ -101,11 +101,7 @@ public final class WingTracker {
     fly.wings().forget();
   }
 
-  /**
-   * The settings in force.
-   *
-   * @return an immutable record
-   */
+  /** {@return the settings in force} */
   public WingTrackerSettings settings() {
     return settings;
   }
@@ -129,40 +125,30 @@ public final class WingTracker {
     }
   }
 
-  /**
-   * What the tracker does.
-   *
-   * @return the present phase
-   */
+  /** {@return the present phase: what the tracker does} */
   public Phase phase() {
     return phase;
   }
 
   /**
-   * How the fly was searched for last, and what became of it.
-   *
-   * @return the steps in their order, the last one the condition since; empty before the first
-   *     event
+   * {@return how the fly was searched for last, step by step, the last one the condition since;
+   * empty before the first event}
    */
   public List<WingTrackerState> searchSteps() {
     return List.copyOf(steps.values());
   }
 
   /**
-   * Mean normalised innovation squared of the Kalman filters of late; 1 if they know how good their
-   * measurements are.
-   *
-   * @return at least 0; NaN while no wing is tracked by a filter that tells
+   * {@return the mean normalised innovation squared of the Kalman filters of late: 1 if they know
+   * how good their measurements are, NaN while no wing is tracked by a filter that tells}
    */
   public double meanNis() {
     return fly.wings().meanNis();
   }
 
   /**
-   * The Kalman filters as they are now, to be shown.
-   *
-   * @return one for each wing that is tracked, or for each edge of it; none with the running
-   *     average
+   * {@return the Kalman filters as they are now: one for each wing that is tracked, or for each
+   * edge of it; none with the running average}
    */
   public List<WingFilterState> filters() {
     return fly.wings().filters();
@@ -193,29 +179,22 @@ public final class WingTracker {
     listener.take(new WingByHand(part, Optional.empty()));
   }
 
-  /**
-   * Where the fly is.
-   *
-   * @return empty while none is tracked
-   */
+  /** {@return where the fly is; empty while none is tracked} */
   public Optional<FlyGeometry> geometry() {
     return fly.wings().isTracked() ? Optional.of(fly.geometry()) : Optional.empty();
   }
 
   /**
-   * Where the fly is for a running average that has a body of its own, beside a filter that follows
-   * the hinges.
-   *
-   * @return empty while no fly is tracked or both methods share the body
+   * {@return where the fly is for a running average that has a body of its own, beside a filter
+   * that follows the hinges; empty while no fly is tracked or both methods share the body}
    */
   public Optional<FlyGeometry> averageGeometry() {
     return fly.wings().isTracked() ? fly.averageGeometry() : Optional.empty();
   }
 
   /**
-   * Radius of the region of interest about each hinge.
-   *
-   * @return pixels; of no meaning while no fly is tracked
+   * {@return the radius of the region of interest about each hinge, pixels; of no meaning while no
+   * fly is tracked}
    */
   public double regionPx() {
     return fly.regionPx();
@@ -254,11 +233,7 @@ public final class WingTracker {
     return settings.with("place.headingOffsetRad=" + offset);
   }
 
-  /**
-   * Settings with head and tail exchanged.
-   *
-   * @return the present settings with the other heading
-   */
+  /** {@return the present settings with head and tail exchanged} */
   public WingTrackerSettings withHeadingFlipped() {
     return settings.with("place.flipHeading=" + !settings.place().flipHeading());
   }

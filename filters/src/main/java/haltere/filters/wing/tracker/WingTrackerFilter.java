@@ -1,6 +1,6 @@
 package haltere.filters.wing.tracker;
 
-import haltere.core.chain.FilterProvider;
+import haltere.core.chain.NamedProvider;
 import haltere.core.chain.Outlet;
 import haltere.core.chain.PublishingFilter;
 import haltere.core.event.EventPacket;
@@ -50,6 +50,19 @@ public final class WingTrackerFilter extends PublishingFilter<WingTrackerSetting
   /** Of no chain: nothing is published here but by a person's hand. */
   private final Outlet<WingByHand> byHand = new Outlet<>("by-hand", WingByHand.class);
 
+  private final Map<Class<? extends WingResult>, Outlet<? extends WingResult>> byKind =
+      Map.of(
+          WingEstimate.class, estimates,
+          WingMeasurement.class, measurements,
+          WingVariances.class, variances,
+          WingDifference.class, differences,
+          WingPair.class, pairs,
+          WingBeat.class, beats,
+          FlyGeometry.class, geometries,
+          WingTrackerState.class, states,
+          WingSnapshot.class, snapshots,
+          WingByHand.class, byHand);
+
   private final WingTracker tracker;
 
   /**
@@ -62,20 +75,14 @@ public final class WingTrackerFilter extends PublishingFilter<WingTrackerSetting
     tracker = new WingTracker(geometry, settings, new OutletsOfFilter());
   }
 
-  /**
-   * The tracker, to ask for settings that place the fly as a person says.
-   *
-   * @return always the same
-   */
+  /** {@return the tracker, to ask for settings that place the fly as a person says} */
   public WingTracker tracker() {
     return tracker;
   }
 
   /**
-   * What a person does to the Kalman filters while they run, when it is done. Not among {@link
-   * #outlets()}, for it is no result.
-   *
-   * @return always the same
+   * {@return the outlet of what a person does to the Kalman filters while they run; not among
+   * {@link #outlets()}, for it is no result}
    */
   public Outlet<WingByHand> byHand() {
     return byHand;
@@ -114,68 +121,37 @@ public final class WingTrackerFilter extends PublishingFilter<WingTrackerSetting
       return kind == WingEstimate.class
           ? Stream.of(estimates, wings, averages, differences, pairs)
               .anyMatch(Outlet::hasSubscribers)
-          : (kind == WingSnapshot.class
-                  ? snapshots
-                  : kind == WingMeasurement.class ? measurements : variances)
-              .hasSubscribers();
+          : byKind.get(kind).hasSubscribers();
     }
 
     @Override
+    @SuppressWarnings("unchecked")
     public void take(WingResult result) {
-      if (result instanceof WingEstimate estimate) {
-        estimates.publish(estimate);
-        if (estimate.edge().isWing()) {
-          wings.publish(estimate);
-        }
-      } else if (result instanceof WingMeasurement measurement) {
-        measurements.publish(measurement);
-      } else if (result instanceof WingVariances row) {
-        variances.publish(row);
-      } else if (result instanceof WingDifference difference) {
-        differences.publish(difference);
-      } else if (result instanceof WingAverage average) {
+      if (result instanceof WingAverage average) {
         averages.publish(average.estimate());
-      } else if (result instanceof WingPair pair) {
-        pairs.publish(pair);
-      } else if (result instanceof WingBeat beat) {
-        beats.publish(beat);
-      } else if (result instanceof FlyGeometry geometry) {
-        geometries.publish(geometry);
-      } else if (result instanceof WingTrackerState state) {
-        states.publish(state);
-      } else if (result instanceof WingSnapshot snapshot) {
-        snapshots.publish(snapshot);
-      } else if (result instanceof WingByHand change) {
-        byHand.publish(change);
+        return;
       }
+      if (result instanceof WingEstimate estimate && estimate.edge().isWing()) {
+        wings.publish(estimate);
+      }
+      ((Outlet<WingResult>) byKind.get(result.getClass())).publish(result);
     }
   }
 
   /** Makes the filter where its name is found in a chain. */
-  public static final class Provider implements FilterProvider<WingTrackerSettings> {
-    @Override
-    public String name() {
-      return "wing-tracker";
-    }
-
-    @Override
-    public String description() {
-      return "Follows the wings of a tethered fly within each beat.";
-    }
-
-    @Override
-    public Class<WingTrackerSettings> settingsType() {
-      return WingTrackerSettings.class;
+  public static final class Provider extends NamedProvider<WingTrackerSettings> {
+    /** Found by its name in the list of services. */
+    public Provider() {
+      super(
+          "wing-tracker",
+          "Follows the wings of a tethered fly within each beat.",
+          WingTrackerSettings.class,
+          WingTrackerFilter::new);
     }
 
     @Override
     public Map<String, WingTrackerSettings> presets() {
       return Map.of("original", WingTrackerSettings.original());
-    }
-
-    @Override
-    public WingTrackerFilter create(SensorGeometry geometry, WingTrackerSettings settings) {
-      return new WingTrackerFilter(geometry, settings);
     }
   }
 }

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.filters.estimation.Angles;
 import haltere.filters.wing.FlyGeometry;
-import haltere.filters.wing.WingPlaceSettings;
+import haltere.filters.wing.WingTrackerSettings;
 import haltere.filters.wing.search.FoundFly;
 import haltere.filters.wing.stroke.StrokeFrame;
 import haltere.filters.wing.stroke.StrokeSeed;
@@ -17,7 +17,8 @@ class PixelAnglesTest {
 
   private static FlyPlace place() {
     FlyPlace place = new FlyPlace();
-    place.begin(new FoundFly(FOUND, 42, new StrokeSeed[2]), WingPlaceSettings.defaults(), 0);
+    place.begin(
+        new FoundFly(FOUND, 42, new StrokeSeed[2]), WingTrackerSettings.defaults().place(), 0);
     return place;
   }
 

@@ -1,4 +1,4 @@
-package haltere.filters.estimation;
+package haltere.filters.wing.stroke;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;

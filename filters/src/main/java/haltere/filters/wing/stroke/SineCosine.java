@@ -1,4 +1,4 @@
-package haltere.filters.estimation;
+package haltere.filters.wing.stroke;
 
 /**
  * Sine and cosine of one angle, worked out together in about the time of one of them: for filters
@@ -14,9 +14,9 @@ package haltere.filters.estimation;
  * <p>Allocates nothing after its construction. Thread rule: not safe for use by two threads at a
  * time.
  */
-public final class SineCosine {
+final class SineCosine {
   /** Angles either way up to which the fast way is taken, radians. */
-  public static final double GREATEST_ANGLE = 1e5;
+  static final double GREATEST_ANGLE = 1e5;
 
   private static final double QUARTERS_PER_RADIAN = 2 / Math.PI;
 
@@ -43,17 +43,8 @@ public final class SineCosine {
   private double sine;
   private double cosine = 1;
 
-  /** Of the angle 0. */
-  public SineCosine() {
-    // The fields have their values.
-  }
-
-  /**
-   * Works both out.
-   *
-   * @param angle radians; of NaN and infinities both are NaN
-   */
-  public void of(double angle) {
+  /** Works both out of radians; of NaN and infinities both are NaN. */
+  void of(double angle) {
     if (!(Math.abs(angle) <= GREATEST_ANGLE)) {
       sine = Math.sin(angle);
       cosine = Math.cos(angle);
@@ -79,21 +70,12 @@ public final class SineCosine {
     cosine = opposite ? -c : c;
   }
 
-  /**
-   * The sine of the last angle.
-   *
-   * @return -1 to 1
-   */
-  public double sine() {
+  /** Of the last angle. */
+  double sine() {
     return sine;
   }
 
-  /**
-   * The cosine of the last angle.
-   *
-   * @return -1 to 1
-   */
-  public double cosine() {
+  double cosine() {
     return cosine;
   }
 }
