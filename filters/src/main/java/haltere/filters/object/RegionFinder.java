@@ -49,6 +49,7 @@ final class RegionFinder {
 
   private final int[] label = new int[ShapeTemplate.CELLS];
   private final int[] stack = new int[ShapeTemplate.CELLS];
+  private final Region scratch = new Region();
   private List<Region> regions = List.of();
 
   void clear() {
@@ -68,11 +69,11 @@ final class RegionFinder {
 
   /** Looks at the template; returns a region that has stayed apart from the largest, or null. */
   Region findApart(ShapeTemplate shape) {
-    List<Region> found = find(shape);
-    if (found.size() < 2) {
+    if (isConnected(shape)) {
       regions = List.of();
       return null;
     }
+    List<Region> found = find(shape);
     for (Region now : found) {
       Region before = nearest(now);
       if (before != null) {
@@ -114,14 +115,32 @@ final class RegionFinder {
     return best;
   }
 
+  /** Whether one region holds all but small ones, as it mostly does. */
+  private boolean isConnected(ShapeTemplate shape) {
+    Arrays.fill(label, 0);
+    int large = 0;
+    for (int cell = 0; cell < ShapeTemplate.CELLS; cell++) {
+      if (shape.core[cell] && label[cell] == 0) {
+        fill(shape, cell, 1, scratch);
+        large += isLarge(scratch, shape) ? 1 : 0;
+      }
+    }
+    return large < 2;
+  }
+
+  private static boolean isLarge(Region region, ShapeTemplate shape) {
+    return region.mass > MIN_SHARE * shape.solidTotal;
+  }
+
   private List<Region> find(ShapeTemplate shape) {
     Arrays.fill(label, 0);
     List<Region> found = new ArrayList<>(2);
     int labels = 0;
     for (int cell = 0; cell < ShapeTemplate.CELLS; cell++) {
       if (shape.core[cell] && label[cell] == 0) {
-        Region region = fill(shape, cell, ++labels);
-        if (region.mass > MIN_SHARE * shape.solidTotal) {
+        Region region = new Region();
+        fill(shape, cell, ++labels, region);
+        if (isLarge(region, shape)) {
           found.add(region);
         }
       }
@@ -129,10 +148,12 @@ final class RegionFinder {
     return found;
   }
 
-  private Region fill(ShapeTemplate shape, int start, int number) {
+  private void fill(ShapeTemplate shape, int start, int number, Region region) {
     int side = ShapeTemplate.SIDE;
-    Region region = new Region();
     region.label = number;
+    region.mass = 0;
+    region.x = 0;
+    region.y = 0;
     int top = 0;
     stack[top++] = start;
     label[start] = number;
@@ -168,7 +189,6 @@ final class RegionFinder {
     region.y *= scale;
     region.halfX = 0.5 * (highX - lowX + 1) * cell;
     region.halfY = 0.5 * (highY - lowY + 1) * cell;
-    return region;
   }
 
   /** Moves the cells that are nearest to a region from one template to another. */

@@ -82,6 +82,8 @@ class ObjectTrackerFilterTest extends EventFilterContract {
   void aBoxThatMovesIsOneTrackWithItsPlaceVelocityAndExtent() {
     run(shapes(1).box(8, 5, 20_000, along(20, 40, 60, 20)), 1.2);
     assertEquals(1, byIdentity().size());
+    double squares = 0;
+    int compared = 0;
     for (ObjectTrack row : rows) {
       if (row.ageS() < 0.4) {
         continue;
@@ -89,12 +91,15 @@ class ObjectTrackerFilterTest extends EventFilterContract {
       double s = row.timeUs() * 1e-6;
       assertEquals(20 + 60 * s, row.xPx(), 2);
       assertEquals(40 + 20 * s, row.yPx(), 2);
-      assertEquals(60, row.vxPxS(), 10);
-      assertEquals(20, row.vyPxS(), 10);
+      assertEquals(60, row.vxPxS(), 3 * row.sdVxPxS());
+      assertEquals(20, row.vyPxS(), 3 * row.sdVyPxS());
+      squares += Math.pow(row.vxPxS() - 60, 2) + Math.pow(row.vyPxS() - 20, 2);
+      compared += 2;
       assertEquals(9, row.majorPx(), 3);
       assertEquals(5, row.minorPx(), 3);
       assertTrue(row.existence() > 0.9);
     }
+    assertEquals(0, Math.sqrt(squares / compared), 10);
     assertTrue(rows.size() > 100, rows.size() + " rows");
   }
 
