@@ -158,8 +158,6 @@ public final class BackgroundActivity {
       }
       if (settings.neighbours() > 1) {
         findEnough(packet.timesUs(), from, to);
-      } else if (settings.isAutomatic()) {
-        findAnyAndMeasure(packet.timesUs(), from, to);
       } else {
         findAny(packet.timesUs(), from, to);
       }
@@ -186,13 +184,12 @@ public final class BackgroundActivity {
   }
 
   /**
-   * Finds events with any support at all: the latest of the neighbours' times decides, which takes
-   * no branch that could be mispredicted.
+   * Finds events with any support: the latest of the neighbours' times decides, which takes no
+   * branch that could be mispredicted.
    */
   private void findAny(long[] timesUs, int from, int to) {
     int[] places = block;
     int[] last = lastUs;
-    int correlationUs = supportUs;
     for (int i = from; i < to; i++) {
       int relativeUs = (int) (timesUs[i] - epochUs);
       int left = places[i - from];
@@ -202,29 +199,14 @@ public final class BackgroundActivity {
       last[left + 1] = relativeUs;
       left += stride;
       latest = Math.max(latest, Math.max(Math.max(last[left], last[left + 1]), last[left + 2]));
-      places[i - from] = relativeUs - correlationUs - 1 - latest >>> 31;
+      places[i - from] = relativeUs - latest;
     }
-  }
-
-  /**
-   * Finds events with any support, and measures how long before them the latest neighbour fired.
-   */
-  private void findAnyAndMeasure(long[] timesUs, int from, int to) {
-    int[] places = block;
-    int[] last = lastUs;
-    int correlationUs = supportUs;
-    for (int i = from; i < to; i++) {
-      int relativeUs = (int) (timesUs[i] - epochUs);
-      int left = places[i - from];
-      int latest = Math.max(Math.max(last[left], last[left + 1]), last[left + 2]);
-      left += stride;
-      latest = Math.max(latest, Math.max(last[left], last[left + 2]));
-      last[left + 1] = relativeUs;
-      left += stride;
-      latest = Math.max(latest, Math.max(Math.max(last[left], last[left + 1]), last[left + 2]));
-      int sinceUs = relativeUs - latest;
-      automatic.delay(sinceUs);
-      places[i - from] = sinceUs - correlationUs - 1 >>> 31;
+    if (settings.isAutomatic()) {
+      automatic.countDelays(places, to - from);
+    }
+    int tooOldUs = supportUs + 1;
+    for (int i = 0; i < to - from; i++) {
+      places[i] = places[i] - tooOldUs >>> 31;
     }
   }
 

@@ -113,9 +113,11 @@ final class SupportTime {
     }
   }
 
-  /** Counts an event by the time since the last event of a neighbour, microseconds from 0. */
-  void delay(int sinceUs) {
-    bins[bin(sinceUs)]++;
+  /** Counts events by the times since the last event of a neighbour, microseconds from 0. */
+  void countDelays(int[] sinceUs, int count) {
+    for (int i = 0; i < count; i++) {
+      bins[bin(sinceUs[i])]++;
+    }
   }
 
   private static int bin(int us) {
