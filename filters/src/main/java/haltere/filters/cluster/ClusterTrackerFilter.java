@@ -1,6 +1,6 @@
 package haltere.filters.cluster;
 
-import haltere.core.chain.FilterProvider;
+import haltere.core.chain.NamedProvider;
 import haltere.core.chain.Outlet;
 import haltere.core.chain.PublishingFilter;
 import haltere.core.event.EventPacket;
@@ -93,30 +93,19 @@ public final class ClusterTrackerFilter extends PublishingFilter<ClusterTrackerS
   }
 
   /** Makes the filter where its name is found in a chain. */
-  public static final class Provider implements FilterProvider<ClusterTrackerSettings> {
-    @Override
-    public String name() {
-      return "cluster-tracker";
-    }
-
-    @Override
-    public String description() {
-      return "Tracks clusters of events, boxes or ellipses that events move (Cardinale, 2006).";
-    }
-
-    @Override
-    public Class<ClusterTrackerSettings> settingsType() {
-      return ClusterTrackerSettings.class;
+  public static final class Provider extends NamedProvider<ClusterTrackerSettings> {
+    /** Found by its name in the list of services. */
+    public Provider() {
+      super(
+          "cluster-tracker",
+          "Tracks clusters of events, boxes or ellipses that events move (Cardinale, 2006).",
+          ClusterTrackerSettings.class,
+          ClusterTrackerFilter::new);
     }
 
     @Override
     public Map<String, ClusterTrackerSettings> presets() {
       return Map.of("original", ClusterTrackerSettings.original());
-    }
-
-    @Override
-    public ClusterTrackerFilter create(SensorGeometry geometry, ClusterTrackerSettings settings) {
-      return new ClusterTrackerFilter(geometry, settings);
     }
   }
 }

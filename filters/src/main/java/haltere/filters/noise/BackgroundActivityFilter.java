@@ -1,6 +1,6 @@
 package haltere.filters.noise;
 
-import haltere.core.chain.FilterProvider;
+import haltere.core.chain.NamedProvider;
 import haltere.core.chain.Outlet;
 import haltere.core.chain.PublishingFilter;
 import haltere.core.event.EventPacket;
@@ -48,27 +48,15 @@ public final class BackgroundActivityFilter extends PublishingFilter<BackgroundA
   }
 
   /** Makes the filter where its name is found in a chain. */
-  public static final class Provider implements FilterProvider<BackgroundActivitySettings> {
-    @Override
-    public String name() {
-      return "background-activity";
-    }
-
-    @Override
-    public String description() {
-      return "Passes an event if enough of its eight neighbours fired shortly before, which removes"
-          + " noise; tells what share it removed.";
-    }
-
-    @Override
-    public Class<BackgroundActivitySettings> settingsType() {
-      return BackgroundActivitySettings.class;
-    }
-
-    @Override
-    public BackgroundActivityFilter create(
-        SensorGeometry geometry, BackgroundActivitySettings settings) {
-      return new BackgroundActivityFilter(geometry, settings);
+  public static final class Provider extends NamedProvider<BackgroundActivitySettings> {
+    /** Found by its name in the list of services. */
+    public Provider() {
+      super(
+          "background-activity",
+          "Passes an event if enough of its eight neighbours fired shortly before, which removes"
+              + " noise; tells what share it removed.",
+          BackgroundActivitySettings.class,
+          BackgroundActivityFilter::new);
     }
   }
 }

@@ -1,6 +1,6 @@
 package haltere.filters.object;
 
-import haltere.core.chain.FilterProvider;
+import haltere.core.chain.NamedProvider;
 import haltere.core.chain.Outlet;
 import haltere.core.chain.PublishingFilter;
 import haltere.core.event.EventPacket;
@@ -128,26 +128,15 @@ public final class ObjectTrackerFilter extends PublishingFilter<ObjectTrackerSet
   }
 
   /** Makes the filter where its name is found in a chain. */
-  public static final class Provider implements FilterProvider<ObjectTrackerSettings> {
-    @Override
-    public String name() {
-      return "object-tracker";
-    }
-
-    @Override
-    public String description() {
-      return "Tracks what moves, of any shape and size, through stops, gaps and encounters; needs"
-          + " no noise filter before it.";
-    }
-
-    @Override
-    public Class<ObjectTrackerSettings> settingsType() {
-      return ObjectTrackerSettings.class;
-    }
-
-    @Override
-    public ObjectTrackerFilter create(SensorGeometry geometry, ObjectTrackerSettings settings) {
-      return new ObjectTrackerFilter(geometry, settings);
+  public static final class Provider extends NamedProvider<ObjectTrackerSettings> {
+    /** Found by its name in the list of services. */
+    public Provider() {
+      super(
+          "object-tracker",
+          "Tracks what moves, of any shape and size, through stops, gaps and encounters; needs"
+              + " no noise filter before it.",
+          ObjectTrackerSettings.class,
+          ObjectTrackerFilter::new);
     }
   }
 }

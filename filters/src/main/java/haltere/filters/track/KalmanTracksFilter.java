@@ -1,6 +1,6 @@
 package haltere.filters.track;
 
-import haltere.core.chain.FilterProvider;
+import haltere.core.chain.NamedProvider;
 import haltere.core.chain.Outlet;
 import haltere.core.chain.PublishingFilter;
 import haltere.core.event.EventPacket;
@@ -37,6 +37,16 @@ public final class KalmanTracksFilter extends PublishingFilter<KalmanTracksSetti
   public KalmanTracksFilter(SensorGeometry geometry, KalmanTracksSettings settings) {
     tracks = new KalmanTracks(geometry, settings, this::report);
     tracks.observe(updates::hasSubscribers, updates::publish);
+  }
+
+  /** {@return the outlet of the tracks in the picture} */
+  public Outlet<TrackPoint> points() {
+    return points;
+  }
+
+  /** {@return the outlet of the tracks on the road, each right after its {@link #points point}} */
+  public Outlet<PlanePoint> roadPoints() {
+    return roadPoints;
   }
 
   private void report(long timeUs) {
@@ -96,31 +106,20 @@ public final class KalmanTracksFilter extends PublishingFilter<KalmanTracksSetti
   }
 
   /** Makes the filter where its name is found in a chain. */
-  public static final class Provider implements FilterProvider<KalmanTracksSettings> {
-    @Override
-    public String name() {
-      return "kalman-tracks";
-    }
-
-    @Override
-    public String description() {
-      return "Tracks clusters with Kalman filters, in pixels or in metres on a road (Cardinale,"
-          + " 2006).";
-    }
-
-    @Override
-    public Class<KalmanTracksSettings> settingsType() {
-      return KalmanTracksSettings.class;
+  public static final class Provider extends NamedProvider<KalmanTracksSettings> {
+    /** Found by its name in the list of services. */
+    public Provider() {
+      super(
+          "kalman-tracks",
+          "Tracks clusters with Kalman filters, in pixels or in metres on a road (Cardinale,"
+              + " 2006).",
+          KalmanTracksSettings.class,
+          KalmanTracksFilter::new);
     }
 
     @Override
     public Map<String, KalmanTracksSettings> presets() {
       return Map.of("original", KalmanTracksSettings.original());
-    }
-
-    @Override
-    public KalmanTracksFilter create(SensorGeometry geometry, KalmanTracksSettings settings) {
-      return new KalmanTracksFilter(geometry, settings);
     }
   }
 }

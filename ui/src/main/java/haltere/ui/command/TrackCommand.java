@@ -6,7 +6,6 @@ import haltere.core.chain.ChainStage;
 import haltere.core.chain.ConfigurableFilter;
 import haltere.core.chain.FilterChain;
 import haltere.core.chain.Filters;
-import haltere.core.chain.Outlet;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.RecordingReader;
 import haltere.core.pipeline.Pipeline;
@@ -310,7 +309,7 @@ final class TrackCommand extends Subcommand {
     tracks.apply(assigned(KalmanTracksSettings.class, settings, "clusters.output.reportRateHz"));
     if (road == null) {
       try (CsvSink<TrackPoint> table = CsvSink.create(out, TrackPoint.class, writing.overwrite)) {
-        outlet(tracks, TrackPoint.class).subscribe(table);
+        tracks.points().subscribe(table);
         feed.run(chain);
         finish(table, out);
       }
@@ -320,10 +319,11 @@ final class TrackCommand extends Subcommand {
         CsvSink<LineCrossing> counts = counts()) {
       // A track's position in the picture is published before its position on the road.
       TrackPoint[] inPicture = new TrackPoint[1];
-      outlet(tracks, TrackPoint.class).subscribe(point -> inPicture[0] = point);
-      outlet(tracks, PlanePoint.class)
+      tracks.points().subscribe(point -> inPicture[0] = point);
+      tracks
+          .roadPoints()
           .subscribe(onRoad -> table.accept(RoadTrackRow.of(inPicture[0], onRoad, road.lanes())));
-      outlet(tracks, PlanePoint.class).subscribe(counter(road, counts));
+      tracks.roadPoints().subscribe(counter(road, counts));
       feed.run(chain);
       finish(table, out);
       if (counts != null) {
@@ -351,13 +351,6 @@ final class TrackCommand extends Subcommand {
     } catch (SettingsProblem problem) {
       throw wrongArguments(problem.getMessage());
     }
-  }
-
-  /** The outlet of a filter that publishes results of a type. */
-  @SuppressWarnings("unchecked")
-  private static <T> Outlet<T> outlet(KalmanTracksFilter tracks, Class<T> type) {
-    return (Outlet<T>)
-        tracks.outlets().stream().filter(one -> one.type() == type).findFirst().orElseThrow();
   }
 
   private void finish(CsvSink<?> table, Path path) throws IOException {
