@@ -75,6 +75,16 @@ final class ActivityGrid {
     return (tile / columns) << TILE_SHIFT;
   }
 
+  /** Column of a pixel within its tile. */
+  static int pixelX(int pixel) {
+    return pixel & IN_TILE;
+  }
+
+  /** Row of a pixel within its tile. */
+  static int pixelY(int pixel) {
+    return pixel >> TILE_SHIFT;
+  }
+
   /** Pixels of a tile that fired: bit 4 y + x. */
   int pixels(int tile) {
     return (int) (tiles[tile] & 0xffff);

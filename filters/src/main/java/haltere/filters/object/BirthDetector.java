@@ -21,7 +21,7 @@ final class BirthDetector {
   /** Evidence with which a cell belongs to a birth, nat: odds of 7. */
   private static final double CELL_NAT = 2;
 
-  /** Standard deviation of a velocity before it was seen, sizes per second: as fast things move. */
+  /** Standard deviation of a velocity before it was measured, sizes per second. */
   static final double SPEED_SIZES_S = 5;
 
   /** Events from which a place and a velocity can be estimated. */
@@ -42,7 +42,12 @@ final class BirthDetector {
   private long remembered;
   private int tick;
 
-  /** Events of a birth; times in seconds before now, at most 0. */
+  /** Takes an event; its time in seconds before now, at most 0. */
+  private interface Visitor {
+    void event(double x, double y, double s);
+  }
+
+  /** Sums of the events of a birth. */
   private static final class Cloud {
     double n;
     double x;
@@ -53,14 +58,8 @@ final class BirthDetector {
     double tt;
     double xt;
     double yt;
-    boolean isDrawn;
-    Component into;
 
     void add(double px, double py, double s) {
-      if (isDrawn) {
-        into.shape.spread(px - into.x() - into.vx() * s, py - into.y() - into.vy() * s, 1, 1);
-        return;
-      }
       n++;
       x += px;
       y += py;
@@ -155,20 +154,23 @@ final class BirthDetector {
       clutter.clear(cell);
     }
     Cloud cloud = new Cloud();
-    visit(cloud, false);
+    visit(cloud::add, false);
     if (cloud.n < MIN_EVENTS) {
       return false;
     }
     place(cloud, component);
-    cloud.isDrawn = true;
-    cloud.into = component;
-    visit(cloud, true);
+    double x = component.x();
+    double y = component.y();
+    double vx = component.vx();
+    double vy = component.vy();
+    visit((px, py, s) -> component.shape.spread(px - x - vx * s, py - y - vy * s, 1, 1), true);
     component.rate = cloud.n / WINDOW;
     component.shape.refresh();
     return true;
   }
 
-  private void visit(Cloud cloud, boolean last) {
+  /** Visits the events that are kept of the birth, and forgets them the last time. */
+  private void visit(Visitor visitor, boolean last) {
     long first = Math.max(0, remembered - RING);
     for (long i = remembered - 1; i >= first; i--) {
       int at = (int) (i & RING - 1);
@@ -176,13 +178,15 @@ final class BirthDetector {
         return;
       }
       int tile = ringTile[at];
-      if (!mine[clutter.cellOf(tile)]) {
+      int x = grid.x(tile);
+      int y = grid.y(tile);
+      if (!mine[clutter.cellAt(x, y)]) {
         continue;
       }
       double s = (ringTick[at] - tick) * ObjectTracker.TICK_S;
       for (int left = ringPixels[at]; left != 0; left &= left - 1) {
         int pixel = Integer.numberOfTrailingZeros(left);
-        cloud.add(grid.x(tile) + (pixel & 3), grid.y(tile) + (pixel >> 2), s);
+        visitor.event(x + ActivityGrid.pixelX(pixel), y + ActivityGrid.pixelY(pixel), s);
       }
       if (last) {
         ringPixels[at] = 0;

@@ -27,6 +27,9 @@ final class ClutterMap {
   /** Memory of a pixel's own last events, seconds; as long as a component's template lasts. */
   private static final double RECENT_S = ShapeTemplate.MEMORY_S;
 
+  /** Events of a quiet pixel within {@link #RECENT_S}, so that no ratio is unbounded: 0.07 Hz. */
+  private static final double QUIET_EVENTS = 0.02;
+
   /** Winsorising: a cell counts at most this many times the mean, so that objects do not. */
   private static final double MAX_OF_MEAN = 3;
 
@@ -39,7 +42,6 @@ final class ClutterMap {
 
   final int columns;
   final int rows;
-  private final int tileColumns;
   private final float[] clutter;
   private final float[] recent;
   private final int[] touched;
@@ -56,7 +58,6 @@ final class ClutterMap {
   private double cellFactor;
 
   ClutterMap(SensorGeometry geometry, ActivityGrid grid) {
-    tileColumns = grid.columns;
     columns = (grid.columns + 1) >> 1;
     rows = (grid.rows + 1) >> 1;
     clutter = new float[grid.columns * grid.rows * ActivityGrid.TILE_PIXELS];
@@ -89,6 +90,7 @@ final class ClutterMap {
     return excess.length;
   }
 
+  /** Cell of a pixel. */
   int cellAt(int x, int y) {
     return (y >> CELL_SHIFT) * columns + (x >> CELL_SHIFT);
   }
@@ -137,8 +139,7 @@ final class ClutterMap {
   double repeatRate(int tile, int pixel, int cell) {
     double own = recent[tile * ActivityGrid.TILE_PIXELS + pixel];
     double around = cellRecent[cell] / CELL_PIXELS;
-    double unseen = 0.02;
-    return (0.5 * (own + around) + unseen) * ObjectTracker.TICK_S / RECENT_S;
+    return (0.5 * (own + around) + QUIET_EVENTS) * ObjectTracker.TICK_S / RECENT_S;
   }
 
   /** Adds an event of which a share is clutter. */
@@ -198,10 +199,5 @@ final class ClutterMap {
   /** Forgets the excess of a cell: a component takes it. */
   void clear(int cell) {
     excess[cell] = 0;
-  }
-
-  /** Cell of a tile. */
-  int cellOf(int tile) {
-    return ((tile / tileColumns) >> 1) * columns + ((tile % tileColumns) >> 1);
   }
 }

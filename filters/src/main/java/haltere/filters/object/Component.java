@@ -118,6 +118,15 @@ final class Component {
     return y() + shape.middleY;
   }
 
+  /** Distance between the boxes of this and another extent, pixels; 0 where they overlap. */
+  double boxDistance(Component other) {
+    double dx =
+        ObjectRelations.outside(middleX() - other.middleX(), shape.halfX + other.shape.halfX);
+    double dy =
+        ObjectRelations.outside(middleY() - other.middleY(), shape.halfY + other.shape.halfY);
+    return Math.sqrt(dx * dx + dy * dy);
+  }
+
   int age() {
     return age;
   }

@@ -125,8 +125,8 @@ final class EventAssociation {
   private double associate(int tile, int pixel, int cell, int count) {
     double noise = clutter.rate(tile, pixel);
     double sum = noise;
-    int dx = pixel & 3;
-    int dy = pixel >> 2;
+    int dx = ActivityGrid.pixelX(pixel);
+    int dy = ActivityGrid.pixelY(pixel);
     for (int k = 0; k < count; k++) {
       Component component = near[k];
       int at = component.shape.cell(nearX[k] + dx, nearY[k] + dy);

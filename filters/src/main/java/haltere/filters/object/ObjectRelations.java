@@ -26,7 +26,7 @@ final class ObjectRelations {
   private static final double JOIN_NAT = 1;
 
   /** Log odds below which a joined one leaves, and from which two identities become one: 20. */
-  private static final double SURE_NAT = 3;
+  private static final double DECISIVE_NAT = 3;
 
   /** Novelty from which a component is one rather than a flicker, nat: see BIRTH_NAT. */
   static final double MIN_NOVELTY = 10;
@@ -113,10 +113,8 @@ final class ObjectRelations {
   }
 
   private double gapLog(Component a, Component b) {
-    double dx = outside(a.middleX() - b.middleX(), a.shape.halfX + b.shape.halfX);
-    double dy = outside(a.middleY() - b.middleY(), a.shape.halfY + b.shape.halfY);
     double size = sizeOf(a, b);
-    double apart = Math.sqrt(dx * dx + dy * dy);
+    double apart = a.boxDistance(b);
     if (apart > FAR_SIZES * size) {
       return FAR;
     }
@@ -184,7 +182,7 @@ final class ObjectRelations {
 
   /** Whether two objects are surely not one. */
   boolean areApart(TrackedObject a, TrackedObject b) {
-    return score(a.components, b.components) < -SURE_NAT;
+    return score(a.components, b.components) < -DECISIVE_NAT;
   }
 
   /** Whether two objects are to be one. */
@@ -194,7 +192,7 @@ final class ObjectRelations {
     }
     double odds = score(a.components, b.components);
     if (a.isDecided() && b.isDecided()) {
-      return odds > SURE_NAT;
+      return odds > DECISIVE_NAT;
     }
     double watched = Math.min(a.age(), b.age()) * ObjectTracker.TICK_S;
     return watched > WATCH_S ? odds > JOIN_NAT : watched > WATCH_S / 3 && odds >= TOUCH_NAT - 0.05;
@@ -215,7 +213,7 @@ final class ObjectRelations {
     byRate.removeIf(component -> !component.isMoving());
     byRate.sort(Comparator.comparingDouble(component -> component.rate));
     for (Component component : byRate) {
-      if (byRate.size() > 1 && score(List.of(component), byRate) < -SURE_NAT) {
+      if (byRate.size() > 1 && score(List.of(component), byRate) < -DECISIVE_NAT) {
         return component;
       }
     }

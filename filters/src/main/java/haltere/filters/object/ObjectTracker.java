@@ -38,6 +38,8 @@ final class ObjectTracker {
   /** Prior log odds that an object comes back rather than that another comes: ten times. */
   private static final double RETURN_NAT = Math.log(10);
 
+  private static final long UNDECIDED_US = Math.round(ObjectTrackerFilter.UNDECIDED_S * 1e6);
+
   private final SensorGeometry geometry;
   private final Consumer<ObjectTrack> listener;
   private final LongConsumer ticked;
@@ -280,12 +282,7 @@ final class ObjectTracker {
     Component nearest = null;
     double least = ShapeTemplate.MIN_CELL_PX * 2;
     for (Component component : object.components) {
-      double d =
-          Math.hypot(
-              ObjectRelations.outside(
-                  component.middleX() - seen.middleX(), component.shape.halfX + seen.shape.halfX),
-              ObjectRelations.outside(
-                  component.middleY() - seen.middleY(), component.shape.halfY + seen.shape.halfY));
+      double d = component.boxDistance(seen);
       if (d < least) {
         least = d;
         nearest = component;
@@ -420,8 +417,7 @@ final class ObjectTracker {
         }
       } else if (object.isMoving()) {
         object.activeUs = nowUs;
-        object.speed = Math.hypot(object.vx(), object.vy());
-        dropSilent(object, nowUs);
+        goAlong(object, nowUs);
       } else if (!object.isDecided()) {
         object.components.forEach(this::end);
         objects.remove(i);
@@ -445,10 +441,11 @@ final class ObjectTracker {
     }
   }
 
-  /** A component without events goes along with the others, and ends after a while. */
-  private void dropSilent(TrackedObject object, long nowUs) {
+  /** Components without events go along with the others, and end after a while. */
+  private void goAlong(TrackedObject object, long nowUs) {
     double vx = object.vx();
     double vy = object.vy();
+    object.speed = Math.hypot(vx, vy);
     for (int i = object.components.size() - 1; i >= 0; i--) {
       Component component = object.components.get(i);
       if (component.isMoving()) {
@@ -506,8 +503,7 @@ final class ObjectTracker {
           listener.accept(row);
         } else {
           object.undecided.add(row);
-          while (object.undecided.peekFirst().timeUs()
-              < timeUs - Math.round(ObjectTrackerFilter.UNDECIDED_S * 1e6)) {
+          while (object.undecided.peekFirst().timeUs() < timeUs - UNDECIDED_US) {
             object.undecided.removeFirst();
           }
         }

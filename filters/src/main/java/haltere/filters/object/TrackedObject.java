@@ -1,8 +1,10 @@
 package haltere.filters.object;
 
+import haltere.filters.estimation.GaussianState;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.ToDoubleFunction;
 
 /**
  * An object: its components, its identity once that is decided, and its extent. It is the only
@@ -159,25 +161,33 @@ final class TrackedObject {
     return 0.5 * (low + high);
   }
 
-  /** Mean of its components by their events: of a mean or a covariance of the state. */
-  private double mean(int row, int column) {
+  /** Mean over its components by their events. */
+  private double mean(ToDoubleFunction<GaussianState> of) {
     double sum = 0;
     double all = 0;
     for (int i = 0; i < components.size(); i++) {
       Component c = components.get(i);
       double weight = c.activeRate();
-      sum += weight * (column < 0 ? c.state.mean(row) : c.state.covariance(row, column));
+      sum += weight * of.applyAsDouble(c.state);
       all += weight;
     }
     return sum / all;
   }
 
   double vx() {
-    return mean(1, -1);
+    return mean(state -> state.mean(1));
   }
 
   double vy() {
-    return mean(3, -1);
+    return mean(state -> state.mean(3));
+  }
+
+  /** Standard deviation of a coordinate some seconds on, its sides having a variance. */
+  private double sdOfPosition(int position, double s, double side) {
+    double pp = mean(state -> state.covariance(position, position));
+    double pv = mean(state -> state.covariance(position, position + 1));
+    double vv = mean(state -> state.covariance(position + 1, position + 1));
+    return Math.sqrt(pp + side + s * (2 * pv + s * vv));
   }
 
   /** Moves all of it without a registration. */
@@ -214,10 +224,10 @@ final class TrackedObject {
         Math.max(0, Math.min(heightPx - 1, middleY() + vy * s)),
         vx,
         vy,
-        Math.sqrt(mean(0, 0) + side + s * (2 * mean(0, 1) + s * mean(1, 1))),
-        Math.sqrt(mean(2, 2) + side + s * (2 * mean(2, 3) + s * mean(3, 3))),
-        Math.sqrt(mean(1, 1)),
-        Math.sqrt(mean(3, 3)),
+        sdOfPosition(0, s, side),
+        sdOfPosition(2, s, side),
+        Math.sqrt(mean(state -> state.covariance(1, 1))),
+        Math.sqrt(mean(state -> state.covariance(3, 3))),
         Math.round(events),
         ellipse.major(),
         ellipse.minor(),

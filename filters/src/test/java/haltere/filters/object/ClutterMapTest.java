@@ -21,7 +21,7 @@ class ClutterMapTest {
       for (int pixel = 0; pixel < ActivityGrid.TILE_PIXELS; pixel++) {
         if (random.nextDouble() < (tile == hotTile && pixel == 0 ? hot : usual)) {
           clutter.touch(tile);
-          clutter.add(tile, pixel, clutter.cellOf(tile), 1);
+          clutter.add(tile, pixel, clutter.cellAt(grid.x(tile), grid.y(tile)), 1);
         }
       }
     }

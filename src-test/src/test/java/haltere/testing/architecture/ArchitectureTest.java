@@ -248,6 +248,10 @@ class ArchitectureTest {
                             type -> type.getSimpleName().equals("TrackerParts"))))
             .because("the tracker of 2006 is there for comparison, and can be taken away"));
     knowsNoneOf(
+        "haltere.filters.object",
+        Set.of("haltere.filters.cluster", "haltere.filters.track", "haltere.filters.road"),
+        "objects are tracked without clusters, whatever they are on");
+    knowsNoneOf(
         "haltere.filters.plane",
         Set.of("haltere.filters.cluster", "haltere.filters.track", "haltere.filters.road"),
         "a plane is mapped whoever tracks on it");
