@@ -178,6 +178,17 @@ class LiveFlightTest {
     } while (!allThree.matcher(words.get()).find());
   }
 
+  /** The last events before a pause are drawn at one of the next pulses. */
+  private static void waitUntilStill(ViewerHarness viewer, String id) {
+    int[] still = {0};
+    viewer.waitFor(
+        "a still picture",
+        () -> {
+          still[0] = changedBy(viewer, id, () -> {}) == 0 ? still[0] + 1 : 0;
+          return still[0] == 10;
+        });
+  }
+
   /** Pixels in which what a node shows changes by a switch. */
   private static int changedBy(ViewerHarness viewer, String id, Runnable change) {
     Node node = viewer.node(id, Node.class);
@@ -204,6 +215,7 @@ class LiveFlightTest {
       assertTrue(box.isSelected(), "at first");
       for (String picture : new String[] {"event-view", "camera-picture-1", "camera-picture-2"}) {
         viewer.waitFor("a picture", () -> viewer.stage.getScene().lookup("#" + picture) != null);
+        waitUntilStill(viewer, picture);
         assertTrue(changedBy(viewer, picture, () -> box.setSelected(false)) > 20, picture);
         assertEquals(0, changedBy(viewer, picture, () -> {}), picture);
         assertTrue(changedBy(viewer, picture, () -> box.setSelected(true)) > 20, picture);
