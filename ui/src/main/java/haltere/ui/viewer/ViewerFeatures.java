@@ -5,6 +5,7 @@ import haltere.ui.viewer.cameras.CameraFeature;
 import haltere.ui.viewer.compare.CompareFeature;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.file.FileInfoFeature;
 import haltere.ui.viewer.road.VanishingPointFeature;
 import haltere.ui.viewer.saving.ExportFeature;
 import haltere.ui.viewer.saving.PublishFeature;
@@ -24,6 +25,7 @@ final class ViewerFeatures {
         new SettingsFeature(),
         new FileFeature(),
         new UsualFiltersFeature(),
+        new FileInfoFeature(),
         new RecentFilesFeature(),
         new SavingFeature(),
         new ExportFeature(),
