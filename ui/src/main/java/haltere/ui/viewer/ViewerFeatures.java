@@ -6,6 +6,7 @@ import haltere.ui.viewer.compare.CompareFeature;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.file.FileInfoFeature;
+import haltere.ui.viewer.file.SamplesFeature;
 import haltere.ui.viewer.road.VanishingPointFeature;
 import haltere.ui.viewer.saving.ExportFeature;
 import haltere.ui.viewer.saving.PublishFeature;
@@ -26,6 +27,7 @@ final class ViewerFeatures {
         new FileFeature(),
         new UsualFiltersFeature(),
         new FileInfoFeature(),
+        new SamplesFeature(),
         new RecentFilesFeature(),
         new SavingFeature(),
         new ExportFeature(),

@@ -152,7 +152,7 @@ public final class ViewerPanels extends BorderPane {
     view.setGeometry(geometry, colours);
     chainPanel.setSteps(steps);
     chainPanel.startAnew(made.firstStages());
-    plots.startAnew();
+    plots.startAnew(made.inertial());
     seekBar.clear();
     repaintAsked = false;
     shownStatus = null;

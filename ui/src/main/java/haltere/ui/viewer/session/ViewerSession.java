@@ -8,6 +8,7 @@ import haltere.core.playback.Playable;
 import haltere.core.playback.Player;
 import haltere.core.playback.PlayerOptions;
 import haltere.core.playback.RecordingPlayable;
+import haltere.ui.plot.InertialFeed;
 import haltere.ui.viewer.chain.StageState;
 import haltere.ui.viewer.picture.DisplayOptions;
 import haltere.ui.viewer.picture.DisplaySink;
@@ -27,6 +28,7 @@ public final class ViewerSession implements AutoCloseable {
   private final DisplaySink display;
   private final Player player;
   private final List<String> remarks;
+  private final InertialFeed inertial = new InertialFeed();
   private volatile boolean prepared;
 
   ViewerSession(
@@ -46,6 +48,7 @@ public final class ViewerSession implements AutoCloseable {
     this.player = new Player(playable, chain, playerOptions);
     player.addRawSink(display.beforeChain());
     player.addSink(display);
+    player.addSink(inertial);
   }
 
   /** What a user should know about how the recording is read, as it was opened. */
@@ -97,6 +100,11 @@ public final class ViewerSession implements AutoCloseable {
   /** Where its pictures are made. */
   public DisplaySink display() {
     return display;
+  }
+
+  /** The inertial samples that it plays. */
+  public InertialFeed inertial() {
+    return inertial;
   }
 
   /** Plays it. */
