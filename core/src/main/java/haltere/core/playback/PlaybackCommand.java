@@ -26,6 +26,10 @@ sealed interface PlaybackCommand {
 
   record Edit(Consumer<FilterChain> change) implements PlaybackCommand {}
 
+  record Read(Consumer<FilterChain> reader) implements PlaybackCommand {}
+
+  record Refresh() implements PlaybackCommand {}
+
   record AddSink(StreamHandler sink, boolean raw) implements PlaybackCommand {}
 
   record RemoveSink(StreamHandler sink) implements PlaybackCommand {}

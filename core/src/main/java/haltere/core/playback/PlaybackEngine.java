@@ -8,6 +8,7 @@ import haltere.core.playback.PlayerStatus.State;
 import haltere.core.stream.Reset;
 import java.io.IOException;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
 
 /**
  * The work of a {@link Player}: puts its parts together, applies commands, and passes turns on to
@@ -23,7 +24,6 @@ final class PlaybackEngine {
 
   private final Playable playable;
   private final FilterChain chain;
-  private final long runUpUs;
   private final PipelineCounters counters = new PipelineCounters();
   private final AwaitedRequests awaited = new AwaitedRequests();
   private final PlaybackPace pace;
@@ -47,7 +47,6 @@ final class PlaybackEngine {
     }
     this.playable = playable;
     this.chain = chain;
-    runUpUs = options.runUpUs();
     SourceCursor cursor = new SourceCursor(playable, options.nanoTime());
     PlaybackClock clock = new PlaybackClock(options.nanoTime(), options.sleeper());
     speed = options.speed();
@@ -57,8 +56,8 @@ final class PlaybackEngine {
     slices = new SliceCutter(clock, options.slicing(), options.loop());
     State state = options.paused() ? State.PAUSED : State.PLAYING;
     board = new StatusBoard(playable, slices, pace, counters, state);
-    runner = new ChainRunner(chain, counters, OnFailure.GO_ON, board::setMessage);
-    stream = new SliceRunner(playable, cursor, runner, slices, pace, board, awaited);
+    runner = new ChainRunner(chain, counters, OnFailure.GO_ON, board::setMessage, SliceSink.class::isInstance);
+    stream = new SliceRunner(playable, chain, cursor, runner, slices, pace, board, awaited);
     if (options.paused()) {
       awaited.awaitSlice();
     }
@@ -156,13 +155,33 @@ final class PlaybackEngine {
     } else if (command instanceof PlaybackCommand.UserReset) {
       stream.userReset();
     } else if (command instanceof PlaybackCommand.Edit edit) {
-      edit.change().accept(chain);
+      edit(edit.change());
+    } else if (command instanceof PlaybackCommand.Read read) {
+      read.reader().accept(chain);
+    } else if (command instanceof PlaybackCommand.Refresh) {
+      stream.refresh();
     } else if (command instanceof PlaybackCommand.AddSink add) {
       runner.addSink(add.sink(), add.raw());
+      if (add.sink() instanceof SliceSink) {
+        stream.refresh();
+      }
     } else if (command instanceof PlaybackCommand.RemoveSink remove) {
       runner.removeSink(remove.sink());
     }
     return false;
+  }
+
+  private void edit(Consumer<FilterChain> change) {
+    long changes = chain.changes();
+    try {
+      change.accept(chain);
+    } finally {
+      if (chain.changes() != changes) {
+        stream.remake();
+      } else {
+        stream.changedByHand();
+      }
+    }
   }
 
   private boolean setPlaying(boolean on, CompletableFuture<Void> done) throws IOException {
@@ -171,6 +190,11 @@ final class PlaybackEngine {
     }
     if (!on) {
       pause();
+      if (slices.hasBegun() || stream.isJumping()) {
+        awaited.awaitSlice();
+      } else {
+        stream.hold();
+      }
       return false;
     }
     awaited.endSteps();
@@ -201,7 +225,7 @@ final class PlaybackEngine {
       awaited.addSteps(count, done);
       return true;
     }
-    stream.jumpWithRunUp(stepBack(-Math.max(count, -Integer.MAX_VALUE)), runUpUs);
+    stream.jump(stepBack(-Math.max(count, -Integer.MAX_VALUE)), Reset.Cause.SEEK);
     board.setState(State.PAUSED);
     awaited.awaitSlice(done);
     return true;
