@@ -34,9 +34,10 @@ final class SliceRunner {
   // A jump whose notification is still to be given, before whatever comes next.
   private Reset.Cause pendingBreak = Reset.Cause.REWIND;
 
-  // Where the run began that led to what is shown, and whether nothing but whole slices since then,
-  // none of them played, and no change by hand did.
+  // Where the run began that led to what is shown, for slices of what length, and whether it was
+  // neither played nor changed by hand since then.
   private long runFromUs;
+  private long runSliceUs;
   private boolean isExact = true;
   private boolean isByHand;
 
@@ -93,6 +94,7 @@ final class SliceRunner {
     long from = runFrom(target.elapsedUs(), sliceUs);
     cursor.seek(from);
     runFromUs = from;
+    runSliceUs = sliceUs;
     isExact = true;
     isByHand = false;
     endRemake();
@@ -163,8 +165,9 @@ final class SliceRunner {
 
   private boolean isReproducible() {
     long place = board.shown().elapsedUs();
-    long from = runFrom(place, board.shownLengthUs());
-    return from == place || isExact && runFromUs == from;
+    long sliceUs = board.shownLengthUs();
+    long from = runFrom(place, sliceUs);
+    return from == place || isExact && runFromUs == from && runSliceUs == sliceUs;
   }
 
   private void beginRemake() throws IOException {
@@ -182,14 +185,14 @@ final class SliceRunner {
 
   /** What comes next is the slice that the run-up led to. */
   private void endRunUp() {
-    tellSinks(sink -> sink.runUp(false));
+    tellSinks(SliceSink::runUpEnds);
     runner.setRunUp(isRemaking);
   }
 
   /** What was asked for is no longer wanted, or has been made. */
   private void endRemake() {
     if (runUp.isOpen() && runner.isRunUp()) {
-      tellSinks(sink -> sink.runUp(false));
+      tellSinks(SliceSink::runUpEnds);
     }
     runUp.cancel();
     runner.setRunUp(false);
@@ -289,7 +292,7 @@ final class SliceRunner {
         ahead == SourceCursor.Ahead.EVENTS ? cursor.timeUs() : StreamNotification.NO_TIME_US;
     Reset.Cause cause = pendingBreak;
     pendingBreak = null;
-    tellSinks(sink -> sink.runUp(true));
+    tellSinks(sink -> sink.runUpBegins(runSliceUs));
     runner.setRunUp(isRemaking && runner.streamRunning());
     runner.notified(
         runner.streamRunning() ? new Reset(cause, runner.lastUs(), nextUs) : cursor.start());

@@ -34,11 +34,15 @@ public interface SliceSink extends StreamHandler {
   }
 
   /**
-   * A run-up begins or ends. From its begin to the next {@link #sliceEnd} there is nothing to show.
+   * A run-up begins, before the notification of the jump. Until the next {@link #sliceEnd} there is
+   * nothing to show.
    *
-   * @param on whether it begins
+   * @param sliceUs length of the slice that it leads to, as far as is known, microseconds
    */
-  default void runUp(boolean on) {}
+  default void runUpBegins(long sliceUs) {}
+
+  /** The run-up has ended: the slice that it led to comes next. */
+  default void runUpEnds() {}
 
   /** Playback stands: the slice that ended last is shown until something is asked for. */
   default void sliceHeld() {}

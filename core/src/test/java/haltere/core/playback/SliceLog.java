@@ -79,9 +79,14 @@ final class SliceLog implements SliceSink {
   }
 
   @Override
-  public void runUp(boolean on) {
-    runUp = on;
-    if (!on && !slice.isEmpty()) {
+  public void runUpBegins(long sliceUs) {
+    runUp = true;
+  }
+
+  @Override
+  public void runUpEnds() {
+    runUp = false;
+    if (!slice.isEmpty()) {
       lines.add("run-up " + slice);
       slice.clear();
     }

@@ -139,7 +139,12 @@ public final class ViewerWindow implements SessionHost {
   private void followDisplay() {
     display.onChange(
         () -> {
-          session().ifPresent(open -> open.display().setOptions(display.options()));
+          session()
+              .ifPresent(
+                  open -> {
+                    open.display().setOptions(display.options());
+                    open.player().refresh();
+                  });
           ColourMap colours = display.options().colours();
           stage.getScene().setFill(JavaFxOverlayCanvas.colour(colours.background()));
         });

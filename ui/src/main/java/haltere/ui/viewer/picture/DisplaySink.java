@@ -109,6 +109,28 @@ public final class DisplaySink implements SliceSink {
   }
 
   @Override
+  public long memoryUs(long sliceUs) {
+    return maker.memoryUs(sliceUs);
+  }
+
+  @Override
+  public void runUpBegins(long sliceUs) {
+    taps.followChain();
+    later(() -> maker.runUpBegins(sliceUs));
+  }
+
+  @Override
+  public void runUpEnds() {
+    later(maker::runUpEnds);
+  }
+
+  @Override
+  public void sliceHeld() {
+    List<DisplayFrame.Marks<?>> marks = taps.marks();
+    later(() -> maker.hold(marks));
+  }
+
+  @Override
   public void sliceEnd(long fromUs, long toUs) {
     List<DisplayFrame.Marks<?>> marks = taps.marks();
     later(() -> maker.showSlice(fromUs, toUs, marks));
