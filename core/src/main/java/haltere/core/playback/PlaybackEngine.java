@@ -7,6 +7,8 @@ import haltere.core.pipeline.PipelineCounters;
 import haltere.core.playback.PlayerStatus.State;
 import haltere.core.stream.Reset;
 import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 
@@ -31,8 +33,12 @@ final class PlaybackEngine {
   private final StatusBoard board;
   private final ChainRunner runner;
   private final SliceRunner stream;
+  private final List<Waiting> waiting = new ArrayList<>();
   private double speed;
   private boolean live;
+
+  /** A command for the chain, which in the midst of a run-up is at no moment that anybody knows. */
+  private record Waiting(PlaybackCommand command, CompletableFuture<Void> done) {}
 
   PlaybackEngine(Playable playable, FilterChain chain, PlayerOptions options) {
     if (chain.geometry().width() != playable.geometry().width()
@@ -88,6 +94,11 @@ final class PlaybackEngine {
   /** Works a little; returns nanoseconds until the next turn has something to do. */
   long turn() {
     followSource();
+    if (!waiting.isEmpty() && !stream.isLeading()) {
+      List<Waiting> now = List.copyOf(waiting);
+      waiting.clear();
+      now.forEach(each -> apply(each.command(), each.done()));
+    }
     return stream.turn();
   }
 
@@ -109,11 +120,20 @@ final class PlaybackEngine {
   /** Ends the stream and closes the playable; nothing may be called afterwards. */
   void close() {
     stream.close();
+    waiting.forEach(
+        each -> each.done().completeExceptionally(new IllegalStateException("the player is closed")));
+    waiting.clear();
   }
 
   // ---- Commands
 
   void apply(PlaybackCommand command, CompletableFuture<Void> done) {
+    boolean isForChain =
+        command instanceof PlaybackCommand.Edit || command instanceof PlaybackCommand.Read;
+    if (isForChain && stream.isLeading()) {
+      waiting.add(new Waiting(command, done));
+      return;
+    }
     // who waits for the future may look at the status at once
     try {
       boolean later = obey(command, done);

@@ -6,8 +6,8 @@ package haltere.core.playback;
  * <p>Places are on the elapsed timeline, in microseconds. Thread rule: the processing thread only.
  */
 final class PlaybackPace {
-  /** Playback that is later than this does not catch up. */
-  private static final long MAX_CATCH_UP_NANOS = 1_000_000_000L;
+  /** Playback that is later than this does not catch up: the clock waits for the chain. */
+  private static final long MAX_CATCH_UP_NANOS = 100_000_000L;
 
   private final PlaybackClock clock;
   private final PlaybackMeter meter;

@@ -32,12 +32,12 @@ import java.util.function.Consumer;
  * sinks get the run-up; other sinks and subscribers of outlets do not, but for those who {@link
  * haltere.core.chain.Outlet#follow follow} one. The slice at which playback is paused is made anew
  * in the same way, and so is the slice shown in a pause whenever the chain changes, {@link #edit}, a
- * slice sink is added, or somebody wants it, {@link #refresh}. A run begins on a grid, so that
+ * slice sink is added, or somebody wants it, {@link #refresh}. Edits wait for a run-up to end. A run begins on a grid, so that
  * neighbouring slices share one. What was told to filters by hand ends that until the next jump.
  *
- * <p>Nothing is left out when source or chain cannot keep up: playback runs late, {@link
- * PlayerStatus} says how much, which stage is the slowest and whether the source is slower still,
- * and what is late by more than a second is not caught up. A filter that throws is switched off,
+ * <p>Nothing is left out when source or chain cannot keep up: playback waits for them, {@link
+ * PlayerStatus} says which speed is reached, which stage is the slowest and whether the source is
+ * slower still, and what is late by more than 0.1 s is not caught up. A filter that throws is switched off,
  * what it threw is in the status, the events of its packet are counted as lost and announced by a
  * {@code DataLost}. A sink that throws is removed.
  *

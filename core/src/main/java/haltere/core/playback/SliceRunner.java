@@ -133,6 +133,11 @@ final class SliceRunner {
     return pendingBreak != null || runUp.isOpen();
   }
 
+  /** Whether what goes through the chain leads to a moment, or is one that has been shown. */
+  boolean isLeading() {
+    return runUp.isOpen() || isRemaking;
+  }
+
   // ---- The same moment anew
 
   /** What is shown depends on something that has changed: in pause it is made anew. */
