@@ -24,7 +24,7 @@ sealed interface PlaybackCommand {
 
   record UserReset() implements PlaybackCommand {}
 
-  record Edit(Consumer<FilterChain> change) implements PlaybackCommand {}
+  record Edit(Consumer<FilterChain> change, boolean byHand) implements PlaybackCommand {}
 
   record Read(Consumer<FilterChain> reader) implements PlaybackCommand {}
 

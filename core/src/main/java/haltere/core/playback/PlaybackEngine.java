@@ -62,7 +62,9 @@ final class PlaybackEngine {
     slices = new SliceCutter(clock, options.slicing(), options.loop());
     State state = options.paused() ? State.PAUSED : State.PLAYING;
     board = new StatusBoard(playable, slices, pace, counters, state);
-    runner = new ChainRunner(chain, counters, OnFailure.GO_ON, board::setMessage, SliceSink.class::isInstance);
+    runner =
+        new ChainRunner(
+            chain, counters, OnFailure.GO_ON, board::setMessage, SliceSink.class::isInstance);
     stream = new SliceRunner(playable, chain, cursor, runner, slices, pace, board, awaited);
     if (options.paused()) {
       awaited.awaitSlice();
@@ -121,7 +123,8 @@ final class PlaybackEngine {
   void close() {
     stream.close();
     waiting.forEach(
-        each -> each.done().completeExceptionally(new IllegalStateException("the player is closed")));
+        each ->
+            each.done().completeExceptionally(new IllegalStateException("the player is closed")));
     waiting.clear();
   }
 
@@ -175,7 +178,7 @@ final class PlaybackEngine {
     } else if (command instanceof PlaybackCommand.UserReset) {
       stream.userReset();
     } else if (command instanceof PlaybackCommand.Edit edit) {
-      edit(edit.change());
+      edit(edit.change(), edit.byHand());
     } else if (command instanceof PlaybackCommand.Read read) {
       read.reader().accept(chain);
     } else if (command instanceof PlaybackCommand.Refresh) {
@@ -191,12 +194,12 @@ final class PlaybackEngine {
     return false;
   }
 
-  private void edit(Consumer<FilterChain> change) {
+  private void edit(Consumer<FilterChain> change, boolean byHand) {
     long changes = chain.changes();
     try {
       change.accept(chain);
     } finally {
-      if (chain.changes() != changes) {
+      if (chain.changes() != changes && !byHand) {
         stream.remake();
       } else {
         stream.changedByHand();

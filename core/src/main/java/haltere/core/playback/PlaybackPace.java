@@ -7,7 +7,7 @@ package haltere.core.playback;
  */
 final class PlaybackPace {
   /** Playback that is later than this does not catch up: the clock waits for the chain. */
-  private static final long MAX_CATCH_UP_NANOS = 100_000_000L;
+  private static final long MAX_CATCH_UP_NANOS = 1_000_000_000L;
 
   private final PlaybackClock clock;
   private final PlaybackMeter meter;

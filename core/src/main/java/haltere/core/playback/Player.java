@@ -28,18 +28,19 @@ import java.util.function.Consumer;
  *
  * <p>What is shown of a moment does not depend on how it was reached. A jump goes back by a run-up,
  * which is as long as the filters and the {@link SliceSink slice sinks} say that they remember
- * ({@link haltere.core.chain.EventFilter#memoryUs()}), and sends that through the chain first. Slice
- * sinks get the run-up; other sinks and subscribers of outlets do not, but for those who {@link
- * haltere.core.chain.Outlet#follow follow} one. The slice at which playback is paused is made anew
- * in the same way, and so is the slice shown in a pause whenever the chain changes, {@link #edit}, a
- * slice sink is added, or somebody wants it, {@link #refresh}. Edits wait for a run-up to end. A run begins on a grid, so that
- * neighbouring slices share one. What was told to filters by hand ends that until the next jump.
+ * ({@link haltere.core.chain.EventFilter#memoryUs()}), and sends that through the chain first.
+ * Slice sinks get the run-up; other sinks and subscribers of outlets do not, but for those who
+ * {@link haltere.core.chain.Outlet#follow follow} one. The slice at which playback is paused is
+ * made anew in the same way, and so is the slice shown in a pause whenever the chain changes,
+ * {@link #edit}, a slice sink is added, or somebody wants it, {@link #refresh}. Edits wait for a
+ * run-up to end. A run begins on a grid, so that neighbouring slices share one. What was told to
+ * filters by hand ends that until the next jump.
  *
  * <p>Nothing is left out when source or chain cannot keep up: playback waits for them, {@link
  * PlayerStatus} says which speed is reached, which stage is the slowest and whether the source is
- * slower still, and what is late by more than 0.1 s is not caught up. A filter that throws is switched off,
- * what it threw is in the status, the events of its packet are counted as lost and announced by a
- * {@code DataLost}. A sink that throws is removed.
+ * slower still, and what is late by more than a second is not caught up. A filter that throws is
+ * switched off, what it threw is in the status, the events of its packet are counted as lost and
+ * announced by a {@code DataLost}. A sink that throws is removed.
  *
  * <p>Thread rule: all methods may be called from any thread. Filters, sinks and edits run on the
  * processing thread, and futures are completed there. The player owns its playable and closes it,
@@ -206,7 +207,18 @@ public final class Player implements AutoCloseable {
    * @return completed when applied
    */
   public CompletableFuture<Void> edit(Consumer<FilterChain> change) {
-    return thread.submit(new PlaybackCommand.Edit(Objects.requireNonNull(change, "change")));
+    return thread.submit(new PlaybackCommand.Edit(Objects.requireNonNull(change, "change"), false));
+  }
+
+  /**
+   * Changes the chain by hand between two packets: what filters know now stays, and nothing is made
+   * anew until the next jump.
+   *
+   * @param change runs on the processing thread; what it throws fails the future
+   * @return completed when applied
+   */
+  public CompletableFuture<Void> adjust(Consumer<FilterChain> change) {
+    return thread.submit(new PlaybackCommand.Edit(Objects.requireNonNull(change, "change"), true));
   }
 
   /**

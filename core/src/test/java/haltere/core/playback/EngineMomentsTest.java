@@ -69,10 +69,7 @@ class EngineMomentsTest {
     EngineRig rig = rig(true).run();
     rig.ask(
         new PlaybackCommand.SetLoop(
-            new Loop(
-                true,
-                java.util.OptionalLong.of(2000),
-                java.util.OptionalLong.of(2300))));
+            new Loop(true, java.util.OptionalLong.of(2000), java.util.OptionalLong.of(2300))));
     rig.ask(new PlaybackCommand.Seek(2200));
     rig.run();
     rig.told.clear();
@@ -106,7 +103,7 @@ class EngineMomentsTest {
             false));
     rig.log.take();
     rig.ask(
-        new PlaybackCommand.Edit(chain -> chain.setEnabled(chain.stages().get(0), true)));
+        new PlaybackCommand.Edit(chain -> chain.setEnabled(chain.stages().get(0), true), false));
     rig.run();
     assertEquals(before, run(rig));
     assertEquals(3, rig.log.take().size());
@@ -123,7 +120,7 @@ class EngineMomentsTest {
     EngineRig rig = sought(2000);
     rig.log.take();
     rig.ask(new PlaybackCommand.Read(chain -> {}));
-    rig.ask(new PlaybackCommand.Edit(chain -> {}));
+    rig.ask(new PlaybackCommand.Edit(chain -> {}, false));
     rig.ask(new PlaybackCommand.Refresh());
     rig.run();
     assertEquals(List.of(), rig.log.take());

@@ -62,9 +62,7 @@ class EngineStepsTest {
     EngineRig rig =
         new EngineRig(
                 recording(events(times)),
-                PlayerOptions.defaults()
-                    .withSlicing(new Slicing.ByCount(9))
-                    .withPaused(true))
+                PlayerOptions.defaults().withSlicing(new Slicing.ByCount(9)).withPaused(true))
             .run();
     List<String> forward = new ArrayList<>(rig.log.take().subList(1, 2));
     for (int i = 0; i < 20; i++) {

@@ -15,6 +15,15 @@ public interface ChainAccess {
   CompletableFuture<Void> edit(Consumer<FilterChain> change);
 
   /**
+   * Runs a change by hand: what filters know at this moment stays.
+   *
+   * @return completed when it has been made; fails with what it throws
+   */
+  default CompletableFuture<Void> adjust(Consumer<FilterChain> change) {
+    return read(change);
+  }
+
+  /**
    * Looks at the chain.
    *
    * @return completed when that is done; fails with what it throws
@@ -27,6 +36,11 @@ public interface ChainAccess {
       @Override
       public CompletableFuture<Void> edit(Consumer<FilterChain> change) {
         return player.edit(change);
+      }
+
+      @Override
+      public CompletableFuture<Void> adjust(Consumer<FilterChain> change) {
+        return player.adjust(change);
       }
 
       @Override

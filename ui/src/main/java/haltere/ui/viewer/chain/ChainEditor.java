@@ -253,14 +253,7 @@ public final class ChainEditor {
       return;
     }
     String name = stage.name();
-    player
-        .get()
-        .edit(chain -> chain.apply(stage, settings))
-        .exceptionally(
-            problem -> {
-              Platform.runLater(() -> refused.accept(Texts.oneLine(problem)));
-              return null;
-            });
+    change(chain -> chain.apply(stage, settings), refused);
     made(
         subject + " of " + Texts.title(name),
         prefix + name + "/" + subject,
@@ -293,14 +286,24 @@ public final class ChainEditor {
    * @param refused called with one line if that cannot be
    */
   public void change(Consumer<FilterChain> work, Consumer<String> refused) {
-    player.ifPresent(
-        open ->
-            open.edit(work)
-                .exceptionally(
-                    problem -> {
-                      Platform.runLater(() -> refused.accept(Texts.oneLine(problem)));
-                      return null;
-                    }));
+    player.ifPresent(open -> tell(open.edit(work), refused));
+  }
+
+  /**
+   * Changes something inside the filters by hand: what they know at this moment stays.
+   *
+   * @param refused called with one line if that cannot be
+   */
+  public void adjust(Consumer<FilterChain> work, Consumer<String> refused) {
+    player.ifPresent(open -> tell(open.adjust(work), refused));
+  }
+
+  private static void tell(CompletableFuture<Void> done, Consumer<String> refused) {
+    done.exceptionally(
+        problem -> {
+          Platform.runLater(() -> refused.accept(Texts.oneLine(problem)));
+          return null;
+        });
   }
 
   /**

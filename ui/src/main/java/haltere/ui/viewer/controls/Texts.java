@@ -73,8 +73,7 @@ public final class Texts {
   /** The speed that playback reaches, beside the one that was asked for where that is higher. */
   public static String reached(PlayerStatus status) {
     double now = status.achievedSpeed();
-    double rounded =
-        Math.abs(now - 1) < 0.015 ? 1 : now >= 1 ? Math.round(now * 100) / 100.0 : now;
+    double rounded = Math.abs(now - 1) < 0.015 ? 1 : now >= 1 ? Math.round(now * 100) / 100.0 : now;
     return speed(rounded) + (isSlowed(status) ? " of " + speed(status.speed()) : "");
   }
 

@@ -31,16 +31,14 @@ public final class StatusLine extends HBox {
   /** A run-up that takes longer than this is said. */
   private static final long RUN_UP_NANOS = 300_000_000;
 
-  private static final String SPEED_HELP =
-      "Recording time per real time that playback reaches.";
+  private static final String SPEED_HELP = "Recording time per real time that playback reaches.";
 
   private final Label message = new Label();
   private final Button dismiss;
   private final Button more;
   private final Label time = number("status-time", 150, "Time on the recording's own clock");
   private final Label rate = number("status-rate", 90, "Events per second of recording time");
-  private final Label speed =
-      number("status-speed", 70, SPEED_HELP);
+  private final Label speed = number("status-speed", 70, SPEED_HELP);
   private final Label frames =
       number("status-frames", 60, "Pictures shown per second of real time");
   private final Label dropped =

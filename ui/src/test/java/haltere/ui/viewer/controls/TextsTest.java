@@ -11,7 +11,22 @@ import org.junit.jupiter.api.Test;
 class TextsTest {
   private static PlayerStatus late(String slowestStage, double sourceShare) {
     return new PlayerStatus(
-        State.PLAYING, 0, 0, -1, 1, 0.5, 1_200_000, slowestStage, sourceShare, 0, 0, 0, 0, 1, 0, "");
+        State.PLAYING,
+        0,
+        0,
+        -1,
+        1,
+        0.5,
+        1_200_000,
+        slowestStage,
+        sourceShare,
+        0,
+        0,
+        0,
+        0,
+        1,
+        0,
+        "");
   }
 
   @Test

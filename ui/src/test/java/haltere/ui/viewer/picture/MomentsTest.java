@@ -60,8 +60,7 @@ class MomentsTest {
   }
 
   private static DisplayOptions shownAs(DisplayMode mode) {
-    return new DisplayOptions(
-        mode, ColourMap.DARK, Gradient.CIVIDIS, DisplayOptions.FOLLOW_SLICES);
+    return new DisplayOptions(mode, ColourMap.DARK, Gradient.CIVIDIS, DisplayOptions.FOLLOW_SLICES);
   }
 
   /** A player with the sink that makes its pictures, as a session of the viewer has them. */
@@ -152,10 +151,8 @@ class MomentsTest {
       assertFalse(Arrays.equals(sought, played.picture()));
       played.step(-3).awaitPicture(sought, "three slices on and back");
       played.step(-2).step(1).step(1).awaitPicture(sought, "two slices back and on");
-      played
-          .player
-          .setLoop(
-              new Loop(true, OptionalLong.of(momentUs), OptionalLong.of(momentUs + 50_000)));
+      played.player.setLoop(
+          new Loop(true, OptionalLong.of(momentUs), OptionalLong.of(momentUs + 50_000)));
       played.player.rewind().join();
       played.awaitPicture(sought, "gone back to the start of a loop");
     }
