@@ -2,7 +2,6 @@ package haltere.ui.viewer;
 
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.ReadOptions;
-import haltere.core.playback.PlayerStatus;
 import haltere.ui.overlay.JavaFxOverlayCanvas;
 import haltere.ui.rendering.ColourMap;
 import haltere.ui.viewer.action.ViewerActions;
@@ -194,9 +193,7 @@ public final class ViewerWindow implements SessionHost {
 
   private void showAllEvents(ViewerSession open, boolean all) {
     open.display().setAllEvents(all);
-    if (open.player().status().state() == PlayerStatus.State.PAUSED) {
-      playback.seek(open.player().status().elapsedUs());
-    }
+    open.player().refresh();
   }
 
   /** Shows a session that is being made and whose player was started in pause. */
