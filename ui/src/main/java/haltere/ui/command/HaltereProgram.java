@@ -122,7 +122,16 @@ public final class HaltereProgram {
         .setOut(new java.io.PrintWriter(surroundings.out(), true))
         .setErr(new java.io.PrintWriter(surroundings.err(), true))
         .setParameterExceptionHandler(this::wrongArguments)
+        .setExecutionStrategy(HaltereProgram::executed)
         .setExecutionExceptionHandler(this::failed);
+  }
+
+  private static int executed(ParseResult parsed) {
+    int status = new CommandLine.RunLast().execute(parsed);
+    CommandLine last = parsed.asCommandLineList().get(parsed.asCommandLineList().size() - 1);
+    return last.getCommand() instanceof Subcommand command
+        ? command.statusWithFailures(status)
+        : status;
   }
 
   /** Options are listed as they are declared, those that all commands have last. */

@@ -25,6 +25,8 @@ final class Publishing implements Closeable {
 
   void add(LiveResults results) {
     open.add(results);
+    results.onFailure(
+        words -> command.failedBeside(results.address() + ": nothing is sent any more: " + words));
     command.message("publishing at " + results.address());
   }
 
@@ -63,7 +65,10 @@ final class Publishing implements Closeable {
             results.address()
                 + ": "
                 + Quantities.count(results.lost())
-                + " messages were not sent, because a receiver or this computer was too slow");
+                + " messages were not sent"
+                + (results.failure().isEmpty()
+                    ? ", because a receiver or this computer was too slow"
+                    : ""));
       }
     }
     open.clear();

@@ -37,6 +37,7 @@ abstract class Subcommand implements Callable<Integer> {
   @Mixin MessageOptions messages;
 
   private final Surroundings surroundings;
+  private volatile boolean failedBeside;
 
   Subcommand(Surroundings surroundings) {
     this.surroundings = surroundings;
@@ -94,6 +95,17 @@ abstract class Subcommand implements Callable<Integer> {
 
   void error(String line) {
     surroundings.err().print("haltere: " + line + "\n");
+  }
+
+  /** Reports a failure that does not end the command, but its status is {@link #FAILED} then. */
+  void failedBeside(String line) {
+    failedBeside = true;
+    error(line);
+  }
+
+  /** The status of a command that ended with another one, with failures beside its work. */
+  int statusWithFailures(int status) {
+    return status == OK && failedBeside ? FAILED : status;
   }
 
   ProgressBar progressBar(String label) {
