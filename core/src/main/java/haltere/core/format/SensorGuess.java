@@ -25,6 +25,9 @@ public final class SensorGuess {
           top(640, 480),
           top(1280, 720));
 
+  /** What a user does whose stream does not say how large its sensor is. */
+  public static final String ADVICE = "say how large the sensor is with --sensor WxH";
+
   private SensorGuess() {}
 
   /** The pixels that the events need: right - 1 is the rightmost column, and so on. */

@@ -43,6 +43,9 @@ final class Failures {
     if (failure instanceof UncheckedIOException unchecked) {
       return sentence(unchecked.getCause());
     }
+    if (failure instanceof FilterFailure && failure.getCause() instanceof UncheckedIOException) {
+      return failure.getMessage();
+    }
     if (failure instanceof FilterFailure) {
       return failure.getMessage()
           + "; this is a fault in the filter: switch it off, or report it with what --debug prints";

@@ -4,9 +4,11 @@ import haltere.ui.command.terminal.Interruption;
 import haltere.ui.command.terminal.StandardOutput;
 import java.io.BufferedOutputStream;
 import java.io.FileDescriptor;
+import java.io.FileInputStream;
 import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
+import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -64,8 +66,9 @@ public final class HaltereProgram {
               new BufferedOutputStream(standardOutput, 1 << 14), false, StandardCharsets.UTF_8);
       PrintStream err =
           new PrintStream(new FileOutputStream(FileDescriptor.err), true, StandardCharsets.UTF_8);
+      FileChannel in = new FileInputStream(FileDescriptor.in).getChannel();
       Surroundings process =
-          new Surroundings(out, err, errIsTerminal(), System.getenv(), Path.of(""), window);
+          new Surroundings(in, out, err, errIsTerminal(), System.getenv(), Path.of(""), window);
       int status = new HaltereProgram(process).run(args);
       Optional<String> failure = standardOutput.failure();
       failure.ifPresent(line -> err.print("haltere: " + line + "\n"));
@@ -192,6 +195,9 @@ public final class HaltereProgram {
   private int failed(Throwable problem, boolean debug) {
     if (debug) {
       problem.printStackTrace(surroundings.err());
+    }
+    if (StandardOutput.Gone.isCause(problem)) {
+      return Subcommand.OK;
     }
     surroundings.err().print("haltere: " + Failures.describe(problem) + "\n");
     return Subcommand.FAILED;

@@ -57,6 +57,16 @@ final class RecordingWritingOptions extends WritingOptions {
     } catch (RecordingProblem unknownEnding) {
       throw new ParameterException(command.commandLine(), unknownEnding.getMessage());
     }
+    checkOrigin(format);
+    check(output);
+  }
+
+  /**
+   * Refuses where rows are to count from for a format that says it itself.
+   *
+   * @param format of the output
+   */
+  void checkOrigin(RecordingFormat format) {
     if (origin != null && !format.hasEitherOrigin()) {
       throw new ParameterException(
           command.commandLine(),
@@ -64,7 +74,6 @@ final class RecordingWritingOptions extends WritingOptions {
               + format.name()
               + " files count from where the format says");
     }
-    check(output);
   }
 
   /**
@@ -169,8 +178,12 @@ final class RecordingWritingOptions extends WritingOptions {
   private RecordingWriter create(
       Path output, RecordingFormat format, SensorGeometry geometry, Set<ReadingKind> readings)
       throws IOException {
-    WriteOptions options =
+    WriteOptions toFile =
         new WriteOptions(geometry, overwrite, Optional.ofNullable(origin), Map.of(), readings);
+    WriteOptions options =
+        ReadingOptions.isStandard(output)
+            ? toFile.withStream(((Subcommand) command.userObject()).standardOutput())
+            : toFile;
     return format
         .create(output, options)
         .orElseThrow(

@@ -7,7 +7,11 @@ import haltere.core.format.RecordingReader;
 import haltere.core.format.Violation;
 import haltere.ui.command.terminal.LiveStatus;
 import haltere.ui.command.terminal.ProgressBar;
+import haltere.ui.command.terminal.StandardOutput;
 import haltere.ui.command.terminal.TerminalLine;
+import java.io.FilterOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -65,6 +69,28 @@ abstract class Subcommand implements Callable<Integer> {
   /** Prints a line of the result. */
   void result(String line) {
     surroundings.out().print(line + "\n");
+  }
+
+  /** The standard output for bytes; it fails where a print stream would pass over it. */
+  OutputStream standardOutput() {
+    return new FilterOutputStream(surroundings.out()) {
+      @Override
+      public void write(byte[] bytes, int offset, int length) throws IOException {
+        surroundings.out().write(bytes, offset, length);
+        check();
+      }
+
+      @Override
+      public void flush() throws IOException {
+        check();
+      }
+
+      private void check() throws IOException {
+        if (surroundings.out().checkError()) {
+          throw new StandardOutput.Gone();
+        }
+      }
+    };
   }
 
   /** Tells the user what has been done. */

@@ -2,6 +2,7 @@ package haltere.core.format.aedat2;
 
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.RecordingFile;
+import haltere.core.format.SensorGuess;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.util.List;
@@ -106,6 +107,7 @@ final class AddressEvidence {
    * @throws IOException if the file cannot be read
    */
   static AddressEvidence of(RecordingFile file, long offset) throws IOException {
+    file.requireFile(SensorGuess.ADVICE);
     AddressEvidence evidence = new AddressEvidence(file, offset);
     long at = offset;
     while (file.size() - at >= RECORD_BYTES) {

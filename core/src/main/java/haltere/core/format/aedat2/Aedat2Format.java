@@ -53,10 +53,16 @@ public final class Aedat2Format implements RecordingFormat {
 
   @Override
   public RecordingReader open(Path file, ReadOptions options) throws IOException {
-    return RecordingFile.reading(file, bytes -> open(bytes, options));
+    return RecordingFile.reading(file, bytes -> openStream(bytes, options));
   }
 
-  private RecordingReader open(RecordingFile bytes, ReadOptions options) throws IOException {
+  @Override
+  public boolean isStreamed() {
+    return true;
+  }
+
+  @Override
+  public RecordingReader openStream(RecordingFile bytes, ReadOptions options) throws IOException {
     AedatHeader header = AedatReader.header(bytes);
     List<String> remarks = new ArrayList<>();
     if (header.version().isEmpty()) {
