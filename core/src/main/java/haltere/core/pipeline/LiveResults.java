@@ -246,6 +246,15 @@ public final class LiveResults implements StreamHandler, Closeable {
   }
 
   /**
+   * Receivers that were turned away.
+   *
+   * @return as {@link LineOutput#refused()}
+   */
+  public long refused() {
+    return output.refused();
+  }
+
+  /**
    * Why nothing is sent any more.
    *
    * @return a few words for a person; empty while messages are sent

@@ -42,6 +42,15 @@ public interface LineOutput extends Closeable {
   long lost();
 
   /**
+   * Receivers that were turned away because there were too many.
+   *
+   * @return a count
+   */
+  default long refused() {
+    return 0;
+  }
+
+  /**
    * Why nothing is sent any more.
    *
    * @return a few words for a person; empty while lines are sent

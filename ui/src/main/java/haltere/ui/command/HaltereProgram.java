@@ -42,7 +42,8 @@ public final class HaltereProgram {
           "scenes",
           "filters",
           "example",
-          "bench");
+          "bench",
+          "completion");
 
   private final Surroundings surroundings;
 
@@ -59,6 +60,7 @@ public final class HaltereProgram {
    */
   public static int main(String[] args, WindowOpener window) {
     Interruption interruption = Interruption.install();
+    int status = Subcommand.FAILED;
     try {
       StandardOutput standardOutput = new StandardOutput();
       PrintStream out =
@@ -69,13 +71,14 @@ public final class HaltereProgram {
       FileChannel in = new FileInputStream(FileDescriptor.in).getChannel();
       Surroundings process =
           new Surroundings(in, out, err, errIsTerminal(), System.getenv(), Path.of(""), window);
-      int status = new HaltereProgram(process).run(args);
+      status = new HaltereProgram(process).run(args);
       Optional<String> failure = standardOutput.failure();
       failure.ifPresent(line -> err.print("haltere: " + line + "\n"));
-      return failure.isPresent() && status == Subcommand.OK ? Subcommand.FAILED : status;
+      status = failure.isPresent() && status == Subcommand.OK ? Subcommand.FAILED : status;
     } finally {
-      interruption.finished();
+      interruption.finished(status);
     }
+    return status;
   }
 
   /**
@@ -170,6 +173,7 @@ public final class HaltereProgram {
       case "example" -> new ExampleCommand(surroundings);
       case "devices" -> new DevicesCommand(surroundings);
       case "record" -> new RecordCommand(surroundings);
+      case "completion" -> new CompletionCommand(surroundings, this::commandLine);
       case "bench" -> new BenchCommand(surroundings);
       default -> throw new IllegalArgumentException(name);
     };
@@ -183,7 +187,10 @@ public final class HaltereProgram {
     surroundings
         .err()
         .print(
-            command.getCommandSpec().qualifiedName() + ": " + problem.getMessage().strip() + "\n");
+            command.getCommandSpec().qualifiedName()
+                + ": "
+                + Failures.shortened(problem.getMessage().strip())
+                + "\n");
     command.usage(command.getErr());
     return Subcommand.WRONG_ARGUMENTS;
   }

@@ -60,6 +60,13 @@ final class Publishing implements Closeable {
   public void close() {
     for (LiveResults results : open) {
       results.close();
+      if (results.refused() > 0) {
+        command.warning(
+            results.address()
+                + ": "
+                + Quantities.count(results.refused())
+                + " receivers were turned away, because there were too many");
+      }
       if (results.lost() > 0) {
         command.warning(
             results.address()

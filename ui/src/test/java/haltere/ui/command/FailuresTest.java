@@ -42,6 +42,12 @@ class FailuresTest {
   }
 
   @Test
+  void anEndlessNameLosesItsMiddle() {
+    String line = CommandRun.of("info", "a".repeat(5000)).err();
+    assertTrue(line.length() < 300 && line.contains("aaa...aaa"), line);
+  }
+
+  @Test
   void aFaultOfAFilterIsSaidToBeOne() {
     String line = said(new IllegalStateException("odd"));
     assertTrue(

@@ -248,6 +248,7 @@ class RecordCommandTest {
     }
     haltere.toHandle().destroy(); // the other way would close its streams
     assertTrue(haltere.waitFor(60, TimeUnit.SECONDS));
+    assertEquals(0, haltere.exitValue());
     assertTrue(haltere.errorReader().lines().anyMatch(line -> line.startsWith("wrote " + out)));
     CommandRun strict = CommandRun.of("info", "--json", "--strict", out);
     assertEquals(0, strict.status(), strict.err());
