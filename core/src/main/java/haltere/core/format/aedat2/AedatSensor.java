@@ -118,7 +118,9 @@ public record AedatSensor(Layout layout, SensorGeometry geometry, List<String> r
                 100 * evidence.explained(layout),
                 camera));
       }
-      remarks.add(unknown + "; its addresses look like a " + camera + "'s");
+      if (options.sensor().isEmpty() || !evidence.isExplained(layout)) {
+        remarks.add(unknown + "; its addresses look like a " + camera + "'s");
+      }
     }
     if (stated.isPresent()) {
       return new AedatSensor(layout, stated.get(), remarks);

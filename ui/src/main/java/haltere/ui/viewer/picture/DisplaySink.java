@@ -2,7 +2,9 @@ package haltere.ui.viewer.picture;
 
 import haltere.core.chain.FilterChain;
 import haltere.core.event.EventPacket;
+import haltere.core.event.Frame;
 import haltere.core.event.SensorGeometry;
+import haltere.core.event.SensorReading;
 import haltere.core.playback.SliceSink;
 import haltere.core.stream.DataLost;
 import haltere.core.stream.StreamHandler;
@@ -77,6 +79,31 @@ public final class DisplaySink implements SliceSink {
     return maker.isStale();
   }
 
+  /** The camera's frames below the events. */
+  public FrameLayer frames() {
+    return maker.frames();
+  }
+
+  /** Shows frames below the events: 0 not at all, 1 as they are. */
+  public void setFrameOpacity(double opacity) {
+    maker.frames().setOpacity(opacity);
+    maker.setStale(true);
+  }
+
+  /** Shows the frame that was there before the place of the last jump. */
+  public void giveFrame(Frame frame) {
+    if (maker.frames().give(frame)) {
+      maker.setStale(true);
+    }
+  }
+
+  @Override
+  public void reading(SensorReading reading) {
+    if (reading instanceof Frame frame) {
+      later(() -> maker.frames().take(frame));
+    }
+  }
+
   /** Shows events as they come, before the chain, or those that it leaves. */
   public void setAllEvents(boolean all) {
     allEvents = all;
@@ -128,6 +155,7 @@ public final class DisplaySink implements SliceSink {
         () -> {
           maker.notified(notification);
           if (anew) {
+            maker.frames().jump();
             maker.setStale(true);
           }
         });
