@@ -2,7 +2,6 @@ package haltere.ui.viewer;
 
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.ReadOptions;
-import haltere.core.playback.PlayerStatus;
 import haltere.ui.overlay.JavaFxOverlayCanvas;
 import haltere.ui.rendering.ColourMap;
 import haltere.ui.viewer.action.ViewerActions;
@@ -175,7 +174,12 @@ public final class ViewerWindow implements SessionHost {
   private void followDisplay() {
     display.onChange(
         () -> {
-          session().ifPresent(open -> open.display().setOptions(display.options()));
+          session()
+              .ifPresent(
+                  open -> {
+                    open.display().setOptions(display.options());
+                    open.player().refresh();
+                  });
           ColourMap colours = display.options().colours();
           stage.getScene().setFill(JavaFxOverlayCanvas.colour(colours.background()));
         });
@@ -194,9 +198,7 @@ public final class ViewerWindow implements SessionHost {
 
   private void showAllEvents(ViewerSession open, boolean all) {
     open.display().setAllEvents(all);
-    if (open.player().status().state() == PlayerStatus.State.PAUSED) {
-      playback.seek(open.player().status().elapsedUs());
-    }
+    open.player().refresh();
   }
 
   /** Brings the window to the screen. */
