@@ -19,6 +19,13 @@ public final class WingOverlay implements Overlay<WingSnapshot> {
 
   @Override
   public void draw(WingSnapshot snapshot, OverlayCanvas canvas) {
+    drawAt(snapshot, snapshot.timeUs(), canvas);
+  }
+
+  /** {@inheritDoc} The wings beat on. */
+  @Override
+  public void drawAt(WingSnapshot snapshot, long timeUs, OverlayCanvas canvas) {
+    double aheadS = Overlay.aheadS(snapshot.timeUs(), timeUs);
     FlyGeometry fly = snapshot.geometry();
     if (snapshot.phase() == WingTrackerState.Phase.LOST) {
       canvas.text(fly.centreX(), fly.centreY(), "wings lost", MarkStyle.of(Role.WARNING));
@@ -38,7 +45,6 @@ public final class WingOverlay implements Overlay<WingSnapshot> {
         fly.centreY() + 1.3 * length * sin,
         object);
     canvas.circle(fly.centreX(), fly.centreY(), snapshot.regionPx(), MarkStyle.of(Role.REGION));
-    double[] edges = snapshot.edgesRad();
     double[] sd = snapshot.sdRad();
     for (int side = 0; side < 2; side++) {
       double x = side == 0 ? fly.leftHingeX() : fly.rightHingeX();
@@ -56,7 +62,7 @@ public final class WingOverlay implements Overlay<WingSnapshot> {
       double least = Double.POSITIVE_INFINITY;
       double most = Double.NEGATIVE_INFINITY;
       for (int edge = 0; edge < 2; edge++) {
-        double angle = edges[2 * side + edge];
+        double angle = snapshot.edgeRad(2 * side + edge, aheadS);
         if (!Double.isNaN(angle)) {
           ray(canvas, x, y, heading + turn * angle, fly.sizePx(), MarkStyle.of(role, edge));
           least = Math.min(least, angle);

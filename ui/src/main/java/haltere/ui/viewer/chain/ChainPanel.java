@@ -33,7 +33,9 @@ public final class ChainPanel extends VBox {
     head.setAlignment(Pos.CENTER_LEFT);
     head.getStyleClass().add("chain-head");
     Label empty =
-        new Label("No filters: events are shown as they come. Add one with the button above.");
+        new Label(
+            "No filters: events are shown as they come. Add one with the button above, or press"
+                + " Denoise, Track objects or Track wings beside the picture.");
     empty.setWrapText(true);
     empty.getStyleClass().addAll(Styles.TEXT_MUTED, "chain-empty");
     cards = new StageList(editor, empty);

@@ -222,7 +222,7 @@ final class PictureMaker {
       frame.screen = new int[size];
     }
     painter.configure(frame.geometry, place);
-    painter.paint(frame.pixels, frame.marks, frame.dark, frame.screen);
+    painter.paint(frame, frame.screen);
   }
 
   /** A picture of the present moment of usual size, with what lies over it. */
@@ -248,7 +248,7 @@ final class PictureMaker {
             Pictures.usualScale(geometry),
             canvas -> {
               if (overlays.marks()) {
-                marks.forEach(snapshot -> snapshot.draw(canvas));
+                marks.forEach(snapshot -> snapshot.draw(events.frame().nowUs(), canvas));
               }
               region.ifPresent(drawn -> drawn.draw(canvas));
               overlays.tape().ifPresent(line -> line.draw(canvas));
