@@ -100,7 +100,8 @@ final class CameraPanel extends ScrollPane {
       content.getChildren().add(none);
       return;
     }
-    Label name = new Label(shown.get().info().id() + "   " + shown.get().info().model());
+    Label name =
+        new Label(Texts.source(shown.get().info().id()) + "   " + shown.get().info().model());
     name.setId("camera-name");
     name.getStyleClass().add(Styles.TEXT_BOLD);
     content.getChildren().addAll(name, statistics, problem);

@@ -19,13 +19,13 @@ import javafx.scene.layout.VBox;
  */
 public final class ChainPanel extends VBox {
   private final StageList cards;
-  private final Label nothing = new Label("No setting of the chain is like that.");
+  private final Label nothing = new Label("No setting matches.");
 
   /** A panel without stages, whose changes an editor makes. */
   public ChainPanel(ChainEditor editor) {
     getStyleClass().add("chain-panel");
     setId("chain-panel");
-    Label title = new Label("Filter chain");
+    Label title = new Label("Chain");
     title.getStyleClass().add(Styles.TITLE_4);
     Region space = new Region();
     HBox.setHgrow(space, Priority.ALWAYS);
