@@ -26,7 +26,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
  * <p>Thread rule: all changes and all processing on one thread; {@link #stages()} and the numbers
  * in it may be read from any thread.
  */
-public final class FilterChain implements EventFilter, StreamHandler {
+public final class FilterChain implements EventFilter, StreamHandler, AutoCloseable {
   private final SensorGeometry geometry;
   private final CopyOnWriteArrayList<ChainStage> stages = new CopyOnWriteArrayList<>();
   private volatile long outsideSensor;

@@ -1,6 +1,7 @@
 package haltere.core.chain;
 
 import java.util.Objects;
+import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 
@@ -22,6 +23,7 @@ public final class Outlet<T> {
 
   private final String name;
   private final Class<T> type;
+  private final Optional<ResultOrder<T>> order;
   private final CopyOnWriteArrayList<Listener> listeners = new CopyOnWriteArrayList<>();
 
   /**
@@ -31,8 +33,20 @@ public final class Outlet<T> {
    * @param type class of the results
    */
   public Outlet(String name, Class<T> type) {
+    this(name, type, Optional.empty());
+  }
+
+  /**
+   * An outlet whose results are published out of their order.
+   *
+   * @param name lower case words joined by hyphens, unique within the filter
+   * @param type class of the results
+   * @param order in which a table has them; empty where it is that of publishing
+   */
+  public Outlet(String name, Class<T> type, Optional<ResultOrder<T>> order) {
     this.name = Objects.requireNonNull(name, "name");
     this.type = Objects.requireNonNull(type, "type");
+    this.order = Objects.requireNonNull(order, "order");
   }
 
   /**
@@ -51,6 +65,15 @@ public final class Outlet<T> {
    */
   public Class<T> type() {
     return type;
+  }
+
+  /**
+   * The order in which a table has the results.
+   *
+   * @return empty where they are published in order
+   */
+  public Optional<ResultOrder<T>> order() {
+    return order;
   }
 
   /**
