@@ -22,20 +22,50 @@ import java.util.UUID;
  * <p>Thread rule: one thread at a time.
  */
 public final class AtomicFile implements Closeable, WritableByteChannel {
+  /** Ending of a file that is being written. */
+  public static final String PART = ".part";
+
   private final Path asked;
   private final Path target;
   private final Path temporary;
   private final boolean overwrite;
+  private final boolean durable;
   private final FileChannel channel;
   private boolean committed;
 
   private AtomicFile(
-      Path asked, Path target, Path temporary, boolean overwrite, FileChannel channel) {
+      Path asked,
+      Path target,
+      Path temporary,
+      boolean overwrite,
+      boolean durable,
+      FileChannel channel) {
     this.asked = asked;
     this.target = target;
     this.temporary = temporary;
     this.overwrite = overwrite;
+    this.durable = durable;
     this.channel = channel;
+  }
+
+  /**
+   * Starts to write a file that a later try, after this process was killed, writes anew: its
+   * temporary name is always the target's with {@code .part} behind it, and all of it is on the
+   * disk before it gets its name. A file that is there is replaced.
+   *
+   * @param target where the file will be, in a folder that only one process writes to
+   * @return an empty file
+   * @throws IOException if the file cannot be made
+   */
+  public static AtomicFile repeatable(Path target) throws IOException {
+    Path temporary = target.resolveSibling(target.getFileName() + PART);
+    FileChannel channel =
+        FileChannel.open(
+            temporary,
+            StandardOpenOption.CREATE,
+            StandardOpenOption.TRUNCATE_EXISTING,
+            StandardOpenOption.WRITE);
+    return new AtomicFile(target, target, temporary, true, true, channel);
   }
 
   /**
@@ -62,11 +92,11 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
     if (!Files.isDirectory(folder)) {
       throw new RecordingProblem(target, "its folder does not exist; make it first");
     }
-    Path temporary = folder.resolve("." + name + "." + UUID.randomUUID() + ".part");
+    Path temporary = folder.resolve("." + name + "." + UUID.randomUUID() + PART);
     try {
       FileChannel channel =
           FileChannel.open(temporary, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
-      return new AtomicFile(target, real, temporary, overwrite, channel);
+      return new AtomicFile(target, real, temporary, overwrite, false, channel);
     } catch (AccessDeniedException e) {
       throw new RecordingProblem(target, "no permission to write in its folder");
     }
@@ -118,6 +148,9 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
   public void commit() throws IOException {
     if (committed) {
       throw new IllegalStateException(asked + " is in its place already");
+    }
+    if (durable) {
+      channel.force(true);
     }
     channel.close();
     refuseExisting(asked, overwrite);

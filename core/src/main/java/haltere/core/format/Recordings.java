@@ -96,6 +96,33 @@ public final class Recordings {
     return formatOf(parts(file).get(0));
   }
 
+  /**
+   * Whether a path looks like a recording: a file that a format knows by its content or, where no
+   * other kind of files has that {@link RecordingFormat#sharesExtensions() ending}, by its name; or
+   * the folder of a bag in parts.
+   *
+   * @param path any path
+   * @return false for a path that cannot be read, too
+   */
+  public static boolean isRecording(Path path) {
+    try {
+      if (Files.isDirectory(path)) {
+        return RecordingFolder.isBag(path);
+      }
+      if (!Files.isRegularFile(path) || !Files.isReadable(path)) {
+        return false;
+      }
+      FileHead head = FileHead.read(path);
+      return formats().values().stream()
+          .anyMatch(
+              format ->
+                  !format.sharesExtensions() && format.extensions().contains(head.extension())
+                      || format.probe(head).support() != Support.NONE);
+    } catch (IOException unreadable) {
+      return false;
+    }
+  }
+
   private static RecordingReader openPart(Path file, ReadOptions options) throws IOException {
     checkReadable(file);
     return options.format().isPresent()

@@ -34,6 +34,7 @@ public final class HaltereProgram {
           "track",
           "wings",
           "orient",
+          "batch",
           "devices",
           "record",
           "simulate",
@@ -152,6 +153,7 @@ public final class HaltereProgram {
       case "track" -> new TrackCommand(surroundings);
       case "wings" -> new WingsCommand(surroundings);
       case "orient" -> new OrientCommand(surroundings);
+      case "batch" -> new BatchCommand(surroundings);
       case "simulate" -> new SimulateCommand(surroundings);
       case "scenes" -> new ScenesCommand(surroundings);
       case "filters" -> new FiltersCommand(surroundings);
