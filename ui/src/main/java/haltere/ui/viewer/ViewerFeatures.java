@@ -23,6 +23,7 @@ final class ViewerFeatures {
     return List.of(
         new SettingsFeature(),
         new FileFeature(),
+        new UsualFiltersFeature(),
         new RecentFilesFeature(),
         new SavingFeature(),
         new ExportFeature(),

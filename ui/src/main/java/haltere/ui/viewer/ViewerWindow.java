@@ -3,6 +3,7 @@ package haltere.ui.viewer;
 import haltere.core.format.RateProfile;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.Recordings;
+import haltere.core.playback.PlayerStatus;
 import haltere.ui.overlay.JavaFxOverlayCanvas;
 import haltere.ui.rendering.ColourMap;
 import haltere.ui.viewer.action.ViewerActions;
@@ -34,6 +35,7 @@ import java.util.Optional;
 import java.util.concurrent.Future;
 import java.util.concurrent.RejectedExecutionException;
 import javafx.animation.AnimationTimer;
+import javafx.animation.PauseTransition;
 import javafx.application.Platform;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
@@ -45,6 +47,7 @@ import javafx.scene.input.TransferMode;
 import javafx.stage.Screen;
 import javafx.stage.Stage;
 import javafx.stage.WindowEvent;
+import javafx.util.Duration;
 
 /**
  * The viewer's window: holds the session that is open and joins the parts that open and show. What
@@ -60,6 +63,11 @@ public final class ViewerWindow implements SessionHost {
 
   private static final double HEIGHT = 760;
 
+  /** Least size of the window, where the screen has room for it. */
+  static final double MIN_WIDTH = 640;
+
+  static final double MIN_HEIGHT = 420;
+
   private final Stage stage;
   private final BackgroundWork background = new BackgroundWork();
   private final FileDialogs dialogs;
@@ -72,8 +80,7 @@ public final class ViewerWindow implements SessionHost {
   private final ViewerPanels panels = new ViewerPanels(menu, playback, editor, statusLine, display);
   private final List<ViewerFeature> features = ViewerFeatures.all();
   private final LayoutSteps steps;
-  private final SessionOpener opener =
-      new SessionOpener(background, editor, playback, statusLine, this::install);
+  private final SessionOpener opener;
   private final AnimationTimer pulse =
       new AnimationTimer() {
         @Override
@@ -96,6 +103,9 @@ public final class ViewerWindow implements SessionHost {
   /** The same, set up as a user has left it. */
   ViewerWindow(Stage stage, UserSettings settings) {
     this.stage = stage;
+    opener =
+        new SessionOpener(
+            background, editor, playback, statusLine, new ChainMemory(settings), this::install);
     dialogs = new FileDialogs(stage);
     Rectangle2D room = Screen.getPrimary().getVisualBounds();
     Scene scene =
@@ -110,6 +120,8 @@ public final class ViewerWindow implements SessionHost {
     panels.setOnDragDropped(this::dropped);
     scene.setFill(JavaFxOverlayCanvas.colour(display.options().colours().background()));
     stage.setScene(scene);
+    stage.setMinWidth(Math.min(MIN_WIDTH, room.getWidth()));
+    stage.setMinHeight(Math.min(MIN_HEIGHT, room.getHeight()));
     stage.setTitle("Haltere");
     stage.setOnHidden(event -> close());
     Thread.currentThread().setUncaughtExceptionHandler((thread, fault) -> showFault(fault));
@@ -128,12 +140,31 @@ public final class ViewerWindow implements SessionHost {
             steps,
             display,
             settings);
+    editor.history().onChange(() -> session().ifPresent(open -> opener.keepChain(open, () -> {})));
     features.forEach(feature -> feature.install(context));
     menu.follow();
+    keepWantedSize(room);
     // the keys of playback work at once; a list in the focus would keep some of them
     stage.addEventHandler(
         WindowEvent.WINDOW_SHOWN, event -> Platform.runLater(panels.view()::requestFocus));
     pulse.start();
+  }
+
+  /** Asks once more for its size where a window manager has made the new window small. */
+  private void keepWantedSize(Rectangle2D room) {
+    double width =
+        Math.min(Double.isNaN(stage.getWidth()) ? WIDTH : stage.getWidth(), room.getWidth());
+    double height =
+        Math.min(Double.isNaN(stage.getHeight()) ? HEIGHT : stage.getHeight(), room.getHeight());
+    PauseTransition managed = new PauseTransition(Duration.millis(300));
+    managed.setOnFinished(
+        over -> {
+          if (!stage.isMaximized() && stage.getWidth() <= MIN_WIDTH) {
+            stage.setWidth(width);
+            stage.setHeight(height);
+          }
+        });
+    stage.addEventHandler(WindowEvent.WINDOW_SHOWN, event -> managed.play());
   }
 
   private void followDisplay() {
@@ -150,7 +181,17 @@ public final class ViewerWindow implements SessionHost {
               is.apply();
               panels.setDark(is == Theme.DARK);
             });
+    display
+        .allEventsProperty()
+        .addListener((property, was, is) -> session().ifPresent(open -> showAllEvents(open, is)));
     display.marksProperty().addListener((property, was, is) -> panels.view().setMarksVisible(is));
+  }
+
+  private void showAllEvents(ViewerSession open, boolean all) {
+    open.display().setAllEvents(all);
+    if (open.player().status().state() == PlayerStatus.State.PAUSED) {
+      playback.seek(open.player().status().elapsedUs());
+    }
   }
 
   /** Shows a session that is being made and whose player was started in pause. */

@@ -37,6 +37,7 @@ public final class DisplayControl {
   private final ObjectProperty<Gradient> gradient =
       new SimpleObjectProperty<>(DisplayOptions.DEFAULT.gradient());
   private final BooleanProperty marks = new SimpleBooleanProperty(true);
+  private final BooleanProperty allEvents = new SimpleBooleanProperty();
   private final ObjectProperty<Optional<PixelRegion>> region =
       new SimpleObjectProperty<>(Optional.empty());
   private final ObjectProperty<Optional<MeasuredLine>> tape =
@@ -86,6 +87,11 @@ public final class DisplayControl {
   /** Whether marks of the filters are drawn over the events. */
   public BooleanProperty marksProperty() {
     return marks;
+  }
+
+  /** Whether events are shown as they come, before the filters. */
+  public BooleanProperty allEventsProperty() {
+    return allEvents;
   }
 
   /** The region of interest. */

@@ -5,6 +5,7 @@ import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.playback.SliceSink;
 import haltere.core.stream.DataLost;
+import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import haltere.ui.measure.PixelRegion;
 import haltere.ui.rendering.FrameExchange;
@@ -25,6 +26,7 @@ public final class DisplaySink implements SliceSink {
   private final LayerTaps taps;
   private final PictureMaker maker;
   private final Optional<PictureThread> thread;
+  private volatile boolean allEvents;
 
   private DisplaySink(
       SensorGeometry geometry, FilterChain chain, DisplayOptions options, boolean apart) {
@@ -75,8 +77,36 @@ public final class DisplaySink implements SliceSink {
     return maker.isStale();
   }
 
+  /** Shows events as they come, before the chain, or those that it leaves. */
+  public void setAllEvents(boolean all) {
+    allEvents = all;
+  }
+
+  /** Takes the events before the chain. */
+  public StreamHandler beforeChain() {
+    return new StreamHandler() {
+      @Override
+      public void packet(EventPacket packet) {
+        if (allEvents) {
+          gather(packet);
+        }
+      }
+
+      @Override
+      public void notified(StreamNotification notification) {
+        // the end of the chain is told as well
+      }
+    };
+  }
+
   @Override
   public void packet(EventPacket packet) {
+    if (!allEvents) {
+      gather(packet);
+    }
+  }
+
+  private void gather(EventPacket packet) {
     if (thread.isPresent()) {
       thread.get().packet(packet);
     } else {

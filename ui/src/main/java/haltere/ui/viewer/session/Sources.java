@@ -13,6 +13,7 @@ import haltere.core.simulation.fly.FlyScene;
 import haltere.core.simulation.fly.FlySceneSettings;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Optional;
 
 /**
  * What can be opened, and the chain that it goes through.
@@ -57,5 +58,14 @@ public final class Sources {
    */
   public static FilterChain chain(SensorGeometry geometry, String json) throws IOException {
     return ChainFile.parse(json, "the chain", geometry);
+  }
+
+  /** A chain that was kept for a recording or a scene; empty where it does not fit any more. */
+  static Optional<FilterChain> ownChain(SensorGeometry geometry, String json) {
+    try {
+      return Optional.of(chain(geometry, json));
+    } catch (IOException | RuntimeException unfit) {
+      return Optional.empty();
+    }
   }
 }

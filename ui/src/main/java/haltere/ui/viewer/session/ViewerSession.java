@@ -20,10 +20,8 @@ import java.util.Optional;
  * <p>Thread rule: made, prepared and closed on any thread but JavaFX's, because that may wait.
  */
 public final class ViewerSession implements AutoCloseable {
-  private final Optional<Path> file;
-  private final ReadOptions options;
+  private final SessionRequest request;
   private final FilterChain chain;
-  private final FirstView start;
   private final List<StageState> firstStages;
   private final DisplaySink display;
   private final Player player;
@@ -31,30 +29,32 @@ public final class ViewerSession implements AutoCloseable {
 
   ViewerSession(
       Playable playable,
-      Optional<Path> file,
-      ReadOptions options,
+      SessionRequest request,
       FilterChain chain,
-      FirstView start,
       PlayerOptions playerOptions,
       DisplayOptions displayOptions) {
-    this.file = file;
-    this.options = options;
+    this.request = request;
     this.chain = chain;
-    this.start = start;
     this.firstStages = StageState.of(chain);
     this.display = DisplaySink.apart(playable.geometry(), chain, displayOptions);
     this.player = new Player(playable, chain, playerOptions);
+    player.addRawSink(display.beforeChain());
     player.addSink(display);
+  }
+
+  /** What was asked for. */
+  public SessionRequest request() {
+    return request;
   }
 
   /** Where the recording is, if it is one. */
   public Optional<Path> file() {
-    return file;
+    return request.file();
   }
 
   /** What the user said of the file. */
   public ReadOptions options() {
-    return options;
+    return request.options();
   }
 
   /** What was opened, whether its newest events are kept or not. */
@@ -75,7 +75,7 @@ public final class ViewerSession implements AutoCloseable {
 
   /** The filters and plots that suit it, for a user who has not chosen any. */
   public FirstView start() {
-    return start;
+    return request.start();
   }
 
   /** The stages before the player starts. */
