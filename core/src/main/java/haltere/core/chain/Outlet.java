@@ -86,15 +86,39 @@ public final class Outlet<T> {
   }
 
   /**
-   * Listens to results.
+   * Listens to results. A subscriber that throws is dropped, and a line in the log of this class
+   * says so; the filter goes on.
    *
    * @param subscriber called on the processing thread for each result
    * @return ends the subscription when closed
    */
   public Subscription subscribe(Consumer<? super T> subscriber) {
-    Listener listener = new Listener(Objects.requireNonNull(subscriber, "subscriber"));
+    return subscribe(subscriber, this::log);
+  }
+
+  /**
+   * Listens to results. A subscriber that throws is dropped; the filter goes on.
+   *
+   * @param subscriber called on the processing thread for each result
+   * @param failed takes what the subscriber threw, on the processing thread; must not throw
+   * @return ends the subscription when closed
+   */
+  public Subscription subscribe(
+      Consumer<? super T> subscriber, Consumer<? super RuntimeException> failed) {
+    Listener listener =
+        new Listener(
+            Objects.requireNonNull(subscriber, "subscriber"),
+            Objects.requireNonNull(failed, "failed"));
     listeners.add(listener);
     return listener;
+  }
+
+  private void log(RuntimeException thrown) {
+    System.getLogger(Outlet.class.getName())
+        .log(
+            System.Logger.Level.ERROR,
+            () -> "a subscriber of " + name + " failed and gets no more results",
+            thrown);
   }
 
   /**
@@ -104,16 +128,27 @@ public final class Outlet<T> {
    */
   public void publish(T result) {
     for (Listener listener : listeners) {
-      listener.subscriber.accept(result);
+      listener.take(result);
     }
   }
 
   /** One subscription; the same subscriber may have several. */
   private final class Listener implements Subscription {
     final Consumer<? super T> subscriber;
+    final Consumer<? super RuntimeException> failed;
 
-    Listener(Consumer<? super T> subscriber) {
+    Listener(Consumer<? super T> subscriber, Consumer<? super RuntimeException> failed) {
       this.subscriber = subscriber;
+      this.failed = failed;
+    }
+
+    void take(T result) {
+      try {
+        subscriber.accept(result);
+      } catch (RuntimeException thrown) {
+        close();
+        failed.accept(thrown);
+      }
     }
 
     @Override

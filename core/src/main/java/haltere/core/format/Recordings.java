@@ -1,14 +1,15 @@
 package haltere.core.format;
 
+import haltere.core.extension.Extensions;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.ServiceLoader;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 
@@ -18,18 +19,6 @@ import java.util.stream.Collectors;
  * <p>Thread rule: all methods may be called from any thread.
  */
 public final class Recordings {
-  private static final class Found {
-    static final Map<String, RecordingFormat> BY_NAME = load();
-
-    private static Map<String, RecordingFormat> load() {
-      Map<String, RecordingFormat> found = new TreeMap<>();
-      for (RecordingFormat format : ServiceLoader.load(RecordingFormat.class)) {
-        found.putIfAbsent(format.name(), format);
-      }
-      return java.util.Collections.unmodifiableMap(found);
-    }
-  }
-
   private Recordings() {}
 
   /**
@@ -38,7 +27,11 @@ public final class Recordings {
    * @return by name, in alphabetical order
    */
   public static Map<String, RecordingFormat> formats() {
-    return Found.BY_NAME;
+    Map<String, RecordingFormat> found = new TreeMap<>();
+    for (RecordingFormat format : Extensions.find(RecordingFormat.class)) {
+      found.putIfAbsent(format.name(), format);
+    }
+    return Collections.unmodifiableMap(found);
   }
 
   /**

@@ -13,6 +13,8 @@ import haltere.core.stream.StreamNotification;
 import haltere.core.stream.StreamStarted;
 import java.util.List;
 import java.util.Objects;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 
@@ -20,7 +22,7 @@ import java.util.function.Consumer;
  * Takes a stream, shows it to the sinks before the chain, sends it through the chain and hands it
  * to the sinks behind it; counts what happens to every event.
  *
- * <p>Thread rule: the processing thread only.
+ * <p>Thread rule: the processing thread only, but for {@link #edit}.
  */
 public final class ChainRunner implements StreamHandler {
   private final FilterChain chain;
@@ -29,6 +31,7 @@ public final class ChainRunner implements StreamHandler {
   private final Consumer<String> failures;
   private final List<StreamHandler> rawSinks = new CopyOnWriteArrayList<>();
   private final List<StreamHandler> sinks = new CopyOnWriteArrayList<>();
+  private final Queue<Consumer<FilterChain>> edits = new ConcurrentLinkedQueue<>();
   private StreamStarted running;
   private long lastUs = StreamNotification.NO_TIME_US;
 
@@ -77,6 +80,21 @@ public final class ChainRunner implements StreamHandler {
   }
 
   /**
+   * Changes the chain before its next packet or notification, on the processing thread.
+   *
+   * @param change what to do with the chain; may be asked for from any thread
+   */
+  public void edit(Consumer<FilterChain> change) {
+    edits.add(Objects.requireNonNull(change, "change"));
+  }
+
+  private void applyEdits() {
+    for (Consumer<FilterChain> edit = edits.poll(); edit != null; edit = edits.poll()) {
+      edit.accept(chain);
+    }
+  }
+
+  /**
    * Whether a stream runs.
    *
    * @return true between its start and its end
@@ -96,6 +114,7 @@ public final class ChainRunner implements StreamHandler {
 
   @Override
   public void packet(EventPacket packet) {
+    applyEdits();
     int in = packet.size();
     counters.add(Counter.PACKETS_IN, 1);
     counters.add(Counter.EVENTS_IN, in);
@@ -155,6 +174,7 @@ public final class ChainRunner implements StreamHandler {
 
   @Override
   public void notified(StreamNotification notification) {
+    applyEdits();
     if (notification instanceof StreamStarted started) {
       running = started;
     } else if (notification instanceof EndOfStream) {

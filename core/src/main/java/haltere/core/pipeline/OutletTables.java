@@ -6,6 +6,7 @@ import haltere.core.chain.Outlet;
 import haltere.core.chain.ResultOrder;
 import haltere.core.format.AtomicFile;
 import haltere.core.sink.CsvSink;
+import haltere.core.stream.StreamHandler;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -48,6 +49,8 @@ public final class OutletTables implements JobResults {
   private final Map<Path, CsvSink<?>> tables = new LinkedHashMap<>();
   private final List<ResultOrder.Sorter<?>> sorters = new ArrayList<>();
   private final List<Outlet.Subscription> subscriptions = new ArrayList<>();
+
+  private final ResultFailure failure = new ResultFailure();
 
   private OutletTables() {}
 
@@ -121,10 +124,15 @@ public final class OutletTables implements JobResults {
     if (outlet.order().isPresent()) {
       ResultOrder.Sorter<R> sorter = outlet.order().get().to(table);
       sorters.add(sorter);
-      subscriptions.add(outlet.subscribe(sorter));
+      subscriptions.add(outlet.subscribe(sorter, failure));
     } else {
-      subscriptions.add(outlet.subscribe(table));
+      subscriptions.add(outlet.subscribe(table, failure));
     }
+  }
+
+  @Override
+  public List<StreamHandler> sinks() {
+    return List.of(failure);
   }
 
   @Override
@@ -136,6 +144,7 @@ public final class OutletTables implements JobResults {
 
   @Override
   public void finish() throws IOException {
+    failure.rethrow();
     sorters.forEach(ResultOrder.Sorter::finish);
     for (CsvSink<?> table : tables.values()) {
       table.finish();

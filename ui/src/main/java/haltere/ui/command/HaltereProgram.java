@@ -98,8 +98,11 @@ public final class HaltereProgram {
   int run(String... args) {
     int status;
     try {
+      for (String problem : ExtensionFolder.open(args, surroundings.environment())) {
+        surroundings.err().print("haltere: warning: " + problem + "\n");
+      }
       status = commandLine(args).execute(args);
-    } catch (Error failure) {
+    } catch (CommandProblem | IOException | Error failure) {
       status = failed(failure, List.of(args).contains("--debug"));
     }
     surroundings.out().flush();

@@ -273,7 +273,7 @@ final class TrackCommand extends Subcommand {
   private static void subscribe(
       ObjectTrackerFilter objects, ResultFiles files, Consumer<ObjectTrack> rows) {
     ResultOrder.Sorter<ObjectTrack> sorter = objects.tracks().order().orElseThrow().to(rows);
-    objects.tracks().subscribe(sorter);
+    files.subscribe(objects.tracks(), sorter);
     files.addFirst(sorter::finish);
   }
 
@@ -285,17 +285,17 @@ final class TrackCommand extends Subcommand {
     }
     tracks.apply(assigned(KalmanTracksSettings.class, settings, "clusters.output.reportRateHz"));
     if (road == null) {
-      tracks.points().subscribe(files.table(out, TrackPoint.class));
+      files.subscribe(tracks.points(), files.table(out, TrackPoint.class));
       return;
     }
     CsvSink<RoadTrackRow> table = files.table(out, RoadTrackRow.class);
     // A track's position in the picture is published before its position on the road.
     TrackPoint[] inPicture = new TrackPoint[1];
-    tracks.points().subscribe(point -> inPicture[0] = point);
-    tracks
-        .roadPoints()
-        .subscribe(onRoad -> table.accept(RoadTrackRow.of(inPicture[0], onRoad, road.lanes())));
-    tracks.roadPoints().subscribe(counter(road, files));
+    files.subscribe(tracks.points(), point -> inPicture[0] = point);
+    files.subscribe(
+        tracks.roadPoints(),
+        onRoad -> table.accept(RoadTrackRow.of(inPicture[0], onRoad, road.lanes())));
+    files.subscribe(tracks.roadPoints(), counter(road, files));
   }
 
   private Consumer<PlanePoint> counter(RoadFile road, ResultFiles files) throws IOException {

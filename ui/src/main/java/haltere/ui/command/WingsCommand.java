@@ -193,7 +193,7 @@ final class WingsCommand extends Subcommand {
       FilterChain chain, ResultFiles files, String outlet, Class<R> type, Path file)
       throws IOException {
     if (file != null) {
-      chain.outlet(outlet, type).subscribe(files.table(file, type));
+      files.subscribe(chain.outlet(outlet, type), files.table(file, type));
     }
   }
 

@@ -1,6 +1,8 @@
 package haltere.ui.command.results;
 
+import haltere.core.chain.Outlet;
 import haltere.core.pipeline.JobResults;
+import haltere.core.pipeline.ResultFailure;
 import haltere.core.sink.CsvSink;
 import haltere.core.stream.StreamHandler;
 import java.io.Closeable;
@@ -10,6 +12,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 
 /**
  * The files of a command: tables and others, finished in the order in which they were added.
@@ -30,6 +33,7 @@ public final class ResultFiles implements JobResults {
   private final boolean overwrite;
   private final List<Finish> steps = new ArrayList<>();
   private final List<Closeable> parts = new ArrayList<>();
+  private final ResultFailure failure = new ResultFailure();
   private final List<StreamHandler> sinks = new ArrayList<>();
   private final Map<Path, CsvSink<?>> tables = new LinkedHashMap<>();
 
@@ -72,6 +76,11 @@ public final class ResultFiles implements JobResults {
     return table;
   }
 
+  /** Writes what an outlet publishes; what cannot be written ends the job. */
+  public <T> void subscribe(Outlet<T> outlet, Consumer<? super T> rows) {
+    outlet.subscribe(rows, failure);
+  }
+
   /** Adds a file that is no table. */
   public void add(Closeable part, Finish finish) {
     parts.add(part);
@@ -95,11 +104,14 @@ public final class ResultFiles implements JobResults {
 
   @Override
   public List<StreamHandler> sinks() {
-    return List.copyOf(sinks);
+    List<StreamHandler> all = new ArrayList<>(sinks);
+    all.add(failure);
+    return all;
   }
 
   @Override
   public void finish() throws IOException {
+    failure.rethrow();
     for (Finish step : steps) {
       step.run();
     }
