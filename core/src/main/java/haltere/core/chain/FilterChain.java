@@ -31,7 +31,11 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
   private final SensorGeometry geometry;
   private final CopyOnWriteArrayList<ChainStage> stages = new CopyOnWriteArrayList<>();
   private volatile long outsideSensor;
+<<<<<<< HEAD
   private volatile Thread busy;
+=======
+  private long changes;
+>>>>>>> main
 
   /**
    * An empty chain.
@@ -107,6 +111,7 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
     requireIdle();
     ChainStage stage = new ChainStage(freeName(kind), kind, filter, enabled);
     stages.add(position, stage);
+    changes++;
     return stage;
   }
 
@@ -153,6 +158,7 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
    */
   public void remove(ChainStage stage) {
     require(stage);
+    changes = changes() + 1;
     stages.remove(stage);
     stage.filter().close();
   }
@@ -170,6 +176,7 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
     int from = order.indexOf(stage);
     order.remove(stage);
     order.add(position, stage);
+    changes++;
     // In one step, so that another thread never sees a chain with a stage missing.
     stages.sort(Comparator.comparingInt(order::indexOf));
     for (int i = Math.min(from, position); i < order.size(); i++) {
@@ -189,6 +196,40 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
       require(stage);
     }
     stage.setEnabled(enabled);
+    changes++;
+  }
+
+  /**
+   * How often filters came, went, moved, were switched or got other settings, in nested chains too.
+   *
+   * @return a count that never falls
+   */
+  public long changes() {
+    long all = changes;
+    for (ChainStage stage : stages) {
+      all += stage.filter() instanceof FilterChain nested ? nested.changes() : 0;
+    }
+    return all;
+  }
+
+  /** {@inheritDoc} Filters in a row settle side by side, so it is the longest memory of all. */
+  @Override
+  public long memoryUs() {
+    long longest = 0;
+    for (ChainStage stage : stages) {
+      longest = stage.isEnabled() ? Math.max(longest, stage.filter().memoryUs()) : longest;
+    }
+    return longest;
+  }
+
+  /**
+   * Begins or ends a run-up: events go through the chain once more, for the state of its filters,
+   * and outlets publish to those alone who {@link Outlet#follow follow} them.
+   *
+   * @param on whether what comes next is a run-up
+   */
+  public void setRunUp(boolean on) {
+    outlets().forEach(outlet -> outlet.setRunUp(on));
   }
 
   private boolean holds(ChainStage stage) {
@@ -259,6 +300,7 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
           "stage " + stage.name() + " does not take " + settings.getClass().getSimpleName());
     }
     applyUnchecked(configurable, settings);
+    changes++;
   }
 
   @SuppressWarnings("unchecked")

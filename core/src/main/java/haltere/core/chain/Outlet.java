@@ -25,6 +25,7 @@ public final class Outlet<T> {
   private final Class<T> type;
   private final Optional<ResultOrder<T>> order;
   private final CopyOnWriteArrayList<Listener> listeners = new CopyOnWriteArrayList<>();
+  private boolean runUp;
 
   /**
    * An outlet.
@@ -86,13 +87,18 @@ public final class Outlet<T> {
   }
 
   /**
+<<<<<<< HEAD
    * Listens to results. A subscriber that throws is dropped, and a line in the log of this class
    * says so; the filter goes on.
+=======
+   * Listens to results, but not during a run-up, whose events come once more.
+>>>>>>> main
    *
    * @param subscriber called on the processing thread for each result
    * @return ends the subscription when closed
    */
   public Subscription subscribe(Consumer<? super T> subscriber) {
+<<<<<<< HEAD
     return subscribe(subscriber, this::log);
   }
 
@@ -109,32 +115,61 @@ public final class Outlet<T> {
         new Listener(
             Objects.requireNonNull(subscriber, "subscriber"),
             Objects.requireNonNull(failed, "failed"));
+=======
+    return listen(subscriber, false);
+  }
+
+  /**
+   * Listens to results, during a run-up too, as one does who shows the newest result alone.
+   *
+   * @param subscriber called on the processing thread for each result
+   * @return ends the subscription when closed
+   */
+  public Subscription follow(Consumer<? super T> subscriber) {
+    return listen(subscriber, true);
+  }
+
+  private Subscription listen(Consumer<? super T> subscriber, boolean inRunUps) {
+    Listener listener = new Listener(Objects.requireNonNull(subscriber, "subscriber"), inRunUps);
+>>>>>>> main
     listeners.add(listener);
     return listener;
   }
 
+<<<<<<< HEAD
   private void log(RuntimeException thrown) {
     System.getLogger(Outlet.class.getName())
         .log(
             System.Logger.Level.ERROR,
             () -> "a subscriber of " + name + " failed and gets no more results",
             thrown);
+=======
+  void setRunUp(boolean on) {
+    runUp = on;
+>>>>>>> main
   }
 
   /**
-   * Hands a result to all subscribers.
+   * Hands a result to all subscribers, during a run-up to those who {@link #follow} it.
    *
    * @param result immutable
    */
   public void publish(T result) {
     for (Listener listener : listeners) {
+<<<<<<< HEAD
       listener.take(result);
+=======
+      if (listener.inRunUps || !runUp) {
+        listener.subscriber.accept(result);
+      }
+>>>>>>> main
     }
   }
 
   /** One subscription; the same subscriber may have several. */
   private final class Listener implements Subscription {
     final Consumer<? super T> subscriber;
+<<<<<<< HEAD
     final Consumer<? super RuntimeException> failed;
 
     Listener(Consumer<? super T> subscriber, Consumer<? super RuntimeException> failed) {
@@ -149,6 +184,13 @@ public final class Outlet<T> {
         close();
         failed.accept(thrown);
       }
+=======
+    final boolean inRunUps;
+
+    Listener(Consumer<? super T> subscriber, boolean inRunUps) {
+      this.subscriber = subscriber;
+      this.inRunUps = inRunUps;
+>>>>>>> main
     }
 
     @Override

@@ -26,7 +26,7 @@ final class SessionOpener {
   private final ChainEditor editor;
   private final PlaybackController playback;
   private final StatusLine statusLine;
-  private final ChainMemory memory;
+  private final SourceMemory memory;
   private final BiConsumer<ViewerSession, ReadOptions> opened;
   private int openings;
 
@@ -36,7 +36,7 @@ final class SessionOpener {
       ChainEditor editor,
       PlaybackController playback,
       StatusLine statusLine,
-      ChainMemory memory,
+      SourceMemory memory,
       BiConsumer<ViewerSession, ReadOptions> opened) {
     this.background = background;
     this.editor = editor;
@@ -71,7 +71,7 @@ final class SessionOpener {
                 ? Optional.<String>empty()
                 : Optional.of(ChainFile.write(chain)),
         json -> {
-          memory.keep(open.request(), json);
+          memory.keepChain(open.request(), json);
           next.run();
         });
   }

@@ -72,8 +72,9 @@ public final class ViewerApplication {
       Consumer<ViewerWindow> opened) {
     CountDownLatch closed = new CountDownLatch(1);
     AtomicReference<Throwable> problem = new AtomicReference<>();
-    SessionRequest request = SessionRequest.of(file, options);
-    Optional<String> ownChain = new ChainMemory(settings).chain(request);
+    SourceMemory memory = new SourceMemory(settings);
+    SessionRequest request = memory.withSensor(SessionRequest.of(file, options));
+    Optional<String> ownChain = memory.chain(request);
     // the first session is made ready while JavaFX starts
     FutureTask<ViewerSession> first = new FutureTask<>(() -> request.firstSession(ownChain));
     Thread ahead = new Thread(first, "haltere-first");

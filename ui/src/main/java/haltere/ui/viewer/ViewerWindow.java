@@ -1,9 +1,7 @@
 package haltere.ui.viewer;
 
-import haltere.core.format.RateProfile;
+import haltere.core.event.SensorGeometry;
 import haltere.core.format.ReadOptions;
-import haltere.core.format.Recordings;
-import haltere.core.playback.PlayerStatus;
 import haltere.ui.overlay.JavaFxOverlayCanvas;
 import haltere.ui.rendering.ColourMap;
 import haltere.ui.viewer.action.ViewerActions;
@@ -25,6 +23,7 @@ import haltere.ui.viewer.picture.EventView;
 import haltere.ui.viewer.playback.PlaybackController;
 import haltere.ui.viewer.playback.SeekBar;
 import haltere.ui.viewer.plots.PlotPanel;
+import haltere.ui.viewer.session.RecordingFacts;
 import haltere.ui.viewer.session.SessionHost;
 import haltere.ui.viewer.session.SessionRequest;
 import haltere.ui.viewer.session.ViewerSession;
@@ -56,8 +55,6 @@ import javafx.util.Duration;
  * <p>Thread rule: JavaFX thread only.
  */
 public final class ViewerWindow implements SessionHost {
-  private static final int PROFILE_BINS = 2000;
-
   /** Size at first, where the screen has room for it. */
   private static final double WIDTH = 1200;
 
@@ -80,6 +77,7 @@ public final class ViewerWindow implements SessionHost {
   private final ViewerPanels panels = new ViewerPanels(menu, playback, editor, statusLine, display);
   private final List<ViewerFeature> features = ViewerFeatures.all();
   private final LayoutSteps steps;
+  private final SourceMemory memory;
   private final SessionOpener opener;
   private final AnimationTimer pulse =
       new AnimationTimer() {
@@ -89,6 +87,8 @@ public final class ViewerWindow implements SessionHost {
         }
       };
   private final ReadOnlyObjectWrapper<Optional<ViewerSession>> session =
+      new ReadOnlyObjectWrapper<>(Optional.empty());
+  private final ReadOnlyObjectWrapper<Optional<RecordingFacts>> facts =
       new ReadOnlyObjectWrapper<>(Optional.empty());
 
   /**
@@ -103,9 +103,8 @@ public final class ViewerWindow implements SessionHost {
   /** The same, set up as a user has left it. */
   ViewerWindow(Stage stage, UserSettings settings) {
     this.stage = stage;
-    opener =
-        new SessionOpener(
-            background, editor, playback, statusLine, new ChainMemory(settings), this::install);
+    memory = new SourceMemory(settings);
+    opener = new SessionOpener(background, editor, playback, statusLine, memory, this::install);
     dialogs = new FileDialogs(stage);
     Rectangle2D room = Screen.getPrimary().getVisualBounds();
     Scene scene =
@@ -170,7 +169,12 @@ public final class ViewerWindow implements SessionHost {
   private void followDisplay() {
     display.onChange(
         () -> {
-          session().ifPresent(open -> open.display().setOptions(display.options()));
+          session()
+              .ifPresent(
+                  open -> {
+                    open.display().setOptions(display.options());
+                    open.player().refresh();
+                  });
           ColourMap colours = display.options().colours();
           stage.getScene().setFill(JavaFxOverlayCanvas.colour(colours.background()));
         });
@@ -189,9 +193,7 @@ public final class ViewerWindow implements SessionHost {
 
   private void showAllEvents(ViewerSession open, boolean all) {
     open.display().setAllEvents(all);
-    if (open.player().status().state() == PlayerStatus.State.PAUSED) {
-      playback.seek(open.player().status().elapsedUs());
-    }
+    open.player().refresh();
   }
 
   /** Shows a session that is being made and whose player was started in pause. */
@@ -201,7 +203,7 @@ public final class ViewerWindow implements SessionHost {
 
   @Override
   public void open(SessionRequest request) {
-    opener.open(request, session(), display.options());
+    opener.open(memory.withSensor(request), session(), display.options());
   }
 
   /** Shows a session in place of the one that is open. */
@@ -212,6 +214,7 @@ public final class ViewerWindow implements SessionHost {
     stage.setTitle(made.player().playable().name() + " \u2013 Haltere");
     made.display().setOptions(display.options());
     panels.startAnew(made, display.options().colours(), steps);
+    facts.set(Optional.empty());
     session.set(Optional.of(made));
     before.ifPresent(background::close);
     // until then the window has the processors to itself
@@ -221,20 +224,17 @@ public final class ViewerWindow implements SessionHost {
   private void begin(ViewerSession made, ReadOptions options) {
     if (session().equals(Optional.of(made))) {
       made.play();
-      made.file().ifPresent(file -> scanRates(file, options, made));
+      made.file().ifPresent(file -> scan(file, options, made));
     }
   }
 
-  private void scanRates(Path file, ReadOptions options, ViewerSession scanned) {
+  private void scan(Path file, ReadOptions options, ViewerSession scanned) {
     background.scan(
-        () -> {
-          try (var reader = Recordings.open(file, options)) {
-            return RateProfile.scan(reader, PROFILE_BINS);
-          }
-        },
-        profile -> {
+        () -> RecordingFacts.scan(file, options),
+        found -> {
           if (session().equals(Optional.of(scanned))) {
-            panels.setProfile(profile);
+            panels.setProfile(found.profile());
+            facts.set(Optional.of(found));
           }
         },
         // what is wrong with the file the player says
@@ -281,6 +281,16 @@ public final class ViewerWindow implements SessionHost {
   @Override
   public ReadOnlyObjectProperty<Optional<ViewerSession>> sessionProperty() {
     return session.getReadOnlyProperty();
+  }
+
+  @Override
+  public ReadOnlyObjectProperty<Optional<RecordingFacts>> factsProperty() {
+    return facts.getReadOnlyProperty();
+  }
+
+  @Override
+  public void keepSensor(SensorGeometry sensor) {
+    session().ifPresent(open -> memory.keepSensor(open.request(), sensor));
   }
 
   /** All that a person can do in the window. */

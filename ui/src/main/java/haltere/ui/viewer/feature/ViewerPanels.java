@@ -50,6 +50,7 @@ public final class ViewerPanels extends BorderPane {
   private final EventView view = new EventView();
   private final StackPane picture = new StackPane(view);
   private final HBox pictureRow = new HBox(picture);
+  private final VBox pictureColumn = new VBox(pictureRow);
   private final ViewBar viewBar;
   private final ChainPanel chainPanel;
   private final TransportBar transport;
@@ -85,10 +86,11 @@ public final class ViewerPanels extends BorderPane {
     seekBar = new SeekBar(playback);
     plots = new PlotPanel(editor, playback);
     viewBar = new ViewBar(display);
+    pictureColumn.getChildren().add(0, viewBar);
     HBox.setHgrow(picture, Priority.ALWAYS);
     picture.setMinSize(0, 0);
     VBox.setVgrow(pictureRow, Priority.ALWAYS);
-    layout = new PanelLayout(new VBox(viewBar, pictureRow), chainPanel);
+    layout = new PanelLayout(pictureColumn, chainPanel);
     setCenter(layout.node());
     setTop(menu);
     setBottom(new VBox(seekBar, transport, statusLine));
@@ -99,6 +101,11 @@ public final class ViewerPanels extends BorderPane {
   /** The picture of the events. */
   public EventView view() {
     return view;
+  }
+
+  /** Puts something above the picture, below its bar. */
+  public void addAbovePicture(Node node) {
+    pictureColumn.getChildren().add(1, node);
   }
 
   /** Puts something beside the picture, at its left. */
@@ -145,7 +152,7 @@ public final class ViewerPanels extends BorderPane {
     view.setGeometry(geometry, colours);
     chainPanel.setSteps(steps);
     chainPanel.startAnew(made.firstStages());
-    plots.startAnew();
+    plots.startAnew(made.inertial());
     seekBar.clear();
     repaintAsked = false;
     shownStatus = null;

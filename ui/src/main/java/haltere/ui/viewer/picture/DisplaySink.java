@@ -2,10 +2,11 @@ package haltere.ui.viewer.picture;
 
 import haltere.core.chain.FilterChain;
 import haltere.core.event.EventPacket;
+import haltere.core.event.Frame;
 import haltere.core.event.SensorGeometry;
+import haltere.core.event.SensorReading;
 import haltere.core.playback.SliceSink;
 import haltere.core.stream.DataLost;
-import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import haltere.ui.measure.PixelRegion;
 import haltere.ui.rendering.FrameExchange;
@@ -77,14 +78,39 @@ public final class DisplaySink implements SliceSink {
     return maker.isStale();
   }
 
+  /** The camera's frames below the events. */
+  public FrameLayer frames() {
+    return maker.frames();
+  }
+
+  /** Shows frames below the events: 0 not at all, 1 as they are. */
+  public void setFrameOpacity(double opacity) {
+    maker.frames().setOpacity(opacity);
+    maker.setStale(true);
+  }
+
+  /** Shows the frame that was there before the place of the last jump. */
+  public void giveFrame(Frame frame) {
+    if (maker.frames().give(frame)) {
+      maker.setStale(true);
+    }
+  }
+
+  @Override
+  public void reading(SensorReading reading) {
+    if (reading instanceof Frame frame) {
+      later(() -> maker.frames().take(frame));
+    }
+  }
+
   /** Shows events as they come, before the chain, or those that it leaves. */
   public void setAllEvents(boolean all) {
     allEvents = all;
   }
 
   /** Takes the events before the chain. */
-  public StreamHandler beforeChain() {
-    return new StreamHandler() {
+  public SliceSink beforeChain() {
+    return new SliceSink() {
       @Override
       public void packet(EventPacket packet) {
         if (allEvents) {
@@ -94,6 +120,11 @@ public final class DisplaySink implements SliceSink {
 
       @Override
       public void notified(StreamNotification notification) {
+        // the end of the chain is told as well
+      }
+
+      @Override
+      public void sliceEnd(long fromUs, long toUs) {
         // the end of the chain is told as well
       }
     };
@@ -128,6 +159,7 @@ public final class DisplaySink implements SliceSink {
         () -> {
           maker.notified(notification);
           if (anew) {
+            maker.frames().jump();
             maker.setStale(true);
           }
         });
@@ -136,6 +168,28 @@ public final class DisplaySink implements SliceSink {
   /** A slice ends whose picture is asked for by {@link #picture}. */
   public void endSlice(long fromUs, long toUs) {
     later(() -> maker.endSlice(fromUs, toUs));
+  }
+
+  @Override
+  public long memoryUs(long sliceUs) {
+    return maker.memoryUs(sliceUs);
+  }
+
+  @Override
+  public void runUpBegins(long sliceUs) {
+    taps.followChain();
+    later(() -> maker.runUpBegins(sliceUs));
+  }
+
+  @Override
+  public void runUpEnds() {
+    later(maker::runUpEnds);
+  }
+
+  @Override
+  public void sliceHeld() {
+    List<DisplayFrame.Marks<?>> marks = taps.marks();
+    later(() -> maker.hold(marks));
   }
 
   @Override

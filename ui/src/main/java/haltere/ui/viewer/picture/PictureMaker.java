@@ -44,6 +44,7 @@ final class PictureMaker {
 
   private final EventPicture events;
   private final ViewProbes probes = new ViewProbes();
+  private final FrameLayer frames = new FrameLayer();
   private final FrameExchange<DisplayFrame> exchange;
   private volatile DisplayOptions options;
   private final ScreenPainter painter = new ScreenPainter();
@@ -51,6 +52,7 @@ final class PictureMaker {
   private volatile boolean stale;
   private double sliceUs = 8_333;
   private long lastSliceUs = 8_333;
+  private boolean holds;
   private final boolean betweenSlices;
   private List<DisplayFrame.Marks<?>> lastMarks = List.of();
   private long paintedNanos;
@@ -74,6 +76,11 @@ final class PictureMaker {
 
   FrameExchange<DisplayFrame> exchange() {
     return exchange;
+  }
+
+  /** The camera's frames below the events. */
+  FrameLayer frames() {
+    return frames;
   }
 
   void setOptions(DisplayOptions newOptions) {
@@ -106,6 +113,27 @@ final class PictureMaker {
   /** Another frame is wanted, or about to come. */
   void setStale(boolean isStale) {
     stale = isStale;
+  }
+
+  /** What comes leads to a slice; until it ends the picture stays as it is. */
+  void runUpBegins(long newSliceUs) {
+    lastSliceUs = newSliceUs;
+    sliceUs = newSliceUs;
+    events.configure(style());
+    holds = true;
+  }
+
+  /** The slice that is shown next begins. */
+  void runUpEnds() {
+    exposed = true;
+  }
+
+  /** The slice that ended last stays: its picture is of its events and no others. */
+  void hold(List<DisplayFrame.Marks<?>> marks) {
+    sliceUs = lastSliceUs;
+    events.settle();
+    probes.settle();
+    paint(marks);
   }
 
   void packet(EventPacket packet) {
@@ -143,6 +171,10 @@ final class PictureMaker {
   /** A slice ends of which no frame is wanted now. */
   void endSlice(long fromUs, long toUs) {
     events.advanceTo(toUs);
+    if (exposed) {
+      events.beginExposure();
+    }
+    holds = false;
     lastSliceUs = toUs - fromUs;
     sliceUs += 0.25 * (lastSliceUs - sliceUs);
     exposed = true;
@@ -164,10 +196,14 @@ final class PictureMaker {
 
   /** Paints what there is and hands it over. */
   void paint(List<DisplayFrame.Marks<?>> marks) {
-    stale = false;
+    stale = holds;
+    if (holds) {
+      return;
+    }
     events.configure(style());
     DisplayFrame frame = exchange.back();
     events.paintRanked(frame.pixels);
+    frames.paintUnder(frame.pixels, frame.geometry, events.style().background());
     frame.pixel = probes.pixel(events.frame());
     frame.region = probes.region(events.frame().nowUs());
     frame.scale = scale();
@@ -194,7 +230,11 @@ final class PictureMaker {
     events.configure(style());
     SensorGeometry geometry = events.frame().geometry();
     int[] argb = new int[geometry.pixels()];
-    events.paint(argb);
+    events.paintRanked(argb);
+    frames.paintUnder(argb, geometry, events.style().background());
+    for (int i = 0; i < argb.length; i++) {
+      argb[i] |= 0xFF000000;
+    }
     Optional<RegionMarks> region =
         overlays
             .region()
@@ -219,10 +259,20 @@ final class PictureMaker {
     return picture;
   }
 
+  /** How far back events of a slice matter to its picture and to what is said of places. */
+  long memoryUs(long ofSliceUs) {
+    long fadingUs = Math.round(FramePainter.oldestUs(style(ofSliceUs, ofSliceUs)));
+    return Math.max(fadingUs, probes.memoryUs());
+  }
+
   private PictureStyle style() {
+    return style(lastSliceUs, sliceUs);
+  }
+
+  private PictureStyle style(long exposureUs, double fadingSliceUs) {
     DisplayOptions now = options;
     boolean sharp = now.decayUs() == DisplayOptions.SLICE_ONLY;
-    long us = sharp ? lastSliceUs : decayUs(now.decayUs());
+    long us = sharp ? exposureUs : decayUs(now.decayUs(), fadingSliceUs);
     return new PictureStyle(
         now.mode(),
         now.colours(),
@@ -241,7 +291,7 @@ final class PictureMaker {
     };
   }
 
-  private long decayUs(long chosen) {
+  private static long decayUs(long chosen, double sliceUs) {
     return chosen != DisplayOptions.FOLLOW_SLICES
         ? chosen
         : Math.round(Math.max(MIN_DECAY_US, Math.min(MAX_DECAY_US, sliceUs * DECAY_PER_SLICE)));

@@ -42,7 +42,7 @@ public final class Sources {
    * @throws IOException with one line for a person if it cannot be read
    */
   public static Playable recording(Path file, ReadOptions options) throws IOException {
-    var reader = Recordings.open(file, options);
+    var reader = Recordings.open(file, options.withReadings(true));
     try {
       return new RecordingPlayable(reader);
     } catch (IOException | RuntimeException problem) {

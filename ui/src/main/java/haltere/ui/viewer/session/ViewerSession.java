@@ -7,6 +7,8 @@ import haltere.core.playback.KeptPlayable;
 import haltere.core.playback.Playable;
 import haltere.core.playback.Player;
 import haltere.core.playback.PlayerOptions;
+import haltere.core.playback.RecordingPlayable;
+import haltere.ui.plot.InertialFeed;
 import haltere.ui.viewer.chain.StageState;
 import haltere.ui.viewer.picture.DisplayOptions;
 import haltere.ui.viewer.picture.DisplaySink;
@@ -25,6 +27,8 @@ public final class ViewerSession implements AutoCloseable {
   private final List<StageState> firstStages;
   private final DisplaySink display;
   private final Player player;
+  private final List<String> remarks;
+  private final InertialFeed inertial = new InertialFeed();
   private volatile boolean prepared;
 
   ViewerSession(
@@ -34,12 +38,22 @@ public final class ViewerSession implements AutoCloseable {
       PlayerOptions playerOptions,
       DisplayOptions displayOptions) {
     this.request = request;
+    this.remarks =
+        playable instanceof RecordingPlayable recording
+            ? List.copyOf(recording.reader().remarks())
+            : List.of();
     this.chain = chain;
     this.firstStages = StageState.of(chain);
     this.display = DisplaySink.apart(playable.geometry(), chain, displayOptions);
     this.player = new Player(playable, chain, playerOptions);
     player.addRawSink(display.beforeChain());
     player.addSink(display);
+    player.addSink(inertial);
+  }
+
+  /** What a user should know about how the recording is read, as it was opened. */
+  public List<String> remarks() {
+    return remarks;
   }
 
   /** What was asked for. */
@@ -86,6 +100,11 @@ public final class ViewerSession implements AutoCloseable {
   /** Where its pictures are made. */
   public DisplaySink display() {
     return display;
+  }
+
+  /** The inertial samples that it plays. */
+  public InertialFeed inertial() {
+    return inertial;
   }
 
   /** Plays it. */
