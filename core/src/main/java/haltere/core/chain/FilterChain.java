@@ -31,11 +31,8 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
   private final SensorGeometry geometry;
   private final CopyOnWriteArrayList<ChainStage> stages = new CopyOnWriteArrayList<>();
   private volatile long outsideSensor;
-<<<<<<< HEAD
   private volatile Thread busy;
-=======
   private long changes;
->>>>>>> main
 
   /**
    * An empty chain.

@@ -87,23 +87,18 @@ public final class Outlet<T> {
   }
 
   /**
-<<<<<<< HEAD
-   * Listens to results. A subscriber that throws is dropped, and a line in the log of this class
-   * says so; the filter goes on.
-=======
-   * Listens to results, but not during a run-up, whose events come once more.
->>>>>>> main
+   * Listens to results, but not during a run-up, whose events come once more. A subscriber that
+   * throws is dropped, and a line in the log of this class says so; the filter goes on.
    *
    * @param subscriber called on the processing thread for each result
    * @return ends the subscription when closed
    */
   public Subscription subscribe(Consumer<? super T> subscriber) {
-<<<<<<< HEAD
-    return subscribe(subscriber, this::log);
+    return listen(subscriber, this::log, false);
   }
 
   /**
-   * Listens to results. A subscriber that throws is dropped; the filter goes on.
+   * Listens to results as {@link #subscribe(Consumer)}, and hears of a failure.
    *
    * @param subscriber called on the processing thread for each result
    * @param failed takes what the subscriber threw, on the processing thread; must not throw
@@ -111,12 +106,7 @@ public final class Outlet<T> {
    */
   public Subscription subscribe(
       Consumer<? super T> subscriber, Consumer<? super RuntimeException> failed) {
-    Listener listener =
-        new Listener(
-            Objects.requireNonNull(subscriber, "subscriber"),
-            Objects.requireNonNull(failed, "failed"));
-=======
-    return listen(subscriber, false);
+    return listen(subscriber, failed, false);
   }
 
   /**
@@ -126,27 +116,30 @@ public final class Outlet<T> {
    * @return ends the subscription when closed
    */
   public Subscription follow(Consumer<? super T> subscriber) {
-    return listen(subscriber, true);
+    return listen(subscriber, this::log, true);
   }
 
-  private Subscription listen(Consumer<? super T> subscriber, boolean inRunUps) {
-    Listener listener = new Listener(Objects.requireNonNull(subscriber, "subscriber"), inRunUps);
->>>>>>> main
+  private Subscription listen(
+      Consumer<? super T> subscriber, Consumer<? super RuntimeException> failed, boolean inRunUps) {
+    Listener listener =
+        new Listener(
+            Objects.requireNonNull(subscriber, "subscriber"),
+            Objects.requireNonNull(failed, "failed"),
+            inRunUps);
     listeners.add(listener);
     return listener;
   }
 
-<<<<<<< HEAD
   private void log(RuntimeException thrown) {
     System.getLogger(Outlet.class.getName())
         .log(
             System.Logger.Level.ERROR,
             () -> "a subscriber of " + name + " failed and gets no more results",
             thrown);
-=======
+  }
+
   void setRunUp(boolean on) {
     runUp = on;
->>>>>>> main
   }
 
   /**
@@ -156,25 +149,25 @@ public final class Outlet<T> {
    */
   public void publish(T result) {
     for (Listener listener : listeners) {
-<<<<<<< HEAD
-      listener.take(result);
-=======
       if (listener.inRunUps || !runUp) {
-        listener.subscriber.accept(result);
+        listener.take(result);
       }
->>>>>>> main
     }
   }
 
   /** One subscription; the same subscriber may have several. */
   private final class Listener implements Subscription {
     final Consumer<? super T> subscriber;
-<<<<<<< HEAD
     final Consumer<? super RuntimeException> failed;
+    final boolean inRunUps;
 
-    Listener(Consumer<? super T> subscriber, Consumer<? super RuntimeException> failed) {
+    Listener(
+        Consumer<? super T> subscriber,
+        Consumer<? super RuntimeException> failed,
+        boolean inRunUps) {
       this.subscriber = subscriber;
       this.failed = failed;
+      this.inRunUps = inRunUps;
     }
 
     void take(T result) {
@@ -184,13 +177,6 @@ public final class Outlet<T> {
         close();
         failed.accept(thrown);
       }
-=======
-    final boolean inRunUps;
-
-    Listener(Consumer<? super T> subscriber, boolean inRunUps) {
-      this.subscriber = subscriber;
-      this.inRunUps = inRunUps;
->>>>>>> main
     }
 
     @Override

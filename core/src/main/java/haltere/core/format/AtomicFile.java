@@ -2,6 +2,7 @@ package haltere.core.format;
 
 import java.io.Closeable;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.channels.Channels;
 import java.nio.channels.FileChannel;
@@ -13,6 +14,7 @@ import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
+import java.util.Objects;
 import java.util.UUID;
 
 /**
@@ -31,6 +33,7 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
   private final boolean overwrite;
   private final boolean durable;
   private final FileChannel channel;
+  private final OutputStream stream;
   private boolean committed;
 
   private AtomicFile(
@@ -39,13 +42,27 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
       Path temporary,
       boolean overwrite,
       boolean durable,
-      FileChannel channel) {
+      FileChannel channel,
+      OutputStream stream) {
     this.asked = asked;
     this.target = target;
     this.temporary = temporary;
     this.overwrite = overwrite;
     this.durable = durable;
     this.channel = channel;
+    this.stream = stream;
+  }
+
+  /**
+   * Starts to write to a stream, in which everything appears as it is written.
+   *
+   * @param name what to call the stream
+   * @param stream flushed at the end, never closed
+   * @return a file without a {@link #channel()}
+   */
+  public static AtomicFile on(Path name, OutputStream stream) {
+    return new AtomicFile(
+        name, name, name, true, false, null, Objects.requireNonNull(stream, "stream"));
   }
 
   /**
@@ -65,7 +82,7 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
             StandardOpenOption.CREATE,
             StandardOpenOption.TRUNCATE_EXISTING,
             StandardOpenOption.WRITE);
-    return new AtomicFile(target, target, temporary, true, true, channel);
+    return new AtomicFile(target, target, temporary, true, true, channel, null);
   }
 
   /**
@@ -83,6 +100,7 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
       throw new RecordingProblem(target, "this is a folder; name a file in it");
     }
     refuseExisting(target, overwrite);
+    RecordingFile.checkRegular(target);
     Path real = Files.exists(target) ? target.toRealPath() : target.toAbsolutePath();
     Path folder = real.getParent();
     Path name = real.getFileName();
@@ -96,9 +114,11 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
     try {
       FileChannel channel =
           FileChannel.open(temporary, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
-      return new AtomicFile(target, real, temporary, overwrite, false, channel);
+      return new AtomicFile(target, real, temporary, overwrite, false, channel, null);
     } catch (AccessDeniedException e) {
       throw new RecordingProblem(target, "no permission to write in its folder");
+    } catch (IOException e) {
+      throw RecordingProblem.writing(target, e);
     }
   }
 
@@ -122,22 +142,29 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
    *
    * @return owned by this file
    */
-  public java.io.OutputStream stream() {
+  public OutputStream stream() {
     return Channels.newOutputStream(this);
   }
 
   @Override
   public int write(ByteBuffer source) throws IOException {
     int count = source.remaining();
-    while (source.hasRemaining()) {
-      channel.write(source);
+    try {
+      if (stream != null) {
+        Channels.newChannel(stream).write(source);
+      }
+      while (source.hasRemaining()) {
+        channel.write(source);
+      }
+    } catch (IOException e) {
+      throw RecordingProblem.writing(asked, e);
     }
     return count;
   }
 
   @Override
   public boolean isOpen() {
-    return channel.isOpen();
+    return stream != null || channel.isOpen();
   }
 
   /**
@@ -149,18 +176,30 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
     if (committed) {
       throw new IllegalStateException(asked + " is in its place already");
     }
-    if (durable) {
-      channel.force(true);
+    try {
+      if (stream != null) {
+        stream.flush();
+      } else {
+        if (durable) {
+          channel.force(true);
+        }
+        channel.close();
+        refuseExisting(asked, overwrite);
+        move();
+      }
+    } catch (IOException e) {
+      throw RecordingProblem.writing(asked, e);
     }
-    channel.close();
-    refuseExisting(asked, overwrite);
+    committed = true;
+  }
+
+  private void move() throws IOException {
     try {
       Files.move(
           temporary, target, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
     } catch (AtomicMoveNotSupportedException e) {
       Files.move(temporary, target, StandardCopyOption.REPLACE_EXISTING);
     }
-    committed = true;
   }
 
   /**
@@ -170,6 +209,9 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
    */
   @Override
   public void close() throws IOException {
+    if (stream != null) {
+      return;
+    }
     channel.close();
     if (!committed) {
       Files.deleteIfExists(temporary);

@@ -33,6 +33,19 @@ import java.util.function.UnaryOperator;
  * several times, also at once if its results go to different places.
  */
 public final class RecordingJob {
+  /** Opens the recording of a job. */
+  public interface Opening {
+    /**
+     * Opens a recording.
+     *
+     * @param recording the job's
+     * @param options the job's
+     * @return a reader at its start, closed by the job
+     * @throws IOException if it cannot be read
+     */
+    RecordingReader open(Path recording, ReadOptions options) throws IOException;
+  }
+
   /** Makes the chain of a job. */
   public interface ChainMaker {
     /**
@@ -74,6 +87,7 @@ public final class RecordingJob {
   private final ChainMaker chain;
   private final ResultsMaker results;
   private final ReadOptions options;
+  private final Opening opening;
   private final boolean strict;
   private final UnaryOperator<EventSource> pace;
   private final Progress progress;
@@ -83,6 +97,7 @@ public final class RecordingJob {
       ChainMaker chain,
       ResultsMaker results,
       ReadOptions options,
+      Opening opening,
       boolean strict,
       UnaryOperator<EventSource> pace,
       Progress progress) {
@@ -90,6 +105,7 @@ public final class RecordingJob {
     this.chain = Objects.requireNonNull(chain, "chain");
     this.results = Objects.requireNonNull(results, "results");
     this.options = Objects.requireNonNull(options, "options");
+    this.opening = Objects.requireNonNull(opening, "opening");
     this.strict = strict;
     this.pace = Objects.requireNonNull(pace, "pace");
     this.progress = Objects.requireNonNull(progress, "progress");
@@ -110,6 +126,7 @@ public final class RecordingJob {
         chain,
         results,
         ReadOptions.DEFAULT,
+        Recordings::open,
         false,
         UnaryOperator.identity(),
         (events, done, total) -> {});
@@ -123,7 +140,17 @@ public final class RecordingJob {
    * @return another job
    */
   public RecordingJob reading(ReadOptions with, boolean whole) {
-    return new RecordingJob(recording, chain, results, with, whole, pace, progress);
+    return new RecordingJob(recording, chain, results, with, opening, whole, pace, progress);
+  }
+
+  /**
+   * The same job on a recording that is opened in another way, such as from standard input.
+   *
+   * @param by opens it
+   * @return another job
+   */
+  public RecordingJob opened(Opening by) {
+    return new RecordingJob(recording, chain, results, options, by, strict, pace, progress);
   }
 
   /**
@@ -133,7 +160,7 @@ public final class RecordingJob {
    * @return another job
    */
   public RecordingJob paced(UnaryOperator<EventSource> by) {
-    return new RecordingJob(recording, chain, results, options, strict, by, progress);
+    return new RecordingJob(recording, chain, results, options, opening, strict, by, progress);
   }
 
   /**
@@ -143,7 +170,7 @@ public final class RecordingJob {
    * @return another job
    */
   public RecordingJob telling(Progress listener) {
-    return new RecordingJob(recording, chain, results, options, strict, pace, listener);
+    return new RecordingJob(recording, chain, results, options, opening, strict, pace, listener);
   }
 
   /**
@@ -158,7 +185,7 @@ public final class RecordingJob {
    */
   public JobReport run() throws IOException {
     long startNanos = System.nanoTime();
-    try (RecordingReader reader = Recordings.open(recording, options);
+    try (RecordingReader reader = opening.open(recording, options);
         FilterChain filters = chain.make(reader.geometry());
         JobResults written = results.open(reader, filters)) {
       if (options.keepIndex()) {

@@ -102,6 +102,7 @@ final class RunCommand extends Subcommand {
     RecordingJob job =
         RecordingJob.of(file, this::chain, this::results)
             .reading(reading.readOptions().withReadings(true), reading.strict)
+            .opened(reading::open)
             .paced(this::paced);
     summary(run(job, "filtering", file).stages());
     return OK;

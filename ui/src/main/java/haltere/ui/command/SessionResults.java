@@ -28,7 +28,7 @@ final class SessionResults implements JobResults {
       command.message(
           "wrote " + part.file() + " (" + Quantities.events(part.report().written()) + ")");
     }
-    recorder.endedEarly().ifPresent(command::warning);
+    RecordingWritingOptions.endedEarly(recorder).ifPresent(command::failedBeside);
   }
 
   @Override

@@ -11,8 +11,11 @@ import haltere.core.pipeline.RecordingJob;
 import haltere.ui.command.terminal.LiveStatus;
 import haltere.ui.command.terminal.ProgressBar;
 import haltere.ui.command.terminal.Quantities;
+import haltere.ui.command.terminal.StandardOutput;
 import haltere.ui.command.terminal.TerminalLine;
+import java.io.FilterOutputStream;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -42,6 +45,7 @@ abstract class Subcommand implements Callable<Integer> {
   @Mixin MessageOptions messages;
 
   private final Surroundings surroundings;
+  private volatile boolean failedBeside;
 
   Subcommand(Surroundings surroundings) {
     this.surroundings = surroundings;
@@ -69,6 +73,28 @@ abstract class Subcommand implements Callable<Integer> {
   /** Prints a line of the result. */
   void result(String line) {
     surroundings.out().print(line + "\n");
+  }
+
+  /** The standard output for bytes; it fails where a print stream would pass over it. */
+  OutputStream standardOutput() {
+    return new FilterOutputStream(surroundings.out()) {
+      @Override
+      public void write(byte[] bytes, int offset, int length) throws IOException {
+        surroundings.out().write(bytes, offset, length);
+        check();
+      }
+
+      @Override
+      public void flush() throws IOException {
+        check();
+      }
+
+      private void check() throws IOException {
+        if (surroundings.out().checkError()) {
+          throw new StandardOutput.Gone();
+        }
+      }
+    };
   }
 
   /** Tells the user what has been done. */
@@ -99,6 +125,17 @@ abstract class Subcommand implements Callable<Integer> {
 
   void error(String line) {
     surroundings.err().print("haltere: " + line + "\n");
+  }
+
+  /** Reports a failure that does not end the command, but its status is {@link #FAILED} then. */
+  void failedBeside(String line) {
+    failedBeside = true;
+    error(line);
+  }
+
+  /** The status of a command that ended with another one, with failures beside its work. */
+  int statusWithFailures(int status) {
+    return status == OK && failedBeside ? FAILED : status;
   }
 
   ProgressBar progressBar(String label) {

@@ -170,7 +170,8 @@ final class TrackCommand extends Subcommand {
     } else {
       run(
           RecordingJob.of(file, this::chain, (reader, chain) -> results(chain))
-              .reading(reading.readOptions(), reading.strict),
+              .reading(reading.readOptions(), reading.strict)
+              .opened(reading::open),
           "tracking",
           file);
     }

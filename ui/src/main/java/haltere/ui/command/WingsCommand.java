@@ -148,7 +148,8 @@ final class WingsCommand extends Subcommand {
       run(
           RecordingJob.of(
                   file, sensor -> chain(sensor, settings), (reader, chain) -> results(chain))
-              .reading(reading.readOptions(), reading.strict),
+              .reading(reading.readOptions(), reading.strict)
+              .opened(reading::open),
           "tracking",
           file);
     }

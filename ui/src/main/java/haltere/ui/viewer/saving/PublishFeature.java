@@ -11,6 +11,7 @@ import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.session.ViewerSession;
 import java.time.Clock;
 import java.util.Optional;
+import javafx.application.Platform;
 import javafx.beans.property.ReadOnlyBooleanWrapper;
 
 /**
@@ -99,6 +100,7 @@ public final class PublishFeature implements ViewerFeature {
       return;
     }
     under = Optional.of(started);
+    started.results().onFailure(words -> Platform.runLater(() -> window.status().showError(words)));
     window.status().setActivity("Sending results at " + started.results().address());
   }
 
