@@ -73,7 +73,7 @@ public final class PublishFeature implements ViewerFeature {
               var output = LineOutputs.open(where.strip());
               LiveResults[] made = new LiveResults[1];
               player
-                  .edit(
+                  .read(
                       chain ->
                           made[0] =
                               LiveResults.open(chain, output, name -> true, Clock.systemUTC()))
