@@ -19,7 +19,7 @@ import haltere.filters.object.ObjectTrackerSettings;
 import haltere.filters.plane.PlanePoint;
 import haltere.filters.road.LineCounter;
 import haltere.filters.road.LineCrossing;
-import haltere.filters.road.ObjectsOnPlane;
+import haltere.filters.road.ObjectLocator;
 import haltere.filters.track.KalmanTracksFilter;
 import haltere.filters.track.KalmanTracksSettings;
 import haltere.filters.track.TrackPoint;
@@ -116,8 +116,8 @@ final class TrackCommand extends Subcommand {
       description = {
         "The road that the camera looks along: tracks are on it, and columns in metres are added."
             + " Keys: bridgeHeightM, nearestM, farthestM, vanishingPoint {xPx, yPx}, lanes {lanes,"
-            + " leftEdgeM, widthM}, countingLines {lines, firstM, apartM}; all may be left out. Or any"
-            + " plane: four points {xPx, yPx, xM, yM}."
+            + " leftEdgeM, widthM}, countingLines {lines, firstM, apartM}, vehicles (what is usual);"
+            + " all may be left out. Or any plane: four points {xPx, yPx, xM, yM}."
       })
   Path roadFile;
 
@@ -266,7 +266,8 @@ final class TrackCommand extends Subcommand {
       }
       return;
     }
-    ObjectsOnPlane onRoad = road.objects(chain.geometry());
+    ObjectLocator onRoad = road.objects(chain.geometry());
+    objects.apply(road.motion(chain.geometry()));
     try (CsvSink<RoadObjectRow> table =
             CsvSink.create(out, RoadObjectRow.class, writing.overwrite);
         CsvSink<LineCrossing> counts = counts()) {

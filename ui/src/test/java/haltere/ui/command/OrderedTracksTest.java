@@ -13,7 +13,7 @@ class OrderedTracksTest {
 
   private void take(long... timesUs) {
     for (long timeUs : timesUs) {
-      ordered.accept(new ObjectTrack(timeUs, 1, 0, 0, 0, 0, 1, 1, 1, 1, 0, 1, 1, 0, 1, 0, 0));
+      ordered.accept(new ObjectTrack(timeUs, 1, 0, 0, 0, 0, 1, 1, 1, 1, 0, 1, 1, 0, 1, 0, 0, 0));
     }
   }
 

@@ -20,7 +20,7 @@ class TrackCommandTest {
   private static final String CLUSTER_COLUMNS =
       "t_us,id,x_px,y_px,vx_px_s,vy_px_s,sd_x_px,sd_y_px,sd_vx_px_s,sd_vy_px_s,events";
   private static final String EXTENT_COLUMNS = ",major_px,minor_px,angle_rad,existence";
-  private static final String COLUMNS = CLUSTER_COLUMNS + EXTENT_COLUMNS + ",event_rate_hz,age_s";
+  private static final String COLUMNS = CLUSTER_COLUMNS + EXTENT_COLUMNS + ",event_rate_hz,age_s,low_y_px";
   private static final String METRES =
       ",x_m,y_m,vx_m_s,vy_m_s,sd_x_m,sd_y_m,sd_vx_m_s,sd_vy_m_s,speed_km_h,sd_speed_km_h,lane";
 
@@ -134,7 +134,7 @@ class TrackCommandTest {
 
   @Test
   void withARoadThereAreMetresToo() throws IOException {
-    checkRoad(COLUMNS.replace(",event_rate_hz,age_s", ""), 15);
+    checkRoad(COLUMNS.replace(",event_rate_hz,age_s,low_y_px", ""), 15);
   }
 
   @Test
