@@ -37,7 +37,7 @@ public final class RateProfile {
     if (bins < 1) {
       throw new IllegalArgumentException("a profile has at least one bin, not " + bins);
     }
-    Scan scan = new Scan(reader.segments(), bins);
+    Collector scan = new Collector(reader.segments(), bins);
     while (reader.next(scan)) {
       // beside a window that is to answer meanwhile
       Thread.yield();
@@ -45,7 +45,7 @@ public final class RateProfile {
         throw new InterruptedIOException("interrupted while reading " + reader.path());
       }
     }
-    return new RateProfile(scan.durationUs, scan.events);
+    return scan.profile();
   }
 
   /**
@@ -76,7 +76,12 @@ public final class RateProfile {
     return durationUs == 0 ? 0 : events[bin] * 1e6 * events.length / durationUs;
   }
 
-  private static final class Scan implements StreamHandler {
+  /**
+   * Counts the events of a recording that is read from its start to its end.
+   *
+   * <p>Thread rule: one thread at a time.
+   */
+  public static final class Collector implements StreamHandler {
     private final List<TimeSegment> segments;
     private final long durationUs;
     private final long[] events;
@@ -85,10 +90,39 @@ public final class RateProfile {
     private long segmentFirstUs;
     private long segmentStartUs;
 
-    Scan(List<TimeSegment> segments, int bins) {
+    /**
+     * Nothing counted yet.
+     *
+     * @param segments of the recording
+     * @param bins how many bins, at least 1
+     */
+    public Collector(List<TimeSegment> segments, int bins) {
       this.segments = segments;
       durationUs = segments.stream().mapToLong(TimeSegment::durationUs).sum();
       events = new long[bins];
+    }
+
+    /**
+     * Place of a time of the segment that is being read.
+     *
+     * @param timeUs time on the recording's clock, microseconds
+     * @return microseconds since the recording's start
+     */
+    public long elapsedUs(long timeUs) {
+      long firstUs =
+          inSegment || segment >= segments.size()
+              ? segmentFirstUs
+              : segments.get(segment).firstUs();
+      return segmentStartUs + timeUs - firstUs;
+    }
+
+    /**
+     * The profile of what was read.
+     *
+     * @return a copy
+     */
+    public RateProfile profile() {
+      return new RateProfile(durationUs, events.clone());
     }
 
     @Override

@@ -2,6 +2,7 @@ package haltere.core.format;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.event.SensorReading;
 import haltere.core.stream.DataLost;
 import haltere.core.stream.Reset;
 import haltere.core.stream.StreamHandler;
@@ -60,6 +61,19 @@ public record RecordingSummary(
 
   private static final long PEAK_US = 10_000;
 
+  private static final StreamHandler NOBODY =
+      new StreamHandler() {
+        @Override
+        public void packet(EventPacket packet) {
+          // nobody listens
+        }
+
+        @Override
+        public void notified(StreamNotification notification) {
+          // nobody listens
+        }
+      };
+
   /** Checks and copies. */
   public RecordingSummary {
     Objects.requireNonNull(format, "format");
@@ -81,7 +95,22 @@ public record RecordingSummary(
    */
   public static RecordingSummary scan(RecordingReader reader, ProgressListener progress)
       throws IOException {
-    Scan scan = new Scan();
+    return scan(reader, progress, NOBODY);
+  }
+
+  /**
+   * Reads a recording from its start to its end, in bounded memory.
+   *
+   * @param reader at its start; at its end afterwards
+   * @param progress hears how far it is
+   * @param also is handed all that is read; must not change packets
+   * @return what it holds
+   * @throws InterruptedIOException if the thread is interrupted
+   * @throws IOException if the file can no longer be read
+   */
+  public static RecordingSummary scan(
+      RecordingReader reader, ProgressListener progress, StreamHandler also) throws IOException {
+    Scan scan = new Scan(also);
     long reported = 0;
     while (reader.next(scan)) {
       if (Thread.currentThread().isInterrupted()) {
@@ -93,7 +122,7 @@ public record RecordingSummary(
       }
     }
     boolean others = reader.violations().count(Violation.OTHER_DATA) > 0;
-    return scan.summary(reader, others ? reader.countReadings() : ReadingCounts.NONE);
+    return scan.summary(reader, others ? reader.countReadings() : scan.handed);
   }
 
   private static final class Scan implements StreamHandler {
@@ -113,9 +142,22 @@ public record RecordingSummary(
     private long peak;
     private boolean monotonic = true;
     private boolean lossTold;
+    private final StreamHandler also;
+    private ReadingCounts handed = ReadingCounts.NONE;
+
+    Scan(StreamHandler also) {
+      this.also = also;
+    }
+
+    @Override
+    public void reading(SensorReading reading) {
+      handed = handed.plus(reading.kind());
+      also.reading(reading);
+    }
 
     @Override
     public void packet(EventPacket packet) {
+      also.packet(packet);
       int size = packet.size();
       if (size == 0) {
         return;
@@ -170,6 +212,7 @@ public record RecordingSummary(
 
     @Override
     public void notified(StreamNotification notification) {
+      also.notified(notification);
       if (notification instanceof DataLost lost) {
         addGap(new Gap(lost.fromUs(), lost.toUs(), true));
         lossTold = true;

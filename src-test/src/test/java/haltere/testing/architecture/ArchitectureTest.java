@@ -181,7 +181,8 @@ class ArchitectureTest {
     List<String> parts =
         List.of(
             "controls", "action", "chain", "picture", "playback", "plots", "session", "feature");
-    List<String> features = List.of("wings", "space", "cameras", "compare", "saving", "road");
+    List<String> features =
+        List.of("wings", "space", "cameras", "compare", "saving", "road", "file");
     Set<String> all = new TreeSet<>();
     parts.forEach(part -> all.add(window + "." + part));
     features.forEach(feature -> all.add(window + "." + feature));

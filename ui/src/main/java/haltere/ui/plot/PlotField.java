@@ -37,6 +37,9 @@ public record PlotField(String stage, String outlet, String column) {
     units.put("_hz", "Hz");
     units.put("_us", "\u00b5s");
     units.put("_eps", "ev/s");
+    units.put("_deg_s", "\u00b0/s");
+    units.put("_g", "g");
+    units.put("_c", "\u00b0C");
     return units;
   }
 

@@ -20,6 +20,8 @@ public record PlotSet(String title, String stage, List<List<PlotField>> lanes) {
   private static Map<String, List<String>> known() {
     Map<String, List<String>> sets = new LinkedHashMap<>();
     sets.put(
+        "Acceleration and rotation", List.of("samples/acceleration_g", "samples/rotation_deg_s"));
+    sets.put(
         "Stroke with measurements",
         List.of(
             "measurements/measured_rad wings/angle_rad",

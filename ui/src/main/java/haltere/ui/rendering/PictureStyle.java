@@ -62,8 +62,12 @@ public record PictureStyle(
     return Math.exp(-ageUs / timeConstantUs);
   }
 
-  /** Colour of a pixel without events. */
-  int background() {
+  /**
+   * Colour of a pixel without events.
+   *
+   * @return red, green and blue
+   */
+  public int background() {
     return switch (mode) {
       case POLARITY, ON_ONLY, OFF_ONLY -> colours.background();
       case TIME_SURFACE, COUNTS -> gradient.colour(0);

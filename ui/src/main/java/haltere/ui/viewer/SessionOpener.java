@@ -8,7 +8,6 @@ import haltere.ui.viewer.feature.BackgroundWork;
 import haltere.ui.viewer.feature.StatusLine;
 import haltere.ui.viewer.picture.DisplayOptions;
 import haltere.ui.viewer.playback.PlaybackController;
-import haltere.ui.viewer.session.FirstView;
 import haltere.ui.viewer.session.SessionRequest;
 import haltere.ui.viewer.session.ViewerSession;
 import java.util.Optional;
@@ -27,6 +26,7 @@ final class SessionOpener {
   private final ChainEditor editor;
   private final PlaybackController playback;
   private final StatusLine statusLine;
+  private final SourceMemory memory;
   private final BiConsumer<ViewerSession, ReadOptions> opened;
   private int openings;
 
@@ -36,34 +36,44 @@ final class SessionOpener {
       ChainEditor editor,
       PlaybackController playback,
       StatusLine statusLine,
+      SourceMemory memory,
       BiConsumer<ViewerSession, ReadOptions> opened) {
     this.background = background;
     this.editor = editor;
     this.playback = playback;
     this.statusLine = statusLine;
+    this.memory = memory;
     this.opened = opened;
   }
 
   /**
-   * Opens something.
+   * Opens something, with the chain of its own.
    *
-   * @param open what is open now, whose filters it gets if a person has changed them
+   * @param open what is open now, whose chain is kept
    * @param shownAs how its events are shown
    */
   void open(SessionRequest request, Optional<ViewerSession> open, DisplayOptions shownAs) {
     int number = announce(request.name());
     PlayerOptions playerOptions = playback.options();
     if (open.isPresent()) {
-      FirstView start = open.get().start();
-      editor.read(
-          chain ->
-              start.isUnchanged(chain)
-                  ? Optional.<String>empty()
-                  : Optional.of(ChainFile.write(chain)),
-          json -> load(number, request, json, playerOptions, shownAs));
+      keepChain(
+          open.get(), () -> load(number, request, memory.chain(request), playerOptions, shownAs));
     } else {
-      load(number, request, Optional.empty(), playerOptions, shownAs);
+      load(number, request, memory.chain(request), playerOptions, shownAs);
     }
+  }
+
+  /** Keeps the chain of what is open, and then goes on. */
+  void keepChain(ViewerSession open, Runnable next) {
+    editor.read(
+        chain ->
+            open.start().isUnchanged(chain)
+                ? Optional.<String>empty()
+                : Optional.of(ChainFile.write(chain)),
+        json -> {
+          memory.keepChain(open.request(), json);
+          next.run();
+        });
   }
 
   private void load(

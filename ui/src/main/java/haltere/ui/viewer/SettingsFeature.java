@@ -89,7 +89,11 @@ final class SettingsFeature implements ViewerFeature {
         .ifPresent(kept -> place(stage, kept));
     Runnable keep =
         () -> {
-          if (stage.isShowing() && !stage.isMaximized() && !stage.isFullScreen()) {
+          if (stage.isShowing()
+              && !stage.isMaximized()
+              && !stage.isFullScreen()
+              && stage.getWidth() >= ViewerWindow.MIN_WIDTH
+              && stage.getHeight() >= ViewerWindow.MIN_HEIGHT) {
             settings.put(
                 "window",
                 Map.of(
@@ -119,8 +123,8 @@ final class SettingsFeature implements ViewerFeature {
         stage.setX(x.doubleValue());
         stage.setY(y.doubleValue());
       }
-      stage.setWidth(Math.max(640, width.doubleValue()));
-      stage.setHeight(Math.max(420, height.doubleValue()));
+      stage.setWidth(Math.max(ViewerWindow.MIN_WIDTH, width.doubleValue()));
+      stage.setHeight(Math.max(ViewerWindow.MIN_HEIGHT, height.doubleValue()));
     }
   }
 }

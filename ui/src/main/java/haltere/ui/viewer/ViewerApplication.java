@@ -71,9 +71,11 @@ public final class ViewerApplication {
       Consumer<ViewerWindow> opened) {
     CountDownLatch closed = new CountDownLatch(1);
     AtomicReference<Throwable> problem = new AtomicReference<>();
+    SourceMemory memory = new SourceMemory(settings);
+    SessionRequest request = memory.withSensor(SessionRequest.of(file, options));
+    Optional<String> ownChain = memory.chain(request);
     // the first session is made ready while JavaFX starts
-    FutureTask<ViewerSession> first =
-        new FutureTask<>(() -> SessionRequest.of(file, options).firstSession());
+    FutureTask<ViewerSession> first = new FutureTask<>(() -> request.firstSession(ownChain));
     Thread ahead = new Thread(first, "haltere-first");
     ahead.setDaemon(true);
     ahead.start();

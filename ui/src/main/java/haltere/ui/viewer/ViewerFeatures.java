@@ -5,6 +5,8 @@ import haltere.ui.viewer.cameras.CameraFeature;
 import haltere.ui.viewer.compare.CompareFeature;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.file.FileInfoFeature;
+import haltere.ui.viewer.file.SamplesFeature;
 import haltere.ui.viewer.road.VanishingPointFeature;
 import haltere.ui.viewer.saving.ExportFeature;
 import haltere.ui.viewer.saving.PublishFeature;
@@ -23,6 +25,9 @@ final class ViewerFeatures {
     return List.of(
         new SettingsFeature(),
         new FileFeature(),
+        new UsualFiltersFeature(),
+        new FileInfoFeature(),
+        new SamplesFeature(),
         new RecentFilesFeature(),
         new SavingFeature(),
         new ExportFeature(),

@@ -1,8 +1,8 @@
 package haltere.ui.viewer;
 
-import haltere.core.format.RateProfile;
+import haltere.core.event.SensorGeometry;
 import haltere.core.format.ReadOptions;
-import haltere.core.format.Recordings;
+import haltere.core.playback.PlayerStatus;
 import haltere.ui.overlay.JavaFxOverlayCanvas;
 import haltere.ui.rendering.ColourMap;
 import haltere.ui.viewer.action.ViewerActions;
@@ -24,6 +24,7 @@ import haltere.ui.viewer.picture.EventView;
 import haltere.ui.viewer.playback.PlaybackController;
 import haltere.ui.viewer.playback.SeekBar;
 import haltere.ui.viewer.plots.PlotPanel;
+import haltere.ui.viewer.session.RecordingFacts;
 import haltere.ui.viewer.session.SessionHost;
 import haltere.ui.viewer.session.SessionRequest;
 import haltere.ui.viewer.session.ViewerSession;
@@ -34,6 +35,7 @@ import java.util.Optional;
 import java.util.concurrent.Future;
 import java.util.concurrent.RejectedExecutionException;
 import javafx.animation.AnimationTimer;
+import javafx.animation.PauseTransition;
 import javafx.application.Platform;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
@@ -45,6 +47,7 @@ import javafx.scene.input.TransferMode;
 import javafx.stage.Screen;
 import javafx.stage.Stage;
 import javafx.stage.WindowEvent;
+import javafx.util.Duration;
 
 /**
  * The viewer's window: holds the session that is open and joins the parts that open and show. What
@@ -53,12 +56,15 @@ import javafx.stage.WindowEvent;
  * <p>Thread rule: JavaFX thread only.
  */
 public final class ViewerWindow implements SessionHost {
-  private static final int PROFILE_BINS = 2000;
-
   /** Size at first, where the screen has room for it. */
   private static final double WIDTH = 1200;
 
   private static final double HEIGHT = 760;
+
+  /** Least size of the window, where the screen has room for it. */
+  static final double MIN_WIDTH = 640;
+
+  static final double MIN_HEIGHT = 420;
 
   private final Stage stage;
   private final BackgroundWork background = new BackgroundWork();
@@ -72,8 +78,8 @@ public final class ViewerWindow implements SessionHost {
   private final ViewerPanels panels = new ViewerPanels(menu, playback, editor, statusLine, display);
   private final List<ViewerFeature> features = ViewerFeatures.all();
   private final LayoutSteps steps;
-  private final SessionOpener opener =
-      new SessionOpener(background, editor, playback, statusLine, this::install);
+  private final SourceMemory memory;
+  private final SessionOpener opener;
   private final AnimationTimer pulse =
       new AnimationTimer() {
         @Override
@@ -82,6 +88,8 @@ public final class ViewerWindow implements SessionHost {
         }
       };
   private final ReadOnlyObjectWrapper<Optional<ViewerSession>> session =
+      new ReadOnlyObjectWrapper<>(Optional.empty());
+  private final ReadOnlyObjectWrapper<Optional<RecordingFacts>> facts =
       new ReadOnlyObjectWrapper<>(Optional.empty());
 
   /**
@@ -96,6 +104,8 @@ public final class ViewerWindow implements SessionHost {
   /** The same, set up as a user has left it. */
   ViewerWindow(Stage stage, UserSettings settings) {
     this.stage = stage;
+    memory = new SourceMemory(settings);
+    opener = new SessionOpener(background, editor, playback, statusLine, memory, this::install);
     dialogs = new FileDialogs(stage);
     Rectangle2D room = Screen.getPrimary().getVisualBounds();
     Scene scene =
@@ -110,6 +120,8 @@ public final class ViewerWindow implements SessionHost {
     panels.setOnDragDropped(this::dropped);
     scene.setFill(JavaFxOverlayCanvas.colour(display.options().colours().background()));
     stage.setScene(scene);
+    stage.setMinWidth(Math.min(MIN_WIDTH, room.getWidth()));
+    stage.setMinHeight(Math.min(MIN_HEIGHT, room.getHeight()));
     stage.setTitle("Haltere");
     stage.setOnHidden(event -> close());
     Thread.currentThread().setUncaughtExceptionHandler((thread, fault) -> showFault(fault));
@@ -128,12 +140,31 @@ public final class ViewerWindow implements SessionHost {
             steps,
             display,
             settings);
+    editor.history().onChange(() -> session().ifPresent(open -> opener.keepChain(open, () -> {})));
     features.forEach(feature -> feature.install(context));
     menu.follow();
+    keepWantedSize(room);
     // the keys of playback work at once; a list in the focus would keep some of them
     stage.addEventHandler(
         WindowEvent.WINDOW_SHOWN, event -> Platform.runLater(panels.view()::requestFocus));
     pulse.start();
+  }
+
+  /** Asks once more for its size where a window manager has made the new window small. */
+  private void keepWantedSize(Rectangle2D room) {
+    double width =
+        Math.min(Double.isNaN(stage.getWidth()) ? WIDTH : stage.getWidth(), room.getWidth());
+    double height =
+        Math.min(Double.isNaN(stage.getHeight()) ? HEIGHT : stage.getHeight(), room.getHeight());
+    PauseTransition managed = new PauseTransition(Duration.millis(300));
+    managed.setOnFinished(
+        over -> {
+          if (!stage.isMaximized() && stage.getWidth() <= MIN_WIDTH) {
+            stage.setWidth(width);
+            stage.setHeight(height);
+          }
+        });
+    stage.addEventHandler(WindowEvent.WINDOW_SHOWN, event -> managed.play());
   }
 
   private void followDisplay() {
@@ -150,7 +181,17 @@ public final class ViewerWindow implements SessionHost {
               is.apply();
               panels.setDark(is == Theme.DARK);
             });
+    display
+        .allEventsProperty()
+        .addListener((property, was, is) -> session().ifPresent(open -> showAllEvents(open, is)));
     display.marksProperty().addListener((property, was, is) -> panels.view().setMarksVisible(is));
+  }
+
+  private void showAllEvents(ViewerSession open, boolean all) {
+    open.display().setAllEvents(all);
+    if (open.player().status().state() == PlayerStatus.State.PAUSED) {
+      playback.seek(open.player().status().elapsedUs());
+    }
   }
 
   /** Shows a session that is being made and whose player was started in pause. */
@@ -160,7 +201,7 @@ public final class ViewerWindow implements SessionHost {
 
   @Override
   public void open(SessionRequest request) {
-    opener.open(request, session(), display.options());
+    opener.open(memory.withSensor(request), session(), display.options());
   }
 
   /** Shows a session in place of the one that is open. */
@@ -171,6 +212,7 @@ public final class ViewerWindow implements SessionHost {
     stage.setTitle(made.player().playable().name() + " \u2013 Haltere");
     made.display().setOptions(display.options());
     panels.startAnew(made, display.options().colours(), steps);
+    facts.set(Optional.empty());
     session.set(Optional.of(made));
     before.ifPresent(background::close);
     // until then the window has the processors to itself
@@ -180,20 +222,17 @@ public final class ViewerWindow implements SessionHost {
   private void begin(ViewerSession made, ReadOptions options) {
     if (session().equals(Optional.of(made))) {
       made.play();
-      made.file().ifPresent(file -> scanRates(file, options, made));
+      made.file().ifPresent(file -> scan(file, options, made));
     }
   }
 
-  private void scanRates(Path file, ReadOptions options, ViewerSession scanned) {
+  private void scan(Path file, ReadOptions options, ViewerSession scanned) {
     background.scan(
-        () -> {
-          try (var reader = Recordings.open(file, options)) {
-            return RateProfile.scan(reader, PROFILE_BINS);
-          }
-        },
-        profile -> {
+        () -> RecordingFacts.scan(file, options),
+        found -> {
           if (session().equals(Optional.of(scanned))) {
-            panels.setProfile(profile);
+            panels.setProfile(found.profile());
+            facts.set(Optional.of(found));
           }
         },
         // what is wrong with the file the player says
@@ -240,6 +279,16 @@ public final class ViewerWindow implements SessionHost {
   @Override
   public ReadOnlyObjectProperty<Optional<ViewerSession>> sessionProperty() {
     return session.getReadOnlyProperty();
+  }
+
+  @Override
+  public ReadOnlyObjectProperty<Optional<RecordingFacts>> factsProperty() {
+    return facts.getReadOnlyProperty();
+  }
+
+  @Override
+  public void keepSensor(SensorGeometry sensor) {
+    session().ifPresent(open -> memory.keepSensor(open.request(), sensor));
   }
 
   /** All that a person can do in the window. */

@@ -61,7 +61,8 @@ public final class FrameBenchmark {
 
   /** Time from the start of this program to the first events of the fly scene on the screen. */
   private static void measureStart() throws Exception {
-    FutureTask<ViewerSession> first = new FutureTask<>(() -> SessionRequest.scene().firstSession());
+    FutureTask<ViewerSession> first =
+        new FutureTask<>(() -> SessionRequest.scene().firstSession(java.util.Optional.empty()));
     Thread ahead = new Thread(first, "haltere-first");
     ahead.setDaemon(true);
     ahead.start();

@@ -159,7 +159,10 @@ class MannersTest {
   void aBadRecordingIsToldOfByTheWindowThatWasOpenedForIt() throws IOException {
     Path empty = Files.createFile(folder.resolve("empty.aedat"));
     FutureTask<ViewerSession> first =
-        new FutureTask<>(() -> SessionRequest.recording(empty, ReadOptions.DEFAULT).firstSession());
+        new FutureTask<>(
+            () ->
+                SessionRequest.recording(empty, ReadOptions.DEFAULT)
+                    .firstSession(java.util.Optional.empty()));
     first.run();
     viewer = new ViewerHarness();
     viewer.run(() -> viewer.window.open(first, empty.toString(), ReadOptions.DEFAULT));

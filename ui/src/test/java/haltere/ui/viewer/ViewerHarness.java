@@ -18,6 +18,8 @@ import haltere.core.stream.StreamNotification;
 import haltere.ui.viewer.controls.Theme;
 import haltere.ui.viewer.feature.UserSettings;
 import haltere.ui.viewer.picture.EventView;
+import haltere.ui.viewer.session.FirstView;
+import haltere.ui.viewer.session.SessionRequest;
 import haltere.ui.viewer.session.ViewerSession;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -164,7 +166,11 @@ public final class ViewerHarness extends JavaFxHarness implements AutoCloseable 
   }
 
   public void open(Callable<Playable> playable) {
-    run(() -> window.open(playable, "test"));
+    run(
+        () ->
+            window.open(
+                new SessionRequest(
+                    playable, Optional.empty(), ReadOptions.DEFAULT, "test", FirstView.OBJECTS)));
     waitFor("a session", () -> window.session().isPresent());
     waitFor("frames", () -> window.framesShown() > 0);
     waitFor("what plays", () -> status().elapsedUs() > 0);

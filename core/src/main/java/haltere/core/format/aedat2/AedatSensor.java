@@ -87,10 +87,12 @@ public record AedatSensor(Layout layout, SensorGeometry geometry, List<String> r
       layout = Layout.DAVIS;
     } else {
       layout = addresses.layout(options.sensor());
-      remarks.add(
-          (chip.isEmpty() ? "the header names no camera" : "the camera " + chip + " is not known")
-              + "; its addresses look like a "
-              + (layout == Layout.DVS128 ? "DVS128's" : "DAVIS's"));
+      if (options.sensor().isEmpty()) {
+        remarks.add(
+            (chip.isEmpty() ? "the header names no camera" : "the camera " + chip + " is not known")
+                + "; its addresses look like a "
+                + (layout == Layout.DVS128 ? "DVS128's" : "DAVIS's"));
+      }
     }
     if (stated.isPresent()) {
       return new AedatSensor(layout, stated.get(), remarks);

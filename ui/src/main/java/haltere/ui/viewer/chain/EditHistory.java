@@ -18,6 +18,12 @@ public final class EditHistory {
 
   private final Deque<Step> done = new ArrayDeque<>();
   private final Deque<Step> undone = new ArrayDeque<>();
+  private Runnable listener = () -> {};
+
+  /** Calls something after each change, be it made or taken back. */
+  public void onChange(Runnable newListener) {
+    listener = newListener;
+  }
 
   /**
    * Remembers a change that has been made; what had been taken back before is forgotten.
@@ -40,6 +46,7 @@ public final class EditHistory {
     if (done.size() > MOST) {
       done.removeLast();
     }
+    listener.run();
   }
 
   /** Takes the last change back; what it was, or empty if there is none. */
@@ -50,6 +57,7 @@ public final class EditHistory {
     Step step = done.pop();
     undone.push(step);
     step.undo().run();
+    listener.run();
     return step.words();
   }
 
@@ -61,6 +69,7 @@ public final class EditHistory {
     Step step = undone.pop();
     done.push(step);
     step.redo().run();
+    listener.run();
     return step.words();
   }
 

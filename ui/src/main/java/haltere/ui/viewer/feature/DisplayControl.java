@@ -14,8 +14,10 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.DoubleProperty;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleBooleanProperty;
+import javafx.beans.property.SimpleDoubleProperty;
 import javafx.beans.property.SimpleObjectProperty;
 
 /**
@@ -37,6 +39,9 @@ public final class DisplayControl {
   private final ObjectProperty<Gradient> gradient =
       new SimpleObjectProperty<>(DisplayOptions.DEFAULT.gradient());
   private final BooleanProperty marks = new SimpleBooleanProperty(true);
+  private final BooleanProperty frames = new SimpleBooleanProperty(true);
+  private final DoubleProperty frameOpacity = new SimpleDoubleProperty(0.6);
+  private final BooleanProperty allEvents = new SimpleBooleanProperty();
   private final ObjectProperty<Optional<PixelRegion>> region =
       new SimpleObjectProperty<>(Optional.empty());
   private final ObjectProperty<Optional<MeasuredLine>> tape =
@@ -86,6 +91,21 @@ public final class DisplayControl {
   /** Whether marks of the filters are drawn over the events. */
   public BooleanProperty marksProperty() {
     return marks;
+  }
+
+  /** Whether the camera's frames are drawn below the events. */
+  public BooleanProperty framesProperty() {
+    return frames;
+  }
+
+  /** How much of a frame is seen: 0 nothing, 1 all of it. */
+  public DoubleProperty frameOpacityProperty() {
+    return frameOpacity;
+  }
+
+  /** Whether events are shown as they come, before the filters. */
+  public BooleanProperty allEventsProperty() {
+    return allEvents;
   }
 
   /** The region of interest. */

@@ -6,15 +6,19 @@ import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Icons;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.DoubleProperty;
 import javafx.beans.property.Property;
+import javafx.beans.value.ObservableBooleanValue;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.Label;
+import javafx.scene.control.Slider;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
@@ -62,6 +66,30 @@ public final class ViewBar extends HBox {
   public void addTools(BooleanProperty measuring, BooleanProperty drawingRegion) {
     tool("tool-measure", Icons.TAPE, "Measure a length and an angle (T)", measuring);
     tool("tool-region", Icons.REGION, "Draw the region of interest (G)", drawingRegion);
+  }
+
+  /**
+   * Adds the switch of the camera's frames and their opacity.
+   *
+   * @param seen whether what is open has frames
+   */
+  public void addFrames(BooleanProperty on, DoubleProperty opacity, ObservableBooleanValue seen) {
+    ToggleButton button = Controls.toggle("frames", Icons.FRAME, "Frames below the events");
+    button.getStyleClass().add(Styles.SMALL);
+    button.selectedProperty().bindBidirectional(on);
+    Slider slider = new Slider(0.1, 1, opacity.get());
+    slider.setId("frame-opacity");
+    slider.setAccessibleText("Opacity of the frames");
+    Controls.help(slider, "Opacity of the frames");
+    slider.setPrefWidth(80);
+    slider.setMinWidth(40);
+    slider.valueProperty().bindBidirectional(opacity);
+    slider.disableProperty().bind(on.not());
+    for (Region node : List.of(button, slider)) {
+      node.visibleProperty().bind(seen);
+      node.managedProperty().bind(seen);
+    }
+    getChildren().addAll(getChildren().indexOf(tools) - 1, List.of(button, slider));
   }
 
   /** Adds the button of a tool or a panel. */

@@ -21,10 +21,14 @@ import java.util.List;
 import java.util.concurrent.Executor;
 import java.util.function.Supplier;
 import javafx.beans.property.BooleanProperty;
+import javafx.geometry.Insets;
+import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.MenuBar;
 import javafx.scene.layout.BorderPane;
+import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
+import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 
 /**
@@ -44,6 +48,9 @@ public final class ViewerPanels extends BorderPane {
   private final ChainEditor editor;
   private final StatusLine statusLine;
   private final EventView view = new EventView();
+  private final StackPane picture = new StackPane(view);
+  private final HBox pictureRow = new HBox(picture);
+  private final VBox pictureColumn = new VBox(pictureRow);
   private final ViewBar viewBar;
   private final ChainPanel chainPanel;
   private final TransportBar transport;
@@ -79,8 +86,11 @@ public final class ViewerPanels extends BorderPane {
     seekBar = new SeekBar(playback);
     plots = new PlotPanel(editor, playback);
     viewBar = new ViewBar(display);
-    VBox.setVgrow(view, Priority.ALWAYS);
-    layout = new PanelLayout(new VBox(viewBar, view), chainPanel);
+    pictureColumn.getChildren().add(0, viewBar);
+    HBox.setHgrow(picture, Priority.ALWAYS);
+    picture.setMinSize(0, 0);
+    VBox.setVgrow(pictureRow, Priority.ALWAYS);
+    layout = new PanelLayout(pictureColumn, chainPanel);
     setCenter(layout.node());
     setTop(menu);
     setBottom(new VBox(seekBar, transport, statusLine));
@@ -91,6 +101,23 @@ public final class ViewerPanels extends BorderPane {
   /** The picture of the events. */
   public EventView view() {
     return view;
+  }
+
+  /** Puts something above the picture, below its bar. */
+  public void addAbovePicture(Node node) {
+    pictureColumn.getChildren().add(1, node);
+  }
+
+  /** Puts something beside the picture, at its left. */
+  public void addBesidePicture(Node node) {
+    pictureRow.getChildren().add(0, node);
+  }
+
+  /** Puts something over the picture, which keeps the mouse where it is not covered. */
+  public void addOverPicture(Node node, Pos place) {
+    StackPane.setAlignment(node, place);
+    StackPane.setMargin(node, new Insets(10));
+    picture.getChildren().add(node);
   }
 
   /** Above the events. */
@@ -125,7 +152,7 @@ public final class ViewerPanels extends BorderPane {
     view.setGeometry(geometry, colours);
     chainPanel.setSteps(steps);
     chainPanel.startAnew(made.firstStages());
-    plots.startAnew();
+    plots.startAnew(made.inertial());
     seekBar.clear();
     repaintAsked = false;
     shownStatus = null;

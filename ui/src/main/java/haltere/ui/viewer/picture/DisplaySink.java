@@ -2,9 +2,12 @@ package haltere.ui.viewer.picture;
 
 import haltere.core.chain.FilterChain;
 import haltere.core.event.EventPacket;
+import haltere.core.event.Frame;
 import haltere.core.event.SensorGeometry;
+import haltere.core.event.SensorReading;
 import haltere.core.playback.SliceSink;
 import haltere.core.stream.DataLost;
+import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import haltere.ui.measure.PixelRegion;
 import haltere.ui.rendering.FrameExchange;
@@ -25,6 +28,7 @@ public final class DisplaySink implements SliceSink {
   private final LayerTaps taps;
   private final PictureMaker maker;
   private final Optional<PictureThread> thread;
+  private volatile boolean allEvents;
 
   private DisplaySink(
       SensorGeometry geometry, FilterChain chain, DisplayOptions options, boolean apart) {
@@ -75,8 +79,61 @@ public final class DisplaySink implements SliceSink {
     return maker.isStale();
   }
 
+  /** The camera's frames below the events. */
+  public FrameLayer frames() {
+    return maker.frames();
+  }
+
+  /** Shows frames below the events: 0 not at all, 1 as they are. */
+  public void setFrameOpacity(double opacity) {
+    maker.frames().setOpacity(opacity);
+    maker.setStale(true);
+  }
+
+  /** Shows the frame that was there before the place of the last jump. */
+  public void giveFrame(Frame frame) {
+    if (maker.frames().give(frame)) {
+      maker.setStale(true);
+    }
+  }
+
+  @Override
+  public void reading(SensorReading reading) {
+    if (reading instanceof Frame frame) {
+      later(() -> maker.frames().take(frame));
+    }
+  }
+
+  /** Shows events as they come, before the chain, or those that it leaves. */
+  public void setAllEvents(boolean all) {
+    allEvents = all;
+  }
+
+  /** Takes the events before the chain. */
+  public StreamHandler beforeChain() {
+    return new StreamHandler() {
+      @Override
+      public void packet(EventPacket packet) {
+        if (allEvents) {
+          gather(packet);
+        }
+      }
+
+      @Override
+      public void notified(StreamNotification notification) {
+        // the end of the chain is told as well
+      }
+    };
+  }
+
   @Override
   public void packet(EventPacket packet) {
+    if (!allEvents) {
+      gather(packet);
+    }
+  }
+
+  private void gather(EventPacket packet) {
     if (thread.isPresent()) {
       thread.get().packet(packet);
     } else {
@@ -98,6 +155,7 @@ public final class DisplaySink implements SliceSink {
         () -> {
           maker.notified(notification);
           if (anew) {
+            maker.frames().jump();
             maker.setStale(true);
           }
         });

@@ -44,6 +44,7 @@ final class PictureMaker {
 
   private final EventPicture events;
   private final ViewProbes probes = new ViewProbes();
+  private final FrameLayer frames = new FrameLayer();
   private final FrameExchange<DisplayFrame> exchange;
   private volatile DisplayOptions options;
   private final ScreenPainter painter = new ScreenPainter();
@@ -74,6 +75,11 @@ final class PictureMaker {
 
   FrameExchange<DisplayFrame> exchange() {
     return exchange;
+  }
+
+  /** The camera's frames below the events. */
+  FrameLayer frames() {
+    return frames;
   }
 
   void setOptions(DisplayOptions newOptions) {
@@ -168,6 +174,7 @@ final class PictureMaker {
     events.configure(style());
     DisplayFrame frame = exchange.back();
     events.paintRanked(frame.pixels);
+    frames.paintUnder(frame.pixels, frame.geometry, events.style().background());
     frame.pixel = probes.pixel(events.frame());
     frame.region = probes.region(events.frame().nowUs());
     frame.scale = scale();
@@ -194,7 +201,11 @@ final class PictureMaker {
     events.configure(style());
     SensorGeometry geometry = events.frame().geometry();
     int[] argb = new int[geometry.pixels()];
-    events.paint(argb);
+    events.paintRanked(argb);
+    frames.paintUnder(argb, geometry, events.style().background());
+    for (int i = 0; i < argb.length; i++) {
+      argb[i] |= 0xFF000000;
+    }
     Optional<RegionMarks> region =
         overlays
             .region()

@@ -46,6 +46,7 @@ public final class SeekBar extends Region {
 
   private static final double MARK_NAME_WIDTH = 120;
   private static final int COLUMN = 3;
+  private static final double TICK_HEIGHT = 5;
 
   /** At least so much of a camera or a scene is drawn, the right end of it empty at first. */
   private static final long LEAST_SPAN_US = 5_000_000;
@@ -75,6 +76,7 @@ public final class SeekBar extends Region {
   private long spanUs = 1;
   private long grownNanos;
   private List<Mark> marks = List.of();
+  private long[] ticks = {};
   private Loop loop = Loop.OFF;
   private boolean dirty = true;
 
@@ -125,6 +127,7 @@ public final class SeekBar extends Region {
   public void clear() {
     profile = Optional.empty();
     history.clear();
+    ticks = new long[0];
     status = null;
     reach = Optional.empty();
     dirty = true;
@@ -133,6 +136,16 @@ public final class SeekBar extends Region {
   /** Shows the rate over the whole recording. */
   public void setProfile(RateProfile newProfile) {
     profile = Optional.of(newProfile);
+    dirty = true;
+  }
+
+  /**
+   * Marks moments, such as triggers, by ticks.
+   *
+   * @param elapsedUs in ascending order, microseconds
+   */
+  public void setTicks(long[] elapsedUs) {
+    ticks = elapsedUs.clone();
     dirty = true;
   }
 
@@ -265,6 +278,7 @@ public final class SeekBar extends Region {
     drawRates(graphics, rates, ink.rate());
     drawRates(over, rates, ink.played());
     graphics.setFill(ink.mark());
+    drawTicks(graphics, width);
     for (Mark mark : marks) {
       if (mark.elapsedUs() < fromUs) {
         continue;
@@ -273,6 +287,18 @@ public final class SeekBar extends Region {
       graphics.fillPolygon(new double[] {x - 4, x + 4, x}, new double[] {0, 0, 7}, 3);
       graphics.fillRect(x - 0.5, 0, 1, height);
       graphics.fillText(mark.name(), x + 5, 11, MARK_NAME_WIDTH);
+    }
+  }
+
+  /** One tick a column at the most, however many moments there are. */
+  private void drawTicks(GraphicsContext graphics, double width) {
+    double last = -1;
+    for (long tick : ticks) {
+      double x = Math.rint(xOf(tick));
+      if (tick >= fromUs && x > last && x <= width) {
+        graphics.fillRect(x, 0, 1, TICK_HEIGHT);
+        last = x + 1;
+      }
     }
   }
 

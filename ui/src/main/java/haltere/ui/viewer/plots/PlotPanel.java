@@ -2,6 +2,7 @@ package haltere.ui.viewer.plots;
 
 import haltere.core.chain.FilterChain;
 import haltere.core.playback.PlayerStatus;
+import haltere.ui.plot.InertialFeed;
 import haltere.ui.plot.Lane;
 import haltere.ui.plot.PlotField;
 import haltere.ui.plot.PlotSet;
@@ -52,6 +53,8 @@ public final class PlotPanel extends BorderPane {
   private final Label empty = new Label("Choose with \u201cAdd plot\u201d what to plot over time.");
   private final Label lost = new Label();
   private List<PlotField> offered = List.of();
+  private InertialFeed inertial = new InertialFeed();
+  private boolean offersInertial;
   private PlotInk ink = PlotInk.DARK;
   private double pointed = Double.NaN;
   private long startUs;
@@ -130,8 +133,14 @@ public final class PlotPanel extends BorderPane {
     feeds.follow(lanes());
   }
 
-  /** Another recording: what was plotted is of no more use. */
-  public void startAnew() {
+  /**
+   * Another recording: what was plotted is of no more use.
+   *
+   * @param newInertial its inertial samples
+   */
+  public void startAnew(InertialFeed newInertial) {
+    inertial = newInertial;
+    offersInertial = false;
     clear();
     setFollowing(true);
     followChain();
@@ -142,7 +151,12 @@ public final class PlotPanel extends BorderPane {
     return PlotTable.of(lanes(), window);
   }
 
-  private void offer(List<PlotField> fields) {
+  private void offer(List<PlotField> published) {
+    offersInertial = inertial.hasSamples();
+    List<PlotField> fields = new ArrayList<>(published);
+    if (offersInertial) {
+      fields.addAll(InertialFeed.FIELDS);
+    }
     offered = fields;
     add.getItems().setAll(PlotMenu.sets(fields, this::show));
     add.getItems().addAll(PlotMenu.items(fields, this::addLane));
@@ -298,7 +312,7 @@ public final class PlotPanel extends BorderPane {
   /** Takes in what has come and draws it; at most some 30 times a second. */
   public void update(PlayerStatus status, long nanos) {
     List<Lane> plotted = lanes();
-    boolean came = feeds.drainTo(plotted);
+    boolean came = feeds.drainTo(plotted) | drainInertial(plotted);
     if (nowUs != status.timeUs()) {
       if (status.timeUs() < nowUs) {
         // curves of tracks that do not come again would stand there as if they did
@@ -319,6 +333,28 @@ public final class PlotPanel extends BorderPane {
       dirty = false;
       draw(nanos);
     }
+  }
+
+  /** Samples that no lane wants are let go. */
+  private boolean drainInertial(List<Lane> plotted) {
+    if (inertial.hasSamples() && !offersInertial) {
+      followChain();
+      offersInertial = true;
+    }
+    boolean[] any = new boolean[1];
+    for (PlotField field : InertialFeed.FIELDS) {
+      inertial.drainTo(
+          field,
+          (timeUs, key, value) -> {
+            for (Lane lane : plotted) {
+              if (lane.has(field)) {
+                lane.take(field, timeUs, key, value);
+                any[0] = true;
+              }
+            }
+          });
+    }
+    return any[0];
   }
 
   private void draw(long nanos) {

@@ -1,6 +1,7 @@
 package haltere.ui.viewer.session;
 
 import haltere.core.chain.ChainFile;
+import haltere.core.chain.ChainStage;
 import haltere.core.chain.FilterChain;
 import haltere.core.event.SensorGeometry;
 import haltere.filters.DefaultChain;
@@ -8,28 +9,41 @@ import haltere.ui.plot.PlotField;
 import java.util.List;
 import java.util.function.Function;
 
-/** The filters and plots that a user gets who has not chosen any. */
+/** The filters, plots and speed that something begins with where a person has chosen none. */
 public enum FirstView {
-  /** For what is not known. */
-  USUAL(DefaultChain::create, List.of()),
-  /** For a tethered fly. */
+  /** Events as they come, for a recording or a camera. */
+  RAW(FilterChain::new, DefaultChain::create, List.of()),
+  /** Objects are tracked, for scenes of moving objects. */
+  OBJECTS(DefaultChain::create, DefaultChain::create, List.of()),
+  /** Wings are tracked and plotted, for a tethered fly. */
   FLY(
+      DefaultChain::forFly,
       DefaultChain::forFly,
       List.of(
           new PlotField("wing-tracker", "wings", "angle_rad"),
           new PlotField("wing-tracker", "wings", "frequency_hz")));
 
-  private final Function<SensorGeometry, FilterChain> maker;
+  private final Function<SensorGeometry, FilterChain> first;
+  private final Function<SensorGeometry, FilterChain> usual;
   private final List<PlotField> plots;
 
-  FirstView(Function<SensorGeometry, FilterChain> maker, List<PlotField> plots) {
-    this.maker = maker;
+  FirstView(
+      Function<SensorGeometry, FilterChain> first,
+      Function<SensorGeometry, FilterChain> usual,
+      List<PlotField> plots) {
+    this.first = first;
+    this.usual = usual;
     this.plots = plots;
   }
 
-  /** A new chain for a sensor. */
+  /** A new chain to begin with. */
   FilterChain chain(SensorGeometry geometry) {
-    return maker.apply(geometry);
+    return first.apply(geometry);
+  }
+
+  /** A new chain that suits most of what is opened in this way. */
+  public FilterChain usualChain(SensorGeometry geometry) {
+    return usual.apply(geometry);
   }
 
   /** What is plotted at first; nothing where plots are hidden at first. */
@@ -42,6 +56,22 @@ public enum FirstView {
     FilterChain fresh = chain(chain.geometry());
     try {
       return ChainFile.write(fresh).equals(ChainFile.write(chain));
+    } finally {
+      fresh.close();
+    }
+  }
+
+  /** Whether a chain has the tracker that ends the first one, switched on. */
+  boolean isCoveredBy(FilterChain chain) {
+    FilterChain fresh = chain(chain.geometry());
+    try {
+      List<ChainStage> stages = fresh.stages();
+      return stages.isEmpty()
+          || chain.stages().stream()
+              .anyMatch(
+                  stage ->
+                      stage.kind().equals(stages.get(stages.size() - 1).kind())
+                          && stage.isEnabled());
     } finally {
       fresh.close();
     }

@@ -1,5 +1,6 @@
 package haltere.ui.viewer.session;
 
+import haltere.core.event.SensorGeometry;
 import haltere.core.format.ReadOptions;
 import haltere.core.playback.Playable;
 import java.nio.file.Path;
@@ -15,6 +16,12 @@ import javafx.beans.property.ReadOnlyObjectProperty;
 public interface SessionHost {
   /** The session that is shown; empty until the first one has been opened. */
   ReadOnlyObjectProperty<Optional<ViewerSession>> sessionProperty();
+
+  /** What reading all of the recording has told; empty until then, and for what is no recording. */
+  ReadOnlyObjectProperty<Optional<RecordingFacts>> factsProperty();
+
+  /** Remembers the sensor of the recording that is open, for the next time that it is opened. */
+  void keepSensor(SensorGeometry sensor);
 
   /**
    * Opens something in place of what is open. Filters that a person has chosen stay. Returns at

@@ -6,7 +6,6 @@ import haltere.core.playback.Playable;
 import haltere.core.playback.PlayerOptions;
 import haltere.ui.viewer.picture.DisplayOptions;
 import haltere.ui.viewer.playback.PlaybackController;
-import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -36,7 +35,7 @@ public record SessionRequest(
         Optional.of(file),
         options,
         file.toString(),
-        FirstView.USUAL);
+        FirstView.RAW);
   }
 
   /** The built-in scene. */
@@ -47,8 +46,7 @@ public record SessionRequest(
 
   /** What is not a file. */
   static SessionRequest made(Callable<Playable> playable, String name) {
-    return new SessionRequest(
-        playable, Optional.empty(), ReadOptions.DEFAULT, name, FirstView.USUAL);
+    return new SessionRequest(playable, Optional.empty(), ReadOptions.DEFAULT, name, FirstView.RAW);
   }
 
   /** A recording, or the built-in scene where there is no file. */
@@ -56,10 +54,16 @@ public record SessionRequest(
     return file.map(path -> recording(path, options)).orElseGet(SessionRequest::scene);
   }
 
+  /** What a chain of its own is kept under: the file's whole path, or the name. */
+  public String chainKey() {
+    return file.map(path -> path.toAbsolutePath().normalize().toString()).orElse(name);
+  }
+
   /**
    * Makes a session; background thread.
    *
-   * @param chainJson the chain as saved, or empty for the one to begin with
+   * @param chainJson the chain of its own as saved, or empty for the one to begin with; one that
+   *     does not fit, or lacks a filter that a scene is shown with, is not used
    */
   public ViewerSession session(
       Optional<String> chainJson, PlayerOptions playerOptions, DisplayOptions displayOptions)
@@ -67,11 +71,12 @@ public record SessionRequest(
     Playable opened = file.isPresent() ? playable.call() : Sources.kept(playable.call());
     try {
       FilterChain chain =
-          chainJson.isPresent()
-              ? Sources.chain(opened.geometry(), chainJson.get())
-              : start.chain(opened.geometry());
-      return new ViewerSession(opened, file, options, chain, start, playerOptions, displayOptions);
-    } catch (IOException | RuntimeException problem) {
+          chainJson
+              .flatMap(json -> Sources.ownChain(opened.geometry(), json))
+              .filter(start::isCoveredBy)
+              .orElseGet(() -> start.chain(opened.geometry()));
+      return new ViewerSession(opened, this, chain, playerOptions, displayOptions);
+    } catch (RuntimeException problem) {
       opened.close();
       throw problem;
     }
@@ -80,13 +85,13 @@ public record SessionRequest(
   /**
    * Makes the session that a new window shows, and has its player paint the first slice, so that
    * there are events to show as soon as there is a window. Background thread.
+   *
+   * @param chainJson as for {@link #session}
    */
-  public ViewerSession firstSession() throws Exception {
+  public ViewerSession firstSession(Optional<String> chainJson) throws Exception {
     ViewerSession made =
         session(
-            Optional.empty(),
-            PlaybackController.firstOptions().withPaused(true),
-            DisplayOptions.DEFAULT);
+            chainJson, PlaybackController.firstOptions().withPaused(true), DisplayOptions.DEFAULT);
     made.prepare();
     return made;
   }

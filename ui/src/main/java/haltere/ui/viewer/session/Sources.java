@@ -13,6 +13,7 @@ import haltere.core.simulation.fly.FlyScene;
 import haltere.core.simulation.fly.FlySceneSettings;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Optional;
 
 /**
  * What can be opened, and the chain that it goes through.
@@ -41,7 +42,7 @@ public final class Sources {
    * @throws IOException with one line for a person if it cannot be read
    */
   public static Playable recording(Path file, ReadOptions options) throws IOException {
-    var reader = Recordings.open(file, options);
+    var reader = Recordings.open(file, options.withReadings(true));
     try {
       return new RecordingPlayable(reader);
     } catch (IOException | RuntimeException problem) {
@@ -57,5 +58,14 @@ public final class Sources {
    */
   public static FilterChain chain(SensorGeometry geometry, String json) throws IOException {
     return ChainFile.parse(json, "the chain", geometry);
+  }
+
+  /** A chain that was kept for a recording or a scene; empty where it does not fit any more. */
+  static Optional<FilterChain> ownChain(SensorGeometry geometry, String json) {
+    try {
+      return Optional.of(chain(geometry, json));
+    } catch (IOException | RuntimeException unfit) {
+      return Optional.empty();
+    }
   }
 }

@@ -7,6 +7,8 @@ import haltere.core.playback.KeptPlayable;
 import haltere.core.playback.Playable;
 import haltere.core.playback.Player;
 import haltere.core.playback.PlayerOptions;
+import haltere.core.playback.RecordingPlayable;
+import haltere.ui.plot.InertialFeed;
 import haltere.ui.viewer.chain.StageState;
 import haltere.ui.viewer.picture.DisplayOptions;
 import haltere.ui.viewer.picture.DisplaySink;
@@ -20,41 +22,53 @@ import java.util.Optional;
  * <p>Thread rule: made, prepared and closed on any thread but JavaFX's, because that may wait.
  */
 public final class ViewerSession implements AutoCloseable {
-  private final Optional<Path> file;
-  private final ReadOptions options;
+  private final SessionRequest request;
   private final FilterChain chain;
-  private final FirstView start;
   private final List<StageState> firstStages;
   private final DisplaySink display;
   private final Player player;
+  private final List<String> remarks;
+  private final InertialFeed inertial = new InertialFeed();
   private volatile boolean prepared;
 
   ViewerSession(
       Playable playable,
-      Optional<Path> file,
-      ReadOptions options,
+      SessionRequest request,
       FilterChain chain,
-      FirstView start,
       PlayerOptions playerOptions,
       DisplayOptions displayOptions) {
-    this.file = file;
-    this.options = options;
+    this.request = request;
+    this.remarks =
+        playable instanceof RecordingPlayable recording
+            ? List.copyOf(recording.reader().remarks())
+            : List.of();
     this.chain = chain;
-    this.start = start;
     this.firstStages = StageState.of(chain);
     this.display = DisplaySink.apart(playable.geometry(), chain, displayOptions);
     this.player = new Player(playable, chain, playerOptions);
+    player.addRawSink(display.beforeChain());
     player.addSink(display);
+    player.addSink(inertial);
+  }
+
+  /** What a user should know about how the recording is read, as it was opened. */
+  public List<String> remarks() {
+    return remarks;
+  }
+
+  /** What was asked for. */
+  public SessionRequest request() {
+    return request;
   }
 
   /** Where the recording is, if it is one. */
   public Optional<Path> file() {
-    return file;
+    return request.file();
   }
 
   /** What the user said of the file. */
   public ReadOptions options() {
-    return options;
+    return request.options();
   }
 
   /** What was opened, whether its newest events are kept or not. */
@@ -75,7 +89,7 @@ public final class ViewerSession implements AutoCloseable {
 
   /** The filters and plots that suit it, for a user who has not chosen any. */
   public FirstView start() {
-    return start;
+    return request.start();
   }
 
   /** The stages before the player starts. */
@@ -86,6 +100,11 @@ public final class ViewerSession implements AutoCloseable {
   /** Where its pictures are made. */
   public DisplaySink display() {
     return display;
+  }
+
+  /** The inertial samples that it plays. */
+  public InertialFeed inertial() {
+    return inertial;
   }
 
   /** Plays it. */

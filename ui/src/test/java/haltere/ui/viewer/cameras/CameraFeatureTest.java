@@ -127,6 +127,8 @@ class CameraFeatureTest {
     try (ViewerHarness harness = new ViewerHarness()) {
       CameraFeature feature = openFly(harness);
       camera(feature).facet(Biases.class).orElseThrow().set("threshold", 0.3);
+      harness.click("usual-objects");
+      harness.waitFor("its card", () -> harness.isThere("stage-object-tracker"));
       SavingFeature saving = harness.window.feature(SavingFeature.class);
       harness.run(() -> saving.record(file));
       harness.waitFor("a file", () -> Files.exists(file) && Files.size(file) > 20_000);

@@ -11,7 +11,6 @@ import haltere.core.chain.FilterTiming;
 import haltere.core.settings.SettingsSchema;
 import haltere.ui.viewer.ViewerHarness;
 import haltere.ui.viewer.saving.SavingFeature;
-import haltere.ui.viewer.session.ViewerSession;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -226,18 +225,6 @@ class ChainPanelTest {
     viewer.waitFor(
         "the error", () -> viewer.text("status-message").contains("no filter named nonsense"));
     assertTrue(names().contains(NOISE));
-  }
-
-  @Test
-  void settingsStayWhenAnotherSourceIsOpened() {
-    viewer.click("expand-" + NOISE);
-    enter("entry-" + NOISE + "-neighbours", "2");
-    viewer.waitFor("two neighbours", () -> longValue(NOISE, "neighbours") == 2);
-    ViewerSession before = viewer.session();
-    viewer.run(() -> viewer.window.actions().run("open-scene"));
-    viewer.waitFor("the scene", () -> viewer.session() != before);
-    assertEquals(2, longValue(NOISE, "neighbours"));
-    assertFalse(viewer.text("status-message").contains("problem"));
   }
 
   private void add(String filter) {

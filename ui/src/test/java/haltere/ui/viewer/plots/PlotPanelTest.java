@@ -169,6 +169,7 @@ class PlotPanelTest {
     ViewerHarness.writeRecording(file, 3_000_000);
     viewer.run(() -> viewer.window.dropped(List.of(file.toFile())));
     viewer.waitUntilOpen("next.aedat");
+    viewer.run(() -> viewer.window.actions().run("usual-objects"));
     viewer.waitFor("samples of the recording", () -> lastUs() > 0 && lastUs() < 3_000_000);
   }
 

@@ -1,0 +1,83 @@
+package haltere.ui.plot;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.InertialSample;
+import haltere.core.event.SensorReading;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import java.util.List;
+
+/**
+ * Keeps the inertial samples of a stream until the window takes them as curves, one for each axis.
+ *
+ * <p>Thread rule: samples come on the processing thread; all else is for one other thread.
+ */
+public final class InertialFeed implements StreamHandler {
+  /** Acceleration along the three axes, standard gravities. */
+  public static final PlotField ACCELERATION = field("acceleration_g");
+
+  /** Rate of rotation about the three axes, degrees per second. */
+  public static final PlotField ROTATION = field("rotation_deg_s");
+
+  /** Temperature of the sensor, degrees Celsius. */
+  public static final PlotField TEMPERATURE = field("temperature_c");
+
+  /** All that can be plotted. */
+  public static final List<PlotField> FIELDS = List.of(ACCELERATION, ROTATION, TEMPERATURE);
+
+  private static final int CAPACITY = 1 << 13;
+
+  private final SampleQueue acceleration = new SampleQueue(CAPACITY);
+  private final SampleQueue rotation = new SampleQueue(CAPACITY);
+  private final SampleQueue temperature = new SampleQueue(CAPACITY);
+  private volatile boolean any;
+
+  private static PlotField field(String column) {
+    return new PlotField("inertial-sensor", "samples", column);
+  }
+
+  /**
+   * Whether a sample has come.
+   *
+   * @return false until then
+   */
+  public boolean hasSamples() {
+    return any;
+  }
+
+  @Override
+  public void reading(SensorReading reading) {
+    if (reading instanceof InertialSample sample) {
+      any = true;
+      long timeUs = sample.timeUs();
+      acceleration.put(timeUs, "x", sample.accelerationXG());
+      acceleration.put(timeUs, "y", sample.accelerationYG());
+      acceleration.put(timeUs, "z", sample.accelerationZG());
+      rotation.put(timeUs, "x", sample.rotationXDegS());
+      rotation.put(timeUs, "y", sample.rotationYDegS());
+      rotation.put(timeUs, "z", sample.rotationZDegS());
+      temperature.put(timeUs, "", sample.temperatureC());
+    }
+  }
+
+  @Override
+  public void packet(EventPacket packet) {
+    // only what stands between the events is wanted
+  }
+
+  @Override
+  public void notified(StreamNotification notification) {
+    // curves are cut where time goes back
+  }
+
+  /**
+   * Hands over the samples of a field that came since the last call.
+   *
+   * @param field one of {@link #FIELDS}
+   * @param taker called for each, oldest first
+   */
+  public void drainTo(PlotField field, SampleQueue.Taker taker) {
+    (field.equals(ACCELERATION) ? acceleration : field.equals(ROTATION) ? rotation : temperature)
+        .drainTo(taker);
+  }
+}

@@ -1,0 +1,99 @@
+package haltere.ui.viewer;
+
+import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.chain.FilterStrip;
+import haltere.ui.viewer.chain.StageState;
+import haltere.ui.viewer.chain.UsualFilter;
+import haltere.ui.viewer.feature.ViewerContext;
+import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.picture.HiddenEvents;
+import haltere.ui.viewer.session.ViewerSession;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.SimpleBooleanProperty;
+import javafx.geometry.Pos;
+
+/**
+ * The usual filters: buttons beside the picture that switch them, the chain that suits what is
+ * open, and a note over the picture on the events that filters hide.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+final class UsualFiltersFeature implements ViewerFeature {
+  private static final String MENU = "Chain";
+
+  private final Map<UsualFilter, BooleanProperty> on = new EnumMap<>(UsualFilter.class);
+  private final FilterStrip strip = new FilterStrip(this::toggle);
+  private ViewerContext window;
+  private HiddenEvents hidden;
+  private List<StageState> stages = List.of();
+
+  @Override
+  public void install(ViewerContext installed) {
+    window = installed;
+    BooleanProperty all = window.display().allEventsProperty();
+    hidden = new HiddenEvents(all);
+    window.panels().addBesidePicture(strip);
+    window.panels().addOverPicture(hidden, Pos.TOP_LEFT);
+    for (UsualFilter filter : UsualFilter.values()) {
+      BooleanProperty property = new SimpleBooleanProperty();
+      on.put(filter, property);
+      property.addListener((observed, was, is) -> strip.show(filter, is));
+      window
+          .actions()
+          .add(
+              ViewerAction.toggle(
+                      FilterStrip.id(filter),
+                      filter.words(),
+                      MENU,
+                      property,
+                      wanted -> window.editor().setUsual(filter, wanted))
+                  .withHelp(filter.help()));
+    }
+    window
+        .actions()
+        .add(
+            ViewerAction.of("usual-chain", "Usual chain", MENU, this::usualChain)
+                .withHelp("Puts the filters back that suit what is open."),
+            ViewerAction.toggle("all-events", "Show hidden events", "View", all)
+                .withHelp("Shows the events as they come, before the filters."));
+    window.editor().onChange(() -> window.editor().read(StageState::of, this::follow));
+    window.onSession(
+        made -> {
+          all.set(false);
+          hidden.clear();
+          follow(made.firstStages());
+        });
+    window.panels().onPulse(this::pulse);
+  }
+
+  private void follow(List<StageState> newStages) {
+    stages = newStages;
+    on.forEach((filter, property) -> property.set(filter.isOn(stages)));
+  }
+
+  private void toggle(UsualFilter filter) {
+    window.editor().setUsual(filter, !on.get(filter).get());
+  }
+
+  private void usualChain() {
+    window
+        .sessions()
+        .session()
+        .ifPresent(
+            open -> window.editor().replaceAll(open.start().usualChain(open.chain().geometry())));
+  }
+
+  private void pulse() {
+    // a card switches its filter without another word
+    on.forEach((filter, property) -> property.set(filter.isOn(stages)));
+    window.sessions().session().ifPresent(this::measure);
+  }
+
+  private void measure(ViewerSession open) {
+    boolean any = stages.stream().anyMatch(state -> state.stage().isEnabled());
+    hidden.update(open.player().status(), any, System.nanoTime());
+  }
+}

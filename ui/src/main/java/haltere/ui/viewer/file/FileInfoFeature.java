@@ -1,0 +1,57 @@
+package haltere.ui.viewer.file;
+
+import haltere.core.event.SensorGeometry;
+import haltere.ui.viewer.feature.PanelPlace;
+import haltere.ui.viewer.feature.ViewerContext;
+import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.session.RecordingFacts;
+import haltere.ui.viewer.session.ViewerSession;
+import java.util.Optional;
+
+/**
+ * The panel of file information and the banner of warnings. Where the camera of a recording is not
+ * known the banner asks for it, and the answer is remembered.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+public final class FileInfoFeature implements ViewerFeature {
+  private final FileInfoPanel panel = new FileInfoPanel();
+  private final WarningBanner banner = new WarningBanner(this::useSensor);
+  private ViewerContext window;
+
+  @Override
+  public void install(ViewerContext installed) {
+    window = installed;
+    window.addPanel(
+        "file-information", "File information", "Shortcut+I", PanelPlace.SIDE, () -> panel);
+    window.panels().addAbovePicture(banner);
+    window.onSession(this::begin);
+    window.sessions().factsProperty().addListener((property, was, is) -> is.ifPresent(this::show));
+  }
+
+  private void begin(ViewerSession made) {
+    banner.show(made.remarks(), Optional.empty());
+    panel.say(
+        made.file().isPresent()
+            ? "Reading the file \u2026"
+            : "What is open is no file: " + made.player().playable().name() + ".");
+  }
+
+  private void show(RecordingFacts facts) {
+    panel.show(facts);
+    banner.show(facts.summary().warnings(), facts.assumedSensor());
+  }
+
+  private void useSensor(SensorGeometry sensor) {
+    Optional<ViewerSession> open = window.sessions().session();
+    if (open.isPresent() && open.get().file().isPresent()) {
+      window.sessions().keepSensor(sensor);
+      window.sessions().open(open.get().file().get(), open.get().options().withSensor(sensor));
+    }
+  }
+
+  /** What a line of the panel says. */
+  public Optional<String> value(String name) {
+    return panel.value(name);
+  }
+}

@@ -1,0 +1,123 @@
+package haltere.ui.viewer.file;
+
+import atlantafx.base.theme.Styles;
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.RecordingSummary;
+import haltere.ui.command.terminal.Quantities;
+import haltere.ui.viewer.session.RecordingFacts;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import javafx.scene.control.Label;
+import javafx.scene.control.ScrollPane;
+import javafx.scene.layout.ColumnConstraints;
+import javafx.scene.layout.GridPane;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
+
+/**
+ * The facts of the recording that is open: format, sensor, times, counts, rates, header, warnings.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+final class FileInfoPanel extends ScrollPane {
+  private final GridPane grid = new GridPane();
+
+  FileInfoPanel() {
+    setId("file-info");
+    getStyleClass().add("file-info");
+    setFitToWidth(true);
+    setHbarPolicy(ScrollBarPolicy.NEVER);
+    setContent(grid);
+    grid.getStyleClass().add("file-info-grid");
+    ColumnConstraints name = new ColumnConstraints();
+    name.setMinWidth(Region.USE_PREF_SIZE);
+    ColumnConstraints value = new ColumnConstraints();
+    value.setHgrow(Priority.ALWAYS);
+    grid.getColumnConstraints().addAll(name, value);
+    say("Open a recording with File > Open recording; what its file tells stands here.");
+  }
+
+  /** Shows a sentence in place of facts. */
+  void say(String sentence) {
+    Label words = new Label(sentence);
+    words.setWrapText(true);
+    words.getStyleClass().add(Styles.TEXT_MUTED);
+    grid.getChildren().clear();
+    grid.add(words, 0, 0, 2, 1);
+  }
+
+  /** Shows the facts of a recording. */
+  void show(RecordingFacts facts) {
+    grid.getChildren().clear();
+    RecordingSummary summary = facts.summary();
+    SensorGeometry sensor = summary.geometry();
+    line("File", String.valueOf(facts.file().getFileName()));
+    line("Folder", String.valueOf(facts.file().toAbsolutePath().getParent()));
+    line("Size", Quantities.count(facts.sizeBytes()) + " bytes");
+    line("Format", summary.format());
+    line(
+        "Sensor",
+        sensor.width()
+            + " \u00d7 "
+            + sensor.height()
+            + (facts.assumedSensor().isPresent() ? " (guessed)" : "")
+            + ", rows from the "
+            + sensor.origin().name().toLowerCase(Locale.ROOT));
+    line(
+        "Events",
+        String.format(
+            "%s (%s ON, %s OFF)",
+            Quantities.count(summary.events()),
+            Quantities.count(summary.on()),
+            Quantities.count(summary.off())));
+    line("Frames", Quantities.count(summary.readings().frames()));
+    line("Inertial samples", Quantities.count(summary.readings().inertialSamples()));
+    line("Triggers", Quantities.count(summary.readings().triggers()));
+    if (summary.events() > 0) {
+      line("First event", Quantities.seconds(summary.firstUs()));
+      line("Last event", Quantities.seconds(summary.lastUs()));
+      line("Duration", String.format(Locale.ROOT, "%.6f s", summary.durationS()));
+      line("Time counts from", facts.clock().describe());
+      line("Mean rate", Quantities.rate(summary.meanRateEps()));
+      line("Peak rate", Quantities.rate(summary.peakRateEps()) + " over 10 ms");
+      line("Bytes per event", String.format(Locale.ROOT, "%.2f", bytesPerEvent(facts)));
+      line(
+          "Clock",
+          summary.timestampsMonotonic()
+              ? "never goes back"
+              : "goes back, " + summary.segments().size() + " segments");
+      line("Gaps", summary.gaps().isEmpty() ? "none" : String.valueOf(summary.gaps().size()));
+    }
+    facts.header().forEach(this::line);
+    List<String> warnings = summary.warnings();
+    line("Warnings", warnings.isEmpty() ? "none" : String.join("\n", warnings));
+  }
+
+  private static double bytesPerEvent(RecordingFacts facts) {
+    return (double) facts.sizeBytes() / facts.summary().events();
+  }
+
+  private void line(String name, String value) {
+    int row = grid.getRowCount();
+    Label left = new Label(name);
+    left.getStyleClass().add(Styles.TEXT_MUTED);
+    Label right = new Label(value);
+    right.setWrapText(true);
+    right.setMinHeight(Region.USE_PREF_SIZE);
+    left.setLabelFor(right);
+    grid.addRow(row, left, right);
+  }
+
+  /** The value of a line, for tests. */
+  Optional<String> value(String name) {
+    List<Label> labels =
+        grid.getChildren().stream().filter(Label.class::isInstance).map(Label.class::cast).toList();
+    for (int i = 0; i + 1 < labels.size(); i++) {
+      if (labels.get(i).getText().equals(name)) {
+        return Optional.of(labels.get(i + 1).getText());
+      }
+    }
+    return Optional.empty();
+  }
+}

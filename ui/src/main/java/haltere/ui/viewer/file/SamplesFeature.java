@@ -1,0 +1,197 @@
+package haltere.ui.viewer.file;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.Frame;
+import haltere.core.event.SensorReading;
+import haltere.core.playback.Playable;
+import haltere.core.playback.PlayerStatus;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.feature.DisplayControl;
+import haltere.ui.viewer.feature.ViewerContext;
+import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.session.RecordingFacts;
+import haltere.ui.viewer.session.RecordingFacts.Moment;
+import haltere.ui.viewer.session.Sources;
+import haltere.ui.viewer.session.ViewerSession;
+import java.io.IOException;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.SimpleBooleanProperty;
+import javafx.geometry.Pos;
+import javafx.scene.control.Label;
+
+/**
+ * What a recording holds beside the events: frames below them, also after a jump, and triggers as
+ * ticks on the time bar and words over the picture.
+ *
+ * <p>Thread rule: JavaFX thread only; frames are read in the background.
+ */
+public final class SamplesFeature implements ViewerFeature {
+  /** A trigger is named while it is at most so many slices old: 100 ms of smooth playback. */
+  private static final int NAMED_SLICES = 12;
+
+  private static final int MAX_NAMES = 3;
+
+  private final BooleanProperty hasFrames = new SimpleBooleanProperty();
+  private final Label trigger = new Label();
+  private ViewerContext window;
+  private Optional<RecordingFacts> facts = Optional.empty();
+  private boolean reading;
+
+  @Override
+  public void install(ViewerContext installed) {
+    window = installed;
+    DisplayControl display = window.display();
+    window
+        .panels()
+        .viewBar()
+        .addFrames(display.framesProperty(), display.frameOpacityProperty(), hasFrames);
+    window.settings().keep("frames", display.framesProperty());
+    window
+        .settings()
+        .keep(
+            "frameOpacity",
+            display.frameOpacityProperty(),
+            value -> value.doubleValue(),
+            kept -> Math.max(0.1, Math.min(1, ((Number) kept).doubleValue())));
+    window
+        .actions()
+        .add(
+            ViewerAction.toggle("show-frames", "Frames", "View", display.framesProperty())
+                .withHelp("Draws the camera's frames below the events."));
+    display.framesProperty().addListener((property, was, is) -> follow());
+    display.frameOpacityProperty().addListener((property, was, is) -> follow());
+    trigger.setId("trigger-mark");
+    trigger.getStyleClass().add("readout");
+    trigger.setMouseTransparent(true);
+    trigger.setVisible(false);
+    window.panels().addOverPicture(trigger, Pos.TOP_RIGHT);
+    window.sessions().sessionProperty().addListener((property, was, is) -> follow());
+    window
+        .sessions()
+        .factsProperty()
+        .addListener(
+            (property, was, is) -> {
+              facts = is;
+              hasFrames.set(is.filter(found -> !found.frames().isEmpty()).isPresent());
+              window
+                  .panels()
+                  .seekBar()
+                  .setTicks(
+                      is.stream()
+                          .flatMap(found -> found.triggers().stream())
+                          .mapToLong(Moment::elapsedUs)
+                          .toArray());
+            });
+    window.panels().onPulse(() -> window.sessions().session().ifPresent(this::pulse));
+  }
+
+  private void follow() {
+    DisplayControl display = window.display();
+    double opacity = display.framesProperty().get() ? display.frameOpacityProperty().get() : 0;
+    window.sessions().session().ifPresent(open -> open.display().setFrameOpacity(opacity));
+  }
+
+  private void pulse(ViewerSession open) {
+    if (facts.isEmpty()) {
+      trigger.setVisible(false);
+      return;
+    }
+    PlayerStatus now = open.player().status();
+    long shownUs = now.elapsedUs() + now.sliceUs();
+    name(facts.get().triggers(), shownUs, NAMED_SLICES * Math.max(1, now.sliceUs()));
+    int frame = lastAt(facts.get().frames(), shownUs);
+    if (!reading && frame >= 0 && open.display().frames().isSought()) {
+      read(open, facts.get(), facts.get().frames().get(frame));
+    }
+  }
+
+  private void name(List<Moment> triggers, long shownUs, long spanUs) {
+    int last = lastAt(triggers, shownUs);
+    boolean any = last >= 0 && triggers.get(last).elapsedUs() > shownUs - spanUs;
+    trigger.setVisible(any);
+    if (any) {
+      int first = last;
+      while (first > 0 && triggers.get(first - 1).elapsedUs() > shownUs - spanUs) {
+        first--;
+      }
+      String words =
+          triggers.subList(first, last + 1).stream()
+              .map(Moment::words)
+              .distinct()
+              .limit(MAX_NAMES)
+              .collect(Collectors.joining(", "));
+      if (!words.equals(trigger.getText())) {
+        trigger.setText(words);
+      }
+    }
+  }
+
+  /** Index of the last moment before a place, -1 if there is none. */
+  private static int lastAt(List<Moment> moments, long elapsedUs) {
+    int from = 0;
+    int to = moments.size();
+    while (from < to) {
+      int middle = (from + to) >>> 1;
+      if (moments.get(middle).elapsedUs() < elapsedUs) {
+        from = middle + 1;
+      } else {
+        to = middle;
+      }
+    }
+    return from - 1;
+  }
+
+  private void read(ViewerSession open, RecordingFacts of, Moment frame) {
+    reading = true;
+    window
+        .background()
+        .file(
+            () -> frameAt(of, open, frame.elapsedUs()),
+            found -> {
+              reading = false;
+              found.ifPresent(open.display()::giveFrame);
+            },
+            problem -> {
+              reading = false;
+              window.status().showProblem(problem);
+            });
+  }
+
+  private static Optional<Frame> frameAt(RecordingFacts of, ViewerSession open, long elapsedUs)
+      throws IOException {
+    try (Playable own = Sources.recording(of.file(), open.options())) {
+      own.seek(elapsedUs);
+      Frame[] found = new Frame[1];
+      StreamHandler taker =
+          new StreamHandler() {
+            @Override
+            public void packet(EventPacket packet) {
+              // only the frame is wanted
+            }
+
+            @Override
+            public void notified(StreamNotification notification) {
+              // only the frame is wanted
+            }
+
+            @Override
+            public void reading(SensorReading reading) {
+              if (found[0] == null && reading instanceof Frame frame) {
+                found[0] = frame;
+              }
+            }
+          };
+      while (found[0] == null && own.next(taker)) {
+        if (Thread.currentThread().isInterrupted()) {
+          break;
+        }
+      }
+      return Optional.ofNullable(found[0]);
+    }
+  }
+}

@@ -1,0 +1,159 @@
+package haltere.ui.viewer.file;
+
+import atlantafx.base.theme.Styles;
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.SensorGuess;
+import haltere.ui.viewer.controls.Controls;
+import haltere.ui.viewer.controls.Icons;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import javafx.geometry.Pos;
+import javafx.scene.control.Button;
+import javafx.scene.control.ChoiceBox;
+import javafx.scene.control.Hyperlink;
+import javafx.scene.control.Label;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
+import javafx.scene.layout.VBox;
+
+/**
+ * Warnings about the file that is open, above the picture: one line that can be opened and put
+ * aside, and the question for the camera where the file does not name it.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+final class WarningBanner extends VBox {
+  /** Cameras of the usual sizes, for a person who does not know the size. */
+  private static final Map<String, String> CAMERAS =
+      Map.of(
+          "128x128", "DVS128",
+          "240x180", "DAVIS240",
+          "304x240", "ATIS",
+          "320x240", "DVXplorer at half size",
+          "346x260", "DAVIS346",
+          "640x480", "Gen3, DVXplorer",
+          "1280x720", "Gen4, IMX636");
+
+  private final Consumer<SensorGeometry> chosen;
+  private final Label first = new Label();
+  private final Hyperlink more = new Hyperlink();
+  private final VBox all = new VBox(2);
+  private final ChoiceBox<String> sizes = new ChoiceBox<>();
+  private final HBox question;
+  private List<String> warnings = List.of();
+  private List<SensorGeometry> offered = List.of();
+
+  /** A banner that is not seen. */
+  WarningBanner(Consumer<SensorGeometry> chosen) {
+    this.chosen = chosen;
+    setId("warnings");
+    getStyleClass().add("warning-banner");
+    first.setId("warning-first");
+    first.setMinWidth(0);
+    first.setMaxWidth(Double.MAX_VALUE);
+    HBox.setHgrow(first, Priority.ALWAYS);
+    more.setId("warnings-more");
+    more.setAccessibleText("Show all warnings");
+    more.setMinWidth(Region.USE_PREF_SIZE);
+    more.setOnAction(event -> open(!all.isVisible()));
+    HBox head =
+        new HBox(
+            8,
+            first,
+            more,
+            Controls.button("warnings-dismiss", Icons.REMOVE, "Dismiss the warnings", this::hide));
+    head.setAlignment(Pos.CENTER_LEFT);
+    Label asked = new Label("Camera:");
+    sizes.setId("camera-choice");
+    sizes.setAccessibleText("Camera that made the recording");
+    Button use = new Button("Use and remember");
+    use.setId("camera-use");
+    use.getStyleClass().add(Styles.SMALL);
+    use.setMinWidth(Region.USE_PREF_SIZE);
+    use.setOnAction(event -> answer());
+    question = new HBox(8, asked, sizes, use);
+    question.setAlignment(Pos.CENTER_LEFT);
+    getChildren().addAll(head, all, question);
+    hide();
+  }
+
+  /** Says nothing. */
+  void hide() {
+    setVisible(false);
+    setManaged(false);
+  }
+
+  /**
+   * Says what a user should know of a file.
+   *
+   * @param newWarnings a line each; none hides the banner
+   * @param guess the sensor that was guessed, if the file does not name it
+   */
+  void show(List<String> newWarnings, Optional<SensorGeometry> guess) {
+    // options of the command line mean nothing here
+    warnings = newWarnings.stream().map(line -> line.replaceAll(" \\(--[^)]*\\)", "")).toList();
+    setVisible(!warnings.isEmpty());
+    setManaged(!warnings.isEmpty());
+    all.getChildren().setAll(warnings.stream().map(WarningBanner::line).toList());
+    question.setVisible(guess.isPresent());
+    question.setManaged(guess.isPresent());
+    guess.ifPresent(this::offer);
+    open(false);
+  }
+
+  private static Label line(String warning) {
+    Label label = new Label(sentence(warning));
+    label.setWrapText(true);
+    label.setMinHeight(Region.USE_PREF_SIZE);
+    return label;
+  }
+
+  private static String sentence(String warning) {
+    return warning.substring(0, 1).toUpperCase(java.util.Locale.ROOT) + warning.substring(1);
+  }
+
+  private void open(boolean opened) {
+    all.setVisible(opened);
+    all.setManaged(opened);
+    more.setText(opened ? "Less" : "More");
+    int count = warnings.size();
+    first.setText(
+        count == 0
+            ? ""
+            : opened || count > 1
+                ? count
+                    + (count == 1 ? " warning" : " warnings")
+                    + (opened ? "" : ": " + sentence(warnings.get(0)))
+                : sentence(warnings.get(0)));
+  }
+
+  private void offer(SensorGeometry guess) {
+    List<SensorGeometry> sensors = new ArrayList<>(List.of(guess));
+    for (SensorGeometry usual : SensorGuess.USUAL_SIZES) {
+      SensorGeometry sensor = new SensorGeometry(usual.width(), usual.height(), guess.origin());
+      if (!sensor.equals(guess)) {
+        sensors.add(sensor);
+      }
+    }
+    offered = sensors;
+    sizes.getItems().setAll(sensors.stream().map(WarningBanner::words).toList());
+    sizes.getSelectionModel().select(0);
+  }
+
+  private static String words(SensorGeometry sensor) {
+    String name = CAMERAS.get(sensor.width() + "x" + sensor.height());
+    return sensor.width() + " \u00d7 " + sensor.height() + (name == null ? "" : " (" + name + ")");
+  }
+
+  private void answer() {
+    int index = sizes.getSelectionModel().getSelectedIndex();
+    if (index >= 0) {
+      hide();
+      chosen.accept(offered.get(index));
+    }
+  }
+}

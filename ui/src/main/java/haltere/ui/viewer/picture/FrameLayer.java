@@ -1,0 +1,134 @@
+package haltere.ui.viewer.picture;
+
+import haltere.core.event.Frame;
+import haltere.core.event.SensorGeometry;
+import haltere.ui.rendering.FramePictures;
+import java.awt.image.BufferedImage;
+import java.util.Arrays;
+
+/**
+ * The camera's frames below the events: each stands from the start of its exposure to the next one.
+ * After a jump somebody has to {@link #give} the frame that was there before.
+ *
+ * <p>Thread rule: {@link #paintUnder} on the thread that paints, all else on any thread.
+ */
+public final class FrameLayer {
+  /** Rank from which the colour of an event hides the frame, as {@code Ranks} gives it. */
+  private static final int FULL_RANK = 60;
+
+  private static final int NONE = -1;
+
+  private Frame latest;
+  private boolean sought;
+  private volatile double opacity;
+  private Frame shown;
+  private int[] colours = {};
+
+  /** Shows frames below the events: 0 not at all, 1 as they are. */
+  void setOpacity(double newOpacity) {
+    opacity = newOpacity;
+  }
+
+  /** The next frame of the stream. */
+  synchronized void take(Frame frame) {
+    latest = frame;
+    sought = false;
+  }
+
+  /** The stream goes on elsewhere. */
+  synchronized void jump() {
+    latest = null;
+    sought = true;
+  }
+
+  /** Whether no frame has come since the last jump, so that the one before is wanted. */
+  public synchronized boolean isSought() {
+    return sought;
+  }
+
+  /** The frame that was there before the place of the last jump; of no use once another came. */
+  synchronized boolean give(Frame frame) {
+    boolean wanted = sought;
+    if (wanted) {
+      latest = frame;
+      sought = false;
+    }
+    return wanted;
+  }
+
+  private synchronized Frame latest() {
+    return latest;
+  }
+
+  /**
+   * Puts the frame below events that have been painted.
+   *
+   * @param ranked colours with their ranks, row by row from the top; changed where there is a frame
+   * @param background the colour that stands for no event
+   */
+  void paintUnder(int[] ranked, SensorGeometry geometry, int background) {
+    Frame now = latest();
+    double share = opacity;
+    if (now == null || share == 0) {
+      return;
+    }
+    if (now != shown) {
+      shown = now;
+      colours = colours(now, geometry, colours);
+    }
+    int scale = (int) Math.round(share * 256);
+    for (int i = 0; i < geometry.pixels(); i++) {
+      if (colours[i] != NONE) {
+        ranked[i] = mixed(ranked[i], colours[i], background, scale);
+      }
+    }
+  }
+
+  /**
+   * An event's colour is a mixture of its own and the background's; the frame replaces the latter.
+   */
+  private static int mixed(int ranked, int frame, int background, int scale) {
+    int rest = Math.max(0, FULL_RANK - (ranked >>> 24)) * scale;
+    if (rest == 0) {
+      return ranked;
+    }
+    int red = channel(ranked, frame, background, rest, 16);
+    int green = channel(ranked, frame, background, rest, 8);
+    int blue = channel(ranked, frame, background, rest, 0);
+    return ranked & 0xFF000000 | red << 16 | green << 8 | blue;
+  }
+
+  private static int channel(int event, int frame, int background, int rest, int shift) {
+    int difference = (frame >> shift & 0xFF) - (background >> shift & 0xFF);
+    int value = (event >> shift & 0xFF) + difference * rest / (FULL_RANK * 256);
+    return Math.max(0, Math.min(255, value));
+  }
+
+  /** The colour of each pixel of the sensor, row by row from the top. */
+  private static int[] colours(Frame frame, SensorGeometry geometry, int[] old) {
+    int[] colours = old.length == geometry.pixels() ? old : new int[geometry.pixels()];
+    Arrays.fill(colours, NONE);
+    BufferedImage picture = FramePictures.draw(frame);
+    int grey = frame.channels() < 3 && frame.depth().bytes() > 1 ? 8 : 0;
+    for (int row = 0; row < frame.height(); row++) {
+      int y = frame.bottom() + frame.height() - 1 - row;
+      for (int column = 0; column < frame.width(); column++) {
+        int x = frame.left() + column;
+        if (geometry.contains(x, y)) {
+          int at = (geometry.height() - 1 - y) * geometry.width() + x;
+          colours[at] = colour(picture, column, row, frame.channels(), grey);
+        }
+      }
+    }
+    return colours;
+  }
+
+  private static int colour(BufferedImage picture, int x, int y, int channels, int shift) {
+    if (channels >= 3) {
+      return picture.getRGB(x, y) & 0xFFFFFF;
+    }
+    // the stored value: a grey picture's own conversion would brighten it
+    int grey = picture.getRaster().getSample(x, y, 0) >> shift;
+    return grey << 16 | grey << 8 | grey;
+  }
+}

@@ -1,0 +1,153 @@
+package haltere.ui.viewer.session;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.Frame;
+import haltere.core.event.SensorGeometry;
+import haltere.core.event.SensorReading;
+import haltere.core.event.Trigger;
+import haltere.core.format.RateProfile;
+import haltere.core.format.ReadOptions;
+import haltere.core.format.RecordingClock;
+import haltere.core.format.RecordingReader;
+import haltere.core.format.RecordingSummary;
+import haltere.core.format.Recordings;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * What is known of a recording once all of it has been read.
+ *
+ * @param file where it is
+ * @param sizeBytes of the file
+ * @param summary counts, times, gaps and warnings
+ * @param profile event rate over the elapsed timeline
+ * @param clock what its times count from
+ * @param header what it says of camera and chain, by name
+ * @param triggers in their order, the first {@link #MAX_LISTED}
+ * @param frames times of frames in their order, the first {@link #MAX_LISTED}
+ * @param assumedSensor the sensor, where nobody has said which it is and it was guessed
+ */
+public record RecordingFacts(
+    Path file,
+    long sizeBytes,
+    RecordingSummary summary,
+    RateProfile profile,
+    RecordingClock clock,
+    Map<String, String> header,
+    List<Moment> triggers,
+    List<Moment> frames,
+    Optional<SensorGeometry> assumedSensor) {
+  /** So many triggers and frames are listed at the most. */
+  public static final int MAX_LISTED = 100_000;
+
+  private static final int PROFILE_BINS = 2000;
+
+  /**
+   * When something came.
+   *
+   * @param elapsedUs place on the elapsed timeline, microseconds
+   * @param words what it is, for a person
+   */
+  public record Moment(long elapsedUs, String words) {}
+
+  /** Copies the lists. */
+  public RecordingFacts {
+    triggers = List.copyOf(triggers);
+    frames = List.copyOf(frames);
+  }
+
+  /**
+   * Reads a recording from its start to its end; background thread.
+   *
+   * @throws IOException if it cannot be read
+   */
+  public static RecordingFacts scan(Path file, ReadOptions options) throws IOException {
+    try (RecordingReader reader = Recordings.open(file, options.withReadings(true))) {
+      Moments moments = new Moments(new RateProfile.Collector(reader.segments(), PROFILE_BINS));
+      // beside a window that is to answer meanwhile
+      RecordingSummary summary =
+          RecordingSummary.scan(reader, (done, total) -> Thread.yield(), moments);
+      return new RecordingFacts(
+          file,
+          reader.sizeBytes(),
+          summary,
+          moments.rates.profile(),
+          reader.clock(),
+          reader.metadata(),
+          moments.triggers,
+          moments.frames,
+          assumedSensor(reader, options));
+    }
+  }
+
+  /** The sensor, if the reader has fewer assumptions to tell of once somebody names it. */
+  private static Optional<SensorGeometry> assumedSensor(RecordingReader reader, ReadOptions options)
+      throws IOException {
+    if (options.sensor().isPresent()) {
+      return Optional.empty();
+    }
+    SensorGeometry sensor = reader.geometry();
+    try (RecordingReader told = Recordings.open(reader.path(), options.withSensor(sensor))) {
+      return told.remarks().size() < reader.remarks().size()
+          ? Optional.of(sensor)
+          : Optional.empty();
+    }
+  }
+
+  /** Gathers what comes beside the events. */
+  private static final class Moments implements StreamHandler {
+    private final RateProfile.Collector rates;
+    private final List<Moment> triggers = new ArrayList<>();
+    private final List<Moment> frames = new ArrayList<>();
+
+    Moments(RateProfile.Collector rates) {
+      this.rates = rates;
+    }
+
+    @Override
+    public void packet(EventPacket packet) {
+      rates.packet(packet);
+    }
+
+    @Override
+    public void notified(StreamNotification notification) {
+      rates.notified(notification);
+    }
+
+    @Override
+    public void reading(SensorReading reading) {
+      long elapsedUs = rates.elapsedUs(reading.timeUs());
+      if (reading instanceof Trigger trigger && triggers.size() < MAX_LISTED) {
+        triggers.add(new Moment(elapsedUs, words(trigger)));
+      } else if (reading instanceof Frame && frames.size() < MAX_LISTED) {
+        frames.add(new Moment(elapsedUs, "frame"));
+      }
+    }
+  }
+
+  /** What a trigger is called, such as "Exposure begins" or "Trigger 1 rising". */
+  public static String words(Trigger trigger) {
+    boolean begins = trigger.edge() != Trigger.Edge.FALLING;
+    return switch (trigger.source()) {
+      case EXPOSURE -> "Exposure " + (begins ? "begins" : "ends");
+      case FRAME_READOUT -> "Readout " + (begins ? "begins" : "ends");
+      case CLOCK_RESET -> "Clock reset";
+      case EXTERNAL_INPUT -> "Trigger " + trigger.channel() + edge(trigger);
+      case SIGNAL_GENERATOR -> "Generator " + trigger.channel() + edge(trigger);
+    };
+  }
+
+  private static String edge(Trigger trigger) {
+    return switch (trigger.edge()) {
+      case RISING -> " rising";
+      case FALLING -> " falling";
+      case PULSE -> " pulse";
+    };
+  }
+}

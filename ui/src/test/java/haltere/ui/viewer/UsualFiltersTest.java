@@ -1,0 +1,137 @@
+package haltere.ui.viewer;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.core.chain.ChainStage;
+import haltere.core.chain.FilterChain;
+import haltere.core.chain.Filters;
+import haltere.ui.viewer.feature.UserSettings;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import javafx.scene.control.ToggleButton;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Recordings are raw at first, buttons switch the usual filters, and each has its own chain. */
+class UsualFiltersTest {
+  @TempDir Path folder;
+  private ViewerHarness viewer;
+
+  @AfterEach
+  void close() {
+    viewer.close();
+  }
+
+  private Path recording(String name) throws IOException {
+    Path file = folder.resolve(name);
+    ViewerHarness.writeRecording(file, 2_000_000);
+    return file;
+  }
+
+  private List<String> kinds() {
+    // behind all changes that were asked for
+    ViewerHarness.join(viewer.session().player().edit(chain -> {}));
+    return viewer.session().chain().stages().stream().map(ChainStage::kind).toList();
+  }
+
+  private boolean isOn(String button) {
+    ToggleButton toggle = viewer.node(button, ToggleButton.class);
+    return viewer.onFx(toggle::isSelected);
+  }
+
+  @Test
+  void aRecordingOpensWithoutAFilterAndShowsAllEvents() throws IOException {
+    viewer = ViewerHarness.withRecording(folder, 2_000_000);
+    assertEquals(List.of(), kinds());
+    assertEquals(viewer.status().eventsIn(), viewer.status().eventsOut());
+    assertFalse(isOn("usual-denoise") || isOn("usual-objects") || isOn("usual-wings"));
+    assertFalse(viewer.node("hidden-events", javafx.scene.Node.class).isVisible());
+  }
+
+  @Test
+  void eachButtonSwitchesItsFiltersAndUndoTakesThemAway() throws IOException {
+    viewer = ViewerHarness.withRecording(folder, 2_000_000);
+    viewer.click("usual-objects");
+    viewer.waitFor("the object tracker", () -> isOn("usual-objects"));
+    viewer.click("usual-denoise");
+    viewer.waitFor("noise filters", () -> isOn("usual-denoise"));
+    assertEquals(List.of("background-activity", "hot-pixels", "object-tracker"), kinds());
+    viewer.click("usual-denoise");
+    viewer.waitFor("no noise filters", () -> !isOn("usual-denoise"));
+    assertEquals(
+        List.of(false, false, true),
+        viewer.session().chain().stages().stream().map(ChainStage::isEnabled).toList());
+    viewer.run(() -> viewer.window.actions().run("undo"));
+    viewer.waitFor("noise filters again", () -> isOn("usual-denoise"));
+  }
+
+  @Test
+  void theSwitchOfACardMovesTheButton() throws IOException {
+    viewer = ViewerHarness.withRecording(folder, 2_000_000);
+    viewer.click("usual-objects");
+    viewer.waitFor("the card", () -> viewer.isThere("power-object-tracker"));
+    viewer.waitFor("the button", () -> isOn("usual-objects"));
+    viewer.click("power-object-tracker");
+    viewer.waitFor("the button is off", () -> !isOn("usual-objects"));
+  }
+
+  @Test
+  void theShareOfHiddenEventsIsSaidAndTheyCanBeShown() throws IOException {
+    viewer = ViewerHarness.withRecording(folder, 4_000_000);
+    FilterChain refractory = new FilterChain(BlobSource.GEOMETRY);
+    refractory.add(Filters.named("refractory"));
+    viewer.run(() -> viewer.window.editor().replaceAll(refractory));
+    viewer.waitFor(
+        "the share", () -> viewer.text("hidden-share").endsWith("of the events hidden,"));
+    viewer.waitFor(
+        "the note", () -> viewer.node("hidden-events", javafx.scene.Node.class).isVisible());
+    viewer.click("show-hidden");
+    viewer.waitFor("the words", () -> viewer.text("hidden-share").startsWith("All events shown"));
+    viewer.click("show-hidden");
+    viewer.waitFor("hidden again", () -> viewer.text("show-hidden").equals("show"));
+  }
+
+  @Test
+  void eachRecordingHasItsOwnChainAlsoInTheNextWindow() throws IOException {
+    Path first = recording("first.aedat");
+    Path second = recording("second.aedat");
+    UserSettings settings = UserSettings.load(folder);
+    viewer = new ViewerHarness(settings);
+    viewer.openRecording(first);
+    viewer.click("usual-denoise");
+    viewer.waitFor("noise filters", () -> isOn("usual-denoise"));
+    viewer.openRecording(second);
+    assertEquals(List.of(), kinds());
+    viewer.openRecording(first);
+    assertEquals(List.of("background-activity", "hot-pixels"), kinds());
+    viewer.close();
+    settings.save();
+    viewer = new ViewerHarness(UserSettings.load(folder));
+    viewer.openRecording(first);
+    assertEquals(List.of("background-activity", "hot-pixels"), kinds());
+  }
+
+  @Test
+  void theFlySceneAlwaysHasItsWingTrackerAndUsualChainBringsItBack() throws IOException {
+    viewer = new ViewerHarness();
+    viewer.run(() -> viewer.window.actions().run("open-scene"));
+    viewer.waitUntilOpen("Fly scene");
+    List<String> usual = kinds();
+    assertTrue(usual.contains("wing-tracker"), usual.toString());
+    ChainStage tracker = viewer.session().chain().stages().get(usual.indexOf("wing-tracker"));
+    viewer.run(() -> viewer.window.editor().remove(tracker));
+    viewer.waitFor("no wing tracker", () -> !kinds().contains("wing-tracker"));
+    viewer.run(() -> viewer.window.actions().run("usual-chain"));
+    viewer.waitFor("the usual chain", () -> kinds().equals(usual));
+    viewer.run(() -> viewer.window.actions().run("undo"));
+    viewer.waitFor("no wing tracker", () -> !kinds().contains("wing-tracker"));
+    viewer.openRecording(recording("other.aedat"));
+    viewer.run(() -> viewer.window.actions().run("open-scene"));
+    viewer.waitUntilOpen("Fly scene");
+    assertEquals(usual, kinds());
+  }
+}

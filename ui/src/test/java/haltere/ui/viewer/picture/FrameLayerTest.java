@@ -1,0 +1,72 @@
+package haltere.ui.viewer.picture;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.core.event.Frame;
+import haltere.core.event.Origin;
+import haltere.core.event.SensorGeometry;
+import org.junit.jupiter.api.Test;
+
+/** Frames lie below the events, where the sensor was and as strong as was asked for. */
+class FrameLayerTest {
+  private static final SensorGeometry SENSOR = new SensorGeometry(2, 2, Origin.TOP);
+  private static final int BACKGROUND = 0x101010;
+  private static final int EVENT = 69 << 24 | 0xFFA630;
+
+  private final FrameLayer layer = new FrameLayer();
+
+  /** One row of two grey pixels at the lower edge of the sensor. */
+  private static Frame lowerRow(int left, int right) {
+    return new Frame(
+        new Frame.Times(100, 200),
+        0,
+        0,
+        2,
+        1,
+        1,
+        Frame.Depth.UNSIGNED_8,
+        new byte[] {(byte) left, (byte) right});
+  }
+
+  private int[] painted(int... ranked) {
+    layer.paintUnder(ranked, SENSOR, BACKGROUND);
+    return ranked;
+  }
+
+  @Test
+  void aFrameReplacesTheBackgroundAndNoEvent() {
+    layer.setOpacity(1);
+    layer.take(lowerRow(0xC0, 0xC0));
+    assertArrayEquals(
+        new int[] {BACKGROUND, EVENT, 0xC0C0C0, EVENT},
+        painted(BACKGROUND, EVENT, BACKGROUND, EVENT));
+  }
+
+  @Test
+  void opacityMixesTheFrameWithTheBackground() {
+    layer.setOpacity(0.5);
+    layer.take(lowerRow(0x30, 0xF0));
+    int[] pixels = painted(BACKGROUND, BACKGROUND, BACKGROUND, BACKGROUND);
+    assertEquals(0x202020, pixels[2]);
+    assertEquals(0x808080, pixels[3]);
+    layer.setOpacity(0);
+    assertEquals(BACKGROUND, painted(BACKGROUND, BACKGROUND, BACKGROUND, BACKGROUND)[2]);
+  }
+
+  @Test
+  void afterAJumpTheFrameBeforeIsWantedUntilOneComes() {
+    layer.setOpacity(1);
+    layer.take(lowerRow(1, 2));
+    assertFalse(layer.isSought());
+    layer.jump();
+    assertTrue(layer.isSought());
+    assertEquals(BACKGROUND, painted(BACKGROUND, BACKGROUND, BACKGROUND, BACKGROUND)[2]);
+    assertTrue(layer.give(lowerRow(0x40, 0x50)));
+    assertEquals(0x404040, painted(BACKGROUND, BACKGROUND, BACKGROUND, BACKGROUND)[2]);
+    assertFalse(layer.give(lowerRow(0x60, 0x60)));
+    assertEquals(0x404040, painted(BACKGROUND, BACKGROUND, BACKGROUND, BACKGROUND)[2]);
+  }
+}
