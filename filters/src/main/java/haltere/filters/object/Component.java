@@ -36,7 +36,7 @@ final class Component {
   final Presence presence = new Presence();
   final RegionFinder regions = new RegionFinder();
   final int slot;
-  private MotionModel motion = MotionModel.FREE;
+  private MotionModel motion;
   private final double[] pathX = new double[PATH];
   private final double[] pathY = new double[PATH];
   private final double[] pathGrowth = new double[PATH];

@@ -55,7 +55,7 @@ final class ObjectRelations {
   private final double[][] gap = new double[ObjectTracker.MAX_COMPONENTS][];
   private final double[][] evidence = new double[ObjectTracker.MAX_COMPONENTS][];
   private double scalePx;
-  private MotionModel motion = MotionModel.FREE;
+  private MotionModel motion;
 
   ObjectRelations() {
     for (int i = 0; i < ObjectTracker.MAX_COMPONENTS; i++) {

@@ -58,7 +58,7 @@ final class ObjectTracker {
 
   private final ArrayDeque<Component> free = new ArrayDeque<>();
   private ObjectTrackerSettings settings;
-  private MotionModel motion = MotionModel.FREE;
+  private MotionModel motion = new MotionModel();
   private boolean isStarted;
   private long tickStartUs;
   private int passed;
@@ -89,6 +89,7 @@ final class ObjectTracker {
     births = new BirthDetector(grid, clutter);
     association = new EventAssociation(geometry, grid, clutter, births);
     apply(settings);
+    apply(motion);
     reset();
   }
 

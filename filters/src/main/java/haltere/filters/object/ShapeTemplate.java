@@ -327,28 +327,18 @@ final class ShapeTemplate {
     findRim();
   }
 
-  /**
-   * Where a marginal reaches a share of its sum, cells from the middle of the grid. What a cell
-   * holds is at its middle, for an edge is narrower than a cell.
-   */
+  /** Where a marginal reaches a share of its sum, cells from the middle. */
   private double quantile(float[] marginal, double share) {
     double wanted = share * solidTotal;
     double sum = 0;
-    double middle = Double.NaN;
-    double atMiddle = 0;
     for (int i = 0; i < SIDE; i++) {
-      if (marginal[i] > 0) {
-        double here = X[i];
-        double atHere = sum + 0.5 * marginal[i];
-        if (atHere >= wanted) {
-          return sum == 0 ? here : here - (here - middle) * (atHere - wanted) / (atHere - atMiddle);
-        }
-        middle = here;
-        atMiddle = atHere;
-        sum += marginal[i];
+      double next = sum + marginal[i];
+      if (next >= wanted && marginal[i] > 0) {
+        return i + (wanted - sum) / marginal[i] - HALF;
       }
+      sum = next;
     }
-    return middle;
+    return HALF;
   }
 
   /**

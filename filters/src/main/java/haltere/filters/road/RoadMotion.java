@@ -15,7 +15,7 @@ import org.ejml.data.DMatrixRMaj;
  *
  * <p>Thread rule: one thread at a time.
  */
-public final class RoadMotion implements MotionModel {
+public final class RoadMotion extends MotionModel {
   /**
    * Standard deviation of the rate at which a vehicle turns, rad/s: at 2 m/s² to the side, which is
    * comfortable (AASHTO, Geometric Design of Highways and Streets, 2011, §3.3), at 20 m/s.
@@ -48,7 +48,7 @@ public final class RoadMotion implements MotionModel {
   }
 
   @Override
-  public void begin(GaussianState state) {
+  protected void begin(GaussianState state) {
     if (mapping.seesPlane(state.mean(0), state.mean(2))) {
       PlaneJacobian j = mapping.jacobian(state.mean(0), state.mean(2));
       expectNone(state, j.xu(), j.xv(), prior.driftMS());
@@ -66,11 +66,11 @@ public final class RoadMotion implements MotionModel {
 
   /** {@inheritDoc} Beyond the horizon it moves as what is free. */
   @Override
-  public double predict(GaussianState state, double sizePx, double dtS) {
+  protected double predict(GaussianState state, double sizePx, double dtS) {
     double x = state.mean(0);
     double y = state.mean(2);
     if (!mapping.seesPlane(x, y)) {
-      return FREE.predict(state, sizePx, dtS);
+      return super.predict(state, sizePx, dtS);
     }
     PlaneJacobian here = mapping.jacobian(x, y);
     double vx = here.x(state.mean(1), state.mean(3));
@@ -78,7 +78,7 @@ public final class RoadMotion implements MotionModel {
     double nextX = mapping.planeX(x, y) + vx * dtS;
     double nextY = mapping.planeY(x, y) + vy * dtS;
     if (!mapping.isSeen(nextX, nextY)) {
-      return FREE.predict(state, sizePx, dtS);
+      return super.predict(state, sizePx, dtS);
     }
     state.setMean(0, mapping.pixelX(nextX, nextY));
     state.setMean(2, mapping.pixelY(nextX, nextY));
@@ -98,47 +98,30 @@ public final class RoadMotion implements MotionModel {
     // any acceleration up to that of braking is as likely; across it is a drift that comes and goes
     double along = 2 * prior.brakingMS2() * prior.brakingMS2() / 3 * Vehicle.LASTS_S;
     double across = 2 * prior.driftMS() * prior.driftMS() / Vehicle.LASTS_S;
-    addNoise(state, 0, 0, back.xx(across, 0, along), dtS);
-    addNoise(state, 0, 2, back.xy(across, 0, along), dtS);
-    addNoise(state, 2, 2, back.yy(across, 0, along), dtS);
+    state.addAcceleration(0, 0, back.xx(across, 0, along), dtS);
+    state.addAcceleration(0, 2, back.xy(across, 0, along), dtS);
+    state.addAcceleration(2, 2, back.yy(across, 0, along), dtS);
     return here.xu() / there.xu();
   }
 
-  /** White acceleration of a density q that two coordinates share. */
-  private static void addNoise(GaussianState state, int i, int k, double q, double dt) {
-    double pp = q * dt * dt * dt / 3;
-    double pv = q * dt * dt / 2;
-    double vv = q * dt;
-    if (i == k) {
-      state.addNoise(i, pp);
-      state.addNoise(i + 1, vv);
-      state.addNoise(i, i + 1, pv);
-    } else {
-      state.addNoise(i, k, pp);
-      state.addNoise(i + 1, k + 1, vv);
-      state.addNoise(i, k + 1, pv);
-      state.addNoise(i + 1, k, pv);
-    }
-  }
-
   @Override
-  public boolean coasts() {
+  protected boolean coasts() {
     return true;
   }
 
   @Override
-  public double turnRadS() {
+  protected double turnRadS() {
     return TURN_RAD_S;
   }
 
   @Override
-  public double unlikeShare() {
+  protected double unlikeShare() {
     return UNLIKE_SHARE;
   }
 
   /** {@inheritDoc} What is wider than the widest vehicle is several of them. */
   @Override
-  public double oneLog(double lowXPx, double highXPx, double lowYPx) {
+  protected double oneLog(double lowXPx, double highXPx, double lowYPx) {
     double middle = 0.5 * (lowXPx + highXPx);
     if (!mapping.seesPlane(middle, lowYPx)) {
       return 0;

@@ -137,9 +137,7 @@ final class Vehicle {
     state.shear(X, VX, dt);
     state.shear(Y, VY, dt);
     state.decay(VX, 0, 1 - Math.exp(-dt / LASTS_S), prior.driftMS());
-    state.addNoise(Y, q * dt * dt * dt / 3);
-    state.addNoise(Y, VY, q * dt * dt / 2);
-    state.addNoise(VY, q * dt);
+    state.addAcceleration(Y, Y, q, dt);
   }
 
   /** Errors of extents last for a time T: of n looks in a second, 1 / (2 T) are independent. */

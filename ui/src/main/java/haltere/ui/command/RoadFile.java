@@ -143,7 +143,7 @@ record RoadFile(
   MotionModel motion(SensorGeometry sensor) {
     return points.isEmpty()
         ? new RoadMotion(new RoadMapping(view, sensor), vehicles)
-        : MotionModel.FREE;
+        : new MotionModel();
   }
 
   private static <S extends Record> S part(String name, Object value, Class<S> type) {
