@@ -144,6 +144,23 @@ public abstract class EventFilterContract {
     }
   }
 
+  @Test
+  void afterAJumpAndANewStartTheSameEventsGetTheSameIdentities() {
+    EventPacket second = stream(SENSOR, 5);
+    Results expected = run(create(SENSOR), List.of(EventPackets.copy(second)));
+    List<StreamNotification> jumps =
+        List.of(
+            new Reset(Reset.Cause.SEEK),
+            new Reset(Reset.Cause.REWIND),
+            new StreamStarted(SENSOR, "a test"));
+    for (StreamNotification jump : jumps) {
+      EventFilter used = create(SENSOR);
+      used.process(EventPackets.shifted(stream(SENSOR, 4), 10 * SECOND_US));
+      used.notified(jump);
+      assertSame(expected, run(used, List.of(EventPackets.copy(second))), "after " + jump);
+    }
+  }
+
   private static List<StreamNotification> startsAndResets() {
     List<StreamNotification> notifications = new ArrayList<>();
     notifications.add(new StreamStarted(SENSOR, "a test"));

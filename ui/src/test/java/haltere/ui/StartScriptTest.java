@@ -70,6 +70,21 @@ class StartScriptTest {
   }
 
   @Test
+  void namesWithUmlautsOpenInTheLocaleThatKnowsAsciiOnly() throws Exception {
+    String commands =
+        "name=$(printf 'Fl\\303\\274gel.csv'); printf 't_us,x,y,on\\n1,2,3,1\\n' > $name;"
+            + " \"$HALTERE\" convert $name out-$name && \"$HALTERE\" info out-$name";
+    Run run =
+        run(
+            Path.of("/bin/sh"),
+            Map.of("LC_ALL", "C", "HALTERE", script.toString()),
+            "-c",
+            commands);
+    assertEquals(0, run.status(), run.err());
+    assertTrue(run.err().contains("wrote out-Fl\u00fcgel.csv"), run.err());
+  }
+
+  @Test
   void otherOptionsForJavaCauseNoComplaint() throws Exception {
     for (String options : List.of("-XX:+UseParallelGC", "-Xmx300m -Xss1m", "-Xshare:off")) {
       Run run = run(script, Map.of("JAVA_OPTS", options), "filters", "refractory");

@@ -10,9 +10,15 @@ import haltere.core.sink.LineOutputProvider;
 import haltere.core.sink.LineOutputs;
 import haltere.testing.ServiceFiles;
 import java.io.IOException;
+import java.net.Socket;
+import java.net.SocketException;
 import java.nio.charset.StandardCharsets;
+import java.util.HexFormat;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.zeromq.SocketType;
 import org.zeromq.ZContext;
 import org.zeromq.ZMQ;
@@ -58,6 +64,50 @@ class ZeroMqLinesTest {
         output.send("a/b", LINE);
       }
       assertEquals(-1, output.receivers());
+    }
+  }
+
+  /** Greetings and frames of peers, as hexadecimal numbers, that end in a frame of 2 GB. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "ff000000007fffff0000",
+        "ff00000000000000017f010202000000007fffff0078",
+      })
+  void aPeerThatClaimsALongFrameIsDisconnectedAndTheOthersReceive(String peer) throws IOException {
+    try (LineOutput output = LineOutputs.open("zmq://127.0.0.1:0");
+        ZContext context = new ZContext(1)) {
+      int port = LineAddress.parse(output.address()).port();
+      try (Socket hostile = new Socket("127.0.0.1", port)) {
+        hostile.getOutputStream().write(HexFormat.of().parseHex(peer));
+        hostile.setSoTimeout(30_000);
+        while (hostile.getInputStream().read() >= 0) {
+          // what the publisher says before it hangs up
+        }
+      } catch (SocketException reset) {
+        // hung up as well
+      }
+      ZMQ.Socket subscriber = context.createSocket(SocketType.SUB);
+      subscriber.connect("tcp://127.0.0.1:" + port);
+      subscriber.subscribe("");
+      subscriber.setReceiveTimeOut(10);
+      while (subscriber.recvStr() == null) {
+        output.send("wanted/rows", LINE);
+      }
+      assertEquals(Optional.empty(), output.failure());
+    }
+  }
+
+  @Test
+  void afterAFaultOfTheLibraryNothingIsSentAndAllIsCounted() throws IOException {
+    try (ZeroMqLines output = new ZeroMqLines(LineAddress.parse("zmq://127.0.0.1:0"))) {
+      output.send("a/b", LINE);
+      assertEquals(0, output.lost());
+      output.failed(new OutOfMemoryError("Java heap space"));
+      output.send("a/b", LINE);
+      output.send("a/b", LINE);
+      assertEquals(2, output.lost());
+      assertTrue(output.failure().orElseThrow().contains("Java heap space"));
     }
   }
 

@@ -4,7 +4,9 @@ import haltere.core.event.EventPacket;
 import haltere.core.event.SensorReading;
 import haltere.core.overlay.OverlayLayer;
 import haltere.core.stream.DataLost;
+import haltere.core.stream.Reset;
 import haltere.core.stream.StreamNotification;
+import haltere.core.stream.StreamStarted;
 import java.util.List;
 
 /**
@@ -16,7 +18,7 @@ import java.util.List;
  *   <li>what a filter does and publishes does not depend on how the stream is cut into packets;
  *       what should happen at regular times is driven by the times of the events;
  *   <li>after {@link #reset()} it is in the state of a new filter (identities that it has given out
- *       are not given out again);
+ *       are not given out again, except after {@link #rewind()});
  *   <li>it keeps no reference to a packet after the call, and may drop or change events but not add
  *       or reorder them;
  *   <li>{@link #process} allocates nothing per event, takes no lock and throws nothing for any
@@ -26,6 +28,9 @@ import java.util.List;
  * <p>Thread rule: all methods are called on the processing thread.
  */
 public interface EventFilter {
+  /** Memory of a filter that does not state its own, microseconds: that of a tracker. */
+  long DEFAULT_MEMORY_US = 2_000_000;
+
   /**
    * Works on a packet in place.
    *
@@ -35,6 +40,24 @@ public interface EventFilter {
 
   /** Forgets everything that events have taught it. */
   void reset();
+
+  /**
+   * Begins anew because time went back: as {@link #reset()}, and identities are given out from the
+   * first one again, so that the same events lead to the same results.
+   */
+  default void rewind() {
+    reset();
+  }
+
+  /**
+   * How far back events matter to what the filter does now. A player that jumps to a time runs the
+   * chain from so long before it.
+   *
+   * @return microseconds under the settings in force; 0 for a filter that looks at single events
+   */
+  default long memoryUs() {
+    return DEFAULT_MEMORY_US;
+  }
 
   /**
    * Whether what events have taught it still holds behind a gap in the data, because time goes on
@@ -54,7 +77,10 @@ public interface EventFilter {
    */
   default void notified(StreamNotification notification) {
     boolean isBridged = notification instanceof DataLost && bridgesGaps();
-    if (notification.endsContinuity() && !isBridged) {
+    if (notification instanceof StreamStarted
+        || notification instanceof Reset reset && reset.isJump()) {
+      rewind();
+    } else if (notification.endsContinuity() && !isBridged) {
       reset();
     }
   }

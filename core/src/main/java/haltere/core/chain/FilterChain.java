@@ -30,6 +30,7 @@ public final class FilterChain implements EventFilter, StreamHandler {
   private final SensorGeometry geometry;
   private final CopyOnWriteArrayList<ChainStage> stages = new CopyOnWriteArrayList<>();
   private volatile long outsideSensor;
+  private long changes;
 
   /**
    * An empty chain.
@@ -104,6 +105,7 @@ public final class FilterChain implements EventFilter, StreamHandler {
     }
     ChainStage stage = new ChainStage(freeName(kind), kind, filter, enabled);
     stages.add(position, stage);
+    changes++;
     return stage;
   }
 
@@ -150,6 +152,7 @@ public final class FilterChain implements EventFilter, StreamHandler {
    */
   public void remove(ChainStage stage) {
     require(stage);
+    changes = changes() + 1;
     stages.remove(stage);
     stage.filter().close();
   }
@@ -167,6 +170,7 @@ public final class FilterChain implements EventFilter, StreamHandler {
     int from = order.indexOf(stage);
     order.remove(stage);
     order.add(position, stage);
+    changes++;
     // In one step, so that another thread never sees a chain with a stage missing.
     stages.sort(Comparator.comparingInt(order::indexOf));
     for (int i = Math.min(from, position); i < order.size(); i++) {
@@ -185,6 +189,40 @@ public final class FilterChain implements EventFilter, StreamHandler {
       require(stage);
     }
     stage.setEnabled(enabled);
+    changes++;
+  }
+
+  /**
+   * How often filters came, went, moved, were switched or got other settings, in nested chains too.
+   *
+   * @return a count that never falls
+   */
+  public long changes() {
+    long all = changes;
+    for (ChainStage stage : stages) {
+      all += stage.filter() instanceof FilterChain nested ? nested.changes() : 0;
+    }
+    return all;
+  }
+
+  /** {@inheritDoc} Filters in a row settle side by side, so it is the longest memory of all. */
+  @Override
+  public long memoryUs() {
+    long longest = 0;
+    for (ChainStage stage : stages) {
+      longest = stage.isEnabled() ? Math.max(longest, stage.filter().memoryUs()) : longest;
+    }
+    return longest;
+  }
+
+  /**
+   * Begins or ends a run-up: events go through the chain once more, for the state of its filters,
+   * and outlets publish to those alone who {@link Outlet#follow follow} them.
+   *
+   * @param on whether what comes next is a run-up
+   */
+  public void setRunUp(boolean on) {
+    outlets().forEach(outlet -> outlet.setRunUp(on));
   }
 
   private boolean holds(ChainStage stage) {
@@ -217,6 +255,7 @@ public final class FilterChain implements EventFilter, StreamHandler {
           "stage " + stage.name() + " does not take " + settings.getClass().getSimpleName());
     }
     applyUnchecked(configurable, settings);
+    changes++;
   }
 
   @SuppressWarnings("unchecked")

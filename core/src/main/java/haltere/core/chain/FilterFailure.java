@@ -1,5 +1,7 @@
 package haltere.core.chain;
 
+import java.io.UncheckedIOException;
+
 /** A filter threw while it worked on a packet: a fault in the filter, named so that it is found. */
 public final class FilterFailure extends RuntimeException {
   private static final long serialVersionUID = 1L;
@@ -7,7 +9,11 @@ public final class FilterFailure extends RuntimeException {
   private final transient ChainStage stage;
 
   FilterFailure(ChainStage stage, RuntimeException cause) {
-    super("filter " + stage.name() + " failed: " + cause, cause);
+    super(
+        cause instanceof UncheckedIOException output
+            ? "results of filter " + stage.name() + " were lost: " + output.getCause().getMessage()
+            : "filter " + stage.name() + " failed: " + cause,
+        cause);
     this.stage = stage;
   }
 

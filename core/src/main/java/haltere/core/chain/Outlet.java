@@ -23,6 +23,7 @@ public final class Outlet<T> {
   private final String name;
   private final Class<T> type;
   private final CopyOnWriteArrayList<Listener> listeners = new CopyOnWriteArrayList<>();
+  private boolean runUp;
 
   /**
    * An outlet.
@@ -63,34 +64,56 @@ public final class Outlet<T> {
   }
 
   /**
-   * Listens to results.
+   * Listens to results, but not during a run-up, whose events come once more.
    *
    * @param subscriber called on the processing thread for each result
    * @return ends the subscription when closed
    */
   public Subscription subscribe(Consumer<? super T> subscriber) {
-    Listener listener = new Listener(Objects.requireNonNull(subscriber, "subscriber"));
+    return listen(subscriber, false);
+  }
+
+  /**
+   * Listens to results, during a run-up too, as one does who shows the newest result alone.
+   *
+   * @param subscriber called on the processing thread for each result
+   * @return ends the subscription when closed
+   */
+  public Subscription follow(Consumer<? super T> subscriber) {
+    return listen(subscriber, true);
+  }
+
+  private Subscription listen(Consumer<? super T> subscriber, boolean inRunUps) {
+    Listener listener = new Listener(Objects.requireNonNull(subscriber, "subscriber"), inRunUps);
     listeners.add(listener);
     return listener;
   }
 
+  void setRunUp(boolean on) {
+    runUp = on;
+  }
+
   /**
-   * Hands a result to all subscribers.
+   * Hands a result to all subscribers, during a run-up to those who {@link #follow} it.
    *
    * @param result immutable
    */
   public void publish(T result) {
     for (Listener listener : listeners) {
-      listener.subscriber.accept(result);
+      if (listener.inRunUps || !runUp) {
+        listener.subscriber.accept(result);
+      }
     }
   }
 
   /** One subscription; the same subscriber may have several. */
   private final class Listener implements Subscription {
     final Consumer<? super T> subscriber;
+    final boolean inRunUps;
 
-    Listener(Consumer<? super T> subscriber) {
+    Listener(Consumer<? super T> subscriber, boolean inRunUps) {
       this.subscriber = subscriber;
+      this.inRunUps = inRunUps;
     }
 
     @Override

@@ -51,7 +51,7 @@ public abstract class PublishingFilter<S extends Record> implements Configurable
   protected final <T> Outlet<T> drawnOutlet(
       String name, Class<T> type, String layer, Overlay<T> overlay) {
     Outlet<T> made = outlet(name, type);
-    overlays.add(new OverlayLayer<T>(layer, made::subscribe, overlay));
+    overlays.add(new OverlayLayer<T>(layer, made::follow, overlay));
     return made;
   }
 

@@ -2,6 +2,7 @@ package haltere.core.format;
 
 import java.io.Closeable;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.channels.Channels;
 import java.nio.channels.FileChannel;
@@ -13,6 +14,7 @@ import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
+import java.util.Objects;
 import java.util.UUID;
 
 /**
@@ -27,15 +29,33 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
   private final Path temporary;
   private final boolean overwrite;
   private final FileChannel channel;
+  private final OutputStream stream;
   private boolean committed;
 
   private AtomicFile(
-      Path asked, Path target, Path temporary, boolean overwrite, FileChannel channel) {
+      Path asked,
+      Path target,
+      Path temporary,
+      boolean overwrite,
+      FileChannel channel,
+      OutputStream stream) {
     this.asked = asked;
     this.target = target;
     this.temporary = temporary;
     this.overwrite = overwrite;
     this.channel = channel;
+    this.stream = stream;
+  }
+
+  /**
+   * Starts to write to a stream, in which everything appears as it is written.
+   *
+   * @param name what to call the stream
+   * @param stream flushed at the end, never closed
+   * @return a file without a {@link #channel()}
+   */
+  public static AtomicFile on(Path name, OutputStream stream) {
+    return new AtomicFile(name, name, name, true, null, Objects.requireNonNull(stream, "stream"));
   }
 
   /**
@@ -53,6 +73,7 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
       throw new RecordingProblem(target, "this is a folder; name a file in it");
     }
     refuseExisting(target, overwrite);
+    RecordingFile.checkRegular(target);
     Path real = Files.exists(target) ? target.toRealPath() : target.toAbsolutePath();
     Path folder = real.getParent();
     Path name = real.getFileName();
@@ -66,9 +87,11 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
     try {
       FileChannel channel =
           FileChannel.open(temporary, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
-      return new AtomicFile(target, real, temporary, overwrite, channel);
+      return new AtomicFile(target, real, temporary, overwrite, channel, null);
     } catch (AccessDeniedException e) {
       throw new RecordingProblem(target, "no permission to write in its folder");
+    } catch (IOException e) {
+      throw RecordingProblem.writing(target, e);
     }
   }
 
@@ -92,22 +115,29 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
    *
    * @return owned by this file
    */
-  public java.io.OutputStream stream() {
+  public OutputStream stream() {
     return Channels.newOutputStream(this);
   }
 
   @Override
   public int write(ByteBuffer source) throws IOException {
     int count = source.remaining();
-    while (source.hasRemaining()) {
-      channel.write(source);
+    try {
+      if (stream != null) {
+        Channels.newChannel(stream).write(source);
+      }
+      while (source.hasRemaining()) {
+        channel.write(source);
+      }
+    } catch (IOException e) {
+      throw RecordingProblem.writing(asked, e);
     }
     return count;
   }
 
   @Override
   public boolean isOpen() {
-    return channel.isOpen();
+    return stream != null || channel.isOpen();
   }
 
   /**
@@ -119,15 +149,27 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
     if (committed) {
       throw new IllegalStateException(asked + " is in its place already");
     }
-    channel.close();
-    refuseExisting(asked, overwrite);
+    try {
+      if (stream != null) {
+        stream.flush();
+      } else {
+        channel.close();
+        refuseExisting(asked, overwrite);
+        move();
+      }
+    } catch (IOException e) {
+      throw RecordingProblem.writing(asked, e);
+    }
+    committed = true;
+  }
+
+  private void move() throws IOException {
     try {
       Files.move(
           temporary, target, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
     } catch (AtomicMoveNotSupportedException e) {
       Files.move(temporary, target, StandardCopyOption.REPLACE_EXISTING);
     }
-    committed = true;
   }
 
   /**
@@ -137,6 +179,9 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
    */
   @Override
   public void close() throws IOException {
+    if (stream != null) {
+      return;
+    }
     channel.close();
     if (!committed) {
       Files.deleteIfExists(temporary);

@@ -81,10 +81,10 @@ public final class Conversion {
    */
   public Result run(RecordingReader reader, RecordingWriter writer) throws IOException {
     boolean last = false;
-    if (fromUs != Long.MIN_VALUE || toUs != Long.MAX_VALUE) {
+    if (reader.isSeekable() && (fromUs != Long.MIN_VALUE || toUs != Long.MAX_VALUE)) {
       last = reader.segments().size() <= 1;
     }
-    if (fromUs != Long.MIN_VALUE) {
+    if (reader.isSeekable() && fromUs != Long.MIN_VALUE) {
       reader.seek(fromUs);
     }
     Copy copy = new Copy(writer, last);

@@ -112,8 +112,8 @@ public final class DecodingReader implements RecordingReader {
     this.cursors = cursors;
     String reading = String.join("|", formatName, geometry.toString(), options.topic().orElse(""));
     indexes = new KeptIndex(file, reading, options.keepIndex(), cursors);
-    this.readings = readings;
-    if (options.readings() && readings.isPresent()) {
+    this.readings = file.isStream() ? Optional.empty() : readings;
+    if (options.readings() && this.readings.isPresent()) {
       order = new ReadingOrder(readings.get().open(readingViolations));
     }
     cursor = cursors.open(violations);
@@ -301,6 +301,11 @@ public final class DecodingReader implements RecordingReader {
         }
       }
     }
+  }
+
+  @Override
+  public boolean isSeekable() {
+    return !file.isStream();
   }
 
   @Override

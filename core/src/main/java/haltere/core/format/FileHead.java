@@ -1,10 +1,7 @@
 package haltere.core.format;
 
 import java.io.IOException;
-import java.io.InputStream;
-import java.io.RandomAccessFile;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 
@@ -32,17 +29,20 @@ public record FileHead(Path path, byte[] head, byte[] tail, long size) {
    * @throws IOException if it cannot be read
    */
   public static FileHead read(Path path) throws IOException {
-    long size = Files.size(path);
-    byte[] head;
-    try (InputStream in = Files.newInputStream(path)) {
-      head = in.readNBytes(HEAD_BYTES);
+    try (RecordingFile file = new RecordingFile(path)) {
+      return of(file);
     }
-    byte[] tail = new byte[(int) Math.min(TAIL_BYTES, size)];
-    try (RandomAccessFile file = new RandomAccessFile(path.toFile(), "r")) {
-      file.seek(size - tail.length);
-      file.readFully(tail);
-    }
-    return new FileHead(path, head, tail, size);
+  }
+
+  /** Of a file that is open; the tail of a stream that goes on behind the head is empty. */
+  static FileHead of(RecordingFile file) throws IOException {
+    byte[] head = file.read(0, HEAD_BYTES);
+    long size = file.size();
+    byte[] tail =
+        size == Long.MAX_VALUE
+            ? new byte[0]
+            : file.read(Math.max(0, size - TAIL_BYTES), TAIL_BYTES);
+    return new FileHead(file.path(), head, tail, size);
   }
 
   /**

@@ -6,22 +6,37 @@ import java.io.InterruptedIOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.ClosedChannelException;
 import java.nio.channels.FileChannel;
+import java.nio.channels.ReadableByteChannel;
 import java.nio.file.AccessDeniedException;
+import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.Objects;
 
 /**
  * The bytes of a recording: reads at any offset. It reads instead of mapping, so a file that is cut
  * while it is open ends early and does no worse.
  *
+ * <p>The bytes of a {@link #stream} are read once, from front to back: offsets may go back by
+ * {@value #KEPT_BYTES} bytes, and its size is unknown until its end.
+ *
  * <p>Thread rule: one thread.
  */
 public final class RecordingFile implements Closeable {
+  private static final int KEPT_BYTES = 1 << 20;
+
   private final Path path;
   private FileChannel channel;
   private boolean closed;
-  private final long size;
+  private long size;
+
+  /** A stream, and the bytes of it that can be read again; null for a file. */
+  private ReadableByteChannel stream;
+
+  private byte[] kept = {};
+  private long keptFrom;
+  private int keptCount;
 
   /**
    * Opens a file.
@@ -32,6 +47,7 @@ public final class RecordingFile implements Closeable {
    */
   public RecordingFile(Path path) throws IOException {
     this.path = path;
+    checkRegular(path);
     try {
       channel = FileChannel.open(path, StandardOpenOption.READ);
     } catch (NoSuchFileException e) {
@@ -45,6 +61,57 @@ public final class RecordingFile implements Closeable {
       channel.close();
       throw new RecordingProblem(path, "cannot be read: " + e.getMessage());
     }
+  }
+
+  private RecordingFile(Path name, ReadableByteChannel stream) {
+    path = name;
+    this.stream = Objects.requireNonNull(stream, "stream");
+    size = Long.MAX_VALUE;
+  }
+
+  /**
+   * The bytes of a stream, such as standard input.
+   *
+   * @param name what to call it
+   * @param stream closed with this
+   * @return nothing of it is read yet
+   */
+  public static RecordingFile stream(Path name, ReadableByteChannel stream) {
+    return new RecordingFile(name, stream);
+  }
+
+  /**
+   * Refuses a pipe or a device, of which nobody knows where it ends.
+   *
+   * @param path any path
+   * @throws RecordingProblem if something is there that is neither file nor folder
+   */
+  public static void checkRegular(Path path) throws RecordingProblem {
+    if (Files.exists(path) && !Files.isRegularFile(path) && !Files.isDirectory(path)) {
+      throw new RecordingProblem(
+          path, "this is a pipe or a device, no file; give - for standard input or output");
+    }
+  }
+
+  /**
+   * Refuses a stream where a recording has to be read more than once.
+   *
+   * @param advice what to do, such as naming an option
+   * @throws RecordingProblem if this is a stream
+   */
+  public void requireFile(String advice) throws RecordingProblem {
+    if (stream != null) {
+      throw new RecordingProblem(path, "a stream is read only once: " + advice);
+    }
+  }
+
+  /**
+   * Whether this is a stream.
+   *
+   * @return false for a file
+   */
+  public boolean isStream() {
+    return stream != null;
   }
 
   /** Makes a reader of a file, which is closed with it. */
@@ -91,7 +158,7 @@ public final class RecordingFile implements Closeable {
   /**
    * Its size when it was opened.
    *
-   * @return bytes
+   * @return bytes; {@link Long#MAX_VALUE} for a stream whose end was not yet read
    */
   public long size() {
     return size;
@@ -113,6 +180,10 @@ public final class RecordingFile implements Closeable {
     } else if (offset >= size) {
       buffer.limit(0);
     }
+    if (stream != null) {
+      readStream(buffer, offset);
+      return;
+    }
     if (!channel.isOpen() && !closed) {
       // An interrupt closes a channel; whoever goes on reading afterwards may.
       channel = FileChannel.open(path, StandardOpenOption.READ);
@@ -130,9 +201,48 @@ public final class RecordingFile implements Closeable {
           new InterruptedIOException("interrupted while reading " + path).initCause(e);
     } catch (IOException e) {
       buffer.limit(0);
-      throw new RecordingProblem(path, offset, "cannot be read: " + e.getMessage());
+      throw RecordingProblem.reading(path, offset, e);
     }
     buffer.flip();
+  }
+
+  private void readStream(ByteBuffer buffer, long offset) throws IOException {
+    int wanted = buffer.remaining();
+    if (offset < keptFrom) {
+      buffer.limit(0);
+      requireFile("save it to a file for this");
+    }
+    try {
+      while (size == Long.MAX_VALUE && keptFrom + keptCount < offset + wanted) {
+        makeRoom(offset, wanted);
+        int count = stream.read(ByteBuffer.wrap(kept, keptCount, kept.length - keptCount));
+        if (count < 0) {
+          size = keptFrom + keptCount;
+        } else {
+          keptCount += count;
+        }
+      }
+    } catch (IOException e) {
+      buffer.limit(0);
+      throw RecordingProblem.reading(path, offset, e);
+    }
+    int there = (int) Math.max(0, Math.min(wanted, keptFrom + keptCount - offset));
+    buffer.put(kept, (int) (offset - keptFrom), there).flip();
+  }
+
+  /** Forgets what lies far before an offset, so that the wanted bytes behind it have room. */
+  private void makeRoom(long offset, int wanted) {
+    long needed = offset + wanted - keptFrom;
+    if (needed <= kept.length && keptCount < kept.length) {
+      return;
+    }
+    int forgotten = (int) Math.max(0, Math.min(keptCount, offset - KEPT_BYTES - keptFrom));
+    int room = (int) Math.max(needed - forgotten, 2L * KEPT_BYTES);
+    byte[] target = room > kept.length ? new byte[room] : kept;
+    System.arraycopy(kept, forgotten, target, 0, keptCount - forgotten);
+    kept = target;
+    keptFrom += forgotten;
+    keptCount -= forgotten;
   }
 
   /**
@@ -154,6 +264,10 @@ public final class RecordingFile implements Closeable {
   @Override
   public void close() throws IOException {
     closed = true;
-    channel.close();
+    if (stream != null) {
+      stream.close();
+    } else {
+      channel.close();
+    }
   }
 }

@@ -55,6 +55,30 @@ public interface RecordingFormat {
   RecordingReader open(Path file, ReadOptions options) throws IOException;
 
   /**
+   * Whether recordings of the format are read and written in one pass, so that they may come from
+   * standard input and go to standard output.
+   *
+   * @return true if {@link #openStream} and a writer with {@link WriteOptions#stream()} work
+   */
+  default boolean isStreamed() {
+    return false;
+  }
+
+  /**
+   * Opens a recording that comes as a stream of bytes.
+   *
+   * @param stream of this format
+   * @param options what the user says about it
+   * @return a reader at its start, which can go forth only
+   * @throws IOException a {@link RecordingProblem} where the stream is not what it should be, or
+   *     the format cannot be read in one pass
+   */
+  default RecordingReader openStream(RecordingFile stream, ReadOptions options) throws IOException {
+    throw new RecordingProblem(
+        stream.path(), name() + " cannot be read from a stream; save it to a file first");
+  }
+
+  /**
    * Whether the format can be written.
    *
    * @return false if {@link #create} always answers empty

@@ -1,7 +1,12 @@
 package haltere.core.format;
 
 import java.io.IOException;
+import java.io.InterruptedIOException;
+import java.nio.channels.ClosedChannelException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Objects;
 
 /**
  * A recording that cannot be read or written. The message is one line for a person: the file, the
@@ -9,6 +14,66 @@ import java.nio.file.Path;
  */
 public final class RecordingProblem extends IOException {
   private static final long serialVersionUID = 1L;
+
+  /**
+   * What a system's refusal to write means for a person: the file, the cause and what to do.
+   *
+   * @param file which file
+   * @param cause what the system threw
+   * @return a problem of the file, or the cause itself where it names a file already or tells of an
+   *     interruption
+   */
+  public static IOException writing(Path file, IOException cause) {
+    return of(file.toString(), "cannot be written: ", cause);
+  }
+
+  /**
+   * What a system's refusal to read means for a person, as {@link #writing}.
+   *
+   * @param file which file
+   * @param offset byte offset in it
+   * @param cause what the system threw
+   * @return as {@link #writing}
+   */
+  public static IOException reading(Path file, long offset, IOException cause) {
+    return of(file + ", byte " + offset, "cannot be read: ", cause);
+  }
+
+  private static IOException of(String place, String verb, IOException cause) {
+    if (cause instanceof RecordingProblem
+        || cause instanceof InterruptedIOException
+        || cause instanceof ClosedChannelException) {
+      return cause;
+    }
+    String reason =
+        cause instanceof FileSystemException named && named.getReason() != null
+            ? named.getReason()
+            : Objects.requireNonNullElse(cause.getMessage(), cause.toString());
+    RecordingProblem problem = new RecordingProblem(place + ": " + verb + reason + advice(reason));
+    problem.initCause(cause);
+    return problem;
+  }
+
+  private static String advice(String reason) {
+    String lower = reason.toLowerCase(Locale.ROOT);
+    if (lower.contains("space") || lower.contains("quota")) {
+      return "; make room, or choose another disk";
+    }
+    if (lower.contains("too large")) {
+      return "; the disk or a limit (ulimit -f) allows no larger file: choose another place";
+    }
+    if (lower.contains("input/output error") || lower.contains("i/o error")) {
+      return "; the disk or its connection is faulty: copy what can be read to another one";
+    }
+    if (lower.contains("read-only")) {
+      return "; choose another place";
+    }
+    return "";
+  }
+
+  private RecordingProblem(String line) {
+    super(line);
+  }
 
   /**
    * A problem with a file as a whole.

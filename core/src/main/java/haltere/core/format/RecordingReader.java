@@ -99,6 +99,15 @@ public interface RecordingReader extends EventSource {
   }
 
   /**
+   * Whether one can go back and forth in the recording.
+   *
+   * @return false for a stream, which only {@link #next} reads
+   */
+  default boolean isSeekable() {
+    return true;
+  }
+
+  /**
    * The stretches of continuous time, in file order. The first call may read through the file.
    *
    * @return at least one segment unless the recording has no event

@@ -1,6 +1,7 @@
 package haltere.core.format;
 
 import java.io.IOException;
+import java.nio.channels.ReadableByteChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -84,6 +85,32 @@ public final class Recordings {
   }
 
   /**
+   * Opens a recording that comes as a stream of bytes, such as standard input. Frames, inertial
+   * samples and triggers of a stream are not read, but counted.
+   *
+   * @param name what to call it
+   * @param stream closed with the reader, or if there will be none
+   * @param options what the user says about it
+   * @return a reader at its start, which can go forth only
+   * @throws RecordingProblem if it is of no known format, or of one that cannot be read in one pass
+   * @throws IOException if reading fails
+   */
+  public static RecordingReader openStream(
+      Path name, ReadableByteChannel stream, ReadOptions options) throws IOException {
+    RecordingFile bytes = RecordingFile.stream(name, stream);
+    try {
+      RecordingFormat format =
+          options.format().isPresent()
+              ? named(name, options.format().get())
+              : formatOf(FileHead.of(bytes));
+      return format.openStream(bytes, options);
+    } catch (IOException | RuntimeException e) {
+      bytes.close();
+      throw e;
+    }
+  }
+
+  /**
    * Tells which format a file has.
    *
    * @param file a readable file, or a folder with one recording in it, in parts as ROS 2 makes them
@@ -105,7 +132,11 @@ public final class Recordings {
 
   private static RecordingFormat formatOf(Path file) throws IOException {
     checkReadable(file);
-    FileHead head = FileHead.read(file);
+    return formatOf(FileHead.read(file));
+  }
+
+  private static RecordingFormat formatOf(FileHead head) throws RecordingProblem {
+    Path file = head.path();
     if (head.size() == 0) {
       throw new RecordingProblem(file, "the file is empty; record or copy it again");
     }
@@ -192,6 +223,7 @@ public final class Recordings {
     if (!Files.exists(file)) {
       throw new RecordingProblem(file, "there is no such file");
     }
+    RecordingFile.checkRegular(file);
     if (!Files.isReadable(file)) {
       throw new RecordingProblem(file, "no permission to read it; change its mode or owner");
     }

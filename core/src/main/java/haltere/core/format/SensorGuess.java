@@ -7,9 +7,11 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 
-/** How large a sensor must be for the first events of a recording that does not say it. */
+/**
+ * How large a sensor must be for the events of a recording that does not say it. All events are
+ * read for it, so that none is left out because of a guess.
+ */
 public final class SensorGuess {
-  private static final int LOOK_EVENTS = 1 << 20;
   private static final int PACKET_EVENTS = 8192;
 
   /** Sizes that sensors of the field have, the smallest first. Rows count from the top. */
@@ -23,9 +25,12 @@ public final class SensorGuess {
           top(640, 480),
           top(1280, 720));
 
+  /** What a user does whose stream does not say how large its sensor is. */
+  public static final String ADVICE = "say how large the sensor is with --sensor WxH";
+
   private SensorGuess() {}
 
-  /** The pixels that the first events need: right - 1 is the rightmost column, and so on. */
+  /** The pixels that the events need: right - 1 is the rightmost column, and so on. */
   private record Extent(int right, int lowest, int highest) {}
 
   private static Extent extent(EventCursor cursor) throws IOException {
@@ -34,9 +39,7 @@ public final class SensorGuess {
     int lowest = Integer.MAX_VALUE;
     int highest = 0;
     EventCursor.Stop stop = EventCursor.Stop.MORE;
-    for (int done = 0;
-        done < LOOK_EVENTS && stop != EventCursor.Stop.END;
-        done += Math.max(1, packet.size())) {
+    while (stop != EventCursor.Stop.END) {
       packet.clear();
       stop = cursor.read(packet, PACKET_EVENTS);
       if (stop == EventCursor.Stop.CLOCK_WENT_BACK) {
@@ -52,7 +55,7 @@ public final class SensorGuess {
   }
 
   /**
-   * Reads the first events.
+   * Reads all events.
    *
    * @param cursor at the start of the recording, with rows as the file counts them
    * @param origin where the file counts rows from
@@ -82,7 +85,7 @@ public final class SensorGuess {
   }
 
   /**
-   * Chooses a sensor by the first events of a recording whose rows count from the top.
+   * Chooses a sensor by the events of a recording whose rows count from the top.
    *
    * @param cursor at the first event, opened for {@link #square} of the same side; closed
    *     afterwards
@@ -140,6 +143,6 @@ public final class SensorGuess {
   public static String remark(SensorGeometry guess) {
     return "no size is stated; "
         + guess
-        + " is the smallest usual one that holds the first events (--sensor tells another)";
+        + " is the smallest usual one that holds the events (--sensor WxH tells it sooner)";
   }
 }

@@ -3,6 +3,9 @@ package haltere.core.format;
 import haltere.core.event.Origin;
 import haltere.core.event.ReadingKind;
 import haltere.core.event.SensorGeometry;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Path;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
@@ -16,13 +19,16 @@ import java.util.Set;
  * @param origin where plain exports count rows from, if not as their source did
  * @param metadata lines for the header of formats that can hold them, by key
  * @param readings what will be written beside events, for formats whose header says so
+ * @param stream where a recording of a {@linkplain RecordingFormat#isStreamed() streamed} format
+ *     goes instead of to a file
  */
 public record WriteOptions(
     SensorGeometry geometry,
     boolean overwrite,
     Optional<Origin> origin,
     Map<String, String> metadata,
-    Set<ReadingKind> readings) {
+    Set<ReadingKind> readings,
+    Optional<OutputStream> stream) {
   /** Checks and copies. */
   public WriteOptions {
     Objects.requireNonNull(geometry, "geometry");
@@ -48,6 +54,24 @@ public record WriteOptions(
   }
 
   /**
+   * Options of one who writes to a file.
+   *
+   * @param geometry sensor of the events
+   * @param overwrite whether an existing file may be replaced
+   * @param origin where plain exports count rows from, if not as their source did
+   * @param metadata lines for the header of formats that can hold them, by key
+   * @param readings what will be written beside events
+   */
+  public WriteOptions(
+      SensorGeometry geometry,
+      boolean overwrite,
+      Optional<Origin> origin,
+      Map<String, String> metadata,
+      Set<ReadingKind> readings) {
+    this(geometry, overwrite, origin, metadata, readings, Optional.empty());
+  }
+
+  /**
    * Options for a new file.
    *
    * @param geometry sensor of the events
@@ -64,7 +88,7 @@ public record WriteOptions(
    * @return new options
    */
   public WriteOptions withOverwrite(boolean allowed) {
-    return new WriteOptions(geometry, allowed, origin, metadata, readings);
+    return new WriteOptions(geometry, allowed, origin, metadata, readings, stream);
   }
 
   /**
@@ -74,6 +98,29 @@ public record WriteOptions(
    * @return new options
    */
   public WriteOptions withReadings(Set<ReadingKind> kinds) {
-    return new WriteOptions(geometry, overwrite, origin, metadata, kinds);
+    return new WriteOptions(geometry, overwrite, origin, metadata, kinds, stream);
+  }
+
+  /**
+   * These options with a stream to write to.
+   *
+   * @param target flushed at the end, never closed
+   * @return new options
+   */
+  public WriteOptions withStream(OutputStream target) {
+    return new WriteOptions(geometry, overwrite, origin, metadata, readings, Optional.of(target));
+  }
+
+  /**
+   * Starts the output.
+   *
+   * @param path where a file goes, or what the stream is called
+   * @return an empty file
+   * @throws IOException if it cannot be written
+   */
+  public AtomicFile create(Path path) throws IOException {
+    return stream.isPresent()
+        ? AtomicFile.on(path, stream.get())
+        : AtomicFile.create(path, overwrite);
   }
 }

@@ -31,6 +31,9 @@ public final class Json {
           .enable(com.fasterxml.jackson.core.StreamReadFeature.STRICT_DUPLICATE_DETECTION)
           .build();
 
+  /** Longest file: chains, cameras and roads are far shorter, and it is read at once. */
+  private static final long MAX_BYTES = 16 << 20;
+
   private Json() {}
 
   /**
@@ -42,6 +45,13 @@ public final class Json {
    * @throws IOException if the file cannot be read
    */
   public static Object read(Path file) throws IOException {
+    if (Files.exists(file) && !Files.isRegularFile(file)) {
+      throw new JsonProblem(file + ": this is a folder, a pipe or a device, no file");
+    }
+    if (Files.size(file) > MAX_BYTES) {
+      throw new JsonProblem(
+          file + ": larger than " + (MAX_BYTES >> 20) + " MiB; name another file");
+    }
     try {
       return parse(Files.readString(file), file.toString());
     } catch (CharacterCodingException notText) {

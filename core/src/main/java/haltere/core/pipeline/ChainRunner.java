@@ -15,10 +15,12 @@ import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 
 /**
  * Takes a stream, shows it to the sinks before the chain, sends it through the chain and hands it
- * to the sinks behind it; counts what happens to every event.
+ * to the sinks behind it; counts what happens to every event. During a run-up, whose events came
+ * before or will not be counted as played, only sinks that follow run-ups get the stream.
  *
  * <p>Thread rule: the processing thread only.
  */
@@ -29,6 +31,8 @@ public final class ChainRunner implements StreamHandler {
   private final Consumer<String> failures;
   private final List<StreamHandler> rawSinks = new CopyOnWriteArrayList<>();
   private final List<StreamHandler> sinks = new CopyOnWriteArrayList<>();
+  private final Predicate<StreamHandler> followsRunUps;
+  private boolean runUp;
   private StreamStarted running;
   private long lastUs = StreamNotification.NO_TIME_US;
 
@@ -45,6 +49,25 @@ public final class ChainRunner implements StreamHandler {
       PipelineCounters counters,
       OnFailure onFailure,
       Consumer<String> failures) {
+    this(chain, counters, onFailure, failures, sink -> false);
+  }
+
+  /**
+   * A runner without sinks that can make run-ups.
+   *
+   * @param chain the filters
+   * @param counters counts what happens
+   * @param onFailure what happens when a filter or a sink throws
+   * @param failures is told of each failure in one line
+   * @param followsRunUps whether a sink gets the stream of run-ups too
+   */
+  public ChainRunner(
+      FilterChain chain,
+      PipelineCounters counters,
+      OnFailure onFailure,
+      Consumer<String> failures,
+      Predicate<StreamHandler> followsRunUps) {
+    this.followsRunUps = Objects.requireNonNull(followsRunUps, "followsRunUps");
     this.chain = Objects.requireNonNull(chain, "chain");
     this.counters = Objects.requireNonNull(counters, "counters");
     this.onFailure = Objects.requireNonNull(onFailure, "onFailure");
@@ -94,18 +117,35 @@ public final class ChainRunner implements StreamHandler {
     return lastUs;
   }
 
+  /**
+   * Begins or ends a run-up.
+   *
+   * @param on whether what comes next is a run-up
+   */
+  public void setRunUp(boolean on) {
+    runUp = on;
+    chain.setRunUp(on);
+  }
+
+  /**
+   * Whether a run-up is under way.
+   *
+   * @return true from its begin to its end
+   */
+  public boolean isRunUp() {
+    return runUp;
+  }
+
   @Override
   public void packet(EventPacket packet) {
     int in = packet.size();
-    counters.add(Counter.PACKETS_IN, 1);
-    counters.add(Counter.EVENTS_IN, in);
-    for (StreamHandler sink : rawSinks) {
-      try {
-        sink.packet(packet);
-      } catch (RuntimeException thrown) {
-        sinkFailed(rawSinks, sink, thrown);
-      }
+    if (runUp) {
+      counters.add(Counter.EVENTS_RUN_UP, in);
+    } else {
+      counters.add(Counter.PACKETS_IN, 1);
+      counters.add(Counter.EVENTS_IN, in);
     }
+    hand(packet, rawSinks);
     long beforeUs = lastUs;
     if (in > 0) {
       lastUs = packet.lastTimeUs();
@@ -113,12 +153,20 @@ public final class ChainRunner implements StreamHandler {
     if (!throughChain(packet, in, beforeUs)) {
       return;
     }
-    counters.add(Counter.EVENTS_OUT, packet.size());
-    for (StreamHandler sink : sinks) {
+    if (!runUp) {
+      counters.add(Counter.EVENTS_OUT, packet.size());
+    }
+    hand(packet, sinks);
+  }
+
+  private void hand(EventPacket packet, List<StreamHandler> list) {
+    for (StreamHandler sink : list) {
       try {
-        sink.packet(packet);
+        if (!runUp || followsRunUps.test(sink)) {
+          sink.packet(packet);
+        }
       } catch (RuntimeException thrown) {
-        sinkFailed(sinks, sink, thrown);
+        sinkFailed(list, sink, thrown);
       }
     }
   }
@@ -129,15 +177,19 @@ public final class ChainRunner implements StreamHandler {
       chain.process(packet);
     } catch (FilterFailure failure) {
       long outside = chain.outsideSensor() - outsideBefore;
-      counters.add(Counter.EVENTS_OUTSIDE_SENSOR, outside);
-      counters.add(Counter.EVENTS_LOST_IN_FAILURE, in - outside);
+      if (!runUp) {
+        counters.add(Counter.EVENTS_OUTSIDE_SENSOR, outside);
+        counters.add(Counter.EVENTS_LOST_IN_FAILURE, in - outside);
+      }
       filterFailed(failure);
       lose(new DataLost(-1, in - outside, beforeUs, StreamNotification.NO_TIME_US, where(failure)));
       return false;
     }
-    long outside = chain.outsideSensor() - outsideBefore;
-    counters.add(Counter.EVENTS_OUTSIDE_SENSOR, outside);
-    counters.add(Counter.EVENTS_FILTERED, in - outside - packet.size());
+    if (!runUp) {
+      long outside = chain.outsideSensor() - outsideBefore;
+      counters.add(Counter.EVENTS_OUTSIDE_SENSOR, outside);
+      counters.add(Counter.EVENTS_FILTERED, in - outside - packet.size());
+    }
     return true;
   }
 
@@ -146,11 +198,9 @@ public final class ChainRunner implements StreamHandler {
   }
 
   private void lose(DataLost lost) {
-    counters.add(Counter.GAPS, 1);
+    counters.add(Counter.GAPS, runUp ? 0 : 1);
     tellChain(lost);
-    for (StreamHandler sink : sinks) {
-      guarded(sinks, sink, handler -> handler.notified(lost));
-    }
+    toAll(sinks, handler -> handler.notified(lost));
   }
 
   @Override
@@ -159,84 +209,54 @@ public final class ChainRunner implements StreamHandler {
       running = started;
     } else if (notification instanceof EndOfStream) {
       running = null;
-    } else if (notification instanceof Reset) {
-      counters.add(Counter.RESETS, 1);
-    } else if (notification instanceof DataLost lost) {
-      counters.add(Counter.GAPS, 1);
-      counters.add(Counter.EVENTS_LOST_BEFORE, Math.max(0, lost.estimatedEvents()));
+    } else if (!runUp) {
+      count(notification);
     }
     if (notification.endsContinuity()) {
       lastUs = StreamNotification.NO_TIME_US;
     }
-    for (StreamHandler sink : rawSinks) {
-      guarded(rawSinks, sink, handler -> handler.notified(notification));
-    }
+    toAll(rawSinks, handler -> handler.notified(notification));
     tellChain(notification);
-    for (StreamHandler sink : sinks) {
-      guarded(sinks, sink, handler -> handler.notified(notification));
+    toAll(sinks, handler -> handler.notified(notification));
+  }
+
+  private void count(StreamNotification notification) {
+    if (notification instanceof Reset) {
+      counters.add(Counter.RESETS, 1);
+    } else if (notification instanceof DataLost lost) {
+      counters.add(Counter.GAPS, 1);
+      counters.add(Counter.EVENTS_LOST_BEFORE, Math.max(0, lost.estimatedEvents()));
     }
   }
 
   /** {@inheritDoc} The filters see it, and the sinks before and behind them get the same. */
   @Override
   public void reading(SensorReading reading) {
-    for (StreamHandler sink : rawSinks) {
-      guarded(rawSinks, sink, handler -> handler.reading(reading));
-    }
-    runUpReading(reading);
-    for (StreamHandler sink : sinks) {
-      guarded(sinks, sink, handler -> handler.reading(reading));
-    }
-  }
-
-  /**
-   * Shows a reading to the chain alone, during a run-up.
-   *
-   * @param reading a reading
-   */
-  public void runUpReading(SensorReading reading) {
+    toAll(rawSinks, handler -> handler.reading(reading));
     try {
       chain.reading(reading);
     } catch (FilterFailure failure) {
       filterFailed(failure);
     }
+    toAll(sinks, handler -> handler.reading(reading));
   }
 
   /**
-   * Sends a packet through the chain for the sake of the state of its filters; sinks do not see it.
-   *
-   * @param packet borrowed
-   */
-  public void runUp(EventPacket packet) {
-    counters.add(Counter.EVENTS_RUN_UP, packet.size());
-    try {
-      chain.process(packet);
-    } catch (FilterFailure failure) {
-      filterFailed(failure);
-      tellChain(new DataLost(-1, -1, lastUs, StreamNotification.NO_TIME_US, where(failure)));
-    }
-  }
-
-  /**
-   * Tells the chain alone, during a run-up.
-   *
-   * @param notification what happened
-   */
-  public void runUpNotified(StreamNotification notification) {
-    tellChain(notification);
-  }
-
-  /**
-   * Does something with every sink, those before the chain first.
+   * Does something with every sink, those before the chain first; during a run-up with those alone
+   * that follow it.
    *
    * @param action what to do; one that throws counts as a failure of the sink
    */
   public void forEachSink(Consumer<StreamHandler> action) {
-    for (StreamHandler sink : rawSinks) {
-      guarded(rawSinks, sink, action);
-    }
-    for (StreamHandler sink : sinks) {
-      guarded(sinks, sink, action);
+    toAll(rawSinks, action);
+    toAll(sinks, action);
+  }
+
+  private void toAll(List<StreamHandler> list, Consumer<StreamHandler> action) {
+    for (StreamHandler sink : list) {
+      if (!runUp || followsRunUps.test(sink)) {
+        guarded(list, sink, action);
+      }
     }
   }
 

@@ -14,9 +14,12 @@ import java.time.Clock;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Consumer;
 import java.util.function.Predicate;
 
 /**
@@ -50,8 +53,10 @@ public final class LiveResults implements StreamHandler, Closeable {
   private List<ChainStage> followed = List.of();
   private long number;
   private volatile long untold;
-  private volatile long lost;
+  private final AtomicLong lost = new AtomicLong();
   private volatile boolean closed;
+  private volatile String failure;
+  private volatile Consumer<String> onFailure = words -> {};
 
   /** Nothing comes after what waits, not even a notice of loss. */
   private volatile boolean allPut;
@@ -152,13 +157,17 @@ public final class LiveResults implements StreamHandler, Closeable {
       return;
     }
     number++;
+    if (failure != null) {
+      lost.incrementAndGet();
+      return;
+    }
     if (untold > 0 && waiting.remainingCapacity() > 1) {
       waiting.add(new Message(0, "", untold));
       untold = 0;
     }
     if (untold > 0 || !waiting.offer(new Message(number, from, content))) {
       untold++;
-      lost = lost + 1;
+      lost.incrementAndGet();
     }
   }
 
@@ -177,15 +186,25 @@ public final class LiveResults implements StreamHandler, Closeable {
   private void work() {
     try {
       Message next = waiting.take();
-      while (next != END) {
+      while (next != END && failure == null) {
         send(next);
+        output.failure().ifPresent(this::failed);
         next = allPut && waiting.isEmpty() ? END : waiting.take();
       }
     } catch (InterruptedException hurried) {
-      // what waits is not sent
+      // what waits is not sent, but counted
+    } catch (RuntimeException | Error fault) {
+      lost.incrementAndGet();
+      failed("its sender failed: " + fault);
     } finally {
+      lost.addAndGet(waiting.stream().filter(message -> message.number() > 0).count());
       output.close();
     }
+  }
+
+  private void failed(String words) {
+    failure = words;
+    onFailure.accept(words);
   }
 
   private void send(Message message) {
@@ -217,12 +236,40 @@ public final class LiveResults implements StreamHandler, Closeable {
   }
 
   /**
-   * Messages that were dropped, here or for a receiver that was too slow.
+   * Messages that were dropped, here or for a receiver that was too slow, or after a {@link
+   * #failure()}.
    *
    * @return a count
    */
   public long lost() {
-    return lost + output.lost();
+    return lost.get() + output.lost();
+  }
+
+  /**
+   * Receivers that were turned away.
+   *
+   * @return as {@link LineOutput#refused()}
+   */
+  public long refused() {
+    return output.refused();
+  }
+
+  /**
+   * Why nothing is sent any more.
+   *
+   * @return a few words for a person; empty while messages are sent
+   */
+  public Optional<String> failure() {
+    return Optional.ofNullable(failure).or(output::failure);
+  }
+
+  /**
+   * Sets who is told as soon as nothing is sent any more.
+   *
+   * @param listener gets a few words for a person, on the sending thread
+   */
+  public void onFailure(Consumer<String> listener) {
+    onFailure = listener;
   }
 
   /** Ends the subscriptions, sends what waits, for some seconds at the most, and ends. */

@@ -31,8 +31,8 @@ public final class PipelineCounters {
     GAPS("Places where events were lost, before the chain or in it."),
     /** Resets. */
     RESETS("Times that the chain was told to forget."),
-    /** Events replayed for warm trackers. */
-    EVENTS_RUN_UP("Events that went through the chain once more before a step back was shown."),
+    /** Events of run-ups. */
+    EVENTS_RUN_UP("Events that went through the chain before a moment that was jumped to."),
     /** Failures of filters. */
     FILTER_FAILURES("Times that a filter failed and was switched off."),
     /** Failures of sinks. */

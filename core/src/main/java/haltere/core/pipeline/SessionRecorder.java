@@ -3,6 +3,7 @@ package haltere.core.pipeline;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.event.SensorReading;
+import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingWriter;
 import haltere.core.stream.EndOfStream;
 import haltere.core.stream.Reset;
@@ -138,6 +139,25 @@ public final class SessionRecorder implements StreamHandler, Closeable {
   }
 
   /**
+   * Refuses to begin where the disk has less free space than is to stay.
+   *
+   * @throws RecordingProblem with what to do
+   */
+  public void checkSpace() throws RecordingProblem {
+    long free = freeBytes.getAsLong();
+    if (free < limits.keepFreeBytes()) {
+      throw new RecordingProblem(
+          out,
+          "its disk has "
+              + free / 1_000_000
+              + " MB left, and "
+              + limits.keepFreeBytes() / 1_000_000
+              + " MB are to stay free; make room, record to another disk, or give a smaller"
+              + " --keep-free");
+    }
+  }
+
+  /**
    * Free space of the disk that a file is to be on.
    *
    * @param file a file in a folder that exists
@@ -232,7 +252,10 @@ public final class SessionRecorder implements StreamHandler, Closeable {
             + out
             + " has only "
             + free / 1_000_000
-            + " MB left, so the recording ended; it is whole up to there";
+            + " MB left, so the recording ended; "
+            + (current == null && parts().isEmpty()
+                ? "nothing was written"
+                : "it is whole up to there");
     endPart();
     return false;
   }
@@ -329,6 +352,24 @@ public final class SessionRecorder implements StreamHandler, Closeable {
    */
   public Optional<String> endedEarly() {
     return Optional.of(endedEarly).filter(line -> !line.isEmpty());
+  }
+
+  /**
+   * Events that came, whether or not they were written.
+   *
+   * @return a count
+   */
+  public long received() {
+    return afterEnd + parts().stream().mapToLong(part -> part.report().received()).sum();
+  }
+
+  /**
+   * Events that are in the parts.
+   *
+   * @return a count
+   */
+  public long written() {
+    return parts().stream().mapToLong(part -> part.report().written()).sum();
   }
 
   /**

@@ -24,7 +24,11 @@ sealed interface PlaybackCommand {
 
   record UserReset() implements PlaybackCommand {}
 
-  record Edit(Consumer<FilterChain> change) implements PlaybackCommand {}
+  record Edit(Consumer<FilterChain> change, boolean byHand) implements PlaybackCommand {}
+
+  record Read(Consumer<FilterChain> reader) implements PlaybackCommand {}
+
+  record Refresh() implements PlaybackCommand {}
 
   record AddSink(StreamHandler sink, boolean raw) implements PlaybackCommand {}
 

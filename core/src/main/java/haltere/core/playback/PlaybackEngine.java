@@ -7,7 +7,10 @@ import haltere.core.pipeline.PipelineCounters;
 import haltere.core.playback.PlayerStatus.State;
 import haltere.core.stream.Reset;
 import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
 
 /**
  * The work of a {@link Player}: puts its parts together, applies commands, and passes turns on to
@@ -23,7 +26,6 @@ final class PlaybackEngine {
 
   private final Playable playable;
   private final FilterChain chain;
-  private final long runUpUs;
   private final PipelineCounters counters = new PipelineCounters();
   private final AwaitedRequests awaited = new AwaitedRequests();
   private final PlaybackPace pace;
@@ -31,8 +33,12 @@ final class PlaybackEngine {
   private final StatusBoard board;
   private final ChainRunner runner;
   private final SliceRunner stream;
+  private final List<Waiting> waiting = new ArrayList<>();
   private double speed;
   private boolean live;
+
+  /** A command for the chain, which in the midst of a run-up is at no moment that anybody knows. */
+  private record Waiting(PlaybackCommand command, CompletableFuture<Void> done) {}
 
   PlaybackEngine(Playable playable, FilterChain chain, PlayerOptions options) {
     if (chain.geometry().width() != playable.geometry().width()
@@ -47,7 +53,6 @@ final class PlaybackEngine {
     }
     this.playable = playable;
     this.chain = chain;
-    runUpUs = options.runUpUs();
     SourceCursor cursor = new SourceCursor(playable, options.nanoTime());
     PlaybackClock clock = new PlaybackClock(options.nanoTime(), options.sleeper());
     speed = options.speed();
@@ -57,8 +62,10 @@ final class PlaybackEngine {
     slices = new SliceCutter(clock, options.slicing(), options.loop());
     State state = options.paused() ? State.PAUSED : State.PLAYING;
     board = new StatusBoard(playable, slices, pace, counters, state);
-    runner = new ChainRunner(chain, counters, OnFailure.GO_ON, board::setMessage);
-    stream = new SliceRunner(playable, cursor, runner, slices, pace, board, awaited);
+    runner =
+        new ChainRunner(
+            chain, counters, OnFailure.GO_ON, board::setMessage, SliceSink.class::isInstance);
+    stream = new SliceRunner(playable, chain, cursor, runner, slices, pace, board, awaited);
     if (options.paused()) {
       awaited.awaitSlice();
     }
@@ -89,6 +96,11 @@ final class PlaybackEngine {
   /** Works a little; returns nanoseconds until the next turn has something to do. */
   long turn() {
     followSource();
+    if (!waiting.isEmpty() && !stream.isLeading()) {
+      List<Waiting> now = List.copyOf(waiting);
+      waiting.clear();
+      now.forEach(each -> apply(each.command(), each.done()));
+    }
     return stream.turn();
   }
 
@@ -110,11 +122,21 @@ final class PlaybackEngine {
   /** Ends the stream and closes the playable; nothing may be called afterwards. */
   void close() {
     stream.close();
+    waiting.forEach(
+        each ->
+            each.done().completeExceptionally(new IllegalStateException("the player is closed")));
+    waiting.clear();
   }
 
   // ---- Commands
 
   void apply(PlaybackCommand command, CompletableFuture<Void> done) {
+    boolean isForChain =
+        command instanceof PlaybackCommand.Edit || command instanceof PlaybackCommand.Read;
+    if (isForChain && stream.isLeading()) {
+      waiting.add(new Waiting(command, done));
+      return;
+    }
     // who waits for the future may look at the status at once
     try {
       boolean later = obey(command, done);
@@ -156,13 +178,33 @@ final class PlaybackEngine {
     } else if (command instanceof PlaybackCommand.UserReset) {
       stream.userReset();
     } else if (command instanceof PlaybackCommand.Edit edit) {
-      edit.change().accept(chain);
+      edit(edit.change(), edit.byHand());
+    } else if (command instanceof PlaybackCommand.Read read) {
+      read.reader().accept(chain);
+    } else if (command instanceof PlaybackCommand.Refresh) {
+      stream.refresh();
     } else if (command instanceof PlaybackCommand.AddSink add) {
       runner.addSink(add.sink(), add.raw());
+      if (add.sink() instanceof SliceSink) {
+        stream.refresh();
+      }
     } else if (command instanceof PlaybackCommand.RemoveSink remove) {
       runner.removeSink(remove.sink());
     }
     return false;
+  }
+
+  private void edit(Consumer<FilterChain> change, boolean byHand) {
+    long changes = chain.changes();
+    try {
+      change.accept(chain);
+    } finally {
+      if (chain.changes() != changes && !byHand) {
+        stream.remake();
+      } else {
+        stream.changedByHand();
+      }
+    }
   }
 
   private boolean setPlaying(boolean on, CompletableFuture<Void> done) throws IOException {
@@ -171,6 +213,11 @@ final class PlaybackEngine {
     }
     if (!on) {
       pause();
+      if (slices.hasBegun() || stream.isJumping()) {
+        awaited.awaitSlice();
+      } else {
+        stream.hold();
+      }
       return false;
     }
     awaited.endSteps();
@@ -201,7 +248,7 @@ final class PlaybackEngine {
       awaited.addSteps(count, done);
       return true;
     }
-    stream.jumpWithRunUp(stepBack(-Math.max(count, -Integer.MAX_VALUE)), runUpUs);
+    stream.jump(stepBack(-Math.max(count, -Integer.MAX_VALUE)), Reset.Cause.SEEK);
     board.setState(State.PAUSED);
     awaited.awaitSlice(done);
     return true;

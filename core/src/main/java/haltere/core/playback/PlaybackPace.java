@@ -6,7 +6,7 @@ package haltere.core.playback;
  * <p>Places are on the elapsed timeline, in microseconds. Thread rule: the processing thread only.
  */
 final class PlaybackPace {
-  /** Playback that is later than this does not catch up. */
+  /** Playback that is later than this does not catch up: the clock waits for the chain. */
   private static final long MAX_CATCH_UP_NANOS = 1_000_000_000L;
 
   private final PlaybackClock clock;

@@ -26,15 +26,21 @@ import java.util.function.Consumer;
  * between them are one, of the last one's cause. A jump after the end of the stream is a new start
  * of the stream and no reset.
  *
- * <p>A step back goes back by a {@link PlayerOptions#runUpUs() run-up} more and sends that through
- * the chain first, so that trackers are warm; sinks do not see the run-up, but filters publish to
- * their outlets during it.
+ * <p>What is shown of a moment does not depend on how it was reached. A jump goes back by a run-up,
+ * which is as long as the filters and the {@link SliceSink slice sinks} say that they remember
+ * ({@link haltere.core.chain.EventFilter#memoryUs()}), and sends that through the chain first.
+ * Slice sinks get the run-up; other sinks and subscribers of outlets do not, but for those who
+ * {@link haltere.core.chain.Outlet#follow follow} one. The slice at which playback is paused is
+ * made anew in the same way, and so is the slice shown in a pause whenever the chain changes,
+ * {@link #edit}, a slice sink is added, or somebody wants it, {@link #refresh}. Edits wait for a
+ * run-up to end. A run begins on a grid, so that neighbouring slices share one. What was told to
+ * filters by hand ends that until the next jump.
  *
- * <p>Nothing is left out when source or chain cannot keep up: playback runs late, {@link
- * PlayerStatus} says how much, which stage is the slowest and whether the source is slower still,
- * and what is late by more than a second is not caught up. A filter that throws is switched off,
- * what it threw is in the status, the events of its packet are counted as lost and announced by a
- * {@code DataLost}. A sink that throws is removed.
+ * <p>Nothing is left out when source or chain cannot keep up: playback waits for them, {@link
+ * PlayerStatus} says which speed is reached, which stage is the slowest and whether the source is
+ * slower still, and what is late by more than a second is not caught up. A filter that throws is
+ * switched off, what it threw is in the status, the events of its packet are counted as lost and
+ * announced by a {@code DataLost}. A sink that throws is removed.
  *
  * <p>Thread rule: all methods may be called from any thread. Filters, sinks and edits run on the
  * processing thread, and futures are completed there. The player owns its playable and closes it,
@@ -196,11 +202,44 @@ public final class Player implements AutoCloseable {
   /**
    * Changes the chain between two packets.
    *
-   * @param change runs on the processing thread; what it throws fails the future
+   * @param change runs on the processing thread; what it throws fails the future. One that changes
+   *     neither filters nor settings counts as made by hand
    * @return completed when applied
    */
   public CompletableFuture<Void> edit(Consumer<FilterChain> change) {
-    return thread.submit(new PlaybackCommand.Edit(Objects.requireNonNull(change, "change")));
+    return thread.submit(new PlaybackCommand.Edit(Objects.requireNonNull(change, "change"), false));
+  }
+
+  /**
+   * Changes the chain by hand between two packets: what filters know now stays, and nothing is made
+   * anew until the next jump.
+   *
+   * @param change runs on the processing thread; what it throws fails the future
+   * @return completed when applied
+   */
+  public CompletableFuture<Void> adjust(Consumer<FilterChain> change) {
+    return thread.submit(new PlaybackCommand.Edit(Objects.requireNonNull(change, "change"), true));
+  }
+
+  /**
+   * Looks at the chain between two packets.
+   *
+   * @param reader runs on the processing thread and changes nothing that events lead to; what it
+   *     throws fails the future
+   * @return completed when done
+   */
+  public CompletableFuture<Void> read(Consumer<FilterChain> reader) {
+    return thread.submit(new PlaybackCommand.Read(Objects.requireNonNull(reader, "reader")));
+  }
+
+  /**
+   * Shows the moment of a pause anew, because a sink wants other events than it has; without effect
+   * while playing.
+   *
+   * @return completed when accepted
+   */
+  public CompletableFuture<Void> refresh() {
+    return thread.submit(new PlaybackCommand.Refresh());
   }
 
   /**

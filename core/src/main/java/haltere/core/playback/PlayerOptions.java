@@ -10,8 +10,6 @@ import java.util.function.LongSupplier;
  * @param speed recording time per real time, {@link PlaybackClock#MIN_SPEED} to infinity
  * @param loop whether it starts again at its end
  * @param paused whether it shows its first slice and waits
- * @param runUpUs recording time that goes through the chain before a slice that a step back shows,
- *     so that trackers are warm; at least 0, microseconds
  * @param nanoTime the clock, nanoseconds
  * @param sleeper how to wait for it; used by one player only
  */
@@ -20,7 +18,6 @@ public record PlayerOptions(
     double speed,
     Loop loop,
     boolean paused,
-    long runUpUs,
     LongSupplier nanoTime,
     Sleeper sleeper) {
   /** Checks that nothing is missing and the speed is possible. */
@@ -30,19 +27,16 @@ public record PlayerOptions(
     Objects.requireNonNull(nanoTime, "nanoTime");
     Objects.requireNonNull(sleeper, "sleeper");
     PlaybackClock.checkSpeed(speed);
-    if (runUpUs < 0) {
-      throw new IllegalArgumentException("the run-up cannot last " + runUpUs + " us");
-    }
   }
 
   /**
-   * Real time, sixty pictures a second, once, at once, 50 ms of run-up.
+   * Real time, sixty pictures a second, once, at once.
    *
    * @return new options with a sleeper of their own
    */
   public static PlayerOptions defaults() {
     return new PlayerOptions(
-        new Slicing.PerFrame(60), 1, Loop.OFF, false, 50_000, System::nanoTime, Sleeper.real());
+        new Slicing.PerFrame(60), 1, Loop.OFF, false, System::nanoTime, Sleeper.real());
   }
 
   /**
@@ -52,7 +46,7 @@ public record PlayerOptions(
    * @return new options
    */
   public PlayerOptions withSlicing(Slicing other) {
-    return new PlayerOptions(other, speed, loop, paused, runUpUs, nanoTime, sleeper);
+    return new PlayerOptions(other, speed, loop, paused, nanoTime, sleeper);
   }
 
   /**
@@ -62,7 +56,7 @@ public record PlayerOptions(
    * @return new options
    */
   public PlayerOptions withSpeed(double other) {
-    return new PlayerOptions(slicing, other, loop, paused, runUpUs, nanoTime, sleeper);
+    return new PlayerOptions(slicing, other, loop, paused, nanoTime, sleeper);
   }
 
   /**
@@ -72,7 +66,7 @@ public record PlayerOptions(
    * @return new options
    */
   public PlayerOptions withLoop(Loop other) {
-    return new PlayerOptions(slicing, speed, other, paused, runUpUs, nanoTime, sleeper);
+    return new PlayerOptions(slicing, speed, other, paused, nanoTime, sleeper);
   }
 
   /**
@@ -82,17 +76,7 @@ public record PlayerOptions(
    * @return new options
    */
   public PlayerOptions withPaused(boolean other) {
-    return new PlayerOptions(slicing, speed, loop, other, runUpUs, nanoTime, sleeper);
-  }
-
-  /**
-   * The same with another run-up.
-   *
-   * @param other microseconds of recording time
-   * @return new options
-   */
-  public PlayerOptions withRunUpUs(long other) {
-    return new PlayerOptions(slicing, speed, loop, paused, other, nanoTime, sleeper);
+    return new PlayerOptions(slicing, speed, loop, other, nanoTime, sleeper);
   }
 
   /**
@@ -103,6 +87,6 @@ public record PlayerOptions(
    * @return new options
    */
   public PlayerOptions withClock(LongSupplier otherNanoTime, Sleeper otherSleeper) {
-    return new PlayerOptions(slicing, speed, loop, paused, runUpUs, otherNanoTime, otherSleeper);
+    return new PlayerOptions(slicing, speed, loop, paused, otherNanoTime, otherSleeper);
   }
 }

@@ -25,6 +25,8 @@ package haltere.core.playback;
  * @param droppedEvents events that no filter dropped and yet nobody saw: off the sensor, lost by
  *     the source, or in the packet at which a filter failed
  * @param sliceUs length of the slice that is shown, microseconds
+ * @param runUpUs recording time that has still to go through the chain before the moment that was
+ *     asked for is shown, microseconds; 0 where nothing is waited for
  * @param message the last failure in one line, or empty
  */
 public record PlayerStatus(
@@ -42,6 +44,7 @@ public record PlayerStatus(
     double eventRateEps,
     long droppedEvents,
     long sliceUs,
+    long runUpUs,
     String message) {
   /** Real time by which playback may be late before it is {@link #late()}, microseconds. */
   public static final long LATE_US = 100_000;

@@ -4,8 +4,8 @@ import haltere.core.event.EventPacket;
 import haltere.core.pipeline.ChainRunner;
 
 /**
- * Warms the chain before a slice that a step back shows: hands it what lies before that slice,
- * unseen by sinks.
+ * Leads up to a place that was jumped to: hands over what lies before it, so that filters and those
+ * who show moments know what they would know had it been played.
  *
  * <p>Thread rule: the processing thread only.
  */
@@ -15,6 +15,7 @@ final class RunUp {
   private final EventTies ties;
   private boolean open;
   private long targetUs;
+  private long reachedUs;
   private int tiesLeft;
 
   RunUp(SourceCursor cursor, ChainRunner runner, EventTies ties) {
@@ -23,9 +24,10 @@ final class RunUp {
     this.ties = ties;
   }
 
-  /** What comes from the cursor from now on goes to the chain alone, up to a place. */
-  void open(StepBackSearch.Place target) {
+  /** What comes from the cursor from now on leads up to a place. */
+  void open(long fromUs, StepBackSearch.Place target) {
     open = true;
+    reachedUs = fromUs;
     targetUs = target.elapsedUs();
     tiesLeft = target.ties();
   }
@@ -45,15 +47,20 @@ final class RunUp {
     return targetUs;
   }
 
+  /** Recording time that is still to be handed over, microseconds. */
+  long leftUs() {
+    return open ? Math.max(0, targetUs - reachedUs) : 0;
+  }
+
   /** Hands over one piece of what is ahead; false once the place has been reached. */
   boolean advance(SourceCursor.Ahead ahead) {
     if (ahead == SourceCursor.Ahead.NOTIFICATION) {
-      runner.runUpNotified(cursor.takeNotification());
+      runner.notified(cursor.takeNotification());
       return true;
     }
     if (ahead == SourceCursor.Ahead.READING
         && cursor.readingElapsedUs() < targetUs + Math.min(tiesLeft, 1)) {
-      runner.runUpReading(cursor.takeReading());
+      runner.reading(cursor.takeReading());
       return true;
     }
     if (ahead == SourceCursor.Ahead.EVENTS) {
@@ -65,7 +72,8 @@ final class RunUp {
       if (count > 0) {
         EventPacket piece = cursor.take(count);
         ties.handOver(piece, cursor.offsetUs());
-        runner.runUp(piece);
+        reachedUs = piece.lastTimeUs() + cursor.offsetUs();
+        runner.packet(piece);
         return true;
       }
     }

@@ -19,6 +19,9 @@ final class SliceCutter {
   private boolean positionKnown = true;
   private long outPoint = NO_PLACE;
   private long keepGridTo = NO_PLACE;
+  private boolean repeats;
+  private long repeatToUs;
+  private long repeatEvents;
   private long slicesSinceMove;
 
   // The slice that is open, and whether the first piece of it is due or was handed over.
@@ -99,8 +102,17 @@ final class SliceCutter {
     position = place;
     positionKnown = true;
     keepGridTo = NO_PLACE;
+    repeats = false;
     slicesSinceMove = 0;
     setLoop(loop);
+  }
+
+  /** The next slice is one that has been shown, however slices are cut now. */
+  void repeat(long from, long to, long count) {
+    moveTo(from);
+    repeats = true;
+    repeatToUs = to;
+    repeatEvents = count;
   }
 
   /** Only the next event tells where the next slice starts. */
@@ -144,6 +156,11 @@ final class SliceCutter {
    * @param offset elapsed time less time of that
    */
   boolean openBefore(long next, long offset) {
+    if (repeats) {
+      repeats = false;
+      begin(offset, repeatToUs, byCount() ? repeatEvents : Long.MAX_VALUE);
+      return true;
+    }
     if (!positionKnown) {
       keepGridTo = NO_PLACE;
     }
@@ -156,23 +173,26 @@ final class SliceCutter {
     if (position >= outPoint) {
       return false;
     }
-    fromUs = position;
-    offsetUs = offset;
     if (byCount()) {
-      countLeft = countPerSlice();
-      toUs = outPoint;
+      begin(offset, outPoint, countPerSlice());
     } else {
-      countLeft = Long.MAX_VALUE;
       long gridTo = keepGridTo > position ? keepGridTo : NO_PLACE;
       long length = Math.min(lengthUs(), NO_PLACE - position);
-      toUs = Math.min(Math.min(position + length, gridTo), outPoint);
+      begin(offset, Math.min(Math.min(position + length, gridTo), outPoint), Long.MAX_VALUE);
     }
+    return true;
+  }
+
+  private void begin(long offset, long to, long count) {
+    fromUs = position;
+    offsetUs = offset;
+    toUs = to;
+    countLeft = count;
     keepGridTo = NO_PLACE;
     events = 0;
     lastFed = fromUs - 1;
     open = true;
     begun = false;
-    return true;
   }
 
   void begin() {

@@ -1,5 +1,6 @@
 package haltere.core.playback;
 
+import haltere.core.chain.FilterChain;
 import haltere.core.event.EventPacket;
 import haltere.core.pipeline.ChainRunner;
 import haltere.core.playback.PlayerStatus.State;
@@ -7,6 +8,7 @@ import haltere.core.stream.EndOfStream;
 import haltere.core.stream.Reset;
 import haltere.core.stream.StreamNotification;
 import java.io.IOException;
+import java.util.function.Consumer;
 
 /**
  * Takes what is ahead in the source through the chain, slice by slice, in turns that are short:
@@ -15,7 +17,11 @@ import java.io.IOException;
  * <p>Places are on the elapsed timeline, in microseconds. Thread rule: the processing thread only.
  */
 final class SliceRunner {
+  /** Runs begin at multiples of this part of the memory. */
+  private static final int RUNS_PER_MEMORY = 4;
+
   private final Playable playable;
+  private final FilterChain chain;
   private final SourceCursor cursor;
   private final ChainRunner runner;
   private final SliceCutter slices;
@@ -28,8 +34,19 @@ final class SliceRunner {
   // A jump whose notification is still to be given, before whatever comes next.
   private Reset.Cause pendingBreak = Reset.Cause.REWIND;
 
+  // Where the run began that led to what is shown, for slices of what length, and whether it was
+  // neither played nor changed by hand since then.
+  private long runFromUs;
+  private long runSliceUs;
+  private boolean isExact = true;
+  private boolean isByHand;
+
+  private boolean remakeWanted;
+  private boolean isRemaking;
+
   SliceRunner(
       Playable playable,
+      FilterChain chain,
       SourceCursor cursor,
       ChainRunner runner,
       SliceCutter slices,
@@ -37,6 +54,7 @@ final class SliceRunner {
       StatusBoard board,
       AwaitedRequests awaited) {
     this.playable = playable;
+    this.chain = chain;
     this.cursor = cursor;
     this.runner = runner;
     this.slices = slices;
@@ -49,32 +67,58 @@ final class SliceRunner {
   // ---- Elsewhere
 
   /**
-   * Goes to a place, brought into its range; the notification is given before whatever comes next.
+   * Goes to a place, brought into its range, by way of a run-up; the notification is given before
+   * whatever comes next.
    */
   void jump(long to, Reset.Cause cause) throws IOException {
-    long place = playable.nearestUs(to);
+    jump(new StepBackSearch.Place(playable.nearestUs(to), 0), cause);
+  }
+
+  /** The same, to a place among events of one time. */
+  void jump(StepBackSearch.Place target, Reset.Cause cause) throws IOException {
+    long place = target.elapsedUs();
     if (place != 0 && !playable.seekable()) {
       throw new IOException(playable.name() + " cannot seek; it can be rewound");
     }
     endSliceEarly();
     awaited.endSteps();
-    cursor.seek(place);
-    pendingBreak = cause;
+    approach(target, slices.byCount() ? board.shownLengthUs() : slices.lengthUs());
     slices.moveTo(place);
-    runUp.cancel();
-    ties.forget();
+    pendingBreak = cause;
     pace.jumpTo(place);
     board.setPlace(place);
   }
 
-  /** Goes to a place by way of a run-up through the chain. */
-  void jumpWithRunUp(StepBackSearch.Place target, long runUpUs) throws IOException {
-    long from = Math.max(playable.earliestUs(), target.elapsedUs() - runUpUs);
-    jump(playable.seekable() ? from : target.elapsedUs(), Reset.Cause.SEEK);
+  /** Puts the source where the run-up to a slice begins. */
+  private void approach(StepBackSearch.Place target, long sliceUs) throws IOException {
+    long from = runFrom(target.elapsedUs(), sliceUs);
+    cursor.seek(from);
+    runFromUs = from;
+    runSliceUs = sliceUs;
+    isExact = true;
+    isByHand = false;
+    endRemake();
+    ties.forget();
     if (from < target.elapsedUs() || target.ties() > 0) {
-      runUp.open(target);
+      runUp.open(from, target);
     }
-    board.setPlace(target.elapsedUs());
+  }
+
+  /**
+   * Where the run to a slice begins: as far before it as the chain and those who show it remember,
+   * on a grid, so that neighbouring slices share their run and what filters number in it.
+   */
+  private long runFrom(long place, long sliceUs) {
+    long[] memoryUs = {chain.memoryUs()};
+    runner.forEachSink(
+        sink -> {
+          if (sink instanceof SliceSink sliced) {
+            memoryUs[0] = Math.max(memoryUs[0], sliced.memoryUs(sliceUs));
+          }
+        });
+    long gridUs = Math.max(1, memoryUs[0] / RUNS_PER_MEMORY);
+    long from = place - Math.floorMod(place, gridUs) - memoryUs[0];
+    return playable.seekable() ? Math.min(place, Math.max(playable.earliestUs(), from)) : place;
   }
 
   /** The place so many events before the slice that is shown. */
@@ -82,6 +126,92 @@ final class SliceRunner {
     endSliceEarly();
     pendingBreak = Reset.Cause.SEEK;
     return new StepBackSearch(cursor, pace.meter().eventRateEps()).before(board.shown(), events);
+  }
+
+  /** Whether a place was jumped to of which nothing is shown yet. */
+  boolean isJumping() {
+    return pendingBreak != null || runUp.isOpen();
+  }
+
+  /** Whether what goes through the chain leads to a moment, or is one that has been shown. */
+  boolean isLeading() {
+    return runUp.isOpen() || isRemaking;
+  }
+
+  // ---- The same moment anew
+
+  /** What is shown depends on something that has changed: in pause it is made anew. */
+  void remake() {
+    remakeWanted = !board.playing() && board.isShown();
+  }
+
+  /** The same, unless filters were changed by hand, which would be lost. */
+  void refresh() {
+    if (!isByHand) {
+      remake();
+    }
+  }
+
+  /** Filters were told something that their settings do not tell. */
+  void changedByHand() {
+    isByHand = true;
+  }
+
+  private boolean isRemakeDue() {
+    if (awaited.stepping() || isJumping() || !board.isShown() || !playable.seekable()) {
+      return false;
+    }
+    return switch (board.state()) {
+      case PAUSED -> remakeWanted || !isByHand && !isReproducible();
+      case ENDED -> remakeWanted;
+      default -> false;
+    };
+  }
+
+  private boolean isReproducible() {
+    long place = board.shown().elapsedUs();
+    long sliceUs = board.shownLengthUs();
+    long from = runFrom(place, sliceUs);
+    return from == place || isExact && runFromUs == from && runSliceUs == sliceUs;
+  }
+
+  private void beginRemake() throws IOException {
+    StepBackSearch.Place shown = board.shown();
+    long lengthUs = board.shownLengthUs();
+    remakeWanted = false;
+    approach(shown, lengthUs);
+    isRemaking = true;
+    slices.drop();
+    slices.repeat(shown.elapsedUs(), shown.elapsedUs() + lengthUs, board.shownEvents());
+    pendingBreak = Reset.Cause.SEEK;
+    board.setState(State.PAUSED);
+    awaited.awaitSlice();
+  }
+
+  /** What comes next is the slice that the run-up led to. */
+  private void endRunUp() {
+    tellSinks(SliceSink::runUpEnds);
+    runner.setRunUp(isRemaking);
+  }
+
+  /** What was asked for is no longer wanted, or has been made. */
+  private void endRemake() {
+    if (runUp.isOpen() && runner.isRunUp()) {
+      tellSinks(SliceSink::runUpEnds);
+    }
+    runUp.cancel();
+    runner.setRunUp(false);
+    board.setRunUp(0);
+    isRemaking = false;
+  }
+
+  private void tellSinks(Consumer<SliceSink> action) {
+    runner.forEachSink(
+        sink -> {
+          if (sink instanceof SliceSink sliced) {
+            action.accept(sliced);
+          }
+        });
   }
 
   /** The start, or the in point of a loop that is on. */
@@ -98,17 +228,18 @@ final class SliceRunner {
     endSliceEarly();
     slices.keepGridTo(gridTo);
     runner.notified(new Reset(Reset.Cause.USER, runner.lastUs(), StreamNotification.NO_TIME_US));
+    changedByHand();
   }
 
   // ---- Turns
 
   /** Works a little; returns nanoseconds until the next turn has something to do. */
   long turn() {
-    if (idle() && pendingBreak == null) {
-      return Long.MAX_VALUE;
-    }
     try {
-      return advance();
+      if (isRemakeDue()) {
+        beginRemake();
+      }
+      return idle() && pendingBreak == null ? Long.MAX_VALUE : advance();
     } catch (IOException | RuntimeException thrown) {
       fail(thrown);
       return 0;
@@ -131,9 +262,7 @@ final class SliceRunner {
       return Long.MAX_VALUE;
     }
     if (runUp.isOpen()) {
-      if (!runUp.advance(ahead)) {
-        slices.moveTo(runUp.targetUs());
-      }
+      advanceRunUp(ahead);
       return 0;
     }
     if (!slices.isOpen() && !openSlice(ahead)) {
@@ -150,13 +279,32 @@ final class SliceRunner {
     return 0;
   }
 
+  private void advanceRunUp(SourceCursor.Ahead ahead) {
+    boolean goesOn = runUp.advance(ahead);
+    board.setRunUp(runUp.leftUs());
+    if (!goesOn) {
+      pace.jumpTo(runUp.targetUs());
+      endRunUp();
+    }
+    if (!goesOn && !isRemaking) {
+      slices.moveTo(runUp.targetUs());
+    }
+    board.publish();
+  }
+
   private void giveBreak(SourceCursor.Ahead ahead) {
     long nextUs =
         ahead == SourceCursor.Ahead.EVENTS ? cursor.timeUs() : StreamNotification.NO_TIME_US;
     Reset.Cause cause = pendingBreak;
     pendingBreak = null;
+    tellSinks(sink -> sink.runUpBegins(runSliceUs));
+    runner.setRunUp(isRemaking && runner.streamRunning());
     runner.notified(
         runner.streamRunning() ? new Reset(cause, runner.lastUs(), nextUs) : cursor.start());
+    runner.setRunUp(true);
+    if (!runUp.isOpen()) {
+      endRunUp();
+    }
     awaited.jumped();
   }
 
@@ -237,15 +385,27 @@ final class SliceRunner {
 
   private void endSlice(long to) {
     boolean lastAsked = cut(to) && awaited.sliceShown();
+    isExact &= isRemaking || !board.playing();
+    if (isRemaking) {
+      endRemake();
+    }
+    if (lastAsked) {
+      hold();
+    }
     board.publish();
     if (lastAsked) {
       awaited.endSteps();
     }
   }
 
+  /** Playback stands at the slice that ended last. */
+  void hold() {
+    tellSinks(SliceSink::sliceHeld);
+  }
+
   /** Cuts a slice that is half done where it is; it counts for no step. */
   private void endSliceEarly() {
-    if (slices.hasBegun() && slices.events() > 0) {
+    if (slices.hasBegun() && slices.events() > 0 && !isRemaking) {
       cut(slices.afterLast());
       board.publish();
     }
@@ -259,24 +419,18 @@ final class SliceRunner {
     }
     long from = slices.fromUs();
     long offset = slices.offsetUs();
-    board.setShownLength(to - from);
+    board.setShownLength(to - from, slices.events());
     pace.meter().sliceEnded(to - from, slices.events());
-    runner.forEachSink(
-        sink -> {
-          if (sink instanceof SliceSink sliced) {
-            sliced.sliceEnd(from - offset, to - offset);
-          }
-        });
+    tellSinks(sink -> sink.sliceEnd(from - offset, to - offset));
     return true;
   }
 
   private void wrap() throws IOException {
     long from = slices.position();
     long to = playable.nearestUs(startOfLoop());
-    cursor.seek(to);
+    approach(new StepBackSearch.Place(to, 0), slices.lengthUs());
     pendingBreak = Reset.Cause.REWIND;
     slices.moveTo(to);
-    ties.forget();
     pace.shift(to - from);
   }
 
@@ -295,6 +449,7 @@ final class SliceRunner {
   /** Gives up; another jump may try again. */
   void fail(Throwable thrown) {
     endSliceEarly();
+    endRemake();
     pendingBreak = null;
     board.setState(State.FAILED);
     pace.hold();
@@ -307,6 +462,7 @@ final class SliceRunner {
   /** Ends the stream and closes the playable; nothing may be called afterwards. */
   void close() {
     endSliceEarly();
+    endRemake();
     if (board.state() != State.FAILED) {
       board.setState(State.ENDED);
     }

@@ -8,6 +8,10 @@ import haltere.core.stream.StreamHandler;
  * call of {@link #sliceEnd} are the slice that the next call ends. Notifications stand between
  * slices; only the {@code DataLost} for a packet at which a filter failed may stand inside one.
  *
+ * <p>It gets run-ups too: the events before a moment that was jumped to, and those of a moment that
+ * is made anew, so that what it shows does not depend on how the moment was reached. Other sinks,
+ * such as files, get events once, as they are played.
+ *
  * <p>Thread rule: called on the player's processing thread.
  */
 public interface SliceSink extends StreamHandler {
@@ -18,4 +22,28 @@ public interface SliceSink extends StreamHandler {
    * @param toUs end, which no event of the slice reaches
    */
   void sliceEnd(long fromUs, long toUs);
+
+  /**
+   * How far back events matter to what is shown of a slice.
+   *
+   * @param sliceUs length of the slice, microseconds
+   * @return microseconds before the slice's end
+   */
+  default long memoryUs(long sliceUs) {
+    return 0;
+  }
+
+  /**
+   * A run-up begins, before the notification of the jump. Until the next {@link #sliceEnd} there is
+   * nothing to show.
+   *
+   * @param sliceUs length of the slice that it leads to, as far as is known, microseconds
+   */
+  default void runUpBegins(long sliceUs) {}
+
+  /** The run-up has ended: the slice that it led to comes next. */
+  default void runUpEnds() {}
+
+  /** Playback stands: the slice that ended last is shown until something is asked for. */
+  default void sliceHeld() {}
 }

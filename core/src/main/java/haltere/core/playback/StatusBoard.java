@@ -22,6 +22,8 @@ final class StatusBoard {
   private StepBackSearch.Place shown = new StepBackSearch.Place(0, 0);
   private long shownTimeUs = StreamNotification.NO_TIME_US;
   private long shownLengthUs;
+  private long shownEvents;
+  private long runUpUs;
 
   private volatile PlayerStatus status;
 
@@ -79,8 +81,29 @@ final class StatusBoard {
   }
 
   /** The slice that is shown has ended. */
-  void setShownLength(long lengthUs) {
+  void setShownLength(long lengthUs, long events) {
     shownLengthUs = lengthUs;
+    shownEvents = events;
+  }
+
+  /** Whether a slice is shown. */
+  boolean isShown() {
+    return shownTimeUs != StreamNotification.NO_TIME_US;
+  }
+
+  /** Length of the slice that is shown, microseconds. */
+  long shownLengthUs() {
+    return shownLengthUs;
+  }
+
+  /** Events before the chain in the slice that is shown. */
+  long shownEvents() {
+    return shownEvents;
+  }
+
+  /** So much of a run-up is still to come, microseconds of recording time. */
+  void setRunUp(long leftUs) {
+    runUpUs = leftUs;
   }
 
   /** Puts up a new reading. */
@@ -104,6 +127,7 @@ final class StatusBoard {
                 + counters.get(Counter.EVENTS_LOST_IN_FAILURE)
                 + counters.get(Counter.EVENTS_LOST_BEFORE),
             shownLengthUs,
+            runUpUs,
             message);
   }
 }

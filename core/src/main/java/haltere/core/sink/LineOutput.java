@@ -1,6 +1,7 @@
 package haltere.core.sink;
 
 import java.io.Closeable;
+import java.util.Optional;
 
 /**
  * Takes lines away to whoever wants them, over a network say. It never holds up whoever hands them
@@ -34,11 +35,29 @@ public interface LineOutput extends Closeable {
   int receivers();
 
   /**
-   * Lines that were dropped because a receiver had no room for them.
+   * Lines that were dropped because a receiver had no room for them, or after a {@link #failure()}.
    *
    * @return a count over all receivers, as far as the transport knows
    */
   long lost();
+
+  /**
+   * Receivers that were turned away because there were too many.
+   *
+   * @return a count
+   */
+  default long refused() {
+    return 0;
+  }
+
+  /**
+   * Why nothing is sent any more.
+   *
+   * @return a few words for a person; empty while lines are sent
+   */
+  default Optional<String> failure() {
+    return Optional.empty();
+  }
 
   /** Sends what waits, for a second at the most, and ends. */
   @Override

@@ -29,7 +29,7 @@ import java.util.Objects;
  * null, as is infinity, which JSON does not have. A {@code notice} is one of {@code started},
  * {@code reset}, {@code data-lost}, {@code device-lost}, {@code end} (the stream's own, see {@link
  * StreamNotification}), or {@code lost}: messages that were not sent because there was no room for
- * them; that one has no number.
+ * them, or {@code refused}: there are too many receivers; those two have no number.
  *
  * <p>Thread rule: one thread at a time.
  */
@@ -116,6 +116,20 @@ public final class LiveMessages {
     sent();
     text.key("notice").text("lost");
     text.key("messages").number(messages);
+    text.key("place").text(place);
+    return text.close().take();
+  }
+
+  /**
+   * The only message of a receiver that is turned away.
+   *
+   * @param place why, in words for a person
+   * @return a line in ASCII with its line feed
+   */
+  public byte[] refused(String place) {
+    text.open();
+    sent();
+    text.key("notice").text("refused");
     text.key("place").text(place);
     return text.close().take();
   }

@@ -3,6 +3,8 @@ package haltere.core.sink;
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;
+import java.net.Socket;
+import java.time.Clock;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicLong;
@@ -13,6 +15,9 @@ import java.util.concurrent.locks.LockSupport;
  * that wait, so that a slow one costs only itself.
  */
 final class TcpLines implements LineOutput {
+  /** Each receiver has a thread and room for some 2 MB of lines. */
+  static final int MAX_RECEIVERS = 64;
+
   private static final long PATIENCE_MS = 1000;
   private static final long REST_NANOS = 10_000_000;
 
@@ -21,6 +26,7 @@ final class TcpLines implements LineOutput {
   private final ServerSocket server;
   private final List<TcpReceiver> receivers = new CopyOnWriteArrayList<>();
   private final AtomicLong lostByThoseWhoLeft = new AtomicLong();
+  private final AtomicLong refused = new AtomicLong();
   private volatile boolean closed;
 
   TcpLines(LineAddress address, int roomLines) throws IOException {
@@ -45,14 +51,32 @@ final class TcpLines implements LineOutput {
   private void accept() {
     while (!closed) {
       try {
-        TcpReceiver receiver = new TcpReceiver(server.accept(), roomLines, this::left);
-        receivers.add(receiver);
-        receiver.start();
+        Socket socket = server.accept();
+        if (receivers.size() < MAX_RECEIVERS) {
+          TcpReceiver receiver = new TcpReceiver(socket, roomLines, this::left);
+          receivers.add(receiver);
+          receiver.start();
+        } else {
+          refuse(socket);
+        }
       } catch (IOException notThisOne) {
         // it has gone again, this output is being closed, or there are no more sockets for now
         LockSupport.parkNanos(REST_NANOS);
       }
     }
+  }
+
+  private void refuse(Socket socket) throws IOException {
+    refused.incrementAndGet();
+    try (socket) {
+      String place = MAX_RECEIVERS + " receivers are connected, and there may be no more";
+      socket.getOutputStream().write(new LiveMessages(Clock.systemUTC()).refused(place));
+    }
+  }
+
+  @Override
+  public long refused() {
+    return refused.get();
   }
 
   private void left(TcpReceiver receiver) {

@@ -40,6 +40,15 @@ public record Reset(Cause cause, long lastUs, long nextUs) implements StreamNoti
     this(cause, NO_TIME_US, NO_TIME_US);
   }
 
+  /**
+   * Whether a player went to another place of the stream, so that its events may come again.
+   *
+   * @return true for a seek and a rewind
+   */
+  public boolean isJump() {
+    return cause == Cause.SEEK || cause == Cause.REWIND;
+  }
+
   @Override
   public boolean endsContinuity() {
     return true;

@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -13,6 +15,8 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** An output file appears whole or not at all. */
 class AtomicFileTest {
@@ -100,5 +104,31 @@ class AtomicFileTest {
             RecordingProblem.class,
             () -> AtomicFile.create(folder.resolve("no").resolve("a.txt"), true));
     assertTrue(problem.getMessage().contains("folder does not exist"), problem.getMessage());
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "No space left on device, make room",
+    "File too large, ulimit -f",
+    "Input/output error, copy what can be read",
+    "Read-only file system, choose another place"
+  })
+  void whatTheSystemRefusesIsSaidWithTheNameTheCauseAndWhatToDo(String cause, String advice)
+      throws IOException {
+    OutputStream full =
+        new OutputStream() {
+          @Override
+          public void write(int value) throws IOException {
+            throw new IOException(cause);
+          }
+        };
+    try (AtomicFile file = AtomicFile.on(Path.of("fly.es"), full)) {
+      ByteBuffer bytes = ByteBuffer.allocate(9);
+      String said = assertThrows(RecordingProblem.class, () -> file.write(bytes)).getMessage();
+      assertTrue(said.startsWith("fly.es: cannot be written: " + cause), said);
+      assertTrue(said.contains(advice), said);
+    }
+    String read = RecordingProblem.reading(Path.of("a"), 7, new IOException(cause)).getMessage();
+    assertTrue(read.startsWith("a, byte 7: cannot be read: " + cause), read);
   }
 }

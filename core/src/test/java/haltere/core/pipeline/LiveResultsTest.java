@@ -126,6 +126,32 @@ class LiveResultsTest {
   }
 
   @Test
+  void aSenderThatFailsIsToldAtOnceAndWhatItDidNotSendIsCounted() throws IOException {
+    List<String> told = new CopyOnWriteArrayList<>();
+    Kept output =
+        new Kept(false) {
+          @Override
+          public void send(String topic, byte[] line) {
+            if (lines.size() == 3) {
+              throw new IllegalStateException("no socket");
+            }
+            super.send(topic, line);
+          }
+        };
+    EveryEvent filter = new EveryEvent();
+    FilterChain chain = new FilterChain(SENSOR);
+    chain.add("every-event", filter);
+    LiveResults results = LiveResults.open(chain, output, name -> true, Clock.systemUTC());
+    results.onFailure(told::add);
+    chain.process(events(0, 10));
+    results.close();
+    assertEquals(3, output.lines.size());
+    assertEquals(7, results.lost());
+    assertEquals(List.of("its sender failed: java.lang.IllegalStateException: no socket"), told);
+    assertEquals(told.get(0), results.failure().orElseThrow());
+  }
+
+  @Test
   void resultsAndNoticesComeInOrderWithNumbers() throws IOException {
     FilterChain chain = new FilterChain(SENSOR);
     chain.add("every-event", new EveryEvent());

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.Recordings;
 import haltere.core.format.WriteOptions;
@@ -162,6 +163,8 @@ class SessionRecorderTest {
       session.packet(late);
       assertEquals(7, session.afterEnd());
       List<Part> parts = session.finish();
+      assertEquals(sent.size() + 7L, session.received());
+      assertEquals(sent.size(), session.written());
       assertEquals(1, parts.size());
       assertHoldTogether(parts);
       assertTrue(session.endedEarly().orElseThrow().contains("it is whole up to there"));
@@ -173,10 +176,23 @@ class SessionRecorderTest {
     free.set(0);
     try (SessionRecorder session = session()) {
       session.packet(events(0, 10));
-      assertTrue(session.endedEarly().isPresent());
+      assertTrue(session.endedEarly().orElseThrow().contains("nothing was written"));
       assertTrue(session.finish().isEmpty());
+      assertEquals(10, session.received());
+      assertEquals(0, session.written());
     }
     assertFalse(Files.exists(folder.resolve("out.aedat4")));
+  }
+
+  @Test
+  void aRecordingDoesNotBeginOnADiskThatHasNotTheSpaceThatIsToStay() throws IOException {
+    free.set(999);
+    try (SessionRecorder session = session()) {
+      String refused = assertThrows(RecordingProblem.class, session::checkSpace).getMessage();
+      assertTrue(refused.contains("--keep-free"), refused);
+      free.set(1000);
+      session.checkSpace();
+    }
   }
 
   @Test

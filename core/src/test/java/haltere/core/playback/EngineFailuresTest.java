@@ -130,7 +130,8 @@ class EngineFailuresTest {
   @Test
   void anEditThatThrowsFailsOnlyItself() throws IOException {
     EngineRig rig = new EngineRig(recording(even(8)), byTime(20));
-    CompletableFuture<Void> edit = rig.ask(new PlaybackCommand.Edit(chain -> chain.stage("none")));
+    CompletableFuture<Void> edit =
+        rig.ask(new PlaybackCommand.Edit(chain -> chain.stage("none"), false));
     assertThrows(CompletionException.class, edit::join);
     assertTrue(rig.engine.status().message().contains("no stage named none"));
     rig.run();

@@ -26,9 +26,19 @@ final class EngineRig {
   final PlaybackEngine engine;
 
   EngineRig(Playable playable, PlayerOptions options) {
+    this(playable, options, 0);
+  }
+
+  /** The same with a filter that remembers. */
+  EngineRig(Playable playable, PlayerOptions options, long memoryUs) {
     chain.add(
         "listener",
         new EventFilter() {
+          @Override
+          public long memoryUs() {
+            return memoryUs;
+          }
+
           @Override
           public void process(EventPacket packet) {
             for (int i = 0; i < packet.size(); i++) {
@@ -67,6 +77,11 @@ final class EngineRig {
       @Override
       public void process(EventPacket packet) {
         work.accept(packet);
+      }
+
+      @Override
+      public long memoryUs() {
+        return 0;
       }
 
       @Override

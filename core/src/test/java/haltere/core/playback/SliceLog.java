@@ -17,6 +17,7 @@ final class SliceLog implements SliceSink {
   long events;
   boolean quiet;
   private final List<Long> slice = new ArrayList<>();
+  private boolean runUp;
   private final StreamGrammar grammar =
       new StreamGrammar(
           new StreamHandler() {
@@ -42,7 +43,7 @@ final class SliceLog implements SliceSink {
   }
 
   private void take(EventPacket packet) {
-    events += packet.size();
+    events += runUp ? 0 : packet.size();
     for (int i = 0; !quiet && i < packet.size(); i++) {
       times.add(packet.timeUs(i));
       slice.add(packet.timeUs(i));
@@ -75,6 +76,20 @@ final class SliceLog implements SliceSink {
     }
     lines.add("[" + fromUs + "," + toUs + ") " + slice);
     slice.clear();
+  }
+
+  @Override
+  public void runUpBegins(long sliceUs) {
+    runUp = true;
+  }
+
+  @Override
+  public void runUpEnds() {
+    runUp = false;
+    if (!slice.isEmpty()) {
+      lines.add("run-up " + slice);
+      slice.clear();
+    }
   }
 
   /** What was written since the last call. */

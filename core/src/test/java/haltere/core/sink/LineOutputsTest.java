@@ -15,6 +15,7 @@ import java.net.InetAddress;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.locks.LockSupport;
@@ -185,6 +186,28 @@ class LineOutputsTest {
     try (LineOutput output = LineOutputs.open("udp://127.0.0.1:9")) {
       output.send("a/b", new byte[70_000]);
       assertEquals(1, output.lost());
+    }
+  }
+
+  @Test
+  void moreReceiversThanThereMayBeAreToldAndTurnedAway() throws IOException {
+    List<Socket> sockets = new ArrayList<>();
+    try (LineOutput output = LineOutputs.open("tcp://127.0.0.1:0")) {
+      int port = LineAddress.parse(output.address()).port();
+      for (int i = 0; i < TcpLines.MAX_RECEIVERS; i++) {
+        sockets.add(new Socket("127.0.0.1", port));
+      }
+      Socket late = new Socket("127.0.0.1", port);
+      sockets.add(late);
+      List<String> lines = reader(late).lines().toList();
+      assertEquals(1, lines.size());
+      assertTrue(lines.get(0).contains("\"notice\":\"refused\""), lines.get(0));
+      assertEquals(1, output.refused());
+      assertEquals(TcpLines.MAX_RECEIVERS, output.receivers());
+    } finally {
+      for (Socket socket : sockets) {
+        socket.close();
+      }
     }
   }
 }

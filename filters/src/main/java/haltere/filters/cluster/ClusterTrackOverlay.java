@@ -15,37 +15,46 @@ public final class ClusterTrackOverlay implements Overlay<ClusterSnapshot> {
 
   @Override
   public void draw(ClusterSnapshot snapshot, OverlayCanvas canvas) {
+    drawAt(snapshot, snapshot.timeUs(), canvas);
+  }
+
+  /** {@inheritDoc} Clusters move on with their velocities. */
+  @Override
+  public void drawAt(ClusterSnapshot snapshot, long timeUs, OverlayCanvas canvas) {
+    double aheadS = Overlay.aheadS(snapshot.timeUs(), timeUs);
     for (ClusterSnapshot.Trail trail : snapshot.clusters()) {
       ClusterTrack now = trail.now();
       int id = now.id();
+      double x = now.xPx() + aheadS * now.vxPxPerS();
+      double y = now.yPx() + aheadS * now.vyPxPerS();
       canvas.polyline(
           trail.path().stream().mapToDouble(ClusterTrack::xPx).toArray(),
           trail.path().stream().mapToDouble(ClusterTrack::yPx).toArray(),
           trail.path().size(),
           MarkStyle.of(Role.PATH, id));
-      drawShape(snapshot.type(), now, canvas);
+      drawShape(snapshot.type(), now, x, y, canvas);
       canvas.line(
-          now.xPx(),
-          now.yPx(),
-          now.xPx() + VELOCITY_S * now.vxPxPerS(),
-          now.yPx() + VELOCITY_S * now.vyPxPerS(),
+          x,
+          y,
+          x + VELOCITY_S * now.vxPxPerS(),
+          y + VELOCITY_S * now.vyPxPerS(),
           MarkStyle.of(Role.VELOCITY, id));
       double diagonal = now.radiusPx() * Math.sqrt(0.5);
-      canvas.text(
-          now.xPx() + diagonal,
-          now.yPx() + diagonal,
-          Integer.toString(id),
-          MarkStyle.of(Role.LABEL, id));
+      canvas.text(x + diagonal, y + diagonal, Integer.toString(id), MarkStyle.of(Role.LABEL, id));
     }
   }
 
   private static void drawShape(
-      ClusterShapeSettings.Type type, ClusterTrack track, OverlayCanvas canvas) {
+      ClusterShapeSettings.Type type,
+      ClusterTrack track,
+      double centreX,
+      double centreY,
+      OverlayCanvas canvas) {
     MarkStyle style = MarkStyle.of(Role.OBJECT, track.id());
     double a = track.radiusAlongPx();
     double b = track.radiusAcrossPx();
     if (type == ClusterShapeSettings.Type.ELLIPSE) {
-      canvas.ellipse(track.xPx(), track.yPx(), a, b, track.angleRad(), style);
+      canvas.ellipse(centreX, centreY, a, b, track.angleRad(), style);
       return;
     }
     double cos = Math.cos(track.angleRad());
@@ -55,8 +64,8 @@ public final class ClusterTrackOverlay implements Overlay<ClusterSnapshot> {
     double[] x = new double[along.length];
     double[] y = new double[along.length];
     for (int i = 0; i < along.length; i++) {
-      x[i] = track.xPx() + cos * along[i] - sin * across[i];
-      y[i] = track.yPx() + sin * along[i] + cos * across[i];
+      x[i] = centreX + cos * along[i] - sin * across[i];
+      y[i] = centreY + sin * along[i] + cos * across[i];
     }
     canvas.polyline(x, y, x.length, style);
   }

@@ -75,6 +75,11 @@ public final class ClusterTracker {
     grid.index(clusters, count);
   }
 
+  /** The next identity is the first one again. */
+  public void restartIdentities() {
+    lastId = 0;
+  }
+
   /**
    * What it does.
    *

@@ -76,6 +76,13 @@ public final class ClusterTrackerFilter extends PublishingFilter<ClusterTrackerS
     showing = false;
   }
 
+  /** {@inheritDoc} Identities begin anew. */
+  @Override
+  public void rewind() {
+    reset();
+    tracker.restartIdentities();
+  }
+
   /** Time goes on over a gap in the data, and clusters live on for as long as they live anyway. */
   @Override
   public boolean bridgesGaps() {

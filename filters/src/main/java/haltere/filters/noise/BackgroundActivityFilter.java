@@ -38,6 +38,11 @@ public final class BackgroundActivityFilter extends PublishingFilter<BackgroundA
   }
 
   @Override
+  public long memoryUs() {
+    return settings().isAutomatic() ? SupportTime.SETTLING_US : settings().correlationUs();
+  }
+
+  @Override
   public BackgroundActivitySettings settings() {
     return activity.settings();
   }

@@ -36,6 +36,11 @@ public final class HotPixelsFilter implements ConfigurableFilter<HotPixelsSettin
   }
 
   @Override
+  public long memoryUs() {
+    return settings().periodUs() * (settings().calmPeriods() + 1);
+  }
+
+  @Override
   public HotPixelsSettings settings() {
     return hotPixels.settings();
   }

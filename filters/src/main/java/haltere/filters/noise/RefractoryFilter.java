@@ -33,6 +33,11 @@ public final class RefractoryFilter implements ConfigurableFilter<RefractorySett
   }
 
   @Override
+  public long memoryUs() {
+    return settings().periodUs();
+  }
+
+  @Override
   public RefractorySettings settings() {
     return refractory.settings();
   }

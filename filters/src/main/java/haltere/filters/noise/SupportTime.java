@@ -46,6 +46,9 @@ final class SupportTime {
   /** Time constant of what is remembered: noise changes with light and temperature, in minutes. */
   private static final double MEMORY_S = 4;
 
+  /** Time after which the time of support is near what longer observation leads to. */
+  static final long SETTLING_US = 10 * WINDOW_US;
+
   /** Standard deviations of a count within which it may be noise alone. */
   private static final double CLIP_SD = 3;
 

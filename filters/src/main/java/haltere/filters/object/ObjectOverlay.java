@@ -13,27 +13,39 @@ final class ObjectOverlay implements Overlay<ObjectSnapshot> {
 
   @Override
   public void draw(ObjectSnapshot snapshot, OverlayCanvas canvas) {
+    drawAt(snapshot, snapshot.timeUs(), canvas);
+  }
+
+  /** {@inheritDoc} Objects move on with their velocities. */
+  @Override
+  public void drawAt(ObjectSnapshot snapshot, long timeUs, OverlayCanvas canvas) {
+    double aheadS = Overlay.aheadS(snapshot.timeUs(), timeUs);
     for (List<ObjectTrack> path : snapshot.paths()) {
       ObjectTrack now = path.get(path.size() - 1);
+      double x = now.xPx() + aheadS * now.vxPxS();
+      double y = now.yPx() + aheadS * now.vyPxS();
       drawPath(path, canvas);
       canvas.ellipse(
-          now.xPx(),
-          now.yPx(),
+          x,
+          y,
           now.majorPx(),
           now.minorPx(),
           now.angleRad(),
           MarkStyle.of(Role.ESTIMATE, now.id()));
       canvas.line(
-          now.xPx(),
-          now.yPx(),
-          now.xPx() + VELOCITY_S * now.vxPxS(),
-          now.yPx() + VELOCITY_S * now.vyPxS(),
+          x,
+          y,
+          x + VELOCITY_S * now.vxPxS(),
+          y + VELOCITY_S * now.vyPxS(),
           MarkStyle.of(Role.VELOCITY, now.id()));
     }
     for (List<ObjectTrack> path : snapshot.paths()) {
       ObjectTrack now = path.get(path.size() - 1);
       canvas.text(
-          now.xPx(), now.yPx(), Integer.toString(now.id()), MarkStyle.of(Role.LABEL, now.id()));
+          now.xPx() + aheadS * now.vxPxS(),
+          now.yPx() + aheadS * now.vyPxS(),
+          Integer.toString(now.id()),
+          MarkStyle.of(Role.LABEL, now.id()));
     }
   }
 

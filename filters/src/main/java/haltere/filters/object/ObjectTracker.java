@@ -122,6 +122,11 @@ final class ObjectTracker {
     ticks = 0;
   }
 
+  /** The next identity is the first one again. */
+  void restartIdentities() {
+    ids = 0;
+  }
+
   void track(EventPacket packet) {
     for (int i = 0; i < packet.size(); i++) {
       long timeUs = packet.timeUs(i);

@@ -64,6 +64,13 @@ public final class ObjectTrackerFilter extends PublishingFilter<ObjectTrackerSet
     paths.clear();
   }
 
+  /** {@inheritDoc} Identities begin anew. */
+  @Override
+  public void rewind() {
+    reset();
+    tracker.restartIdentities();
+  }
+
   @Override
   public void notified(StreamNotification notification) {
     if (notification instanceof EndOfStream) {

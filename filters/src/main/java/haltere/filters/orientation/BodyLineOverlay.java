@@ -13,27 +13,26 @@ final class BodyLineOverlay implements Overlay<BodyLine> {
 
   @Override
   public void draw(BodyLine line, OverlayCanvas canvas) {
+    drawAt(line, line.timeUs(), canvas);
+  }
+
+  /** {@inheritDoc} The body moves on with its velocity. */
+  @Override
+  public void drawAt(BodyLine line, long timeUs, OverlayCanvas canvas) {
+    double aheadS = Overlay.aheadS(line.timeUs(), timeUs);
+    double x = line.xPx() + aheadS * line.vxPxS();
+    double y = line.yPx() + aheadS * line.vyPxS();
     double length = line.halfLengthPx();
     double cos = length * Math.cos(line.angleRad());
     double sin = length * Math.sin(line.angleRad());
-    canvas.ellipse(
-        line.xPx(),
-        line.yPx(),
-        length,
-        line.halfWidthPx(),
-        line.angleRad(),
-        MarkStyle.of(Role.OBJECT));
+    canvas.ellipse(x, y, length, line.halfWidthPx(), line.angleRad(), MarkStyle.of(Role.OBJECT));
     canvas.line(
-        line.xPx() - 1.5 * cos,
-        line.yPx() - 1.5 * sin,
-        line.xPx() + 1.5 * cos,
-        line.yPx() + 1.5 * sin,
-        MarkStyle.of(Role.ESTIMATE));
+        x - 1.5 * cos, y - 1.5 * sin, x + 1.5 * cos, y + 1.5 * sin, MarkStyle.of(Role.ESTIMATE));
     canvas.line(
-        line.xPx(),
-        line.yPx(),
-        line.xPx() + VELOCITY_S * line.vxPxS(),
-        line.yPx() + VELOCITY_S * line.vyPxS(),
+        x,
+        y,
+        x + VELOCITY_S * line.vxPxS(),
+        y + VELOCITY_S * line.vyPxS(),
         MarkStyle.of(Role.VELOCITY));
   }
 }

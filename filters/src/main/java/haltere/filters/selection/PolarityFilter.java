@@ -28,6 +28,11 @@ public final class PolarityFilter implements ConfigurableFilter<PolaritySettings
   }
 
   @Override
+  public long memoryUs() {
+    return 0;
+  }
+
+  @Override
   public PolaritySettings settings() {
     return polarity.settings();
   }

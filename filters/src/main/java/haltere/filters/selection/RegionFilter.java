@@ -28,6 +28,11 @@ public final class RegionFilter implements ConfigurableFilter<RegionSettings> {
   }
 
   @Override
+  public long memoryUs() {
+    return 0;
+  }
+
+  @Override
   public RegionSettings settings() {
     return region.settings();
   }

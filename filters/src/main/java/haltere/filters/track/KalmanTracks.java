@@ -102,6 +102,12 @@ public final class KalmanTracks {
     showing = false;
   }
 
+  /** The next identity is the first one again. */
+  public void restartIdentities() {
+    clusters.restartIdentities();
+    lastId = 0;
+  }
+
   /**
    * What they do.
    *

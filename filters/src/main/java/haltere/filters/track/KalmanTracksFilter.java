@@ -89,6 +89,13 @@ public final class KalmanTracksFilter extends PublishingFilter<KalmanTracksSetti
     paths.keep(Set.of());
   }
 
+  /** {@inheritDoc} Identities begin anew. */
+  @Override
+  public void rewind() {
+    reset();
+    tracks.restartIdentities();
+  }
+
   /** Time goes on over a gap in the data, and tracks coast for as long as they do anyway. */
   @Override
   public boolean bridgesGaps() {

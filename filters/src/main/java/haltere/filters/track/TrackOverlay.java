@@ -22,16 +22,23 @@ public final class TrackOverlay implements Overlay<TrackSnapshot> {
 
   @Override
   public void draw(TrackSnapshot snapshot, OverlayCanvas canvas) {
+    drawAt(snapshot, snapshot.timeUs(), canvas);
+  }
+
+  /** {@inheritDoc} Tracks move on with their velocities. */
+  @Override
+  public void drawAt(TrackSnapshot snapshot, long timeUs, OverlayCanvas canvas) {
+    double aheadS = Overlay.aheadS(snapshot.timeUs(), timeUs);
     for (TrackSnapshot.Shown track : snapshot.tracks()) {
       TrackPoint now = track.now();
-      double x = now.xPx();
-      double y = now.yPx();
+      double x = now.xPx() + aheadS * now.vxPxS();
+      double y = now.yPx() + aheadS * now.vyPxS();
       canvas.polyline(
           track.path().stream().mapToDouble(TrackPoint::xPx).toArray(),
           track.path().stream().mapToDouble(TrackPoint::yPx).toArray(),
           track.path().size(),
           MarkStyle.of(Role.PATH, now.id()));
-      drawEllipse(track, canvas);
+      drawEllipse(track, x, y, canvas);
       canvas.line(
           x,
           y,
@@ -51,7 +58,8 @@ public final class TrackOverlay implements Overlay<TrackSnapshot> {
   }
 
   /** Half axes and direction are the eigenvalues and an eigenvector of the covariance. */
-  private static void drawEllipse(TrackSnapshot.Shown track, OverlayCanvas canvas) {
+  private static void drawEllipse(
+      TrackSnapshot.Shown track, double x, double y, OverlayCanvas canvas) {
     TrackPoint now = track.now();
     double xx = now.sdXPx() * now.sdXPx();
     double yy = now.sdYPx() * now.sdYPx();
@@ -59,8 +67,8 @@ public final class TrackOverlay implements Overlay<TrackSnapshot> {
     double mean = (xx + yy) / 2;
     double apart = Math.hypot((xx - yy) / 2, xy);
     canvas.ellipse(
-        now.xPx(),
-        now.yPx(),
+        x,
+        y,
         RADII_OF_95_PERCENT * Math.sqrt(mean + apart),
         RADII_OF_95_PERCENT * Math.sqrt(Math.max(0, mean - apart)),
         0.5 * Math.atan2(2 * xy, xx - yy),

@@ -13,11 +13,19 @@ import java.util.Locale;
 public final class WingOverlay implements Overlay<WingSnapshot> {
   private static final double BODY_SHARE = 0.45;
   private static final double BODY_WIDTH_SHARE = 0.15;
+  private static final double LETTER_SHARE = 1.05;
   private static final double HINGE_PX = 1.5;
   private static final double UNCERTAINTY_SD = 2;
 
   @Override
   public void draw(WingSnapshot snapshot, OverlayCanvas canvas) {
+    drawAt(snapshot, snapshot.timeUs(), canvas);
+  }
+
+  /** {@inheritDoc} The wings beat on. */
+  @Override
+  public void drawAt(WingSnapshot snapshot, long timeUs, OverlayCanvas canvas) {
+    double aheadS = Overlay.aheadS(snapshot.timeUs(), timeUs);
     FlyGeometry fly = snapshot.geometry();
     if (snapshot.phase() == WingTrackerState.Phase.LOST) {
       canvas.text(fly.centreX(), fly.centreY(), "wings lost", MarkStyle.of(Role.WARNING));
@@ -37,7 +45,6 @@ public final class WingOverlay implements Overlay<WingSnapshot> {
         fly.centreY() + 1.3 * length * sin,
         object);
     canvas.circle(fly.centreX(), fly.centreY(), snapshot.regionPx(), MarkStyle.of(Role.REGION));
-    double[] edges = snapshot.edgesRad();
     double[] sd = snapshot.sdRad();
     for (int side = 0; side < 2; side++) {
       double x = side == 0 ? fly.leftHingeX() : fly.rightHingeX();
@@ -45,10 +52,17 @@ public final class WingOverlay implements Overlay<WingSnapshot> {
       double turn = side == 0 ? 1 : -1;
       Role role = side == 0 ? Role.LEFT : Role.RIGHT;
       canvas.circle(x, y, HINGE_PX, MarkStyle.of(role));
+      double beside = heading + turn * Math.PI / 2;
+      double away = LETTER_SHARE * fly.sizePx();
+      canvas.text(
+          x + away * Math.cos(beside),
+          y + away * Math.sin(beside),
+          side == 0 ? "L" : "R",
+          MarkStyle.of(role));
       double least = Double.POSITIVE_INFINITY;
       double most = Double.NEGATIVE_INFINITY;
       for (int edge = 0; edge < 2; edge++) {
-        double angle = edges[2 * side + edge];
+        double angle = snapshot.edgeRad(2 * side + edge, aheadS);
         if (!Double.isNaN(angle)) {
           ray(canvas, x, y, heading + turn * angle, fly.sizePx(), MarkStyle.of(role, edge));
           least = Math.min(least, angle);

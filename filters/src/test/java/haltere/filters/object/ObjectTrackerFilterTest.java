@@ -211,10 +211,14 @@ class ObjectTrackerFilterTest extends EventFilterContract {
     Map<Integer, List<ObjectTrack>> paths = byIdentity();
     assertEquals(2, paths.size());
     assertTrue(paths.get(1).get(paths.get(1).size() - 1).timeUs() < 10_000_000);
-    filter.notified(new Reset(Reset.Cause.SEEK, 0, 0));
+    filter.notified(new Reset(Reset.Cause.USER, 0, 0));
     rows.clear();
     filter.process(EventPackets.copy(events));
     assertEquals(java.util.Set.of(3), byIdentity().keySet());
+    filter.notified(new Reset(Reset.Cause.SEEK, 0, 0));
+    rows.clear();
+    filter.process(EventPackets.copy(events));
+    assertEquals(java.util.Set.of(1), byIdentity().keySet());
   }
 
   @Test

@@ -3,10 +3,23 @@ package haltere.filters.wing;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import haltere.core.chain.FilterChain;
+import haltere.core.event.EventPacket;
 import haltere.core.overlay.MarkStyle;
+import haltere.core.overlay.Overlay;
 import haltere.core.overlay.OverlayCanvas;
+import haltere.core.simulation.fly.FlyScene;
+import haltere.core.simulation.fly.FlySceneSettings;
+import haltere.core.simulation.fly.FlyTruth;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import haltere.filters.DefaultChain;
+import haltere.filters.estimation.Angles;
+import haltere.testing.EventPackets;
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Random;
 import org.junit.jupiter.api.Test;
 
 class WingOverlayTest {
@@ -59,6 +72,7 @@ class WingOverlayTest {
                 fly,
                 42,
                 new double[] {left, left, right, right},
+                new double[] {200, 200},
                 new double[] {0.02, 0.02}),
             marks);
     return marks;
@@ -93,9 +107,64 @@ class WingOverlayTest {
     new WingOverlay()
         .draw(
             new WingSnapshot(
-                0, WingTrackerState.Phase.LOST, fly, 42, none, new double[] {0.02, 0.02}),
+                0,
+                WingTrackerState.Phase.LOST,
+                fly,
+                42,
+                none,
+                new double[] {200, 200},
+                new double[] {0.02, 0.02}),
             marks);
     assertEquals(List.of("wings lost"), marks.all);
+  }
+
+  @Test
+  void wingLinesGlideWithTheWingsOfTheSimulatedFly() throws IOException {
+    FlyScene scene = new FlyScene(FlySceneSettings.defaults().with("run.durationS=2"));
+    FilterChain chain = DefaultChain.forFly(scene.geometry());
+    WingSnapshot[] last = new WingSnapshot[1];
+    chain.outlet("snapshot", WingSnapshot.class).subscribe(snapshot -> last[0] = snapshot);
+    List<Double> errors = new ArrayList<>();
+    Random random = new Random(1);
+    while (scene.next(
+        new StreamHandler() {
+          @Override
+          public void packet(EventPacket packet) {
+            int from = 0;
+            while (from < packet.size()) {
+              int to = Math.min(packet.size(), from + 1 + random.nextInt(200));
+              chain.process(EventPackets.part(packet, from, to));
+              compare(packet.timeUs(to - 1));
+              from = to;
+            }
+          }
+
+          private void compare(long timeUs) {
+            if (timeUs < 1_000_000) {
+              return;
+            }
+            // events carry the time of the wing and the constant delay of the pixels
+            FlyTruth truth = scene.truthAt(timeUs - 60);
+            double aheadS = Overlay.aheadS(last[0].timeUs(), timeUs);
+            errors.add(error(aheadS, 0, truth.leftAngleRad()));
+            errors.add(error(aheadS, 2, truth.rightAngleRad()));
+          }
+
+          /** Of the middle between both edges of a wing, degrees. */
+          private double error(double aheadS, int edge, double angleRad) {
+            double leading = last[0].edgeRad(edge, aheadS);
+            double middle = (leading + last[0].edgeRad(edge + 1, aheadS)) / 2;
+            return Math.toDegrees(Math.abs(Angles.wrapPi(middle - angleRad)));
+          }
+
+          @Override
+          public void notified(StreamNotification notification) {}
+        })) {
+      // until its end
+    }
+    errors.sort(null);
+    assertTrue(errors.get((int) (0.95 * errors.size())) < 1.5, "95 % are within 1.5 degrees");
+    assertTrue(errors.get(errors.size() - 1) < 5, "no line jumps");
   }
 
   @Test

@@ -10,6 +10,7 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.event.SensorReading;
 import haltere.core.format.Conversion;
 import haltere.core.format.RecordingFormat;
+import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.Recordings;
@@ -40,10 +41,21 @@ final class ConvertCommand extends Subcommand {
   private static final Map<String, String> ENCODINGS =
       Map.of("2", "evt2", "2.1", "evt21", "3", "evt3");
 
-  @Parameters(index = "0", paramLabel = "IN", description = "A recording.")
+  /** Its header states the size of the sensor, so the next program reads it in one pass. */
+  private static final String USUAL_STREAM = "es";
+
+  private static final String STREAMED = "Event Stream, EVT, DAT, AEDAT-2.0 and CSV";
+
+  @Parameters(
+      index = "0",
+      paramLabel = "IN",
+      description = "A recording; - is standard input, for " + STREAMED + ".")
   Path in;
 
-  @Parameters(index = "1", paramLabel = "OUT", description = "The new recording.")
+  @Parameters(
+      index = "1",
+      paramLabel = "OUT",
+      description = "The new recording; - is standard output, for the same formats.")
   Path out;
 
   @Option(
@@ -73,6 +85,14 @@ final class ConvertCommand extends Subcommand {
   String evt;
 
   @Option(
+      names = "--out-format",
+      paramLabel = "NAME",
+      description =
+          "The format of an OUT that is - (es, evt2, evt21, evt3, dat, aedat2, csv); if not given,"
+              + " that of IN, or es where that is none of them.")
+  String outFormat;
+
+  @Option(
       names = "--stream",
       paramLabel = "NAME",
       description =
@@ -97,11 +117,26 @@ final class ConvertCommand extends Subcommand {
       convertStream();
       return OK;
     }
-    writing.checkRecording(out);
-    WritingOptions.checkDifferent(in, out);
-    convert(
-        evt == null ? Recordings.forWriting(out) : Recordings.formats().get(ENCODINGS.get(evt)));
+    if (!ReadingOptions.isStandard(out)) {
+      writing.checkRecording(out);
+      WritingOptions.checkDifferent(in, out);
+    }
+    convert();
     return OK;
+  }
+
+  /** By the user's word, by the name of OUT, or by what is read. */
+  private RecordingFormat format(RecordingReader reader) throws RecordingProblem {
+    String named = evt == null ? outFormat : ENCODINGS.get(evt);
+    if (named == null && !ReadingOptions.isStandard(out)) {
+      return Recordings.forWriting(out);
+    }
+    RecordingFormat same = Recordings.formats().get(reader.formatName());
+    boolean isSame = named == null && same != null && same.isStreamed() && same.writable();
+    RecordingFormat format =
+        isSame ? same : Recordings.formats().get(named == null ? USUAL_STREAM : named);
+    writing.checkOrigin(format);
+    return format;
   }
 
   private void checkArguments() {
@@ -117,13 +152,24 @@ final class ConvertCommand extends Subcommand {
   }
 
   private void checkEncoding() {
+    if (outFormat != null) {
+      RecordingFormat format = Recordings.formats().get(outFormat);
+      if (!ReadingOptions.isStandard(out) || evt != null) {
+        throw wrongArguments("--out-format is about an OUT that is -, and excludes --evt");
+      }
+      if (format == null || !format.isStreamed()) {
+        throw wrongArguments("--out-format is " + outFormat + ", which cannot be a stream");
+      }
+    }
     if (evt == null) {
       return;
     }
     if (!ENCODINGS.containsKey(evt)) {
       throw wrongArguments("--evt is " + evt + ", it must be 2, 2.1 or 3");
     }
-    if (stream != null || !out.toString().toLowerCase(Locale.ROOT).endsWith(".raw")) {
+    boolean isRaw =
+        ReadingOptions.isStandard(out) || out.toString().toLowerCase(Locale.ROOT).endsWith(".raw");
+    if (stream != null || !isRaw) {
       throw wrongArguments("--evt is about recordings in .raw files, which " + out + " is not");
     }
   }
@@ -168,10 +214,11 @@ final class ConvertCommand extends Subcommand {
     message("wrote " + out + " (" + kind.count(rows) + ")");
   }
 
-  private void convert(RecordingFormat format) throws IOException {
+  private void convert() throws IOException {
     Conversion.Result done;
     try (RecordingReader reader = reading.openWithReadings(in);
-        RecordingWriter writer = new StrictWriter(writing.create(out, format, reader), reader);
+        RecordingWriter writer =
+            new StrictWriter(writing.create(out, format(reader), reader), reader);
         ProgressBar bar = progressBar("converting", in)) {
       FilterChain chain = chain(reader.geometry());
       Conversion conversion =

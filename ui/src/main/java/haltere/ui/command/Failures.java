@@ -14,9 +14,12 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
+import java.util.regex.Pattern;
 
 /** Turns whatever went wrong into the one line that a user can act on. */
 final class Failures {
+  private static final Pattern ENDLESS = Pattern.compile("(\\S{100})\\S{1000,}(\\S{50})");
+
   private Failures() {}
 
   /**
@@ -42,6 +45,9 @@ final class Failures {
     }
     if (failure instanceof UncheckedIOException unchecked) {
       return sentence(unchecked.getCause());
+    }
+    if (failure instanceof FilterFailure && failure.getCause() instanceof UncheckedIOException) {
+      return failure.getMessage();
     }
     if (failure instanceof FilterFailure) {
       return failure.getMessage()
@@ -96,6 +102,11 @@ final class Failures {
   }
 
   private static String oneLine(String text) {
-    return text.strip().replaceAll("\\s*\\R\\s*", " ");
+    return shortened(text.strip().replaceAll("\\s*\\R\\s*", " "));
+  }
+
+  /** A name that is longer than any file's, with its middle left out. */
+  static String shortened(String line) {
+    return ENDLESS.matcher(line).replaceAll("$1...$2");
   }
 }

@@ -4,7 +4,9 @@ import haltere.core.chain.ChainProblem;
 import haltere.core.chain.FilterProvider;
 import haltere.core.chain.Filters;
 import java.util.List;
+import java.util.Optional;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
 /** Lists the filters and their settings. */
@@ -14,6 +16,12 @@ import picocli.CommandLine.Parameters;
 final class FiltersCommand extends Subcommand {
   @Parameters(arity = "0..*", paramLabel = "NAME", description = "Only these filters.")
   List<String> names = List.of();
+
+  @Option(
+      names = "--json",
+      description =
+          "Print one JSON object: filters, each with name, description, settings and presets.")
+  boolean json;
 
   FiltersCommand(Surroundings surroundings) {
     super(surroundings);
@@ -26,13 +34,19 @@ final class FiltersCommand extends Subcommand {
     } catch (ChainProblem problem) {
       throw wrongArguments(problem.getMessage());
     }
-    SettingsListing listing = new SettingsListing(this::result);
+    SettingsListing.list(this, json ? Optional.of("filters") : Optional.empty(), this::addAll);
+    return OK;
+  }
+
+  private void addAll(SettingsListing listing) {
     for (FilterProvider<?> provider : Filters.all().values()) {
       if (names.isEmpty() || names.contains(provider.name())) {
-        listing.add(provider.name(), provider.description(), provider.schema().parameters());
-        listing.presets(provider.presets().keySet());
+        listing.add(
+            provider.name(),
+            provider.description(),
+            provider.schema().parameters(),
+            provider.presets().keySet());
       }
     }
-    return OK;
   }
 }

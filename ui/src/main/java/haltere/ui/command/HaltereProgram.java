@@ -4,9 +4,11 @@ import haltere.ui.command.terminal.Interruption;
 import haltere.ui.command.terminal.StandardOutput;
 import java.io.BufferedOutputStream;
 import java.io.FileDescriptor;
+import java.io.FileInputStream;
 import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
+import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -40,7 +42,8 @@ public final class HaltereProgram {
           "scenes",
           "filters",
           "example",
-          "bench");
+          "bench",
+          "completion");
 
   private final Surroundings surroundings;
 
@@ -57,6 +60,7 @@ public final class HaltereProgram {
    */
   public static int main(String[] args, WindowOpener window) {
     Interruption interruption = Interruption.install();
+    int status = Subcommand.FAILED;
     try {
       StandardOutput standardOutput = new StandardOutput();
       PrintStream out =
@@ -64,15 +68,17 @@ public final class HaltereProgram {
               new BufferedOutputStream(standardOutput, 1 << 14), false, StandardCharsets.UTF_8);
       PrintStream err =
           new PrintStream(new FileOutputStream(FileDescriptor.err), true, StandardCharsets.UTF_8);
+      FileChannel in = new FileInputStream(FileDescriptor.in).getChannel();
       Surroundings process =
-          new Surroundings(out, err, errIsTerminal(), System.getenv(), Path.of(""), window);
-      int status = new HaltereProgram(process).run(args);
+          new Surroundings(in, out, err, errIsTerminal(), System.getenv(), Path.of(""), window);
+      status = new HaltereProgram(process).run(args);
       Optional<String> failure = standardOutput.failure();
       failure.ifPresent(line -> err.print("haltere: " + line + "\n"));
-      return failure.isPresent() && status == Subcommand.OK ? Subcommand.FAILED : status;
+      status = failure.isPresent() && status == Subcommand.OK ? Subcommand.FAILED : status;
     } finally {
-      interruption.finished();
+      interruption.finished(status);
     }
+    return status;
   }
 
   /**
@@ -122,7 +128,16 @@ public final class HaltereProgram {
         .setOut(new java.io.PrintWriter(surroundings.out(), true))
         .setErr(new java.io.PrintWriter(surroundings.err(), true))
         .setParameterExceptionHandler(this::wrongArguments)
+        .setExecutionStrategy(HaltereProgram::executed)
         .setExecutionExceptionHandler(this::failed);
+  }
+
+  private static int executed(ParseResult parsed) {
+    int status = new CommandLine.RunLast().execute(parsed);
+    CommandLine last = parsed.asCommandLineList().get(parsed.asCommandLineList().size() - 1);
+    return last.getCommand() instanceof Subcommand command
+        ? command.statusWithFailures(status)
+        : status;
   }
 
   /** Options are listed as they are declared, those that all commands have last. */
@@ -158,6 +173,7 @@ public final class HaltereProgram {
       case "example" -> new ExampleCommand(surroundings);
       case "devices" -> new DevicesCommand(surroundings);
       case "record" -> new RecordCommand(surroundings);
+      case "completion" -> new CompletionCommand(surroundings, this::commandLine);
       case "bench" -> new BenchCommand(surroundings);
       default -> throw new IllegalArgumentException(name);
     };
@@ -171,7 +187,10 @@ public final class HaltereProgram {
     surroundings
         .err()
         .print(
-            command.getCommandSpec().qualifiedName() + ": " + problem.getMessage().strip() + "\n");
+            command.getCommandSpec().qualifiedName()
+                + ": "
+                + Failures.shortened(problem.getMessage().strip())
+                + "\n");
     command.usage(command.getErr());
     return Subcommand.WRONG_ARGUMENTS;
   }
@@ -183,6 +202,9 @@ public final class HaltereProgram {
   private int failed(Throwable problem, boolean debug) {
     if (debug) {
       problem.printStackTrace(surroundings.err());
+    }
+    if (StandardOutput.Gone.isCause(problem)) {
+      return Subcommand.OK;
     }
     surroundings.err().print("haltere: " + Failures.describe(problem) + "\n");
     return Subcommand.FAILED;

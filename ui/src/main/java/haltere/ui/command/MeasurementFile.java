@@ -1,5 +1,6 @@
 package haltere.ui.command;
 
+import haltere.core.format.RecordingFile;
 import haltere.core.format.csv.CsvTable;
 import haltere.filters.estimation.example.Measurement;
 import haltere.filters.estimation.example.MeasurementSeries;
@@ -37,6 +38,7 @@ final class MeasurementFile {
    * @throws IllegalArgumentException if its measurements never change
    */
   static MeasurementSeries read(Path file) throws IOException {
+    RecordingFile.checkRegular(file);
     try (BufferedReader in = Files.newBufferedReader(file)) {
       return new MeasurementFile(file, new CsvTable(in, COLUMNS)).read();
     } catch (CharacterCodingException notText) {

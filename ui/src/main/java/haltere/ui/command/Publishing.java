@@ -25,6 +25,8 @@ final class Publishing implements Closeable {
 
   void add(LiveResults results) {
     open.add(results);
+    results.onFailure(
+        words -> command.failedBeside(results.address() + ": nothing is sent any more: " + words));
     command.message("publishing at " + results.address());
   }
 
@@ -58,12 +60,22 @@ final class Publishing implements Closeable {
   public void close() {
     for (LiveResults results : open) {
       results.close();
+      if (results.refused() > 0) {
+        command.warning(
+            results.address()
+                + ": "
+                + Quantities.count(results.refused())
+                + " receivers were turned away, because there were too many");
+      }
       if (results.lost() > 0) {
         command.warning(
             results.address()
                 + ": "
                 + Quantities.count(results.lost())
-                + " messages were not sent, because a receiver or this computer was too slow");
+                + " messages were not sent"
+                + (results.failure().isEmpty()
+                    ? ", because a receiver or this computer was too slow"
+                    : ""));
       }
     }
     open.clear();

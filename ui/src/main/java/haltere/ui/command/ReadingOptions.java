@@ -86,12 +86,34 @@ final class ReadingOptions {
   }
 
   RecordingReader open(Path file) throws IOException {
-    return indexed(Recordings.open(file, readOptions()));
+    return open(file, readOptions());
   }
 
   /** A reader that also gives frames, inertial samples and triggers. */
   RecordingReader openWithReadings(Path file) throws IOException {
-    return indexed(Recordings.open(file, readOptions().withReadings(true)));
+    return open(file, readOptions().withReadings(true));
+  }
+
+  private RecordingReader open(Path file, ReadOptions options) throws IOException {
+    if (index && isStandard(file)) {
+      throw new ParameterException(command.commandLine(), "--index is about files");
+    }
+    if (isStandard(file) && !subcommand().surroundings().in().isOpen()) {
+      throw new CommandProblem("standard input is read only once: name a file instead of -");
+    }
+    return indexed(
+        isStandard(file)
+            ? Recordings.openStream(file, subcommand().surroundings().in(), options)
+            : Recordings.open(file, options));
+  }
+
+  private Subcommand subcommand() {
+    return (Subcommand) command.userObject();
+  }
+
+  /** Whether a path stands for standard input or output. */
+  static boolean isStandard(Path path) {
+    return path.toString().equals("-");
   }
 
   /** A user who asks for the index gets it even where nobody seeks. */

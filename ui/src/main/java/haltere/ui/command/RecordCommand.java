@@ -182,7 +182,7 @@ final class RecordCommand extends Subcommand {
       for (SessionRecorder.Part part : recorded.recorder().parts()) {
         tell(part);
       }
-      Optional<String> early = recorded.recorder().endedEarly();
+      Optional<String> early = RecordingWritingOptions.endedEarly(recorded.recorder());
       if (early.isPresent()) {
         error(early.get());
         status = FAILED;

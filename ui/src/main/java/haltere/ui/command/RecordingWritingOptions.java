@@ -16,6 +16,7 @@ import haltere.core.format.aedat4.Aedat4Format;
 import haltere.core.format.aedat4.Aedat4Writer;
 import haltere.core.pipeline.CameraHeader;
 import haltere.core.pipeline.SessionRecorder;
+import haltere.ui.command.terminal.Quantities;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Clock;
@@ -56,6 +57,16 @@ final class RecordingWritingOptions extends WritingOptions {
     } catch (RecordingProblem unknownEnding) {
       throw new ParameterException(command.commandLine(), unknownEnding.getMessage());
     }
+    checkOrigin(format);
+    check(output);
+  }
+
+  /**
+   * Refuses where rows are to count from for a format that says it itself.
+   *
+   * @param format of the output
+   */
+  void checkOrigin(RecordingFormat format) {
     if (origin != null && !format.hasEitherOrigin()) {
       throw new ParameterException(
           command.commandLine(),
@@ -63,7 +74,6 @@ final class RecordingWritingOptions extends WritingOptions {
               + format.name()
               + " files count from where the format says");
     }
-    check(output);
   }
 
   /**
@@ -134,23 +144,46 @@ final class RecordingWritingOptions extends WritingOptions {
    * @param chain the chain for the header, as JSON, if there is one
    * @param limits sizes
    * @return without any file yet
+   * @throws IOException if the disk has less free space than is to stay
    */
   SessionRecorder session(
-      Path output, Camera camera, Supplier<Optional<String>> chain, SessionRecorder.Limits limits) {
-    return new SessionRecorder(
-        output,
-        camera.geometry(),
-        (part, metadata) -> createLive(part, camera.geometry(), metadata),
-        limits,
-        new CameraHeader(camera, chain, System::nanoTime, Clock.systemUTC()),
-        SessionRecorder.freeBytes(output));
+      Path output, Camera camera, Supplier<Optional<String>> chain, SessionRecorder.Limits limits)
+      throws IOException {
+    SessionRecorder session =
+        new SessionRecorder(
+            output,
+            camera.geometry(),
+            (part, metadata) -> createLive(part, camera.geometry(), metadata),
+            limits,
+            new CameraHeader(camera, chain, System::nanoTime, Clock.systemUTC()),
+            SessionRecorder.freeBytes(output));
+    session.checkSpace();
+    return session;
+  }
+
+  /** The line for a recording that ended before it was to; empty for others. */
+  static Optional<String> endedEarly(SessionRecorder session) {
+    return session
+        .endedEarly()
+        .map(
+            line ->
+                line
+                    + " ("
+                    + Quantities.events(session.received())
+                    + " came, "
+                    + Quantities.count(session.written())
+                    + " were written)");
   }
 
   private RecordingWriter create(
       Path output, RecordingFormat format, SensorGeometry geometry, Set<ReadingKind> readings)
       throws IOException {
-    WriteOptions options =
+    WriteOptions toFile =
         new WriteOptions(geometry, overwrite, Optional.ofNullable(origin), Map.of(), readings);
+    WriteOptions options =
+        ReadingOptions.isStandard(output)
+            ? toFile.withStream(((Subcommand) command.userObject()).standardOutput())
+            : toFile;
     return format
         .create(output, options)
         .orElseThrow(

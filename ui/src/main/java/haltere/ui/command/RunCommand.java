@@ -164,7 +164,7 @@ final class RunCommand extends Subcommand {
       for (SessionRecorder.Part part : recorder.finish()) {
         message("wrote " + part.file() + " (" + Quantities.events(part.report().written()) + ")");
       }
-      recorder.endedEarly().ifPresent(this::warning);
+      RecordingWritingOptions.endedEarly(recorder).ifPresent(this::failedBeside);
       tables
           .rows()
           .forEach(

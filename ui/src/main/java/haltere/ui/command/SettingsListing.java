@@ -1,33 +1,61 @@
 package haltere.ui.command;
 
+import haltere.core.json.Json;
 import haltere.core.settings.Parameter;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 
-/** Lists things that can be set: a name, a sentence, and a line for each setting. */
+/** Lists what can be set: a name, a sentence, and a line for each setting; or all that as JSON. */
 final class SettingsListing {
   private final Consumer<String> lines;
+  private final List<Object> entries = new ArrayList<>();
   private boolean begun;
 
-  /**
-   * A listing that is empty yet.
-   *
-   * @param lines receives it
-   */
-  SettingsListing(Consumer<String> lines) {
+  private SettingsListing(Consumer<String> lines) {
     this.lines = lines;
   }
 
   /**
-   * Adds one thing, an empty line behind the one before.
+   * Lists entries.
+   *
+   * @param command receives the lines
+   * @param json the key of the entries in one JSON object, or empty for lines of text
+   * @param adding adds the entries
+   */
+  static void list(Subcommand command, Optional<String> json, Consumer<SettingsListing> adding) {
+    SettingsListing listing = new SettingsListing(json.isPresent() ? line -> {} : command::result);
+    adding.accept(listing);
+    json.ifPresent(key -> command.result(Json.write(Map.of(key, listing.entries))));
+  }
+
+  /**
+   * Adds an entry, an empty line behind the one before.
    *
    * @param name what it is called
    * @param description a sentence
    * @param parameters its settings
+   * @param presets names of its presets
    */
-  void add(String name, String description, List<Parameter> parameters) {
+  void add(String name, String description, List<Parameter> parameters, Set<String> presets) {
+    Map<String, Object> entry = new LinkedHashMap<>();
+    entry.put("name", name);
+    entry.put("description", description);
+    entry.put("settings", parameters.stream().map(SettingsListing::json).toList());
+    entry.put("presets", List.copyOf(presets));
+    entries.add(entry);
+    addLines(name, description, parameters);
+    if (!presets.isEmpty()) {
+      lines.accept("    presets: " + String.join(", ", presets));
+    }
+  }
+
+  private void addLines(String name, String description, List<Parameter> parameters) {
     if (begun) {
       lines.accept("");
     }
@@ -51,11 +79,22 @@ final class SettingsListing {
     }
   }
 
-  /** Adds the presets of the thing that was added last, if there are any. */
-  void presets(Set<String> names) {
-    if (!names.isEmpty()) {
-      lines.accept("    presets: " + String.join(", ", names));
+  /** A number has a range and a unit, any other setting its choices if there are some. */
+  private static Map<String, Object> json(Parameter parameter) {
+    Map<String, Object> json = new LinkedHashMap<>();
+    json.put("name", parameter.name());
+    if (parameter.isNumber()) {
+      json.put("min", parameter.min());
+      json.put("max", parameter.max());
+      json.put("unit", parameter.unit());
+    } else if (!parameter.choices().isEmpty()) {
+      json.put("choices", parameter.choices());
     }
+    Object value = parameter.defaultValue();
+    boolean isPlain = value instanceof Number || value instanceof Boolean;
+    json.put("default", isPlain ? value : defaultValue(parameter));
+    json.put("help", parameter.help());
+    return json;
   }
 
   private static String values(Parameter parameter) {

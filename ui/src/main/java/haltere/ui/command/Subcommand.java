@@ -2,17 +2,21 @@ package haltere.ui.command;
 
 import haltere.core.camera.Camera;
 import haltere.core.chain.FilterProvider;
-import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.Violation;
 import haltere.ui.command.terminal.LiveStatus;
 import haltere.ui.command.terminal.ProgressBar;
+import haltere.ui.command.terminal.StandardOutput;
 import haltere.ui.command.terminal.TerminalLine;
+import java.io.FilterOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
+import java.util.function.Function;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
@@ -37,6 +41,7 @@ abstract class Subcommand implements Callable<Integer> {
   @Mixin MessageOptions messages;
 
   private final Surroundings surroundings;
+  private volatile boolean failedBeside;
 
   Subcommand(Surroundings surroundings) {
     this.surroundings = surroundings;
@@ -64,6 +69,28 @@ abstract class Subcommand implements Callable<Integer> {
   /** Prints a line of the result. */
   void result(String line) {
     surroundings.out().print(line + "\n");
+  }
+
+  /** The standard output for bytes; it fails where a print stream would pass over it. */
+  OutputStream standardOutput() {
+    return new FilterOutputStream(surroundings.out()) {
+      @Override
+      public void write(byte[] bytes, int offset, int length) throws IOException {
+        surroundings.out().write(bytes, offset, length);
+        check();
+      }
+
+      @Override
+      public void flush() throws IOException {
+        check();
+      }
+
+      private void check() throws IOException {
+        if (surroundings.out().checkError()) {
+          throw new StandardOutput.Gone();
+        }
+      }
+    };
   }
 
   /** Tells the user what has been done. */
@@ -96,6 +123,17 @@ abstract class Subcommand implements Callable<Integer> {
     surroundings.err().print("haltere: " + line + "\n");
   }
 
+  /** Reports a failure that does not end the command, but its status is {@link #FAILED} then. */
+  void failedBeside(String line) {
+    failedBeside = true;
+    error(line);
+  }
+
+  /** The status of a command that ended with another one, with failures beside its work. */
+  int statusWithFailures(int status) {
+    return status == OK && failedBeside ? FAILED : status;
+  }
+
   ProgressBar progressBar(String label) {
     return new ProgressBar(surroundings.err(), isLineShown(), label, System::nanoTime);
   }
@@ -114,10 +152,10 @@ abstract class Subcommand implements Callable<Integer> {
   }
 
   /** Opens the viewer and waits until it is closed. */
-  void openWindow(Optional<Path> recording, ReadOptions options) {
+  void openWindow(Function<WindowOpener, Optional<String>> opening) {
     Optional<String> obstacle = surroundings.window().obstacle();
     if (obstacle.isEmpty()) {
-      obstacle = surroundings.window().open(recording, options);
+      obstacle = opening.apply(surroundings.window());
     }
     if (obstacle.isPresent()) {
       throw new CommandProblem(obstacle.get());

@@ -1,6 +1,7 @@
 package haltere.ui.command;
 
 import java.io.PrintStream;
+import java.nio.channels.ReadableByteChannel;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.Objects;
@@ -9,6 +10,7 @@ import java.util.Objects;
  * What a command can see of the machine it runs on. The program takes it from the process; a test
  * makes its own.
  *
+ * @param in standard input
  * @param out takes results
  * @param err takes messages, warnings and the progress bar
  * @param errIsTerminal whether {@code err} is a terminal, so that a progress bar makes sense
@@ -17,6 +19,7 @@ import java.util.Objects;
  * @param window opens the viewer
  */
 record Surroundings(
+    ReadableByteChannel in,
     PrintStream out,
     PrintStream err,
     boolean errIsTerminal,
@@ -24,6 +27,7 @@ record Surroundings(
     Path folder,
     WindowOpener window) {
   Surroundings {
+    Objects.requireNonNull(in, "in");
     Objects.requireNonNull(out, "out");
     Objects.requireNonNull(err, "err");
     Objects.requireNonNull(folder, "folder");

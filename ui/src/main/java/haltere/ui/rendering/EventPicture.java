@@ -17,7 +17,6 @@ public final class EventPicture implements StreamHandler {
   private final FramePainter painter;
   private PictureStyle style;
   private EventSums sums;
-  private boolean anew;
 
   /**
    * A picture without events.
@@ -68,17 +67,22 @@ public final class EventPicture implements StreamHandler {
 
   /** The next event is the first of a new exposure; only styles that are sharp forget. */
   public void beginExposure() {
-    anew = style.sharp();
+    if (sums != null && style.sharp()) {
+      sums.clear();
+    }
+  }
+
+  /** The next picture is of its events alone, without smoothing over the pictures before. */
+  public void settle() {
+    if (sums != null) {
+      sums.settle();
+    }
   }
 
   @Override
   public void packet(EventPacket packet) {
     frame.packet(packet);
     if (sums != null) {
-      if (anew && packet.size() > 0) {
-        sums.clear();
-        anew = false;
-      }
       sums.packet(packet);
     }
   }

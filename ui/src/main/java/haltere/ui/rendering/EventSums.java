@@ -45,6 +45,11 @@ final class EventSums {
   private boolean empty = true;
   private double fullCount;
 
+  /** The weight of events at a time, whichever packet they come in. */
+  private long weightUs;
+
+  private float weight;
+
   EventSums(SensorGeometry geometry, PictureStyle style) {
     width = geometry.width();
     height = geometry.height();
@@ -68,6 +73,7 @@ final class EventSums {
       moveReference(newestUs);
     }
     style = newStyle;
+    weightUs = Long.MIN_VALUE / 2;
     if (anew) {
       clear();
     }
@@ -85,6 +91,12 @@ final class EventSums {
     Arrays.fill(sums, 0);
     empty = true;
     fullCount = 0;
+    weightUs = Long.MIN_VALUE / 2;
+  }
+
+  /** The next picture tells what counts as much from its own events. */
+  void settle() {
+    fullCount = 0;
   }
 
   void packet(EventPacket packet) {
@@ -100,21 +112,23 @@ final class EventSums {
       newestUs = times[0];
     }
     boolean signed = style.mode() == DisplayMode.INTENSITY;
-    double sameUs = style.sharp() ? Double.MAX_VALUE : style.timeConstantUs() * SAME_WEIGHT;
-    long weightUs = times[0];
-    float weight = weight(weightUs);
+    double sameUs = style.timeConstantUs() * SAME_WEIGHT;
+    long atUs = weightUs;
+    float now = weight;
     for (int i = 0; i < size; i++) {
-      if (Math.abs(times[i] - weightUs) > sameUs) {
-        weightUs = times[i];
-        weight = weight(weightUs);
+      if (Math.abs(times[i] - atUs) > sameUs) {
+        atUs = times[i];
+        now = weight(atUs);
       }
       int address = addresses[i];
       int x = EventAddress.x(address);
       int y = EventAddress.y(address);
       if (x < width && y < height) {
-        sums[y * width + x] += signed && !EventAddress.isOn(address) ? -weight : weight;
+        sums[y * width + x] += signed && !EventAddress.isOn(address) ? -now : now;
       }
     }
+    weightUs = atUs;
+    weight = now;
     newestUs = times[size - 1];
   }
 

@@ -1,5 +1,6 @@
 package haltere.ui.space;
 
+import haltere.core.chain.EventFilter;
 import haltere.core.event.EventPacket;
 import haltere.core.playback.SliceSink;
 import haltere.core.sink.Mailbox;
@@ -110,6 +111,16 @@ public final class LiveFlight implements SliceSink {
     tracker.reset();
     moments.clear();
     changed = true;
+  }
+
+  @Override
+  public long memoryUs(long sliceUs) {
+    return EventFilter.DEFAULT_MEMORY_US;
+  }
+
+  @Override
+  public void sliceHeld() {
+    pictures.forEach(SliceSink::sliceHeld);
   }
 
   @Override

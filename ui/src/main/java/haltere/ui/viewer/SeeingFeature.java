@@ -127,7 +127,14 @@ public final class SeeingFeature implements ViewerFeature {
   public void setRegion(Optional<PixelRegion> region) {
     layer.setRegion(region);
     window.display().regionProperty().set(region);
-    window.sessions().session().ifPresent(open -> open.display().setRegion(region));
+    window
+        .sessions()
+        .session()
+        .ifPresent(
+            open -> {
+              open.display().setRegion(region);
+              open.player().refresh();
+            });
     window.panels().view().redrawMarks();
   }
 

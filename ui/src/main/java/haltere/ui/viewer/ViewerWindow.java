@@ -2,7 +2,6 @@ package haltere.ui.viewer;
 
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.ReadOptions;
-import haltere.core.playback.PlayerStatus;
 import haltere.ui.overlay.JavaFxOverlayCanvas;
 import haltere.ui.rendering.ColourMap;
 import haltere.ui.viewer.action.ViewerActions;
@@ -30,10 +29,12 @@ import haltere.ui.viewer.session.SessionRequest;
 import haltere.ui.viewer.session.ViewerSession;
 import java.io.File;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Future;
 import java.util.concurrent.RejectedExecutionException;
+import java.util.function.BiConsumer;
 import javafx.animation.AnimationTimer;
 import javafx.animation.PauseTransition;
 import javafx.application.Platform;
@@ -79,6 +80,7 @@ public final class ViewerWindow implements SessionHost {
   private final List<ViewerFeature> features = ViewerFeatures.all();
   private final LayoutSteps steps;
   private final SourceMemory memory;
+  private final List<BiConsumer<String, Exception>> problems = new ArrayList<>();
   private final SessionOpener opener;
   private final AnimationTimer pulse =
       new AnimationTimer() {
@@ -105,7 +107,9 @@ public final class ViewerWindow implements SessionHost {
   ViewerWindow(Stage stage, UserSettings settings) {
     this.stage = stage;
     memory = new SourceMemory(settings);
-    opener = new SessionOpener(background, editor, playback, statusLine, memory, this::install);
+    opener =
+        new SessionOpener(
+            background, editor, playback, statusLine, memory, this::install, this::failed);
     dialogs = new FileDialogs(stage);
     Rectangle2D room = Screen.getPrimary().getVisualBounds();
     Scene scene =
@@ -170,7 +174,12 @@ public final class ViewerWindow implements SessionHost {
   private void followDisplay() {
     display.onChange(
         () -> {
-          session().ifPresent(open -> open.display().setOptions(display.options()));
+          session()
+              .ifPresent(
+                  open -> {
+                    open.display().setOptions(display.options());
+                    open.player().refresh();
+                  });
           ColourMap colours = display.options().colours();
           stage.getScene().setFill(JavaFxOverlayCanvas.colour(colours.background()));
         });
@@ -189,9 +198,12 @@ public final class ViewerWindow implements SessionHost {
 
   private void showAllEvents(ViewerSession open, boolean all) {
     open.display().setAllEvents(all);
-    if (open.player().status().state() == PlayerStatus.State.PAUSED) {
-      playback.seek(open.player().status().elapsedUs());
-    }
+    open.player().refresh();
+  }
+
+  /** Brings the window to the screen. */
+  void show() {
+    stage.show();
   }
 
   /** Shows a session that is being made and whose player was started in pause. */
@@ -202,6 +214,15 @@ public final class ViewerWindow implements SessionHost {
   @Override
   public void open(SessionRequest request) {
     opener.open(memory.withSensor(request), session(), display.options());
+  }
+
+  private void failed(String name, Exception problem) {
+    problems.forEach(listener -> listener.accept(name, problem));
+  }
+
+  @Override
+  public void onProblem(BiConsumer<String, Exception> listener) {
+    problems.add(listener);
   }
 
   /** Shows a session in place of the one that is open. */

@@ -1,8 +1,10 @@
 package haltere.ui.command;
 
 import haltere.core.format.ReadOptions;
+import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
+import java.nio.channels.Channels;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -17,31 +19,38 @@ import java.util.Optional;
  * @param out what went to the standard output
  * @param err what went to the standard error
  * @param windows what was opened in a window
+ * @param bytes what went to the standard output, as it is
  */
-record CommandRun(int status, String out, String err, List<Optional<Path>> windows) {
+record CommandRun(int status, String out, String err, List<Optional<Path>> windows, byte[] bytes) {
   /** A command on a machine without display and terminal. */
   static CommandRun of(Object... words) {
     return on(Machine.BARE, words);
   }
 
   /** A machine that a command runs on. */
-  record Machine(Path folder, boolean terminal, boolean display, Optional<String> obstacle) {
-    static final Machine BARE = new Machine(Path.of(""), false, false, Optional.empty());
+  record Machine(
+      Path folder, boolean terminal, boolean display, Optional<String> obstacle, byte[] input) {
+    static final Machine BARE =
+        new Machine(Path.of(""), false, false, Optional.empty(), new byte[0]);
+
+    Machine withInput(byte[] bytes) {
+      return new Machine(folder, terminal, display, obstacle, bytes);
+    }
 
     Machine in(Path newFolder) {
-      return new Machine(newFolder, terminal, display, obstacle);
+      return new Machine(newFolder, terminal, display, obstacle, input);
     }
 
     Machine withTerminal() {
-      return new Machine(folder, true, display, obstacle);
+      return new Machine(folder, true, display, obstacle, input);
     }
 
     Machine withDisplay() {
-      return new Machine(folder, terminal, true, obstacle);
+      return new Machine(folder, terminal, true, obstacle, input);
     }
 
     Machine withObstacle(String line) {
-      return new Machine(folder, terminal, display, Optional.of(line));
+      return new Machine(folder, terminal, display, Optional.of(line), input);
     }
   }
 
@@ -69,6 +78,7 @@ record CommandRun(int status, String out, String err, List<Optional<Path>> windo
     ByteArrayOutputStream err = new ByteArrayOutputStream();
     Surroundings surroundings =
         new Surroundings(
+            Channels.newChannel(new ByteArrayInputStream(machine.input())),
             new PrintStream(out, false, StandardCharsets.UTF_8),
             new PrintStream(err, false, StandardCharsets.UTF_8),
             machine.terminal(),
@@ -84,7 +94,8 @@ record CommandRun(int status, String out, String err, List<Optional<Path>> windo
         status,
         out.toString(StandardCharsets.UTF_8),
         err.toString(StandardCharsets.UTF_8),
-        windows);
+        windows,
+        out.toByteArray());
   }
 
   /** The lines on the standard error. */

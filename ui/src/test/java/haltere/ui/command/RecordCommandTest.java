@@ -163,18 +163,21 @@ class RecordCommandTest {
 
   @Test
   @Timeout(60)
-  void aDiskWithoutRoomEndsARecordingThatHasNoOtherEnd() throws IOException {
+  void aDiskWithoutRoomIsRefusedAtTheStartAndTheOldFileStays() throws IOException {
+    Files.writeString(folder.resolve("fly.aedat4"), "mine");
     CommandRun run =
         CommandRun.of(
             "record",
             "--device",
             "simulated:fly",
             folder.resolve("fly.aedat4"),
+            "--overwrite",
             "--keep-free",
             "999999999");
     assertEquals(1, run.status());
-    assertTrue(run.err().contains("MB left, so the recording ended"), run.err());
-    assertTrue(names().isEmpty());
+    assertTrue(run.err().contains("make room, record to another disk"), run.err());
+    assertFalse(run.err().contains("recording simulated:fly"), run.err());
+    assertEquals("mine", Files.readString(folder.resolve("fly.aedat4")));
   }
 
   @Test
@@ -245,6 +248,7 @@ class RecordCommandTest {
     }
     haltere.toHandle().destroy(); // the other way would close its streams
     assertTrue(haltere.waitFor(60, TimeUnit.SECONDS));
+    assertEquals(0, haltere.exitValue());
     assertTrue(haltere.errorReader().lines().anyMatch(line -> line.startsWith("wrote " + out)));
     CommandRun strict = CommandRun.of("info", "--json", "--strict", out);
     assertEquals(0, strict.status(), strict.err());

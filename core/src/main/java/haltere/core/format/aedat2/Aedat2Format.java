@@ -11,7 +11,6 @@ import haltere.core.format.RecordingWriter;
 import haltere.core.format.Support;
 import haltere.core.format.WriteOptions;
 import java.io.IOException;
-import java.nio.ByteBuffer;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
@@ -21,8 +20,6 @@ import java.util.Set;
 
 /** AEDAT-2.0, what jAER recorded from 2008 until AEDAT-4: read and written. */
 public final class Aedat2Format implements RecordingFormat {
-  private static final int LOOK_BYTES = 2 * 1024 * 1024;
-
   /** For the service loader. */
   public Aedat2Format() {}
 
@@ -56,10 +53,16 @@ public final class Aedat2Format implements RecordingFormat {
 
   @Override
   public RecordingReader open(Path file, ReadOptions options) throws IOException {
-    return RecordingFile.reading(file, bytes -> open(bytes, options));
+    return RecordingFile.reading(file, bytes -> openStream(bytes, options));
   }
 
-  private RecordingReader open(RecordingFile bytes, ReadOptions options) throws IOException {
+  @Override
+  public boolean isStreamed() {
+    return true;
+  }
+
+  @Override
+  public RecordingReader openStream(RecordingFile bytes, ReadOptions options) throws IOException {
     AedatHeader header = AedatReader.header(bytes);
     List<String> remarks = new ArrayList<>();
     if (header.version().isEmpty()) {
@@ -69,10 +72,7 @@ public final class Aedat2Format implements RecordingFormat {
           bytes.path(),
           "the header says AEDAT-" + header.versionText() + ", not 2.0; leave out --format");
     }
-    long rest = bytes.size() - header.dataOffset();
-    ByteBuffer start = ByteBuffer.allocate((int) Math.min(LOOK_BYTES, Math.max(0, rest)));
-    bytes.read(start, header.dataOffset());
-    AedatSensor sensor = AedatSensor.of(header, options, start);
+    AedatSensor sensor = AedatSensor.of(header, options, bytes);
     remarks.addAll(sensor.remarks());
     return AedatReader.open(
         name(), bytes, header, sensor, remarks, RecordDecoder.AEDAT2_BYTES, options);

@@ -70,7 +70,7 @@ final class Aedat2Writer implements RecordingWriter {
     }
     AddressDecoder addresses =
         isDvs128(geometry) ? new Dvs128AddressDecoder(geometry) : new DavisAddressDecoder(geometry);
-    return new Aedat2Writer(AtomicFile.create(path, options.overwrite()), options, addresses);
+    return new Aedat2Writer(options.create(path), options, addresses);
   }
 
   private static boolean isDvs128(SensorGeometry geometry) {

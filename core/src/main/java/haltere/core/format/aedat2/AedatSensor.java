@@ -2,7 +2,9 @@ package haltere.core.format.aedat2;
 
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.ReadOptions;
-import java.nio.ByteBuffer;
+import haltere.core.format.RecordingFile;
+import haltere.core.format.RecordingProblem;
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -11,7 +13,7 @@ import java.util.Optional;
 
 /**
  * Decides which camera an AEDAT file comes from: by the header, else by what the user says, else by
- * the addresses of its first records.
+ * the addresses of its records.
  *
  * @param layout how to read the address words
  * @param geometry the sensor
@@ -59,15 +61,25 @@ public record AedatSensor(Layout layout, SensorGeometry geometry, List<String> r
    *
    * @param header of the file
    * @param options what the user says
-   * @param records whole 8-byte records of the file's start, or an empty buffer
+   * @param file its bytes, read to the end where the header does not say enough
    * @return the decision with its reasons
+   * @throws RecordingProblem if the camera is no retina, or no layout explains the addresses, and
+   *     the user names neither format nor sensor
+   * @throws IOException if the file cannot be read
    */
-  public static AedatSensor of(AedatHeader header, ReadOptions options, ByteBuffer records) {
+  public static AedatSensor of(AedatHeader header, ReadOptions options, RecordingFile file)
+      throws IOException {
     List<String> remarks = new ArrayList<>();
     String chip = header.chip().map(name -> name.substring(name.lastIndexOf('.') + 1)).orElse("");
     String lower = chip.toLowerCase(Locale.ROOT);
     String hardware = header.hardware().orElse("").toLowerCase(Locale.ROOT);
-    Addresses addresses = new Addresses(records);
+    if (lower.startsWith("cochlea") && options.format().isEmpty()) {
+      throw new RecordingProblem(
+          file.path(),
+          "its camera "
+              + chip
+              + " is a silicon cochlea, no retina; --format aedat2 reads its words as pixels");
+    }
     Optional<SensorGeometry> chipSize =
         DAVIS_CHIPS.entrySet().stream()
             .filter(entry -> lower.startsWith(entry.getKey()))
@@ -75,6 +87,7 @@ public record AedatSensor(Layout layout, SensorGeometry geometry, List<String> r
             .findFirst();
     Optional<SensorGeometry> stated = header.sensor().isPresent() ? header.sensor() : chipSize;
     Layout layout;
+    AddressEvidence evidence = null;
     if (lower.equals("dvs128") || lower.equals("tmpdiff128")) {
       return new AedatSensor(Layout.DVS128, DVS128_SIZE, remarks);
     } else if (chipSize.isPresent() || lower.startsWith("davis")) {
@@ -86,12 +99,27 @@ public record AedatSensor(Layout layout, SensorGeometry geometry, List<String> r
     } else if (chip.isEmpty() && hardware.startsWith("davis")) {
       layout = Layout.DAVIS;
     } else {
-      layout = addresses.layout(options.sensor());
-      if (options.sensor().isEmpty()) {
-        remarks.add(
-            (chip.isEmpty() ? "the header names no camera" : "the camera " + chip + " is not known")
-                + "; its addresses look like a "
-                + (layout == Layout.DVS128 ? "DVS128's" : "DAVIS's"));
+      evidence = AddressEvidence.of(file, header.dataOffset());
+      boolean isLarge =
+          options.sensor().filter(size -> size.longerSide() > DVS128_SIZE.width()).isPresent();
+      layout = evidence.layout(isLarge);
+      String unknown =
+          chip.isEmpty() ? "the header names no camera" : "the camera " + chip + " is not known";
+      String camera = layout == Layout.DVS128 ? "DVS128" : "DAVIS";
+      boolean isGuess = options.sensor().isEmpty() && options.format().isEmpty();
+      if (isGuess && !evidence.isExplained(layout)) {
+        throw new RecordingProblem(
+            file.path(),
+            String.format(
+                Locale.ROOT,
+                "%s, and its addresses are no events of a DVS128 or a DAVIS (%.0f %% of them fit a %s);"
+                    + " name the sensor with --sensor WxH, or the --format",
+                unknown,
+                100 * evidence.explained(layout),
+                camera));
+      }
+      if (options.sensor().isEmpty() || !evidence.isExplained(layout)) {
+        remarks.add(unknown + "; its addresses look like a " + camera + "'s");
       }
     }
     if (stated.isPresent()) {
@@ -103,11 +131,14 @@ public record AedatSensor(Layout layout, SensorGeometry geometry, List<String> r
     if (layout == Layout.DVS128) {
       return new AedatSensor(layout, DVS128_SIZE, remarks);
     }
-    SensorGeometry guess = addresses.davisSize();
+    if (evidence == null) {
+      evidence = AddressEvidence.of(file, header.dataOffset());
+    }
+    SensorGeometry guess = evidence.smallest(DAVIS_SIZES);
     remarks.add(
         "the header does not say how large the sensor is; "
             + guess
-            + " was taken from the first addresses (--sensor WxH states it)");
+            + " was taken from the addresses (--sensor WxH states it)");
     return new AedatSensor(layout, guess, remarks);
   }
 
@@ -120,49 +151,5 @@ public record AedatSensor(Layout layout, SensorGeometry geometry, List<String> r
     return layout == Layout.DVS128
         ? new Dvs128AddressDecoder(geometry)
         : new DavisAddressDecoder(geometry);
-  }
-
-  /**
-   * What the addresses at the start of a file tell. Early records weigh most, because a damaged
-   * place in a file shifts all records behind it.
-   */
-  private static final class Addresses {
-    private double fitDvs128;
-    private double fitDavis;
-    private int maxX;
-    private int maxY;
-
-    Addresses(ByteBuffer records) {
-      double place = 4;
-      for (int at = records.position(); at + 8 <= records.limit(); at += 8) {
-        int word = records.getInt(at);
-        double weight = 1 / (place * place);
-        place++;
-        fitDvs128 += (word & 0x7fff_0000) == 0 ? weight : 0;
-        if (word < 0 || (word & 0x400) != 0) {
-          // A sample or an external input; of the latter only the lowest bits carry more.
-          fitDavis += word < 0 || (word & 0x3f8) == 0 ? weight : 0;
-        } else if ((word & 0x3ff) == 0) {
-          fitDavis += weight;
-          maxX = Math.max(maxX, word >>> 12 & 0x3ff);
-          maxY = Math.max(maxY, word >>> 22);
-        }
-      }
-    }
-
-    Layout layout(Optional<SensorGeometry> sensor) {
-      if (fitDvs128 != fitDavis) {
-        return fitDvs128 > fitDavis ? Layout.DVS128 : Layout.DAVIS;
-      }
-      boolean large = sensor.isPresent() && sensor.get().longerSide() > 128;
-      return large ? Layout.DAVIS : Layout.DVS128;
-    }
-
-    SensorGeometry davisSize() {
-      return DAVIS_SIZES.stream()
-          .filter(size -> size.contains(maxX, maxY))
-          .findFirst()
-          .orElseThrow();
-    }
   }
 }

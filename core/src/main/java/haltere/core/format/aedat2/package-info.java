@@ -9,8 +9,9 @@
  * left pixel.
  *
  * <p><b>Which camera.</b> The header's word comes first ({@code AEChip:}, {@code
- * HardwareInterface:}, our own {@code Haltere sensor:}), then the addresses themselves; the reader
- * says so in a remark. {@link haltere.core.format.aedat2.AedatSensor} decides.
+ * HardwareInterface:}, our own {@code Haltere sensor:}), then the addresses of the whole file; the
+ * reader says so in a remark, or refuses them. {@link haltere.core.format.aedat2.AedatSensor}
+ * decides.
  *
  * <p><b>Where the header ends.</b> At the line {@code #End Of ASCII Header}, which jAER writes
  * since 2016 and we always do. Without it, at the first line that does not begin with {@code #} or

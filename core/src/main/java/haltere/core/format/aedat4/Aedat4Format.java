@@ -252,7 +252,7 @@ public final class Aedat4Format implements RecordingFormat {
       remarks.add(
           "the header does not say how large the sensor is; "
               + guess
-              + " was taken from the first events (--sensor WxH states it)");
+              + " was taken from the events (--sensor WxH states it)");
       return guess;
     }
 

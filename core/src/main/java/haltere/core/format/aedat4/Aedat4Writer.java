@@ -52,6 +52,7 @@ public final class Aedat4Writer implements RecordingWriter {
   }
 
   private Aedat4Writer(
+      Path path,
       FileChannel channel,
       Closeable owner,
       Commit commit,
@@ -68,7 +69,7 @@ public final class Aedat4Writer implements RecordingWriter {
     packer = new PacketPacker(compression);
     payload = new EventPayload(geometry);
     packed = new byte[packer.bound(payload.bytes().length)];
-    output = new BlockOutput(channel);
+    output = new BlockOutput(path, channel);
     packetsEnd = output.position();
     readings = new ReadingPackets(geometry.height(), options.readings(), this::writeReadings);
   }
@@ -87,7 +88,8 @@ public final class Aedat4Writer implements RecordingWriter {
     AtomicFile file = AtomicFile.create(path, options.overwrite());
     try {
       file.write(ByteBuffer.wrap(header(options, compression)));
-      return new Aedat4Writer(file.channel(), file, file::commit, options, compression, false);
+      return new Aedat4Writer(
+          path, file.channel(), file, file::commit, options, compression, false);
     } catch (IOException | RuntimeException e) {
       file.close();
       throw e;
@@ -113,7 +115,7 @@ public final class Aedat4Writer implements RecordingWriter {
     }
     FileChannel channel = FileChannel.open(path, StandardOpenOption.WRITE);
     try {
-      return new Aedat4Writer(channel, channel, channel::close, options, compression, true);
+      return new Aedat4Writer(path, channel, channel, channel::close, options, compression, true);
     } catch (IOException | RuntimeException e) {
       channel.close();
       throw e;
@@ -229,10 +231,7 @@ public final class Aedat4Writer implements RecordingWriter {
     output.flush();
     byte[] patch = new byte[8];
     LittleEndian.putLong(patch, 0, tablePosition);
-    ByteBuffer bytes = ByteBuffer.wrap(patch);
-    while (bytes.hasRemaining()) {
-      channel.write(bytes, Aedat4Header.TABLE_POSITION_OFFSET + bytes.position());
-    }
+    output.writeAt(ByteBuffer.wrap(patch), Aedat4Header.TABLE_POSITION_OFFSET);
     commit.run();
     finished = true;
   }

@@ -1,8 +1,10 @@
 package haltere.core.format.aedat4;
 
+import haltere.core.format.RecordingProblem;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
+import java.nio.file.Path;
 
 /**
  * The end of a file that is written, in whole blocks where nobody needs the bytes sooner: the
@@ -13,12 +15,14 @@ import java.nio.channels.FileChannel;
 final class BlockOutput {
   private static final int BLOCK = 256 * 1024;
 
+  private final Path path;
   private final FileChannel channel;
   private final ByteBuffer block = ByteBuffer.allocateDirect(BLOCK);
   private long blockStart;
 
   /** Goes on at the end of a file. */
-  BlockOutput(FileChannel channel) throws IOException {
+  BlockOutput(Path path, FileChannel channel) throws IOException {
+    this.path = path;
     this.channel = channel;
     blockStart = channel.size();
     toNextBlock();
@@ -48,10 +52,19 @@ final class BlockOutput {
   /** Hands over to the system what is still here. */
   void flush() throws IOException {
     block.flip();
-    while (block.hasRemaining()) {
-      channel.write(block, blockStart + block.position());
-    }
+    writeAt(block, blockStart);
     blockStart += block.limit();
     toNextBlock();
+  }
+
+  /** Writes bytes at an offset of the file. */
+  void writeAt(ByteBuffer bytes, long offset) throws IOException {
+    try {
+      while (bytes.hasRemaining()) {
+        channel.write(bytes, offset + bytes.position());
+      }
+    } catch (IOException e) {
+      throw RecordingProblem.writing(path, e);
+    }
   }
 }

@@ -26,6 +26,12 @@ final class PacketWalk {
   private final boolean cutOff;
   private final ViolationCounts violations;
 
+  /** The last search: from where, and what it found. No offset between can be a packet's. */
+  private long searchedFrom;
+
+  private long searchFound;
+  private long looks;
+
   private long position;
   private int stream;
   private long size;
@@ -129,16 +135,28 @@ final class PacketWalk {
     position = next;
   }
 
+  /** The first offset that can be a packet's, or −1. Damage in many places is searched once. */
   private long search(long from) throws IOException {
-    for (long at = from; at <= end - LOOK_BYTES; at++) {
-      if (looksLikePacket(at)) {
-        return at;
+    boolean isSearched = from >= searchedFrom && (searchFound < 0 || from <= searchFound);
+    if (searchedFrom == 0 || !isSearched) {
+      searchFound = -1;
+      for (long at = from; at <= end - LOOK_BYTES && searchFound < 0; at++) {
+        if (looksLikePacket(at)) {
+          searchFound = at;
+        }
       }
+      searchedFrom = from;
     }
-    return -1;
+    return searchFound;
+  }
+
+  /** How many offsets were looked at, the measure of its work. */
+  long looks() {
+    return looks;
   }
 
   private boolean looksLikePacket(long offset) throws IOException {
+    looks++;
     int at = offset > end - LOOK_BYTES ? -1 : window.require(offset, LOOK_BYTES);
     if (at < 0) {
       return false;

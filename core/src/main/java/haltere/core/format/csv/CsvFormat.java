@@ -71,10 +71,16 @@ public final class CsvFormat implements RecordingFormat {
 
   @Override
   public RecordingReader open(Path file, ReadOptions options) throws IOException {
-    return RecordingFile.reading(file, bytes -> open(bytes, options));
+    return RecordingFile.reading(file, bytes -> openStream(bytes, options));
   }
 
-  private RecordingReader open(RecordingFile file, ReadOptions options) throws IOException {
+  @Override
+  public boolean isStreamed() {
+    return true;
+  }
+
+  @Override
+  public RecordingReader openStream(RecordingFile file, ReadOptions options) throws IOException {
     CsvLayout layout =
         CsvLayout.of(file.read(0, FileHead.HEAD_BYTES))
             .orElseThrow(
@@ -109,6 +115,7 @@ public final class CsvFormat implements RecordingFormat {
     if (options.sensor().isPresent()) {
       return options.sensor().get();
     }
+    file.requireFile(SensorGuess.ADVICE);
     SensorGeometry guess =
         SensorGuess.smallest(
                 cursor(file, layout, SensorGuess.square(MAX_SIDE), new ViolationCounts()),

@@ -18,8 +18,8 @@ final class CsvWriter implements RecordingWriter {
   private static final int MAX_ROW = 64;
 
   private static final String ROWS_UP =
-      "rows count from the bottom, as in the source; most programs, this one too, take those of text"
-          + " to count from the top: --origin top writes them so";
+      "rows count from the bottom, as in the source; most programs, this one too, take those of"
+          + " text to count from the top: --origin top writes them so";
 
   private final AtomicFile file;
   private final SensorGeometry geometry;
@@ -44,7 +44,7 @@ final class CsvWriter implements RecordingWriter {
   }
 
   static CsvWriter create(Path path, WriteOptions options) throws IOException {
-    return new CsvWriter(AtomicFile.create(path, options.overwrite()), options);
+    return new CsvWriter(options.create(path), options);
   }
 
   @Override

@@ -14,6 +14,6 @@
  * height. Without a column of polarities all events are ON.
  *
  * <p><b>Pixels.</b> Rows are taken to count from the top, unless the user says otherwise. The size
- * is that of the first line or the user's, else the smallest usual one that holds the first events.
+ * is that of the first line or the user's, else the smallest usual one that holds the events.
  */
 package haltere.core.format.csv;

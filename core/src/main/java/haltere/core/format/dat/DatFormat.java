@@ -13,6 +13,7 @@ import haltere.core.format.RecordingFormat;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.RecordingWriter;
+import haltere.core.format.SensorGuess;
 import haltere.core.format.Support;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
@@ -83,10 +84,16 @@ public final class DatFormat implements RecordingFormat {
 
   @Override
   public RecordingReader open(Path file, ReadOptions options) throws IOException {
-    return RecordingFile.reading(file, bytes -> open(bytes, options));
+    return RecordingFile.reading(file, bytes -> openStream(bytes, options));
   }
 
-  private RecordingReader open(RecordingFile file, ReadOptions options) throws IOException {
+  @Override
+  public boolean isStreamed() {
+    return true;
+  }
+
+  @Override
+  public RecordingReader openStream(RecordingFile file, ReadOptions options) throws IOException {
     PropheseeHeader header = PropheseeHeader.of(file);
     ViolationCounts found = new ViolationCounts();
     byte[] kind = file.read(header.dataOffset(), 2);
@@ -118,7 +125,10 @@ public final class DatFormat implements RecordingFormat {
             options,
             MAX_SIDE,
             SIZES,
-            any -> cursor(file, dataOffset, any, layout, firstTurnUs, new ViolationCounts()));
+            any -> {
+              file.requireFile(SensorGuess.ADVICE);
+              return cursor(file, dataOffset, any, layout, firstTurnUs, new ViolationCounts());
+            });
     sensor.remark().ifPresent(remarks::add);
     return new DecodingReader(
         name(),

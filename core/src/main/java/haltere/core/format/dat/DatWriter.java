@@ -3,7 +3,6 @@ package haltere.core.format.dat;
 import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.core.format.AtomicFile;
 import haltere.core.format.HeaderText;
 import haltere.core.format.OutputBuffer;
 import haltere.core.format.RecordingProblem;
@@ -49,8 +48,7 @@ final class DatWriter implements RecordingWriter {
     this.options = options;
     width = geometry.width();
     top = geometry.height() - 1;
-    output =
-        new OutputBuffer(AtomicFile.create(path, options.overwrite()), ByteOrder.LITTLE_ENDIAN);
+    output = new OutputBuffer(options.create(path), ByteOrder.LITTLE_ENDIAN);
   }
 
   @Override

@@ -56,10 +56,16 @@ public final class EventStreamFormat implements RecordingFormat {
 
   @Override
   public RecordingReader open(Path file, ReadOptions options) throws IOException {
-    return RecordingFile.reading(file, bytes -> open(bytes, options));
+    return RecordingFile.reading(file, bytes -> openStream(bytes, options));
   }
 
-  private RecordingReader open(RecordingFile file, ReadOptions options) throws IOException {
+  @Override
+  public boolean isStreamed() {
+    return true;
+  }
+
+  @Override
+  public RecordingReader openStream(RecordingFile file, ReadOptions options) throws IOException {
     EventStreamHeader header =
         EventStreamHeader.parse(file.read(0, EventStreamHeader.LONGEST))
             .orElseThrow(

@@ -3,7 +3,6 @@ package haltere.core.format.eventstream;
 import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.core.format.AtomicFile;
 import haltere.core.format.OutputBuffer;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.WriteOptions;
@@ -41,8 +40,7 @@ final class EventStreamWriter implements RecordingWriter {
 
   EventStreamWriter(Path path, WriteOptions options) throws IOException {
     geometry = options.geometry();
-    output =
-        new OutputBuffer(AtomicFile.create(path, options.overwrite()), ByteOrder.LITTLE_ENDIAN);
+    output = new OutputBuffer(options.create(path), ByteOrder.LITTLE_ENDIAN);
     buffer = output.bytes();
     buffer.put(EventStreamHeader.MAGIC).put(new byte[] {2, 0, 0, EventStreamHeader.DVS});
     buffer.putShort((short) geometry.width()).putShort((short) geometry.height());

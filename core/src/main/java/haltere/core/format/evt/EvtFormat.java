@@ -12,6 +12,7 @@ import haltere.core.format.RecordingFile;
 import haltere.core.format.RecordingFormat;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingReader;
+import haltere.core.format.SensorGuess;
 import haltere.core.format.Support;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
@@ -79,10 +80,16 @@ abstract sealed class EvtFormat implements RecordingFormat
 
   @Override
   public RecordingReader open(Path file, ReadOptions options) throws IOException {
-    return RecordingFile.reading(file, bytes -> open(bytes, options));
+    return RecordingFile.reading(file, bytes -> openStream(bytes, options));
   }
 
-  private RecordingReader open(RecordingFile file, ReadOptions options) throws IOException {
+  @Override
+  public boolean isStreamed() {
+    return true;
+  }
+
+  @Override
+  public RecordingReader openStream(RecordingFile file, ReadOptions options) throws IOException {
     PropheseeHeader header = PropheseeHeader.of(file);
     List<String> remarks = new ArrayList<>();
     Optional<String> stated = stated(header);
@@ -105,7 +112,10 @@ abstract sealed class EvtFormat implements RecordingFormat
             options,
             EvtDecoder.MAX_SIDE,
             PropheseeSensor.RAW_SIZES,
-            any -> fitted.cursor(file, header, any, firstTurnUs, new ViolationCounts()));
+            any -> {
+              file.requireFile(SensorGuess.ADVICE);
+              return fitted.cursor(file, header, any, firstTurnUs, new ViolationCounts());
+            });
     sensor.remark().ifPresent(remarks::add);
     return new DecodingReader(
         name(),

@@ -4,7 +4,6 @@ import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.event.SensorReading;
 import haltere.core.event.Trigger;
-import haltere.core.format.AtomicFile;
 import haltere.core.format.HeaderText;
 import haltere.core.format.OutputBuffer;
 import haltere.core.format.RecordingProblem;
@@ -68,8 +67,7 @@ abstract sealed class EvtWriter implements RecordingWriter
     width = geometry.width();
     top = geometry.height() - 1;
     turnLengthUs = reader.turnLengthUs();
-    output =
-        new OutputBuffer(AtomicFile.create(path, options.overwrite()), ByteOrder.LITTLE_ENDIAN);
+    output = new OutputBuffer(options.create(path), ByteOrder.LITTLE_ENDIAN);
     buffer = output.bytes();
   }
 

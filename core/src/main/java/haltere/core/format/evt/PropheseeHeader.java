@@ -23,6 +23,8 @@ import java.util.regex.Pattern;
  * @param cutOff whether the file ends in the middle of a line
  */
 public record PropheseeHeader(Map<String, String> keys, int dataOffset, boolean cutOff) {
+  private static final int USUAL_HEADER = 64 * 1024;
+
   /** Longer headers are none. */
   private static final int MAX_HEADER = 1024 * 1024;
 
@@ -118,7 +120,10 @@ public record PropheseeHeader(Map<String, String> keys, int dataOffset, boolean 
    * @throws IOException if the file cannot be read
    */
   public static PropheseeHeader of(RecordingFile file) throws IOException {
-    byte[] bytes = file.read(0, MAX_HEADER);
+    byte[] bytes = file.read(0, USUAL_HEADER);
+    if (parse(bytes, false).dataOffset() >= USUAL_HEADER - MAX_LINE) {
+      bytes = file.read(0, MAX_HEADER);
+    }
     PropheseeHeader header = parse(bytes, bytes.length >= file.size());
     if (header.dataOffset() > MAX_HEADER - MAX_LINE) {
       throw new RecordingProblem(

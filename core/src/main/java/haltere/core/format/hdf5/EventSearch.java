@@ -101,6 +101,7 @@ final class EventSearch {
           && columns.containsKey(EventColumn.X)
           && columns.containsKey(EventColumn.Y)
           && !isTriggers(dataset)) {
+        contents.check(name -> isColumnBeside(dataset, name));
         return columns;
       }
     }
@@ -114,6 +115,13 @@ final class EventSearch {
     if (kind != EventColumn.OTHER && column.type().isNumber()) {
       columns.putIfAbsent(kind, column);
     }
+  }
+
+  /** Whether a name is that of a column of events in the group of a dataset, or of its offset. */
+  private static boolean isColumnBeside(Dataset dataset, String name) {
+    String column = name.substring(name.lastIndexOf('/') + 1);
+    return name.equals(folder(dataset) + column) && EventColumn.named(column) != EventColumn.OTHER
+        || name.equals(EventTable.TIME_OFFSET);
   }
 
   private static String folder(Dataset dataset) {
@@ -138,6 +146,7 @@ final class EventSearch {
     EventTable.Column third = new EventTable.Column(dataset, 2 * step, dataset.type());
     Look one = look(first);
     Look other = look(third);
+    requireWhole(one, "its columns");
     boolean timesFirst =
         one.isAscending() == other.isAscending()
             ? one.largest() > other.largest()
@@ -157,8 +166,9 @@ final class EventSearch {
     return columns;
   }
 
-  /** What the first numbers of a column look like. */
-  private record Look(double largest, boolean hasFractions, boolean isAscending) {}
+  /** What the first numbers of a column look like; a cut look has met the end of the file. */
+  private record Look(
+      double largest, boolean hasFractions, boolean isAscending, boolean isCutOff) {}
 
   private Look look(EventTable.Column column) throws IOException {
     double largest = 0;
@@ -168,18 +178,34 @@ final class EventSearch {
     try (ChunkUnpacker unpacker = new ChunkUnpacker()) {
       NumberColumn numbers =
           new NumberColumn(new DatasetRows(file, column.dataset(), unpacker), column);
-      int count = (int) Math.min(LOOK_ROWS, numbers.load(0));
-      for (int i = 0; i < count; i++) {
-        double value = numbers.real(i);
-        fractions |= Math.abs(value - Math.rint(value)) > SMALLEST_EXACT;
-        largest = Math.max(largest, Math.abs(value));
-        ascending &= value >= last;
-        last = value;
+      long wanted = Math.min(LOOK_ROWS, column.dataset().rows());
+      for (long row = 0; row < wanted; ) {
+        int count = (int) Math.min(wanted - row, numbers.load(row));
+        if (count <= 0) {
+          return new Look(largest, fractions, ascending, true);
+        }
+        for (int i = 0; i < count; i++) {
+          double value = numbers.real(i);
+          fractions |= Math.abs(value - Math.rint(value)) > SMALLEST_EXACT;
+          largest = Math.max(largest, Math.abs(value));
+          ascending &= value >= last;
+          last = value;
+        }
+        row += count;
       }
     } catch (DamagedPacketException damaged) {
-      return new Look(0, false, true);
+      // What was read up to here is looked at.
     }
-    return new Look(largest, fractions, ascending);
+    return new Look(largest, fractions, ascending, false);
+  }
+
+  private void requireWhole(Look look, String what) throws RecordingProblem {
+    if (look.isCutOff() && file.isCutOff()) {
+      throw new RecordingProblem(
+          file.bytes().path(),
+          file.bytes().size(),
+          "the file ends before " + what + " can be told; copy it again");
+    }
   }
 
   /** Said by eventcv, or by the column's name; else as for other files of plain numbers. */
@@ -197,6 +223,9 @@ final class EventSearch {
       return EventColumn.timeScale(time.name()).getAsInt();
     }
     Look look = look(time);
+    if (time.type().kind() == 'f' && !look.hasFractions()) {
+      requireWhole(look, "the unit of its times");
+    }
     return look.hasFractions() ? 6 : look.largest() >= SMALLEST_NS ? -3 : 0;
   }
 

@@ -4,9 +4,11 @@ import haltere.core.format.RecordingProblem;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Predicate;
 
 /** The datasets of a file, in all groups down to a depth, and the attributes of known groups. */
 final class FileContents {
@@ -17,7 +19,7 @@ final class FileContents {
   private final List<Dataset> datasets = new ArrayList<>();
   private final List<Attributes> attributes = new ArrayList<>();
   private final Set<Long> seen = new HashSet<>();
-  private final List<RecordingProblem> problems = new ArrayList<>();
+  private final Map<String, RecordingProblem> problems = new LinkedHashMap<>();
   private boolean hidden;
 
   private FileContents(ContainerFile file) {
@@ -53,7 +55,7 @@ final class FileContents {
           collect(name, member.getValue(), depth - 1);
         } catch (RecordingProblem problem) {
           // What is not known may be something else than what is looked for.
-          problems.add(problem);
+          problems.put(name, problem);
         }
       }
     }
@@ -68,6 +70,20 @@ final class FileContents {
     return attributes;
   }
 
+  /**
+   * Refuses a file that lists a dataset whose structure cannot be read, so that a damaged column is
+   * not taken for one that the file never had.
+   *
+   * @param isNeeded whether the dataset of a name, with its groups, matters
+   */
+  void check(Predicate<String> isNeeded) throws RecordingProblem {
+    for (Map.Entry<String, RecordingProblem> problem : problems.entrySet()) {
+      if (isNeeded.test(problem.getKey())) {
+        throw problem.getValue();
+      }
+    }
+  }
+
   /** Why something was not found: what could not be read, or else what the datasets are not. */
   RecordingProblem lacks(String words) {
     return problems.isEmpty()
@@ -80,6 +96,6 @@ final class FileContents {
                     : "")
                 + " "
                 + words)
-        : problems.get(0);
+        : problems.values().iterator().next();
   }
 }

@@ -105,6 +105,7 @@ public final class Hdf5Tables implements RecordingTables {
             "the table " + table + " has no column " + name + "; it has " + there.keySet());
       }
     }
+    contents.check(name -> names.stream().anyMatch(column -> name.equals(table + "/" + column)));
     there.keySet().retainAll(names);
     Dataset.check(container, there.values().stream().map(EventTable.Column::dataset).toList());
     try (ChunkUnpacker unpacker = new ChunkUnpacker()) {

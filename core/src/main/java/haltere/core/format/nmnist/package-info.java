@@ -8,6 +8,6 @@
  *
  * <p><b>Pixels.</b> Rows count from the top in the records and from the bottom in packets. The
  * files state no size: 34x34 (N-MNIST) or 240x180 (N-Caltech101), whichever is the smallest that
- * holds the first events.
+ * holds the events.
  */
 package haltere.core.format.nmnist;

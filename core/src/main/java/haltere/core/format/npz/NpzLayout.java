@@ -13,6 +13,7 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /**
  * Where the columns of the events are.
@@ -104,6 +105,7 @@ record NpzLayout(
       throw new RecordingProblem(
           file.path(), file.size(), "the file ends before the polarities of its events");
     }
+    checkPolarities(file, entries, arrays, columns);
     long rows = Long.MAX_VALUE;
     long most = 0;
     boolean lying = false;
@@ -120,9 +122,33 @@ record NpzLayout(
         rows,
         lying || rows != most,
         listed.isEmpty(),
-        rowsUp.isPresent() ? 0 : timeScale(file, columns.get(EventColumn.TIME)),
+        rowsUp.isPresent() ? 0 : timeScale(file, columns.get(EventColumn.TIME), listed.isEmpty()),
         sensor(file, arrays),
         rowsUp.map(up -> up == 1 ? Origin.BOTTOM : Origin.TOP));
+  }
+
+  /** Refuses polarities that are there but cannot be read: without them all events would be ON. */
+  private static void checkPolarities(
+      RecordingFile file,
+      List<ZipDirectory.Entry> entries,
+      List<Array> arrays,
+      Map<EventColumn, Column> columns)
+      throws RecordingProblem {
+    Stream<String> names =
+        Stream.concat(
+            entries.stream().map(NpzLayout::arrayName),
+            arrays.stream()
+                .flatMap(array -> array.header().fields().stream())
+                .map(NpyHeader.Field::name));
+    boolean named = names.anyMatch(name -> EventColumn.named(name) == EventColumn.POLARITY);
+    if (named && !columns.containsKey(EventColumn.POLARITY)) {
+      throw new RecordingProblem(
+          file.path(), "its polarities cannot be read; save them again as a list of numbers");
+    }
+  }
+
+  private static String arrayName(ZipDirectory.Entry entry) {
+    return entry.name().replaceFirst("^.*/", "").replaceFirst("\\.npy$", "");
   }
 
   private static List<Array> arrays(RecordingFile file, List<ZipDirectory.Entry> entries)
@@ -137,12 +163,7 @@ record NpzLayout(
         continue;
       }
       Array unknown =
-          new Array(
-              entry.name().replaceFirst("^.*/", "").replaceFirst("\\.npy$", ""),
-              null,
-              entry.method(),
-              entry.offset(),
-              entry.packedBytes());
+          new Array(arrayName(entry), null, entry.method(), entry.offset(), entry.packedBytes());
       byte[] start = new byte[NpyHeader.MAX_BYTES];
       ArrayBytes bytes = unknown.open(file);
       int length = bytes.read(0, start, start.length);
@@ -162,7 +183,7 @@ record NpzLayout(
   }
 
   /** Times with decimals are seconds, whole ones microseconds, or nanoseconds since 1970. */
-  private static int timeScale(RecordingFile file, Column time) throws IOException {
+  private static int timeScale(RecordingFile file, Column time, boolean cutOff) throws IOException {
     String name = time.field().name().isEmpty() ? time.array().name() : time.field().name();
     if (EventColumn.timeScale(name).isPresent()) {
       return EventColumn.timeScale(name).getAsInt();
@@ -182,6 +203,12 @@ record NpzLayout(
               : NpzCursor.whole(values, at + time.field().offset(), time.field());
       fraction |= value != Math.rint(value);
       largest = Math.max(largest, Math.abs(value));
+    }
+    long lookedAt = length / itemBytes;
+    long wanted = Math.min(start.length / itemBytes, time.array().header().rows());
+    if (cutOff && !fraction && time.field().kind() == 'f' && lookedAt < wanted) {
+      throw new RecordingProblem(
+          file.path(), file.size(), "the file ends before the unit of its times can be told");
     }
     return fraction ? 6 : largest >= SMALLEST_NS ? -3 : 0;
   }

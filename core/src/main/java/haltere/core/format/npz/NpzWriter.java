@@ -4,6 +4,7 @@ import haltere.core.event.EventPacket;
 import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.AtomicFile;
+import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.WriteOptions;
 import java.io.IOException;
@@ -50,13 +51,14 @@ final class NpzWriter implements RecordingWriter {
   private static final class Column {
     final String name;
     final String type;
+    final Path path;
     final FileChannel channel;
     final ByteBuffer piece;
 
     Column(String name, String type, int bytes) throws IOException {
       this.name = name;
       this.type = type;
-      Path path = Files.createTempFile("haltere-column", ".part");
+      path = Files.createTempFile("haltere-column", ".part");
       channel =
           FileChannel.open(
               path,
@@ -68,8 +70,12 @@ final class NpzWriter implements RecordingWriter {
 
     void flush() throws IOException {
       piece.flip();
-      while (piece.hasRemaining()) {
-        channel.write(piece);
+      try {
+        while (piece.hasRemaining()) {
+          channel.write(piece);
+        }
+      } catch (IOException e) {
+        throw RecordingProblem.writing(path, e);
       }
       piece.clear();
     }

@@ -1,12 +1,14 @@
 package haltere.core.format.aedat2;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.ReadOptions;
+import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.Recordings;
 import haltere.core.format.Violation;
@@ -100,6 +102,57 @@ class AedatSensorTest {
     try (RecordingReader reader = open(bytes.record(511 << 22 | 1023 << 12, 5))) {
       assertEquals(new SensorGeometry(1024, 512), reader.geometry());
     }
+  }
+
+  @Test
+  void theLayoutThatExplainsMostOfTheFileWinsWhateverTheFirstAddressesLookLike()
+      throws IOException {
+    AedatFile bytes = AedatFile.version2();
+    for (int i = 0; i < 100; i++) {
+      bytes.record(i, i);
+    }
+    for (int i = 100; i < 2000; i++) {
+      bytes.davis240(i, i % 240, i % 180, i % 2 == 0);
+    }
+    try (RecordingReader reader = open(bytes)) {
+      assertEquals(DAVIS240, reader.geometry());
+      assertTrue(read(reader).size() >= 1900);
+    }
+  }
+
+  @Test
+  void aSizeIsGuessedFromTheWholeFile() throws IOException {
+    AedatFile bytes = AedatFile.version2();
+    for (int i = 0; i < 300_000; i++) {
+      bytes.davis240(i, i % 240, i % 180, true);
+    }
+    try (RecordingReader reader = open(bytes.record(259 << 22 | 345 << 12 | 1 << 11, 300_000))) {
+      assertEquals(new SensorGeometry(346, 260), reader.geometry());
+      assertEquals(300_001, read(reader).size());
+    }
+  }
+
+  @Test
+  void addressesThatAreNoEventsOfAnyCameraAreRefusedWithAdvice() throws IOException {
+    AedatFile bytes = AedatFile.version2();
+    for (int i = 0; i < 1000; i++) {
+      bytes.record(i % 2 == 0 ? 0x0123_4567 : 0x8000_8000, i);
+    }
+    RecordingProblem refused = assertThrows(RecordingProblem.class, () -> open(bytes).close());
+    assertTrue(refused.getMessage().contains("--sensor WxH"), refused.getMessage());
+    assertTrue(refused.getMessage().contains("--format"), refused.getMessage());
+    open(bytes, ReadOptions.DEFAULT.withSensor(DVS128)).close();
+  }
+
+  @Test
+  void aSiliconCochleaIsNoRetina() throws IOException {
+    AedatFile bytes =
+        AedatFile.version2()
+            .text("# AEChip: ch.unizh.ini.jaer.chip.cochlea.CochleaAMS1c\r\n")
+            .record(77, 1);
+    RecordingProblem refused = assertThrows(RecordingProblem.class, () -> open(bytes).close());
+    assertTrue(refused.getMessage().contains("silicon cochlea"), refused.getMessage());
+    open(bytes, ReadOptions.DEFAULT.withFormat("aedat2")).close();
   }
 
   @Test

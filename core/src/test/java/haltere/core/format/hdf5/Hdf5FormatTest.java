@@ -25,6 +25,7 @@ import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -36,6 +37,7 @@ class Hdf5FormatTest extends RecordingFormatContract {
   private static final SensorGeometry SENSOR = new SensorGeometry(346, 260);
   private static final int THEIRS = 300;
   private static final int DAMAGES = 150;
+  private static final int CUT_STEP_BYTES = 5;
 
   @Override
   protected RecordingFormat format() {
@@ -183,8 +185,7 @@ class Hdf5FormatTest extends RecordingFormatContract {
       for (int flips = random.nextInt(1, 6); flips > 0; flips--) {
         bytes[random.nextInt(bytes.length)] = (byte) random.nextInt(256);
       }
-      Files.write(
-          file, i % 5 == 0 ? java.util.Arrays.copyOf(bytes, i * bytes.length / DAMAGES) : bytes);
+      Files.write(file, i % 5 == 0 ? Arrays.copyOf(bytes, i * bytes.length / DAMAGES) : bytes);
       try (RecordingReader reader = format().open(file, ReadOptions.DEFAULT.withSensor(SENSOR))) {
         assertTrue(read(reader).events().size() <= whole.length);
       } catch (RecordingProblem problem) {
@@ -193,6 +194,36 @@ class Hdf5FormatTest extends RecordingFormatContract {
       }
     }
     assertTrue(refused > 10, refused + " were refused");
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "old-deflate-shuffle-fletcher32",
+        "new-growing",
+        "new-array-lzf",
+        "new-single-deflate",
+        "new-run",
+        "dsec",
+        "prophesee",
+        "table-txyp",
+        "table-xytp-seconds",
+        "seconds-big-endian-truth",
+        "nanoseconds-user-block",
+      })
+  void otherProgramsFilesCutAnywhereGiveNoInventedEvent(String name) throws IOException {
+    byte[] whole = Files.readAllBytes(theirs(name));
+    EventPacket events = theirEvents();
+    Path file = folder.resolve("cut");
+    for (int length = whole.length - 1; length > 0; length -= CUT_STEP_BYTES) {
+      Files.write(file, Arrays.copyOf(whole, length));
+      try (RecordingReader reader = format().open(file, ReadOptions.DEFAULT.withSensor(SENSOR))) {
+        EventPacket got = read(reader).events();
+        assertEquals(EventPackets.part(events, 0, got.size()), got, "cut to " + length + " bytes");
+      } catch (RecordingProblem problem) {
+        assertEquals(1, problem.getMessage().lines().count());
+      }
+    }
   }
 
   @Test

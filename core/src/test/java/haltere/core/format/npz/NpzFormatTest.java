@@ -28,6 +28,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.zip.CRC32;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipFile;
 import java.util.zip.ZipOutputStream;
@@ -98,6 +99,24 @@ class NpzFormatTest extends RecordingFormatContract {
     bytes.put(new byte[] {(byte) 0x93, 'N', 'U', 'M', 'P', 'Y', 1, 0});
     bytes.putShort((short) text.length()).put(text.getBytes(StandardCharsets.US_ASCII));
     return bytes.put(data).array();
+  }
+
+  private static byte[] stored(Map<String, byte[]> arrays) throws IOException {
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    try (ZipOutputStream zip = new ZipOutputStream(bytes)) {
+      zip.setMethod(ZipOutputStream.STORED);
+      for (Map.Entry<String, byte[]> array : arrays.entrySet()) {
+        CRC32 crc = new CRC32();
+        crc.update(array.getValue());
+        ZipEntry entry = new ZipEntry(array.getKey() + ".npy");
+        entry.setSize(array.getValue().length);
+        entry.setCrc(crc.getValue());
+        zip.putNextEntry(entry);
+        zip.write(array.getValue());
+        zip.closeEntry();
+      }
+    }
+    return bytes.toByteArray();
   }
 
   private static byte[] zipped(Map<String, byte[]> arrays) throws IOException {
@@ -220,6 +239,33 @@ class NpzFormatTest extends RecordingFormatContract {
       assertEquals(1, reader.violations().count(Violation.CUT_OFF));
       assertEquals(1, reader.violations().count(Violation.LYING_LENGTH));
     }
+  }
+
+  @Test
+  void otherProgramsFilesCutAnywhereGiveNoInventedEvent() throws IOException {
+    EventPacket events = EventPackets.uniform(SENSOR, 6, 100, 5_000_000, 40);
+    Map<String, byte[]> arrays = columns(events, true);
+    byte[] whole = stored(arrays);
+    Path file = folder.resolve("cut.npz");
+    for (int length = whole.length - 1; length > 0; length--) {
+      Files.write(file, Arrays.copyOf(whole, length));
+      try (RecordingReader reader = format().open(file, ReadOptions.DEFAULT.withSensor(SENSOR))) {
+        EventPacket got = read(reader).events();
+        assertEquals(EventPackets.part(events, 0, got.size()), got, "cut to " + length + " bytes");
+      } catch (RecordingProblem problem) {
+        assertEquals(1, problem.getMessage().lines().count());
+      }
+    }
+  }
+
+  @Test
+  void polaritiesThatAreNoNumbersAreRefusedInsteadOfTakenForOn() throws IOException {
+    Map<String, byte[]> arrays = columns(EventPackets.uniform(SENSOR, 7, 10, 5, 40), false);
+    arrays.put("polarity", array("'<U3'", "10,", buffer(120, ByteOrder.LITTLE_ENDIAN)));
+    Path file = Files.write(folder.resolve("words.npz"), zipped(arrays));
+    RecordingProblem refused =
+        assertThrows(RecordingProblem.class, () -> Recordings.open(file).close());
+    assertTrue(refused.getMessage().contains("polarities"), refused.getMessage());
   }
 
   @Test

@@ -1,5 +1,6 @@
 package haltere.filters.orientation.camera;
 
+import haltere.core.format.RecordingFile;
 import haltere.core.json.Json;
 import haltere.core.json.JsonProblem;
 import java.io.IOException;
@@ -41,6 +42,7 @@ public record CameraFile(List<CameraModel> cameras, double minEccentricity) {
    * @throws IOException if it cannot be read
    */
   public static CameraFile read(Path file) throws IOException {
+    RecordingFile.checkRegular(file);
     byte[] bytes = Files.readAllBytes(file);
     if (looksLikeXml(bytes)) {
       try (InputStream in = new java.io.ByteArrayInputStream(bytes)) {

@@ -1,5 +1,6 @@
 package haltere.filters.orientation.camera;
 
+import haltere.core.format.RecordingFile;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.csv.CsvTable;
 import java.io.BufferedReader;
@@ -36,6 +37,7 @@ final class ObservationTable {
   static void read(Path file, List<CameraModel> cameras, ObservationFile.Listener listener)
       throws IOException {
     ObservationTable observations = new ObservationTable(cameras, listener);
+    RecordingFile.checkRegular(file);
     try (BufferedReader in = Files.newBufferedReader(file, StandardCharsets.UTF_8)) {
       CsvTable table = new CsvTable(in, COLUMNS);
       if (table.header().isEmpty()) {

@@ -210,6 +210,18 @@ public final class EdgesEstimator implements SideEstimator {
   }
 
   @Override
+  public double[][] beat(int steps) {
+    double[][] angles = new double[2][steps];
+    for (int part = 0; part < 2; part++) {
+      double stepUs = 2 * Math.PI / edges[part].omega / steps * 1e6;
+      for (int step = 0; step < steps; step++) {
+        angles[part][step] = edges[part].angle(nowUs + latencyUs + step * stepUs);
+      }
+    }
+    return angles;
+  }
+
+  @Override
   public List<WingFilterState> filters() {
     return Stream.of(edges).map(EdgeEstimator::filter).flatMap(Optional::stream).toList();
   }

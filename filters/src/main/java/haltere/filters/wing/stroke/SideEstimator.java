@@ -55,6 +55,15 @@ public interface SideEstimator {
    */
   WingEstimate estimate(int part);
 
+  /**
+   * The way of both edges over the beat that follows the last {@link #advance}.
+   *
+   * @param steps how many angles, at even steps of the phase, the first one of now
+   * @return stroke angles of the {@link #LEADING} and the {@link #TRAILING} edge, radians, not
+   *     wrapped
+   */
+  double[][] beat(int steps);
+
   /** {@return the Kalman filters of the wing or of its edges as they are now; none without} */
   default List<WingFilterState> filters() {
     return List.of();

@@ -457,6 +457,21 @@ public final class WingEstimator implements SideEstimator {
         part == WING ? taken[0] + taken[1] : taken[part]);
   }
 
+  @Override
+  public double[][] beat(int steps) {
+    double[][] angles = new double[2][steps];
+    double ahead = ahead();
+    double width = filter.x[StrokeEkf.WIDTH];
+    for (int step = 0; step < steps; step++) {
+      double turn = ahead + 2 * Math.PI * step / steps;
+      double angle = filter.angleAfter(turn);
+      double leading = filter.slopeAfter(turn) >= 0 ? width : -width;
+      angles[LEADING][step] = angle + leading;
+      angles[TRAILING][step] = angle - leading;
+    }
+    return angles;
+  }
+
   private double amplitude() {
     shape.of(filter);
     return shape.amplitude();

@@ -15,9 +15,13 @@ import haltere.filters.wing.WingSnapshot;
 import haltere.filters.wing.WingTrackerState.Phase;
 import haltere.filters.wing.WingVariances;
 import haltere.filters.wing.stroke.SideEstimator;
+import java.util.Arrays;
 
 /** Tells a listener what the estimators of both wings say. */
 final class FlyReport {
+  /** Straight lines between so many angles of a beat are within 0.2 degrees of its sine. */
+  private static final int BEAT_STEPS = 48;
+
   private final WingListener listener;
   private final WingEstimators wings;
   private final long[] beatCount = new long[2];
@@ -109,16 +113,25 @@ final class FlyReport {
 
   /** Tells everything at once, to be drawn. */
   void snapshot(long timeUs, Phase phase, FlyGeometry geometry, double regionPx) {
-    double[] edges = new double[4];
-    double[] sd = new double[2];
-    for (int edge = 0; edge < 4; edge++) {
-      int side = edge / 2;
-      SideEstimator wing = wings.main[side];
-      boolean tracked = wings.tracked[side];
-      edges[edge] = wings.takesNow[edge] ? wing.estimate(edge % 2).angleRad() : Double.NaN;
-      sd[side] = tracked ? wing.estimate(SideEstimator.WING).sdAngleRad() : Double.NaN;
+    double[] strokes = new double[4 * BEAT_STEPS];
+    double[] frequency = {Double.NaN, Double.NaN};
+    double[] sd = {Double.NaN, Double.NaN};
+    Arrays.fill(strokes, Double.NaN);
+    for (int side = 0; side < 2; side++) {
+      if (wings.tracked[side]) {
+        SideEstimator wing = wings.main[side];
+        WingEstimate now = wing.estimate(SideEstimator.WING);
+        frequency[side] = now.frequencyHz();
+        sd[side] = now.sdAngleRad();
+        double[][] beat = wing.beat(BEAT_STEPS);
+        for (int edge = 2 * side; edge < 2 * side + 2; edge++) {
+          if (wings.takesNow[edge]) {
+            System.arraycopy(beat[edge % 2], 0, strokes, edge * BEAT_STEPS, BEAT_STEPS);
+          }
+        }
+      }
     }
-    listener.take(new WingSnapshot(timeUs, phase, geometry, regionPx, edges, sd));
+    listener.take(new WingSnapshot(timeUs, phase, geometry, regionPx, strokes, frequency, sd));
   }
 
   /** Tells of a beat that has ended; the first one has no beginning and is left out. */

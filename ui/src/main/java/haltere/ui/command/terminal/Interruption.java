@@ -13,6 +13,7 @@ public final class Interruption extends Thread {
   private final Thread worker;
   private final CountDownLatch done = new CountDownLatch(1);
   private volatile boolean stopping;
+  private volatile int status;
 
   private Interruption(Thread worker) {
     super("interruption");
@@ -28,9 +29,13 @@ public final class Interruption extends Thread {
 
   /**
    * The work is done, however it ended. This does not return where the process has been told to
-   * stop: it ends with the status of that.
+   * stop. It ends with status 0 then if that was a proper end of the work, as of a recording; else
+   * with the status of what stopped it (130 for Ctrl+C).
+   *
+   * @param workStatus the status of the work
    */
-  public void finished() {
+  public void finished(int workStatus) {
+    status = workStatus;
     done.countDown();
     if (stopping) {
       // Waits for the exit that is under way; one with the status of a failure would overtake it.
@@ -46,7 +51,9 @@ public final class Interruption extends Thread {
     stopping = true;
     worker.interrupt();
     try {
-      done.await(PATIENCE_S, TimeUnit.SECONDS);
+      if (done.await(PATIENCE_S, TimeUnit.SECONDS) && status == 0) {
+        Runtime.getRuntime().halt(0);
+      }
     } catch (InterruptedException hurried) {
       Thread.currentThread().interrupt();
     }

@@ -12,6 +12,26 @@ import java.util.Optional;
  * forgets: a reader that has seen enough (such as {@code head}) is no failure, a full disk is one.
  */
 public final class StandardOutput extends OutputStream {
+  /** The standard output takes no more; {@link #failure()} says whether that is a failure. */
+  public static final class Gone extends IOException {
+    private static final long serialVersionUID = 1;
+
+    /** Nothing is said here: the process says it once, at its end. */
+    public Gone() {
+      super("the standard output takes no more");
+    }
+
+    /**
+     * Whether that is the cause of something.
+     *
+     * @param failure what was thrown
+     * @return true if it or one of its causes is of this class
+     */
+    public static boolean isCause(Throwable failure) {
+      return failure != null && (failure instanceof Gone || isCause(failure.getCause()));
+    }
+  }
+
   private final OutputStream process;
   private IOException problem;
 

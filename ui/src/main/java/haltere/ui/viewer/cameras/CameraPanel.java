@@ -34,6 +34,9 @@ import javafx.scene.layout.VBox;
  * <p>Thread rule: JavaFX thread only.
  */
 final class CameraPanel extends ScrollPane {
+  /** Latency from which on a camera's events count as shown late. */
+  private static final long BEHIND_US = 100_000;
+
   /** Tells a camera something in the background. */
   interface Teller {
     /** Does it, then calls the one or the other on the JavaFX thread. */
@@ -255,6 +258,7 @@ final class CameraPanel extends ScrollPane {
         + " waiting, "
         + Texts.count(now.lostEvents())
         + " lost, "
-        + Texts.duration(now.medianLatencyUs());
+        + Texts.duration(now.medianLatencyUs())
+        + (now.medianLatencyUs() > BEHIND_US ? " behind" : "");
   }
 }

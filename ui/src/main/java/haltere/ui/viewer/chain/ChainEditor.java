@@ -75,8 +75,23 @@ public final class ChainEditor {
             path(nested) + "/",
             outermost);
     inner.player =
-        Optional.of(work -> edit(chain -> work.accept((FilterChain) chain.stage(name).filter())));
+        Optional.of(
+            new ChainAccess() {
+              @Override
+              public CompletableFuture<Void> edit(Consumer<FilterChain> change) {
+                return ChainEditor.this.edit(chain -> change.accept(find(chain, name)));
+              }
+
+              @Override
+              public CompletableFuture<Void> read(Consumer<FilterChain> reader) {
+                return run(access -> access.read(chain -> reader.accept(find(chain, name))));
+              }
+            });
     return inner;
+  }
+
+  private static FilterChain find(FilterChain chain, String name) {
+    return (FilterChain) chain.stage(name).filter();
   }
 
   /** The names of the chains that a stage is in, and its own. */
@@ -86,7 +101,7 @@ public final class ChainEditor {
 
   /** Goes over to the chain of another player, as {@link #setAccess}. */
   public void setPlayer(Player newPlayer) {
-    setAccess(newPlayer::edit);
+    setAccess(ChainAccess.of(newPlayer));
   }
 
   /** Goes over to another chain; what was changed in the one before can no longer be undone. */
@@ -244,14 +259,7 @@ public final class ChainEditor {
       return;
     }
     String name = stage.name();
-    player
-        .get()
-        .edit(chain -> chain.apply(stage, settings))
-        .exceptionally(
-            problem -> {
-              Platform.runLater(() -> refused.accept(Texts.oneLine(problem)));
-              return null;
-            });
+    change(chain -> chain.apply(stage, settings), refused);
     made(
         subject + " of " + Texts.title(name),
         prefix + name + "/" + subject,
@@ -284,14 +292,24 @@ public final class ChainEditor {
    * @param refused called with one line if that cannot be
    */
   public void change(Consumer<FilterChain> work, Consumer<String> refused) {
-    player.ifPresent(
-        open ->
-            open.edit(work)
-                .exceptionally(
-                    problem -> {
-                      Platform.runLater(() -> refused.accept(Texts.oneLine(problem)));
-                      return null;
-                    }));
+    player.ifPresent(open -> tell(open.edit(work), refused));
+  }
+
+  /**
+   * Changes something inside the filters by hand: what they know at this moment stays.
+   *
+   * @param refused called with one line if that cannot be
+   */
+  public void adjust(Consumer<FilterChain> work, Consumer<String> refused) {
+    player.ifPresent(open -> tell(open.adjust(work), refused));
+  }
+
+  private static void tell(CompletableFuture<Void> done, Consumer<String> refused) {
+    done.exceptionally(
+        problem -> {
+          Platform.runLater(() -> refused.accept(Texts.oneLine(problem)));
+          return null;
+        });
   }
 
   /**
@@ -306,7 +324,7 @@ public final class ChainEditor {
   /** Reads something off the chain between two packets and brings it to the JavaFX thread. */
   public <T> void read(Function<FilterChain, T> reading, Consumer<T> taker) {
     AtomicReference<T> result = new AtomicReference<>();
-    edit(chain -> result.set(reading.apply(chain)))
+    run(access -> access.read(chain -> result.set(reading.apply(chain))))
         .thenRun(() -> Platform.runLater(() -> taker.accept(result.get())));
   }
 
@@ -320,7 +338,7 @@ public final class ChainEditor {
     AtomicReference<T> result = new AtomicReference<>();
     player.ifPresent(
         open ->
-            open.edit(chain -> result.set(reading.apply(chain)))
+            open.read(chain -> result.set(reading.apply(chain)))
                 .whenComplete(
                     (done, problem) ->
                         Platform.runLater(
@@ -374,11 +392,15 @@ public final class ChainEditor {
   }
 
   private CompletableFuture<Void> edit(Consumer<FilterChain> change) {
+    return run(access -> access.edit(change));
+  }
+
+  private CompletableFuture<Void> run(Function<ChainAccess, CompletableFuture<Void>> work) {
     if (player.isEmpty()) {
       return new CompletableFuture<>();
     }
     Optional<ChainAccess> edited = player;
-    CompletableFuture<Void> done = player.get().edit(change);
+    CompletableFuture<Void> done = work.apply(player.get());
     done.exceptionally(
         problem -> {
           Platform.runLater(

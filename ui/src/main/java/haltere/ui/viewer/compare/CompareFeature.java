@@ -6,6 +6,7 @@ import haltere.core.playback.Player;
 import haltere.ui.plot.PlotField;
 import haltere.ui.plot.PublishedMeans;
 import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.chain.ChainAccess;
 import haltere.ui.viewer.chain.ChainEditor;
 import haltere.ui.viewer.chain.ChainPanel;
 import haltere.ui.viewer.chain.StageState;
@@ -94,7 +95,10 @@ public final class CompareFeature implements ViewerFeature {
         .onChange(
             () ->
                 running.ifPresent(
-                    now -> now.second().display().setOptions(window.display().options())));
+                    now -> {
+                      now.second().display().setOptions(window.display().options());
+                      now.player().refresh();
+                    }));
     window.panels().onPulse(() -> running.ifPresent(this::pulse));
   }
 
@@ -138,7 +142,7 @@ public final class CompareFeature implements ViewerFeature {
     List<StageState> stages = StageState.of(made.chain());
     player.addRawSink(made);
     window.editor().presets().ifPresent(editor::setPresets);
-    editor.setAccess(change -> player.edit(first -> change.accept(made.chain())));
+    editor.setAccess(ChainAccess.beside(player, made.chain()));
     showStages(stages);
   }
 

@@ -55,6 +55,28 @@ final class SecondChain implements SliceSink {
   }
 
   @Override
+  public long memoryUs(long sliceUs) {
+    return Math.max(chain.memoryUs(), display.memoryUs(sliceUs));
+  }
+
+  @Override
+  public void runUpBegins(long sliceUs) {
+    display.runUpBegins(sliceUs);
+    chain.setRunUp(true);
+  }
+
+  @Override
+  public void runUpEnds() {
+    chain.setRunUp(false);
+    display.runUpEnds();
+  }
+
+  @Override
+  public void sliceHeld() {
+    display.sliceHeld();
+  }
+
+  @Override
   public void sliceEnd(long fromUs, long toUs) {
     display.sliceEnd(fromUs, toUs);
   }

@@ -17,6 +17,9 @@ public final class Texts {
       Pattern.compile("(\\d+(?:\\.\\d*)?)\\s*(us|\u00b5s|ms|s)");
   private static final Pattern CLOCK_TIME = Pattern.compile("(?:\\d+:){0,2}\\d+(?:\\.\\d*)?");
 
+  /** Share of the wanted speed from which on it counts as reached: a measured speed jitters. */
+  private static final double REACHED = 0.95;
+
   private Texts() {}
 
   /**
@@ -67,14 +70,28 @@ public final class Texts {
     return OptionalLong.of(Math.round(seconds * 1e6));
   }
 
-  /** By how much playback is late, and what takes the time. */
-  public static String late(PlayerStatus status) {
-    String behind = duration(status.lagUs()) + " behind";
+  /** The speed that playback reaches, beside the one that was asked for where that is higher. */
+  public static String reached(PlayerStatus status) {
+    double now = status.achievedSpeed();
+    double rounded = Math.abs(now - 1) < 0.015 ? 1 : now >= 1 ? Math.round(now * 100) / 100.0 : now;
+    return speed(rounded) + (isSlowed(status) ? " of " + speed(status.speed()) : "");
+  }
+
+  private static boolean isSlowed(PlayerStatus status) {
+    double wanted = Double.isInfinite(status.speed()) ? 0 : status.speed();
+    return status.achievedSpeed() > 0 && status.achievedSpeed() < REACHED * wanted;
+  }
+
+  /** What the speed is limited by, where the one that was asked for is not reached; or empty. */
+  public static String limit(PlayerStatus status) {
+    if (!isSlowed(status)) {
+      return "";
+    }
     if (status.sourceIsSlowest()) {
-      return "The source is " + behind + ": reading or simulating it takes most of the time";
+      return "Reading or simulating the source takes most of the time.";
     }
     String stage = status.slowestStage();
-    return "The chain is " + behind + (stage.isEmpty() ? "" : ": " + stage);
+    return stage.isEmpty() ? "" : "Most of the time goes to " + title(stage) + ".";
   }
 
   /** Three digits and a letter for thousands: 1.25 M, 34.2 k, 512. */

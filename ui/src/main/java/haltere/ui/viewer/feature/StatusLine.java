@@ -27,15 +27,18 @@ import javafx.stage.Modality;
  */
 public final class StatusLine extends HBox {
   private static final PseudoClass ERROR = PseudoClass.getPseudoClass("error");
-  private static final PseudoClass WARNING = PseudoClass.getPseudoClass("warning");
+
+  /** A run-up that takes longer than this is said. */
+  private static final long RUN_UP_NANOS = 300_000_000;
+
+  private static final String SPEED_HELP = "Recording time per real time that playback reaches.";
 
   private final Label message = new Label();
   private final Button dismiss;
   private final Button more;
   private final Label time = number("status-time", 150, "Time on the recording's own clock");
   private final Label rate = number("status-rate", 90, "Events per second of recording time");
-  private final Label speed =
-      number("status-speed", 70, "Recording time per real time that playback really makes");
+  private final Label speed = number("status-speed", 70, SPEED_HELP);
   private final Label frames =
       number("status-frames", 60, "Pictures shown per second of real time");
   private final Label dropped =
@@ -50,6 +53,7 @@ public final class StatusLine extends HBox {
           0,
           "Of the camera: transfers that wait for this program, events lost because it did not keep"
               + " up, and the time from a transfer's arrival to the end of its work");
+  private long runUpNanos;
   private String error = "";
   private String details = "";
   private String playerMessage = "";
@@ -138,8 +142,13 @@ public final class StatusLine extends HBox {
             ? ""
             : "t " + status.timeUs() + " \u00b5s");
     rate.setText(Texts.quantity(status.eventRateEps()) + " ev/s");
-    speed.setText(
-        status.state() == State.PLAYING ? Texts.speed(rounded(status.achievedSpeed())) : "");
+    speed.setText(status.state() == State.PLAYING ? Texts.reached(status) : "");
+    Controls.help(speed, SPEED_HELP + " " + Texts.limit(status));
+    if (status.runUpUs() == 0) {
+      runUpNanos = 0;
+    } else if (runUpNanos == 0) {
+      runUpNanos = System.nanoTime();
+    }
     frames.setText(Math.round(framesPerSecond) + " fps");
     dropped.setText(
         Texts.count(status.droppedEvents())
@@ -150,15 +159,14 @@ public final class StatusLine extends HBox {
   }
 
   private void showMessage() {
-    boolean late = status != null && status.late() && status.state() == State.PLAYING;
     boolean isError = !error.isEmpty();
     String text = source;
     if (isError) {
       text = error;
     } else if (!activity.isEmpty()) {
       text = activity;
-    } else if (late) {
-      text = Texts.late(status);
+    } else if (runUpNanos != 0 && System.nanoTime() - runUpNanos > RUN_UP_NANOS) {
+      text = "Computing this moment, " + Texts.duration(status.runUpUs()) + " to go \u2026";
     } else if (status != null && status.state() == State.ENDED) {
       text = source + " \u2013 end";
     } else if (status != null && status.state() == State.PAUSED) {
@@ -167,7 +175,6 @@ public final class StatusLine extends HBox {
     message.setText(text);
     Controls.help(message, text);
     message.pseudoClassStateChanged(ERROR, isError);
-    message.pseudoClassStateChanged(WARNING, late && !isError && activity.isEmpty());
     dismiss.setVisible(isError);
     dismiss.setManaged(isError);
     more.setVisible(isError && !details.isEmpty());
@@ -186,11 +193,6 @@ public final class StatusLine extends HBox {
     alert.initOwner(getScene().getWindow());
     alert.initModality(Modality.NONE);
     alert.show();
-  }
-
-  /** A measured speed jitters in its last digits. */
-  private static double rounded(double speed) {
-    return Math.abs(speed - 1) < 0.015 ? 1 : speed >= 1 ? Math.round(speed * 100) / 100.0 : speed;
   }
 
   private static Label number(String id, double width, String help) {

@@ -7,7 +7,6 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.event.SensorReading;
 import haltere.core.playback.SliceSink;
 import haltere.core.stream.DataLost;
-import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import haltere.ui.measure.PixelRegion;
 import haltere.ui.rendering.FrameExchange;
@@ -110,8 +109,8 @@ public final class DisplaySink implements SliceSink {
   }
 
   /** Takes the events before the chain. */
-  public StreamHandler beforeChain() {
-    return new StreamHandler() {
+  public SliceSink beforeChain() {
+    return new SliceSink() {
       @Override
       public void packet(EventPacket packet) {
         if (allEvents) {
@@ -121,6 +120,11 @@ public final class DisplaySink implements SliceSink {
 
       @Override
       public void notified(StreamNotification notification) {
+        // the end of the chain is told as well
+      }
+
+      @Override
+      public void sliceEnd(long fromUs, long toUs) {
         // the end of the chain is told as well
       }
     };
@@ -164,6 +168,28 @@ public final class DisplaySink implements SliceSink {
   /** A slice ends whose picture is asked for by {@link #picture}. */
   public void endSlice(long fromUs, long toUs) {
     later(() -> maker.endSlice(fromUs, toUs));
+  }
+
+  @Override
+  public long memoryUs(long sliceUs) {
+    return maker.memoryUs(sliceUs);
+  }
+
+  @Override
+  public void runUpBegins(long sliceUs) {
+    taps.followChain();
+    later(() -> maker.runUpBegins(sliceUs));
+  }
+
+  @Override
+  public void runUpEnds() {
+    later(maker::runUpEnds);
+  }
+
+  @Override
+  public void sliceHeld() {
+    List<DisplayFrame.Marks<?>> marks = taps.marks();
+    later(() -> maker.hold(marks));
   }
 
   @Override

@@ -31,7 +31,8 @@ final class LayerTaps {
     return marks;
   }
 
-  private void followChain() {
+  /** Listens to the filters that are on now, so that nothing of what comes next is missed. */
+  void followChain() {
     List<OverlayLayer<?>> layers = chain.overlays();
     taps.removeIf(
         tap -> {

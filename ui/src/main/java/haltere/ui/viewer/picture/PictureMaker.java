@@ -52,6 +52,7 @@ final class PictureMaker {
   private volatile boolean stale;
   private double sliceUs = 8_333;
   private long lastSliceUs = 8_333;
+  private boolean holds;
   private final boolean betweenSlices;
   private List<DisplayFrame.Marks<?>> lastMarks = List.of();
   private long paintedNanos;
@@ -114,6 +115,27 @@ final class PictureMaker {
     stale = isStale;
   }
 
+  /** What comes leads to a slice; until it ends the picture stays as it is. */
+  void runUpBegins(long newSliceUs) {
+    lastSliceUs = newSliceUs;
+    sliceUs = newSliceUs;
+    events.configure(style());
+    holds = true;
+  }
+
+  /** The slice that is shown next begins. */
+  void runUpEnds() {
+    exposed = true;
+  }
+
+  /** The slice that ended last stays: its picture is of its events and no others. */
+  void hold(List<DisplayFrame.Marks<?>> marks) {
+    sliceUs = lastSliceUs;
+    events.settle();
+    probes.settle();
+    paint(marks);
+  }
+
   void packet(EventPacket packet) {
     if (exposed) {
       events.beginExposure();
@@ -149,6 +171,10 @@ final class PictureMaker {
   /** A slice ends of which no frame is wanted now. */
   void endSlice(long fromUs, long toUs) {
     events.advanceTo(toUs);
+    if (exposed) {
+      events.beginExposure();
+    }
+    holds = false;
     lastSliceUs = toUs - fromUs;
     sliceUs += 0.25 * (lastSliceUs - sliceUs);
     exposed = true;
@@ -170,7 +196,10 @@ final class PictureMaker {
 
   /** Paints what there is and hands it over. */
   void paint(List<DisplayFrame.Marks<?>> marks) {
-    stale = false;
+    stale = holds;
+    if (holds) {
+      return;
+    }
     events.configure(style());
     DisplayFrame frame = exchange.back();
     events.paintRanked(frame.pixels);
@@ -193,7 +222,7 @@ final class PictureMaker {
       frame.screen = new int[size];
     }
     painter.configure(frame.geometry, place);
-    painter.paint(frame.pixels, frame.marks, frame.dark, frame.screen);
+    painter.paint(frame, frame.screen);
   }
 
   /** A picture of the present moment of usual size, with what lies over it. */
@@ -219,7 +248,7 @@ final class PictureMaker {
             Pictures.usualScale(geometry),
             canvas -> {
               if (overlays.marks()) {
-                marks.forEach(snapshot -> snapshot.draw(canvas));
+                marks.forEach(snapshot -> snapshot.draw(events.frame().nowUs(), canvas));
               }
               region.ifPresent(drawn -> drawn.draw(canvas));
               overlays.tape().ifPresent(line -> line.draw(canvas));
@@ -230,10 +259,20 @@ final class PictureMaker {
     return picture;
   }
 
+  /** How far back events of a slice matter to its picture and to what is said of places. */
+  long memoryUs(long ofSliceUs) {
+    long fadingUs = Math.round(FramePainter.oldestUs(style(ofSliceUs, ofSliceUs)));
+    return Math.max(fadingUs, probes.memoryUs());
+  }
+
   private PictureStyle style() {
+    return style(lastSliceUs, sliceUs);
+  }
+
+  private PictureStyle style(long exposureUs, double fadingSliceUs) {
     DisplayOptions now = options;
     boolean sharp = now.decayUs() == DisplayOptions.SLICE_ONLY;
-    long us = sharp ? lastSliceUs : decayUs(now.decayUs());
+    long us = sharp ? exposureUs : decayUs(now.decayUs(), fadingSliceUs);
     return new PictureStyle(
         now.mode(),
         now.colours(),
@@ -252,7 +291,7 @@ final class PictureMaker {
     };
   }
 
-  private long decayUs(long chosen) {
+  private static long decayUs(long chosen, double sliceUs) {
     return chosen != DisplayOptions.FOLLOW_SLICES
         ? chosen
         : Math.round(Math.max(MIN_DECAY_US, Math.min(MAX_DECAY_US, sliceUs * DECAY_PER_SLICE)));

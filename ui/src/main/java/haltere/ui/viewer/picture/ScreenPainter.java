@@ -4,7 +4,6 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.overlay.OverlayCanvas;
 import haltere.ui.rendering.PictureScaler;
 import haltere.ui.rendering.PixelOverlayCanvas;
-import java.util.List;
 
 /**
  * Draws frames as they are on the screen, pixels and marks, where no graphics card does it.
@@ -41,15 +40,15 @@ final class ScreenPainter {
   /**
    * Draws all that belongs to a frame.
    *
-   * @param ranked one for each of the sensor's pixels, with its rank
+   * @param frame its pixels and marks
    * @param target receives opaque pixels, as many as the place has
    */
-  void paint(int[] ranked, List<DisplayFrame.Marks<?>> marks, boolean dark, int[] target) {
-    scaler.scale(ranked, target);
+  void paint(DisplayFrame frame, int[] target) {
+    scaler.scale(frame.pixels, target);
     if (place.marks()) {
-      OverlayCanvas over = over(target, dark);
-      for (DisplayFrame.Marks<?> snapshot : marks) {
-        snapshot.draw(over);
+      OverlayCanvas over = over(target, frame.dark);
+      for (DisplayFrame.Marks<?> snapshot : frame.marks) {
+        snapshot.draw(frame.timeUs, over);
       }
     }
   }

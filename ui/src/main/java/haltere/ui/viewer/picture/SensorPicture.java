@@ -198,7 +198,7 @@ final class SensorPicture {
     if (newest.screenPlace.equals(place)) {
       System.arraycopy(newest.screen, 0, shown, 0, shown.length);
     } else {
-      painter.paint(newest.pixels, newest.marks, newest.dark, shown);
+      painter.paint(newest, shown);
     }
     layers.accept(painter.over(shown, newest.dark));
   }
@@ -211,7 +211,7 @@ final class SensorPicture {
     canvasMarks.setDark(newest.dark);
     long before = canvasMarks.marks();
     if (marksVisible) {
-      newest.marks.forEach(snapshot -> snapshot.draw(canvasMarks));
+      newest.marks.forEach(snapshot -> snapshot.draw(newest.timeUs, canvasMarks));
     }
     layers.accept(canvasMarks);
     canvas.setVisible(canvasMarks.marks() != before);

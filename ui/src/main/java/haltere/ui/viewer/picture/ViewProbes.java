@@ -43,6 +43,16 @@ final class ViewProbes {
     wantedRegion = newRegion;
   }
 
+  /** How far back events matter to what is said, microseconds. */
+  long memoryUs() {
+    return RegionMeter.BIN_US * (long) (wantedRegion.isPresent() ? RegionMeter.BINS : NEAR_BINS);
+  }
+
+  /** The next frequency is looked for at once. */
+  void settle() {
+    frequencyNanos = System.nanoTime() - FREQUENCY_NANOS - 1;
+  }
+
   void packet(EventPacket packet) {
     follow();
     if (near != null) {

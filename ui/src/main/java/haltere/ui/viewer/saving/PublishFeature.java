@@ -11,6 +11,7 @@ import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.session.ViewerSession;
 import java.time.Clock;
 import java.util.Optional;
+import javafx.application.Platform;
 import javafx.beans.property.ReadOnlyBooleanWrapper;
 
 /**
@@ -72,7 +73,7 @@ public final class PublishFeature implements ViewerFeature {
               var output = LineOutputs.open(where.strip());
               LiveResults[] made = new LiveResults[1];
               player
-                  .edit(
+                  .read(
                       chain ->
                           made[0] =
                               LiveResults.open(chain, output, name -> true, Clock.systemUTC()))
@@ -99,6 +100,7 @@ public final class PublishFeature implements ViewerFeature {
       return;
     }
     under = Optional.of(started);
+    started.results().onFailure(words -> Platform.runLater(() -> window.status().showError(words)));
     window.status().setActivity("Sending results at " + started.results().address());
   }
 

@@ -117,7 +117,7 @@ final class RecordingControl {
     };
   }
 
-  private static Writing ofCamera(Path file, Camera camera, FilterChain chain) {
+  private static Writing ofCamera(Path file, Camera camera, FilterChain chain) throws IOException {
     SessionRecorder session =
         new SessionRecorder(
             file,
@@ -134,6 +134,7 @@ final class RecordingControl {
                 System::nanoTime,
                 Clock.systemUTC()),
             SessionRecorder.freeBytes(file));
+    session.checkSpace();
     return new Writing() {
       @Override
       public StreamHandler sink() {

@@ -39,9 +39,14 @@ public final class SpaceTimeFeature implements ViewerFeature {
               was.ifPresent(this::leave);
               follow(is);
             });
-    panel.onSpan(spanUs -> sink.ifPresent(open -> open.setSpan((long) spanUs)));
+    panel.onSpan(this::setSpan);
     window.display().onChange(() -> panel.setColours(window.display().options().colours()));
     window.panels().onPulse(() -> sink.ifPresent(open -> panel.update(open.exchange().fetch())));
+  }
+
+  private void setSpan(double spanUs) {
+    sink.ifPresent(open -> open.setSpan((long) spanUs));
+    window.sessions().session().ifPresent(open -> open.player().refresh());
   }
 
   private void follow(Optional<ViewerSession> session) {

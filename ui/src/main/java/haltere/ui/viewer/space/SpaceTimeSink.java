@@ -43,11 +43,21 @@ final class SpaceTimeSink implements SliceSink {
   }
 
   @Override
+  public long memoryUs(long sliceUs) {
+    return spanUs;
+  }
+
+  @Override
   public void sliceEnd(long fromUs, long toUs) {
     cloud.advanceTo(toUs);
     if (!exchange.isPending()) {
-      cloud.copyTo(spanUs, exchange.back());
-      exchange.publish();
+      sliceHeld();
     }
+  }
+
+  @Override
+  public void sliceHeld() {
+    cloud.copyTo(spanUs, exchange.back());
+    exchange.publish();
   }
 }

@@ -11,6 +11,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.function.Consumer;
 import javafx.application.Platform;
 import javafx.beans.property.ReadOnlyBooleanProperty;
 import javafx.beans.property.ReadOnlyBooleanWrapper;
@@ -46,7 +47,7 @@ final class WingLogControl {
     String source = player.playable().name();
     file = to;
     writing.set(true);
-    window.editor().change(chain -> begin(chain, to, source, format), this::fail);
+    look(chain -> begin(chain, to, source, format), this::fail);
   }
 
   private void begin(FilterChain chain, Path to, String source, WingLogFormat format) {
@@ -78,7 +79,7 @@ final class WingLogControl {
   /** Ends the log between two packets. */
   void stop() {
     writing.set(false);
-    open.ifPresent(log -> window.editor().change(chain -> finish(log), window.status()::showError));
+    open.ifPresent(log -> look(chain -> finish(log), window.status()::showError));
     open = Optional.empty();
   }
 
@@ -91,10 +92,22 @@ final class WingLogControl {
             window
                 .background()
                 .file(
-                    () -> last.edit(chain -> finish(log)).join(),
+                    () -> last.read(chain -> finish(log)).join(),
                     done -> {},
                     problem -> window.status().showError(Texts.oneLine(problem))));
     open = Optional.empty();
+  }
+
+  private void look(Consumer<FilterChain> work, Consumer<String> refused) {
+    window
+        .editor()
+        .read(
+            chain -> {
+              work.accept(chain);
+              return chain;
+            },
+            done -> {},
+            refused);
   }
 
   private void finish(WingLog log) {

@@ -60,7 +60,7 @@ public final class WingsFeature implements ViewerFeature, WingsPanel.Actions {
               placing.set(false);
               seen = Optional.empty();
             });
-    window.bindTool(placing, new FlyTool(() -> seen, this::settle));
+    window.bindTool(placing, new FlyTool(() -> seen, this::place));
     window
         .actions()
         .add(
@@ -157,7 +157,16 @@ public final class WingsFeature implements ViewerFeature, WingsPanel.Actions {
   }
 
   private void settle(Function<WingTracker, WingTrackerSettings> change) {
-    change(
+    window.editor().change(settling(change), window.status()::showError);
+  }
+
+  /** Gives the tracker settings that say where the fly is that it sees now. */
+  private void place(Function<WingTracker, WingTrackerSettings> change) {
+    window.editor().adjust(settling(change), window.status()::showError);
+  }
+
+  private Consumer<FilterChain> settling(Function<WingTracker, WingTrackerSettings> change) {
+    return work(
         (chain, view) ->
             window.editor().applyNow(chain, view.stage(), change.apply(view.filter().tracker())));
   }
@@ -198,15 +207,16 @@ public final class WingsFeature implements ViewerFeature, WingsPanel.Actions {
   }
 
   private void change(Change change) {
-    Consumer<FilterChain> work =
-        chain ->
-            change.make(
-                chain,
-                WingsView.of(chain)
-                    .orElseThrow(
-                        () ->
-                            new IllegalArgumentException("there is no wing tracker in the chain")));
-    window.editor().change(work, window.status()::showError);
+    window.editor().change(work(change), window.status()::showError);
+  }
+
+  private static Consumer<FilterChain> work(Change change) {
+    return chain ->
+        change.make(
+            chain,
+            WingsView.of(chain)
+                .orElseThrow(
+                    () -> new IllegalArgumentException("there is no wing tracker in the chain")));
   }
 
   private void toggleLog() {

@@ -11,17 +11,31 @@ import org.junit.jupiter.api.Test;
 class TextsTest {
   private static PlayerStatus late(String slowestStage, double sourceShare) {
     return new PlayerStatus(
-        State.PLAYING, 0, 0, -1, 1, 0.5, 1_200_000, slowestStage, sourceShare, 0, 0, 0, 0, 1, "");
+        State.PLAYING,
+        0,
+        0,
+        -1,
+        1,
+        0.5,
+        1_200_000,
+        slowestStage,
+        sourceShare,
+        0,
+        0,
+        0,
+        0,
+        1,
+        0,
+        "");
   }
 
   @Test
-  void whatIsLateIsNamedAfterWhatTakesTheTime() {
-    String behind = Texts.duration(1_200_000) + " behind";
-    assertEquals("The chain is " + behind + ": dawdler", Texts.late(late("dawdler", 0.2)));
-    assertEquals("The chain is " + behind, Texts.late(late("", 0)));
-    String source = Texts.late(late("dawdler", 0.8));
-    assertTrue(source.startsWith("The source is " + behind), source);
-    assertTrue(!source.contains("dawdler"), source);
+  void aSpeedThatIsNotReachedStandsBesideTheOneThatIs() {
+    assertEquals("1/2\u00d7 of 1\u00d7", Texts.reached(late("dawdler", 0.2)));
+    assertEquals("Most of the time goes to Dawdler.", Texts.limit(late("dawdler", 0.2)));
+    assertEquals("", Texts.limit(late("", 0)));
+    String source = Texts.limit(late("dawdler", 0.8));
+    assertTrue(source.startsWith("Reading or simulating the source"), source);
   }
 
   @Test

@@ -77,10 +77,10 @@ class PictureMakerTest {
     int[] drawn = new int[45 * 34];
     ScreenPainter painter = new ScreenPainter();
     painter.configure(SENSOR, PLACE);
-    painter.paint(frame.pixels, MARKS, frame.dark, drawn);
+    painter.paint(frame, drawn);
     assertArrayEquals(drawn, frame.screen);
     painter.configure(SENSOR, PLACE.withMarks(false));
-    painter.paint(frame.pixels, MARKS, frame.dark, drawn);
+    painter.paint(frame, drawn);
     assertFalse(Arrays.equals(drawn, frame.screen), "marks can be seen, and left out");
   }
 

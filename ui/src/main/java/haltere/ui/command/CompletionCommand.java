@@ -1,0 +1,87 @@
+package haltere.ui.command;
+
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.Supplier;
+import picocli.AutoComplete;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.Parameters;
+
+/** Writes a script with which a shell completes commands and options. */
+@Command(
+    name = "completion",
+    description = {
+      "Print a script that completes commands and options in a shell.",
+      "bash, zsh: source <(haltere completion bash). fish: haltere completion fish | source"
+    })
+final class CompletionCommand extends Subcommand {
+  /** Shells for which there is a script. */
+  enum Shell {
+    /** Also the script for zsh, which loads what it needs of bash. */
+    BASH,
+    ZSH,
+    FISH
+  }
+
+  @Parameters(index = "0", paramLabel = "bash|zsh|fish", description = "The shell.")
+  Shell shell;
+
+  private final Supplier<CommandLine> program;
+
+  /** The program is made when it is asked for: it has all commands. */
+  CompletionCommand(Surroundings surroundings, Supplier<CommandLine> program) {
+    super(surroundings);
+    this.program = program;
+  }
+
+  @Override
+  public Integer call() {
+    CommandLine all = program.get();
+    result(shell == Shell.FISH ? fish(all) : AutoComplete.bash(all.getCommandName(), all));
+    return OK;
+  }
+
+  /** A line for each command and each option, from the model of the command line. */
+  private static String fish(CommandLine program) {
+    String complete = "complete -c " + program.getCommandName();
+    StringBuilder script = new StringBuilder();
+    for (Map.Entry<String, CommandLine> command : program.getSubcommands().entrySet()) {
+      String[] help = command.getValue().getCommandSpec().usageMessage().description();
+      script.append(complete + " -n __fish_use_subcommand -f -a " + command.getKey());
+      script.append(" -d " + quoted(help[0]) + "\n");
+      String inCommand = complete + " -n '__fish_seen_subcommand_from " + command.getKey() + "'";
+      for (OptionSpec option : command.getValue().getCommandSpec().options()) {
+        script.append(inCommand + option(option) + "\n");
+      }
+    }
+    return script.toString().strip();
+  }
+
+  private static String option(OptionSpec option) {
+    StringBuilder words = new StringBuilder();
+    for (String name : option.names()) {
+      words.append(name.startsWith("--") ? " -l " + name.substring(2) : " -s " + name.substring(1));
+    }
+    if (option.arity().max() > 0) {
+      words.append(" -r");
+    }
+    if (option.type().isEnum()) {
+      String choices =
+          String.join(
+              " ",
+              Arrays.stream(option.type().getEnumConstants())
+                  .map(choice -> choice.toString().toLowerCase(Locale.ROOT))
+                  .toList());
+      words.append(" -f -a '" + choices + "'");
+    }
+    String help = option.description().length == 0 ? "" : option.description()[0];
+    return words + " -d " + quoted(help);
+  }
+
+  private static String quoted(String text) {
+    return "'" + text.replace("\\", "\\\\").replace("'", "\\'") + "'";
+  }
+}
