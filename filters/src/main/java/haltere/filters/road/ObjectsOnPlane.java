@@ -4,35 +4,23 @@ import haltere.filters.object.ObjectTrack;
 import haltere.filters.plane.PlaneJacobian;
 import haltere.filters.plane.PlaneMapping;
 import haltere.filters.plane.PlanePoint;
-import java.util.Objects;
 import java.util.Optional;
+import java.util.function.Function;
 
 /**
  * Maps objects that are seen from above to their plane, such as an arena: an object is where the
- * middle of its extent is. Covariances are mapped to first order (J C Jᵀ). A camera that looks
- * along a road sees {@link VehiclesOnRoad}.
+ * middle of its extent is. Covariances are mapped to first order (J C Jᵀ). The place is empty where
+ * the middle does not see the plane. Before a camera that looks along a road: {@link
+ * VehiclesOnRoad}.
  *
  * <p>Thread rule: immutable.
+ *
+ * @param mapping pixels to the plane
  */
-public final class ObjectsOnPlane implements ObjectLocator {
-  private final PlaneMapping mapping;
-
-  /**
-   * A map of objects by their middles.
-   *
-   * @param mapping pixels to the plane
-   */
-  public ObjectsOnPlane(PlaneMapping mapping) {
-    this.mapping = Objects.requireNonNull(mapping, "mapping");
-  }
-
-  /**
-   * {@inheritDoc}
-   *
-   * @return empty where its middle does not see the plane
-   */
+public record ObjectsOnPlane(PlaneMapping mapping)
+    implements Function<ObjectTrack, Optional<PlanePoint>> {
   @Override
-  public Optional<PlanePoint> locate(ObjectTrack track) {
+  public Optional<PlanePoint> apply(ObjectTrack track) {
     double x = track.xPx();
     double y = track.yPx();
     if (!mapping.seesPlane(x, y)) {

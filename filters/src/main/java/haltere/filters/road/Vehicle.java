@@ -114,17 +114,17 @@ final class Vehicle {
     state.setMean(BEHIND, prior.lengthM() / 2);
     state.setMean(X, mapping.planeX(track.xPx(), low) / scale(LOW));
     state.setMean(Y, mapping.planeY(track.xPx(), low) / scale(LOW));
-    double byHeight = prior.sdLowEdgeM() * state.mean(Y) / mapping.heightM();
+    double byHeight = prior.lowEdgeM() * state.mean(Y) / mapping.heightM();
     double byRow = track.sdYPx() * mapping.jacobian(track.xPx(), low).yv();
     state.setVariances(
         square(prior.widthM()),
         square(prior.driftMS()),
         square(byRow) + square(byHeight),
         square(prior.speedMS()),
-        square(prior.sdLowEdgeM()),
-        square(prior.sdHeightM() / 2),
-        square(prior.sdLengthM() / 2));
-    state.addNoise(Y, LOW, -byHeight * prior.sdLowEdgeM());
+        square(prior.lowEdgeM()),
+        square(prior.heightM() / 4),
+        square(prior.lengthM() / 4));
+    state.addNoise(Y, LOW, -byHeight * prior.lowEdgeM());
     // The velocity in the picture is taken once: later ones repeat the positions.
     PlaneJacobian j = mapping.jacobian(track.xPx(), track.yPx());
     double variance = square(track.sdVyPxS() * j.yv());

@@ -7,14 +7,16 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.function.Function;
 
 /**
- * Takes the objects in the picture of a camera that looks along a road for vehicles, and tells
- * where each one's nearer end is and how fast it moves, from rows up to the present one.
+ * Takes the objects before a camera that looks along a road for vehicles, and tells where the
+ * nearer end of each is and how fast it moves, from rows up to the present one. Rows of one object
+ * come in the order of their times. The place is empty until the extent of the vehicle is known.
  *
  * <p>Thread rule: not safe for use by two threads at a time.
  */
-public final class VehiclesOnRoad implements ObjectLocator {
+public final class VehiclesOnRoad implements Function<ObjectTrack, Optional<PlanePoint>> {
   private final RoadMapping mapping;
   private final VehiclePrior prior;
   private final Map<Integer, Vehicle> vehicles =
@@ -38,13 +40,8 @@ public final class VehiclesOnRoad implements ObjectLocator {
     this.prior = Objects.requireNonNull(prior, "prior");
   }
 
-  /**
-   * {@inheritDoc}
-   *
-   * @return empty until the extent of the vehicle is known
-   */
   @Override
-  public Optional<PlanePoint> locate(ObjectTrack track) {
+  public Optional<PlanePoint> apply(ObjectTrack track) {
     return vehicles
         .computeIfAbsent(track.id(), id -> new Vehicle(mapping, prior, track.timeUs()))
         .update(track);

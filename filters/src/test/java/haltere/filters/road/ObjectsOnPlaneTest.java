@@ -15,7 +15,7 @@ class ObjectsOnPlaneTest {
   void anObjectIsWhereItsMiddleIs() {
     PlanePoint point =
         new ObjectsOnPlane(PlaneMapping.PICTURE)
-            .locate(SeenVehicle.row(1000, 64, 60, 55, 0, 20))
+            .apply(SeenVehicle.row(1000, 64, 60, 55, 0, 20))
             .orElseThrow();
     assertEquals(64, point.xM());
     assertEquals(60, point.yM());
@@ -27,7 +27,7 @@ class ObjectsOnPlaneTest {
   void velocitiesAndDeviationsAreThoseOfThePlane() {
     RoadMapping road = new RoadMapping(RoadViewSettings.defaults(), new SensorGeometry(128, 128));
     PlanePoint point =
-        new ObjectsOnPlane(road).locate(SeenVehicle.row(1000, 64, 60, 55, 0, 20)).orElseThrow();
+        new ObjectsOnPlane(road).apply(SeenVehicle.row(1000, 64, 60, 55, 0, 20)).orElseThrow();
     double metresPerRow = (road.planeY(64, 60.001) - road.planeY(64, 59.999)) / 0.002;
     assertEquals(20 * metresPerRow, point.vyMS(), 1e-3);
     assertEquals(SeenVehicle.SD_PX * metresPerRow, point.sdYM(), 1e-3);
@@ -38,6 +38,6 @@ class ObjectsOnPlaneTest {
     RoadMapping road = new RoadMapping(RoadViewSettings.defaults(), new SensorGeometry(128, 128));
     assertEquals(
         Optional.empty(),
-        new ObjectsOnPlane(road).locate(SeenVehicle.row(1000, 64, 140, 135, 0, 0)));
+        new ObjectsOnPlane(road).apply(SeenVehicle.row(1000, 64, 140, 135, 0, 0)));
   }
 }

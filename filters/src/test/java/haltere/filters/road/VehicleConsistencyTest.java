@@ -30,9 +30,9 @@ class VehicleConsistencyTest {
             isAway ? 3 : -3,
             isAway ? 8 : 45,
             isAway ? speed : -speed,
-            PRIOR.lowEdgeM() + PRIOR.sdLowEdgeM() * errors.gaussian(),
-            (PRIOR.heightM() + PRIOR.sdHeightM() * errors.gaussian()) / 2,
-            (PRIOR.lengthM() + PRIOR.sdLengthM() * errors.gaussian()) / 2);
+            PRIOR.lowEdgeM() + PRIOR.lowEdgeM() * errors.gaussian(),
+            (PRIOR.heightM() + 0.5 * PRIOR.heightM() * errors.gaussian()) / 2,
+            (PRIOR.lengthM() + 0.5 * PRIOR.lengthM() * errors.gaussian()) / 2);
     Vehicle vehicle = new Vehicle(SeenVehicle.ROAD, PRIOR, 0);
     double q = 2 * PRIOR.accelerationMS2() * PRIOR.accelerationMS2() * Vehicle.LASTS_S;
     for (int step = 1; step < 150; step++) {

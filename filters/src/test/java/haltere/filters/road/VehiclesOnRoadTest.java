@@ -15,7 +15,7 @@ class VehiclesOnRoadTest {
   private PlanePoint follow(SeenVehicle vehicle, double untilS, SeenVehicle.Errors errors) {
     Optional<PlanePoint> last = Optional.empty();
     for (double s = 0; s < untilS; s += STEP_S) {
-      last = road.locate(vehicle.seenAt(s, STEP_S, errors));
+      last = road.apply(vehicle.seenAt(s, STEP_S, errors));
     }
     return last.orElseThrow();
   }
@@ -52,7 +52,7 @@ class VehiclesOnRoadTest {
   @Test
   void theDeviationOfASpeedHoldsWhatTheHeightOfTheLowerEdgeLeavesOpen() {
     PlanePoint point = follow(usual(3, 9, 20), 2, new SeenVehicle.Errors(4, 1e-3));
-    double byHeight = 20 * PRIOR.sdLowEdgeM() / SeenVehicle.HEIGHT_M;
+    double byHeight = 20 * PRIOR.lowEdgeM() / SeenVehicle.HEIGHT_M;
     assertTrue(point.sdVyMS() > 0.8 * byHeight, point.sdVyMS() + " m/s");
   }
 
@@ -61,9 +61,9 @@ class VehiclesOnRoadTest {
     SeenVehicle vehicle = usual(3, 9, 20);
     SeenVehicle.Errors errors = new SeenVehicle.Errors(5, 0.1);
     for (double s = 0; s < 0.295; s += STEP_S) {
-      assertTrue(road.locate(vehicle.seenAt(s, STEP_S, errors)).isEmpty(), s + " s");
+      assertTrue(road.apply(vehicle.seenAt(s, STEP_S, errors)).isEmpty(), s + " s");
     }
-    assertTrue(road.locate(vehicle.seenAt(0.31, STEP_S, errors)).isPresent());
+    assertTrue(road.apply(vehicle.seenAt(0.31, STEP_S, errors)).isPresent());
   }
 
   @Test
@@ -74,7 +74,7 @@ class VehiclesOnRoadTest {
     PlanePoint cut = before;
     for (int i = 1; i <= 20; i++) {
       long timeUs = before.timeUs() + 10_000L * i;
-      cut = road.locate(SeenVehicle.row(timeUs, 80, 3, 0, 0, 0)).orElseThrow();
+      cut = road.apply(SeenVehicle.row(timeUs, 80, 3, 0, 0, 0)).orElseThrow();
     }
     assertEquals(before.vyMS(), cut.vyMS(), 1e-9);
     assertEquals(before.yM() + 0.2 * before.vyMS(), cut.yM(), 1e-6);
@@ -90,7 +90,7 @@ class VehiclesOnRoadTest {
       // from 20 m/s at 40 m with 8 m/s²
       double y = 40 - 20 * s + 4 * s * s;
       SeenVehicle now = usual(3, y, -20 + 8 * s);
-      point = road.locate(now.seen(point.timeUs() + 10_000, STEP_S, errors)).orElseThrow();
+      point = road.apply(now.seen(point.timeUs() + 10_000, STEP_S, errors)).orElseThrow();
     }
     assertEquals(-4, point.vyMS(), 1.5);
   }

@@ -8,13 +8,14 @@ import haltere.core.settings.SettingsJson;
 import haltere.core.settings.SettingsProblem;
 import haltere.core.settings.SettingsSchema;
 import haltere.filters.object.MotionModel;
+import haltere.filters.object.ObjectTrack;
 import haltere.filters.plane.Homography;
+import haltere.filters.plane.PlanePoint;
 import haltere.filters.plane.PointPair;
 import haltere.filters.plane.RoadMapping;
 import haltere.filters.plane.RoadViewSettings;
 import haltere.filters.road.CountingLineSettings;
 import haltere.filters.road.LaneSettings;
-import haltere.filters.road.ObjectLocator;
 import haltere.filters.road.ObjectsOnPlane;
 import haltere.filters.road.RoadMotion;
 import haltere.filters.road.VehiclePrior;
@@ -26,6 +27,8 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
 
 /**
  * A road as JSON:
@@ -35,7 +38,7 @@ import java.util.Map;
  *  "vanishingPoint": {"xPx": 63.5, "yPx": 127},
  *  "lanes": {"lanes": 4, "leftEdgeM": -7, "widthM": 3.5},
  *  "countingLines": {"lines": 2, "firstM": 20, "apartM": 20},
- *  "vehicles": {"speedMS": 25, "heightM": 1.6, "sdHeightM": 0.8}}
+ *  "vehicles": {"speedMS": 25, "heightM": 1.6}}
  * }</pre>
  *
  * <p>What is left out has its default: no lanes, no lines, the vanishing point in the middle of the
@@ -133,7 +136,7 @@ record RoadFile(
   }
 
   /** How objects are mapped to metres. */
-  ObjectLocator objects(SensorGeometry sensor) {
+  Function<ObjectTrack, Optional<PlanePoint>> objects(SensorGeometry sensor) {
     return points.isEmpty()
         ? new VehiclesOnRoad(new RoadMapping(view, sensor), vehicles)
         : new ObjectsOnPlane(new Homography(points));

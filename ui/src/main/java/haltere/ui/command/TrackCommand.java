@@ -19,7 +19,6 @@ import haltere.filters.object.ObjectTrackerSettings;
 import haltere.filters.plane.PlanePoint;
 import haltere.filters.road.LineCounter;
 import haltere.filters.road.LineCrossing;
-import haltere.filters.road.ObjectLocator;
 import haltere.filters.track.KalmanTracksFilter;
 import haltere.filters.track.KalmanTracksSettings;
 import haltere.filters.track.TrackPoint;
@@ -32,7 +31,9 @@ import java.nio.charset.CharacterCodingException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -266,7 +267,7 @@ final class TrackCommand extends Subcommand {
       }
       return;
     }
-    ObjectLocator onRoad = road.objects(chain.geometry());
+    Function<ObjectTrack, Optional<PlanePoint>> onRoad = road.objects(chain.geometry());
     objects.apply(road.motion(chain.geometry()));
     try (CsvSink<RoadObjectRow> table =
             CsvSink.create(out, RoadObjectRow.class, writing.overwrite);
@@ -278,7 +279,7 @@ final class TrackCommand extends Subcommand {
           feed,
           track ->
               onRoad
-                  .locate(track)
+                  .apply(track)
                   .ifPresent(
                       point -> {
                         table.accept(RoadObjectRow.of(track, point, road.lanes()));
