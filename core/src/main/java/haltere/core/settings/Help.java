@@ -17,4 +17,11 @@ public @interface Help {
    * @return ends with a full stop
    */
   String value();
+
+  /**
+   * What the setting is called, where the name of its component does not say it.
+   *
+   * @return a noun phrase, or empty for the component's name in words
+   */
+  String label() default "";
 }

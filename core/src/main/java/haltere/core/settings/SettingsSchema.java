@@ -420,6 +420,7 @@ public final class SettingsSchema<S extends Record> {
         number && range.logarithmic(),
         help.value(),
         value,
-        List.copyOf(choices));
+        List.copyOf(choices),
+        help.label());
   }
 }

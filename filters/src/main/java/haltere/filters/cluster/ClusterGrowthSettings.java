@@ -15,8 +15,12 @@ import haltere.core.settings.Unit;
  * @param surround capture region over cluster, while the size adapts
  */
 public record ClusterGrowthSettings(
-    @Help("The radius adapts to the spread of the events.") boolean size,
-    @Help("The ratio of the half axes adapts to the spread of the events.") boolean aspect,
+    @Help(value = "The radius adapts to the spread of the events.", label = "Adaptive size")
+        boolean size,
+    @Help(
+            value = "The ratio of the half axes adapts to the spread of the events.",
+            label = "Adaptive aspect ratio")
+        boolean aspect,
     @Help("Size range (factor): how much a radius may grow or shrink from the a-priori one.")
         @Range(min = 1, max = 30, logarithmic = true)
         @Unit("1")

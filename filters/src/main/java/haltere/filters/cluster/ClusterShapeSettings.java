@@ -19,13 +19,18 @@ public record ClusterShapeSettings(
         @Range(min = 0.005, max = 0.5, logarithmic = true)
         @Unit("1")
         double size,
-    @Help("Height over width of a cluster; its area stays the same.")
+    @Help(
+            value = "Height over width of a cluster; its area stays the same.",
+            label = "Aspect ratio")
         @Range(min = 0.1, max = 10, logarithmic = true)
         @Unit("1")
         double aspect,
     @Help("Rotation of the cluster, counterclockwise.") @Range(min = -180, max = 180) @Unit("deg")
         double angleDeg,
-    @Help("Source of the angle: fixed, the principal axis of the events, or the velocity.")
+    @Help(
+            value =
+                "Source of the angle: fixed, the principal axis of the events, or the velocity.",
+            label = "Source of the angle")
         Angle angle,
     @Help("A cluster is a box or the ellipse in it.") Type type) {
   /** Source of the angle of a cluster's width. */

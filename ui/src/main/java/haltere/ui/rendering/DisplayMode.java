@@ -9,7 +9,7 @@ public enum DisplayMode {
   /** The sum of its events, each fading exponentially: ON brightens, OFF darkens. */
   INTENSITY("Intensity", "ON events brighten, OFF events darken, and all fade with age.", true),
   /** How many events it had, fading with age. */
-  COUNTS("Heat map", "How many events each pixel had, whatever their polarity.", true),
+  COUNTS("Event count", "How many events each pixel had, whatever their polarity.", true),
   /** As by polarity, ON events only. */
   ON_ONLY("ON only", "ON events only, fading with age.", false),
   /** As by polarity, OFF events only. */

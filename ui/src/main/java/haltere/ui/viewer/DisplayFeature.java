@@ -10,6 +10,7 @@ import haltere.ui.viewer.feature.DisplayControl;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import java.util.Locale;
+import javafx.beans.property.BooleanProperty;
 import javafx.stage.Stage;
 
 /** How window and events look. */
@@ -28,6 +29,11 @@ final class DisplayFeature implements ViewerFeature {
               theme));
     }
     addLooks(display, actions);
+    BooleanProperty logarithmic = window.panels().seekBar().logarithmicProperty();
+    window.settings().keep("logarithmicRate", logarithmic);
+    actions.add(
+        ViewerAction.toggle("logarithmic-rate", "Logarithmic rate", "View", logarithmic)
+            .withHelp("Shows low rates beside high ones in the time bar."));
     Stage stage = window.stage();
     actions.add(
         ViewerAction.toggle("overlays", "Overlays", "View", display.marksProperty())

@@ -16,8 +16,7 @@ final class EditFeature implements ViewerFeature {
             ViewerAction.of("undo", "Undo", "Edit", () -> say(window, "Undone: ", history.undo()))
                 .withKey("Shortcut+Z")
                 .withHelp("Takes back the last change of the chain or of a setting."),
-            ViewerAction.of(
-                    "redo", "Redo", "Edit", () -> say(window, "Done again: ", history.redo()))
+            ViewerAction.of("redo", "Redo", "Edit", () -> say(window, "Redone: ", history.redo()))
                 .withKey("Shortcut+Shift+Z"));
   }
 

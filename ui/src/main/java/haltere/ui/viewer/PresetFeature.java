@@ -37,7 +37,7 @@ public final class PresetFeature implements ViewerFeature, ChainPresets {
         .add(
             ViewerAction.of(
                     "save-preset",
-                    "Keep this chain as a preset\u2026",
+                    "Save the chain as preset\u2026",
                     "Chain",
                     () -> keep(window.editor()))
                 .withHelp("Presets are chain files in the folder of the settings."));

@@ -61,7 +61,7 @@ public final class SeeingFeature implements ViewerFeature {
                 .withKey("C")
                 .withHelp(
                     "Arrow keys move a cross; its pixel is described as one under the mouse."),
-            ViewerAction.of("put-aside", "Put the tool or the message aside", MENU, this::putAside)
+            ViewerAction.of("put-aside", "Dismiss the tool or the message", MENU, this::putAside)
                 .withKey("Esc"),
             ViewerAction.of(
                 "clear-region",
@@ -90,19 +90,19 @@ public final class SeeingFeature implements ViewerFeature {
     window
         .actions()
         .add(
-            ViewerAction.of("zoom-in", "Closer", "View", () -> view.zoomBy(ZOOM_STEP))
+            ViewerAction.of("zoom-in", "Zoom in", "View", () -> view.zoomBy(ZOOM_STEP))
                 .withKey("Shortcut+Plus"),
-            ViewerAction.of("zoom-out", "Farther", "View", () -> view.zoomBy(1 / ZOOM_STEP))
+            ViewerAction.of("zoom-out", "Zoom out", "View", () -> view.zoomBy(1 / ZOOM_STEP))
                 .withKey("Shortcut+Minus"),
-            ViewerAction.of("zoom-pixels", "Single pixels", "View", view::zoomToPixels)
+            ViewerAction.of("zoom-pixels", "Zoom to single pixels", "View", view::zoomToPixels)
                 .withKey("P"),
-            ViewerAction.of("pan-left", "Look left", "View", () -> view.pan(-PAN_STEP, 0))
+            ViewerAction.of("pan-left", "Pan left", "View", () -> view.pan(-PAN_STEP, 0))
                 .withKey("Alt+Left"),
-            ViewerAction.of("pan-right", "Look right", "View", () -> view.pan(PAN_STEP, 0))
+            ViewerAction.of("pan-right", "Pan right", "View", () -> view.pan(PAN_STEP, 0))
                 .withKey("Alt+Right"),
-            ViewerAction.of("pan-up", "Look up", "View", () -> view.pan(0, PAN_STEP))
+            ViewerAction.of("pan-up", "Pan up", "View", () -> view.pan(0, PAN_STEP))
                 .withKey("Alt+Up"),
-            ViewerAction.of("pan-down", "Look down", "View", () -> view.pan(0, -PAN_STEP))
+            ViewerAction.of("pan-down", "Pan down", "View", () -> view.pan(0, -PAN_STEP))
                 .withKey("Alt+Down"));
   }
 

@@ -10,6 +10,7 @@ import haltere.ui.viewer.action.ViewerMenu;
 import haltere.ui.viewer.chain.ChainEditor;
 import haltere.ui.viewer.chain.StageState;
 import haltere.ui.viewer.controls.FileDialogs;
+import haltere.ui.viewer.controls.Texts;
 import haltere.ui.viewer.controls.Theme;
 import haltere.ui.viewer.feature.BackgroundWork;
 import haltere.ui.viewer.feature.DisplayControl;
@@ -230,7 +231,7 @@ public final class ViewerWindow implements SessionHost {
     Optional<ViewerSession> before = session();
     playback.setPlayer(made.player());
     editor.setPlayer(made.player());
-    stage.setTitle(made.player().playable().name() + " \u2013 Haltere");
+    stage.setTitle(Texts.source(made.player().playable().name()) + " \u2013 Haltere");
     made.display().setOptions(display.options());
     panels.startAnew(made, display.options().colours(), steps);
     facts.set(Optional.empty());

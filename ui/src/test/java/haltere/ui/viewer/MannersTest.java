@@ -61,7 +61,7 @@ class MannersTest {
 
     Map<?, ?> kept = (Map<?, ?>) Json.read(folder.resolve("viewer.json"));
     assertEquals("Light", kept.get("theme"));
-    assertEquals("Heat map", kept.get("showAs"));
+    assertEquals("Event count", kept.get("showAs"));
     assertEquals(List.of(recording.toString()), kept.get("recentFiles"));
     viewer = new ViewerHarness(UserSettings.load(folder));
     assertEquals(Theme.LIGHT, viewer.onFx(() -> viewer.window.display().themeProperty().get()));

@@ -178,15 +178,11 @@ public final class CameraFeature implements ViewerFeature {
     return isSimulated(info) ? OPEN_SIMULATED : OPEN;
   }
 
-  /** What a person calls a camera, such as "Simulated road". */
-  private static String name(CameraInfo info) {
-    return isSimulated(info)
-        ? "Simulated " + info.id().substring(SIMULATED.length()).replace('-', ' ')
-        : info.id();
-  }
-
   private static String words(CameraInfo info) {
-    return name(info) + "   " + info.geometry() + (info.canOpen() ? "" : "   (cannot be opened)");
+    return Texts.source(info.id())
+        + "   "
+        + info.geometry()
+        + (info.canOpen() ? "" : "   (cannot be opened)");
   }
 
   private void choose(CameraInfo info) {

@@ -91,13 +91,17 @@ final class CameraPanel extends ScrollPane {
     fields.clear();
     problem.setText("");
     if (shown.isEmpty()) {
-      Label none = new Label("No camera is open. The menu Camera lists those that there are.");
+      Label none =
+          new Label(
+              "No camera is open. Camera > Open lists those that are plugged in; then their biases and"
+                  + " losses stand here.");
       none.setId("camera-none");
       none.setWrapText(true);
       content.getChildren().add(none);
       return;
     }
-    Label name = new Label(shown.get().info().id() + "   " + shown.get().info().model());
+    Label name =
+        new Label(Texts.source(shown.get().info().id()) + "   " + shown.get().info().model());
     name.setId("camera-name");
     name.getStyleClass().add(Styles.TEXT_BOLD);
     content.getChildren().addAll(name, statistics, problem);

@@ -19,13 +19,13 @@ import javafx.scene.layout.VBox;
  */
 public final class ChainPanel extends VBox {
   private final StageList cards;
-  private final Label nothing = new Label("No setting of the chain is like that.");
+  private final Label nothing = new Label("No setting matches.");
 
   /** A panel without stages, whose changes an editor makes. */
   public ChainPanel(ChainEditor editor) {
     getStyleClass().add("chain-panel");
     setId("chain-panel");
-    Label title = new Label("Filter chain");
+    Label title = new Label("Chain");
     title.getStyleClass().add(Styles.TITLE_4);
     Region space = new Region();
     HBox.setHgrow(space, Priority.ALWAYS);
@@ -33,7 +33,9 @@ public final class ChainPanel extends VBox {
     head.setAlignment(Pos.CENTER_LEFT);
     head.getStyleClass().add("chain-head");
     Label empty =
-        new Label("No filters: events are shown as they come. Add one with the button above.");
+        new Label(
+            "No filters: events are shown as they come. Add one with the button above, or press"
+                + " Denoise, Track objects or Track wings beside the picture.");
     empty.setWrapText(true);
     empty.getStyleClass().addAll(Styles.TEXT_MUTED, "chain-empty");
     cards = new StageList(editor, empty);

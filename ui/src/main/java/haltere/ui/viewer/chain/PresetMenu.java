@@ -32,7 +32,7 @@ final class PresetMenu extends Menu {
 
   private void follow() {
     List<MenuItem> items = new ArrayList<>();
-    MenuItem keep = item("Keep as a preset\u2026", presets -> presets.keep(chain));
+    MenuItem keep = item("Save as preset\u2026", presets -> presets.keep(chain));
     keep.setId(getId() + "-keep");
     items.add(keep);
     List<String> names = chain.presets().map(ChainPresets::names).orElse(List.of());

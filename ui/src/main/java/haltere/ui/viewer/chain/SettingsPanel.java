@@ -108,7 +108,7 @@ final class SettingsPanel<S extends Record> extends VBox {
       S changed = schema.with(settings, name, value);
       if (!changed.equals(settings)) {
         Parameter parameter = schema.parameter(name);
-        send(changed, Texts.words(name, parameter.unit()).toLowerCase(Locale.ROOT), refused);
+        send(changed, Texts.label(parameter).toLowerCase(Locale.ROOT), refused);
       }
     } catch (SettingsProblem problem) {
       refused.accept(problem.getMessage());

@@ -21,11 +21,7 @@ record SettingsSearch(String words, boolean changedOnly) {
 
   boolean matches(Parameter parameter, boolean changed) {
     String searched =
-        (Texts.words(parameter.name(), parameter.unit())
-                + " "
-                + parameter.group()
-                + " "
-                + parameter.help())
+        (Texts.label(parameter) + " " + parameter.group() + " " + parameter.help())
             .toLowerCase(Locale.ROOT);
     return (!changedOnly || changed) && searched.contains(words);
   }

@@ -15,7 +15,7 @@ final class ChoiceField extends SettingField {
     super(stage, parameter, change);
     box.setId("choice-" + controlId());
     box.getItems().setAll(parameter.choices());
-    box.setAccessibleText(Texts.words(parameter.name(), ""));
+    box.setAccessibleText(Texts.label(parameter));
     Controls.help(box, help());
     box.setOnAction(
         event -> {

@@ -14,7 +14,7 @@ final class FlagField extends SettingField {
   FlagField(String stage, Parameter parameter, Change change) {
     super(stage, parameter, change);
     box.setId("check-" + controlId());
-    box.setAccessibleText(Texts.words(parameter.name(), ""));
+    box.setAccessibleText(Texts.label(parameter));
     Controls.help(box, help());
     box.setOnAction(event -> set(box.isSelected()));
     layOutBeside(box);

@@ -23,7 +23,7 @@ final class NumberField extends SettingField {
   NumberField(String stage, Parameter parameter, Change change) {
     super(stage, parameter, change);
     scale = SliderScale.of(parameter);
-    String words = Texts.words(parameter.name(), parameter.unit());
+    String words = Texts.label(parameter);
     slider.setId("slider-" + controlId());
     slider.setAccessibleText(words);
     Controls.help(slider, help());

@@ -42,7 +42,7 @@ public abstract class SettingField extends VBox {
     this.change = change;
     this.id = stage + "-" + parameter.name().replace('.', '-');
     getStyleClass().add("setting");
-    name.setText(Texts.words(parameter.name(), parameter.unit()));
+    name.setText(Texts.label(parameter));
     Controls.help(name, help());
     name.setMinWidth(0);
     reset =

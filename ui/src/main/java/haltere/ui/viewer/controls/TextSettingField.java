@@ -15,7 +15,7 @@ final class TextSettingField extends SettingField {
   TextSettingField(String stage, Parameter parameter, Change change) {
     super(stage, parameter, change);
     entry.setId("entry-" + controlId());
-    entry.setAccessibleText(Texts.words(parameter.name(), ""));
+    entry.setAccessibleText(Texts.label(parameter));
     Controls.help(entry, help());
     entry.setPrefColumnCount(12);
     entry.getStyleClass().add(Styles.SMALL);

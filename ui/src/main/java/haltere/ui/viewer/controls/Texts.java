@@ -1,6 +1,7 @@
 package haltere.ui.viewer.controls;
 
 import haltere.core.playback.PlayerStatus;
+import haltere.core.settings.Parameter;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.util.Locale;
@@ -159,6 +160,19 @@ public final class Texts {
       return digits(us / 1e3) + " ms";
     }
     return digits(us) + " \u00b5s";
+  }
+
+  /** What a person calls a source: "Simulated road" for the camera {@code simulated:road}. */
+  public static String source(String name) {
+    String simulated = "simulated:";
+    return name.startsWith(simulated)
+        ? "Simulated " + name.substring(simulated.length()).replace('-', ' ')
+        : name;
+  }
+
+  /** What a person calls a setting: its label, or its name in words. */
+  public static String label(Parameter setting) {
+    return setting.label().isEmpty() ? words(setting.name(), setting.unit()) : setting.label();
   }
 
   /** A name in a settings record as words, without the unit at its end. */

@@ -49,8 +49,8 @@ public final class DisplayControl {
 
   private static Map<Long, String> decays() {
     Map<Long, String> decays = new LinkedHashMap<>();
-    decays.put(DisplayOptions.FOLLOW_SLICES, "Follows the speed");
-    decays.put(DisplayOptions.SLICE_ONLY, "The last slice only");
+    decays.put(DisplayOptions.FOLLOW_SLICES, "Follow the speed");
+    decays.put(DisplayOptions.SLICE_ONLY, "Last slice only");
     for (long us : new long[] {100, 300, 1000, 3000, 10_000, 30_000, 100_000, 300_000}) {
       decays.put(us, Texts.duration(us));
     }

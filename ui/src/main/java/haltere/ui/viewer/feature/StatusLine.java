@@ -152,9 +152,9 @@ public final class StatusLine extends HBox {
     frames.setText(Math.round(framesPerSecond) + " fps");
     dropped.setText(
         Texts.count(status.droppedEvents())
-            + " dropped, "
+            + " lost, "
             + Texts.count(conflatedFrames)
-            + " not shown");
+            + " skipped in display");
     showMessage();
   }
 

@@ -8,6 +8,7 @@ import haltere.ui.rendering.ColourMap;
 import haltere.ui.viewer.chain.ChainEditor;
 import haltere.ui.viewer.chain.ChainPanel;
 import haltere.ui.viewer.chain.StageState;
+import haltere.ui.viewer.controls.Texts;
 import haltere.ui.viewer.picture.DisplayFrame;
 import haltere.ui.viewer.picture.DisplayOptions;
 import haltere.ui.viewer.picture.EventView;
@@ -161,7 +162,7 @@ public final class ViewerPanels extends BorderPane {
    * @param steps in which the filters of its chain come
    */
   public void startAnew(ViewerSession made, ColourMap colours, Executor steps) {
-    String name = made.player().playable().name();
+    String name = Texts.source(made.player().playable().name());
     SensorGeometry geometry = made.player().playable().geometry();
     statusLine.setSource(name + "   " + geometry.width() + " \u00d7 " + geometry.height());
     view.setGeometry(geometry, colours);

@@ -8,6 +8,7 @@ import haltere.ui.viewer.session.RecordingFacts;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import javafx.geometry.VPos;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.layout.ColumnConstraints;
@@ -106,6 +107,7 @@ final class FileInfoPanel extends ScrollPane {
     right.setWrapText(true);
     right.setMinHeight(Region.USE_PREF_SIZE);
     left.setLabelFor(right);
+    GridPane.setValignment(left, VPos.TOP);
     grid.addRow(row, left, right);
   }
 

@@ -5,9 +5,10 @@ import haltere.core.playback.Loop;
 import haltere.core.playback.Mark;
 import haltere.core.playback.PlayerStatus;
 import haltere.ui.viewer.controls.Texts;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.SimpleBooleanProperty;
 import javafx.geometry.Orientation;
 import javafx.scene.AccessibleAttribute;
 import javafx.scene.AccessibleRole;
@@ -77,6 +78,7 @@ public final class SeekBar extends Region {
   private long grownNanos;
   private List<Mark> marks = List.of();
   private long[] ticks = {};
+  private final BooleanProperty logarithmic = new SimpleBooleanProperty();
   private Loop loop = Loop.OFF;
   private boolean dirty = true;
 
@@ -121,6 +123,7 @@ public final class SeekBar extends Region {
               dirty = true;
             });
     loop = playback.loopProperty().get();
+    logarithmic.addListener(changed -> dirty = true);
   }
 
   /** Forgets the recording that was shown. */
@@ -137,6 +140,11 @@ public final class SeekBar extends Region {
   public void setProfile(RateProfile newProfile) {
     profile = Optional.of(newProfile);
     dirty = true;
+  }
+
+  /** Whether rates are drawn on a logarithmic scale; else clipped at a percentile. */
+  public BooleanProperty logarithmicProperty() {
+    return logarithmic;
   }
 
   /**
@@ -320,13 +328,17 @@ public final class SeekBar extends Region {
   }
 
   private void drawRates(GraphicsContext graphics, double[] rates, Color colour) {
-    double highest = Arrays.stream(rates).max().orElse(0);
+    double[] heights = RateScale.heights(rates, logarithmic.get());
     double usable = getHeight() - 6;
     graphics.setFill(colour);
     for (int column = 0; column < rates.length; column++) {
       if (rates[column] > 0) {
-        double bar = Math.max(1, Math.rint(rates[column] / highest * usable));
+        double bar = Math.max(1, Math.rint(Math.min(1, heights[column]) * usable));
         graphics.fillRect(column * COLUMN, getHeight() - bar, COLUMN - 1, bar);
+        if (heights[column] > 1) {
+          // a gap below the top says that the column is clipped
+          graphics.clearRect(column * COLUMN, getHeight() - bar + 3, COLUMN - 1, 2);
+        }
       }
     }
   }

@@ -50,7 +50,10 @@ public final class PlotPanel extends BorderPane {
   private final MenuButton add = new MenuButton("Add plot");
   private final ToggleButton follow = Controls.toggle("plot-follow", Icons.PLAY, "");
   private final Label span = new Label();
-  private final Label empty = new Label("Choose with \u201cAdd plot\u201d what to plot over time.");
+  private final Label empty =
+      new Label(
+          "Nothing is plotted. Add plot offers the event rate, what filters publish, and samples"
+              + " of an inertial sensor.");
   private final Label lost = new Label();
   private List<PlotField> offered = List.of();
   private InertialFeed inertial = new InertialFeed();
@@ -105,6 +108,7 @@ public final class PlotPanel extends BorderPane {
     lanesView.setFocusTraversable(false);
     VBox.setVgrow(lanesView, Priority.ALWAYS);
     empty.getStyleClass().add("chain-empty");
+    empty.setWrapText(true);
     setTop(head);
     setCenter(new VBox(empty, lanesView, axis));
     setMinHeight(120);

@@ -119,7 +119,8 @@ final class WingsPanel extends ScrollPane {
     }
     empty.setText(
         now.isEmpty()
-            ? "There is no wing tracker in the chain. Add one to the filter chain."
+            ? "There is no wing tracker in the chain. Press Track wings beside the picture."
+                + " Then the state, the covariance and the noise of each wing stand here."
             : filters.isEmpty() ? "No Kalman filter tracks a wing now." : "");
     Optional<WingFilterState> chosen =
         filters.stream().filter(filter -> filter.part() == choice.getValue()).findFirst();

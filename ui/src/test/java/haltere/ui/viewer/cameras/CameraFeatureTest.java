@@ -53,7 +53,7 @@ class CameraFeatureTest {
       harness.run(() -> harness.window.actions().run("open-camera-simulated-fly"));
       harness.waitUntilOpen("simulated:fly");
       harness.waitFor("the panel", () -> harness.isThere("camera-panel"));
-      assertTrue(harness.text("camera-name").startsWith("simulated:fly"));
+      assertTrue(harness.text("camera-name").startsWith("Simulated fly"));
       harness.waitFor("its numbers", () -> harness.text("camera-statistics").contains("transfers"));
       harness.waitFor("the bottom line", () -> harness.text("status-live").contains(" waiting, "));
     }
