@@ -31,12 +31,20 @@ final class JavaFxWindow implements WindowOpener {
 
   @Override
   public Optional<String> open(Optional<Path> file, ReadOptions options) {
-    return ViewerApplication.open(file, options)
-        .map(
-            problem ->
-                problem.contains("Unable to load")
-                    ? problem + " It comes with the packages " + NativeLibraries.PACKAGES
-                    : problem);
+    return explained(ViewerApplication.open(file, options));
+  }
+
+  @Override
+  public Optional<String> openStartPage() {
+    return explained(ViewerApplication.openStartPage());
+  }
+
+  private static Optional<String> explained(Optional<String> obstacle) {
+    return obstacle.map(
+        problem ->
+            problem.contains("Unable to load")
+                ? problem + " It comes with the packages " + NativeLibraries.PACKAGES
+                : problem);
   }
 
   /** Whether JavaFX has been told to draw into memory, as the tests do. */

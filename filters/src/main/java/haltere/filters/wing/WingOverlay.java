@@ -13,6 +13,7 @@ import java.util.Locale;
 public final class WingOverlay implements Overlay<WingSnapshot> {
   private static final double BODY_SHARE = 0.45;
   private static final double BODY_WIDTH_SHARE = 0.15;
+  private static final double LETTER_SHARE = 1.05;
   private static final double HINGE_PX = 1.5;
   private static final double UNCERTAINTY_SD = 2;
 
@@ -51,6 +52,13 @@ public final class WingOverlay implements Overlay<WingSnapshot> {
       double turn = side == 0 ? 1 : -1;
       Role role = side == 0 ? Role.LEFT : Role.RIGHT;
       canvas.circle(x, y, HINGE_PX, MarkStyle.of(role));
+      double beside = heading + turn * Math.PI / 2;
+      double away = LETTER_SHARE * fly.sizePx();
+      canvas.text(
+          x + away * Math.cos(beside),
+          y + away * Math.sin(beside),
+          side == 0 ? "L" : "R",
+          MarkStyle.of(role));
       double least = Double.POSITIVE_INFINITY;
       double most = Double.NEGATIVE_INFINITY;
       for (int edge = 0; edge < 2; edge++) {

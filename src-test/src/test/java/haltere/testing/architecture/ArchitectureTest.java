@@ -182,7 +182,7 @@ class ArchitectureTest {
         List.of(
             "controls", "action", "chain", "picture", "playback", "plots", "session", "feature");
     List<String> features =
-        List.of("wings", "space", "cameras", "compare", "saving", "road", "file");
+        List.of("wings", "space", "cameras", "compare", "saving", "road", "file", "start");
     Set<String> all = new TreeSet<>();
     parts.forEach(part -> all.add(window + "." + part));
     features.forEach(feature -> all.add(window + "." + feature));

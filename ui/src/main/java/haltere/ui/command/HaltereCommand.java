@@ -35,7 +35,7 @@ final class HaltereCommand extends Subcommand {
     if (headless || !window.hasDisplay()) {
       return new HeadlessDemo(this).run();
     }
-    openWindow(Optional.empty(), ReadOptions.DEFAULT);
+    openWindow(opener -> opener.open(Optional.empty(), ReadOptions.DEFAULT));
     return OK;
   }
 }

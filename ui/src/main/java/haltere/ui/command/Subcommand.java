@@ -2,7 +2,6 @@ package haltere.ui.command;
 
 import haltere.core.camera.Camera;
 import haltere.core.chain.FilterProvider;
-import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.Violation;
 import haltere.ui.command.terminal.LiveStatus;
@@ -17,6 +16,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
+import java.util.function.Function;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
@@ -152,10 +152,10 @@ abstract class Subcommand implements Callable<Integer> {
   }
 
   /** Opens the viewer and waits until it is closed. */
-  void openWindow(Optional<Path> recording, ReadOptions options) {
+  void openWindow(Function<WindowOpener, Optional<String>> opening) {
     Optional<String> obstacle = surroundings.window().obstacle();
     if (obstacle.isEmpty()) {
-      obstacle = surroundings.window().open(recording, options);
+      obstacle = opening.apply(surroundings.window());
     }
     if (obstacle.isPresent()) {
       throw new CommandProblem(obstacle.get());

@@ -1,5 +1,6 @@
 package haltere.ui.command;
 
+import haltere.core.format.ReadOptions;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -8,9 +9,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
 
 /** Opens the viewer. */
-@Command(
-    name = "view",
-    description = "Open the viewer on a recording, or on the built-in fly scene.")
+@Command(name = "view", description = "Open the viewer on a recording, or on its start page.")
 final class ViewCommand extends Subcommand {
   @Parameters(arity = "0..1", paramLabel = "FILE", description = "A recording.")
   Path file;
@@ -33,7 +32,9 @@ final class ViewCommand extends Subcommand {
           "there is no display to open a window on: set DISPLAY, or use haltere info and haltere run,"
               + " which need none");
     }
-    openWindow(Optional.ofNullable(file), reading.readOptions());
+    ReadOptions options = reading.readOptions();
+    openWindow(
+        opener -> file == null ? opener.openStartPage() : opener.open(Optional.of(file), options));
     return OK;
   }
 }

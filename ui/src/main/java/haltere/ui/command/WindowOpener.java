@@ -31,4 +31,13 @@ public interface WindowOpener {
    * @return empty if the window was open and has been closed; one line that says why not otherwise
    */
   Optional<String> open(Optional<Path> file, ReadOptions options);
+
+  /**
+   * Opens the viewer on its start page and returns when it has been closed.
+   *
+   * @return as {@link #open}
+   */
+  default Optional<String> openStartPage() {
+    return open(Optional.empty(), ReadOptions.DEFAULT);
+  }
 }

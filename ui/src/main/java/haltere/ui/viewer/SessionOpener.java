@@ -28,6 +28,7 @@ final class SessionOpener {
   private final StatusLine statusLine;
   private final SourceMemory memory;
   private final BiConsumer<ViewerSession, ReadOptions> opened;
+  private final BiConsumer<String, Exception> failed;
   private int openings;
 
   /** An opener that hands over each session together with what the user said of its file. */
@@ -37,13 +38,15 @@ final class SessionOpener {
       PlaybackController playback,
       StatusLine statusLine,
       SourceMemory memory,
-      BiConsumer<ViewerSession, ReadOptions> opened) {
+      BiConsumer<ViewerSession, ReadOptions> opened,
+      BiConsumer<String, Exception> failed) {
     this.background = background;
     this.editor = editor;
     this.playback = playback;
     this.statusLine = statusLine;
     this.memory = memory;
     this.opened = opened;
+    this.failed = failed;
   }
 
   /**
@@ -82,7 +85,11 @@ final class SessionOpener {
       Optional<String> chainJson,
       PlayerOptions playerOptions,
       DisplayOptions shownAs) {
-    load(number, () -> request.session(chainJson, playerOptions, shownAs), request.options());
+    load(
+        number,
+        () -> request.session(chainJson, playerOptions, shownAs),
+        request.name(),
+        request.options());
   }
 
   /** Opens a session that is being made and whose player was started in pause. */
@@ -94,10 +101,10 @@ final class SessionOpener {
       try {
         handOver(number, made.call(), options);
       } catch (Exception problem) {
-        showProblem(number, problem);
+        showProblem(number, name, problem);
       }
     } else {
-      load(number, made, options);
+      load(number, made, name, options);
     }
   }
 
@@ -113,9 +120,11 @@ final class SessionOpener {
     return ++openings;
   }
 
-  private void load(int number, Callable<ViewerSession> making, ReadOptions options) {
+  private void load(int number, Callable<ViewerSession> making, String name, ReadOptions options) {
     background.file(
-        making, made -> handOver(number, made, options), problem -> showProblem(number, problem));
+        making,
+        made -> handOver(number, made, options),
+        problem -> showProblem(number, name, problem));
   }
 
   private void handOver(int number, ViewerSession made, ReadOptions options) {
@@ -126,10 +135,11 @@ final class SessionOpener {
     }
   }
 
-  private void showProblem(int number, Exception problem) {
+  private void showProblem(int number, String name, Exception problem) {
     if (number == openings) {
       statusLine.setActivity("");
       statusLine.showProblem(problem);
+      failed.accept(name, problem);
     }
   }
 }

@@ -11,7 +11,6 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.Future;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
@@ -64,13 +63,21 @@ public final class ViewerApplication {
             }.start());
   }
 
+  /**
+   * Opens the window on its start page and returns when it has been closed.
+   *
+   * @return as {@link #open}
+   */
+  public static Optional<String> openStartPage() {
+    return run(
+        UserSettings.load(ConfigFolder.ofUser()), window -> window.actions().run("start-page"));
+  }
+
   private static Optional<String> open(
       Optional<Path> file,
       ReadOptions options,
       UserSettings settings,
       Consumer<ViewerWindow> opened) {
-    CountDownLatch closed = new CountDownLatch(1);
-    AtomicReference<Throwable> problem = new AtomicReference<>();
     SourceMemory memory = new SourceMemory(settings);
     SessionRequest request = memory.withSensor(SessionRequest.of(file, options));
     Optional<String> ownChain = memory.chain(request);
@@ -79,11 +86,30 @@ public final class ViewerApplication {
     Thread ahead = new Thread(first, "haltere-first");
     ahead.setDaemon(true);
     ahead.start();
+    String name = file.map(Path::toString).orElse("the fly scene");
+    return run(
+        settings,
+        window -> {
+          window.open(first, name, request.options());
+          opened.accept(window);
+        });
+  }
+
+  /**
+   * Runs JavaFX until the window is closed.
+   *
+   * @param begin says what the window shows, before it is on the screen
+   */
+  private static Optional<String> run(UserSettings settings, Consumer<ViewerWindow> begin) {
+    CountDownLatch closed = new CountDownLatch(1);
+    AtomicReference<Throwable> problem = new AtomicReference<>();
     try {
       Platform.startup(
           () -> {
             try {
-              opened.accept(show(first, file, options, settings, closed));
+              ViewerWindow window = window(settings, closed);
+              begin.accept(window);
+              window.show();
             } catch (RuntimeException | Error broken) {
               problem.set(broken);
               closed.countDown();
@@ -120,12 +146,7 @@ public final class ViewerApplication {
             .anyMatch(frame -> frame.getClassName().startsWith("com.sun.javafx.font"));
   }
 
-  private static ViewerWindow show(
-      Future<ViewerSession> first,
-      Optional<Path> file,
-      ReadOptions options,
-      UserSettings settings,
-      CountDownLatch closed) {
+  private static ViewerWindow window(UserSettings settings, CountDownLatch closed) {
     Theme.DARK.apply();
     Stage stage = new Stage();
     ViewerWindow window = new ViewerWindow(stage, settings);
@@ -137,8 +158,6 @@ public final class ViewerApplication {
                 closed.countDown();
               }
             });
-    window.open(first, file.map(Path::toString).orElse("the fly scene"), options);
-    stage.show();
     return window;
   }
 }

@@ -14,6 +14,7 @@ import haltere.ui.viewer.saving.SavingFeature;
 import haltere.ui.viewer.space.BodyFlightFeature;
 import haltere.ui.viewer.space.LiveFlightFeature;
 import haltere.ui.viewer.space.SpaceTimeFeature;
+import haltere.ui.viewer.start.StartFeature;
 import haltere.ui.viewer.wings.WingsFeature;
 import java.util.List;
 
@@ -41,12 +42,14 @@ final class ViewerFeatures {
         new PlotFeature(),
         new PanelFeature(),
         new WingsFeature(),
+        new FlyStartFeature(),
         new PlaybackFeature(),
         new CameraFeature(),
         new PublishFeature(),
         new BeatExposure(),
         new CompareFeature(),
         new PresetFeature(),
+        new StartFeature(),
         new HelpFeature(),
         ViewerFeatures::quit);
   }

@@ -29,10 +29,12 @@ import haltere.ui.viewer.session.SessionRequest;
 import haltere.ui.viewer.session.ViewerSession;
 import java.io.File;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Future;
 import java.util.concurrent.RejectedExecutionException;
+import java.util.function.BiConsumer;
 import javafx.animation.AnimationTimer;
 import javafx.animation.PauseTransition;
 import javafx.application.Platform;
@@ -78,6 +80,7 @@ public final class ViewerWindow implements SessionHost {
   private final List<ViewerFeature> features = ViewerFeatures.all();
   private final LayoutSteps steps;
   private final SourceMemory memory;
+  private final List<BiConsumer<String, Exception>> problems = new ArrayList<>();
   private final SessionOpener opener;
   private final AnimationTimer pulse =
       new AnimationTimer() {
@@ -104,7 +107,9 @@ public final class ViewerWindow implements SessionHost {
   ViewerWindow(Stage stage, UserSettings settings) {
     this.stage = stage;
     memory = new SourceMemory(settings);
-    opener = new SessionOpener(background, editor, playback, statusLine, memory, this::install);
+    opener =
+        new SessionOpener(
+            background, editor, playback, statusLine, memory, this::install, this::failed);
     dialogs = new FileDialogs(stage);
     Rectangle2D room = Screen.getPrimary().getVisualBounds();
     Scene scene =
@@ -196,6 +201,11 @@ public final class ViewerWindow implements SessionHost {
     open.player().refresh();
   }
 
+  /** Brings the window to the screen. */
+  void show() {
+    stage.show();
+  }
+
   /** Shows a session that is being made and whose player was started in pause. */
   public void open(Future<ViewerSession> making, String name, ReadOptions options) {
     opener.open(making, name, options);
@@ -204,6 +214,15 @@ public final class ViewerWindow implements SessionHost {
   @Override
   public void open(SessionRequest request) {
     opener.open(memory.withSensor(request), session(), display.options());
+  }
+
+  private void failed(String name, Exception problem) {
+    problems.forEach(listener -> listener.accept(name, problem));
+  }
+
+  @Override
+  public void onProblem(BiConsumer<String, Exception> listener) {
+    problems.add(listener);
   }
 
   /** Shows a session in place of the one that is open. */

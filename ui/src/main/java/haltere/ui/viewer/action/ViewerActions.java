@@ -69,8 +69,13 @@ public final class ViewerActions {
     find(id).orElseThrow(() -> new IllegalArgumentException("no action " + id)).work().run();
   }
 
+  /** What stands in a menu, in order. */
+  public List<ViewerAction> inMenu(String menu) {
+    return actions.values().stream().filter(action -> action.menu().equals(menu)).toList();
+  }
+
   /** Calls something after every change of what there is. */
-  void onChange(Runnable listener) {
+  public void onChange(Runnable listener) {
     listeners.add(listener);
   }
 }

@@ -40,6 +40,8 @@ import javafx.util.Duration;
 public final class CameraFeature implements ViewerFeature {
   private static final String MENU = "Camera";
   private static final String OPEN = MENU + "/Open";
+  private static final String OPEN_SIMULATED = MENU + "/Open simulated";
+  private static final String SIMULATED = "simulated:";
   private static final String ID = "open-camera-";
   private static final long NUMBERS_NANOS = 250_000_000;
 
@@ -160,14 +162,31 @@ public final class CameraFeature implements ViewerFeature {
         ids.add(id);
         window
             .actions()
-            .add(ViewerAction.of(id, words(info), OPEN, () -> choose(info)).withHelp(info.note()));
+            .add(
+                ViewerAction.of(id, words(info), menu(info), () -> choose(info))
+                    .withHelp(info.note()));
       }
     }
     listed = ids;
   }
 
+  private static boolean isSimulated(CameraInfo info) {
+    return info.id().startsWith(SIMULATED);
+  }
+
+  private static String menu(CameraInfo info) {
+    return isSimulated(info) ? OPEN_SIMULATED : OPEN;
+  }
+
+  /** What a person calls a camera, such as "Simulated road". */
+  private static String name(CameraInfo info) {
+    return isSimulated(info)
+        ? "Simulated " + info.id().substring(SIMULATED.length()).replace('-', ' ')
+        : info.id();
+  }
+
   private static String words(CameraInfo info) {
-    return info.id() + "   " + info.geometry() + (info.canOpen() ? "" : "   (cannot be opened)");
+    return name(info) + "   " + info.geometry() + (info.canOpen() ? "" : "   (cannot be opened)");
   }
 
   private void choose(CameraInfo info) {

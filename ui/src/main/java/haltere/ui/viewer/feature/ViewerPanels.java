@@ -18,6 +18,7 @@ import haltere.ui.viewer.plots.PlotPanel;
 import haltere.ui.viewer.session.ViewerSession;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.Supplier;
 import javafx.beans.property.BooleanProperty;
@@ -91,7 +92,7 @@ public final class ViewerPanels extends BorderPane {
     picture.setMinSize(0, 0);
     VBox.setVgrow(pictureRow, Priority.ALWAYS);
     layout = new PanelLayout(pictureColumn, chainPanel);
-    setCenter(layout.node());
+    setCenter(new StackPane(layout.node()));
     setTop(menu);
     setBottom(new VBox(seekBar, transport, statusLine));
     getStyleClass().add("viewer");
@@ -101,6 +102,20 @@ public final class ViewerPanels extends BorderPane {
   /** The picture of the events. */
   public EventView view() {
     return view;
+  }
+
+  /**
+   * Puts a page in place of all panels, and of the bars of playback, or takes it away.
+   *
+   * @param page what is shown; the panels if it is empty
+   */
+  public void showPage(Optional<Node> page) {
+    StackPane center = (StackPane) getCenter();
+    center.getChildren().setAll(page.orElse(layout.node()));
+    for (Node bar : List.of(seekBar, transport)) {
+      bar.setVisible(page.isEmpty());
+      bar.setManaged(page.isEmpty());
+    }
   }
 
   /** Puts something above the picture, below its bar. */

@@ -174,7 +174,7 @@ public final class SeekBar extends Region {
     needle.setVisible(canSeek());
     needle.resizeRelocate(x - 1, 0, 2, getHeight());
     playedClip.setWidth(x);
-    if (dirty) {
+    if (dirty && getWidth() >= COLUMN) {
       dirty = false;
       draw();
     }

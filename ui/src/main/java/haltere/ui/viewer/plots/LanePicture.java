@@ -83,7 +83,7 @@ final class LanePicture {
     grid(graphics, width, height, ink, startUs);
     pixels.begin(LEFT, wide, height, density);
     for (Curve curve : curves) {
-      columns.begin(argb(ink.curve(curve.number())), width, height);
+      columns.begin(argb(ink.curve(curve)), width, height);
       curve.paint(window.fromUs(), window.toUs(), wide, columns);
       columns.end();
     }

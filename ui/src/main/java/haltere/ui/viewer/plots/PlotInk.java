@@ -1,6 +1,12 @@
 package haltere.ui.viewer.plots;
 
+import haltere.core.overlay.MarkStyle;
+import haltere.core.overlay.MarkStyle.Role;
+import haltere.ui.overlay.JavaFxOverlayCanvas;
+import haltere.ui.plot.Curve;
+import haltere.ui.rendering.MarkColours;
 import java.util.List;
+import java.util.Optional;
 import javafx.scene.paint.Color;
 
 /**
@@ -14,13 +20,15 @@ import javafx.scene.paint.Color;
  * @param curves used in turn
  */
 record PlotInk(Color text, Color grid, Color now, Color cursor, List<Color> curves) {
+  private static final double SHADE = 0.25;
+
   static final PlotInk DARK =
       new PlotInk(
           Color.web("#9da7b3"),
           Color.web("#30363d"),
           Color.web("#e6edf3", 0.5),
           Color.web("#e6edf3"),
-          curves("#56b4e9", "#e69f00", "#2ed3a5", "#f0e442", "#ff7b4a", "#d58fbf", "#4f8fe6"));
+          curves("#56b4e9", "#e69f00", "#8be9fd", "#f0e442", "#ff7b4a", "#d58fbf", "#4f8fe6"));
 
   static final PlotInk LIGHT =
       new PlotInk(
@@ -28,13 +36,24 @@ record PlotInk(Color text, Color grid, Color now, Color cursor, List<Color> curv
           Color.web("#d8dee4"),
           Color.web("#1f2328", 0.4),
           Color.web("#1f2328"),
-          curves("#0072b2", "#b36b00", "#00785a", "#d55e00", "#a8487f", "#2f8fc4", "#57606a"));
+          curves("#0072b2", "#b36b00", "#006c85", "#d55e00", "#a8487f", "#2f8fc4", "#57606a"));
 
   private static List<Color> curves(String... colours) {
     return List.of(colours).stream().map(Color::web).toList();
   }
 
-  Color curve(int number) {
-    return curves.get(Math.floorMod(number, curves.size()));
+  /** The colour of a curve: of a wing that of its side, darker for the second and third. */
+  Color curve(Curve curve) {
+    int number = curve.number();
+    Optional<Role> side =
+        curve.key().startsWith("left")
+            ? Optional.of(Role.LEFT)
+            : curve.key().startsWith("right") ? Optional.of(Role.RIGHT) : Optional.empty();
+    return side.map(role -> side(role).deriveColor(0, 1, 1 - SHADE * (number / 2 % 3), 1))
+        .orElseGet(() -> curves.get(Math.floorMod(number, curves.size())));
+  }
+
+  private Color side(Role role) {
+    return JavaFxOverlayCanvas.colour(MarkColours.argb(MarkStyle.of(role), this == DARK));
   }
 }

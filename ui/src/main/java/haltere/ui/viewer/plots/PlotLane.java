@@ -171,7 +171,7 @@ final class PlotLane extends BorderPane {
         values.getChildren().add(label);
       }
       Label label = (Label) values.getChildren().get(i);
-      ((Circle) label.getGraphic()).setFill(ink.curve(curve.number()));
+      ((Circle) label.getGraphic()).setFill(ink.curve(curve));
       double value = pointed ? curve.valueAt(atUs) : curve.last();
       label.setText(curve.key() + " " + words(value, lane.unit(curve)));
     }

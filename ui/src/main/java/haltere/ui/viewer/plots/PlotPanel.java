@@ -37,7 +37,7 @@ import javafx.scene.layout.VBox;
 public final class PlotPanel extends BorderPane {
   private static final long FRAME_NANOS = 30_000_000;
   private static final long VALUES_NANOS = 100_000_000;
-  private static final long FIRST_SPAN_US = 500_000;
+  private static final long FIRST_SPAN_US = 100_000;
 
   private final PlaybackController playback;
   private final TimeWindow window = new TimeWindow();
@@ -196,7 +196,7 @@ public final class PlotPanel extends BorderPane {
   }
 
   /**
-   * Opens plots for a user who has none: of half a second, in which single wing beats are seen.
+   * Opens plots for a user who has none: of 0.1 s, in which single wing beats are seen.
    *
    * @return whether there is something to show
    */

@@ -6,6 +6,7 @@ import haltere.core.playback.Playable;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.function.BiConsumer;
 import javafx.beans.property.ReadOnlyObjectProperty;
 
 /**
@@ -19,6 +20,9 @@ public interface SessionHost {
 
   /** What reading all of the recording has told; empty until then, and for what is no recording. */
   ReadOnlyObjectProperty<Optional<RecordingFacts>> factsProperty();
+
+  /** Tells somebody of what could not be opened, by its name. */
+  void onProblem(BiConsumer<String, Exception> listener);
 
   /** Remembers the sensor of the recording that is open, for the next time that it is opened. */
   void keepSensor(SensorGeometry sensor);

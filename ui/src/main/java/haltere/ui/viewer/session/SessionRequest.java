@@ -44,6 +44,23 @@ public record SessionRequest(
         Sources::flyScene, Optional.empty(), ReadOptions.DEFAULT, "the fly scene", FirstView.FLY);
   }
 
+  /**
+   * A simulated scene.
+   *
+   * @param scene its name on the command line, such as {@code road}
+   * @param title what a person calls it
+   */
+  public static SessionRequest scene(String scene, String title) {
+    return scene.equals("fly")
+        ? scene()
+        : new SessionRequest(
+            () -> Sources.scene(scene, title),
+            Optional.empty(),
+            ReadOptions.DEFAULT,
+            title,
+            scene.endsWith("fly") ? FirstView.FLY : FirstView.OBJECTS);
+  }
+
   /** What is not a file. */
   static SessionRequest made(Callable<Playable> playable, String name) {
     return new SessionRequest(playable, Optional.empty(), ReadOptions.DEFAULT, name, FirstView.RAW);

@@ -9,10 +9,12 @@ import haltere.core.playback.KeptPlayable;
 import haltere.core.playback.Playable;
 import haltere.core.playback.RecordingPlayable;
 import haltere.core.playback.ScenePlayable;
+import haltere.core.simulation.Scenes;
 import haltere.core.simulation.fly.FlyScene;
 import haltere.core.simulation.fly.FlySceneSettings;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 
 /**
@@ -29,6 +31,15 @@ public final class Sources {
   /** The built-in scene. */
   static Playable flyScene() {
     return new ScenePlayable(() -> new FlyScene(FlySceneSettings.defaults()), "Fly scene");
+  }
+
+  /**
+   * A simulated scene with its default settings.
+   *
+   * @param name as the command line knows it
+   */
+  static Playable scene(String name, String title) {
+    return new ScenePlayable(() -> Scenes.named(name).create(List.of()), title);
   }
 
   /** A camera or a scene, so that one can go back to its last moments. */

@@ -138,7 +138,7 @@ class PlotPanelTest {
     int like = 0;
     for (int y = 0; y < image.getHeight(); y++) {
       for (int x = 70; x < image.getWidth(); x++) {
-        if (pixels.getColor(x, y).equals(ink.curve(0))) {
+        if (pixels.getColor(x, y).equals(ink.curve(new Curve("", 0)))) {
           like++;
         }
       }

@@ -1,0 +1,82 @@
+package haltere.ui.viewer;
+
+import haltere.ui.rendering.ColourMap;
+import haltere.ui.viewer.feature.ViewerContext;
+import haltere.ui.viewer.feature.ViewerFeature;
+import haltere.ui.viewer.session.FirstView;
+import haltere.ui.viewer.session.ViewerSession;
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.SimpleBooleanProperty;
+import javafx.geometry.Pos;
+import javafx.scene.control.Button;
+
+/**
+ * Begins a tethered fly in slow motion, in which single strokes are seen, once its wings have been
+ * found at full speed; and says in a caption what is seen, until it is clicked.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+final class FlyStartFeature implements ViewerFeature {
+  /** Recording time per real time: a stroke of 5 ms takes half a second. */
+  static final double SLOW_MOTION = 0.01;
+
+  /** The wing tracker searches for 35 ms, then both wings settle. */
+  private static final long SEARCH_US = 80_000;
+
+  private final BooleanProperty captionWanted = new SimpleBooleanProperty(true);
+  private final Button caption = new Button();
+  private ViewerContext window;
+  private boolean searching;
+  private boolean slowed;
+  private double speedBefore = 1;
+
+  @Override
+  public void install(ViewerContext installed) {
+    window = installed;
+    caption.setId("fly-caption");
+    caption.getStyleClass().addAll("readout", "caption");
+    caption.setWrapText(true);
+    caption.setVisible(false);
+    caption.setOnAction(event -> captionWanted.set(false));
+    window.panels().addOverPicture(caption, Pos.BOTTOM_CENTER);
+    window.settings().keep("flyCaption", captionWanted);
+    window.onSession(this::begin);
+    window.panels().onPulse(() -> window.sessions().session().ifPresent(this::pulse));
+    captionWanted.addListener((property, was, is) -> showCaption());
+    window.display().onChange(this::showCaption);
+  }
+
+  private void begin(ViewerSession made) {
+    boolean fly = made.start() == FirstView.FLY;
+    double speed = window.playback().speedProperty().get();
+    if (fly && !slowed) {
+      speedBefore = speed;
+    }
+    if (fly || slowed && speed == SLOW_MOTION) {
+      window.playback().setSpeed(fly ? 1 : speedBefore);
+    }
+    slowed = fly;
+    searching = fly;
+    showCaption();
+  }
+
+  private void pulse(ViewerSession open) {
+    if (searching && open.player().status().elapsedUs() >= SEARCH_US) {
+      searching = false;
+      window.playback().setSpeed(SLOW_MOTION);
+    }
+  }
+
+  private void showCaption() {
+    boolean fly =
+        window.sessions().session().filter(open -> open.start() == FirstView.FLY).isPresent();
+    caption.setVisible(fly && captionWanted.get());
+    ColourMap colours = window.display().coloursProperty().get();
+    caption.setText(
+        "Simulated tethered fly, seen from above"
+            + (colours.equals(ColourMap.DARK)
+                ? "; orange: brighter (ON), blue: darker (OFF)"
+                : ""));
+    caption.setAccessibleText("Dismiss the caption: " + caption.getText());
+  }
+}

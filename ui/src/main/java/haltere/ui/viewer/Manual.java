@@ -1,0 +1,144 @@
+package haltere.ui.viewer;
+
+import atlantafx.base.theme.Styles;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import javafx.geometry.Insets;
+import javafx.geometry.VPos;
+import javafx.scene.Node;
+import javafx.scene.Scene;
+import javafx.scene.control.Label;
+import javafx.scene.control.ScrollPane;
+import javafx.scene.layout.GridPane;
+import javafx.scene.layout.Region;
+import javafx.scene.layout.RowConstraints;
+import javafx.scene.layout.VBox;
+import javafx.stage.Stage;
+
+/**
+ * The manual in a window of its own: the page {@code docs/viewer.md}, without pictures and links,
+ * as headings, paragraphs, lists and tables.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+final class Manual {
+  private static final String PAGE = "manual/viewer.md";
+  private static final double WIDTH = 820;
+
+  private Manual() {}
+
+  /** Opens the manual beside a window. */
+  static void show(Stage owner) {
+    VBox page = new VBox(8);
+    page.setId("manual");
+    page.setPadding(new Insets(16));
+    page.getChildren().setAll(nodes(read()));
+    ScrollPane scroll = new ScrollPane(page);
+    scroll.setFitToWidth(true);
+    scroll.setFocusTraversable(true);
+    scroll.setAccessibleText("Manual");
+    Stage stage = new Stage();
+    stage.initOwner(owner);
+    stage.setTitle("Manual \u2013 Haltere");
+    Scene scene = new Scene(scroll, WIDTH, 640);
+    scene.getStylesheets().setAll(owner.getScene().getStylesheets());
+    stage.setScene(scene);
+    stage.setMinWidth(480);
+    stage.setMinHeight(320);
+    stage.show();
+  }
+
+  private static String read() {
+    try (InputStream page = Manual.class.getResourceAsStream(PAGE)) {
+      return new String(page.readAllBytes(), StandardCharsets.UTF_8);
+    } catch (IOException unreadable) {
+      throw new UncheckedIOException(unreadable);
+    }
+  }
+
+  /** The parts of a page in their order: blocks are set apart by empty lines. */
+  static List<Node> nodes(String markdown) {
+    List<Node> nodes = new ArrayList<>();
+    boolean code = false;
+    StringBuilder block = new StringBuilder();
+    for (String line : (markdown + "\n\n").split("\n", -1)) {
+      if (line.startsWith("```")) {
+        code = !code;
+        continue;
+      }
+      boolean ends = line.isBlank() && !code;
+      boolean begins = line.startsWith("- ") || line.startsWith("#");
+      if ((ends || begins) && !block.isEmpty()) {
+        add(nodes, block.toString().strip());
+        block.setLength(0);
+      }
+      if (!ends) {
+        block.append(line).append('\n');
+      }
+    }
+    return nodes;
+  }
+
+  private static void add(List<Node> nodes, String block) {
+    if (block.startsWith("|")) {
+      nodes.add(table(block));
+    } else if (block.startsWith("#")) {
+      Label heading = label(block.replaceFirst("^#+ *", ""));
+      heading.getStyleClass().add(block.startsWith("##") ? Styles.TITLE_4 : Styles.TITLE_2);
+      nodes.add(heading);
+    } else if (block.startsWith("- ")) {
+      Label item = label("\u2022 " + block.substring(2));
+      item.setPadding(new Insets(0, 0, 0, 12));
+      nodes.add(item);
+    } else if (!plain(block).isBlank()) {
+      nodes.add(label(block));
+    }
+  }
+
+  private static Label label(String markdown) {
+    Label label = new Label(plain(markdown));
+    label.setWrapText(true);
+    label.setMinHeight(Region.USE_PREF_SIZE);
+    return label;
+  }
+
+  /** The words of a block in one line, without pictures, links and emphasis. */
+  static String plain(String markdown) {
+    return markdown
+        .replaceAll("!\\[[^\\]]*\\]\\([^)]*\\)", "")
+        .replaceAll("\\[([^\\]]*)\\]\\([^)]*\\)", "$1")
+        .replaceAll("\\*\\*|`", "")
+        .replaceAll("\\s+", " ")
+        .strip();
+  }
+
+  private static GridPane table(String block) {
+    GridPane grid = new GridPane();
+    grid.setHgap(14);
+    grid.setVgap(4);
+    int row = 0;
+    for (String line : block.split("\n")) {
+      if (line.matches("[|\\-: ]+")) {
+        continue;
+      }
+      String[] cells = line.strip().replaceAll("^\\||\\|$", "").split("\\|");
+      for (int column = 0; column < cells.length; column++) {
+        Label cell = label(cells[column]);
+        cell.setMaxWidth(column == 0 ? 230 : 520);
+        if (row == 0) {
+          cell.getStyleClass().add(Styles.TEXT_BOLD);
+        }
+        grid.add(cell, column, row);
+      }
+      RowConstraints top = new RowConstraints();
+      top.setValignment(VPos.TOP);
+      grid.getRowConstraints().add(top);
+      row++;
+    }
+    return grid;
+  }
+}

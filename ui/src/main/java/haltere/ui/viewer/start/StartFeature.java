@@ -1,0 +1,78 @@
+package haltere.ui.viewer.start;
+
+import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.action.ViewerActions;
+import haltere.ui.viewer.controls.Texts;
+import haltere.ui.viewer.feature.ViewerContext;
+import haltere.ui.viewer.feature.ViewerFeature;
+import java.util.Optional;
+
+/**
+ * The start page: shown where nothing is open, and on request over what is open. What it offers are
+ * the actions of the menus of recent files, scenes and cameras.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+public final class StartFeature implements ViewerFeature {
+  private static final String RECENT = "File/Open recent";
+  private static final String SCENES = "File/Open scene";
+  private static final String CAMERAS = "Camera/Open";
+
+  private ViewerContext window;
+  private Optional<StartPage> page = Optional.empty();
+
+  @Override
+  public void install(ViewerContext installed) {
+    window = installed;
+    window
+        .actions()
+        .add(
+            ViewerAction.of("start-page", "Start page", "File", () -> show(""))
+                .withHelp("Recent recordings, scenes and cameras."));
+    window.actions().onChange(() -> page.ifPresent(this::offer));
+    window.sessions().sessionProperty().addListener((property, was, is) -> hide());
+    window
+        .sessions()
+        .onProblem(
+            (name, problem) -> {
+              if (window.sessions().session().isEmpty() || page.isPresent()) {
+                show(name + " cannot be opened.\n" + reason(name, problem));
+              }
+            });
+  }
+
+  /** The reason without the file's name, which stands above it. */
+  private static String reason(String name, Exception problem) {
+    String line = Texts.oneLine(problem);
+    String rest = line.startsWith(name + ": ") ? line.substring(name.length() + 2) : line;
+    return rest.substring(0, Math.min(1, rest.length())).toUpperCase(java.util.Locale.ROOT)
+        + rest.substring(Math.min(1, rest.length()));
+  }
+
+  private void show(String problem) {
+    ViewerActions actions = window.actions();
+    if (page.isEmpty()) {
+      StartPage made = new StartPage(() -> actions.run("open"), this::hide);
+      page = Optional.of(made);
+      offer(made);
+      window.panels().showPage(Optional.of(made));
+      actions.run("list-cameras");
+    }
+    page.get().setProblem(problem);
+    page.get().setBack(window.sessions().session().map(open -> open.player().playable().name()));
+  }
+
+  private void offer(StartPage made) {
+    ViewerActions actions = window.actions();
+    made.setRecent(actions.inMenu(RECENT));
+    made.setScenes(actions.inMenu(SCENES));
+    made.setCameras(actions.inMenu(CAMERAS), () -> actions.run("list-cameras"));
+  }
+
+  private void hide() {
+    if (page.isPresent()) {
+      page = Optional.empty();
+      window.panels().showPage(Optional.empty());
+    }
+  }
+}

@@ -1,0 +1,194 @@
+package haltere.ui.viewer.start;
+
+import atlantafx.base.theme.Styles;
+import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.controls.Controls;
+import haltere.ui.viewer.controls.Icons;
+import java.net.URL;
+import java.util.List;
+import java.util.Optional;
+import javafx.geometry.Pos;
+import javafx.scene.Node;
+import javafx.scene.control.Button;
+import javafx.scene.control.ContentDisplay;
+import javafx.scene.control.Hyperlink;
+import javafx.scene.control.Label;
+import javafx.scene.control.ScrollPane;
+import javafx.scene.image.Image;
+import javafx.scene.image.ImageView;
+import javafx.scene.layout.FlowPane;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Region;
+import javafx.scene.layout.VBox;
+
+/**
+ * What can be opened: a recording, recent ones, scenes with a picture and a sentence each, cameras.
+ * Above that stands why something could not be opened.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+final class StartPage extends ScrollPane {
+  private static final double PICTURE_WIDTH = 176;
+  private static final double PICTURE_HEIGHT = 112;
+  private static final double SENTENCE_HEIGHT = 84;
+  private static final int MAX_RECENT = 6;
+
+  private final Label problem = new Label();
+  private final Button back = new Button();
+  private final VBox recent = new VBox(2);
+  private final FlowPane scenes = new FlowPane(12, 12);
+  private final VBox cameras = new VBox(4);
+
+  /**
+   * A page that offers nothing yet.
+   *
+   * @param open opens a recording
+   * @param close goes back to what is open
+   */
+  StartPage(Runnable open, Runnable close) {
+    setId("start-page");
+    getStyleClass().add("start-page");
+    setFitToWidth(true);
+    setHbarPolicy(ScrollBarPolicy.NEVER);
+    Label title = new Label("Haltere");
+    title.getStyleClass().add(Styles.TITLE_2);
+    Label purpose = muted("Plays, filters and tracks the events of event cameras.");
+    problem.setId("start-problem");
+    problem.getStyleClass().add("start-problem");
+    problem.setWrapText(true);
+    problem.setMinHeight(Region.USE_PREF_SIZE);
+    problem.setMaxWidth(Double.MAX_VALUE);
+    setProblem("");
+    Button opening = new Button("Open recording\u2026");
+    opening.setId("start-open");
+    opening.getStyleClass().add(Styles.ACCENT);
+    opening.setOnAction(event -> open.run());
+    back.setId("start-back");
+    back.setOnAction(event -> close.run());
+    setBack(Optional.empty());
+    HBox actions = new HBox(10, opening, back, muted("or drop a file on the window"));
+    actions.setAlignment(Pos.CENTER_LEFT);
+    VBox page =
+        new VBox(
+            10,
+            title,
+            purpose,
+            problem,
+            actions,
+            heading("Recent"),
+            recent,
+            heading("Scenes"),
+            scenes,
+            heading("Cameras"),
+            cameras);
+    page.getStyleClass().add("start-content");
+    page.setMaxWidth(1080);
+    setContent(page);
+  }
+
+  /** Says why something could not be opened; nothing if the words are empty. */
+  void setProblem(String words) {
+    problem.setText(words);
+    problem.setVisible(!words.isEmpty());
+    problem.setManaged(!words.isEmpty());
+  }
+
+  /** Offers to go back to what is open, or not. */
+  void setBack(Optional<String> name) {
+    name.ifPresent(open -> back.setText("Back to " + open));
+    back.setVisible(name.isPresent());
+    back.setManaged(name.isPresent());
+  }
+
+  /** Offers recordings that were open before, the last one first. */
+  void setRecent(List<ViewerAction> actions) {
+    List<Node> lines = actions.stream().limit(MAX_RECENT).<Node>map(StartPage::recentLine).toList();
+    recent
+        .getChildren()
+        .setAll(lines.isEmpty() ? List.of(muted("Recordings that you open stand here.")) : lines);
+  }
+
+  private static Node recentLine(ViewerAction action) {
+    Hyperlink link = new Hyperlink(action.words());
+    link.setId("start-" + action.id());
+    link.setAccessibleText(action.help());
+    link.setMinWidth(Region.USE_PREF_SIZE);
+    link.setMnemonicParsing(false);
+    link.setOnAction(event -> action.work().run());
+    Label folder = muted(action.help());
+    folder.setMinWidth(0);
+    HBox line = new HBox(8, link, folder);
+    line.setAlignment(Pos.CENTER_LEFT);
+    return line;
+  }
+
+  /** Offers scenes. */
+  void setScenes(List<ViewerAction> actions) {
+    scenes.getChildren().setAll(actions.stream().map(StartPage::tile).toList());
+  }
+
+  private static Node tile(ViewerAction action) {
+    Label name = new Label(action.words());
+    name.getStyleClass().add(Styles.TEXT_BOLD);
+    Label sentence = muted(action.help());
+    sentence.setWrapText(true);
+    sentence.getStyleClass().add(Styles.TEXT_SMALL);
+    sentence.setPrefSize(PICTURE_WIDTH, SENTENCE_HEIGHT);
+    sentence.setAlignment(Pos.TOP_LEFT);
+    VBox content = new VBox(4, picture(action.id()), name, sentence);
+    content.setPrefWidth(PICTURE_WIDTH);
+    Button tile = new Button();
+    tile.setId("start-" + action.id());
+    tile.setAccessibleText(action.words() + ". " + action.help());
+    tile.setContentDisplay(ContentDisplay.GRAPHIC_ONLY);
+    tile.setGraphic(content);
+    tile.getStyleClass().add("start-tile");
+    tile.setOnAction(event -> action.work().run());
+    return tile;
+  }
+
+  /** The picture of a scene, or an empty frame where there is none. */
+  private static Node picture(String id) {
+    URL resource = StartPage.class.getResource(id + ".png");
+    if (resource == null) {
+      Region empty = new Region();
+      empty.getStyleClass().add("start-picture");
+      empty.setMinSize(PICTURE_WIDTH, PICTURE_HEIGHT);
+      return empty;
+    }
+    return new ImageView(
+        new Image(resource.toExternalForm(), PICTURE_WIDTH, PICTURE_HEIGHT, true, true, true));
+  }
+
+  /** Offers cameras that are plugged in. */
+  void setCameras(List<ViewerAction> actions, Runnable look) {
+    List<Node> lines =
+        actions.stream()
+            .<Node>map(
+                action -> {
+                  Hyperlink link = new Hyperlink(action.words());
+                  link.setId("start-" + action.id());
+                  link.setAccessibleText("Open the camera " + action.words());
+                  link.setOnAction(event -> action.work().run());
+                  Controls.help(link, action.help());
+                  return link;
+                })
+            .toList();
+    Button again = Controls.button("start-look", Icons.RESET, "Look for cameras", look);
+    HBox none = new HBox(8, muted("No camera is plugged in."), again);
+    none.setAlignment(Pos.CENTER_LEFT);
+    cameras.getChildren().setAll(lines.isEmpty() ? List.of(none) : lines);
+  }
+
+  private static Label heading(String words) {
+    Label label = new Label(words);
+    label.getStyleClass().add(Styles.TITLE_4);
+    return label;
+  }
+
+  private static Label muted(String words) {
+    Label label = new Label(words);
+    label.getStyleClass().add(Styles.TEXT_MUTED);
+    return label;
+  }
+}

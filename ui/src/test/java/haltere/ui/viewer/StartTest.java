@@ -1,0 +1,125 @@
+package haltere.ui.viewer;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.core.format.ReadOptions;
+import haltere.ui.plot.Lane;
+import haltere.ui.viewer.session.SessionRequest;
+import haltere.ui.viewer.session.ViewerSession;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.FutureTask;
+import javafx.scene.Node;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The first minute: the start page, the fly, the manual. */
+class StartTest {
+  @TempDir Path folder;
+  private ViewerHarness viewer;
+
+  @BeforeEach
+  void openWindow() {
+    viewer = new ViewerHarness();
+  }
+
+  @AfterEach
+  void close() {
+    viewer.close();
+  }
+
+  private void showStartPage() {
+    viewer.run(() -> viewer.window.actions().run("start-page"));
+    viewer.waitFor("the start page", () -> viewer.isThere("start-page"));
+  }
+
+  private boolean isVisible(String id) {
+    return viewer.isThere(id) && viewer.onFx(viewer.node(id, Node.class)::isVisible);
+  }
+
+  @Test
+  void theStartPageOffersScenesAndRecentRecordings() throws IOException {
+    showStartPage();
+    for (String scene : List.of("fly", "road", "dots", "flight", "rendered-fly")) {
+      assertTrue(viewer.isThere("start-scene-" + scene), scene);
+      assertTrue(
+          StartTest.class.getResource("/haltere/ui/viewer/start/scene-" + scene + ".png") != null,
+          scene);
+    }
+    viewer.click("start-scene-dots");
+    viewer.waitUntilOpen("Dots scene");
+    assertFalse(viewer.isThere("start-page"));
+    Path file = folder.resolve("blob.aedat");
+    ViewerHarness.writeRecording(file, 500_000);
+    viewer.openRecording(file);
+    showStartPage();
+    assertEquals("Back to blob.aedat", viewer.text("start-back"));
+    assertEquals("blob.aedat", viewer.text("start-recent-1"));
+    viewer.click("start-back");
+    viewer.waitFor("the recording again", () -> !viewer.isThere("start-page"));
+  }
+
+  @Test
+  void aFileThatCannotBeOpenedAtTheStartLeavesTheStartPageWithTheWholeReason() throws IOException {
+    Path empty = Files.createFile(folder.resolve("empty.aedat"));
+    FutureTask<ViewerSession> first =
+        new FutureTask<>(
+            () ->
+                SessionRequest.recording(empty, ReadOptions.DEFAULT)
+                    .firstSession(Optional.empty()));
+    first.run();
+    viewer.run(() -> viewer.window.open(first, empty.toString(), ReadOptions.DEFAULT));
+    viewer.waitFor("the start page", () -> viewer.isThere("start-page"));
+    assertEquals(
+        empty + " cannot be opened.\nThe file is empty; record or copy it again",
+        viewer.text("start-problem"));
+  }
+
+  @Test
+  void theFlyBeginsInSlowMotionWithACaptionThatGoesByAClick() throws IOException {
+    viewer.run(() -> viewer.window.actions().run("open-scene"));
+    viewer.waitUntilOpen("Fly scene");
+    viewer.waitFor(
+        "slow motion", () -> viewer.onFx(viewer.window.playback().speedProperty()::get) == 0.01);
+    assertTrue(isVisible("fly-caption"));
+    assertTrue(viewer.text("fly-caption").contains("orange: brighter (ON), blue: darker (OFF)"));
+    assertEquals(100_000, viewer.onFx(() -> viewer.window.plots().window().spanUs()));
+    List<Lane> lanes = viewer.onFx(() -> viewer.window.plots().lanes());
+    assertEquals(2, lanes.size());
+    viewer.click("fly-caption");
+    viewer.waitFor("no caption", () -> !isVisible("fly-caption"));
+    Path file = folder.resolve("blob.aedat");
+    ViewerHarness.writeRecording(file, 500_000);
+    viewer.openRecording(file);
+    viewer.waitFor(
+        "the speed of before",
+        () -> viewer.onFx(viewer.window.playback().speedProperty()::get) == 1);
+  }
+
+  @Test
+  void theManualAndTheFactsOfTheProgramAreShown() {
+    viewer.run(() -> viewer.window.actions().run("manual"));
+    viewer.waitFor("the manual", () -> viewer.isThere("manual"));
+    viewer.run(() -> viewer.node("manual", Node.class).getScene().getWindow().hide());
+    viewer.run(() -> viewer.window.actions().run("about"));
+    viewer.waitFor("the facts", () -> viewer.isThere("about"));
+    String facts = viewer.text("about");
+    assertTrue(facts.contains("Apache-2.0") && facts.contains(System.getProperty("java.vendor")));
+    viewer.run(() -> viewer.node("about", Node.class).getScene().getWindow().hide());
+  }
+
+  @Test
+  void theManualIsReadWithoutItsMarkup() {
+    assertEquals(
+        "Open a file by Ctrl+O, see formats.",
+        Manual.plain("**Open** a file\nby `Ctrl+O`, see [formats](formats.md).\n![x](y.png)"));
+    assertEquals(4, viewer.onFx(() -> Manual.nodes("# Title\n\nWords\n\n- one\n- two\n").size()));
+  }
+}
