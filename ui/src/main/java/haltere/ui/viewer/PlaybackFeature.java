@@ -1,5 +1,6 @@
 package haltere.ui.viewer;
 
+import haltere.core.playback.Loop;
 import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.controls.Questions;
@@ -8,6 +9,7 @@ import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.playback.PlaybackController;
 import java.util.OptionalLong;
+import java.util.function.Supplier;
 import javafx.beans.binding.Bindings;
 
 /** The transport's actions and their keys. */
@@ -17,11 +19,12 @@ final class PlaybackFeature implements ViewerFeature {
   private static final int JOG_SLICES = 20;
 
   private ViewerActions actions;
+  private PlaybackController playback;
 
   @Override
   public void install(ViewerContext window) {
     actions = window.actions();
-    PlaybackController playback = window.playback();
+    playback = window.playback();
     add("play-pause", "Play or pause", "Space", playback::togglePause);
     actions.add(
         ViewerAction.toggle(
@@ -51,7 +54,12 @@ final class PlaybackFeature implements ViewerFeature {
     actions.beginGroup();
     add("loop-start", "Start the loop here", "I", playback::markIn);
     add("loop-end", "End the loop here", "O", playback::markOut);
-    add("clear-in-out", "Clear the loop's start and end", "", playback::clearInOut);
+    add(
+        "clear-in-out",
+        "Clear the loop's start and end",
+        "",
+        playback::clearInOut,
+        this::noLoopEnds);
     actions.add(
         ViewerAction.toggle(
                 "repeat",
@@ -69,12 +77,21 @@ final class PlaybackFeature implements ViewerFeature {
         "Shift+M",
         () -> Questions.ask(window.stage(), "Mark", "Name of the mark here", "", playback::mark));
     add("jump-to-time", "Jump to a time\u2026", "Shortcut+J", () -> askForTime(window));
-    add("mark-before", "To the mark before", "J", () -> playback.toMark(false));
-    add("mark-after", "To the mark after", "K", () -> playback.toMark(true));
-    add("clear-marks", "Clear all marks", "", playback::clearMarks);
+    add("mark-before", "To the mark before", "J", () -> playback.toMark(false), this::noMarks);
+    add("mark-after", "To the mark after", "K", () -> playback.toMark(true), this::noMarks);
+    add("clear-marks", "Clear all marks", "", playback::clearMarks, this::noMarks);
     actions.beginGroup();
     add("forget", "Let all filters forget", "Z", playback::reset);
     add("menu-reset", "Reset all filters", "Shortcut+R", playback::reset);
+  }
+
+  private String noMarks() {
+    return playback.marks().isEmpty() ? "there are no marks" : "";
+  }
+
+  private String noLoopEnds() {
+    Loop loop = playback.loopProperty().get();
+    return loop.inUs().isEmpty() && loop.outUs().isEmpty() ? "no part is marked" : "";
   }
 
   private static void askForTime(ViewerContext window) {
@@ -113,6 +130,10 @@ final class PlaybackFeature implements ViewerFeature {
   }
 
   private void add(String id, String words, String key, Runnable work) {
-    actions.add(ViewerAction.of(id, words, MENU, work).withKey(key));
+    add(id, words, key, work, () -> playback.status().isEmpty() ? "nothing is open" : "");
+  }
+
+  private void add(String id, String words, String key, Runnable work, Supplier<String> obstacle) {
+    actions.add(ViewerAction.of(id, words, MENU, work).withKey(key).unless(obstacle));
   }
 }

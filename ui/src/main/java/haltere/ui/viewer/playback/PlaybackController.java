@@ -275,7 +275,7 @@ public final class PlaybackController {
   }
 
   /** Puts an end of the loop to a place; the other one stays at least 1 us away. */
-  void moveLoopEnd(boolean isStart, long elapsedUs) {
+  public void moveLoopEnd(boolean isStart, long elapsedUs) {
     OptionalLong in = loop.get().inUs();
     OptionalLong out = loop.get().outUs();
     if (isStart) {

@@ -57,7 +57,8 @@ public final class TransportBar extends HBox {
         Controls.button("mark-out", Icons.MARK_OUT, "End the loop here (O)", playback::markOut);
     speed.setId("speed");
     speed.setAccessibleText("Speed");
-    Controls.help(speed, "Recording time per real time. F and S take the next higher and lower speed.");
+    Controls.help(
+        speed, "Recording time per real time. F and S take the next higher and lower speed.");
     List<Double> speeds = new ArrayList<>(PlaybackController.SPEEDS);
     speeds.add(Double.POSITIVE_INFINITY);
     for (double preset : speeds) {
