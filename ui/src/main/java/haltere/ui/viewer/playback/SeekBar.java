@@ -423,11 +423,18 @@ public final class SeekBar extends Region {
       double x = Math.rint(xOf(Math.round(seconds * 1e6)));
       graphics.fillRect(x, top, 1, 5);
       graphics.fillText(
-          Texts.time(Math.round(seconds * 1e6), times.step() < 1),
-          x + 3,
-          top + RULER_HEIGHT - 4,
-          RULER_TIME_WIDTH);
+          rulerTime(seconds, times.step()), x + 3, top + RULER_HEIGHT - 4, RULER_TIME_WIDTH);
     }
+  }
+
+  /** A time with as many decimals as tell it from its neighbours. */
+  private static String rulerTime(double seconds, double step) {
+    String whole = Texts.time(Math.round(seconds * 1e6), true);
+    int decimals = (int) Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
+    int point = whole.indexOf('.');
+    return decimals == 0
+        ? whole.substring(0, point)
+        : whole.substring(0, Math.min(whole.length(), point + 1 + decimals));
   }
 
   /** One tick a column at the most, however many moments there are. */
