@@ -6,13 +6,15 @@ import org.junit.jupiter.api.Assertions;
 import org.junit.jupiter.api.Assumptions;
 
 /**
- * Finds the real recordings that tests read, which are no part of the repository: the folder that
- * the system property {@code haltere.recordings} names, else the environment variable {@code
- * HALTERE_RECORDINGS}, else {@code ../shared/recordings} beside the checkout. A test whose
- * recording is not there is skipped and says why; where the environment variable {@code CI} is
- * {@code true} it fails.
+ * Finds the real recordings that tests read: in the folder that the system property {@code
+ * haltere.recordings} names, else the environment variable {@code HALTERE_RECORDINGS}, else {@code
+ * ../shared/recordings} beside the checkout; those that are not there, among the few of the
+ * repository ({@code src-test/recordings}). A test whose recording is nowhere is skipped and says
+ * why; where the environment variable {@code CI} is {@code true} it fails.
  */
 public final class Recorded {
+  private static final Path OURS = Path.of("../src-test/recordings");
+
   private Recorded() {}
 
   /**
@@ -37,6 +39,9 @@ public final class Recorded {
    */
   public static Path file(String name) {
     Path file = folder().resolve(name);
+    if (!Files.isReadable(file)) {
+      file = OURS.resolve(name);
+    }
     if (!Files.isReadable(file)) {
       String reason =
           "the recording " + name + " is not in " + folder() + " (-Dhaltere.recordings names it)";

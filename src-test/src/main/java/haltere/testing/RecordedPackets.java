@@ -70,6 +70,9 @@ public record RecordedPackets(
   /** DVS128, a dark box moved before the camera; the header names no chip. */
   public static final RecordedPackets DARK_BOX = known("dvs128-moving-dark-box.aedat");
 
+  /** The first events of {@link #DARK_BOX}, in the repository. */
+  public static final RecordedPackets DARK_BOX_CUT = known("dvs128-moving-dark-box-cut.aedat");
+
   /** DVS128, a person walking; the header names the chip and has no end line. */
   public static final RecordedPackets WALKING = known("dvs128-walking-10s.aedat");
 
@@ -89,7 +92,8 @@ public record RecordedPackets(
    * @return AEDAT-1.0 first
    */
   public static List<RecordedPackets> aedat() {
-    return List.of(TMPDIFF128, DARK_BOX, WALKING, PENDULUM, ROTATING_DISK, ROTATING_BAR);
+    return List.of(
+        TMPDIFF128, DARK_BOX_CUT, DARK_BOX, WALKING, PENDULUM, ROTATING_DISK, ROTATING_BAR);
   }
 
   /** Prophesee Gen3, dense; the header states no size. */
@@ -144,6 +148,9 @@ public record RecordedPackets(
   /** A bag of ROS 1, Prophesee, whose words are EVT3. */
   public static final RecordedPackets EVT3_BAG = known("evt3-eventpacket.bag");
 
+  /** The first chunk of {@link #EVT3_BAG}, in the repository. */
+  public static final RecordedPackets EVT3_BAG_CUT = known("evt3-eventpacket-cut.bag");
+
   /** A bag of ROS 2 in an SQLite file, Prophesee, with external triggers among the words. */
   public static final RecordedPackets TRIGGERS_BAG = known("evt3-with-triggers.db3");
 
@@ -153,7 +160,7 @@ public record RecordedPackets(
    * @return ROS 1 first
    */
   public static List<RecordedPackets> ros() {
-    return List.of(EVT3_BAG, TRIGGERS_BAG);
+    return List.of(EVT3_BAG_CUT, EVT3_BAG, TRIGGERS_BAG);
   }
 
   /**

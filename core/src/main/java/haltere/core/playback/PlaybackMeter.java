@@ -2,6 +2,8 @@ package haltere.core.playback;
 
 import haltere.core.chain.ChainStage;
 import haltere.core.chain.FilterChain;
+import haltere.core.event.EventPacket;
+import java.util.Arrays;
 import java.util.IdentityHashMap;
 import java.util.Map;
 import java.util.function.LongSupplier;
@@ -15,7 +17,11 @@ import java.util.function.LongSupplier;
 final class PlaybackMeter {
   private static final long WINDOW_NANOS = 500_000_000L;
   private static final long FIRST_READING_NANOS = 50_000_000L;
-  private static final double RATE_MEMORY_US = 50_000;
+
+  /** The rate is that of so many bins, 50 ms, of which the last may be begun. */
+  private static final int RATE_BINS = 5;
+
+  private static final long BIN_US = 10_000;
 
   private final FilterChain chain;
   private final SourceCursor source;
@@ -29,8 +35,10 @@ final class PlaybackMeter {
   private long sourceBusyAtWindow;
   private String slowest = "";
   private double sourceShare;
-  private double rateEvents;
-  private double rateUs;
+  private final long[] binEvents = new long[RATE_BINS];
+  private long bin = Long.MIN_VALUE;
+  private long firstBin;
+  private long rateAtUs;
 
   PlaybackMeter(FilterChain chain, SourceCursor source, LongSupplier nanoTime) {
     this.chain = chain;
@@ -79,11 +87,40 @@ final class PlaybackMeter {
     }
   }
 
-  /** A slice has ended. */
-  void sliceEnded(long lengthUs, long events) {
-    double kept = Math.exp(-lengthUs / RATE_MEMORY_US);
-    rateEvents = rateEvents * kept + events;
-    rateUs = rateUs * kept + lengthUs;
+  /** What comes next does not follow what was. */
+  void forgetRate() {
+    bin = Long.MIN_VALUE;
+  }
+
+  /** Events are handed over, whether to be shown or before that. */
+  void handOver(EventPacket piece, long offsetUs) {
+    int from = 0;
+    while (from < piece.size()) {
+      long next = Math.floorDiv(piece.timeUs(from) + offsetUs, BIN_US);
+      goTo(next);
+      int to = piece.indexAtOrAfter((next + 1) * BIN_US - offsetUs, from);
+      binEvents[Math.floorMod(next, RATE_BINS)] += to - from;
+      from = to;
+    }
+  }
+
+  private void goTo(long next) {
+    if (bin == Long.MIN_VALUE) {
+      firstBin = next;
+      bin = next - RATE_BINS;
+    }
+    for (long passed = Math.max(bin + 1, next - RATE_BINS + 1); passed <= next; passed++) {
+      binEvents[Math.floorMod(passed, RATE_BINS)] = 0;
+    }
+    bin = Math.max(bin, next);
+  }
+
+  /** A slice has ended at a place. */
+  void sliceEnded(long toUs) {
+    rateAtUs = toUs;
+    if (bin != Long.MIN_VALUE) {
+      goTo(Math.floorDiv(toUs - 1, BIN_US));
+    }
   }
 
   double speed() {
@@ -91,7 +128,11 @@ final class PlaybackMeter {
   }
 
   double eventRateEps() {
-    return rateUs == 0 ? 0 : rateEvents / rateUs * 1e6;
+    if (bin == Long.MIN_VALUE) {
+      return 0;
+    }
+    long spanUs = rateAtUs - Math.max(firstBin, bin - RATE_BINS + 1) * BIN_US;
+    return spanUs <= 0 ? 0 : Arrays.stream(binEvents).sum() * 1e6 / spanUs;
   }
 
   String slowestStage() {

@@ -13,15 +13,17 @@ final class RunUp {
   private final SourceCursor cursor;
   private final ChainRunner runner;
   private final EventTies ties;
+  private final PlaybackMeter meter;
   private boolean open;
   private long targetUs;
   private long reachedUs;
   private int tiesLeft;
 
-  RunUp(SourceCursor cursor, ChainRunner runner, EventTies ties) {
+  RunUp(SourceCursor cursor, ChainRunner runner, EventTies ties, PlaybackMeter meter) {
     this.cursor = cursor;
     this.runner = runner;
     this.ties = ties;
+    this.meter = meter;
   }
 
   /** What comes from the cursor from now on leads up to a place. */
@@ -72,6 +74,7 @@ final class RunUp {
       if (count > 0) {
         EventPacket piece = cursor.take(count);
         ties.handOver(piece, cursor.offsetUs());
+        meter.handOver(piece, cursor.offsetUs());
         reachedUs = piece.lastTimeUs() + cursor.offsetUs();
         runner.packet(piece);
         return true;

@@ -61,7 +61,7 @@ final class SliceRunner {
     this.pace = pace;
     this.board = board;
     this.awaited = awaited;
-    runUp = new RunUp(cursor, runner, ties);
+    runUp = new RunUp(cursor, runner, ties, pace.meter());
   }
 
   // ---- Elsewhere
@@ -99,6 +99,7 @@ final class SliceRunner {
     isByHand = false;
     endRemake();
     ties.forget();
+    pace.meter().forgetRate();
     if (from < target.elapsedUs() || target.ties() > 0) {
       runUp.open(from, target);
     }
@@ -376,6 +377,7 @@ final class SliceRunner {
     }
     EventPacket piece = cursor.take(count);
     ties.handOver(piece, cursor.offsetUs());
+    pace.meter().handOver(piece, cursor.offsetUs());
     slices.handOver(count, piece.timeUs(count - 1));
     runner.packet(piece);
     if (slices.countLeft() == 0) {
@@ -420,7 +422,7 @@ final class SliceRunner {
     long from = slices.fromUs();
     long offset = slices.offsetUs();
     board.setShownLength(to - from, slices.events());
-    pace.meter().sliceEnded(to - from, slices.events());
+    pace.meter().sliceEnded(to);
     tellSinks(sink -> sink.sliceEnd(from - offset, to - offset));
     return true;
   }

@@ -22,6 +22,8 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 
 /** Copies of recordings, whole or in part, through a chain or not. */
 class ConversionTest {
@@ -61,21 +63,24 @@ class ConversionTest {
     return recorder;
   }
 
-  @Test
-  void aCopyOfARealRecordingHoldsTheSameEvents() throws IOException {
-    for (RecordedPackets facts : RecordedPackets.aedat()) {
-      Path target = folder.resolve(facts.file() + ".copy.aedat");
-      try (RecordingReader reader = facts.open();
-          RecordingWriter writer =
-              Recordings.forWriting(target)
-                  .create(target, WriteOptions.of(reader.geometry()))
-                  .orElseThrow()) {
-        Conversion.Result result = copy(Long.MIN_VALUE, Long.MAX_VALUE).run(reader, writer);
-        assertEquals(facts.events(), result.eventsRead());
-        assertEquals(facts.events(), result.eventsWritten());
-      }
-      assertEquals(facts.crc32(), read(target).crc32(), facts.file());
+  static List<RecordedPackets> recordings() {
+    return RecordedPackets.aedat();
+  }
+
+  @ParameterizedTest
+  @MethodSource("recordings")
+  void aCopyOfARealRecordingHoldsTheSameEvents(RecordedPackets facts) throws IOException {
+    Path target = folder.resolve(facts.file() + ".copy.aedat");
+    try (RecordingReader reader = facts.open();
+        RecordingWriter writer =
+            Recordings.forWriting(target)
+                .create(target, WriteOptions.of(reader.geometry()))
+                .orElseThrow()) {
+      Conversion.Result result = copy(Long.MIN_VALUE, Long.MAX_VALUE).run(reader, writer);
+      assertEquals(facts.events(), result.eventsRead());
+      assertEquals(facts.events(), result.eventsWritten());
     }
+    assertEquals(facts.crc32(), read(target).crc32(), facts.file());
   }
 
   @Test

@@ -31,6 +31,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 class DamagedFilesTest {
   private static final int CASES = 1000;
   private static final int FILES = 7;
+  private static final int CUTS = 400;
 
   /** Bytes before the header of AEDAT-4, the last four of which are its size. */
   private static final int AEDAT4_START = 18;
@@ -184,5 +185,35 @@ class DamagedFilesTest {
       }
     }
     assertTrue(read > CASES / 4, read + " of the files were read");
+  }
+
+  /** Nothing is invented, and nothing is lost that arrived whole. */
+  @ParameterizedTest
+  @MethodSource("formats")
+  void aCutFileGivesTheFirstEventsOfTheWholeAndALongerOneNeverFewer(String name) {
+    assertTimeoutPreemptively(SOON, () -> cutAndRead(Recordings.formats().get(name)));
+  }
+
+  private void cutAndRead(RecordingFormat format) throws IOException {
+    for (int number = 1; number <= 2; number++) {
+      byte[] whole = SmallFiles.bytes(format, number, folder);
+      EventPacket events = read(format, whole);
+      int step = Math.max(1, whole.length / CUTS);
+      int before = 0;
+      for (int length = 1; length < whole.length; length += step) {
+        String what = format.name() + " " + number + " cut to " + length + " bytes";
+        try {
+          EventPacket got = read(format, Arrays.copyOf(whole, length));
+          // A row of text that ends too early may look like a whole one.
+          int sure = Math.max(0, format.name().equals("csv") ? got.size() - 1 : got.size());
+          assertTrue(sure <= events.size(), what);
+          assertEquals(EventPackets.part(events, 0, sure), EventPackets.part(got, 0, sure), what);
+          assertTrue(sure >= before, what + ": " + sure + " after " + before + " events");
+          before = sure;
+        } catch (RecordingProblem problem) {
+          assertEquals(0, before, what + ": " + problem.getMessage());
+        }
+      }
+    }
   }
 }

@@ -238,6 +238,31 @@ public final class GaussianState {
   }
 
   /**
+   * Adds the noise of a white acceleration (Bar-Shalom, Li and Kirubarajan, Estimation with
+   * Applications to Tracking and Navigation, 2001, eq. 6.2.2-12) to a position and the velocity
+   * behind it, or what two such pairs have in common.
+   *
+   * @param i entry of a position
+   * @param k the same, or that of another position
+   * @param density power spectral density of the acceleration, squared unit per s³
+   * @param dtS length of the step, seconds
+   */
+  public void addAcceleration(int i, int k, double density, double dtS) {
+    double vv = density * dtS;
+    double pv = vv * dtS / 2;
+    double pp = vv * dtS * dtS / 3;
+    if (i == k) {
+      addNoise(i, pp);
+      addNoise(i + 1, vv);
+    } else {
+      addNoise(i, k, pp);
+      addNoise(i + 1, k + 1, vv);
+      addNoise(i + 1, k, pv);
+    }
+    addNoise(i, k + 1, pv);
+  }
+
+  /**
    * Lets an entry decay towards a value, as an Ornstein-Uhlenbeck process does.
    *
    * @param i the entry

@@ -37,7 +37,8 @@ public final class HotPixelsFilter implements ConfigurableFilter<HotPixelsSettin
 
   @Override
   public long memoryUs() {
-    return settings().periodUs() * (settings().calmPeriods() + 1);
+    // what is hot is known after one period that is whole
+    return 2 * settings().periodUs();
   }
 
   @Override

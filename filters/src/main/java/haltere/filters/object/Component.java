@@ -8,20 +8,12 @@ import java.util.Arrays;
  * and whether it is present. An object is one component or several, as a person with swinging
  * limbs.
  *
- * <p>The place is the middle of the template, x and y in pixels; state (x, vx, y, vy). The velocity
- * is a random walk (white acceleration: Bar-Shalom, Li and Kirubarajan, Estimation with
- * Applications to Tracking and Navigation, 2001, eq. 6.2.2-12).
+ * <p>The place is the middle of the template, x and y in pixels; state (x, vx, y, vy), which goes
+ * on as the {@link MotionModel} says.
  *
  * <p>Thread rule: one thread at a time.
  */
 final class Component {
-  /**
-   * Power spectral density of the acceleration, squares of its own size per s³: 2 σ²/τ where
-   * velocities have a deviation σ and last for τ (Singer, IEEE TAES 6, 1970).
-   */
-  private static final double ACCELERATION =
-      2 * BirthDetector.SPEED_SIZES_S * BirthDetector.SPEED_SIZES_S * Presence.STOP_HZ;
-
   /** Memory of the rate of events, seconds: a stride, over which a rate varies. */
   private static final double RATE_S = 0.5;
 
@@ -44,11 +36,14 @@ final class Component {
   final Presence presence = new Presence();
   final RegionFinder regions = new RegionFinder();
   final int slot;
+  private MotionModel motion;
   private final double[] pathX = new double[PATH];
   private final double[] pathY = new double[PATH];
+  private final double[] pathGrowth = new double[PATH];
   private final double[] row = new double[4];
   private double walkedX;
   private double walkedY;
+  private double grown;
   private int age;
   TrackedObject object;
   long activeUs;
@@ -82,7 +77,9 @@ final class Component {
   }
 
   /** Forgets all; what is begun gives it a state, a shape and a rate. */
-  void begin(long nowUs) {
+  void begin(long nowUs, MotionModel model) {
+    motion = model;
+    grown = 0;
     presence.begin();
     regions.clear();
     walkedX = 0;
@@ -188,6 +185,7 @@ final class Component {
     walkedY += y() - beforeY;
     pathX[age % PATH] = walkedX;
     pathY[age % PATH] = walkedY;
+    pathGrowth[age % PATH] = grown;
     age++;
     if (age < REFRESH_TICKS * REFRESH_TICKS || (age + slot) % REFRESH_TICKS == 0) {
       refresh();
@@ -210,20 +208,20 @@ final class Component {
     }
   }
 
-  private void predict() {
-    double dt = ObjectTracker.TICK_S;
-    // what is smaller than a cell of births moves as fast as what fills one
-    double size = Math.max(shape.size(), ClutterMap.CELL_PX);
-    double q = ACCELERATION * size * size;
-    for (int i = 0; i < 4; i += 2) {
-      state.shear(i, i + 1, dt);
-      state.addNoise(i, q * dt * dt * dt / 3);
-      state.addNoise(i, i + 1, q * dt * dt / 2);
-      state.addNoise(i + 1, q * dt);
+  /** Goes on for a tick without events. */
+  void predict() {
+    double growth = motion.predict(state, shape.size(), ObjectTracker.TICK_S);
+    if (growth != 1) {
+      shape.grow(growth);
+      rate *= growth * growth;
+      grown += Math.log(growth);
     }
-    if (!isMoving()) {
-      // what probably rests has that share of its velocity
-      setVelocity(presence.moving() * vx(), presence.moving() * vy());
+    if (!isMoving() && !motion.coasts()) {
+      // what probably rests: mean and variance of a mixture of its velocity and of none
+      double p = presence.moving();
+      state.addNoise(1, p * (1 - p) * vx() * vx());
+      state.addNoise(3, p * (1 - p) * vy() * vy());
+      setVelocity(p * vx(), p * vy());
     }
   }
 
@@ -275,6 +273,11 @@ final class Component {
 
   double displacementY(int ticks) {
     return displacement(pathY, ticks);
+  }
+
+  /** Factor by which it grew over the last ticks as it came nearer. */
+  double growth(int ticks) {
+    return Math.exp(displacement(pathGrowth, ticks));
   }
 
   private double displacement(double[] path, int ticks) {

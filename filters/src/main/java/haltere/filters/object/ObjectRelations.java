@@ -34,9 +34,6 @@ final class ObjectRelations {
   /** Bend between components of one object, as a share of their size, in {@link #WATCH_S}. */
   private static final double BEND_SHARE = 0.15;
 
-  /** Standard deviation of the rate at which an object turns, rad/s: half a turn a second. */
-  private static final double TURN_RAD_S = Math.PI;
-
   /** Time over which displacements are compared, seconds. */
   static final double WATCH_S = 0.3;
 
@@ -58,6 +55,7 @@ final class ObjectRelations {
   private final double[][] gap = new double[ObjectTracker.MAX_COMPONENTS][];
   private final double[][] evidence = new double[ObjectTracker.MAX_COMPONENTS][];
   private double scalePx;
+  private MotionModel motion;
 
   ObjectRelations() {
     for (int i = 0; i < ObjectTracker.MAX_COMPONENTS; i++) {
@@ -68,6 +66,10 @@ final class ObjectRelations {
 
   void apply(ObjectTrackerSettings settings) {
     scalePx = settings.scalePx();
+  }
+
+  void apply(MotionModel model) {
+    motion = model;
   }
 
   /** Forgets what is known of a slot, or gives it what is known of another. */
@@ -139,11 +141,14 @@ final class ObjectRelations {
     double ay = a.displacementY(ticks);
     double bx = b.displacementX(ticks);
     double by = b.displacementY(ticks);
-    double dx = ax - bx;
-    double dy = ay - by;
-    double own = 0.5 * (ax * ax + ay * ay + bx * bx + by * by);
+    // what comes nearer moves apart
+    double growth = Math.sqrt(a.growth(ticks) * b.growth(ticks)) - 1;
+    double dx = ax - bx + growth * (b.middleX() - bx - a.middleX() + ax);
+    double dy = ay - by + growth * (b.middleY() - by - a.middleY() + ay);
+    double unlike = motion.unlikeShare();
+    double own = 0.5 * unlike * unlike * (ax * ax + ay * ay + bx * bx + by * by);
     double bend = BEND_SHARE * sizeOf(a, b);
-    double turn = TURN_RAD_S * ticks * ObjectTracker.TICK_S;
+    double turn = motion.turnRadS() * ticks * ObjectTracker.TICK_S;
     double lineX = turn * (b.middleX() - a.middleX());
     double lineY = turn * (b.middleY() - a.middleY());
     double both = bend * bend + CELL_VARIANCE;
@@ -177,7 +182,21 @@ final class ObjectRelations {
         }
       }
     }
-    return weights > 0 ? prior + sum / weights : FAR;
+    return weights > 0 ? prior + sum / weights + oneLog(a, b) : FAR;
+  }
+
+  /** Log prior that the box of two sets of components is that of one object. */
+  private double oneLog(List<Component> a, List<Component> b) {
+    double lowX = Double.POSITIVE_INFINITY;
+    double highX = Double.NEGATIVE_INFINITY;
+    double lowY = Double.POSITIVE_INFINITY;
+    for (int i = 0; i < a.size() + b.size(); i++) {
+      Component c = i < a.size() ? a.get(i) : b.get(i - a.size());
+      lowX = Math.min(lowX, c.middleX() - c.shape.halfX);
+      highX = Math.max(highX, c.middleX() + c.shape.halfX);
+      lowY = Math.min(lowY, c.middleY() - c.shape.halfY);
+    }
+    return motion.oneLog(lowX, highX, lowY);
   }
 
   /** Whether two objects are surely not one. */

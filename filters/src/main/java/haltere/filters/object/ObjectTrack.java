@@ -23,6 +23,7 @@ import haltere.core.sink.Column;
  * @param existence probability that it is there, 0 to 1
  * @param eventRateHz events a second of its present motion, each pixel at most once in 10 ms
  * @param ageS time since its first events, seconds
+ * @param lowYPx row of its lowest edge, where half the usual events of a row are, pixels
  */
 public record ObjectTrack(
     @Column("t_us") long timeUs,
@@ -41,7 +42,8 @@ public record ObjectTrack(
     @Column(decimals = 4) double angleRad,
     @Column(decimals = 4) double existence,
     @Column(decimals = 1) double eventRateHz,
-    @Column(decimals = 3) double ageS) {
+    @Column(decimals = 3) double ageS,
+    @Column(decimals = 3) double lowYPx) {
   /** The same with the identity that was decided since. */
   ObjectTrack withId(int decided) {
     return new ObjectTrack(
@@ -61,6 +63,7 @@ public record ObjectTrack(
         angleRad,
         existence,
         eventRateHz,
-        ageS);
+        ageS,
+        lowYPx);
   }
 }

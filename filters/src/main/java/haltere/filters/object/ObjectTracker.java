@@ -35,8 +35,8 @@ final class ObjectTracker {
   /** Events from which an object is reported: its extent is then known to a sixth. */
   private static final double CONFIRM_EVENTS = 40;
 
-  /** Prior log odds that an object comes back rather than that another comes: ten times. */
-  private static final double RETURN_NAT = Math.log(10);
+  /** Prior of the rate of new objects: as if one had come in ten seconds before. */
+  private static final double PRIOR_S = 10;
 
   private static final long UNDECIDED_US = Math.round(ObjectTrackerFilter.UNDECIDED_S * 1e6);
 
@@ -58,11 +58,14 @@ final class ObjectTracker {
 
   private final ArrayDeque<Component> free = new ArrayDeque<>();
   private ObjectTrackerSettings settings;
+  private MotionModel motion = new MotionModel();
   private boolean isStarted;
   private long tickStartUs;
   private int passed;
   private long ticks;
   private int ids;
+  private int decided;
+  private long startUs;
 
   /**
    * A tracker in its initial state.
@@ -86,6 +89,7 @@ final class ObjectTracker {
     births = new BirthDetector(grid, clutter);
     association = new EventAssociation(geometry, grid, clutter, births);
     apply(settings);
+    apply(motion);
     reset();
   }
 
@@ -97,6 +101,11 @@ final class ObjectTracker {
     settings = newSettings;
     relations.apply(newSettings);
     reports.setRate(newSettings.reportRateHz());
+  }
+
+  void apply(MotionModel model) {
+    motion = model;
+    relations.apply(model);
   }
 
   /** Forgets all but the identities that were given out. */
@@ -133,6 +142,8 @@ final class ObjectTracker {
     if (!isStarted) {
       tickStartUs = Math.floorDiv(timeUs, TICK_US) * TICK_US;
       reports.skipTo(tickStartUs);
+      startUs = tickStartUs;
+      decided = 0;
       isStarted = true;
       return;
     }
@@ -215,7 +226,7 @@ final class ObjectTracker {
       component = new Component(pool.size());
       pool.add(component);
     }
-    component.begin(nowUs);
+    component.begin(nowUs, motion);
     relations.begin(component.slot, like);
     return component;
   }
@@ -233,6 +244,7 @@ final class ObjectTracker {
       free.push(component);
       return;
     }
+    motion.begin(component.state);
     TrackedObject returned = returned(component, nowUs);
     if (returned == null) {
       objects.add(new TrackedObject(component, nowUs));
@@ -244,13 +256,15 @@ final class ObjectTracker {
 
   /**
    * The object that rests or is lost and comes back with a component, or null: odds of a normal
-   * density about its place, which widens with time as it was fast and is large, against a place
-   * anywhere in the picture.
+   * density about its place, which widens with time as it was fast and is large, against a new
+   * object anywhere in the picture. The rate of new ones has a Gamma prior of shape 1, as clutter
+   * has; what comes back does so within a second.
    */
   private TrackedObject returned(Component component, long nowUs) {
     TrackedObject best = null;
     double most = 0;
     double area = geometry.width() * (double) geometry.height();
+    double bornHz = (decided + 1) / ((nowUs - startUs) * 1e-6 + PRIOR_S);
     for (TrackedObject object : objects) {
       if (!object.isDecided()) {
         continue;
@@ -259,7 +273,8 @@ final class ObjectTracker {
       boolean isMoving = object.isMoving();
       double quietS = isMoving ? 0 : Math.min(1, (nowUs - object.activeUs) * 1e-6);
       double size = Math.max(object.size(), component.shape.size());
-      double sd = 0.25 * size + 0.5 * Math.max(size, object.speed) * quietS;
+      double speed = motion.coasts() ? 0 : object.speed;
+      double sd = 0.25 * size + 0.5 * Math.max(size, speed) * quietS;
       double dx =
           ObjectRelations.outside(
               component.middleX() - object.middleX(), component.shape.halfX + object.halfX());
@@ -267,9 +282,10 @@ final class ObjectTracker {
           ObjectRelations.outside(
               component.middleY() - object.middleY(), component.shape.halfY + object.halfY());
       double log =
-          RETURN_NAT
+          -Math.log(bornHz)
               + Math.log(area / (2 * Math.PI * sd * sd + size * size))
-              - (dx * dx + dy * dy) / (2 * sd * sd);
+              - (dx * dx + dy * dy) / (2 * sd * sd)
+              - (motion.coasts() ? object.unlike(component) : 0);
       if (log > most) {
         most = log;
         // beside one that moves it is compared with that one
@@ -307,8 +323,10 @@ final class ObjectTracker {
     double rate = Math.max(seen.rate, 0.5 * nearest.rate);
     nearest.absorb(seen);
     nearest.rate = rate;
-    nearest.setVelocity(seen.vx(), seen.vy());
-    nearest.state.covariance().setTo(seen.state.covariance());
+    if (!motion.coasts()) {
+      nearest.setVelocity(seen.vx(), seen.vy());
+      nearest.state.covariance().setTo(seen.state.covariance());
+    }
     nearest.presence.set(0.9, 0.05, 0.05);
     free.push(seen);
   }
@@ -415,7 +433,14 @@ final class ObjectTracker {
   private void live(long nowUs) {
     for (int i = objects.size() - 1; i >= 0; i--) {
       TrackedObject object = objects.get(i);
-      if (object.isLost) {
+      if (motion.coasts() && !object.isMoving() && hasLeft(object)) {
+        components.removeAll(object.components);
+        free.addAll(object.components);
+        objects.remove(i);
+      } else if (object.isLost) {
+        if (motion.coasts()) {
+          object.components.forEach(Component::predict);
+        }
         if ((nowUs - object.activeUs) * 1e-6 > settings.rememberS()) {
           free.addAll(object.components);
           objects.remove(i);
@@ -444,6 +469,15 @@ final class ObjectTracker {
         decide(object);
       }
     }
+  }
+
+  /** Whether nothing of an object is in the picture any more. */
+  private boolean hasLeft(TrackedObject object) {
+    boolean hasLeft = true;
+    for (Component component : object.components) {
+      hasLeft &= inside(component) == 0;
+    }
+    return hasLeft;
   }
 
   /** Components without events go along with the others, and end after a while. */
@@ -486,6 +520,7 @@ final class ObjectTracker {
   /** Gives an object its identity, and all its rows since it began. */
   private void decide(TrackedObject object) {
     object.id = ++ids;
+    decided++;
     for (ObjectTrack row : object.undecided) {
       listener.accept(row.withId(object.id));
     }

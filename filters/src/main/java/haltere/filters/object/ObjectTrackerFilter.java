@@ -113,6 +113,15 @@ public final class ObjectTrackerFilter extends PublishingFilter<ObjectTrackerSet
     tracker.apply(settings);
   }
 
+  /**
+   * Takes what is known of how objects move, from the next packet on.
+   *
+   * @param model such as that of a road
+   */
+  public void apply(MotionModel model) {
+    tracker.apply(model);
+  }
+
   private void accept(ObjectTrack track) {
     tracks.publish(track);
     if (snapshots.hasSubscribers()) {

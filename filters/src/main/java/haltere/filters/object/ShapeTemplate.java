@@ -39,6 +39,9 @@ final class ShapeTemplate {
   /** Share of the events beyond either side of the extent: two standard deviations. */
   static final double TAIL = 0.02;
 
+  /** Share of the usual weight of a row at an edge. */
+  private static final double EDGE = 0.5;
+
   /** Cells that the longer side spans: between both, the cells keep their size. */
   private static final double MIN_SPAN = 0.5 * SIDE;
 
@@ -103,6 +106,9 @@ final class ShapeTemplate {
 
   double middleY;
 
+  /** Row of the lower edge, from the middle of the grid: half the usual events of a row. */
+  double lowEdge;
+
   /** Half sides of the box. */
   double halfX;
 
@@ -125,6 +131,16 @@ final class ShapeTemplate {
   private void setCell(double cell) {
     cellPx = cell;
     perCell = 1 / cell;
+  }
+
+  /** Scales all lengths, as of what comes nearer; the gradient follows with {@link #refresh}. */
+  void grow(double factor) {
+    setCell(cellPx * factor);
+    middleX *= factor;
+    middleY *= factor;
+    halfX *= factor;
+    halfY *= factor;
+    lowEdge *= factor;
   }
 
   /** Column of a cell's middle from the middle of the grid, cells. */
@@ -307,6 +323,7 @@ final class ShapeTemplate {
     middleY = 0.5 * (lowY + highY) * cellPx;
     halfX = Math.max(0.5 * (highX - lowX) * cellPx, 1);
     halfY = Math.max(0.5 * (highY - lowY) * cellPx, 1);
+    lowEdge = firstAt(marginalY, EDGE) * cellPx;
     findRim();
   }
 
@@ -322,6 +339,26 @@ final class ShapeTemplate {
       sum = next;
     }
     return HALF;
+  }
+
+  /**
+   * Where a marginal first reaches a share of its mean by weight, cells from the middle of the
+   * grid. An edge that is blurred symmetrically has half of it at its place.
+   */
+  private static double firstAt(float[] marginal, double share) {
+    double sum = 0;
+    double squares = 0;
+    for (float m : marginal) {
+      sum += m;
+      squares += m * (double) m;
+    }
+    double level = share * squares / sum;
+    int i = 0;
+    while (marginal[i] < level) {
+      i++;
+    }
+    double before = i == 0 ? 0 : marginal[i - 1];
+    return X[i] - (marginal[i] - level) / (marginal[i] - before);
   }
 
   /** Cells of the core that have a neighbour outside of it. */
@@ -374,7 +411,7 @@ final class ShapeTemplate {
     if (span > MAX_SPAN) {
       return coarser();
     }
-    return span < MIN_SPAN ? Math.max(MIN_CELL_PX, cellPx / Math.sqrt(2)) : cellPx;
+    return Math.max(MIN_CELL_PX, span < MIN_SPAN ? cellPx / Math.sqrt(2) : cellPx);
   }
 
   /** Resamples with cells of another size, and the middle of the grid elsewhere. */

@@ -128,6 +128,17 @@ final class TrackedObject {
     return 2 * Math.max(halfX(), halfY());
   }
 
+  /** Row of the lowest edge of what moves, pixels. */
+  private double lowEdge() {
+    double low = Double.POSITIVE_INFINITY;
+    for (Component c : components) {
+      if (c.isMoving() || components.size() == 1) {
+        low = Math.min(low, c.y() + c.shape.lowEdge);
+      }
+    }
+    return low == Double.POSITIVE_INFINITY ? lowY : low;
+  }
+
   /** Quantile of the events along a direction, each component being evenly filled. */
   private double quantile(double share, boolean alongX) {
     double low = Double.POSITIVE_INFINITY;
@@ -182,6 +193,19 @@ final class TrackedObject {
     return mean(state -> state.mean(3));
   }
 
+  /** Half the squared distance of its velocity and another's, in their variances. */
+  double unlike(Component other) {
+    double sum = 0;
+    for (int i = 1; i < 4; i += 2) {
+      int entry = i;
+      double apart = mean(state -> state.mean(entry)) - other.state.mean(entry);
+      double variance =
+          mean(state -> state.covariance(entry, entry)) + other.state.covariance(entry, entry);
+      sum += 0.5 * apart * apart / variance;
+    }
+    return sum;
+  }
+
   /** Standard deviation of a coordinate some seconds on, its sides having a variance. */
   private double sdOfPosition(int position, double s, double side) {
     double pp = mean(state -> state.covariance(position, position));
@@ -216,7 +240,7 @@ final class TrackedObject {
     }
     // The sides of the extent are known to a cell of the template.
     double side = cell * cell / 4;
-    Ellipse ellipse = Ellipse.of(components, middleX(), middleY()).fit(halfX(), halfY());
+    Ellipse ellipse = Ellipse.of(components, middleX(), middleY(), halfX(), halfY());
     return new ObjectTrack(
         timeUs,
         id,
@@ -234,6 +258,7 @@ final class TrackedObject {
         ellipse.angleRad(),
         existence(),
         rate / ObjectTracker.TICK_S,
-        (timeUs - bornUs) * 1e-6);
+        (timeUs - bornUs) * 1e-6,
+        lowEdge() + vy * s);
   }
 }

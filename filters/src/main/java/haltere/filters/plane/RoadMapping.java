@@ -41,6 +41,15 @@ public final class RoadMapping implements PlaneMapping {
     pixelAngle = (bottomAngle - Math.atan2(heightM, settings.farthestM())) / vanishingY;
   }
 
+  /**
+   * Height of the camera.
+   *
+   * @return metres above the road
+   */
+  public double heightM() {
+    return heightM;
+  }
+
   @Override
   public boolean seesPlane(double xPx, double yPx) {
     // A row below the sensor sees the road as far as it looks ahead.

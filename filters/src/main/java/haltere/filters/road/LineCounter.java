@@ -18,7 +18,7 @@ public final class LineCounter implements Consumer<PlanePoint> {
   private static final double CLEAR_SIGMAS = 2;
 
   /** Tracks that are remembered, so that memory is bounded; the longest unseen is forgotten. */
-  private static final int MAX_TRACKS = 1000;
+  static final int MAX_TRACKS = 1000;
 
   private final LaneSettings lanes;
   private final CountingLineSettings lines;

@@ -4,57 +4,25 @@ import haltere.filters.object.ObjectTrack;
 import haltere.filters.plane.PlaneJacobian;
 import haltere.filters.plane.PlaneMapping;
 import haltere.filters.plane.PlanePoint;
-import java.util.Objects;
 import java.util.Optional;
+import java.util.function.Function;
 
 /**
- * Maps objects in the picture to a plane in the scene. A camera that looks along the plane sees an
- * object stand on it where its extent is lowest in the picture: the edge nearest to the camera, at
- * the ground. One that looks down sees its middle. The velocity is that of this point, and
- * covariances are mapped to first order (J C Jᵀ).
+ * Maps objects that are seen from above to their plane, such as an arena: an object is where the
+ * middle of its extent is. Covariances are mapped to first order (J C Jᵀ). The place is empty where
+ * the middle does not see the plane. Before a camera that looks along a road: {@link
+ * VehiclesOnRoad}.
  *
  * <p>Thread rule: immutable.
+ *
+ * @param mapping pixels to the plane
  */
-public final class ObjectsOnPlane {
-  private final PlaneMapping mapping;
-  private final boolean isAlong;
-
-  private ObjectsOnPlane(PlaneMapping mapping, boolean isAlong) {
-    this.mapping = Objects.requireNonNull(mapping, "mapping");
-    this.isAlong = isAlong;
-  }
-
-  /**
-   * For a camera that looks along the plane, such as along a road.
-   *
-   * @param mapping pixels to the plane
-   * @return a map of objects by their lowest points
-   */
-  public static ObjectsOnPlane seenAlong(PlaneMapping mapping) {
-    return new ObjectsOnPlane(mapping, true);
-  }
-
-  /**
-   * For a camera that looks down on the plane, such as on an arena.
-   *
-   * @param mapping pixels to the plane
-   * @return a map of objects by their middles
-   */
-  public static ObjectsOnPlane seenFromAbove(PlaneMapping mapping) {
-    return new ObjectsOnPlane(mapping, false);
-  }
-
-  /**
-   * Where an object is on the plane.
-   *
-   * @param track in the picture
-   * @return empty where its point does not see the plane
-   */
-  public Optional<PlanePoint> locate(ObjectTrack track) {
-    double along = track.majorPx() * Math.sin(track.angleRad());
-    double across = track.minorPx() * Math.cos(track.angleRad());
+public record ObjectsOnPlane(PlaneMapping mapping)
+    implements Function<ObjectTrack, Optional<PlanePoint>> {
+  @Override
+  public Optional<PlanePoint> apply(ObjectTrack track) {
     double x = track.xPx();
-    double y = track.yPx() - (isAlong ? Math.hypot(along, across) : 0);
+    double y = track.yPx();
     if (!mapping.seesPlane(x, y)) {
       return Optional.empty();
     }

@@ -7,13 +7,19 @@ import haltere.core.settings.Parameter;
 import haltere.core.settings.SettingsJson;
 import haltere.core.settings.SettingsProblem;
 import haltere.core.settings.SettingsSchema;
+import haltere.filters.object.MotionModel;
+import haltere.filters.object.ObjectTrack;
 import haltere.filters.plane.Homography;
+import haltere.filters.plane.PlanePoint;
 import haltere.filters.plane.PointPair;
 import haltere.filters.plane.RoadMapping;
 import haltere.filters.plane.RoadViewSettings;
 import haltere.filters.road.CountingLineSettings;
 import haltere.filters.road.LaneSettings;
 import haltere.filters.road.ObjectsOnPlane;
+import haltere.filters.road.RoadMotion;
+import haltere.filters.road.VehiclePrior;
+import haltere.filters.road.VehiclesOnRoad;
 import haltere.filters.track.RoadTracksSettings;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -21,6 +27,8 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
 
 /**
  * A road as JSON:
@@ -29,11 +37,12 @@ import java.util.Map;
  * {"bridgeHeightM": 5, "nearestM": 6, "farthestM": 300,
  *  "vanishingPoint": {"xPx": 63.5, "yPx": 127},
  *  "lanes": {"lanes": 4, "leftEdgeM": -7, "widthM": 3.5},
- *  "countingLines": {"lines": 2, "firstM": 20, "apartM": 20}}
+ *  "countingLines": {"lines": 2, "firstM": 20, "apartM": 20},
+ *  "vehicles": {"speedMS": 25, "heightM": 1.6}}
  * }</pre>
  *
  * <p>What is left out has its default: no lanes, no lines, the vanishing point in the middle of the
- * top row.
+ * top row, vehicles of all kinds.
  *
  * <p>Any other plane, such as an arena that is seen from above, is given by four points:
  *
@@ -44,14 +53,20 @@ import java.util.Map;
  * @param view how the camera sees the road
  * @param lanes its lanes
  * @param lines its counting lines
+ * @param vehicles what is usual on it
  * @param points pixels whose positions are known; none where the view says what is seen
  */
 record RoadFile(
-    RoadViewSettings view, LaneSettings lanes, CountingLineSettings lines, List<PointPair> points) {
+    RoadViewSettings view,
+    LaneSettings lanes,
+    CountingLineSettings lines,
+    VehiclePrior vehicles,
+    List<PointPair> points) {
   private static final String POINTS = "points";
   private static final String VANISHING_POINT = "vanishingPoint";
   private static final String LANES = "lanes";
   private static final String LINES = "countingLines";
+  private static final String VEHICLES = "vehicles";
 
   /**
    * Reads a road.
@@ -77,6 +92,7 @@ record RoadFile(
     Map<Object, Object> view = new LinkedHashMap<>(object);
     Object lanes = view.remove(LANES);
     Object lines = view.remove(LINES);
+    Object vehicles = view.remove(VEHICLES);
     Object points = view.remove(POINTS);
     if (view.get(VANISHING_POINT) instanceof Map<?, ?> point && !point.containsKey("marked")) {
       Map<Object, Object> marked = new LinkedHashMap<>(point);
@@ -87,6 +103,7 @@ record RoadFile(
         SettingsJson.fromMap(view, SettingsSchema.of(RoadViewSettings.class)),
         part(LANES, lanes, LaneSettings.class),
         part(LINES, lines, CountingLineSettings.class),
+        part(VEHICLES, vehicles, VehiclePrior.class),
         points(points));
   }
 
@@ -119,10 +136,17 @@ record RoadFile(
   }
 
   /** How objects are mapped to metres. */
-  ObjectsOnPlane objects(SensorGeometry sensor) {
+  Function<ObjectTrack, Optional<PlanePoint>> objects(SensorGeometry sensor) {
     return points.isEmpty()
-        ? ObjectsOnPlane.seenAlong(new RoadMapping(view, sensor))
-        : ObjectsOnPlane.seenFromAbove(new Homography(points));
+        ? new VehiclesOnRoad(new RoadMapping(view, sensor), vehicles)
+        : new ObjectsOnPlane(new Homography(points));
+  }
+
+  /** How objects move in the picture. */
+  MotionModel motion(SensorGeometry sensor) {
+    return points.isEmpty()
+        ? new RoadMotion(new RoadMapping(view, sensor), vehicles)
+        : new MotionModel();
   }
 
   private static <S extends Record> S part(String name, Object value, Class<S> type) {

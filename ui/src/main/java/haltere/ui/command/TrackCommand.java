@@ -19,7 +19,6 @@ import haltere.filters.object.ObjectTrackerSettings;
 import haltere.filters.plane.PlanePoint;
 import haltere.filters.road.LineCounter;
 import haltere.filters.road.LineCrossing;
-import haltere.filters.road.ObjectsOnPlane;
 import haltere.filters.track.KalmanTracksFilter;
 import haltere.filters.track.KalmanTracksSettings;
 import haltere.filters.track.TrackPoint;
@@ -31,7 +30,9 @@ import java.nio.charset.CharacterCodingException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -110,8 +111,8 @@ final class TrackCommand extends Subcommand {
       description = {
         "The road that the camera looks along: tracks are on it, and columns in metres are added."
             + " Keys: bridgeHeightM, nearestM, farthestM, vanishingPoint {xPx, yPx}, lanes {lanes,"
-            + " leftEdgeM, widthM}, countingLines {lines, firstM, apartM}; all may be left out. Or any"
-            + " plane: four points {xPx, yPx, xM, yM}."
+            + " leftEdgeM, widthM}, countingLines {lines, firstM, apartM}, vehicles (what is usual);"
+            + " all may be left out. Or any plane: four points {xPx, yPx, xM, yM}."
       })
   Path roadFile;
 
@@ -255,7 +256,8 @@ final class TrackCommand extends Subcommand {
       subscribe(objects, files, files.table(out, ObjectTrack.class));
       return;
     }
-    ObjectsOnPlane onRoad = road.objects(geometry);
+    Function<ObjectTrack, Optional<PlanePoint>> onRoad = road.objects(geometry);
+    objects.apply(road.motion(geometry));
     CsvSink<RoadObjectRow> table = files.table(out, RoadObjectRow.class);
     Consumer<PlanePoint> counter = counter(road, files);
     subscribe(
@@ -263,7 +265,7 @@ final class TrackCommand extends Subcommand {
         files,
         track ->
             onRoad
-                .locate(track)
+                .apply(track)
                 .ifPresent(
                     point -> {
                       table.accept(RoadObjectRow.of(track, point, road.lanes()));

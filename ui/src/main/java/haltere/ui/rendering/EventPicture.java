@@ -67,7 +67,7 @@ public final class EventPicture implements StreamHandler {
 
   /** The next event is the first of a new exposure; only styles that are sharp forget. */
   public void beginExposure() {
-    if (sums != null && style.sharp()) {
+    if (sums != null && style.sharp() && !style.isAccumulated()) {
       sums.clear();
     }
   }

@@ -14,15 +14,37 @@ import java.util.Objects;
  */
 public record PictureStyle(
     DisplayMode mode, ColourMap colours, Gradient gradient, long timeConstantUs, boolean sharp) {
+  /** All that a picture remembers of events, about two minutes. */
+  private static final long ACCUMULATED_US = 1L << 27;
+
   /** Checks the time. */
   public PictureStyle {
     Objects.requireNonNull(mode, "mode");
     Objects.requireNonNull(colours, "colours");
     Objects.requireNonNull(gradient, "gradient");
-    if (timeConstantUs < 1 || timeConstantUs > FramePainter.LONGEST_TIME_CONSTANT_US) {
+    if (timeConstantUs < 1
+        || timeConstantUs > FramePainter.LONGEST_TIME_CONSTANT_US
+            && !(sharp && timeConstantUs == ACCUMULATED_US)) {
       throw new IllegalArgumentException(
           "the time constant is " + timeConstantUs + " us, it must be 1 us to 20 s");
     }
+  }
+
+  /**
+   * Events that do not fade.
+   *
+   * @param mode what the colour of a pixel says
+   * @param colours for polarities
+   * @param gradient for ages and counts
+   * @return a style of all events of the last two minutes
+   */
+  public static PictureStyle accumulated(DisplayMode mode, ColourMap colours, Gradient gradient) {
+    return new PictureStyle(mode, colours, gradient, ACCUMULATED_US, true);
+  }
+
+  /** Whether events of one exposure after the other add up. */
+  boolean isAccumulated() {
+    return timeConstantUs == ACCUMULATED_US;
   }
 
   /**

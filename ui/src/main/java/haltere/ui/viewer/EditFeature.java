@@ -15,9 +15,11 @@ final class EditFeature implements ViewerFeature {
         .add(
             ViewerAction.of("undo", "Undo", "Edit", () -> say(window, "Undone: ", history.undo()))
                 .withKey("Shortcut+Z")
+                .unless(() -> history.canUndo() ? "" : "nothing was changed")
                 .withHelp("Takes back the last change of the chain or of a setting."),
             ViewerAction.of("redo", "Redo", "Edit", () -> say(window, "Redone: ", history.redo()))
-                .withKey("Shortcut+Shift+Z"));
+                .withKey("Shortcut+Shift+Z")
+                .unless(() -> history.canRedo() ? "" : "nothing was undone"));
   }
 
   private static void say(ViewerContext window, String what, String words) {

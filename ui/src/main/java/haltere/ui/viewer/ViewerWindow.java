@@ -146,7 +146,10 @@ public final class ViewerWindow implements SessionHost {
             display,
             settings);
     editor.history().onChange(() -> session().ifPresent(open -> opener.keepChain(open, () -> {})));
-    features.forEach(feature -> feature.install(context));
+    for (ViewerFeature feature : features) {
+      actions.beginGroup();
+      feature.install(context);
+    }
     menu.follow();
     keepWantedSize(room);
     // the keys of playback work at once; a list in the focus would keep some of them

@@ -20,7 +20,8 @@ class TrackCommandTest {
   private static final String CLUSTER_COLUMNS =
       "t_us,id,x_px,y_px,vx_px_s,vy_px_s,sd_x_px,sd_y_px,sd_vx_px_s,sd_vy_px_s,events";
   private static final String EXTENT_COLUMNS = ",major_px,minor_px,angle_rad,existence";
-  private static final String COLUMNS = CLUSTER_COLUMNS + EXTENT_COLUMNS + ",event_rate_hz,age_s";
+  private static final String COLUMNS =
+      CLUSTER_COLUMNS + EXTENT_COLUMNS + ",event_rate_hz,age_s,low_y_px";
   private static final String METRES =
       ",x_m,y_m,vx_m_s,vy_m_s,sd_x_m,sd_y_m,sd_vx_m_s,sd_vy_m_s,speed_km_h,sd_speed_km_h,lane";
 
@@ -64,7 +65,7 @@ class TrackCommandTest {
       long timeUs = Long.parseLong(row[0]);
       assertTrue(timeUs > 5_000_000 && timeUs < 6_000_000, row[0]);
       assertEquals(0, timeUs % 10_000);
-      assertEquals(17, row.length);
+      assertEquals(18, row.length);
       for (int i = 6; i < 10; i++) {
         assertTrue(Double.parseDouble(row[i]) > 0, Arrays.toString(row));
       }
@@ -134,7 +135,20 @@ class TrackCommandTest {
 
   @Test
   void withARoadThereAreMetresToo() throws IOException {
-    checkRoad(COLUMNS.replace(",event_rate_hz,age_s", ""), 15);
+    checkRoad(COLUMNS.replace(",event_rate_hz,age_s,low_y_px", ""), 15, "vehicles.heightShare=1");
+    String[] crossing = Files.readAllLines(folder.resolve("crossings.csv")).get(1).split(",");
+    assertEquals("TOWARDS", crossing[3]);
+    assertEquals(58, Double.parseDouble(crossing[5]), 2 * Double.parseDouble(crossing[6]));
+    assertEquals(58, Double.parseDouble(crossing[5]), 10);
+  }
+
+  @Test
+  void whatIsUsualOnARoadIsASettingOfIt() throws IOException {
+    Path road = folder.resolve("road.json");
+    Files.writeString(road, "{\"vehicles\": {\"speedMS\": 0}}");
+    CommandRun run = CommandRun.of("track", in, "--out", out, "--road", road);
+    assertNotEquals(0, run.status());
+    assertTrue(run.err().contains("speedMS"), run.err());
   }
 
   @Test
@@ -150,22 +164,22 @@ class TrackCommandTest {
         ]}
         """);
     // Vehicles are narrower than the clusters' usual size.
-    checkRoad(CLUSTER_COLUMNS, 11, "--chain", chain, "--set", "clusters.shape.size=0.03");
+    checkRoad(
+        CLUSTER_COLUMNS,
+        11,
+        "vehicles.heightShare=0",
+        "--chain",
+        chain,
+        "--set",
+        "clusters.shape.size=0.03");
   }
 
-  private void checkRoad(String columns, int firstOfMetres, Object... options) throws IOException {
+  private void checkRoad(String columns, int firstOfMetres, String scene, Object... options)
+      throws IOException {
     Path cars = folder.resolve("road.aedat");
     CommandRun made =
         CommandRun.of(
-            "simulate",
-            "road",
-            cars,
-            "--duration",
-            "4",
-            "--set",
-            "vehicles.heightShare=0",
-            "--set",
-            "noise.shotHz=0");
+            "simulate", "road", cars, "--duration", "4", "--set", scene, "--set", "noise.shotHz=0");
     assertEquals(0, made.status(), made.err());
     Path road = folder.resolve("road.json");
     Files.writeString(

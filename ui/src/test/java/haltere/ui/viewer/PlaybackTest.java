@@ -7,6 +7,7 @@ import atlantafx.base.theme.Styles;
 import haltere.core.event.EventPacket;
 import haltere.core.playback.Loop;
 import haltere.core.playback.Mark;
+import haltere.core.playback.PlayerStatus;
 import haltere.core.playback.PlayerStatus.State;
 import haltere.core.playback.Slicing;
 import haltere.core.stream.Reset;
@@ -133,23 +134,47 @@ class PlaybackTest {
   }
 
   @Test
-  void fAndSChangeTheSpeedByFourthRoots() {
+  void fAndSTakeTheNextSpeed() {
     viewer = ViewerHarness.withBlob();
-    for (int i = 0; i < 4; i++) {
-      viewer.press(KeyCode.F);
-    }
-    viewer.waitFor("twice as fast", () -> Math.abs(viewer.status().speed() - 2) < 1e-9);
+    viewer.press(KeyCode.F);
+    viewer.waitFor("twice as fast", () -> viewer.status().speed() == 2);
     assertEquals("2\u00d7", viewer.text("speed"));
-    for (int i = 0; i < 8; i++) {
+    for (int i = 0; i < 3; i++) {
       viewer.press(KeyCode.S);
     }
-    viewer.waitFor("half as fast", () -> Math.abs(viewer.status().speed() - 0.5) < 1e-9);
-    assertEquals("1/2\u00d7", viewer.text("speed"));
-    viewer.click("faster");
-    viewer.click("faster");
+    viewer.waitFor("a fifth as fast", () -> viewer.status().speed() == 0.2);
+    assertEquals("1/5\u00d7", viewer.text("speed"));
     viewer.click("slower");
-    viewer.waitFor(
-        "clicks count", () -> Math.abs(viewer.status().speed() - Math.pow(2, -0.75)) < 1e-9);
+    viewer.click("slower");
+    viewer.click("faster");
+    viewer.waitFor("clicks count", () -> viewer.status().speed() == 0.1);
+  }
+
+  @Test
+  void playbackGoesBackwardsUntilItIsStopped() throws IOException {
+    viewer = ViewerHarness.withRecording(folder, LENGTH_US);
+    viewer.pause();
+    ViewerHarness.join(viewer.session().player().seek(2_000_000));
+    viewer.click("play-backwards");
+    viewer.waitFor("an earlier moment", () -> viewer.status().elapsedUs() < 1_900_000);
+    viewer.click("play-backwards");
+    viewer.waitFor("its stop", () -> !viewer.window.playback().reverseProperty().get());
+    assertEquals(PlayerStatus.State.PAUSED, viewer.status().state());
+  }
+
+  @Test
+  void theEndsOfTheMarkedPartDoNotPassOneAnother() throws IOException {
+    viewer = ViewerHarness.withRecording(folder, LENGTH_US);
+    viewer.pause();
+    PlaybackController playback = viewer.window.playback();
+    viewer.run(
+        () -> {
+          playback.moveLoopEnd(true, 1_000_000);
+          playback.moveLoopEnd(false, 2_000_000);
+          playback.moveLoopEnd(true, 3_000_000);
+        });
+    assertEquals(
+        OptionalLong.of(1_999_999), viewer.onFx(() -> playback.loopProperty().get()).inUs());
   }
 
   @Test

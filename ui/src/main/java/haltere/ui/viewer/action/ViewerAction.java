@@ -3,6 +3,7 @@ package haltere.ui.viewer.action;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import javafx.beans.binding.Bindings;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ObjectProperty;
@@ -19,6 +20,7 @@ import javafx.beans.value.ObservableBooleanValue;
  * @param help one sentence, or empty if the words say all
  * @param work what is done
  * @param on whether what it switches is on; empty for what is no switch
+ * @param obstacle why it cannot be done now, in a few words; empty if it can
  */
 public record ViewerAction(
     String id,
@@ -27,7 +29,10 @@ public record ViewerAction(
     String key,
     String help,
     Runnable work,
-    Optional<ObservableBooleanValue> on) {
+    Optional<ObservableBooleanValue> on,
+    Supplier<String> obstacle) {
+  private static final Supplier<String> NONE = () -> "";
+
   /** Checks that nothing is missing. */
   public ViewerAction {
     Objects.requireNonNull(id, "id");
@@ -37,22 +42,25 @@ public record ViewerAction(
     Objects.requireNonNull(help, "help");
     Objects.requireNonNull(work, "work");
     Objects.requireNonNull(on, "on");
+    Objects.requireNonNull(obstacle, "obstacle");
   }
 
   /** Something to do, without a key. */
   public static ViewerAction of(String id, String words, String menu, Runnable work) {
-    return new ViewerAction(id, words, menu, "", "", work, Optional.empty());
+    return new ViewerAction(id, words, menu, "", "", work, Optional.empty(), NONE);
   }
 
   /** A switch: doing it turns a property over. */
   public static ViewerAction toggle(String id, String words, String menu, BooleanProperty on) {
-    return new ViewerAction(id, words, menu, "", "", () -> on.set(!on.get()), Optional.of(on));
+    return new ViewerAction(
+        id, words, menu, "", "", () -> on.set(!on.get()), Optional.of(on), NONE);
   }
 
   /** A switch whose state somebody else keeps. */
   public static ViewerAction toggle(
       String id, String words, String menu, ObservableBooleanValue on, Consumer<Boolean> set) {
-    return new ViewerAction(id, words, menu, "", "", () -> set.accept(!on.get()), Optional.of(on));
+    return new ViewerAction(
+        id, words, menu, "", "", () -> set.accept(!on.get()), Optional.of(on), NONE);
   }
 
   /** One of several choices: on while a property has its value. */
@@ -65,17 +73,23 @@ public record ViewerAction(
         "",
         "",
         () -> property.set(value),
-        Optional.of(Bindings.createBooleanBinding(() -> value.equals(property.get()), property)));
+        Optional.of(Bindings.createBooleanBinding(() -> value.equals(property.get()), property)),
+        NONE);
   }
 
   /** The same, done by a key. */
   public ViewerAction withKey(String newKey) {
-    return new ViewerAction(id, words, menu, newKey, help, work, on);
+    return new ViewerAction(id, words, menu, newKey, help, work, on, obstacle);
   }
 
   /** The same, explained by a sentence. */
   public ViewerAction withHelp(String sentence) {
-    return new ViewerAction(id, words, menu, key, sentence, work, on);
+    return new ViewerAction(id, words, menu, key, sentence, work, on, obstacle);
+  }
+
+  /** The same, which cannot be done while something tells why. */
+  public ViewerAction unless(Supplier<String> reason) {
+    return new ViewerAction(id, words, menu, key, help, work, on, reason);
   }
 
   /** Whether its key means nothing while text is entered. */

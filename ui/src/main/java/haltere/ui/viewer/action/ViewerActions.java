@@ -1,6 +1,7 @@
 package haltere.ui.viewer.action;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -14,6 +15,8 @@ import java.util.Optional;
  */
 public final class ViewerActions {
   private final Map<String, ViewerAction> actions = new LinkedHashMap<>();
+  private final Map<String, Integer> groups = new HashMap<>();
+  private int group;
   private final List<Runnable> listeners = new ArrayList<>();
 
   /**
@@ -24,6 +27,16 @@ public final class ViewerActions {
   public void add(ViewerAction... added) {
     put(added);
     listeners.forEach(Runnable::run);
+  }
+
+  /** What is added from now on stands behind a line in its menu. */
+  public void beginGroup() {
+    group++;
+  }
+
+  /** A number that actions between two lines of a menu have in common. */
+  int group(ViewerAction action) {
+    return groups.getOrDefault(action.id(), 0);
   }
 
   /** Puts actions in place of others; listeners are called once. */
@@ -45,6 +58,7 @@ public final class ViewerActions {
         }
       }
       actions.put(action.id(), action);
+      groups.putIfAbsent(action.id(), group);
     }
   }
 

@@ -12,7 +12,9 @@ import javafx.scene.control.CheckMenuItem;
 import javafx.scene.control.Menu;
 import javafx.scene.control.MenuBar;
 import javafx.scene.control.MenuItem;
+import javafx.scene.control.SeparatorMenuItem;
 import javafx.scene.input.KeyCombination;
+import javafx.scene.input.KeyEvent;
 
 /**
  * The menus, made from the actions that there are.
@@ -55,16 +57,37 @@ public final class ViewerMenu extends MenuBar {
     contents.forEach(
         (path, content) -> {
           if (!content.equals(shown.get(path))) {
-            menu(path)
-                .getItems()
-                .setAll(
-                    content.stream()
-                        .map(one -> one instanceof ViewerAction action ? item(action) : menu(one))
-                        .toList());
+            menu(path).getItems().setAll(items(content));
           }
         });
     shown = contents;
     fillBar(contents);
+  }
+
+  /** The items of a menu, with a line between groups of actions. */
+  private List<MenuItem> items(List<Object> content) {
+    List<MenuItem> items = new ArrayList<>();
+    int last = -1;
+    for (Object one : content) {
+      int group = one instanceof ViewerAction action ? actions.group(action) : last;
+      if (last >= 0 && group != last) {
+        items.add(new SeparatorMenuItem());
+      }
+      last = group;
+      items.add(one instanceof ViewerAction action ? item(action) : menu(one));
+    }
+    return items;
+  }
+
+  /** Says of each action in a menu that opens whether it can be done, and why not. */
+  private static void showObstacles(Menu menu) {
+    for (MenuItem item : menu.getItems()) {
+      if (item.getProperties().get(ViewerAction.class) instanceof ViewerAction action) {
+        String obstacle = action.obstacle().get();
+        item.setDisable(!obstacle.isEmpty());
+        item.setText(action.words() + (obstacle.isEmpty() ? "" : "  (" + obstacle + ")"));
+      }
+    }
   }
 
   private void fillBar(Map<String, List<Object>> contents) {
@@ -102,20 +125,57 @@ public final class ViewerMenu extends MenuBar {
     String whole = path.toString();
     int slash = whole.lastIndexOf('/');
     return menus.computeIfAbsent(
-        whole, made -> new Menu(slash < 0 ? "_" + whole : whole.substring(slash + 1)));
+        whole,
+        made -> {
+          Menu menu = new Menu(slash < 0 ? "_" + whole : whole.substring(slash + 1));
+          menu.setOnShowing(event -> showObstacles(menu));
+          return menu;
+        });
   }
 
   private static MenuItem item(ViewerAction action) {
     MenuItem item =
         action.on().<MenuItem>map(on -> check(action, on)).orElseGet(() -> plain(action));
     item.setId(action.id());
+    item.getProperties().put(ViewerAction.class, action);
     if (action.hasPlainKey()) {
-      // no accelerator, which would fire while text is entered: ViewerKeys knows the key
-      item.setText(action.words() + "   (" + ViewerKeys.words(action.key()) + ")");
+      item.setAccelerator(new ShownKey(ViewerKeys.words(action.key())));
     } else if (!action.key().isEmpty()) {
       item.setAccelerator(KeyCombination.keyCombination(action.key()));
     }
     return item;
+  }
+
+  /**
+   * A key in the menu's column of keys that fires nothing, because it would do so while text is
+   * entered: {@link ViewerKeys} knows it.
+   */
+  private static final class ShownKey extends KeyCombination {
+    private final String words;
+
+    ShownKey(String words) {
+      this.words = words;
+    }
+
+    @Override
+    public boolean match(KeyEvent event) {
+      return false;
+    }
+
+    @Override
+    public String getDisplayText() {
+      return words;
+    }
+
+    @Override
+    public boolean equals(Object other) {
+      return other == this;
+    }
+
+    @Override
+    public int hashCode() {
+      return System.identityHashCode(this);
+    }
   }
 
   private static MenuItem plain(ViewerAction action) {

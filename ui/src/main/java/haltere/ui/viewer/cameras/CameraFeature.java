@@ -82,10 +82,13 @@ public final class CameraFeature implements ViewerFeature {
             ViewerAction.of("list-cameras", "Look for cameras", MENU, this::list)
                 .withHelp("Lists the cameras that are plugged in now, and the simulated ones."),
             ViewerAction.of("camera-reset-time", "Reset time stamps", MENU, this::resetTime)
+                .unless(() -> open.isPresent() ? "" : "no camera is open")
                 .withHelp("Sets the camera's clock to 0; a recording goes on in a new part."),
             ViewerAction.toggle("camera-region", "Draw the camera's region", MENU, drawing)
+                .unless(() -> open.isPresent() ? "" : "no camera is open")
                 .withHelp("Only events of a part of the sensor are sent; a click takes it away."),
             ViewerAction.of("camera-plug", "Unplug or plug in", MENU, this::togglePlug)
+                .unless(() -> open.isPresent() ? "" : "no camera is open")
                 .withHelp("For simulated cameras: see what happens then."));
     window.bindTool(
         drawing, new RegionTool(() -> open.orElseThrow().geometry(), region -> setRegion(region)));

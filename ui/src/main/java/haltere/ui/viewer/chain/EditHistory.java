@@ -49,6 +49,16 @@ public final class EditHistory {
     listener.run();
   }
 
+  /** Whether there is a change to take back. */
+  public boolean canUndo() {
+    return !done.isEmpty();
+  }
+
+  /** Whether there is a change to make once more. */
+  public boolean canRedo() {
+    return !undone.isEmpty();
+  }
+
   /** Takes the last change back; what it was, or empty if there is none. */
   public String undo() {
     if (done.isEmpty()) {

@@ -7,6 +7,8 @@ import javafx.scene.shape.SVGPath;
 /** The few icons of the window, as paths on a square of 16 by 16; coloured by the style sheet. */
 public enum Icons {
   PLAY("M4 2.5 L13.5 8 L4 13.5 Z"),
+  BACKWARDS("M12 2.5 L2.5 8 L12 13.5 Z"),
+  RECORD("M8 3 A5 5 0 1 1 8 13 A5 5 0 1 1 8 3 Z"),
   PAUSE("M4 2.5 H7 V13.5 H4 Z M9.5 2.5 H12.5 V13.5 H9.5 Z"),
   REWIND("M2.5 3 H4.5 V13 H2.5 Z M13.5 3 V13 L5.5 8 Z"),
   STEP_BACK("M9.5 3 V13 L2.5 8 Z M11 3 H13 V13 H11 Z"),

@@ -51,6 +51,7 @@ public final class DisplayControl {
     Map<Long, String> decays = new LinkedHashMap<>();
     decays.put(DisplayOptions.FOLLOW_SLICES, "Follow the speed");
     decays.put(DisplayOptions.SLICE_ONLY, "Last slice only");
+    decays.put(DisplayOptions.ACCUMULATE, "None: accumulate");
     for (long us : new long[] {100, 300, 1000, 3000, 10_000, 30_000, 100_000, 300_000}) {
       decays.put(us, Texts.duration(us));
     }

@@ -146,6 +146,11 @@ public final class ViewerPanels extends BorderPane {
     return plots;
   }
 
+  /** The buttons of playback. */
+  public TransportBar transport() {
+    return transport;
+  }
+
   /** The recording at a glance. */
   public SeekBar seekBar() {
     return seekBar;
@@ -238,6 +243,7 @@ public final class ViewerPanels extends BorderPane {
           painted -> repaintAsked = false);
     }
     pulseListeners.forEach(Runnable::run);
+    playback.pulse(System.nanoTime());
     PlayerStatus now = open.player().status();
     plots.update(now, nowNanos);
     if (now == shownStatus && nowNanos - numbersNanos < NUMBERS_NANOS) {

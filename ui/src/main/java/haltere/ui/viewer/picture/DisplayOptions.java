@@ -11,7 +11,7 @@ import haltere.ui.rendering.Gradient;
  * @param colours for polarities
  * @param gradient for ages and counts
  * @param decayUs time constant of the fading; or {@link #FOLLOW_SLICES}, so that slow motion shows
- *     short moments; or {@link #SLICE_ONLY}
+ *     short moments; or {@link #SLICE_ONLY}; or {@link #ACCUMULATE}
  */
 public record DisplayOptions(DisplayMode mode, ColourMap colours, Gradient gradient, long decayUs) {
   /** The fading follows the length of the slices. */
@@ -19,6 +19,9 @@ public record DisplayOptions(DisplayMode mode, ColourMap colours, Gradient gradi
 
   /** No fading: the events of the last slice and no others, as in a photograph of that exposure. */
   public static final long SLICE_ONLY = -1;
+
+  /** No fading: all events of the last minutes, as far as a picture remembers them. */
+  public static final long ACCUMULATE = -2;
 
   /** Those of a new window: polarities in the dark, fading as fast as slices go by. */
   public static final DisplayOptions DEFAULT =

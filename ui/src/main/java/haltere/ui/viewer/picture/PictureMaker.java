@@ -271,6 +271,9 @@ final class PictureMaker {
 
   private PictureStyle style(long exposureUs, double fadingSliceUs) {
     DisplayOptions now = options;
+    if (now.decayUs() == DisplayOptions.ACCUMULATE) {
+      return PictureStyle.accumulated(now.mode(), now.colours(), now.gradient());
+    }
     boolean sharp = now.decayUs() == DisplayOptions.SLICE_ONLY;
     long us = sharp ? exposureUs : decayUs(now.decayUs(), fadingSliceUs);
     return new PictureStyle(

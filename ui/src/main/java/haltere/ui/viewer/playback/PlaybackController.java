@@ -16,6 +16,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 import javafx.application.Platform;
 import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.ReadOnlyBooleanProperty;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.beans.property.SimpleBooleanProperty;
@@ -27,8 +28,13 @@ import javafx.beans.property.SimpleBooleanProperty;
  * <p>Thread rule: JavaFX thread only; nothing here waits.
  */
 public final class PlaybackController {
+  /** Speeds that are offered: 1, 2 and 5 times powers of ten. */
+  static final List<Double> SPEEDS =
+      List.of(
+          1e-4, 2e-4, 5e-4, 1e-3, 2e-3, 5e-3, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0);
+
   /** Fastest speed but unlimited. */
-  static final double MAX_SPEED = 16;
+  static final double MAX_SPEED = 10;
 
   /**
    * Slices that are finer than the pictures of a screen, so that there is a new picture at every
@@ -39,8 +45,6 @@ public final class PlaybackController {
   /** A fruit fly's. */
   private static final long USUAL_BEAT_US = 5_000;
 
-  private static final double SPEED_STEP = Math.pow(2, 0.25);
-
   private final Consumer<String> problems;
   private final ReadOnlyObjectWrapper<Double> speed = new ReadOnlyObjectWrapper<>(1.0);
   private final ReadOnlyObjectWrapper<Slicing> slicing = new ReadOnlyObjectWrapper<>(SMOOTH);
@@ -48,6 +52,9 @@ public final class PlaybackController {
   private final BooleanProperty beats = new SimpleBooleanProperty();
   private Optional<Player> player = Optional.empty();
   private boolean seeking;
+  private final BooleanProperty reverse = new SimpleBooleanProperty();
+  private long reverseFromUs;
+  private long reverseNanos;
 
   /** Where the jump under way, or the one after it, goes to. */
   private long aimUs;
@@ -87,6 +94,7 @@ public final class PlaybackController {
     player = Optional.of(newPlayer);
     loop.set(new Loop(loop.get().on(), OptionalLong.empty(), OptionalLong.empty()));
     seeking = false;
+    reverse.set(false);
     nextSeekUs = OptionalLong.empty();
   }
 
@@ -121,16 +129,19 @@ public final class PlaybackController {
 
   /** Pauses, or goes on. */
   public void togglePause() {
+    reverse.set(false);
     player.ifPresent(open -> report(open.togglePause()));
   }
 
   /** Goes on by slices, or back if there are fewer than 0, and pauses. */
   public void step(int slices) {
+    reverse.set(false);
     player.ifPresent(open -> report(open.step(slices)));
   }
 
   /** Goes to the beginning. */
   public void rewind() {
+    reverse.set(false);
     player.ifPresent(open -> report(open.rewind()));
   }
 
@@ -145,19 +156,70 @@ public final class PlaybackController {
         wanted > MAX_SPEED * 1.0001
             ? Double.POSITIVE_INFINITY
             : Math.max(PlaybackClock.MIN_SPEED, wanted);
-    // steps of a fourth root come back to exactly 1
-    speed.set(Math.abs(possible - Math.rint(possible)) < 1e-9 ? Math.rint(possible) : possible);
+    speed.set(possible);
+    restartReverse();
     player.ifPresent(open -> report(open.setSpeed(speed.get())));
   }
 
-  /** A fourth of an octave faster. */
+  /** The next higher of the speeds that are offered. */
   public void faster() {
-    setSpeed(speed.get() * SPEED_STEP);
+    setSpeed(
+        SPEEDS.stream()
+            .filter(next -> next > speed.get() * 1.0001)
+            .findFirst()
+            .orElse(Double.POSITIVE_INFINITY));
   }
 
-  /** A fourth of an octave slower. */
+  /** The next lower of the speeds that are offered. */
   public void slower() {
-    setSpeed(Double.isInfinite(speed.get()) ? MAX_SPEED : speed.get() / SPEED_STEP);
+    setSpeed(
+        SPEEDS.stream()
+            .filter(next -> next < speed.get() * 0.9999)
+            .reduce((lower, higher) -> higher)
+            .orElse(PlaybackClock.MIN_SPEED));
+  }
+
+  /** Whether it plays backwards: paused, from one moment to an earlier one. */
+  public ReadOnlyBooleanProperty reverseProperty() {
+    return reverse;
+  }
+
+  /** Plays backwards, or stops that. */
+  public void toggleReverse() {
+    reverse.set(!reverse.get() && seekable());
+    if (reverse.get()) {
+      player.ifPresent(open -> report(open.pause()));
+      restartReverse();
+    }
+  }
+
+  private void restartReverse() {
+    reverseNanos = System.nanoTime();
+    status().ifPresent(now -> reverseFromUs = now.elapsedUs());
+  }
+
+  /** Goes back as far as time has passed; called at each pulse of JavaFX. */
+  public void pulse(long nanos) {
+    if (!reverse.get() || seeking || !seekable()) {
+      return;
+    }
+    double passedUs = (nanos - reverseNanos) / 1000.0;
+    double pace = Double.isInfinite(speed.get()) ? MAX_SPEED : speed.get();
+    long to = reverseFromUs - Math.round(passedUs * pace);
+    Reach all = Reach.of(player.get().playable());
+    long first = Math.max(all.fromUs(), loop.get().on() ? loop.get().inUs().orElse(0) : 0);
+    if (to >= first) {
+      if (to < player.get().status().elapsedUs()) {
+        goTo(to);
+      }
+    } else if (loop.get().on()) {
+      reverseFromUs = loop.get().outUs().orElse(all.toUs()) - 1;
+      reverseNanos = nanos;
+      goTo(reverseFromUs);
+    } else {
+      reverse.set(false);
+      goTo(first);
+    }
   }
 
   void setSlicing(Slicing wanted) {
@@ -210,6 +272,18 @@ public final class PlaybackController {
               boolean fits = in.isPresent() && in.getAsLong() < outUs;
               setLoop(new Loop(true, fits ? in : OptionalLong.empty(), OptionalLong.of(outUs)));
             });
+  }
+
+  /** Puts an end of the loop to a place; the other one stays at least 1 us away. */
+  public void moveLoopEnd(boolean isStart, long elapsedUs) {
+    OptionalLong in = loop.get().inUs();
+    OptionalLong out = loop.get().outUs();
+    if (isStart) {
+      in = OptionalLong.of(Math.max(0, Math.min(elapsedUs, out.orElse(Long.MAX_VALUE) - 1)));
+    } else {
+      out = OptionalLong.of(Math.max(elapsedUs, in.orElse(0) + 1));
+    }
+    setLoop(new Loop(true, in, out));
   }
 
   /** Takes the ends of the loop away, so that it is all of the recording. */
@@ -267,6 +341,11 @@ public final class PlaybackController {
 
   /** Goes to a place. While a jump is under way only the last wish is kept. */
   public void seek(long elapsedUs) {
+    reverse.set(false);
+    goTo(elapsedUs);
+  }
+
+  private void goTo(long elapsedUs) {
     if (!seekable()) {
       return;
     }
@@ -289,7 +368,7 @@ public final class PlaybackController {
                   seeking = false;
                   OptionalLong next = nextSeekUs;
                   nextSeekUs = OptionalLong.empty();
-                  next.ifPresent(this::seek);
+                  next.ifPresent(this::goTo);
                 }));
   }
 

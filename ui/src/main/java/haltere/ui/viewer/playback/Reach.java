@@ -10,9 +10,9 @@ import haltere.core.playback.Playable;
  * @param toUs its end, not included, microseconds
  * @param grows whether more comes
  */
-record Reach(long fromUs, long toUs, boolean grows) {
+public record Reach(long fromUs, long toUs, boolean grows) {
   /** Of what is played now. */
-  static Reach of(Playable playable) {
+  public static Reach of(Playable playable) {
     boolean grows = playable.durationUs().isEmpty();
     return new Reach(
         playable.earliestUs(),
@@ -21,7 +21,7 @@ record Reach(long fromUs, long toUs, boolean grows) {
   }
 
   /** Whether there is anything. */
-  boolean isEmpty() {
+  public boolean isEmpty() {
     return toUs <= fromUs;
   }
 }

@@ -4,9 +4,11 @@ import haltere.core.format.RateProfile;
 import haltere.core.playback.Loop;
 import haltere.core.playback.Mark;
 import haltere.core.playback.PlayerStatus;
+import haltere.ui.plot.Ticks;
 import haltere.ui.viewer.controls.Texts;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalLong;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.geometry.Orientation;
@@ -22,30 +24,54 @@ import javafx.scene.shape.Rectangle;
 
 /**
  * The whole recording at a glance: its event rate over time, the place that is shown, the loop and
- * the marks. A click or a drag seeks. Of a camera or a scene it shows the moments that are kept.
+ * the marks, over a ruler of times. A click or a drag seeks, a drag of an end of the loop moves it,
+ * the wheel zooms. Of a camera or a scene it shows the moments that are kept.
  *
  * <p>Thread rule: JavaFX thread only.
  */
 public final class SeekBar extends Region {
   /** Colours that a canvas cannot take from the style sheet, for dark and light. */
-  private record Ink(Color rate, Color played, Color loop, Color mark, Color base) {
+  private record Ink(Color rate, Color played, Color loop, Color mark, Color base, Color text) {
     static final Ink DARK =
         new Ink(
             Color.web("#3d4654"),
             Color.web("#4f8fe6"),
             Color.web("#ffa630", 0.14),
             Color.web("#2ed3a5"),
-            Color.web("#30363d"));
+            Color.web("#30363d"),
+            Color.web("#8b949e"));
     static final Ink LIGHT =
         new Ink(
             Color.web("#c4ccd6"),
             Color.web("#4f8fe6"),
             Color.web("#c2500a", 0.12),
             Color.web("#00785a"),
-            Color.web("#d0d7de"));
+            Color.web("#d0d7de"),
+            Color.web("#57606a"));
   }
 
   private static final double MARK_NAME_WIDTH = 120;
+
+  /** Height of the ruler below the rates, and room for one of its times. */
+  private static final double RULER_HEIGHT = 16;
+
+  private static final double RULER_TIME_WIDTH = 90;
+
+  /** An end of the marked part is taken hold of within this distance. */
+  private static final double HANDLE_REACH = 5;
+
+  private static final double ZOOM_PER_NOTCH = 1.25;
+
+  /** The shortest time that the bar shows, microseconds. */
+  private static final long MIN_VIEW_US = 1_000;
+
+  /** What the mouse holds while it is pressed. */
+  private enum Grip {
+    NEEDLE,
+    LOOP_START,
+    LOOP_END
+  }
+
   private static final int COLUMN = 3;
   private static final double TICK_HEIGHT = 5;
 
@@ -71,10 +97,16 @@ public final class SeekBar extends Region {
   private PlayerStatus status;
   private Optional<Reach> reach = Optional.empty();
 
-  /** What the bar stands for, on the elapsed timeline. */
+  /** All that there is, on the elapsed timeline. */
+  private long wholeFromUs;
+
+  private long wholeSpanUs = 1;
+
+  /** The part of it that the bar shows. */
   private long fromUs;
 
   private long spanUs = 1;
+  private Grip grip = Grip.NEEDLE;
   private long grownNanos;
   private List<Mark> marks = List.of();
   private long[] ticks = {};
@@ -90,8 +122,8 @@ public final class SeekBar extends Region {
     setAccessibleRole(AccessibleRole.SLIDER);
     setAccessibleText("Place in the recording");
     setFocusTraversable(true);
-    setMinHeight(44);
-    setPrefHeight(44);
+    setMinHeight(44 + RULER_HEIGHT);
+    setPrefHeight(44 + RULER_HEIGHT);
     needle.getStyleClass().add("needle");
     needle.setMouseTransparent(true);
     needle.setManaged(false);
@@ -107,13 +139,34 @@ public final class SeekBar extends Region {
     clip.heightProperty().bind(heightProperty());
     setClip(clip);
     getChildren().addAll(canvas, played, needle, hover);
-    setOnMousePressed(event -> seek(event.getX()));
+    setOnMousePressed(
+        event -> {
+          grip = gripAt(event.getX());
+          drag(event.getX());
+        });
     setOnMouseDragged(
         event -> {
-          seek(event.getX());
+          drag(event.getX());
           showHover(event.getX());
         });
-    setOnMouseMoved(event -> showHover(event.getX()));
+    setOnMouseMoved(
+        event -> {
+          showHover(event.getX());
+          setCursor(
+              !canSeek()
+                  ? Cursor.DEFAULT
+                  : gripAt(event.getX()) == Grip.NEEDLE ? Cursor.HAND : Cursor.H_RESIZE);
+        });
+    setOnScroll(
+        event -> {
+          double notches = Math.signum(event.getDeltaY());
+          if (notches == 0) {
+            scrollBy(-Math.signum(event.getDeltaX()) * spanUs / 10);
+          } else {
+            zoomAt(event.getX(), Math.pow(ZOOM_PER_NOTCH, -notches));
+          }
+          event.consume();
+        });
     setOnMouseExited(event -> hover.setVisible(false));
     playback
         .loopProperty()
@@ -176,11 +229,11 @@ public final class SeekBar extends Region {
       marks = newMarks;
       dirty = true;
     }
-    setCursor(canSeek() ? Cursor.HAND : Cursor.DEFAULT);
     reach.ifPresent(this::follow);
+    keepInView(status.elapsedUs());
     double x = Math.rint(xOf(status.elapsedUs()));
-    needle.setVisible(canSeek());
-    needle.resizeRelocate(x - 1, 0, 2, getHeight());
+    needle.setVisible(canSeek() && isInView(status.elapsedUs()));
+    needle.resizeRelocate(x - 1, 0, 2, getHeight() - RULER_HEIGHT);
     playedClip.setWidth(x);
     if (dirty && getWidth() >= COLUMN) {
       dirty = false;
@@ -192,8 +245,8 @@ public final class SeekBar extends Region {
   public Object queryAccessibleAttribute(AccessibleAttribute attribute, Object... parameters) {
     return switch (attribute) {
       case VALUE -> status == null ? 0.0 : status.elapsedUs() * 1e-6;
-      case MIN_VALUE -> fromUs * 1e-6;
-      case MAX_VALUE -> (fromUs + spanUs) * 1e-6;
+      case MIN_VALUE -> wholeFromUs * 1e-6;
+      case MAX_VALUE -> (wholeFromUs + wholeSpanUs) * 1e-6;
       case ORIENTATION -> Orientation.HORIZONTAL;
       default -> super.queryAccessibleAttribute(attribute, parameters);
     };
@@ -219,9 +272,7 @@ public final class SeekBar extends Region {
   private void follow(Reach all) {
     long newSpanUs = Math.max(all.grows() ? LEAST_SPAN_US : 1, all.toUs() - all.fromUs());
     if (!all.grows()) {
-      dirty |= spanUs != newSpanUs;
-      fromUs = all.fromUs();
-      spanUs = newSpanUs;
+      showWhole(all.fromUs(), newSpanUs);
       return;
     }
     if (history.lastUs() > all.toUs()) {
@@ -232,9 +283,70 @@ public final class SeekBar extends Region {
         && nanos - grownNanos > GROW_NANOS) {
       // the picture moves with what is drawn on it
       grownNanos = nanos;
-      fromUs = all.fromUs();
-      spanUs = newSpanUs;
+      showWhole(all.fromUs(), newSpanUs);
       dirty = true;
+    }
+  }
+
+  /** What is zoomed stays where it is; else all is shown. */
+  private void showWhole(long newFromUs, long newSpanUs) {
+    boolean isZoomed = spanUs < wholeSpanUs;
+    if (newFromUs != wholeFromUs || newSpanUs != wholeSpanUs) {
+      wholeFromUs = newFromUs;
+      wholeSpanUs = newSpanUs;
+      show(isZoomed ? fromUs : newFromUs, isZoomed ? spanUs : newSpanUs);
+    }
+  }
+
+  private void show(long newFromUs, long newSpanUs) {
+    spanUs = Math.max(Math.min(MIN_VIEW_US, wholeSpanUs), Math.min(newSpanUs, wholeSpanUs));
+    long lastUs = wholeFromUs + wholeSpanUs - spanUs;
+    fromUs = Math.max(wholeFromUs, Math.min(newFromUs, lastUs));
+    dirty = true;
+  }
+
+  private void zoomAt(double x, double factor) {
+    long heldUs = placeAt(x);
+    long newSpanUs = Math.round(spanUs * factor);
+    double share = (heldUs - fromUs) / (double) spanUs;
+    show(heldUs - Math.round(share * Math.min(newSpanUs, wholeSpanUs)), newSpanUs);
+    showHover(x);
+  }
+
+  private void scrollBy(double us) {
+    show(fromUs + Math.round(us), spanUs);
+  }
+
+  /** Turns to the part of the recording that playback comes to. */
+  private void keepInView(long placeUs) {
+    if (status.state() == PlayerStatus.State.PLAYING && !isInView(placeUs)) {
+      show(placeUs - spanUs / 10, spanUs);
+    }
+  }
+
+  private boolean isInView(long placeUs) {
+    return placeUs >= fromUs && placeUs <= fromUs + spanUs;
+  }
+
+  /** What a press of the mouse takes hold of. */
+  private Grip gripAt(double x) {
+    if (loop.on() && isNear(loop.outUs(), x)) {
+      return Grip.LOOP_END;
+    }
+    return loop.on() && isNear(loop.inUs(), x) ? Grip.LOOP_START : Grip.NEEDLE;
+  }
+
+  private boolean isNear(OptionalLong placeUs, double x) {
+    return placeUs.isPresent()
+        && isInView(placeUs.getAsLong())
+        && Math.abs(xOf(placeUs.getAsLong()) - x) <= HANDLE_REACH;
+  }
+
+  private void drag(double x) {
+    if (grip == Grip.NEEDLE) {
+      seek(x);
+    } else if (canSeek()) {
+      playback.moveLoopEnd(grip == Grip.LOOP_START, placeAt(x));
     }
   }
 
@@ -250,7 +362,8 @@ public final class SeekBar extends Region {
       hover.setText(Texts.time(placeAt(x), spanUs < 10_000_000));
       hover.autosize();
       hover.relocate(
-          Math.max(2, Math.min(getWidth() - hover.getWidth() - 2, x - hover.getWidth() / 2)), 3);
+          Math.max(2, Math.min(getWidth() - hover.getWidth() - 2, x - hover.getWidth() / 2)),
+          getHeight() - hover.getHeight());
     }
   }
 
@@ -268,9 +381,10 @@ public final class SeekBar extends Region {
     GraphicsContext graphics = canvas.getGraphicsContext2D();
     GraphicsContext over = played.getGraphicsContext2D();
     double width = getWidth();
-    double height = getHeight();
-    graphics.clearRect(0, 0, width, height);
-    over.clearRect(0, 0, width, height);
+    double height = getHeight() - RULER_HEIGHT;
+    graphics.clearRect(0, 0, width, getHeight());
+    over.clearRect(0, 0, width, getHeight());
+    drawRuler(graphics, width, height);
     graphics.setFill(ink.base());
     graphics.fillRect(0, height - 1, width, 1);
     if (loop.on() && (loop.inUs().isPresent() || loop.outUs().isPresent())) {
@@ -279,8 +393,8 @@ public final class SeekBar extends Region {
       graphics.setFill(ink.loop());
       graphics.fillRect(from, 0, to - from, height);
       graphics.setFill(ink.mark());
-      graphics.fillRect(Math.rint(from), 0, 1.5, height);
-      graphics.fillRect(Math.rint(to) - 1.5, 0, 1.5, height);
+      drawHandle(graphics, loop.inUs(), 0, height);
+      drawHandle(graphics, loop.outUs(), -1.5, height);
     }
     double[] rates = rates((int) width / COLUMN);
     drawRates(graphics, rates, ink.rate());
@@ -288,7 +402,7 @@ public final class SeekBar extends Region {
     graphics.setFill(ink.mark());
     drawTicks(graphics, width);
     for (Mark mark : marks) {
-      if (mark.elapsedUs() < fromUs) {
+      if (!isInView(mark.elapsedUs())) {
         continue;
       }
       double x = Math.rint(xOf(mark.elapsedUs()));
@@ -298,12 +412,45 @@ public final class SeekBar extends Region {
     }
   }
 
+  /** An end of the marked part, with a grip for the mouse. */
+  private void drawHandle(
+      GraphicsContext graphics, OptionalLong placeUs, double offset, double height) {
+    if (placeUs.isPresent() && isInView(placeUs.getAsLong())) {
+      double x = Math.rint(xOf(placeUs.getAsLong())) + offset;
+      graphics.fillRect(x, 0, 1.5, height);
+      graphics.fillRoundRect(x - 2.5, height / 2 - 8, 6.5, 16, 4, 4);
+    }
+  }
+
+  /** Times at round places. */
+  private void drawRuler(GraphicsContext graphics, double width, double top) {
+    Ticks times =
+        Ticks.of(fromUs * 1e-6, (fromUs + spanUs) * 1e-6, (int) (width / RULER_TIME_WIDTH));
+    graphics.setFill(ink.text());
+    for (double seconds : times.values()) {
+      double x = Math.rint(xOf(Math.round(seconds * 1e6)));
+      graphics.fillRect(x, top, 1, 5);
+      graphics.fillText(
+          rulerTime(seconds, times.step()), x + 3, top + RULER_HEIGHT - 4, RULER_TIME_WIDTH);
+    }
+  }
+
+  /** A time with as many decimals as tell it from its neighbours. */
+  private static String rulerTime(double seconds, double step) {
+    String whole = Texts.time(Math.round(seconds * 1e6), true);
+    int decimals = (int) Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
+    int point = whole.indexOf('.');
+    return decimals == 0
+        ? whole.substring(0, point)
+        : whole.substring(0, Math.min(whole.length(), point + 1 + decimals));
+  }
+
   /** One tick a column at the most, however many moments there are. */
   private void drawTicks(GraphicsContext graphics, double width) {
     double last = -1;
     for (long tick : ticks) {
       double x = Math.rint(xOf(tick));
-      if (tick >= fromUs && x > last && x <= width) {
+      if (isInView(tick) && x > last && x <= width) {
         graphics.fillRect(x, 0, 1, TICK_HEIGHT);
         last = x + 1;
       }
@@ -317,9 +464,12 @@ public final class SeekBar extends Region {
     }
     RateProfile whole = profile.get();
     double[] rates = new double[columns];
+    double binsPerUs = whole.bins() / (double) wholeSpanUs;
+    double first = (fromUs - wholeFromUs) * binsPerUs;
+    double binsPerColumn = spanUs * binsPerUs / columns;
     for (int column = 0; column < columns; column++) {
-      int from = (int) ((long) column * whole.bins() / columns);
-      int to = Math.max(from + 1, (int) ((long) (column + 1) * whole.bins() / columns));
+      int from = (int) (first + column * binsPerColumn);
+      int to = Math.max(from + 1, (int) (first + (column + 1) * binsPerColumn));
       for (int bin = from; bin < Math.min(to, whole.bins()); bin++) {
         rates[column] = Math.max(rates[column], whole.eventsPerSecond(bin));
       }
@@ -329,15 +479,16 @@ public final class SeekBar extends Region {
 
   private void drawRates(GraphicsContext graphics, double[] rates, Color colour) {
     double[] heights = RateScale.heights(rates, logarithmic.get());
-    double usable = getHeight() - 6;
+    double bottom = getHeight() - RULER_HEIGHT;
+    double usable = bottom - 6;
     graphics.setFill(colour);
     for (int column = 0; column < rates.length; column++) {
       if (rates[column] > 0) {
         double bar = Math.max(1, Math.rint(Math.min(1, heights[column]) * usable));
-        graphics.fillRect(column * COLUMN, getHeight() - bar, COLUMN - 1, bar);
+        graphics.fillRect(column * COLUMN, bottom - bar, COLUMN - 1, bar);
         if (heights[column] > 1) {
           // a gap below the top says that the column is clipped
-          graphics.clearRect(column * COLUMN, getHeight() - bar + 3, COLUMN - 1, 2);
+          graphics.clearRect(column * COLUMN, bottom - bar + 3, COLUMN - 1, 2);
         }
       }
     }

@@ -6,6 +6,7 @@ import haltere.core.playback.PlayerStatus.State;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Icons;
 import haltere.ui.viewer.controls.Texts;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import javafx.geometry.Orientation;
@@ -27,23 +28,6 @@ import javafx.scene.layout.Region;
  * <p>Thread rule: JavaFX thread only.
  */
 public final class TransportBar extends HBox {
-  private static final List<Double> SPEEDS =
-      List.of(
-          1e-4,
-          1e-3,
-          0.01,
-          0.02,
-          0.05,
-          0.1,
-          0.25,
-          0.5,
-          1.0,
-          2.0,
-          4.0,
-          8.0,
-          16.0,
-          Double.POSITIVE_INFINITY);
-
   /** What is nearer to the newest events than this is shown as it comes. */
   private static final long NOW_US = 100_000;
 
@@ -55,6 +39,9 @@ public final class TransportBar extends HBox {
   private final ToggleButton loop = Controls.toggle("loop", Icons.LOOP, "Repeat at the end (L)");
   private final Button markIn;
   private final Button markOut;
+  private final ToggleButton backwards =
+      Controls.toggle("play-backwards", Icons.BACKWARDS, "Play backwards (Shift+Space)");
+  private final HBox tools = new HBox();
   private final Label elapsed = new Label();
   private final Label remaining = new Label();
 
@@ -70,12 +57,17 @@ public final class TransportBar extends HBox {
         Controls.button("mark-out", Icons.MARK_OUT, "End the loop here (O)", playback::markOut);
     speed.setId("speed");
     speed.setAccessibleText("Speed");
-    Controls.help(speed, "Recording time per real time. F is faster, S is slower.");
-    for (double preset : SPEEDS) {
+    Controls.help(
+        speed, "Recording time per real time. F and S take the next higher and lower speed.");
+    List<Double> speeds = new ArrayList<>(PlaybackController.SPEEDS);
+    speeds.add(Double.POSITIVE_INFINITY);
+    for (double preset : speeds) {
       MenuItem item = new MenuItem(Texts.speed(preset));
       item.setOnAction(event -> playback.setSpeed(preset));
       speed.getItems().add(item);
     }
+    backwards.setOnAction(event -> playback.toggleReverse());
+    playback.reverseProperty().addListener((property, was, is) -> backwards.setSelected(is));
     playback.speedProperty().addListener((property, old, now) -> showSpeed(now));
     showSpeed(playback.speedProperty().get());
     for (Region kept : List.of(speed, elapsed, remaining)) {
@@ -97,6 +89,7 @@ public final class TransportBar extends HBox {
             Controls.button("rewind", Icons.REWIND, "Back to the start (R)", playback::rewind),
             Controls.button(
                 "step-back", Icons.STEP_BACK, "One slice back (,)", () -> playback.step(-1)),
+            backwards,
             play,
             Controls.button(
                 "step-forward", Icons.STEP_FORWARD, "One slice on (.)", () -> playback.step(1)),
@@ -117,9 +110,16 @@ public final class TransportBar extends HBox {
                 Icons.RESET,
                 "Let all filters forget what they have seen (Z)",
                 playback::reset),
+            tools,
             space,
             elapsed,
             remaining);
+  }
+
+  /** Adds a control behind those of playback. */
+  public void addTool(Node tool) {
+    tools.setAlignment(Pos.CENTER_LEFT);
+    tools.getChildren().add(tool);
   }
 
   /** Shows what the player is doing. */
@@ -140,6 +140,7 @@ public final class TransportBar extends HBox {
     markIn.setDisable(reach.isEmpty());
     markOut.setDisable(reach.isEmpty());
     loop.setDisable(reach.isEmpty());
+    backwards.setDisable(reach.isEmpty());
   }
 
   private void showSpeed(double value) {

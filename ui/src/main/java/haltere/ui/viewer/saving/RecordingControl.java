@@ -73,6 +73,11 @@ final class RecordingControl {
     return recording.getReadOnlyProperty();
   }
 
+  /** The file that is being written. */
+  Optional<Path> file() {
+    return under.map(Under::file);
+  }
+
   /**
    * Starts to record; a file that is there is replaced. A recording of a camera says in its header
    * what the camera and the chain were set to, and goes on in another part where the camera's clock

@@ -44,7 +44,8 @@ public final class SavingFeature implements ViewerFeature {
                     "Save chain\u2026",
                     MENU,
                     () -> dialogs.chainToSave().ifPresent(this::saveChain))
-                .withKey("Shortcut+S"),
+                .withKey("Shortcut+S")
+                .unless(this::obstacle),
             ViewerAction.toggle(
                     "record",
                     "Record\u2026",
@@ -52,13 +53,23 @@ public final class SavingFeature implements ViewerFeature {
                     recording.recordingProperty(),
                     on -> toggleRecording())
                 .withKey("Shortcut+E")
+                .unless(this::obstacle)
                 .withHelp("Writes what comes out of the chain to a file while it plays."),
             ViewerAction.of(
                     "save-picture",
                     "Save picture\u2026",
                     MENU,
                     () -> dialogs.picture().ifPresent(this::savePicture))
-                .withKey("Shortcut+P"));
+                .withKey("Shortcut+P")
+                .unless(this::obstacle));
+    RecordButton button = new RecordButton(this::toggleRecording, window.background());
+    recording.recordingProperty().addListener((property, was, is) -> button.setOn(is));
+    window.panels().transport().addTool(button);
+    window.panels().onPulse(() -> button.pulse(recording.file()));
+  }
+
+  private String obstacle() {
+    return window.sessions().session().isPresent() ? "" : "nothing is open";
   }
 
   /** Puts a saved chain in place of the one that is open. */

@@ -6,6 +6,7 @@ import haltere.filters.wing.WingFilterEdit;
 import haltere.filters.wing.WingPart;
 import haltere.filters.wing.WingTrackerSettings;
 import haltere.filters.wing.tracker.WingTracker;
+import haltere.filters.wing.tracker.WingTrackerFilter;
 import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.feature.PanelPlace;
@@ -65,11 +66,15 @@ public final class WingsFeature implements ViewerFeature, WingsPanel.Actions {
         .actions()
         .add(
             ViewerAction.toggle("wings-place", "Place the fly", MENU, placing)
+                .unless(this::obstacle)
                 .withHelp("A click sets the body; drags turn the head or set the region."),
-            ViewerAction.of("wings-flip", "Exchange head and tail", MENU, this::flip),
+            ViewerAction.of("wings-flip", "Exchange head and tail", MENU, this::flip)
+                .unless(this::obstacle),
             ViewerAction.of("wings-search", "Search the fly anew", MENU, this::search)
+                .unless(this::obstacle)
                 .withHelp("What was said of the fly's place stays."),
             ViewerAction.toggle("wings-log", "Log\u2026", MENU, log.writing(), on -> toggleLog())
+                .unless(this::obstacle)
                 .withHelp("Writes what is tracked to a file that explains itself."));
     for (WingLogFormat format : formats()) {
       window
@@ -82,6 +87,15 @@ public final class WingsFeature implements ViewerFeature, WingsPanel.Actions {
                   logFormat,
                   format));
     }
+  }
+
+  /** Why there is nothing to do with wings, in a few words; empty if there is. */
+  private String obstacle() {
+    boolean hasTracker =
+        window.sessions().session().stream()
+            .flatMap(open -> open.chain().stages().stream())
+            .anyMatch(stage -> stage.filter() instanceof WingTrackerFilter);
+    return hasTracker ? "" : "no wing tracker in the chain";
   }
 
   private static List<WingLogFormat> formats() {

@@ -1,0 +1,204 @@
+package haltere.filters.road;
+
+import haltere.filters.estimation.GaussianState;
+import haltere.filters.object.ObjectTrack;
+import haltere.filters.plane.PlaneJacobian;
+import haltere.filters.plane.PlanePoint;
+import haltere.filters.plane.RoadMapping;
+import java.util.Arrays;
+import java.util.Optional;
+
+/**
+ * One vehicle on a road: where its end that is nearest to the camera stands, how fast it moves, and
+ * how high above the road lies what is seen of it, in one normal belief.
+ *
+ * <p>A camera at a height H sees a point at a height z and a distance d where the road is at s d,
+ * with s = H/(H − z). The point seems to move at s v there. Two such points are measured, the lower
+ * edge and the middle of the extent; how they move against one another tells their heights, as far
+ * as the prior does not. {@code docs/objects.md} has the equations.
+ *
+ * <p>Thread rule: one thread at a time.
+ */
+final class Vehicle {
+  // entries of the state, metres and m/s
+  private static final int X = 0;
+  private static final int VX = 1;
+  static final int Y = 2;
+  static final int VY = 3;
+
+  /** Height of the lower edge. */
+  static final int LOW = 4;
+
+  /** Height of the middle of the extent. */
+  static final int MIDDLE = 5;
+
+  /** Distance of that middle behind the nearer end. */
+  static final int BEHIND = 6;
+
+  static final int SIZE = 7;
+  private static final int NONE = -1;
+
+  /** Memory of an extent in the picture, seconds: its errors last for as long. */
+  private static final double EXTENT_S = 0.3;
+
+  /**
+   * Rows above the lower border of the picture that may cut an edge off, pixels: a blurred edge.
+   */
+  private static final double BORDER_PX = 1.5;
+
+  /** Time for which an acceleration lasts, seconds (Singer, IEEE TAES 6, 1970). */
+  static final double LASTS_S = 1;
+
+  /** Normalised squared innovation from which a vehicle brakes: 95 % of χ² with 1 are below. */
+  private static final double BRAKES = 3.84;
+
+  private final RoadMapping mapping;
+  private final VehiclePrior prior;
+  private final GaussianState state = new GaussianState(SIZE);
+  private final double[] row = new double[SIZE];
+  private long timeUs;
+
+  /** Time since which the lower edge is in the picture. */
+  private long insideUs;
+
+  private boolean isStarted;
+
+  /** Mean of the last normalised squared innovations. */
+  private double surprise = 1;
+
+  /**
+   * A vehicle that has not been measured.
+   *
+   * @param timeUs when it is seen first, microseconds
+   */
+  Vehicle(RoadMapping mapping, VehiclePrior prior, long timeUs) {
+    this.mapping = mapping;
+    this.prior = prior;
+    this.timeUs = timeUs;
+    insideUs = timeUs;
+  }
+
+  GaussianState state() {
+    return state;
+  }
+
+  /**
+   * Takes a row of its track, later than the one before.
+   *
+   * @return where it is; empty until its extent is known
+   */
+  Optional<PlanePoint> update(ObjectTrack track) {
+    double seconds = (track.timeUs() - timeUs) * 1e-6;
+    timeUs = track.timeUs();
+    if (isStarted) {
+      predict(seconds);
+    }
+    boolean isWhole = track.lowYPx() > BORDER_PX && mapping.seesPlane(track.xPx(), track.yPx());
+    if (!isWhole) {
+      insideUs = timeUs;
+    } else if ((timeUs - insideUs) * 1e-6 >= EXTENT_S) {
+      if (isStarted) {
+        measure(track, seconds);
+      } else {
+        start(track);
+      }
+    }
+    return isStarted ? Optional.of(point(track.id())) : Optional.empty();
+  }
+
+  private void start(ObjectTrack track) {
+    isStarted = true;
+    double low = track.lowYPx();
+    state.setMean(LOW, prior.lowEdgeM());
+    state.setMean(MIDDLE, prior.heightM() / 2);
+    state.setMean(BEHIND, prior.lengthM() / 2);
+    state.setMean(X, mapping.planeX(track.xPx(), low) / scale(LOW));
+    state.setMean(Y, mapping.planeY(track.xPx(), low) / scale(LOW));
+    double byHeight = prior.lowEdgeM() * state.mean(Y) / mapping.heightM();
+    double byRow = track.sdYPx() * mapping.jacobian(track.xPx(), low).yv();
+    state.setVariances(
+        square(prior.widthM()),
+        square(prior.driftMS()),
+        square(byRow) + square(byHeight),
+        square(prior.speedMS()),
+        square(prior.lowEdgeM()),
+        square(prior.heightM() / 4),
+        square(prior.lengthM() / 4));
+    state.addNoise(Y, LOW, -byHeight * prior.lowEdgeM());
+    // The velocity in the picture is taken once: later ones repeat the positions.
+    PlaneJacobian j = mapping.jacobian(track.xPx(), track.yPx());
+    double variance = square(track.sdVyPxS() * j.yv());
+    correct(VY, NONE, MIDDLE, j.y(track.vxPxS(), track.vyPxS()), variance);
+  }
+
+  private void predict(double dt) {
+    double acceleration = surprise > BRAKES ? prior.brakingMS2() : prior.accelerationMS2();
+    double q = 2 * square(acceleration) * LASTS_S;
+    state.shear(X, VX, dt);
+    state.shear(Y, VY, dt);
+    state.decay(VX, 0, 1 - Math.exp(-dt / LASTS_S), prior.driftMS());
+    state.addAcceleration(Y, Y, q, dt);
+  }
+
+  /** Errors of extents last for a time T: of n looks in a second, 1 / (2 T) are independent. */
+  private void measure(ObjectTrack track, double seconds) {
+    if (!(seconds > 0)) {
+      return;
+    }
+    double looks = Math.max(1, 2 * EXTENT_S / seconds);
+    double x = track.xPx();
+    double y = track.yPx();
+    double low = track.lowYPx();
+    double rowVariance = square(track.sdYPx()) * looks;
+    double yv = mapping.jacobian(x, low).yv();
+    double nis = correct(Y, NONE, LOW, mapping.planeY(x, low), rowVariance * square(yv));
+    surprise += (nis * looks - surprise) / looks;
+    PlaneJacobian j = mapping.jacobian(x, y);
+    correct(Y, BEHIND, MIDDLE, mapping.planeY(x, y), rowVariance * square(j.yv()));
+    double columnVariance = square(track.sdXPx() * j.xu()) * looks;
+    correct(X, NONE, MIDDLE, mapping.planeX(x, y), columnVariance);
+  }
+
+  /**
+   * Corrects by where a point at a height is seen on the road, or how fast it is seen to move.
+   *
+   * @return the normalised squared innovation
+   */
+  private double correct(int at, int behind, int height, double seen, double variance) {
+    double s = scale(height);
+    double place = state.mean(at) + (behind == NONE ? 0 : state.mean(behind));
+    Arrays.fill(row, 0);
+    row[at] = s;
+    if (behind != NONE) {
+      row[behind] = s;
+    }
+    row[height] = place * s * s / mapping.heightM();
+    double innovation = seen - s * place;
+    double expected = state.project(row) + variance;
+    state.correct(innovation, variance);
+    return innovation * innovation / expected;
+  }
+
+  /** H / (H − z), for heights up to nine tenths of the camera's. */
+  private double scale(int height) {
+    return 1 / Math.max(0.1, 1 - state.mean(height) / mapping.heightM());
+  }
+
+  private static double square(double value) {
+    return value * value;
+  }
+
+  private PlanePoint point(int id) {
+    return new PlanePoint(
+        timeUs,
+        id,
+        state.mean(X),
+        state.mean(Y),
+        state.mean(VX),
+        state.mean(VY),
+        state.sd(X),
+        state.sd(Y),
+        state.sd(VX),
+        state.sd(VY));
+  }
+}

@@ -1,0 +1,83 @@
+package haltere.filters.road;
+
+import haltere.core.settings.Help;
+import haltere.core.settings.Range;
+import haltere.core.settings.SettingsSchema;
+import haltere.core.settings.Unit;
+
+/**
+ * What is usual on a road before anything is seen. Sources of the defaults:
+ *
+ * <ul>
+ *   <li>speed: a rural limit of 90 km/h;
+ *   <li>acceleration: the upper of usual ones, 1.5 ft/s² (Jones and Potts, Operations Research 10,
+ *       1962); braking on a dry road: Greibe, Braking distance, friction and behaviour, 2007;
+ *   <li>drift: a lane of 3.5 m in 5 to 7 s (Toledo and Zohar, Transportation Research Record 1999,
+ *       2007);
+ *   <li>width: 2.55 m (Directive 96/53/EC, Annex I) and mirrors;
+ *   <li>length, height: between a passenger car (5.8 × 1.3 m) and a lorry (AASHTO, Geometric Design
+ *       of Highways and Streets, 2011, Table 2-1a);
+ *   <li>lower edge: between the road (tyres, shadow) and 0.2 m of ground clearance, from which a
+ *       car may count as an off-road vehicle (Regulation (EU) 2018/858, Annex I).
+ * </ul>
+ *
+ * @param speedMS root mean square of the velocity along the road
+ * @param accelerationMS2 usual acceleration along the road, which lasts for about a second
+ * @param brakingMS2 acceleration of hard braking
+ * @param driftMS usual velocity across the road
+ * @param widthM greatest width of a vehicle
+ * @param lengthM usual length of a vehicle; its standard deviation is half of it
+ * @param heightM usual height of a vehicle; its standard deviation is half of it
+ * @param lowEdgeM usual height above the road of the lowest edge that is seen of a vehicle, and its
+ *     standard deviation
+ */
+public record VehiclePrior(
+    @Help("Usual speed along the road; what is twice as fast is rare.")
+        @Range(min = 1, max = 100, logarithmic = true)
+        @Unit("m/s")
+        double speedMS,
+    @Help("Usual acceleration. A larger value follows changes sooner and smooths speeds less.")
+        @Range(min = 0.01, max = 20, logarithmic = true)
+        @Unit("m/s²")
+        double accelerationMS2,
+    @Help("Acceleration of hard braking; a larger value follows a braking vehicle sooner.")
+        @Range(min = 0.01, max = 50, logarithmic = true)
+        @Unit("m/s²")
+        double brakingMS2,
+    @Help("Usual velocity across the road, as of a change of lanes.")
+        @Range(min = 0.01, max = 20, logarithmic = true)
+        @Unit("m/s")
+        double driftMS,
+    @Help("Greatest width of a vehicle; what is wider is several.")
+        @Range(min = 0.1, max = 20)
+        @Unit("m")
+        double widthM,
+    @Help("Usual length of a vehicle.") @Range(min = 0.1, max = 50) @Unit("m") double lengthM,
+    @Help("Usual height of a vehicle.") @Range(min = 0.1, max = 10) @Unit("m") double heightM,
+    @Help("Usual height above the road of the lowest edge that is seen of a vehicle.")
+        @Range(min = 0.001, max = 3)
+        @Unit("m")
+        double lowEdgeM) {
+  /** Checks the ranges. */
+  public VehiclePrior {
+    SettingsSchema.validate(
+        VehiclePrior.class,
+        speedMS,
+        accelerationMS2,
+        brakingMS2,
+        driftMS,
+        widthM,
+        lengthM,
+        heightM,
+        lowEdgeM);
+  }
+
+  /**
+   * The settings to start from.
+   *
+   * @return those of a road for all vehicles
+   */
+  public static VehiclePrior defaults() {
+    return new VehiclePrior(25, 0.5, 8, 0.5, 2.8, 5.8, 1.6, 0.1);
+  }
+}

@@ -1,0 +1,49 @@
+package haltere.filters.road;
+
+import haltere.filters.object.ObjectTrack;
+import haltere.filters.plane.PlanePoint;
+import haltere.filters.plane.RoadMapping;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.function.Function;
+
+/**
+ * Takes the objects before a camera that looks along a road for vehicles, and tells where the
+ * nearer end of each is and how fast it moves, from rows up to the present one. Rows of one object
+ * come in the order of their times. The place is empty until the extent of the vehicle is known.
+ *
+ * <p>Thread rule: not safe for use by two threads at a time.
+ */
+public final class VehiclesOnRoad implements Function<ObjectTrack, Optional<PlanePoint>> {
+  private final RoadMapping mapping;
+  private final VehiclePrior prior;
+  private final Map<Integer, Vehicle> vehicles =
+      new LinkedHashMap<>(16, 0.75f, true) {
+        private static final long serialVersionUID = 1;
+
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<Integer, Vehicle> eldest) {
+          return size() > LineCounter.MAX_TRACKS;
+        }
+      };
+
+  /**
+   * A road that has seen nothing.
+   *
+   * @param mapping pixels to the road
+   * @param prior what is usual on it
+   */
+  public VehiclesOnRoad(RoadMapping mapping, VehiclePrior prior) {
+    this.mapping = Objects.requireNonNull(mapping, "mapping");
+    this.prior = Objects.requireNonNull(prior, "prior");
+  }
+
+  @Override
+  public Optional<PlanePoint> apply(ObjectTrack track) {
+    return vehicles
+        .computeIfAbsent(track.id(), id -> new Vehicle(mapping, prior, track.timeUs()))
+        .update(track);
+  }
+}

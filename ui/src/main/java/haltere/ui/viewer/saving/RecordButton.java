@@ -1,0 +1,75 @@
+package haltere.ui.viewer.saving;
+
+import haltere.ui.viewer.controls.Controls;
+import haltere.ui.viewer.controls.Icons;
+import haltere.ui.viewer.controls.Texts;
+import haltere.ui.viewer.feature.BackgroundWork;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import javafx.geometry.Pos;
+import javafx.scene.control.Label;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.layout.HBox;
+
+/**
+ * Records what comes out of the chain, and says for how long it has and how large the file is.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+final class RecordButton extends HBox {
+  private static final long NUMBERS_NANOS = 500_000_000;
+
+  private final ToggleButton button =
+      Controls.toggle("record-button", Icons.RECORD, "Record what comes out of the chain (Ctrl+E)");
+  private final Label numbers = new Label();
+  private final BackgroundWork background;
+  private long startNanos;
+  private long shownNanos;
+
+  /**
+   * A button of a recording that has not begun.
+   *
+   * @param toggle starts and stops it
+   * @param background asks for the size of the file
+   */
+  RecordButton(Runnable toggle, BackgroundWork background) {
+    this.background = background;
+    setAlignment(Pos.CENTER_LEFT);
+    button.getStyleClass().add("record-button");
+    numbers.setId("record-numbers");
+    numbers.getStyleClass().add("time");
+    button.setOnAction(
+        event -> {
+          button.setSelected(!button.isSelected());
+          toggle.run();
+        });
+    getChildren().addAll(button, numbers);
+    setOn(false);
+  }
+
+  /** Shows whether a recording is under way. */
+  void setOn(boolean on) {
+    button.setSelected(on);
+    startNanos = System.nanoTime();
+    shownNanos = 0;
+    numbers.setText("");
+    numbers.setVisible(on);
+    numbers.setManaged(on);
+  }
+
+  /** Shows how long the recording has gone on, and the size of its file. */
+  void pulse(Optional<Path> file) {
+    long nanos = System.nanoTime();
+    if (!button.isSelected() || file.isEmpty() || nanos - shownNanos < NUMBERS_NANOS) {
+      return;
+    }
+    shownNanos = nanos;
+    Path written = file.get();
+    String elapsed = Texts.time((nanos - startNanos) / 1000, false);
+    background.file(
+        () -> Files.exists(written) ? Files.size(written) : 0L,
+        bytes -> numbers.setText(elapsed + "  " + Texts.quantity(bytes) + "B"),
+        problem -> numbers.setText(elapsed));
+  }
+}
