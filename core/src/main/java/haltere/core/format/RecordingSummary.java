@@ -61,18 +61,7 @@ public record RecordingSummary(
 
   private static final long PEAK_US = 10_000;
 
-  private static final StreamHandler NOBODY =
-      new StreamHandler() {
-        @Override
-        public void packet(EventPacket packet) {
-          // nobody listens
-        }
-
-        @Override
-        public void notified(StreamNotification notification) {
-          // nobody listens
-        }
-      };
+  private static final StreamHandler NOBODY = StreamHandler.ofReadings(reading -> {});
 
   /** Checks and copies. */
   public RecordingSummary {

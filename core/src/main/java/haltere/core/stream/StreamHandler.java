@@ -2,6 +2,7 @@ package haltere.core.stream;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorReading;
+import java.util.function.Consumer;
 
 /**
  * Takes a stream: packets, readings and notifications, one at a time, in order, on the processing
@@ -30,4 +31,29 @@ public interface StreamHandler {
    * @param reading immutable; it may be kept
    */
   default void reading(SensorReading reading) {}
+
+  /**
+   * A handler that takes what stands between the events and nothing else.
+   *
+   * @param taker of frames, inertial samples and triggers
+   * @return a handler
+   */
+  static StreamHandler ofReadings(Consumer<SensorReading> taker) {
+    return new StreamHandler() {
+      @Override
+      public void packet(EventPacket packet) {
+        // only what stands between the events is wanted
+      }
+
+      @Override
+      public void notified(StreamNotification notification) {
+        // only what stands between the events is wanted
+      }
+
+      @Override
+      public void reading(SensorReading reading) {
+        taker.accept(reading);
+      }
+    };
+  }
 }

@@ -1,10 +1,7 @@
 package haltere.ui.plot;
 
-import haltere.core.event.EventPacket;
 import haltere.core.event.InertialSample;
 import haltere.core.event.SensorReading;
-import haltere.core.stream.StreamHandler;
-import haltere.core.stream.StreamNotification;
 import java.util.List;
 
 /**
@@ -12,7 +9,7 @@ import java.util.List;
  *
  * <p>Thread rule: samples come on the processing thread; all else is for one other thread.
  */
-public final class InertialFeed implements StreamHandler {
+public final class InertialFeed {
   /** Acceleration along the three axes, standard gravities. */
   public static final PlotField ACCELERATION = field("acceleration_g");
 
@@ -45,8 +42,12 @@ public final class InertialFeed implements StreamHandler {
     return any;
   }
 
-  @Override
-  public void reading(SensorReading reading) {
+  /**
+   * Takes what stands between the events.
+   *
+   * @param reading an inertial sample, or something else, which is ignored
+   */
+  public void take(SensorReading reading) {
     if (reading instanceof InertialSample sample) {
       any = true;
       long timeUs = sample.timeUs();
@@ -58,16 +59,6 @@ public final class InertialFeed implements StreamHandler {
       rotation.put(timeUs, "z", sample.rotationZDegS());
       temperature.put(timeUs, "", sample.temperatureC());
     }
-  }
-
-  @Override
-  public void packet(EventPacket packet) {
-    // only what stands between the events is wanted
-  }
-
-  @Override
-  public void notified(StreamNotification notification) {
-    // curves are cut where time goes back
   }
 
   /**

@@ -1,6 +1,5 @@
 package haltere.ui.command.results;
 
-import haltere.core.event.EventPacket;
 import haltere.core.event.Frame;
 import haltere.core.event.InertialSample;
 import haltere.core.event.SensorReading;
@@ -8,7 +7,6 @@ import haltere.core.event.Trigger;
 import haltere.core.format.RecordingReader;
 import haltere.core.sink.CsvSink;
 import haltere.core.stream.StreamHandler;
-import haltere.core.stream.StreamNotification;
 import haltere.ui.command.terminal.ProgressBar;
 import haltere.ui.rendering.FramePictures;
 import haltere.ui.rendering.Pictures;
@@ -144,28 +142,18 @@ public final class ReadingExport {
       RecordingReader reader, ProgressBar progress, Class<T> kind, Target<T> target)
       throws IOException {
     StreamHandler handler =
-        new StreamHandler() {
-          @Override
-          public void packet(EventPacket packet) {
-            // Only what stands between the events is wanted.
-          }
-
-          @Override
-          public void notified(StreamNotification notification) {
-            // A table has no place for it.
-          }
-
-          @Override
-          public void reading(SensorReading reading) {
-            if (kind.isInstance(reading) && reading.timeUs() >= fromUs && reading.timeUs() < toUs) {
-              try {
-                target.take(kind.cast(reading));
-              } catch (IOException e) {
-                throw new UncheckedIOException(e);
+        StreamHandler.ofReadings(
+            reading -> {
+              if (kind.isInstance(reading)
+                  && reading.timeUs() >= fromUs
+                  && reading.timeUs() < toUs) {
+                try {
+                  target.take(kind.cast(reading));
+                } catch (IOException e) {
+                  throw new UncheckedIOException(e);
+                }
               }
-            }
-          }
-        };
+            });
     try {
       while (reader.next(handler)) {
         if (Thread.currentThread().isInterrupted()) {

@@ -1,12 +1,9 @@
 package haltere.ui.viewer.file;
 
-import haltere.core.event.EventPacket;
 import haltere.core.event.Frame;
-import haltere.core.event.SensorReading;
 import haltere.core.playback.Playable;
 import haltere.core.playback.PlayerStatus;
 import haltere.core.stream.StreamHandler;
-import haltere.core.stream.StreamNotification;
 import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.feature.DisplayControl;
 import haltere.ui.viewer.feature.ViewerContext;
@@ -168,24 +165,12 @@ public final class SamplesFeature implements ViewerFeature {
       own.seek(elapsedUs);
       Frame[] found = new Frame[1];
       StreamHandler taker =
-          new StreamHandler() {
-            @Override
-            public void packet(EventPacket packet) {
-              // only the frame is wanted
-            }
-
-            @Override
-            public void notified(StreamNotification notification) {
-              // only the frame is wanted
-            }
-
-            @Override
-            public void reading(SensorReading reading) {
-              if (found[0] == null && reading instanceof Frame frame) {
-                found[0] = frame;
-              }
-            }
-          };
+          StreamHandler.ofReadings(
+              sample -> {
+                if (found[0] == null && sample instanceof Frame frame) {
+                  found[0] = frame;
+                }
+              });
       while (found[0] == null && own.next(taker)) {
         if (Thread.currentThread().isInterrupted()) {
           break;

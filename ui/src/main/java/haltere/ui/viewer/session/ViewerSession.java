@@ -8,6 +8,7 @@ import haltere.core.playback.Playable;
 import haltere.core.playback.Player;
 import haltere.core.playback.PlayerOptions;
 import haltere.core.playback.RecordingPlayable;
+import haltere.core.stream.StreamHandler;
 import haltere.ui.plot.InertialFeed;
 import haltere.ui.viewer.chain.StageState;
 import haltere.ui.viewer.picture.DisplayOptions;
@@ -48,7 +49,7 @@ public final class ViewerSession implements AutoCloseable {
     this.player = new Player(playable, chain, playerOptions);
     player.addRawSink(display.beforeChain());
     player.addSink(display);
-    player.addSink(inertial);
+    player.addSink(StreamHandler.ofReadings(inertial::take));
   }
 
   /** What a user should know about how the recording is read, as it was opened. */
