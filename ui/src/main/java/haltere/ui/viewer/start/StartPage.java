@@ -19,6 +19,7 @@ import javafx.scene.image.ImageView;
 import javafx.scene.layout.FlowPane;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Region;
+import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 
 /**
@@ -147,17 +148,19 @@ final class StartPage extends ScrollPane {
     return tile;
   }
 
-  /** The picture of a scene, or an empty frame where there is none. */
+  /** The picture of a scene, in a frame that is there before it is loaded; empty without one. */
   private static Node picture(String id) {
+    StackPane frame = new StackPane();
+    frame.getStyleClass().add("start-picture");
+    frame.setMinSize(PICTURE_WIDTH, PICTURE_HEIGHT);
     URL resource = StartPage.class.getResource(id + ".png");
-    if (resource == null) {
-      Region empty = new Region();
-      empty.getStyleClass().add("start-picture");
-      empty.setMinSize(PICTURE_WIDTH, PICTURE_HEIGHT);
-      return empty;
+    if (resource != null) {
+      ImageView picture = new ImageView(new Image(resource.toExternalForm(), true));
+      picture.setFitWidth(PICTURE_WIDTH);
+      picture.setFitHeight(PICTURE_HEIGHT);
+      frame.getChildren().add(picture);
     }
-    return new ImageView(
-        new Image(resource.toExternalForm(), PICTURE_WIDTH, PICTURE_HEIGHT, true, true, true));
+    return frame;
   }
 
   /** Offers cameras that are plugged in. */
