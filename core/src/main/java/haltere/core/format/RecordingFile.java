@@ -214,7 +214,7 @@ public final class RecordingFile implements Closeable {
     }
     try {
       while (size == Long.MAX_VALUE && keptFrom + keptCount < offset + wanted) {
-        makeRoom(offset, wanted);
+        makeRoom(offset);
         int count = stream.read(ByteBuffer.wrap(kept, keptCount, kept.length - keptCount));
         if (count < 0) {
           size = keptFrom + keptCount;
@@ -226,19 +226,21 @@ public final class RecordingFile implements Closeable {
       buffer.limit(0);
       throw RecordingProblem.reading(path, offset, e);
     }
-    int there = (int) Math.max(0, Math.min(wanted, keptFrom + keptCount - offset));
-    buffer.put(kept, (int) (offset - keptFrom), there).flip();
+    long there = Math.min(wanted, keptFrom + keptCount - offset);
+    if (there > 0) {
+      buffer.put(kept, (int) (offset - keptFrom), (int) there);
+    }
+    buffer.flip();
   }
 
-  /** Forgets what lies far before an offset, so that the wanted bytes behind it have room. */
-  private void makeRoom(long offset, int wanted) {
-    long needed = offset + wanted - keptFrom;
-    if (needed <= kept.length && keptCount < kept.length) {
+  /** Forgets what lies far before an offset where there is no room for more. */
+  private void makeRoom(long offset) {
+    if (keptCount < kept.length) {
       return;
     }
     int forgotten = (int) Math.max(0, Math.min(keptCount, offset - KEPT_BYTES - keptFrom));
-    int room = (int) Math.max(needed - forgotten, 2L * KEPT_BYTES);
-    byte[] target = room > kept.length ? new byte[room] : kept;
+    int length = 2 * Math.max(KEPT_BYTES, keptCount - forgotten);
+    byte[] target = length > kept.length ? new byte[length] : kept;
     System.arraycopy(kept, forgotten, target, 0, keptCount - forgotten);
     kept = target;
     keptFrom += forgotten;

@@ -186,9 +186,12 @@ public final class LiveResults implements StreamHandler, Closeable {
   private void work() {
     try {
       Message next = waiting.take();
-      while (next != END && failure == null) {
+      while (next != END) {
         send(next);
-        output.failure().ifPresent(this::failed);
+        if (output.failure().isPresent()) {
+          failed(output.failure().get());
+          break;
+        }
         next = allPut && waiting.isEmpty() ? END : waiting.take();
       }
     } catch (InterruptedException hurried) {

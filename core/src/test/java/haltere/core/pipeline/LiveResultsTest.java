@@ -21,6 +21,7 @@ import java.time.Clock;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.Test;
@@ -123,6 +124,28 @@ class LiveResultsTest {
       messages.add((Map<?, ?>) Json.parse(line, "a line"));
     }
     return messages;
+  }
+
+  @Test
+  void anOutputThatFailsIsToldAtOnceAndWhatWaitsIsCounted() throws IOException {
+    List<String> told = new CopyOnWriteArrayList<>();
+    Kept output =
+        new Kept(true) {
+          @Override
+          public Optional<String> failure() {
+            return lines.isEmpty() ? Optional.empty() : Optional.of("no network");
+          }
+        };
+    FilterChain chain = new FilterChain(SENSOR);
+    chain.add("every-event", new EveryEvent());
+    LiveResults results = LiveResults.open(chain, output, name -> true, Clock.systemUTC());
+    results.onFailure(told::add);
+    chain.process(events(0, 10));
+    output.letGo.countDown();
+    results.close();
+    assertEquals(1, output.lines.size());
+    assertEquals(9, results.lost());
+    assertEquals(List.of("no network"), told);
   }
 
   @Test

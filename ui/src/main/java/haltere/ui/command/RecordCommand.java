@@ -101,14 +101,40 @@ final class RecordCommand extends Subcommand {
           all.stream().map(Recorded::run).toList(),
           cameras.durationS(),
           () -> all.stream().anyMatch(each -> each.recorder().endedEarly().isPresent()));
-    } finally {
-      for (Recorded recorded : all) {
-        recorded.camera().close();
-        recorded.recorder().close();
-        recorded.chain().close();
+      close(all);
+    } catch (IOException | RuntimeException problem) {
+      try {
+        close(all);
+      } catch (IOException | RuntimeException again) {
+        problem.addSuppressed(again);
       }
+      all.forEach(this::tellFiles);
+      throw problem;
     }
     return summary(all);
+  }
+
+  private static void close(List<Recorded> all) throws IOException {
+    for (Recorded recorded : all) {
+      recorded.camera().close();
+      recorded.recorder().close();
+      recorded.chain().close();
+    }
+  }
+
+  /** What a recording that failed has left. */
+  private void tellFiles(Recorded recorded) {
+    for (SessionRecorder.Part part : recorded.recorder().parts()) {
+      if (Files.exists(part.file())) {
+        message(
+            part.file()
+                + " holds "
+                + Quantities.events(part.report().written())
+                + " of "
+                + Quantities.count(part.report().received())
+                + " that came");
+      }
+    }
   }
 
   private Limits limits() {
