@@ -1,8 +1,8 @@
 package haltere.core.camera;
 
+import haltere.core.extension.Extensions;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.ServiceLoader;
 import java.util.stream.Collectors;
 
 /**
@@ -11,14 +11,6 @@ import java.util.stream.Collectors;
  * <p>Thread rule: all methods may be called from any thread.
  */
 public final class Cameras {
-  private static final class Found {
-    static final Cameras INSTALLED =
-        new Cameras(
-            ServiceLoader.load(CameraProvider.class).stream()
-                .map(ServiceLoader.Provider::get)
-                .toList());
-  }
-
   private final List<CameraProvider> providers;
 
   /**
@@ -36,7 +28,7 @@ public final class Cameras {
    * @return the same at every call
    */
   public static Cameras installed() {
-    return Found.INSTALLED;
+    return new Cameras(Extensions.find(CameraProvider.class));
   }
 
   /**

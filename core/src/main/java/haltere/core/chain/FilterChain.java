@@ -5,6 +5,7 @@ import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.event.SensorReading;
 import haltere.core.overlay.OverlayLayer;
+import haltere.core.settings.SettingsSchema;
 import haltere.core.stream.Reset;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
@@ -26,10 +27,11 @@ import java.util.concurrent.CopyOnWriteArrayList;
  * <p>Thread rule: all changes and all processing on one thread; {@link #stages()} and the numbers
  * in it may be read from any thread.
  */
-public final class FilterChain implements EventFilter, StreamHandler {
+public final class FilterChain implements EventFilter, StreamHandler, AutoCloseable {
   private final SensorGeometry geometry;
   private final CopyOnWriteArrayList<ChainStage> stages = new CopyOnWriteArrayList<>();
   private volatile long outsideSensor;
+  private volatile Thread busy;
   private long changes;
 
   /**
@@ -103,6 +105,7 @@ public final class FilterChain implements EventFilter, StreamHandler {
       throw new ChainProblem(
           "a chain for " + nested.geometry + " pixels does not fit into one for " + geometry);
     }
+    requireIdle();
     ChainStage stage = new ChainStage(freeName(kind), kind, filter, enabled);
     stages.add(position, stage);
     changes++;
@@ -185,6 +188,7 @@ public final class FilterChain implements EventFilter, StreamHandler {
    * @param enabled whether packets go through it
    */
   public void setEnabled(ChainStage stage, boolean enabled) {
+    requireIdle();
     if (!holds(stage)) {
       require(stage);
     }
@@ -234,10 +238,48 @@ public final class FilterChain implements EventFilter, StreamHandler {
     return false;
   }
 
+  /** Refuses to be changed or used while another thread is at work in it. */
+  private void requireIdle() {
+    Thread other = busy;
+    if (other != null && other != Thread.currentThread()) {
+      throw new ChainProblem(
+          "the chain is at work on the thread "
+              + other.getName()
+              + " and cannot be used from "
+              + Thread.currentThread().getName()
+              + "; queue changes with ChainRunner.edit or Player.edit");
+    }
+  }
+
   private void require(ChainStage stage) {
+    requireIdle();
     if (!stages.contains(stage)) {
       throw new ChainProblem("stage " + stage.name() + " is not in this chain");
     }
+  }
+
+  /**
+   * Gives a filter one new setting.
+   *
+   * @param stage name of a stage of this chain
+   * @param setting name of a setting, such as {@code output.rateHz}
+   * @param value its value, a number, a truth value, a text or an enum constant
+   * @throws ChainProblem if there is no such stage, or it takes no settings
+   * @throws haltere.core.settings.SettingsProblem if there is no such setting, or the value is
+   *     outside of its range
+   */
+  public void set(String stage, String setting, Object value) {
+    ChainStage found = stage(stage);
+    if (!(found.filter() instanceof ConfigurableFilter<?> configurable)) {
+      throw new ChainProblem("stage " + stage + " takes no settings");
+    }
+    apply(found, with(configurable.settings(), setting + "=" + value));
+  }
+
+  @SuppressWarnings("unchecked")
+  private static <S extends Record> S with(S settings, String assignment) {
+    return SettingsSchema.of((Class<S>) settings.getClass())
+        .withAssignments(settings, List.of(assignment));
   }
 
   /**
@@ -266,12 +308,25 @@ public final class FilterChain implements EventFilter, StreamHandler {
 
   @Override
   public void process(EventPacket packet) {
-    dropOutside(packet);
-    for (ChainStage stage : stages) {
-      if (stage.isEnabled()) {
-        stage.process(packet);
+    Thread before = enter();
+    try {
+      dropOutside(packet);
+      for (ChainStage stage : stages) {
+        if (stage.isEnabled()) {
+          stage.process(packet);
+        }
       }
+    } finally {
+      busy = before;
     }
+  }
+
+  /** Claims the chain for this thread; what is given back ends that. */
+  private Thread enter() {
+    requireIdle();
+    Thread before = busy;
+    busy = Thread.currentThread();
+    return before;
   }
 
   private void dropOutside(EventPacket packet) {
@@ -315,6 +370,15 @@ public final class FilterChain implements EventFilter, StreamHandler {
               + " pixels, the source has "
               + started.geometry());
     }
+    Thread before = enter();
+    try {
+      tell(notification);
+    } finally {
+      busy = before;
+    }
+  }
+
+  private void tell(StreamNotification notification) {
     FilterFailure first = null;
     for (ChainStage stage : stages) {
       try {

@@ -1,7 +1,9 @@
 package haltere.core.chain;
 
+import haltere.core.extension.Extensions;
+import java.util.Collections;
 import java.util.Map;
-import java.util.ServiceLoader;
+import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 
@@ -11,27 +13,6 @@ import java.util.stream.Collectors;
  * <p>Thread rule: all methods may be called from any thread.
  */
 public final class Filters {
-  private static final class Found {
-    static final Map<String, FilterProvider<?>> BY_NAME = load();
-
-    private static Map<String, FilterProvider<?>> load() {
-      Map<String, FilterProvider<?>> found = new TreeMap<>();
-      for (FilterProvider<?> provider : ServiceLoader.load(FilterProvider.class)) {
-        FilterProvider<?> other = found.putIfAbsent(provider.name(), provider);
-        if (other != null && other.getClass() != provider.getClass()) {
-          throw new IllegalStateException(
-              "two filters are named "
-                  + provider.name()
-                  + ": "
-                  + other.getClass().getName()
-                  + " and "
-                  + provider.getClass().getName());
-        }
-      }
-      return java.util.Collections.unmodifiableMap(found);
-    }
-  }
-
   private Filters() {}
 
   /**
@@ -40,7 +21,30 @@ public final class Filters {
    * @return by name, in alphabetical order
    */
   public static Map<String, FilterProvider<?>> all() {
-    return Found.BY_NAME;
+    Map<String, FilterProvider<?>> found = new TreeMap<>();
+    for (FilterProvider<?> provider : Extensions.find(FilterProvider.class)) {
+      fault(provider, found)
+          .ifPresentOrElse(
+              fault -> Extensions.problem(provider.getClass().getName() + " is left out: " + fault),
+              () -> found.put(provider.name(), provider));
+    }
+    return Collections.unmodifiableMap(found);
+  }
+
+  /** Why a filter cannot be used; those of the library are known by its tests. */
+  private static Optional<String> fault(
+      FilterProvider<?> provider, Map<String, FilterProvider<?>> found) {
+    if (found.containsKey(provider.name())) {
+      return Optional.of("another filter is named " + provider.name() + " too");
+    }
+    if (Extensions.isForeign(provider)) {
+      try {
+        provider.schema();
+      } catch (RuntimeException | LinkageError wrong) {
+        return Optional.of(wrong.getMessage());
+      }
+    }
+    return Optional.empty();
   }
 
   /**

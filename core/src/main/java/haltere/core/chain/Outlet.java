@@ -1,6 +1,7 @@
 package haltere.core.chain;
 
 import java.util.Objects;
+import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 
@@ -22,6 +23,7 @@ public final class Outlet<T> {
 
   private final String name;
   private final Class<T> type;
+  private final Optional<ResultOrder<T>> order;
   private final CopyOnWriteArrayList<Listener> listeners = new CopyOnWriteArrayList<>();
   private boolean runUp;
 
@@ -32,8 +34,20 @@ public final class Outlet<T> {
    * @param type class of the results
    */
   public Outlet(String name, Class<T> type) {
+    this(name, type, Optional.empty());
+  }
+
+  /**
+   * An outlet whose results are published out of their order.
+   *
+   * @param name lower case words joined by hyphens, unique within the filter
+   * @param type class of the results
+   * @param order in which a table has them; empty where it is that of publishing
+   */
+  public Outlet(String name, Class<T> type, Optional<ResultOrder<T>> order) {
     this.name = Objects.requireNonNull(name, "name");
     this.type = Objects.requireNonNull(type, "type");
+    this.order = Objects.requireNonNull(order, "order");
   }
 
   /**
@@ -55,6 +69,15 @@ public final class Outlet<T> {
   }
 
   /**
+   * The order in which a table has the results.
+   *
+   * @return empty where they are published in order
+   */
+  public Optional<ResultOrder<T>> order() {
+    return order;
+  }
+
+  /**
    * Whether anyone listens; a filter may skip making results that nobody takes.
    *
    * @return true with at least one subscriber
@@ -64,13 +87,26 @@ public final class Outlet<T> {
   }
 
   /**
-   * Listens to results, but not during a run-up, whose events come once more.
+   * Listens to results, but not during a run-up, whose events come once more. A subscriber that
+   * throws is dropped, and a line in the log of this class says so; the filter goes on.
    *
    * @param subscriber called on the processing thread for each result
    * @return ends the subscription when closed
    */
   public Subscription subscribe(Consumer<? super T> subscriber) {
-    return listen(subscriber, false);
+    return listen(subscriber, this::log, false);
+  }
+
+  /**
+   * Listens to results as {@link #subscribe(Consumer)}, and hears of a failure.
+   *
+   * @param subscriber called on the processing thread for each result
+   * @param failed takes what the subscriber threw, on the processing thread; must not throw
+   * @return ends the subscription when closed
+   */
+  public Subscription subscribe(
+      Consumer<? super T> subscriber, Consumer<? super RuntimeException> failed) {
+    return listen(subscriber, failed, false);
   }
 
   /**
@@ -80,13 +116,26 @@ public final class Outlet<T> {
    * @return ends the subscription when closed
    */
   public Subscription follow(Consumer<? super T> subscriber) {
-    return listen(subscriber, true);
+    return listen(subscriber, this::log, true);
   }
 
-  private Subscription listen(Consumer<? super T> subscriber, boolean inRunUps) {
-    Listener listener = new Listener(Objects.requireNonNull(subscriber, "subscriber"), inRunUps);
+  private Subscription listen(
+      Consumer<? super T> subscriber, Consumer<? super RuntimeException> failed, boolean inRunUps) {
+    Listener listener =
+        new Listener(
+            Objects.requireNonNull(subscriber, "subscriber"),
+            Objects.requireNonNull(failed, "failed"),
+            inRunUps);
     listeners.add(listener);
     return listener;
+  }
+
+  private void log(RuntimeException thrown) {
+    System.getLogger(Outlet.class.getName())
+        .log(
+            System.Logger.Level.ERROR,
+            () -> "a subscriber of " + name + " failed and gets no more results",
+            thrown);
   }
 
   void setRunUp(boolean on) {
@@ -101,7 +150,7 @@ public final class Outlet<T> {
   public void publish(T result) {
     for (Listener listener : listeners) {
       if (listener.inRunUps || !runUp) {
-        listener.subscriber.accept(result);
+        listener.take(result);
       }
     }
   }
@@ -109,11 +158,25 @@ public final class Outlet<T> {
   /** One subscription; the same subscriber may have several. */
   private final class Listener implements Subscription {
     final Consumer<? super T> subscriber;
+    final Consumer<? super RuntimeException> failed;
     final boolean inRunUps;
 
-    Listener(Consumer<? super T> subscriber, boolean inRunUps) {
+    Listener(
+        Consumer<? super T> subscriber,
+        Consumer<? super RuntimeException> failed,
+        boolean inRunUps) {
       this.subscriber = subscriber;
+      this.failed = failed;
       this.inRunUps = inRunUps;
+    }
+
+    void take(T result) {
+      try {
+        subscriber.accept(result);
+      } catch (RuntimeException thrown) {
+        close();
+        failed.accept(thrown);
+      }
     }
 
     @Override

@@ -5,6 +5,7 @@ import haltere.core.overlay.OverlayLayer;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * A filter with outlets, each declared in one line:
@@ -33,7 +34,23 @@ public abstract class PublishingFilter<S extends Record> implements Configurable
    * @return what the filter publishes to
    */
   protected final <T> Outlet<T> outlet(String name, Class<T> type) {
-    Outlet<T> made = new Outlet<>(name, type);
+    return add(new Outlet<>(name, type));
+  }
+
+  /**
+   * Declares an outlet whose results are published out of their order.
+   *
+   * @param name unique within the filter
+   * @param type class of the results
+   * @param order in which a table has them
+   * @param <T> type of the results
+   * @return the outlet
+   */
+  protected final <T> Outlet<T> outlet(String name, Class<T> type, ResultOrder<T> order) {
+    return add(new Outlet<>(name, type, Optional.of(order)));
+  }
+
+  private <T> Outlet<T> add(Outlet<T> made) {
     outlets.add(made);
     return made;
   }

@@ -24,10 +24,14 @@ import java.util.UUID;
  * <p>Thread rule: one thread at a time.
  */
 public final class AtomicFile implements Closeable, WritableByteChannel {
+  /** Ending of a file that is being written. */
+  public static final String PART = ".part";
+
   private final Path asked;
   private final Path target;
   private final Path temporary;
   private final boolean overwrite;
+  private final boolean durable;
   private final FileChannel channel;
   private final OutputStream stream;
   private boolean committed;
@@ -37,12 +41,14 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
       Path target,
       Path temporary,
       boolean overwrite,
+      boolean durable,
       FileChannel channel,
       OutputStream stream) {
     this.asked = asked;
     this.target = target;
     this.temporary = temporary;
     this.overwrite = overwrite;
+    this.durable = durable;
     this.channel = channel;
     this.stream = stream;
   }
@@ -55,7 +61,28 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
    * @return a file without a {@link #channel()}
    */
   public static AtomicFile on(Path name, OutputStream stream) {
-    return new AtomicFile(name, name, name, true, null, Objects.requireNonNull(stream, "stream"));
+    return new AtomicFile(
+        name, name, name, true, false, null, Objects.requireNonNull(stream, "stream"));
+  }
+
+  /**
+   * Starts to write a file that a later try, after this process was killed, writes anew: its
+   * temporary name is always the target's with {@code .part} behind it, and all of it is on the
+   * disk before it gets its name. A file that is there is replaced.
+   *
+   * @param target where the file will be, in a folder that only one process writes to
+   * @return an empty file
+   * @throws IOException if the file cannot be made
+   */
+  public static AtomicFile repeatable(Path target) throws IOException {
+    Path temporary = target.resolveSibling(target.getFileName() + PART);
+    FileChannel channel =
+        FileChannel.open(
+            temporary,
+            StandardOpenOption.CREATE,
+            StandardOpenOption.TRUNCATE_EXISTING,
+            StandardOpenOption.WRITE);
+    return new AtomicFile(target, target, temporary, true, true, channel, null);
   }
 
   /**
@@ -83,11 +110,11 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
     if (!Files.isDirectory(folder)) {
       throw new RecordingProblem(target, "its folder does not exist; make it first");
     }
-    Path temporary = folder.resolve("." + name + "." + UUID.randomUUID() + ".part");
+    Path temporary = folder.resolve("." + name + "." + UUID.randomUUID() + PART);
     try {
       FileChannel channel =
           FileChannel.open(temporary, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
-      return new AtomicFile(target, real, temporary, overwrite, channel, null);
+      return new AtomicFile(target, real, temporary, overwrite, false, channel, null);
     } catch (AccessDeniedException e) {
       throw new RecordingProblem(target, "no permission to write in its folder");
     } catch (IOException e) {
@@ -153,6 +180,9 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
       if (stream != null) {
         stream.flush();
       } else {
+        if (durable) {
+          channel.force(true);
+        }
         channel.close();
         refuseExisting(asked, overwrite);
         move();

@@ -37,6 +37,11 @@ final class RecordingFolder {
     return parts.isEmpty() ? List.of(onlyRecording(folder)) : parts;
   }
 
+  /** Whether a folder holds a bag in parts. */
+  static boolean isBag(Path folder) throws RecordingProblem {
+    return !partsOfBag(folder).isEmpty();
+  }
+
   private static List<Path> partsOfBag(Path folder) throws RecordingProblem {
     Path list = folder.resolve(BAG_LIST);
     List<Path> parts = new ArrayList<>();

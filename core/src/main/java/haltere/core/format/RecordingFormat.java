@@ -37,6 +37,16 @@ public interface RecordingFormat {
   Set<String> extensions();
 
   /**
+   * Whether files of other kinds often have the same endings, as tables of text do. In a folder,
+   * such a file is a recording only where its content says so.
+   *
+   * @return false if the ending alone makes a recording of a file
+   */
+  default boolean sharesExtensions() {
+    return false;
+  }
+
+  /**
    * Says whether a file is of this format, by its content.
    *
    * @param head start and end of the file

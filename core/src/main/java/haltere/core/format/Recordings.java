@@ -1,15 +1,16 @@
 package haltere.core.format;
 
+import haltere.core.extension.Extensions;
 import java.io.IOException;
 import java.nio.channels.ReadableByteChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.ServiceLoader;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 
@@ -19,18 +20,6 @@ import java.util.stream.Collectors;
  * <p>Thread rule: all methods may be called from any thread.
  */
 public final class Recordings {
-  private static final class Found {
-    static final Map<String, RecordingFormat> BY_NAME = load();
-
-    private static Map<String, RecordingFormat> load() {
-      Map<String, RecordingFormat> found = new TreeMap<>();
-      for (RecordingFormat format : ServiceLoader.load(RecordingFormat.class)) {
-        found.putIfAbsent(format.name(), format);
-      }
-      return java.util.Collections.unmodifiableMap(found);
-    }
-  }
-
   private Recordings() {}
 
   /**
@@ -39,7 +28,11 @@ public final class Recordings {
    * @return by name, in alphabetical order
    */
   public static Map<String, RecordingFormat> formats() {
-    return Found.BY_NAME;
+    Map<String, RecordingFormat> found = new TreeMap<>();
+    for (RecordingFormat format : Extensions.find(RecordingFormat.class)) {
+      found.putIfAbsent(format.name(), format);
+    }
+    return Collections.unmodifiableMap(found);
   }
 
   /**
@@ -121,6 +114,33 @@ public final class Recordings {
    */
   public static RecordingFormat detect(Path file) throws IOException {
     return formatOf(parts(file).get(0));
+  }
+
+  /**
+   * Whether a path looks like a recording: a file that a format knows by its content or, where no
+   * other kind of files has that {@link RecordingFormat#sharesExtensions() ending}, by its name; or
+   * the folder of a bag in parts.
+   *
+   * @param path any path
+   * @return false for a path that cannot be read, too
+   */
+  public static boolean isRecording(Path path) {
+    try {
+      if (Files.isDirectory(path)) {
+        return RecordingFolder.isBag(path);
+      }
+      if (!Files.isRegularFile(path) || !Files.isReadable(path)) {
+        return false;
+      }
+      FileHead head = FileHead.read(path);
+      return formats().values().stream()
+          .anyMatch(
+              format ->
+                  !format.sharesExtensions() && format.extensions().contains(head.extension())
+                      || format.probe(head).support() != Support.NONE);
+    } catch (IOException unreadable) {
+      return false;
+    }
   }
 
   private static RecordingReader openPart(Path file, ReadOptions options) throws IOException {

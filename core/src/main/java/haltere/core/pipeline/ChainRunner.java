@@ -13,6 +13,8 @@ import haltere.core.stream.StreamNotification;
 import haltere.core.stream.StreamStarted;
 import java.util.List;
 import java.util.Objects;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
@@ -22,7 +24,7 @@ import java.util.function.Predicate;
  * to the sinks behind it; counts what happens to every event. During a run-up, whose events came
  * before or will not be counted as played, only sinks that follow run-ups get the stream.
  *
- * <p>Thread rule: the processing thread only.
+ * <p>Thread rule: the processing thread only, but for {@link #edit}.
  */
 public final class ChainRunner implements StreamHandler {
   private final FilterChain chain;
@@ -31,6 +33,7 @@ public final class ChainRunner implements StreamHandler {
   private final Consumer<String> failures;
   private final List<StreamHandler> rawSinks = new CopyOnWriteArrayList<>();
   private final List<StreamHandler> sinks = new CopyOnWriteArrayList<>();
+  private final Queue<Consumer<FilterChain>> edits = new ConcurrentLinkedQueue<>();
   private final Predicate<StreamHandler> followsRunUps;
   private boolean runUp;
   private StreamStarted running;
@@ -100,6 +103,21 @@ public final class ChainRunner implements StreamHandler {
   }
 
   /**
+   * Changes the chain before its next packet or notification, on the processing thread.
+   *
+   * @param change what to do with the chain; may be asked for from any thread
+   */
+  public void edit(Consumer<FilterChain> change) {
+    edits.add(Objects.requireNonNull(change, "change"));
+  }
+
+  private void applyEdits() {
+    for (Consumer<FilterChain> edit = edits.poll(); edit != null; edit = edits.poll()) {
+      edit.accept(chain);
+    }
+  }
+
+  /**
    * Whether a stream runs.
    *
    * @return true between its start and its end
@@ -138,6 +156,7 @@ public final class ChainRunner implements StreamHandler {
 
   @Override
   public void packet(EventPacket packet) {
+    applyEdits();
     int in = packet.size();
     if (runUp) {
       counters.add(Counter.EVENTS_RUN_UP, in);
@@ -205,6 +224,7 @@ public final class ChainRunner implements StreamHandler {
 
   @Override
   public void notified(StreamNotification notification) {
+    applyEdits();
     if (notification instanceof StreamStarted started) {
       running = started;
     } else if (notification instanceof EndOfStream) {

@@ -1,8 +1,8 @@
 package haltere.core.simulation;
 
+import haltere.core.extension.Extensions;
 import java.util.Collections;
 import java.util.Map;
-import java.util.ServiceLoader;
 import java.util.TreeMap;
 
 /**
@@ -11,27 +11,6 @@ import java.util.TreeMap;
  * <p>Thread rule: all methods may be called from any thread.
  */
 public final class Scenes {
-  private static final class Found {
-    static final Map<String, SceneProvider<?>> BY_NAME = load();
-
-    private static Map<String, SceneProvider<?>> load() {
-      Map<String, SceneProvider<?>> found = new TreeMap<>();
-      for (SceneProvider<?> provider : ServiceLoader.load(SceneProvider.class)) {
-        SceneProvider<?> other = found.putIfAbsent(provider.name(), provider);
-        if (other != null && other.getClass() != provider.getClass()) {
-          throw new IllegalStateException(
-              "two scenes are named "
-                  + provider.name()
-                  + ": "
-                  + other.getClass().getName()
-                  + " and "
-                  + provider.getClass().getName());
-        }
-      }
-      return Collections.unmodifiableMap(found);
-    }
-  }
-
   private Scenes() {}
 
   /**
@@ -40,7 +19,19 @@ public final class Scenes {
    * @return by name, in alphabetical order
    */
   public static Map<String, SceneProvider<?>> all() {
-    return Found.BY_NAME;
+    Map<String, SceneProvider<?>> found = new TreeMap<>();
+    for (SceneProvider<?> provider : Extensions.find(SceneProvider.class)) {
+      SceneProvider<?> other = found.putIfAbsent(provider.name(), provider);
+      if (other != null) {
+        Extensions.problem(
+            "two scenes are named "
+                + provider.name()
+                + "; "
+                + provider.getClass().getName()
+                + " is left out");
+      }
+    }
+    return Collections.unmodifiableMap(found);
   }
 
   /**

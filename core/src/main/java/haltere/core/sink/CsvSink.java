@@ -53,11 +53,25 @@ public final class CsvSink<R extends Record> implements Consumer<R>, Closeable {
    */
   public static <R extends Record> CsvSink<R> create(Path file, Class<R> type, boolean overwrite)
       throws IOException {
-    AtomicFile atomic = AtomicFile.create(file, overwrite);
+    return of(AtomicFile.create(file, overwrite), type);
+  }
+
+  /**
+   * Starts a table in a file that was begun.
+   *
+   * @param <R> type of the rows
+   * @param file empty; owned by the table from now on
+   * @param type class of the rows
+   * @return an open table
+   * @throws IOException if the file cannot be given back after a failure
+   * @throws IllegalArgumentException if the type is not flat
+   */
+  public static <R extends Record> CsvSink<R> of(AtomicFile file, Class<R> type)
+      throws IOException {
     try {
-      return new CsvSink<>(atomic, atomic.stream(), type);
+      return new CsvSink<>(file, file.stream(), type);
     } catch (RuntimeException thrown) {
-      atomic.close();
+      file.close();
       throw thrown;
     }
   }

@@ -1,8 +1,8 @@
 package haltere.core.sink;
 
+import haltere.core.extension.Extensions;
 import java.io.IOException;
 import java.util.Map;
-import java.util.ServiceLoader;
 import java.util.TreeMap;
 
 /**
@@ -20,7 +20,7 @@ public final class LineOutputs {
    */
   public static Map<String, LineOutputProvider> all() {
     Map<String, LineOutputProvider> found = new TreeMap<>();
-    for (LineOutputProvider provider : ServiceLoader.load(LineOutputProvider.class)) {
+    for (LineOutputProvider provider : Extensions.find(LineOutputProvider.class)) {
       found.putIfAbsent(provider.scheme(), provider);
     }
     return found;

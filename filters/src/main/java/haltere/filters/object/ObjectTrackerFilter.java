@@ -3,12 +3,14 @@ package haltere.filters.object;
 import haltere.core.chain.NamedProvider;
 import haltere.core.chain.Outlet;
 import haltere.core.chain.PublishingFilter;
+import haltere.core.chain.ResultOrder;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.stream.EndOfStream;
 import haltere.core.stream.StreamNotification;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -31,7 +33,14 @@ public final class ObjectTrackerFilter extends PublishingFilter<ObjectTrackerSet
   /** How much older than the latest row those of an identity may be that is decided, seconds. */
   public static final double UNDECIDED_S = 2;
 
-  private final Outlet<ObjectTrack> tracks = outlet("objects", ObjectTrack.class);
+  private final Outlet<ObjectTrack> tracks =
+      outlet(
+          "objects",
+          ObjectTrack.class,
+          new ResultOrder<>(
+              Math.round(UNDECIDED_S * 1e6),
+              ObjectTrack::timeUs,
+              Comparator.comparingInt(ObjectTrack::id)));
   private final Outlet<ObjectSnapshot> snapshots =
       drawnOutlet("object-snapshot", ObjectSnapshot.class, "objects", new ObjectOverlay());
   private final Map<Integer, ArrayDeque<ObjectTrack>> paths = new HashMap<>();

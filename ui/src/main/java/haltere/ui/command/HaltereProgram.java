@@ -36,6 +36,7 @@ public final class HaltereProgram {
           "track",
           "wings",
           "orient",
+          "batch",
           "devices",
           "record",
           "simulate",
@@ -103,8 +104,11 @@ public final class HaltereProgram {
   int run(String... args) {
     int status;
     try {
+      for (String problem : ExtensionFolder.open(args, surroundings.environment())) {
+        surroundings.err().print("haltere: warning: " + problem + "\n");
+      }
       status = commandLine(args).execute(args);
-    } catch (Error failure) {
+    } catch (CommandProblem | IOException | Error failure) {
       status = failed(failure, List.of(args).contains("--debug"));
     }
     surroundings.out().flush();
@@ -167,6 +171,7 @@ public final class HaltereProgram {
       case "track" -> new TrackCommand(surroundings);
       case "wings" -> new WingsCommand(surroundings);
       case "orient" -> new OrientCommand(surroundings);
+      case "batch" -> new BatchCommand(surroundings);
       case "simulate" -> new SimulateCommand(surroundings);
       case "scenes" -> new ScenesCommand(surroundings);
       case "filters" -> new FiltersCommand(surroundings);

@@ -1,9 +1,19 @@
 package haltere.ui.command;
 
+import java.nio.file.Path;
 import picocli.CommandLine.Option;
 
 /** Options that every command has. */
 final class MessageOptions {
+  @Option(
+      names = ExtensionFolder.OPTION,
+      order = 999,
+      paramLabel = "FOLDER",
+      description =
+          "Where jars with more filters, formats and scenes are; if not given: $HALTERE_EXTENSIONS,"
+              + " or the folder extensions beside the settings.")
+  Path extensions;
+
   @Option(
       names = "--quiet",
       order = 1000,

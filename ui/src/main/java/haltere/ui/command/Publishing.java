@@ -1,9 +1,9 @@
 package haltere.ui.command;
 
+import haltere.core.pipeline.JobResults;
 import haltere.core.pipeline.LiveResults;
 import haltere.core.stream.StreamHandler;
 import haltere.ui.command.terminal.Quantities;
-import java.io.Closeable;
 import java.io.InterruptedIOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -13,7 +13,7 @@ import java.util.List;
  *
  * <p>Thread rule: the command's thread.
  */
-final class Publishing implements Closeable {
+final class Publishing implements JobResults {
   private static final long LOOK_MS = 5;
 
   private final Subcommand command;
@@ -44,16 +44,19 @@ final class Publishing implements Closeable {
     }
   }
 
-  /** These go behind the chain. */
-  List<StreamHandler> sinks() {
+  @Override
+  public List<StreamHandler> sinks() {
     return List.copyOf(open);
   }
 
-  /** These and another one. */
-  List<StreamHandler> sinksAnd(StreamHandler other) {
-    List<StreamHandler> all = new ArrayList<>(open);
-    all.add(other);
-    return all;
+  @Override
+  public void finish() {
+    // each line was sent as it came
+  }
+
+  @Override
+  public List<ResultFile> files() {
+    return List.of();
   }
 
   @Override

@@ -1,13 +1,11 @@
 package haltere.ui.command;
 
-import haltere.core.event.Origin;
-import haltere.core.event.SensorGeometry;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.Recordings;
-import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
+import haltere.core.pipeline.RecordingJob;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -17,7 +15,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /** Options of every command that reads a recording. */
-final class ReadingOptions {
+final class ReadingOptions extends SourceOptions {
   @Spec(Spec.Target.MIXEE)
   CommandSpec command;
 
@@ -26,32 +24,6 @@ final class ReadingOptions {
       paramLabel = "NAME",
       description = "Read the recording as this format, whatever it looks like.")
   String format;
-
-  @Option(
-      names = "--sensor",
-      paramLabel = "WxH",
-      converter = SensorConverter.class,
-      description = "The sensor's size where the file does not state it, such as 346x260.")
-  SensorGeometry sensor;
-
-  @Option(
-      names = "--rows",
-      paramLabel = "top|bottom",
-      description =
-          "Where rows count from in a text, NumPy or HDF5 recording that does not say it; top if"
-              + " not given.")
-  Origin rows;
-
-  @Option(
-      names = "--topic",
-      paramLabel = "NAME",
-      description = "Which of several topics of events in a bag is read, such as /dvs/events.")
-  String topic;
-
-  @Option(
-      names = "--strict",
-      description = "A recording that is cut off or damaged is an error (status 1).")
-  boolean strict;
 
   @Option(
       names = "--index",
@@ -75,14 +47,8 @@ final class ReadingOptions {
               + "; there are "
               + String.join(", ", Recordings.formats().keySet()));
     }
-    return new ReadOptions(
-        Optional.ofNullable(sensor),
-        Optional.ofNullable(format),
-        Optional.ofNullable(topic),
-        Optional.ofNullable(rows),
-        ReadOptions.DEFAULT.packetEvents(),
-        false,
-        index);
+    ReadOptions options = apply(ReadOptions.DEFAULT).withKeptIndex(index);
+    return format == null ? options : options.withFormat(format);
   }
 
   RecordingReader open(Path file) throws IOException {
@@ -94,7 +60,8 @@ final class ReadingOptions {
     return open(file, readOptions().withReadings(true));
   }
 
-  private RecordingReader open(Path file, ReadOptions options) throws IOException {
+  /** A reader of a file or of standard input. */
+  RecordingReader open(Path file, ReadOptions options) throws IOException {
     if (index && isStandard(file)) {
       throw new ParameterException(command.commandLine(), "--index is about files");
     }
@@ -138,14 +105,10 @@ final class ReadingOptions {
    */
   Optional<RecordingProblem> objection(Path file, ViolationCounts violations) {
     if (strict) {
-      for (Violation kind : Violation.values()) {
-        if (kind.isDamage() && kind != Violation.CLOCK_WENT_BACK && violations.count(kind) > 0) {
-          return Optional.of(
-              new RecordingProblem(
-                  file,
-                  violations.firstOffset(kind),
-                  kind.sentence() + "; leave out --strict to use what is whole"));
-        }
+      try {
+        RecordingJob.requireWhole(file, violations);
+      } catch (RecordingProblem objection) {
+        return Optional.of(objection);
       }
     }
     return Optional.empty();

@@ -7,34 +7,26 @@ import haltere.core.chain.FilterChain;
 import haltere.core.chain.FilterTiming;
 import haltere.core.chain.Outlet;
 import haltere.core.event.SensorGeometry;
-import haltere.core.format.ReadingCounts;
+import haltere.core.format.AtomicFile;
+import haltere.core.format.RecordingFormat;
 import haltere.core.format.RecordingReader;
-import haltere.core.format.RecordingWriter;
 import haltere.core.format.Recordings;
-import haltere.core.format.Violation;
-import haltere.core.pipeline.OverflowPolicy;
-import haltere.core.pipeline.Pipeline;
-import haltere.core.pipeline.PipelineCounters;
-import haltere.core.pipeline.Recorder;
-import haltere.core.pipeline.RecorderReport;
+import haltere.core.pipeline.JobReport;
+import haltere.core.pipeline.JobResults;
+import haltere.core.pipeline.OutletTables;
+import haltere.core.pipeline.RecordingJob;
 import haltere.core.pipeline.SessionRecorder;
 import haltere.core.pipeline.SessionRecorder.Limits;
 import haltere.core.playback.PacedSource;
 import haltere.core.playback.PlaybackClock;
 import haltere.core.playback.Sleeper;
 import haltere.core.stream.EventSource;
-import haltere.core.stream.StreamHandler;
-import haltere.ui.command.results.OutletTables;
-import haltere.ui.command.terminal.ProgressBar;
-import haltere.ui.command.terminal.Quantities;
 import java.io.IOException;
 import java.nio.charset.CharacterCodingException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import picocli.CommandLine.Command;
@@ -107,69 +99,35 @@ final class RunCommand extends Subcommand {
       runCamera();
       return OK;
     }
-    try (RecordingReader reader = reading.openWithReadings(file)) {
-      FilterChain chain = chain(reader.geometry());
-      try {
-        if (out == null) {
-          run(reader, chain, null);
-          reading.requireWhole(reader);
-          warnings(reader);
-        } else {
-          runAndWrite(reader, chain);
-        }
-      } finally {
-        chain.close();
-      }
-      summary(chain);
-    }
+    RecordingJob job =
+        RecordingJob.of(file, this::chain, this::results)
+            .reading(reading.readOptions().withReadings(true), reading.strict)
+            .opened(reading::open)
+            .paced(this::paced);
+    summary(run(job, "filtering", file).stages());
     return OK;
   }
 
   private void runCamera() throws IOException {
-    Camera camera = cameras.open(cameras.devices.get(0), out != null);
-    FilterChain chain = null;
-    try (Publishing published = new Publishing(this)) {
-      chain = chain(camera.geometry());
-      List<StreamHandler> sinks = new ArrayList<>(publishing.open(chain, published).sinks());
+    try (Camera camera = cameras.open(cameras.devices.get(0), out != null);
+        FilterChain chain = chain(camera.geometry())) {
       if (out == null) {
-        runCamera(camera, chain, sinks);
+        LiveRun.run(this, camera, chain, () -> publishing.open(chain, this), cameras.durationS());
       } else {
-        recordCamera(camera, chain, sinks);
-      }
-      summary(chain);
-    } finally {
-      camera.close();
-      if (chain != null) {
-        chain.close();
-      }
-    }
-  }
-
-  private void runCamera(Camera camera, FilterChain chain, List<StreamHandler> sinks)
-      throws IOException {
-    LiveRun run = new LiveRun(this, camera, chain, sinks);
-    LiveRun.run(List.of(run), cameras.durationS());
-    run.summary();
-  }
-
-  private void recordCamera(Camera camera, FilterChain chain, List<StreamHandler> sinks)
-      throws IOException {
-    checkTables(chain);
-    try (SessionRecorder recorder =
+        SessionRecorder recorder =
             writing.session(out, camera, () -> Optional.of(ChainFile.write(chain)), Limits.USUAL);
-        OutletTables tables = OutletTables.open(chain, this::table, writing.overwrite)) {
-      sinks.add(recorder);
-      runCamera(camera, chain, sinks);
-      tables.finish();
-      for (SessionRecorder.Part part : recorder.finish()) {
-        message("wrote " + part.file() + " (" + Quantities.events(part.report().written()) + ")");
+        LiveRun.run(
+            this,
+            camera,
+            chain,
+            () ->
+                JobResults.all(
+                    () -> publishing.open(chain, this),
+                    () -> new SessionResults(this, recorder),
+                    () -> tables(chain)),
+            cameras.durationS());
       }
-      RecordingWritingOptions.endedEarly(recorder).ifPresent(this::failedBeside);
-      tables
-          .rows()
-          .forEach(
-              (table, count) ->
-                  message("wrote " + table + " (" + Quantities.count(count) + " rows)"));
+      summary(JobReport.stages(chain));
     }
   }
 
@@ -181,39 +139,22 @@ final class RunCommand extends Subcommand {
     }
   }
 
-  private void runAndWrite(RecordingReader reader, FilterChain chain) throws IOException {
+  private JobResults results(RecordingReader reader, FilterChain chain) throws IOException {
+    if (out == null) {
+      return publishing.open(chain, this);
+    }
     checkTables(chain);
-    Map<Path, Long> rows;
-    Passed passed;
-    RecorderReport report;
-    RecordingWriter writer = writing.create(out, Recordings.forWriting(out), reader);
-    try (Recorder recorder = new Recorder(writer, reader.geometry(), OverflowPolicy.BLOCK);
-        OutletTables tables = OutletTables.open(chain, this::table, writing.overwrite)) {
-      passed = run(reader, chain, recorder);
-      reading.requireWhole(reader);
-      tables.finish();
-      report = recorder.finish();
-      for (String loss : writer.losses()) {
-        warning(out + ": " + loss);
-      }
-      rows = tables.rows();
-    }
-    boolean readings = !passed.readings().isEmpty();
-    warnings(reader, readings ? Set.of(Violation.OTHER_DATA) : Set.of());
-    ReadingCounts leftOut = report.readingsLeftOut();
-    if (!leftOut.isEmpty()) {
-      warning(file + ": " + leftOut + " were left out: the format of " + out + " cannot hold them");
-    }
-    ReadingCounts written = passed.readings().minus(leftOut);
-    message(
-        "wrote "
-            + out
-            + " ("
-            + Quantities.events(passed.events())
-            + (written.isEmpty() ? "" : ", " + written)
-            + ")");
-    rows.forEach(
-        (table, count) -> message("wrote " + table + " (" + Quantities.count(count) + " rows)"));
+    RecordingFormat format = Recordings.forWriting(out);
+    return JobResults.all(
+        () -> publishing.open(chain, this),
+        () -> new WrittenRecording(this, reader, out, writing.create(out, format, reader)),
+        () -> tables(chain));
+  }
+
+  private JobResults tables(FilterChain chain) throws IOException {
+    checkTables(chain);
+    return OutletTables.open(
+        chain, this::table, table -> AtomicFile.create(table, writing.overwrite));
   }
 
   private void checkTables(FilterChain chain) throws IOException {
@@ -238,21 +179,6 @@ final class RunCommand extends Subcommand {
     return out.resolveSibling(stem + "." + stage.name() + "." + outlet.name() + ".csv");
   }
 
-  /** What a chain left of a recording. */
-  private record Passed(long events, ReadingCounts readings) {}
-
-  /** Runs the whole recording through the chain. */
-  private Passed run(RecordingReader reader, FilterChain chain, Recorder recorder)
-      throws IOException {
-    try (ProgressBar bar = progressBar("filtering", file);
-        Publishing published = publishing.open(chain, this)) {
-      PipelineCounters counters = new PipelineCounters();
-      WritingSink sink = new WritingSink(reader, recorder, bar, counters);
-      Pipeline.run(paced(reader), chain, published.sinksAnd(sink), counters);
-      return new Passed(counters.get(PipelineCounters.Counter.EVENTS_OUT), sink.readings());
-    }
-  }
-
   private EventSource paced(EventSource source) {
     if (Double.isInfinite(speed)) {
       return source;
@@ -262,17 +188,17 @@ final class RunCommand extends Subcommand {
     return new PacedSource(source, clock);
   }
 
-  private void summary(FilterChain chain) {
+  private void summary(List<JobReport.Stage> stages) {
     result(
         String.format(
             Locale.ROOT, "%-24s %14s %14s %8s %12s", "stage", "in", "out", "kept", "ns/event"));
-    for (ChainStage stage : chain.stages()) {
+    for (JobReport.Stage stage : stages) {
       FilterTiming timing = stage.timing();
       result(
           String.format(
               Locale.ROOT,
               "%-24s %,14d %,14d %6.1f %% %12.1f",
-              stage.name() + (stage.isEnabled() ? "" : " (off)"),
+              stage.name() + (stage.enabled() ? "" : " (off)"),
               timing.eventsIn(),
               timing.eventsOut(),
               timing.eventsIn() == 0 ? 0 : 100.0 * timing.eventsOut() / timing.eventsIn(),

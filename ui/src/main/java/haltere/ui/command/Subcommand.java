@@ -4,8 +4,12 @@ import haltere.core.camera.Camera;
 import haltere.core.chain.FilterProvider;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.Violation;
+import haltere.core.pipeline.JobReport;
+import haltere.core.pipeline.JobResults;
+import haltere.core.pipeline.RecordingJob;
 import haltere.ui.command.terminal.LiveStatus;
 import haltere.ui.command.terminal.ProgressBar;
+import haltere.ui.command.terminal.Quantities;
 import haltere.ui.command.terminal.StandardOutput;
 import haltere.ui.command.terminal.TerminalLine;
 import java.io.FilterOutputStream;
@@ -149,6 +153,32 @@ abstract class Subcommand implements Callable<Integer> {
 
   ProgressBar progressBar(String verb, Path file) {
     return progressBar(verb + " " + file.getFileName());
+  }
+
+  /** Runs a job with a progress bar, and says what was written and what was wrong. */
+  JobReport run(RecordingJob job, String verb, Path file) throws IOException {
+    JobReport report;
+    try (ProgressBar bar = progressBar(verb, file)) {
+      report =
+          job.telling(
+                  (events, done, total) -> {
+                    bar.events(events);
+                    bar.progress(done, total);
+                  })
+              .run();
+    }
+    wrote(report.files());
+    for (String warning : report.warnings()) {
+      warning(file + ": " + warning);
+    }
+    return report;
+  }
+
+  /** Says which tables were written. */
+  void wrote(List<JobResults.ResultFile> files) {
+    for (JobResults.ResultFile written : files) {
+      message("wrote " + written.path() + " (" + Quantities.count(written.rows()) + " rows)");
+    }
   }
 
   /** Opens the viewer and waits until it is closed. */

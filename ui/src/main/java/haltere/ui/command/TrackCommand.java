@@ -6,10 +6,10 @@ import haltere.core.chain.ChainStage;
 import haltere.core.chain.ConfigurableFilter;
 import haltere.core.chain.FilterChain;
 import haltere.core.chain.Filters;
+import haltere.core.chain.ResultOrder;
 import haltere.core.event.SensorGeometry;
-import haltere.core.format.RecordingReader;
-import haltere.core.pipeline.Pipeline;
-import haltere.core.pipeline.PipelineCounters;
+import haltere.core.pipeline.JobResults;
+import haltere.core.pipeline.RecordingJob;
 import haltere.core.settings.SettingsProblem;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.sink.CsvSink;
@@ -23,10 +23,9 @@ import haltere.filters.road.ObjectsOnPlane;
 import haltere.filters.track.KalmanTracksFilter;
 import haltere.filters.track.KalmanTracksSettings;
 import haltere.filters.track.TrackPoint;
+import haltere.ui.command.results.ResultFiles;
 import haltere.ui.command.results.RoadObjectRow;
 import haltere.ui.command.results.RoadTrackRow;
-import haltere.ui.command.terminal.ProgressBar;
-import haltere.ui.command.terminal.Quantities;
 import java.io.IOException;
 import java.nio.charset.CharacterCodingException;
 import java.nio.file.Path;
@@ -51,11 +50,6 @@ import picocli.CommandLine.Parameters;
 final class TrackCommand extends Subcommand {
   private static final String OBJECTS = "object-tracker";
   private static final String CLUSTERS = "kalman-tracks";
-
-  /** Runs what is to be tracked through a chain, to its end. */
-  private interface Feed {
-    void run(FilterChain chain) throws IOException;
-  }
 
   @Parameters(
       index = "0",
@@ -169,34 +163,24 @@ final class TrackCommand extends Subcommand {
       }
     }
     if (cameras.given()) {
-      trackCamera();
+      try (Camera camera = cameras.open(cameras.devices.get(0), false);
+          FilterChain chain = chain(camera.geometry())) {
+        LiveRun.run(this, camera, chain, () -> results(chain), cameras.durationS());
+      }
     } else {
-      trackRecording();
+      run(
+          RecordingJob.of(file, this::chain, (reader, chain) -> results(chain))
+              .reading(reading.readOptions(), reading.strict)
+              .opened(reading::open),
+          "tracking",
+          file);
     }
     return OK;
   }
 
-  private void trackRecording() throws IOException {
-    try (RecordingReader reader = reading.open(file)) {
-      FilterChain chain = chain(reader.geometry());
-      try {
-        track(chain, whole -> run(reader, whole));
-      } finally {
-        chain.close();
-      }
-      warnings(reader);
-    }
-  }
-
-  private void trackCamera() throws IOException {
-    try (Camera camera = cameras.open(cameras.devices.get(0), false)) {
-      FilterChain chain = chain(camera.geometry());
-      try {
-        track(chain, whole -> run(camera, whole));
-      } finally {
-        chain.close();
-      }
-    }
+  private JobResults results(FilterChain chain) throws IOException {
+    // the tracker that is added is published too
+    return JobResults.all(() -> tables(chain), () -> publishing.open(chain, this));
   }
 
   private List<Path> inputs() {
@@ -246,61 +230,55 @@ final class TrackCommand extends Subcommand {
     return found;
   }
 
-  private void track(FilterChain chain, Feed feed) throws IOException {
+  private JobResults tables(FilterChain chain) throws IOException {
     ObjectTrackerFilter objects = last(chain, ObjectTrackerFilter.class);
     KalmanTracksFilter clusters = last(chain, KalmanTracksFilter.class);
     if (objects == null && clusters != null) {
-      trackClusters(clusters, chain, feed);
-      return;
+      return ResultFiles.open(writing.overwrite, files -> trackClusters(clusters, files));
     }
+    ObjectTrackerFilter tracker =
+        objects == null
+            ? new ObjectTrackerFilter(chain.geometry(), ObjectTrackerSettings.defaults())
+            : objects;
     if (objects == null) {
-      objects = new ObjectTrackerFilter(chain.geometry(), ObjectTrackerSettings.defaults());
-      chain.add(OBJECTS, objects);
+      chain.add(OBJECTS, tracker);
     }
-    objects.apply(assigned(ObjectTrackerSettings.class, objects.settings(), "reportRateHz"));
+    tracker.apply(assigned(ObjectTrackerSettings.class, tracker.settings(), "reportRateHz"));
+    return ResultFiles.open(
+        writing.overwrite, files -> trackObjects(tracker, chain.geometry(), files));
+  }
+
+  private void trackObjects(ObjectTrackerFilter objects, SensorGeometry geometry, ResultFiles files)
+      throws IOException {
     RoadFile road = road();
     if (road == null) {
-      try (CsvSink<ObjectTrack> table = CsvSink.create(out, ObjectTrack.class, writing.overwrite)) {
-        run(objects, chain, feed, table);
-        finish(table, out);
-      }
+      subscribe(objects, files, files.table(out, ObjectTrack.class));
       return;
     }
-    ObjectsOnPlane onRoad = road.objects(chain.geometry());
-    try (CsvSink<RoadObjectRow> table =
-            CsvSink.create(out, RoadObjectRow.class, writing.overwrite);
-        CsvSink<LineCrossing> counts = counts()) {
-      Consumer<PlanePoint> counter = counter(road, counts);
-      run(
-          objects,
-          chain,
-          feed,
-          track ->
-              onRoad
-                  .locate(track)
-                  .ifPresent(
-                      point -> {
-                        table.accept(RoadObjectRow.of(track, point, road.lanes()));
-                        counter.accept(point);
-                      }));
-      finish(table, out);
-      if (counts != null) {
-        finish(counts, crossings);
-      }
-    }
+    ObjectsOnPlane onRoad = road.objects(geometry);
+    CsvSink<RoadObjectRow> table = files.table(out, RoadObjectRow.class);
+    Consumer<PlanePoint> counter = counter(road, files);
+    subscribe(
+        objects,
+        files,
+        track ->
+            onRoad
+                .locate(track)
+                .ifPresent(
+                    point -> {
+                      table.accept(RoadObjectRow.of(track, point, road.lanes()));
+                      counter.accept(point);
+                    }));
   }
 
-  private static void run(
-      ObjectTrackerFilter objects, FilterChain chain, Feed feed, Consumer<ObjectTrack> sink)
-      throws IOException {
-    OrderedTracks ordered = new OrderedTracks(sink);
-    objects.tracks().subscribe(ordered);
-    feed.run(chain);
-    ordered.finish();
+  private static void subscribe(
+      ObjectTrackerFilter objects, ResultFiles files, Consumer<ObjectTrack> rows) {
+    ResultOrder.Sorter<ObjectTrack> sorter = objects.tracks().order().orElseThrow().to(rows);
+    files.subscribe(objects.tracks(), sorter);
+    files.addFirst(sorter::finish);
   }
 
-  private void trackClusters(KalmanTracksFilter tracks, FilterChain chain, Feed feed)
-      throws IOException {
+  private void trackClusters(KalmanTracksFilter tracks, ResultFiles files) throws IOException {
     KalmanTracksSettings settings = start == null ? tracks.settings() : start;
     RoadFile road = road();
     if (road != null) {
@@ -308,39 +286,23 @@ final class TrackCommand extends Subcommand {
     }
     tracks.apply(assigned(KalmanTracksSettings.class, settings, "clusters.output.reportRateHz"));
     if (road == null) {
-      try (CsvSink<TrackPoint> table = CsvSink.create(out, TrackPoint.class, writing.overwrite)) {
-        tracks.points().subscribe(table);
-        feed.run(chain);
-        finish(table, out);
-      }
+      files.subscribe(tracks.points(), files.table(out, TrackPoint.class));
       return;
     }
-    try (CsvSink<RoadTrackRow> table = CsvSink.create(out, RoadTrackRow.class, writing.overwrite);
-        CsvSink<LineCrossing> counts = counts()) {
-      // A track's position in the picture is published before its position on the road.
-      TrackPoint[] inPicture = new TrackPoint[1];
-      tracks.points().subscribe(point -> inPicture[0] = point);
-      tracks
-          .roadPoints()
-          .subscribe(onRoad -> table.accept(RoadTrackRow.of(inPicture[0], onRoad, road.lanes())));
-      tracks.roadPoints().subscribe(counter(road, counts));
-      feed.run(chain);
-      finish(table, out);
-      if (counts != null) {
-        finish(counts, crossings);
-      }
-    }
+    CsvSink<RoadTrackRow> table = files.table(out, RoadTrackRow.class);
+    // A track's position in the picture is published before its position on the road.
+    TrackPoint[] inPicture = new TrackPoint[1];
+    files.subscribe(tracks.points(), point -> inPicture[0] = point);
+    files.subscribe(
+        tracks.roadPoints(),
+        onRoad -> table.accept(RoadTrackRow.of(inPicture[0], onRoad, road.lanes())));
+    files.subscribe(tracks.roadPoints(), counter(road, files));
   }
 
-  /** The table of crossings, or null if none is wanted. */
-  private CsvSink<LineCrossing> counts() throws IOException {
+  private Consumer<PlanePoint> counter(RoadFile road, ResultFiles files) throws IOException {
     return crossings == null
-        ? null
-        : CsvSink.create(crossings, LineCrossing.class, writing.overwrite);
-  }
-
-  private static Consumer<PlanePoint> counter(RoadFile road, CsvSink<LineCrossing> counts) {
-    return counts == null ? point -> {} : new LineCounter(road.lanes(), road.lines(), counts);
+        ? point -> {}
+        : new LineCounter(road.lanes(), road.lines(), files.table(crossings, LineCrossing.class));
   }
 
   private <S extends Record> S assigned(Class<S> type, S settings, String rate) {
@@ -350,29 +312,6 @@ final class TrackCommand extends Subcommand {
       return SettingsSchema.of(type).withAssignments(settings, all);
     } catch (SettingsProblem problem) {
       throw wrongArguments(problem.getMessage());
-    }
-  }
-
-  private void finish(CsvSink<?> table, Path path) throws IOException {
-    table.finish();
-    message("wrote " + path + " (" + Quantities.count(table.rows()) + " rows)");
-  }
-
-  private void run(RecordingReader reader, FilterChain chain) throws IOException {
-    try (ProgressBar bar = progressBar("tracking", file);
-        Publishing published = publishing.open(chain, this)) {
-      PipelineCounters counters = new PipelineCounters();
-      WritingSink progress = new WritingSink(reader, null, bar, counters);
-      Pipeline.run(reader, chain, published.sinksAnd(progress), counters);
-    }
-    reading.requireWhole(reader);
-  }
-
-  private void run(Camera camera, FilterChain chain) throws IOException {
-    try (Publishing published = publishing.open(chain, this)) {
-      LiveRun run = new LiveRun(this, camera, chain, published.sinks());
-      LiveRun.run(List.of(run), cameras.durationS());
-      run.summary();
     }
   }
 }

@@ -3,12 +3,10 @@ package haltere.ui.command;
 import haltere.core.camera.Camera;
 import haltere.core.chain.FilterChain;
 import haltere.core.event.SensorGeometry;
-import haltere.core.format.RecordingReader;
 import haltere.core.json.Json;
-import haltere.core.pipeline.Pipeline;
-import haltere.core.pipeline.PipelineCounters;
+import haltere.core.pipeline.JobResults;
+import haltere.core.pipeline.RecordingJob;
 import haltere.core.settings.SettingsProblem;
-import haltere.core.sink.CsvSink;
 import haltere.core.stream.StreamHandler;
 import haltere.filters.wing.WingBeat;
 import haltere.filters.wing.WingEstimate;
@@ -16,13 +14,11 @@ import haltere.filters.wing.WingMethod;
 import haltere.filters.wing.WingPair;
 import haltere.filters.wing.WingTrackerSettings;
 import haltere.filters.wing.tracker.WingTrackerFilter;
+import haltere.ui.command.results.ResultFiles;
 import haltere.ui.command.results.TextFile;
 import haltere.ui.command.results.WingsSummary;
-import haltere.ui.command.terminal.ProgressBar;
-import haltere.ui.command.terminal.Quantities;
 import haltere.ui.wing.WingLog;
 import haltere.ui.wing.WingLogFormat;
-import java.io.Closeable;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -44,10 +40,7 @@ import picocli.CommandLine.Parameters;
           + " estimate at that time from events up to that time only."
     })
 final class WingsCommand extends Subcommand {
-  /** Runs what is to be tracked through a chain to sinks, to its end. */
-  private interface Feed {
-    void run(FilterChain chain, List<StreamHandler> sinks) throws IOException;
-  }
+  private static final String TRACKER = "wing-tracker";
 
   @Parameters(
       index = "0",
@@ -133,6 +126,8 @@ final class WingsCommand extends Subcommand {
   @Option(names = "--overwrite", description = "Replace output files that exist.")
   boolean overwrite;
 
+  private WingsSummary summary;
+
   WingsCommand(Surroundings surroundings) {
     super(surroundings);
   }
@@ -145,47 +140,62 @@ final class WingsCommand extends Subcommand {
     logFormat();
     checkOutputs();
     if (cameras.given()) {
-      try (Camera camera = cameras.open(cameras.devices.get(0), false)) {
-        track(camera.geometry(), settings, (chain, sinks) -> run(camera, chain, sinks));
+      try (Camera camera = cameras.open(cameras.devices.get(0), false);
+          FilterChain chain = chain(camera.geometry(), settings)) {
+        LiveRun.run(this, camera, chain, () -> results(chain), cameras.durationS());
       }
-      return OK;
+    } else {
+      run(
+          RecordingJob.of(
+                  file, sensor -> chain(sensor, settings), (reader, chain) -> results(chain))
+              .reading(reading.readOptions(), reading.strict)
+              .opened(reading::open),
+          "tracking",
+          file);
     }
-    try (RecordingReader reader = reading.open(file)) {
-      track(reader.geometry(), settings, (chain, sinks) -> run(reader, chain, sinks));
-      warnings(reader);
-    }
+    summary.lines().forEach(this::result);
     return OK;
   }
 
-  private void track(SensorGeometry sensor, WingTrackerSettings settings, Feed feed)
-      throws IOException {
-    WingTrackerFilter filter = new WingTrackerFilter(sensor, settings);
+  private static FilterChain chain(SensorGeometry sensor, WingTrackerSettings settings) {
     FilterChain chain = new FilterChain(sensor);
-    chain.add("wing-tracker", filter);
-    WingsSummary summary = new WingsSummary(filter, settings.output().rateHz());
-    try {
-      run(feed, chain, filter, summary);
-    } finally {
-      chain.close();
-    }
-    summary.lines().forEach(this::result);
+    chain.add(TRACKER, new WingTrackerFilter(sensor, settings));
+    return chain;
   }
 
-  private void run(RecordingReader reader, FilterChain chain, List<StreamHandler> sinks)
+  private JobResults results(FilterChain chain) throws IOException {
+    return JobResults.all(() -> publishing.open(chain, this), () -> files(chain));
+  }
+
+  private JobResults files(FilterChain chain) throws IOException {
+    WingTrackerFilter filter = (WingTrackerFilter) chain.stage(TRACKER).filter();
+    summary = new WingsSummary(filter, filter.settings().output().rateHz());
+    return ResultFiles.open(
+        overwrite,
+        files -> {
+          table(chain, files, "estimates", WingEstimate.class, out);
+          table(chain, files, "beats", WingBeat.class, beats);
+          table(chain, files, "pairs", WingPair.class, pairs);
+          if (log != null) {
+            String source = file == null ? cameras.devices.get(0) : file.getFileName().toString();
+            WingLog wingLog = WingLog.open(log, source, filter, logFormat(), overwrite);
+            files.add(wingLog, wingLog::finish);
+          }
+          summary.listenTo(chain);
+          files.add((StreamHandler) summary);
+          if (geometry != null) {
+            files.add(
+                () -> TextFile.write(geometry, Json.write(summary.geometry()) + "\n", overwrite));
+          }
+        });
+  }
+
+  private static <R extends Record> void table(
+      FilterChain chain, ResultFiles files, String outlet, Class<R> type, Path file)
       throws IOException {
-    try (ProgressBar bar = progressBar("tracking", file)) {
-      PipelineCounters counters = new PipelineCounters();
-      List<StreamHandler> all = new ArrayList<>(sinks);
-      all.add(new WritingSink(reader, null, bar, counters));
-      Pipeline.run(reader, chain, all, counters);
+    if (file != null) {
+      files.subscribe(chain.outlet(outlet, type), files.table(file, type));
     }
-    reading.requireWhole(reader);
-  }
-
-  private void run(Camera camera, FilterChain chain, List<StreamHandler> sinks) throws IOException {
-    LiveRun run = new LiveRun(this, camera, chain, sinks);
-    LiveRun.run(List.of(run), cameras.durationS());
-    run.summary();
   }
 
   private WingTrackerSettings settings() {
@@ -261,54 +271,6 @@ final class WingsCommand extends Subcommand {
         if (!seen.add(output.toAbsolutePath().normalize())) {
           throw wrongArguments(output + " is named for two outputs");
         }
-      }
-    }
-  }
-
-  private void run(Feed feed, FilterChain chain, WingTrackerFilter filter, WingsSummary summary)
-      throws IOException {
-    List<Closeable> open = new ArrayList<>();
-    try (Publishing published = publishing.open(chain, this)) {
-      CsvSink<WingEstimate> rows = CsvSink.create(out, WingEstimate.class, overwrite);
-      open.add(rows);
-      chain.outlet("estimates", WingEstimate.class).subscribe(rows);
-      CsvSink<WingBeat> beatRows = null;
-      if (beats != null) {
-        beatRows = CsvSink.create(beats, WingBeat.class, overwrite);
-        open.add(beatRows);
-        chain.outlet("beats", WingBeat.class).subscribe(beatRows);
-      }
-      CsvSink<WingPair> pairRows = null;
-      if (pairs != null) {
-        pairRows = CsvSink.create(pairs, WingPair.class, overwrite);
-        open.add(pairRows);
-        chain.outlet("pairs", WingPair.class).subscribe(pairRows);
-      }
-      WingLog wingLog = null;
-      if (log != null) {
-        String source = file == null ? cameras.devices.get(0) : file.getFileName().toString();
-        wingLog = WingLog.open(log, source, filter, logFormat(), overwrite);
-        open.add(wingLog);
-      }
-      summary.listenTo(chain);
-      feed.run(chain, published.sinksAnd(summary));
-      rows.finish();
-      if (beatRows != null) {
-        beatRows.finish();
-      }
-      if (pairRows != null) {
-        pairRows.finish();
-      }
-      if (wingLog != null) {
-        wingLog.finish();
-      }
-      if (geometry != null) {
-        TextFile.write(geometry, Json.write(summary.geometry()) + "\n", overwrite);
-      }
-      message("wrote " + out + " (" + Quantities.count(rows.rows()) + " rows)");
-    } finally {
-      for (Closeable closeable : open) {
-        closeable.close();
       }
     }
   }

@@ -1,6 +1,7 @@
 package haltere.ui.viewer;
 
 import haltere.core.format.ReadOptions;
+import haltere.ui.user.ConfigFolder;
 import haltere.ui.viewer.controls.Texts;
 import haltere.ui.viewer.controls.Theme;
 import haltere.ui.viewer.feature.UserSettings;

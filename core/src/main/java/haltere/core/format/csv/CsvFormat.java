@@ -54,6 +54,11 @@ public final class CsvFormat implements RecordingFormat {
   }
 
   @Override
+  public boolean sharesExtensions() {
+    return true;
+  }
+
+  @Override
   public boolean hasEitherOrigin() {
     return true;
   }

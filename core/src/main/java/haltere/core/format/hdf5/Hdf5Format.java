@@ -46,6 +46,11 @@ public final class Hdf5Format implements RecordingFormat {
   }
 
   @Override
+  public boolean sharesExtensions() {
+    return true;
+  }
+
+  @Override
   public boolean hasEitherOrigin() {
     return true;
   }

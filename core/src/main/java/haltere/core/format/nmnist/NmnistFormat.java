@@ -60,6 +60,11 @@ public final class NmnistFormat implements RecordingFormat {
   }
 
   @Override
+  public boolean sharesExtensions() {
+    return true;
+  }
+
+  @Override
   public boolean writable() {
     return false;
   }

@@ -50,6 +50,11 @@ public final class NpzFormat implements RecordingFormat {
   }
 
   @Override
+  public boolean sharesExtensions() {
+    return true;
+  }
+
+  @Override
   public boolean hasEitherOrigin() {
     return true;
   }

@@ -1,18 +1,22 @@
-package haltere.ui.viewer;
+package haltere.ui.user;
 
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Map;
 
 /** Where a user's settings are kept: the platform's usual folder for them. */
-final class ConfigFolder {
+public final class ConfigFolder {
   /** System property that names another folder, for tests and for portable installations. */
   static final String PROPERTY = "haltere.config";
 
   private ConfigFolder() {}
 
-  /** The folder of this user, which may not exist yet. */
-  static Path ofUser() {
+  /**
+   * The folder of this user.
+   *
+   * @return it may not exist yet
+   */
+  public static Path ofUser() {
     String chosen = System.getProperty(PROPERTY, "");
     return chosen.isEmpty()
         ? of(System.getProperty("os.name"), System.getProperty("user.home"), System.getenv())

@@ -1,4 +1,4 @@
-package haltere.ui.viewer;
+package haltere.ui.user;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 

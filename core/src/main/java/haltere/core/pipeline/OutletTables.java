@@ -1,10 +1,12 @@
-package haltere.ui.command.results;
+package haltere.core.pipeline;
 
 import haltere.core.chain.ChainStage;
 import haltere.core.chain.FilterChain;
 import haltere.core.chain.Outlet;
+import haltere.core.chain.ResultOrder;
+import haltere.core.format.AtomicFile;
 import haltere.core.sink.CsvSink;
-import java.io.Closeable;
+import haltere.core.stream.StreamHandler;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -13,19 +15,42 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Writes what the filters of a chain publish, a table for each outlet whose results are rows. All
- * tables appear together at the end, or none.
+ * Writes what the filters of a chain publish, a table for each outlet whose results are rows, in
+ * the {@link Outlet#order() order} that the outlet states. All tables appear together at the end,
+ * or none.
  *
  * <p>Thread rule: the processing thread.
  */
-public final class OutletTables implements Closeable {
+public final class OutletTables implements JobResults {
   /** Says where the table of an outlet goes. */
   public interface Naming {
+    /**
+     * A table's place.
+     *
+     * @param stage the stage of the filter
+     * @param outlet an outlet of it
+     * @return a file
+     */
     Path file(ChainStage stage, Outlet<?> outlet);
   }
 
+  /** Begins a file. */
+  public interface FileMaker {
+    /**
+     * Begins a file.
+     *
+     * @param file its place
+     * @return an empty file that appears there when it is committed
+     * @throws IOException if it cannot be written
+     */
+    AtomicFile create(Path file) throws IOException;
+  }
+
   private final Map<Path, CsvSink<?>> tables = new LinkedHashMap<>();
+  private final List<ResultOrder.Sorter<?>> sorters = new ArrayList<>();
   private final List<Outlet.Subscription> subscriptions = new ArrayList<>();
+
+  private final ResultFailure failure = new ResultFailure();
 
   private OutletTables() {}
 
@@ -53,18 +78,18 @@ public final class OutletTables implements Closeable {
    *
    * @param chain the chain
    * @param naming where each table goes
-   * @param overwrite whether existing files may be replaced
+   * @param maker begins each file
    * @return open tables
    * @throws IOException if one cannot be written
    */
-  public static OutletTables open(FilterChain chain, Naming naming, boolean overwrite)
+  public static OutletTables open(FilterChain chain, Naming naming, FileMaker maker)
       throws IOException {
     OutletTables tables = new OutletTables();
     try {
       for (ChainStage stage : stages(chain)) {
         for (Outlet<?> outlet : stage.filter().outlets()) {
           if (CsvSink.isFlat(outlet.type())) {
-            tables.open(outlet, naming.file(stage, outlet), overwrite);
+            tables.open(outlet, naming.file(stage, outlet), maker);
           }
         }
       }
@@ -88,30 +113,39 @@ public final class OutletTables implements Closeable {
   }
 
   @SuppressWarnings("unchecked")
-  private void open(Outlet<?> outlet, Path file, boolean overwrite) throws IOException {
-    openRows((Outlet<? extends Record>) outlet, file, overwrite);
+  private void open(Outlet<?> outlet, Path file, FileMaker maker) throws IOException {
+    openRows((Outlet<? extends Record>) outlet, file, maker);
   }
 
-  private <R extends Record> void openRows(Outlet<R> outlet, Path file, boolean overwrite)
+  private <R extends Record> void openRows(Outlet<R> outlet, Path file, FileMaker maker)
       throws IOException {
-    CsvSink<R> table = CsvSink.create(file, outlet.type(), overwrite);
+    CsvSink<R> table = CsvSink.of(maker.create(file), outlet.type());
     tables.put(file, table);
-    subscriptions.add(outlet.subscribe(table));
+    if (outlet.order().isPresent()) {
+      ResultOrder.Sorter<R> sorter = outlet.order().get().to(table);
+      sorters.add(sorter);
+      subscriptions.add(outlet.subscribe(sorter, failure));
+    } else {
+      subscriptions.add(outlet.subscribe(table, failure));
+    }
   }
 
-  /**
-   * The tables and how many rows they have so far.
-   *
-   * @return in the order of the chain
-   */
-  public Map<Path, Long> rows() {
-    Map<Path, Long> rows = new LinkedHashMap<>();
-    tables.forEach((file, table) -> rows.put(file, table.rows()));
-    return rows;
+  @Override
+  public List<StreamHandler> sinks() {
+    return List.of(failure);
   }
 
-  /** Puts all tables in their places. */
+  @Override
+  public List<ResultFile> files() {
+    List<ResultFile> files = new ArrayList<>();
+    tables.forEach((file, table) -> files.add(new ResultFile(file, table.rows())));
+    return files;
+  }
+
+  @Override
   public void finish() throws IOException {
+    failure.rethrow();
+    sorters.forEach(ResultOrder.Sorter::finish);
     for (CsvSink<?> table : tables.values()) {
       table.finish();
     }
@@ -119,9 +153,7 @@ public final class OutletTables implements Closeable {
 
   @Override
   public void close() throws IOException {
-    for (Outlet.Subscription subscription : subscriptions) {
-      subscription.close();
-    }
+    subscriptions.forEach(Outlet.Subscription::close);
     IOException problem = null;
     for (CsvSink<?> table : tables.values()) {
       try {

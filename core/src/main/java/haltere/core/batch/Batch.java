@@ -1,0 +1,297 @@
+package haltere.core.batch;
+
+import haltere.core.chain.ChainStage;
+import haltere.core.chain.FilterChain;
+import haltere.core.chain.Outlet;
+import haltere.core.format.AtomicFile;
+import haltere.core.format.RecordingProblem;
+import haltere.core.json.Json;
+import haltere.core.pipeline.JobReport;
+import haltere.core.pipeline.JobResults;
+import haltere.core.pipeline.OutletTables;
+import haltere.core.pipeline.PipelineCounters.Counter;
+import haltere.core.pipeline.RecordingJob;
+import java.io.IOException;
+import java.io.InterruptedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.function.Function;
+
+/**
+ * The same chain over many recordings. Each recording has a folder of its name below the folder of
+ * the results, with a table for each outlet, {@code STAGE.OUTLET.csv}, and {@code done.json}, which
+ * comes last. A recording that fails stops nothing; {@code failed.json} names all that did. What is
+ * written does not depend on the number of workers or shards, nor on how often a run was killed.
+ *
+ * <p>Thread rule: {@link #run} waits for its workers; listeners are called on theirs, one at a
+ * time.
+ */
+public final class Batch {
+  /** Hears how far a batch has come. */
+  public interface Listener {
+    /**
+     * Takes the news; called often.
+     *
+     * @param doneBytes bytes of recordings worked on so far
+     * @param totalBytes bytes of all recordings
+     */
+    void progress(long doneBytes, long totalBytes);
+
+    /**
+     * Takes a recording that has no result.
+     *
+     * @param failure which, and why
+     */
+    void failed(BatchFailure failure);
+
+    /**
+     * Takes what a person should know of a recording.
+     *
+     * @param item the recording
+     * @param warning one line
+     */
+    void warned(BatchItem item, String warning);
+  }
+
+  private final RecordingJob.ChainMaker chain;
+  private final BatchOptions options;
+  private final Function<Throwable, String> words;
+  private final ResultRecord results;
+
+  /**
+   * A batch that has not started.
+   *
+   * @param chain makes the chain of each recording
+   * @param options how to run
+   * @param words the line for a person of what a job threw
+   * @throws IOException if the chain cannot be made
+   */
+  public Batch(
+      RecordingJob.ChainMaker chain, BatchOptions options, Function<Throwable, String> words)
+      throws IOException {
+    this.chain = Objects.requireNonNull(chain, "chain");
+    this.options = Objects.requireNonNull(options, "options");
+    this.words = Objects.requireNonNull(words, "words");
+    results = new ResultRecord(chain, options);
+  }
+
+  /**
+   * Works on recordings, the largest first.
+   *
+   * @param items recordings of different names
+   * @param failed name of the file of failures, below the folder of the results; one of an earlier
+   *     run is replaced, or removed if nothing failed
+   * @param listener hears how it goes
+   * @return what was done
+   * @throws RecordingProblem if a result is there and none may be
+   * @throws InterruptedIOException if the thread was interrupted; results that are complete stay
+   * @throws IOException if the file of failures cannot be written
+   */
+  public BatchReport run(Collection<BatchItem> items, String failed, Listener listener)
+      throws IOException {
+    if (options.existing() == BatchOptions.Existing.REFUSE) {
+      for (BatchItem item : items) {
+        if (ResultFolder.done(folder(item)).isPresent()) {
+          throw new RecordingProblem(
+              folder(item),
+              "there is a result already; give --resume to keep it, or --overwrite to replace it");
+        }
+      }
+    }
+    Files.createDirectories(options.folder());
+    Run run = new Run(items, listener);
+    run.await();
+    BatchReport report = run.report();
+    writeFailures(report.failures(), options.folder().resolve(failed));
+    return report;
+  }
+
+  private Path folder(BatchItem item) {
+    return options.folder().resolve(item.name());
+  }
+
+  private static void writeFailures(List<BatchFailure> failures, Path file) throws IOException {
+    if (failures.isEmpty()) {
+      Files.deleteIfExists(file);
+      return;
+    }
+    List<Object> entries = new ArrayList<>();
+    for (BatchFailure failure : failures) {
+      Map<String, Object> entry = new LinkedHashMap<>();
+      entry.put("recording", failure.item().name());
+      entry.put("file", failure.item().recording().toString());
+      entry.put("kind", failure.kind().toString());
+      entry.put("cause", failure.cause());
+      entries.add(entry);
+    }
+    try (AtomicFile atomic = AtomicFile.repeatable(file)) {
+      String text = Json.write(Map.of("failed", entries)) + "\n";
+      atomic.stream().write(text.getBytes(StandardCharsets.UTF_8));
+      atomic.commit();
+    }
+  }
+
+  /** One run over the recordings. */
+  private final class Run {
+    private final Queue<BatchItem> waiting = new ConcurrentLinkedQueue<>();
+    private final Listener listener;
+    private final long totalBytes;
+    private final List<BatchFailure> failures = new ArrayList<>();
+    private long doneBytes;
+    private int done;
+    private int kept;
+    private int elsewhere;
+    private long events;
+    private long bytes;
+    private long rows;
+    private volatile boolean stopped;
+
+    Run(Collection<BatchItem> items, Listener listener) {
+      this.listener = listener;
+      totalBytes = items.stream().mapToLong(BatchItem::bytes).sum();
+      items.stream()
+          .sorted(
+              Comparator.comparingLong(BatchItem::bytes).reversed().thenComparing(BatchItem::name))
+          .forEach(waiting::add);
+    }
+
+    void await() throws InterruptedIOException {
+      List<Thread> workers = new ArrayList<>();
+      for (int i = 0; i < options.workers(); i++) {
+        Thread worker = new Thread(this::work, "haltere-batch-" + (i + 1));
+        worker.setDaemon(true);
+        worker.start();
+        workers.add(worker);
+      }
+      boolean interrupted = false;
+      for (Thread worker : workers) {
+        while (worker.isAlive()) {
+          try {
+            worker.join();
+          } catch (InterruptedException stop) {
+            interrupted = true;
+            stopped = true;
+            workers.forEach(Thread::interrupt);
+          }
+        }
+      }
+      if (interrupted) {
+        throw new InterruptedIOException("interrupted; complete results stay");
+      }
+    }
+
+    private void work() {
+      for (BatchItem item = waiting.poll(); item != null && !stopped; item = waiting.poll()) {
+        try {
+          work(item);
+        } catch (Exception | Error thrown) {
+          if (!stopped) {
+            fail(new BatchFailure(item, BatchFailure.Kind.of(thrown), words.apply(thrown)));
+          }
+        }
+      }
+    }
+
+    private void work(BatchItem item) throws IOException {
+      Path place = folder(item);
+      Progress progress = new Progress(item.bytes());
+      if (options.existing() == BatchOptions.Existing.RESUME && results.isValid(item, place)) {
+        progress.finish();
+        tell(() -> kept++);
+        return;
+      }
+      Optional<ResultFolder> taken = ResultFolder.take(place);
+      if (taken.isEmpty()) {
+        progress.finish();
+        tell(() -> elsewhere++);
+        return;
+      }
+      try (ResultFolder folder = taken.get()) {
+        folder.clear();
+        JobReport report =
+            RecordingJob.of(item.recording(), chain, (reader, filters) -> open(folder, filters))
+                .reading(options.reading(), options.strict())
+                .telling((count, position, size) -> progress.reached(position))
+                .run();
+        folder.complete(results.of(item, report, Checksums.of(item.recording()), place));
+        progress.finish();
+        count(item, report);
+      }
+    }
+
+    private JobResults open(ResultFolder folder, FilterChain filters) throws IOException {
+      OutletTables.Naming naming = (stage, outlet) -> folder.path(name(stage, outlet));
+      folder.begin(OutletTables.files(filters, naming));
+      return OutletTables.open(filters, naming, AtomicFile::repeatable);
+    }
+
+    private void count(BatchItem item, JobReport report) {
+      tell(
+          () -> {
+            done++;
+            events += report.counters().get(Counter.EVENTS_IN);
+            bytes += item.bytes();
+            rows += report.files().stream().mapToLong(JobResults.ResultFile::rows).sum();
+            report.warnings().forEach(warning -> listener.warned(item, warning));
+          });
+    }
+
+    private void fail(BatchFailure failure) {
+      tell(
+          () -> {
+            failures.add(failure);
+            listener.failed(failure);
+          });
+    }
+
+    private synchronized void tell(Runnable news) {
+      news.run();
+    }
+
+    synchronized BatchReport report() {
+      failures.sort(Comparator.comparing(failure -> failure.item().name()));
+      return new BatchReport(done, kept, elsewhere, failures, events, bytes, rows);
+    }
+
+    /** Bytes of one recording. */
+    private final class Progress {
+      private final long size;
+      private long reached;
+
+      Progress(long size) {
+        this.size = size;
+      }
+
+      void reached(long position) {
+        long now = Math.min(size, Math.max(reached, position));
+        long more = now - reached;
+        reached = now;
+        tell(
+            () -> {
+              doneBytes += more;
+              listener.progress(doneBytes, totalBytes);
+            });
+      }
+
+      void finish() {
+        reached(size);
+      }
+    }
+  }
+
+  /** Name of the table of an outlet. */
+  static String name(ChainStage stage, Outlet<?> outlet) {
+    return stage.name() + "." + outlet.name() + ".csv";
+  }
+}

@@ -1,0 +1,138 @@
+package haltere.core.batch;
+
+import haltere.core.format.RecordingProblem;
+import haltere.core.format.Recordings;
+import java.io.IOException;
+import java.nio.file.FileVisitResult;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.SimpleFileVisitor;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.util.Collection;
+import java.util.List;
+import java.util.Optional;
+import java.util.TreeMap;
+
+/**
+ * Finds the recordings of a batch: files, and all recordings in folders and the folders in them.
+ * Hidden files and folders, what no format knows and the batch's own results are left out.
+ *
+ * <p>Thread rule: one thread.
+ */
+public final class BatchInputs {
+  private final Path results;
+  private final Optional<Path> root;
+  private final TreeMap<String, BatchItem> items = new TreeMap<>();
+  private long leftOut;
+
+  /**
+   * No input yet.
+   *
+   * @param results the folder of the results
+   * @param root names are relative to this folder; if empty, to each folder that is given, and a
+   *     file that is given has its own name
+   */
+  public BatchInputs(Path results, Optional<Path> root) {
+    this.results = results.toAbsolutePath().normalize();
+    this.root = root.map(folder -> folder.toAbsolutePath().normalize());
+  }
+
+  /**
+   * Adds a recording or all recordings in a folder.
+   *
+   * @param input a file or folder
+   * @throws RecordingProblem if there is no such thing, or two recordings would have one name
+   * @throws IOException if a folder cannot be read
+   */
+  public void add(Path input) throws IOException {
+    if (!Files.exists(input)) {
+      throw new RecordingProblem(input, "there is no such file or folder");
+    }
+    if (Files.isDirectory(input) && !Recordings.isRecording(input)) {
+      walk(input);
+    } else {
+      add(input, input.toAbsolutePath().getParent());
+    }
+  }
+
+  private void walk(Path folder) throws IOException {
+    Files.walkFileTree(
+        folder,
+        new SimpleFileVisitor<>() {
+          @Override
+          public FileVisitResult preVisitDirectory(Path inner, BasicFileAttributes attributes)
+              throws IOException {
+            if (inner.toAbsolutePath().normalize().equals(results)
+                || !inner.equals(folder) && isHidden(inner)) {
+              return FileVisitResult.SKIP_SUBTREE;
+            }
+            if (!inner.equals(folder) && Recordings.isRecording(inner)) {
+              add(inner, folder);
+              return FileVisitResult.SKIP_SUBTREE;
+            }
+            return FileVisitResult.CONTINUE;
+          }
+
+          @Override
+          public FileVisitResult visitFile(Path file, BasicFileAttributes attributes)
+              throws IOException {
+            if (isHidden(file) || !Recordings.isRecording(file)) {
+              leftOut++;
+            } else {
+              add(file, folder);
+            }
+            return FileVisitResult.CONTINUE;
+          }
+        });
+  }
+
+  private static boolean isHidden(Path path) {
+    return path.getFileName() != null && path.getFileName().toString().startsWith(".");
+  }
+
+  private void add(Path recording, Path folder) throws IOException {
+    Path from = root.orElse(folder.toAbsolutePath().normalize());
+    Path absolute = recording.toAbsolutePath().normalize();
+    if (!absolute.startsWith(from)) {
+      throw new RecordingProblem(recording, "this is not in the folder " + from);
+    }
+    String name = from.relativize(absolute).toString().replace('\\', '/');
+    BatchItem before = items.put(name, new BatchItem(recording, name, bytes(recording)));
+    if (before != null && !Files.isSameFile(before.recording(), recording)) {
+      throw new RecordingProblem(
+          recording,
+          "its result would have the same name as that of "
+              + before.recording()
+              + "; name a folder that both are in with --root");
+    }
+  }
+
+  private static long bytes(Path recording) throws IOException {
+    if (!Files.isDirectory(recording)) {
+      return Files.size(recording);
+    }
+    long bytes = 0;
+    for (Path file : Checksums.files(recording)) {
+      bytes += Files.size(file);
+    }
+    return bytes;
+  }
+
+  /**
+   * The recordings.
+   *
+   * @return in the order of their names
+   */
+  public Collection<BatchItem> items() {
+    return List.copyOf(items.values());
+  }
+
+  /**
+   * Files in folders that are no recordings.
+   *
+   * @return a count
+   */
+  public long leftOut() {
+    return leftOut;
+  }
+}

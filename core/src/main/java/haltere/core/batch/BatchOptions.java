@@ -1,0 +1,44 @@
+package haltere.core.batch;
+
+import haltere.core.format.ReadOptions;
+import java.nio.file.Path;
+import java.util.Objects;
+
+/**
+ * How a batch runs.
+ *
+ * @param folder where results go; made if there is none
+ * @param workers recordings that are worked on at once, 1 to 1024
+ * @param existing what happens to results that are there
+ * @param reading what the user says of all recordings
+ * @param strict whether a recording that is cut off or damaged is a failure
+ * @param program name and version of the program, a part of what makes a result valid
+ */
+public record BatchOptions(
+    Path folder,
+    int workers,
+    Existing existing,
+    ReadOptions reading,
+    boolean strict,
+    String program) {
+  /** What happens to results that are there. */
+  public enum Existing {
+    /** The batch does not start. */
+    REFUSE,
+    /** Those that are complete and belong to the same chain and recording stay. */
+    RESUME,
+    /** All are made anew. */
+    OVERWRITE
+  }
+
+  /** Checks the values. */
+  public BatchOptions {
+    Objects.requireNonNull(folder, "folder");
+    Objects.requireNonNull(existing, "existing");
+    Objects.requireNonNull(reading, "reading");
+    Objects.requireNonNull(program, "program");
+    if (workers < 1 || workers > 1024) {
+      throw new IllegalArgumentException("1 to 1024 workers can run, not " + workers);
+    }
+  }
+}

@@ -1,0 +1,214 @@
+package haltere.core.batch;
+
+import haltere.core.format.AtomicFile;
+import haltere.core.json.Json;
+import java.io.Closeable;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.DirectoryNotEmptyException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * The folder of one recording's results. While a process works in it, it holds a lock on {@code
+ * done.json.part}, which names the files that are being written; {@code done.json} takes its place
+ * when all of them are there. So a process that is killed leaves what the next one replaces.
+ *
+ * <p>Thread rule: one thread at a time.
+ */
+final class ResultFolder implements Closeable {
+  private static final String DONE = "done.json";
+  private static final String OUTPUTS = "outputs";
+  private static final int LONGEST_JOURNAL_BYTES = 1 << 24;
+
+  private final Path folder;
+  private final Path part;
+  private final FileChannel journal;
+  private boolean completed;
+
+  private ResultFolder(Path folder, FileChannel journal) {
+    this.folder = folder;
+    part = part(folder);
+    this.journal = journal;
+  }
+
+  private static Path part(Path folder) {
+    return folder.resolve(DONE + AtomicFile.PART);
+  }
+
+  /** What an earlier run has said when it was complete; empty if there is nothing to be read. */
+  static Optional<Map<?, ?>> done(Path folder) {
+    try {
+      return Json.read(folder.resolve(DONE)) instanceof Map<?, ?> done
+          ? Optional.of(done)
+          : Optional.empty();
+    } catch (IOException unreadable) {
+      return Optional.empty();
+    }
+  }
+
+  /** Whether all files that an earlier run wrote are there as it left them. */
+  static boolean isWhole(Path folder, Map<?, ?> done) {
+    if (!(done.get(OUTPUTS) instanceof List<?> outputs)) {
+      return false;
+    }
+    try {
+      for (Object output : outputs) {
+        if (!(output instanceof Map<?, ?> file)
+            || !(file.get("file") instanceof String name)
+            || !Checksums.of(folder.resolve(name)).equals(file.get("sha256"))) {
+          return false;
+        }
+      }
+      return true;
+    } catch (IOException missing) {
+      return false;
+    }
+  }
+
+  /**
+   * Takes a folder to work in, and makes it if there is none.
+   *
+   * @return empty if another process works in it
+   * @throws IOException if it cannot be made
+   */
+  static Optional<ResultFolder> take(Path folder) throws IOException {
+    Files.createDirectories(folder);
+    FileChannel journal =
+        FileChannel.open(
+            part(folder),
+            StandardOpenOption.CREATE,
+            StandardOpenOption.READ,
+            StandardOpenOption.WRITE);
+    try {
+      if (journal.tryLock() == null) {
+        journal.close();
+        return Optional.empty();
+      }
+      return Optional.of(new ResultFolder(folder, journal));
+    } catch (IOException | RuntimeException problem) {
+      journal.close();
+      throw problem;
+    }
+  }
+
+  /** Removes what an earlier run wrote here, or began to write; {@code done.json} first. */
+  void clear() throws IOException {
+    List<Path> files = new ArrayList<>();
+    done(folder).ifPresent(done -> files.addAll(outputs(done)));
+    journalled().ifPresent(begun -> files.addAll(outputs(begun)));
+    Files.deleteIfExists(folder.resolve(DONE));
+    for (Path file : files) {
+      Files.deleteIfExists(file);
+      Files.deleteIfExists(file.resolveSibling(file.getFileName() + AtomicFile.PART));
+    }
+  }
+
+  private Optional<Map<?, ?>> journalled() throws IOException {
+    long size = Math.min(journal.size(), LONGEST_JOURNAL_BYTES);
+    ByteBuffer bytes = ByteBuffer.allocate((int) size);
+    while (bytes.hasRemaining() && journal.read(bytes, bytes.position()) >= 0) {
+      // until all is there
+    }
+    try {
+      String text = new String(bytes.array(), 0, bytes.position(), StandardCharsets.UTF_8);
+      return Json.parse(text, part.toString()) instanceof Map<?, ?> begun
+          ? Optional.of(begun)
+          : Optional.empty();
+    } catch (IOException cutOff) {
+      // nothing is written before the journal is whole
+      return Optional.empty();
+    }
+  }
+
+  private List<Path> outputs(Map<?, ?> object) {
+    List<Path> files = new ArrayList<>();
+    if (object.get(OUTPUTS) instanceof List<?> outputs) {
+      for (Object output : outputs) {
+        if (output instanceof Map<?, ?> file && file.get("file") instanceof String name) {
+          Path path = folder.resolve(name).normalize();
+          if (path.startsWith(folder)) {
+            files.add(path);
+          }
+        }
+      }
+    }
+    return files;
+  }
+
+  Path path(String name) {
+    return folder.resolve(name);
+  }
+
+  /** Notes which files are going to be written. */
+  void begin(List<Path> files) throws IOException {
+    List<Object> outputs = new ArrayList<>();
+    files.forEach(file -> outputs.add(Map.of("file", folder.relativize(file).toString())));
+    write(Map.of(OUTPUTS, outputs));
+  }
+
+  private void write(Map<String, Object> object) throws IOException {
+    ByteBuffer bytes =
+        ByteBuffer.wrap((Json.write(object) + "\n").getBytes(StandardCharsets.UTF_8));
+    journal.truncate(0);
+    while (bytes.hasRemaining()) {
+      journal.write(bytes, bytes.position());
+    }
+    journal.force(true);
+  }
+
+  /**
+   * Says that all is there.
+   *
+   * @param done with the files under {@code outputs}
+   */
+  void complete(Map<String, Object> done) throws IOException {
+    forceNames();
+    write(done);
+    completed = true;
+    journal.close();
+    Files.move(
+        part,
+        folder.resolve(DONE),
+        StandardCopyOption.ATOMIC_MOVE,
+        StandardCopyOption.REPLACE_EXISTING);
+    forceNames();
+  }
+
+  /** Names of files are on the disk once their folder is, where the system can do that. */
+  private void forceNames() throws IOException {
+    try (FileChannel names = FileChannel.open(folder, StandardOpenOption.READ)) {
+      names.force(true);
+    } catch (IOException notWithFolders) {
+      if (!Files.isDirectory(folder)) {
+        throw notWithFolders;
+      }
+    }
+  }
+
+  /** Gives the folder back. What is not complete leaves nothing. */
+  @Override
+  public void close() throws IOException {
+    if (completed) {
+      return;
+    }
+    try {
+      clear();
+      Files.deleteIfExists(part);
+      Files.delete(folder);
+    } catch (DirectoryNotEmptyException | NoSuchFileException others) {
+      // somebody else's files stay
+    } finally {
+      journal.close();
+    }
+  }
+}

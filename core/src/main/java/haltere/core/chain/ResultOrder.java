@@ -1,0 +1,81 @@
+package haltere.core.chain;
+
+import java.util.Comparator;
+import java.util.Objects;
+import java.util.PriorityQueue;
+import java.util.function.Consumer;
+import java.util.function.ToLongFunction;
+
+/**
+ * The order in which results of an outlet stand in a table, where they are published out of it. A
+ * filter that decides late publishes results with times before those that it published already.
+ *
+ * @param lateUs how much older than the latest result one may be, at least 0
+ * @param timeUs the time of a result
+ * @param ties the order of results with the same time
+ * @param <T> type of the results
+ */
+public record ResultOrder<T>(
+    long lateUs, ToLongFunction<? super T> timeUs, Comparator<? super T> ties) {
+  /** Checks the values. */
+  public ResultOrder {
+    if (lateUs < 0) {
+      throw new IllegalArgumentException("results are late by 0 us or more, not " + lateUs);
+    }
+    Objects.requireNonNull(timeUs, "timeUs");
+    Objects.requireNonNull(ties, "ties");
+  }
+
+  /**
+   * Puts results in order.
+   *
+   * @param next takes them in order
+   * @return takes them as they are published
+   */
+  public Sorter<T> to(Consumer<? super T> next) {
+    return new Sorter<>(this, next);
+  }
+
+  /**
+   * Holds results until none can come that belongs before them. Times that go back further begin a
+   * new order, as at a restart of the recording's clock.
+   *
+   * <p>Thread rule: one thread at a time.
+   *
+   * @param <T> type of the results
+   */
+  public static final class Sorter<T> implements Consumer<T> {
+    private final ResultOrder<T> order;
+    private final Consumer<? super T> next;
+    private final PriorityQueue<T> held;
+    private long lastUs = Long.MIN_VALUE;
+
+    private Sorter(ResultOrder<T> order, Consumer<? super T> next) {
+      this.order = order;
+      this.next = Objects.requireNonNull(next, "next");
+      Comparator<T> byTime = Comparator.comparingLong(order.timeUs);
+      held = new PriorityQueue<>(byTime.thenComparing(order.ties));
+    }
+
+    @Override
+    public void accept(T result) {
+      long timeUs = order.timeUs.applyAsLong(result);
+      boolean isAnew = lastUs != Long.MIN_VALUE && timeUs < lastUs - order.lateUs;
+      if (isAnew) {
+        finish();
+      }
+      lastUs = isAnew ? timeUs : Math.max(lastUs, timeUs);
+      held.add(result);
+      while (order.timeUs.applyAsLong(held.peek()) < lastUs - order.lateUs) {
+        next.accept(held.remove());
+      }
+    }
+
+    /** Hands on what is held. */
+    public void finish() {
+      while (!held.isEmpty()) {
+        next.accept(held.remove());
+      }
+    }
+  }
+}

@@ -1,0 +1,72 @@
+package haltere.core.pipeline;
+
+import haltere.core.stream.StreamHandler;
+import java.io.Closeable;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+
+/**
+ * Results of one recording that go to files: opened before the first packet, finished after the
+ * last one, closed in any case. Files appear when they are finished; closed before that, they leave
+ * nothing.
+ *
+ * <p>Thread rule: the processing thread.
+ */
+public interface JobResults extends Closeable {
+  /**
+   * A file that was written.
+   *
+   * @param path where it is
+   * @param rows its rows, or its events
+   */
+  record ResultFile(Path path, long rows) {}
+
+  /**
+   * What takes the stream behind the chain.
+   *
+   * @return sinks that see all packets, readings and notifications
+   */
+  default List<StreamHandler> sinks() {
+    return List.of();
+  }
+
+  /**
+   * Puts all files in their places.
+   *
+   * @throws IOException if one cannot be written
+   */
+  void finish() throws IOException;
+
+  /**
+   * The files.
+   *
+   * @return in the order of the chain, complete once they are finished
+   */
+  List<ResultFile> files();
+
+  @Override
+  void close() throws IOException;
+
+  /** Opens results. */
+  interface Opener {
+    /**
+     * Opens results.
+     *
+     * @return open
+     * @throws IOException if a file cannot be written
+     */
+    JobResults open() throws IOException;
+  }
+
+  /**
+   * Several results as one, finished in this order.
+   *
+   * @param openers each opens one; those that are open are closed if a later one throws
+   * @return open
+   * @throws IOException if one cannot be opened
+   */
+  static JobResults all(Opener... openers) throws IOException {
+    return JoinedResults.open(openers);
+  }
+}

@@ -1,0 +1,279 @@
+package haltere.core.pipeline;
+
+import haltere.core.chain.FilterChain;
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.event.SensorReading;
+import haltere.core.format.ReadOptions;
+import haltere.core.format.ReadingCounts;
+import haltere.core.format.RecordingProblem;
+import haltere.core.format.RecordingReader;
+import haltere.core.format.Recordings;
+import haltere.core.format.Violation;
+import haltere.core.format.ViolationCounts;
+import haltere.core.pipeline.PipelineCounters.Counter;
+import haltere.core.stream.EventSource;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Set;
+import java.util.function.UnaryOperator;
+
+/**
+ * One recording through one chain into files: the step that commands, a batch and a cluster share.
+ * The same job on the same recording writes the same bytes wherever it runs.
+ *
+ * <p>Thread rule: immutable. {@link #run} does everything on the calling thread; a job may run
+ * several times, also at once if its results go to different places.
+ */
+public final class RecordingJob {
+  /** Opens the recording of a job. */
+  public interface Opening {
+    /**
+     * Opens a recording.
+     *
+     * @param recording the job's
+     * @param options the job's
+     * @return a reader at its start, closed by the job
+     * @throws IOException if it cannot be read
+     */
+    RecordingReader open(Path recording, ReadOptions options) throws IOException;
+  }
+
+  /** Makes the chain of a job. */
+  public interface ChainMaker {
+    /**
+     * Makes a chain.
+     *
+     * @param geometry the sensor of the recording
+     * @return a chain of new filters, closed by the job
+     * @throws IOException if the chain cannot be read
+     */
+    FilterChain make(SensorGeometry geometry) throws IOException;
+  }
+
+  /** Opens the results of a job. */
+  public interface ResultsMaker {
+    /**
+     * Opens results.
+     *
+     * @param reader the recording, of which nothing has been read
+     * @param chain the job's chain
+     * @return finished and closed by the job
+     * @throws IOException if a file cannot be written
+     */
+    JobResults open(RecordingReader reader, FilterChain chain) throws IOException;
+  }
+
+  /** Hears how far a job has come. */
+  public interface Progress {
+    /**
+     * Takes the news; called often, so it must be cheap.
+     *
+     * @param events events that went into the chain
+     * @param doneBytes bytes of the recording read so far
+     * @param totalBytes bytes of the recording
+     */
+    void progress(long events, long doneBytes, long totalBytes);
+  }
+
+  private final Path recording;
+  private final ChainMaker chain;
+  private final ResultsMaker results;
+  private final ReadOptions options;
+  private final Opening opening;
+  private final boolean strict;
+  private final UnaryOperator<EventSource> pace;
+  private final Progress progress;
+
+  private RecordingJob(
+      Path recording,
+      ChainMaker chain,
+      ResultsMaker results,
+      ReadOptions options,
+      Opening opening,
+      boolean strict,
+      UnaryOperator<EventSource> pace,
+      Progress progress) {
+    this.recording = Objects.requireNonNull(recording, "recording");
+    this.chain = Objects.requireNonNull(chain, "chain");
+    this.results = Objects.requireNonNull(results, "results");
+    this.options = Objects.requireNonNull(options, "options");
+    this.opening = Objects.requireNonNull(opening, "opening");
+    this.strict = strict;
+    this.pace = Objects.requireNonNull(pace, "pace");
+    this.progress = Objects.requireNonNull(progress, "progress");
+  }
+
+  /**
+   * A job that reads what the file says of itself, uses what is whole of it, and goes as fast as it
+   * can.
+   *
+   * @param recording a file, or the folder of its parts
+   * @param chain makes the chain
+   * @param results opens what is written
+   * @return a job
+   */
+  public static RecordingJob of(Path recording, ChainMaker chain, ResultsMaker results) {
+    return new RecordingJob(
+        recording,
+        chain,
+        results,
+        ReadOptions.DEFAULT,
+        Recordings::open,
+        false,
+        UnaryOperator.identity(),
+        (events, done, total) -> {});
+  }
+
+  /**
+   * The same job on a recording that is read in another way.
+   *
+   * @param with what the user says of the recording
+   * @param whole whether a recording that is cut off or damaged is an error
+   * @return another job
+   */
+  public RecordingJob reading(ReadOptions with, boolean whole) {
+    return new RecordingJob(recording, chain, results, with, opening, whole, pace, progress);
+  }
+
+  /**
+   * The same job on a recording that is opened in another way, such as from standard input.
+   *
+   * @param by opens it
+   * @return another job
+   */
+  public RecordingJob opened(Opening by) {
+    return new RecordingJob(recording, chain, results, options, by, strict, pace, progress);
+  }
+
+  /**
+   * The same job at another pace.
+   *
+   * @param by gives the recording's stream at the times at which it is wanted
+   * @return another job
+   */
+  public RecordingJob paced(UnaryOperator<EventSource> by) {
+    return new RecordingJob(recording, chain, results, options, opening, strict, by, progress);
+  }
+
+  /**
+   * The same job with somebody who hears how far it is.
+   *
+   * @param listener called on the thread of the job
+   * @return another job
+   */
+  public RecordingJob telling(Progress listener) {
+    return new RecordingJob(recording, chain, results, options, opening, strict, pace, listener);
+  }
+
+  /**
+   * Runs the whole recording through the chain and writes the results.
+   *
+   * @return what was done
+   * @throws RecordingProblem if it cannot be read, or is damaged and has to be whole
+   * @throws IOException if reading or writing fails, or {@link java.io.InterruptedIOException} if
+   *     the thread is interrupted
+   * @throws haltere.core.chain.FilterFailure if a filter throws. In all these cases no result
+   *     appears
+   */
+  public JobReport run() throws IOException {
+    long startNanos = System.nanoTime();
+    try (RecordingReader reader = opening.open(recording, options);
+        FilterChain filters = chain.make(reader.geometry());
+        JobResults written = results.open(reader, filters)) {
+      if (options.keepIndex()) {
+        reader.segments();
+      }
+      PipelineCounters counters = new PipelineCounters();
+      Watch watch = new Watch(reader, counters);
+      List<StreamHandler> sinks = new ArrayList<>(written.sinks());
+      sinks.add(watch);
+      Pipeline.run(pace.apply(reader), filters, sinks, counters);
+      if (strict) {
+        requireWhole(recording, reader.violations());
+      }
+      written.finish();
+      List<String> warnings = new ArrayList<>(reader.remarks());
+      warnings.addAll(
+          reader
+              .violations()
+              .describe(watch.readings.isEmpty() ? Set.of() : Set.of(Violation.OTHER_DATA)));
+      return new JobReport(
+          recording,
+          reader.formatName(),
+          filters.geometry(),
+          reader.sizeBytes(),
+          counters,
+          watch.readings,
+          counts(reader.violations()),
+          warnings,
+          JobReport.stages(filters),
+          written.files(),
+          (System.nanoTime() - startNanos) / 1e9);
+    }
+  }
+
+  /**
+   * Refuses a recording that is cut off or damaged.
+   *
+   * @param recording its file
+   * @param violations what its reader counted
+   * @throws RecordingProblem if a violation is damage; a clock that went back is none
+   */
+  public static void requireWhole(Path recording, ViolationCounts violations)
+      throws RecordingProblem {
+    for (Violation kind : Violation.values()) {
+      if (kind.isDamage() && kind != Violation.CLOCK_WENT_BACK && violations.count(kind) > 0) {
+        throw new RecordingProblem(
+            recording,
+            violations.firstOffset(kind),
+            kind.sentence() + "; leave out --strict to use what is whole");
+      }
+    }
+  }
+
+  private static Map<Violation, Long> counts(ViolationCounts violations) {
+    Map<Violation, Long> counts = new EnumMap<>(Violation.class);
+    for (Violation kind : Violation.values()) {
+      if (violations.count(kind) > 0) {
+        counts.put(kind, violations.count(kind));
+      }
+    }
+    return counts;
+  }
+
+  /** Behind the chain: counts readings and tells how far the job is. */
+  private final class Watch implements StreamHandler {
+    private final RecordingReader reader;
+    private final PipelineCounters counters;
+    private ReadingCounts readings = ReadingCounts.NONE;
+
+    Watch(RecordingReader reader, PipelineCounters counters) {
+      this.reader = reader;
+      this.counters = counters;
+    }
+
+    @Override
+    public void packet(EventPacket packet) {
+      progress.progress(
+          counters.get(Counter.EVENTS_IN), reader.positionBytes(), reader.sizeBytes());
+    }
+
+    @Override
+    public void reading(SensorReading reading) {
+      readings = readings.plus(reading.kind());
+    }
+
+    @Override
+    public void notified(StreamNotification notification) {
+      // the report has the counters
+    }
+  }
+}

@@ -1,0 +1,41 @@
+package haltere.core.pipeline;
+
+import haltere.core.event.EventPacket;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import java.util.function.Consumer;
+
+/**
+ * Ends a job whose results cannot be written: takes what a subscriber threw, and throws it behind
+ * the chain, where the filters have done with the packet.
+ *
+ * <p>Thread rule: the processing thread.
+ */
+public final class ResultFailure implements Consumer<RuntimeException>, StreamHandler {
+  private RuntimeException first;
+
+  /** No failure yet. */
+  public ResultFailure() {}
+
+  @Override
+  public void accept(RuntimeException thrown) {
+    first = first == null ? thrown : first;
+  }
+
+  /** Throws the first failure, if there was one. */
+  public void rethrow() {
+    if (first != null) {
+      throw first;
+    }
+  }
+
+  @Override
+  public void packet(EventPacket packet) {
+    rethrow();
+  }
+
+  @Override
+  public void notified(StreamNotification notification) {
+    rethrow();
+  }
+}

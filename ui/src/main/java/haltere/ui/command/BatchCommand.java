@@ -1,0 +1,274 @@
+package haltere.ui.command;
+
+import haltere.core.batch.Batch;
+import haltere.core.batch.BatchFailure;
+import haltere.core.batch.BatchInputs;
+import haltere.core.batch.BatchItem;
+import haltere.core.batch.BatchOptions;
+import haltere.core.batch.BatchOptions.Existing;
+import haltere.core.batch.BatchReport;
+import haltere.core.chain.ChainFile;
+import haltere.core.chain.FilterChain;
+import haltere.core.chain.Filters;
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.ReadOptions;
+import haltere.ui.command.terminal.ProgressBar;
+import haltere.ui.command.terminal.Quantities;
+import java.io.IOException;
+import java.nio.charset.CharacterCodingException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Collection;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import picocli.CommandLine.ArgGroup;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** Runs one chain over many recordings. */
+@Command(
+    name = "batch",
+    description = {
+      "Run one chain over many recordings, several at once.",
+      "DIR gets a folder for each recording, with a table for each outlet of the chain"
+          + " (STAGE.OUTLET.csv) and done.json, which comes last: what was read, with which chain,"
+          + " and checksums. A recording that fails stops nothing; failed.json names all that did,"
+          + " and the status is 1."
+    })
+final class BatchCommand extends Subcommand {
+  private static final Pattern SHARD = Pattern.compile("(\\d{1,6})/(\\d{1,6})");
+
+  @Parameters(
+      arity = "0..*",
+      paramLabel = "INPUT",
+      description = "Recordings, and folders with recordings in them and their folders.")
+  List<Path> inputs = List.of();
+
+  @Option(
+      names = "--list",
+      paramLabel = "FILE",
+      description = "A text file with an INPUT in each line. May be repeated.")
+  List<Path> lists = List.of();
+
+  @Option(
+      names = "--root",
+      paramLabel = "FOLDER",
+      description =
+          "Names of results are relative to it; if not given, to each folder that is named, and a"
+              + " recording that is named has its own name.")
+  Path root;
+
+  /** What is done with each recording. */
+  static final class Work {
+    @Option(
+        names = "--chain",
+        paramLabel = "CHAIN.json",
+        description = "A chain that the viewer saved, or written by hand.")
+    Path chain;
+
+    @Option(names = "--wings", description = "The wing tracker with its defaults.")
+    boolean wings;
+
+    @Option(names = "--track", description = "The object tracker with its defaults.")
+    boolean track;
+  }
+
+  @ArgGroup(multiplicity = "1", exclusive = true)
+  Work work;
+
+  @Option(
+      names = "--out",
+      required = true,
+      paramLabel = "DIR",
+      description = "Where the results go; made if there is no such folder.")
+  Path out;
+
+  @Option(
+      names = "--workers",
+      paramLabel = "N",
+      description = "Recordings that are worked on at once; one for each processor if not given.")
+  Integer workers;
+
+  @Option(
+      names = "--shard",
+      paramLabel = "I/N",
+      description =
+          "Work on one of N parts of the inputs, 1/N to N/N, which are told by the names of the"
+              + " recordings alone; so N machines share the work without a coordinator.")
+  String shard;
+
+  @Option(
+      names = "--format",
+      paramLabel = "csv",
+      defaultValue = "csv",
+      description = "Format of the tables: csv.")
+  String format;
+
+  @Option(
+      names = "--resume",
+      description =
+          "Keep results that are complete and of the same chain, version, options and recording;"
+              + " make the others.")
+  boolean resume;
+
+  @Option(names = "--overwrite", description = "Make all results anew.")
+  boolean overwrite;
+
+  @Mixin SourceOptions source;
+
+  BatchCommand(Surroundings surroundings) {
+    super(surroundings);
+  }
+
+  @Override
+  public Integer call() throws IOException {
+    check();
+    Part part = part();
+    BatchInputs found = inputs();
+    Collection<BatchItem> items =
+        found.items().stream().filter(item -> item.shard(part.of) == part.number).toList();
+    if (found.items().isEmpty()) {
+      throw new CommandProblem("there is no recording in the inputs");
+    }
+    if (found.leftOut() > 0) {
+      message(Quantities.count(found.leftOut()) + " files in the folders are no recordings");
+    }
+    Batch batch = new Batch(this::chain, options(), Failures::describe);
+    BatchReport report = run(batch, items, part.failuresName());
+    result(
+        String.format(
+            Locale.ROOT,
+            "%d recordings: %d done (%s, %.1f MB, %,d rows), %d kept, %d in work elsewhere,"
+                + " %d failed",
+            items.size(),
+            report.done(),
+            Quantities.events(report.events()),
+            report.bytes() / 1e6,
+            report.rows(),
+            report.kept(),
+            report.elsewhere(),
+            report.failures().size()));
+    return report.failures().isEmpty() ? OK : FAILED;
+  }
+
+  private BatchReport run(Batch batch, Collection<BatchItem> items, String failures)
+      throws IOException {
+    try (ProgressBar bar = progressBar("batch")) {
+      return batch.run(
+          items,
+          failures,
+          new Batch.Listener() {
+            @Override
+            public void progress(long doneBytes, long totalBytes) {
+              bar.progress(doneBytes, totalBytes);
+            }
+
+            @Override
+            public void failed(BatchFailure failure) {
+              error(failure.item().name() + ": failed: " + failure.cause());
+            }
+
+            @Override
+            public void warned(BatchItem item, String warning) {
+              warning(item.name() + ": " + warning);
+            }
+          });
+    }
+  }
+
+  private void check() {
+    if (inputs.isEmpty() && lists.isEmpty()) {
+      throw wrongArguments("there is no INPUT and no --list");
+    }
+    if (resume && overwrite) {
+      throw wrongArguments("--resume keeps results, and --overwrite replaces them");
+    }
+    if (workers != null && (workers < 1 || workers > 1024)) {
+      throw wrongArguments("--workers is " + workers + ", it must be from 1 to 1024");
+    }
+    if (!format.equals("csv")) {
+      throw wrongArguments("--format is " + format + "; there is csv");
+    }
+    if (Files.exists(out) && !Files.isDirectory(out)) {
+      throw new CommandProblem(out + ": this is a file; name a folder");
+    }
+  }
+
+  private BatchOptions options() {
+    return new BatchOptions(
+        out,
+        workers == null ? Runtime.getRuntime().availableProcessors() : workers,
+        resume ? Existing.RESUME : overwrite ? Existing.OVERWRITE : Existing.REFUSE,
+        source.apply(ReadOptions.DEFAULT),
+        source.strict,
+        new Version().getVersion()[0]);
+  }
+
+  private BatchInputs inputs() throws IOException {
+    BatchInputs found = new BatchInputs(out, Optional.ofNullable(root));
+    for (Path input : inputs) {
+      found.add(input);
+    }
+    for (Path list : lists) {
+      try (Stream<String> lines = Files.lines(list)) {
+        for (String line : (Iterable<String>) lines.filter(text -> !text.isBlank())::iterator) {
+          found.add(Path.of(line.strip()));
+        }
+      } catch (java.io.UncheckedIOException notText) {
+        throw new CommandProblem(list + ": this is not UTF-8 text", notText);
+      }
+    }
+    return found;
+  }
+
+  private FilterChain chain(SensorGeometry geometry) throws IOException {
+    if (work.chain == null) {
+      FilterChain chain = new FilterChain(geometry);
+      chain.add(Filters.named(work.wings ? "wing-tracker" : "object-tracker"));
+      return chain;
+    }
+    try {
+      return ChainFile.read(work.chain, geometry, this::note);
+    } catch (CharacterCodingException notText) {
+      throw Failures.notText(work.chain, notText);
+    }
+  }
+
+  private final Set<String> notes = new HashSet<>();
+
+  /** A note on the chain is told once and not for each recording. */
+  private synchronized void note(String words) {
+    if (notes.add(words)) {
+      warning(words);
+    }
+  }
+
+  /** Which part of the inputs is worked on. */
+  private record Part(int number, int of) {
+    String failuresName() {
+      return of == 1 ? "failed.json" : "failed-" + number + "-of-" + of + ".json";
+    }
+  }
+
+  private Part part() {
+    if (shard == null) {
+      return new Part(1, 1);
+    }
+    Matcher matcher = SHARD.matcher(shard);
+    if (matcher.matches()) {
+      Part part = new Part(Integer.parseInt(matcher.group(1)), Integer.parseInt(matcher.group(2)));
+      if (part.number >= 1 && part.number <= part.of) {
+        return part;
+      }
+    }
+    throw wrongArguments("--shard is " + shard + "; it is I/N with I from 1 to N, such as 1/4");
+  }
+}

@@ -1,0 +1,56 @@
+package haltere.ui.command;
+
+import haltere.core.camera.Cameras;
+import haltere.core.chain.Filters;
+import haltere.core.extension.Extensions;
+import haltere.core.format.Recordings;
+import haltere.core.simulation.Scenes;
+import haltere.core.sink.LineOutputs;
+import haltere.ui.user.ConfigFolder;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+
+/** The folder of jars that bring more filters, formats and scenes. */
+final class ExtensionFolder {
+  static final String OPTION = "--extensions";
+  private static final String VARIABLE = "HALTERE_EXTENSIONS";
+  private static final String USUAL = "extensions";
+
+  private ExtensionFolder() {}
+
+  /**
+   * Opens the folder that is named by the option, else by the environment, else is beside the
+   * settings. It comes before the command line is parsed, for a format may be a word of it.
+   *
+   * @param args the words of the command line
+   * @param environment the environment's variables
+   * @return what was left out, one line each
+   * @throws IOException if the folder is named and not there, or cannot be read
+   */
+  static List<String> open(String[] args, Map<String, String> environment) throws IOException {
+    String named = environment.getOrDefault(VARIABLE, "");
+    for (int i = 0; i < args.length; i++) {
+      if (args[i].startsWith(OPTION + "=")) {
+        named = args[i].substring(OPTION.length() + 1);
+      } else if (args[i].equals(OPTION) && i + 1 < args.length) {
+        named = args[i + 1];
+      }
+    }
+    if (!named.isEmpty() && !Files.isDirectory(Path.of(named))) {
+      throw new CommandProblem(named + ": there is no such folder of extensions");
+    }
+    Path folder = named.isEmpty() ? ConfigFolder.ofUser().resolve(USUAL) : Path.of(named);
+    if (Extensions.open(folder).isEmpty()) {
+      return List.of();
+    }
+    Filters.all();
+    Recordings.formats();
+    Scenes.all();
+    LineOutputs.all();
+    Cameras.installed();
+    return Extensions.problems();
+  }
+}

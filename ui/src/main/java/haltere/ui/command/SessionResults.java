@@ -1,0 +1,43 @@
+package haltere.ui.command;
+
+import haltere.core.pipeline.JobResults;
+import haltere.core.pipeline.SessionRecorder;
+import haltere.core.stream.StreamHandler;
+import haltere.ui.command.terminal.Quantities;
+import java.io.IOException;
+import java.util.List;
+
+/** A camera's recording in parts, as a result of a chain. */
+final class SessionResults implements JobResults {
+  private final Subcommand command;
+  private final SessionRecorder recorder;
+
+  SessionResults(Subcommand command, SessionRecorder recorder) {
+    this.command = command;
+    this.recorder = recorder;
+  }
+
+  @Override
+  public List<StreamHandler> sinks() {
+    return List.of(recorder);
+  }
+
+  @Override
+  public void finish() throws IOException {
+    for (SessionRecorder.Part part : recorder.finish()) {
+      command.message(
+          "wrote " + part.file() + " (" + Quantities.events(part.report().written()) + ")");
+    }
+    RecordingWritingOptions.endedEarly(recorder).ifPresent(command::failedBeside);
+  }
+
+  @Override
+  public List<ResultFile> files() {
+    return List.of();
+  }
+
+  @Override
+  public void close() throws IOException {
+    recorder.close();
+  }
+}

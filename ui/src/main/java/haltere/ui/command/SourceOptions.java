@@ -1,0 +1,42 @@
+package haltere.ui.command;
+
+import haltere.core.event.Origin;
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.ReadOptions;
+import picocli.CommandLine.Option;
+
+/** What a user says of recordings that their files do not. */
+class SourceOptions {
+  @Option(
+      names = "--sensor",
+      paramLabel = "WxH",
+      converter = SensorConverter.class,
+      description = "The sensor's size where the file does not state it, such as 346x260.")
+  SensorGeometry sensor;
+
+  @Option(
+      names = "--rows",
+      paramLabel = "top|bottom",
+      description =
+          "Where rows count from in a text, NumPy or HDF5 recording that does not say it; top if"
+              + " not given.")
+  Origin rows;
+
+  @Option(
+      names = "--topic",
+      paramLabel = "NAME",
+      description = "Which of several topics of events in a bag is read, such as /dvs/events.")
+  String topic;
+
+  @Option(
+      names = "--strict",
+      description = "A recording that is cut off or damaged is an error (status 1).")
+  boolean strict;
+
+  /** These options on top of others. */
+  ReadOptions apply(ReadOptions to) {
+    ReadOptions options = sensor == null ? to : to.withSensor(sensor);
+    options = rows == null ? options : options.withOrigin(rows);
+    return topic == null ? options : options.withTopic(topic);
+  }
+}

@@ -1,0 +1,87 @@
+package haltere.ui.command;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorReading;
+import haltere.core.format.ReadingCounts;
+import haltere.core.format.RecordingReader;
+import haltere.core.format.RecordingWriter;
+import haltere.core.pipeline.JobResults;
+import haltere.core.pipeline.OverflowPolicy;
+import haltere.core.pipeline.Recorder;
+import haltere.core.pipeline.RecorderReport;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import haltere.ui.command.terminal.Quantities;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+
+/** The events that a chain left of a recording, written to another one. */
+final class WrittenRecording implements JobResults, StreamHandler {
+  private final Subcommand command;
+  private final Path input;
+  private final Path file;
+  private final RecordingWriter writer;
+  private final Recorder recorder;
+  private ReadingCounts readings = ReadingCounts.NONE;
+
+  WrittenRecording(Subcommand command, RecordingReader reader, Path file, RecordingWriter writer) {
+    this.command = command;
+    this.input = reader.path();
+    this.file = file;
+    this.writer = writer;
+    recorder = new Recorder(writer, reader.geometry(), OverflowPolicy.BLOCK);
+  }
+
+  @Override
+  public List<StreamHandler> sinks() {
+    return List.of(this);
+  }
+
+  @Override
+  public void packet(EventPacket packet) {
+    if (!packet.isEmpty()) {
+      recorder.packet(packet);
+    }
+  }
+
+  @Override
+  public void reading(SensorReading reading) {
+    readings = readings.plus(reading.kind());
+    recorder.reading(reading);
+  }
+
+  @Override
+  public void notified(StreamNotification notification) {
+    // a recording has no place for notices; its reader finds them anew
+  }
+
+  @Override
+  public void finish() throws IOException {
+    RecorderReport report = recorder.finish();
+    writer.losses().forEach(loss -> command.warning(file + ": " + loss));
+    ReadingCounts leftOut = report.readingsLeftOut();
+    if (!leftOut.isEmpty()) {
+      command.warning(
+          input + ": " + leftOut + " were left out: the format of " + file + " cannot hold them");
+    }
+    ReadingCounts kept = readings.minus(leftOut);
+    command.message(
+        "wrote "
+            + file
+            + " ("
+            + Quantities.events(report.written())
+            + (kept.isEmpty() ? "" : ", " + kept)
+            + ")");
+  }
+
+  @Override
+  public List<ResultFile> files() {
+    return List.of();
+  }
+
+  @Override
+  public void close() throws IOException {
+    recorder.close();
+  }
+}

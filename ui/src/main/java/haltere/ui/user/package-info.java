@@ -1,0 +1,2 @@
+/** Where the program keeps what belongs to a user. */
+package haltere.ui.user;

@@ -1,0 +1,252 @@
+package haltere.ui.command;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.core.json.Json;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import java.util.TreeMap;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+class BatchCommandTest {
+  private static final int KILLS = 12;
+
+  @TempDir Path folder;
+
+  private Path in;
+  private Path chain;
+
+  @BeforeEach
+  void writeRecordingsAndChain() throws IOException {
+    in = Files.createDirectories(folder.resolve("in/deep")).getParent();
+    List<String> names = List.of("a.aedat", "b.es", "deep/c.raw", "deep/d.dat");
+    for (int i = 0; i < names.size(); i++) {
+      CommandRun made =
+          CommandRun.of(
+              "simulate",
+              "dots",
+              in.resolve(names.get(i)),
+              "--duration",
+              String.valueOf(0.1 * (i + 1)),
+              "--truth",
+              folder.resolve("truth" + i + ".csv"));
+      assertEquals(0, made.status(), made.err());
+    }
+    Files.writeString(in.resolve("notes.txt"), "These are not events.\n");
+    chain = folder.resolve("chain.json");
+    Files.writeString(
+        chain,
+        """
+        {"filters": [{"filter": "background-activity"}, {"filter": "cluster-tracker"}]}
+        """);
+  }
+
+  private CommandRun batch(Path out, Object... more) {
+    Object[] args = {"batch", in, "--chain", chain, "--out", out};
+    Object[] all = new Object[args.length + more.length];
+    System.arraycopy(args, 0, all, 0, args.length);
+    System.arraycopy(more, 0, all, args.length, more.length);
+    return CommandRun.of(all);
+  }
+
+  /** All files below a folder, by their relative names. */
+  private static Map<String, String> files(Path out) throws IOException {
+    Map<String, String> files = new TreeMap<>();
+    try (Stream<Path> all = Files.walk(out)) {
+      for (Path file : (Iterable<Path>) all.filter(Files::isRegularFile)::iterator) {
+        files.put(
+            out.relativize(file).toString(),
+            new String(Files.readAllBytes(file), StandardCharsets.ISO_8859_1));
+      }
+    }
+    return files;
+  }
+
+  private static Map<?, ?> json(Path file) throws IOException {
+    return (Map<?, ?>) Json.read(file);
+  }
+
+  @Test
+  void eachRecordingGetsItsTablesAndARecordOfWhatWasDone() throws IOException {
+    Path out = folder.resolve("out");
+    CommandRun run = batch(out);
+    assertEquals(0, run.status(), run.err());
+    assertTrue(run.out().startsWith("4 recordings: 4 done"), run.out());
+    assertTrue(run.err().contains("1 files in the folders are no recordings"), run.err());
+    assertEquals(
+        List.of(
+            "a.aedat/background-activity.shares.csv",
+            "a.aedat/cluster-tracker.clusters.csv",
+            "a.aedat/done.json"),
+        files(out).keySet().stream().filter(name -> name.startsWith("a.aedat")).toList());
+    Map<?, ?> done = json(out.resolve("deep/c.raw/done.json"));
+    assertEquals("deep/c.raw", done.get("recording"));
+    assertEquals(Files.size(in.resolve("deep/c.raw")), done.get("recordingBytes"));
+    assertEquals(2, ((List<?>) done.get("outputs")).size());
+  }
+
+  @Test
+  void theTablesAreThoseOfASingleRun() throws IOException {
+    Path out = folder.resolve("out");
+    assertEquals(0, batch(out).status());
+    Path single = folder.resolve("single.csv");
+    CommandRun run =
+        CommandRun.of("run", in.resolve("deep/d.dat"), "--chain", chain, "--out", single);
+    assertEquals(0, run.status(), run.err());
+    assertArrayEquals(
+        Files.readAllBytes(folder.resolve("single.cluster-tracker.clusters.csv")),
+        Files.readAllBytes(out.resolve("deep/d.dat/cluster-tracker.clusters.csv")));
+  }
+
+  @Test
+  void workersAndShardsWriteTheSameBytes() throws IOException {
+    Path one = folder.resolve("one");
+    Path four = folder.resolve("four");
+    Path shards = folder.resolve("shards");
+    assertEquals(0, batch(one, "--workers", 1).status());
+    assertEquals(0, batch(four, "--workers", 4).status());
+    for (String shard : List.of("2/3", "1/3", "3/3")) {
+      assertEquals(0, batch(shards, "--shard", shard).status());
+    }
+    assertEquals(files(one), files(four));
+    assertEquals(files(one), files(shards));
+  }
+
+  @Test
+  void aBadRecordingStopsNothingAndIsNamed() throws IOException {
+    Files.write(in.resolve("bad.aedat4"), new byte[] {1, 2, 3});
+    Path out = folder.resolve("out");
+    CommandRun run = batch(out);
+    assertEquals(1, run.status());
+    assertTrue(run.out().startsWith("5 recordings: 4 done"), run.out());
+    List<?> failed = (List<?>) json(out.resolve("failed.json")).get("failed");
+    assertEquals(1, failed.size());
+    assertEquals("bad.aedat4", ((Map<?, ?>) failed.get(0)).get("recording"));
+    assertEquals("recording", ((Map<?, ?>) failed.get(0)).get("kind"));
+    assertFalse(Files.exists(out.resolve("bad.aedat4")));
+
+    Files.delete(in.resolve("bad.aedat4"));
+    CommandRun again = batch(out, "--resume");
+    assertEquals(0, again.status(), again.err());
+    assertFalse(Files.exists(out.resolve("failed.json")));
+  }
+
+  @Test
+  void resultsThatAreThereAreNotReplacedUnlessAsked() throws IOException {
+    Path out = folder.resolve("out");
+    assertEquals(0, batch(out).status());
+    CommandRun again = batch(out);
+    assertEquals(1, again.status());
+    assertTrue(again.err().contains("--resume"), again.err());
+    assertTrue(batch(out, "--overwrite").out().contains(" 4 done"));
+  }
+
+  @Test
+  void resumeKeepsWhatIsValidAndMakesTheRest() throws IOException {
+    Path out = folder.resolve("out");
+    assertEquals(0, batch(out).status());
+    Map<String, String> before = files(out);
+    assertTrue(batch(out, "--resume").out().contains(" 0 done (0 events, 0.0 MB, 0 rows), 4 kept"));
+
+    Files.write(out.resolve("b.es/cluster-tracker.clusters.csv"), new byte[] {'x'});
+    Files.delete(out.resolve("deep/d.dat/done.json"));
+    assertTrue(batch(out, "--resume").out().contains(" 2 done"));
+    assertEquals(before, files(out));
+
+    Files.setLastModifiedTime(in.resolve("a.aedat"), FileTime.fromMillis(1_000_000));
+    assertTrue(batch(out, "--resume").out().contains(" 4 kept"), "its bytes are the same");
+
+    Files.writeString(chain, "{\"filters\": [{\"filter\": \"cluster-tracker\"}]}\n");
+    assertTrue(batch(out, "--resume").out().contains(" 4 done"), "the chain is another");
+    assertFalse(Files.exists(out.resolve("b.es/background-activity.shares.csv")));
+  }
+
+  @Test
+  void listsNameRecordingsToo() throws IOException {
+    Path list = folder.resolve("list.txt");
+    Files.writeString(list, in.resolve("a.aedat") + "\n\n" + in.resolve("deep") + "\n");
+    Path out = folder.resolve("out");
+    CommandRun run = CommandRun.of("batch", "--list", list, "--track", "--out", out);
+    assertEquals(0, run.status(), run.err());
+    assertTrue(Files.exists(out.resolve("c.raw/object-tracker.objects.csv")), run.err());
+    assertTrue(Files.exists(out.resolve("a.aedat/done.json")));
+  }
+
+  @Test
+  void twoRecordingsOfOneNameAreRefusedUntilTheyHaveARoot() throws IOException {
+    Files.copy(in.resolve("a.aedat"), in.resolve("deep/a.aedat"));
+    Object[] both = {
+      "batch",
+      in.resolve("a.aedat"),
+      in.resolve("deep/a.aedat"),
+      "--track",
+      "--out",
+      folder.resolve("out")
+    };
+    CommandRun refused = CommandRun.of(both);
+    assertEquals(1, refused.status());
+    assertTrue(refused.err().contains("--root"), refused.err());
+    Object[] rooted = Stream.concat(Stream.of(both), Stream.of("--root", in)).toArray();
+    assertEquals(0, CommandRun.of(rooted).status());
+    assertTrue(Files.exists(folder.resolve("out/deep/a.aedat/done.json")));
+  }
+
+  @Test
+  void wrongShardsAndContradictionsAreRefused() {
+    Path out = folder.resolve("out");
+    assertEquals(2, batch(out, "--shard", "0/4").status());
+    assertEquals(2, batch(out, "--shard", "5/4").status());
+    assertEquals(2, batch(out, "--resume", "--overwrite").status());
+    assertEquals(2, batch(out, "--wings").status());
+    assertEquals(2, batch(out, "--workers", 0).status());
+    assertFalse(Files.exists(out));
+  }
+
+  @Test
+  @Timeout(240)
+  void aBatchThatIsKilledAtRandomMomentsLeavesTheSameFilesOnceItIsResumed() throws Exception {
+    Path undisturbed = folder.resolve("undisturbed");
+    assertEquals(0, batch(undisturbed).status());
+    Path out = folder.resolve("killed");
+    Random random = new Random(5);
+    int killed = 0;
+    for (int kill = 0; kill < KILLS; kill++) {
+      Process process =
+          new ProcessBuilder(
+                  Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                  "-XX:TieredStopAtLevel=1",
+                  "-XX:+UseSerialGC",
+                  "-cp",
+                  System.getProperty("java.class.path"),
+                  BatchProcess.class.getName(),
+                  in.toString(),
+                  chain.toString(),
+                  out.toString())
+              .redirectErrorStream(true)
+              .redirectOutput(folder.resolve("said.txt").toFile())
+              .start();
+      // as long as a batch takes, from before its first file on
+      process.waitFor(300 + random.nextInt(1200), TimeUnit.MILLISECONDS);
+      killed += process.isAlive() ? 1 : 0;
+      process.destroyForcibly().waitFor();
+    }
+    assertTrue(killed > 0, "no process was killed at work");
+    CommandRun last = batch(out, "--resume");
+    assertEquals(0, last.status(), last.err());
+    assertEquals(files(undisturbed), files(out));
+  }
+}
