@@ -2,6 +2,7 @@ package haltere.ui.viewer.plots;
 
 import haltere.core.chain.FilterChain;
 import haltere.core.playback.PlayerStatus;
+import haltere.core.stream.StreamNotification;
 import haltere.ui.plot.InertialFeed;
 import haltere.ui.plot.Lane;
 import haltere.ui.plot.PlotField;
@@ -317,7 +318,8 @@ public final class PlotPanel extends BorderPane {
   public void update(PlayerStatus status, long nanos) {
     List<Lane> plotted = lanes();
     boolean came = feeds.drainTo(plotted) | drainInertial(plotted);
-    if (nowUs != status.timeUs()) {
+    // during a run-up there is no time that is shown
+    if (nowUs != status.timeUs() && status.timeUs() != StreamNotification.NO_TIME_US) {
       if (status.timeUs() < nowUs) {
         // curves of tracks that do not come again would stand there as if they did
         plotted.forEach(lane -> lane.forgetFrom(status.timeUs()));
