@@ -60,6 +60,7 @@ class StartTest {
     ViewerHarness.writeRecording(file, 500_000);
     viewer.openRecording(file);
     showStartPage();
+    viewer.waitFor("the way back", () -> viewer.isThere("start-back"));
     assertEquals("Back to blob.aedat", viewer.text("start-back"));
     assertEquals("blob.aedat", viewer.text("start-recent-1"));
     viewer.click("start-back");

@@ -164,6 +164,8 @@ class CameraFeatureTest {
   void resultsAreSentToOtherPrograms() throws Exception {
     try (ViewerHarness harness = new ViewerHarness()) {
       openFly(harness);
+      harness.click("usual-objects");
+      harness.waitFor("its card", () -> harness.isThere("stage-object-tracker"));
       PublishFeature feature = harness.window.feature(PublishFeature.class);
       harness.run(() -> feature.start("tcp://127.0.0.1:0"));
       harness.waitFor("an address", () -> feature.address().isPresent());
@@ -172,6 +174,7 @@ class CameraFeatureTest {
           BufferedReader reader =
               new BufferedReader(
                   new InputStreamReader(socket.getInputStream(), StandardCharsets.US_ASCII))) {
+        socket.setSoTimeout(20_000);
         Map<?, ?> message = (Map<?, ?>) Json.parse(reader.readLine(), "a message");
         assertTrue(message.containsKey("number"), message.toString());
         harness.run(feature::stop);
