@@ -32,16 +32,25 @@ public final class Recorded {
   }
 
   /**
+   * Where a recording is: in the folder, or else in the repository.
+   *
+   * @param name of the file
+   * @return its path, in the folder if it is in neither
+   */
+  public static Path path(String name) {
+    Path file = folder().resolve(name);
+    Path ours = OURS.resolve(name);
+    return !Files.isReadable(file) && Files.isReadable(ours) ? ours : file;
+  }
+
+  /**
    * A recording for the running test; the test ends here if it is missing.
    *
    * @param name of the file
    * @return a readable file
    */
   public static Path file(String name) {
-    Path file = folder().resolve(name);
-    if (!Files.isReadable(file)) {
-      file = OURS.resolve(name);
-    }
+    Path file = path(name);
     if (!Files.isReadable(file)) {
       String reason =
           "the recording " + name + " is not in " + folder() + " (-Dhaltere.recordings names it)";

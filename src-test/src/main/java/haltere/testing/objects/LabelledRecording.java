@@ -112,6 +112,6 @@ public record LabelledRecording(String file, Playback playback, long fromMs, lon
    * @return its path, whether it is there or not
    */
   public Path path() {
-    return Recorded.folder().resolve(file);
+    return Recorded.path(file);
   }
 }

@@ -19,6 +19,7 @@ import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
+import picocli.CommandLine.UnmatchedArgumentException;
 
 /**
  * The command line: finds the command, runs it and turns what went wrong into a line and a status.
@@ -196,6 +197,7 @@ public final class HaltereProgram {
                 + ": "
                 + Failures.shortened(problem.getMessage().strip())
                 + "\n");
+    UnmatchedArgumentException.printSuggestions(problem, command.getErr());
     command.usage(command.getErr());
     return Subcommand.WRONG_ARGUMENTS;
   }

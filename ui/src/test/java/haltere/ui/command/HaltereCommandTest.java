@@ -137,4 +137,14 @@ class HaltereCommandTest {
         .distinct()
         .count();
   }
+
+  @Test
+  void aCommandOrOptionThatIsNearlyRightGetsTheRightOne() {
+    CommandRun command = CommandRun.of("trak");
+    assertEquals(2, command.status());
+    assertTrue(command.err().contains("Did you mean: ") && command.err().contains("haltere track"));
+    CommandRun option = CommandRun.of("info", "--jsn", "x.aedat");
+    assertEquals(2, option.status());
+    assertTrue(option.err().contains("--json"), option.err());
+  }
 }
