@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.json.Json;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -23,7 +24,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 class BatchCommandTest {
-  private static final int KILLS = 12;
+  private static final int KILLS = 50;
 
   @TempDir Path folder;
 
@@ -221,10 +222,10 @@ class BatchCommandTest {
   void aBatchThatIsKilledAtRandomMomentsLeavesTheSameFilesOnceItIsResumed() throws Exception {
     Path undisturbed = folder.resolve("undisturbed");
     assertEquals(0, batch(undisturbed).status());
-    Path out = folder.resolve("killed");
     Random random = new Random(5);
     int killed = 0;
     for (int kill = 0; kill < KILLS; kill++) {
+      Path out = folder.resolve("killed-" + kill);
       Process process =
           new ProcessBuilder(
                   Path.of(System.getProperty("java.home"), "bin", "java").toString(),
@@ -239,14 +240,25 @@ class BatchCommandTest {
               .redirectErrorStream(true)
               .redirectOutput(folder.resolve("said.txt").toFile())
               .start();
-      // as long as a batch takes, from before its first file on
-      process.waitFor(300 + random.nextInt(1200), TimeUnit.MILLISECONDS);
+      int begun = 1 + random.nextInt(9);
+      while (count(out) < begun && !process.waitFor(1, TimeUnit.MILLISECONDS)) {
+        // until so many files have been begun
+      }
       killed += process.isAlive() ? 1 : 0;
       process.destroyForcibly().waitFor();
+      CommandRun last = batch(out, "--resume");
+      assertEquals(0, last.status(), last.err());
+      assertEquals(files(undisturbed), files(out));
     }
-    assertTrue(killed > 0, "no process was killed at work");
-    CommandRun last = batch(out, "--resume");
-    assertEquals(0, last.status(), last.err());
-    assertEquals(files(undisturbed), files(out));
+    assertTrue(killed > KILLS / 2, "only " + killed + " processes were killed at work");
+  }
+
+  /** Files below a folder that is being written. */
+  private static long count(Path out) {
+    try (Stream<Path> all = Files.walk(out)) {
+      return all.filter(Files::isRegularFile).count();
+    } catch (IOException | UncheckedIOException changing) {
+      return 0;
+    }
   }
 }
