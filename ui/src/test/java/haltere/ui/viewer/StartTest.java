@@ -37,7 +37,8 @@ class StartTest {
 
   private void showStartPage() {
     viewer.run(() -> viewer.window.actions().run("start-page"));
-    viewer.waitFor("the start page", () -> viewer.isThere("start-page"));
+    // what is inside of it can be found once it was laid out
+    viewer.waitFor("the start page", () -> viewer.isThere("start-scene-fly"));
   }
 
   private boolean isVisible(String id) {
@@ -77,7 +78,8 @@ class StartTest {
                     .firstSession(Optional.empty()));
     first.run();
     viewer.run(() -> viewer.window.open(first, empty.toString(), ReadOptions.DEFAULT));
-    viewer.waitFor("the start page", () -> viewer.isThere("start-page"));
+    // what is inside of it can be found once it was laid out
+    viewer.waitFor("the start page", () -> viewer.isThere("start-scene-fly"));
     assertEquals(
         empty + " cannot be opened.\nThe file is empty; record or copy it again",
         viewer.text("start-problem"));
