@@ -164,8 +164,8 @@ class CameraFeatureTest {
   void resultsAreSentToOtherPrograms() throws Exception {
     try (ViewerHarness harness = new ViewerHarness()) {
       openFly(harness);
-      harness.click("usual-objects");
-      harness.waitFor("its card", () -> harness.isThere("stage-object-tracker"));
+      harness.click("usual-wings");
+      harness.waitFor("its card", () -> harness.isThere("stage-wing-tracker"));
       PublishFeature feature = harness.window.feature(PublishFeature.class);
       harness.run(() -> feature.start("tcp://127.0.0.1:0"));
       harness.waitFor("an address", () -> feature.address().isPresent());
