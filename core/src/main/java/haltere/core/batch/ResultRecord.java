@@ -4,6 +4,7 @@ import haltere.core.chain.ChainFile;
 import haltere.core.chain.ChainProblem;
 import haltere.core.chain.FilterChain;
 import haltere.core.event.SensorGeometry;
+import haltere.core.format.Checksums;
 import haltere.core.format.ReadOptions;
 import haltere.core.json.Json;
 import haltere.core.json.JsonProblem;
@@ -42,7 +43,7 @@ final class ResultRecord {
   ResultRecord(RecordingJob.ChainMaker maker, BatchOptions options) throws IOException {
     try (FilterChain chain = maker.make(SENSOR)) {
       List<Path> files =
-          OutletTables.files(chain, (stage, outlet) -> Path.of(Batch.name(stage, outlet)));
+          OutletTables.files(chain, (stage, outlet) -> Path.of(options.tableName(stage, outlet)));
       if (files.stream().distinct().count() < files.size()) {
         throw new ChainProblem("two stages of the same name would write one table: " + files);
       }
@@ -50,6 +51,7 @@ final class ResultRecord {
     }
     settings.put("program", options.program());
     settings.put("reading", reading(options));
+    settings.put("tables", options.tables());
   }
 
   private static Object json(String chain) throws JsonProblem {

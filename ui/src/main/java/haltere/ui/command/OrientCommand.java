@@ -1,6 +1,9 @@
 package haltere.ui.command;
 
+import haltere.core.json.Json;
+import haltere.core.settings.SettingsJson;
 import haltere.core.settings.SettingsProblem;
+import haltere.core.settings.SettingsSchema;
 import haltere.filters.orientation.OrientationSettings;
 import haltere.filters.orientation.camera.CameraFile;
 import haltere.filters.orientation.camera.CameraModel;
@@ -15,6 +18,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -52,7 +56,8 @@ final class OrientCommand extends Subcommand {
       required = true,
       paramLabel = "ORIENTATION.csv",
       description =
-          "Where the orientations go: CSV, or with frames also HDF5 by its name, such as OUT.h5.")
+          "Where the orientations go: CSV; by its name Parquet (OUT.parquet), or with frames HDF5"
+              + " (OUT.h5).")
   Path out;
 
   @Option(
@@ -121,7 +126,12 @@ final class OrientCommand extends Subcommand {
       settings = settings.with("gate.minEccentricity=" + cameras.minEccentricity());
     }
     tellProblems(cameras.cameras());
-    try (OrientationTable table = new OrientationTable(out, observations, writing.overwrite)) {
+    try (OrientationTable table =
+        new OrientationTable(
+            out,
+            observations,
+            writing.overwrite,
+            provenance(file).with("haltere.settings", json(settings)))) {
       OrientedBodies bodies = new OrientedBodies(cameras.cameras(), settings, smooth, table);
       read(observations, bodies);
       bodies.finish();
@@ -142,6 +152,11 @@ final class OrientCommand extends Subcommand {
       }
     }
     return OK;
+  }
+
+  private static Supplier<String> json(OrientationSettings settings) {
+    SettingsSchema<OrientationSettings> schema = SettingsSchema.of(OrientationSettings.class);
+    return () -> Json.write(SettingsJson.toMap(settings, schema));
   }
 
   private ObservationFile open() throws IOException {
