@@ -1,6 +1,6 @@
 package haltere.core.batch;
 
-import haltere.core.format.Checksums;
+import haltere.core.pipeline.Checksums;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.Recordings;
 import java.io.IOException;

@@ -1,7 +1,7 @@
 package haltere.core.batch;
 
 import haltere.core.format.AtomicFile;
-import haltere.core.format.Checksums;
+import haltere.core.pipeline.Checksums;
 import haltere.core.json.Json;
 import java.io.Closeable;
 import java.io.IOException;

@@ -4,7 +4,7 @@ import haltere.core.chain.ChainFile;
 import haltere.core.chain.ChainProblem;
 import haltere.core.chain.FilterChain;
 import haltere.core.event.SensorGeometry;
-import haltere.core.format.Checksums;
+import haltere.core.pipeline.Checksums;
 import haltere.core.format.ReadOptions;
 import haltere.core.json.Json;
 import haltere.core.json.JsonProblem;

@@ -2,7 +2,6 @@ package haltere.core.pipeline;
 
 import haltere.core.chain.ChainFile;
 import haltere.core.chain.FilterChain;
-import haltere.core.format.Checksums;
 import haltere.core.sink.TableMetadata;
 import java.io.IOException;
 import java.nio.file.Files;

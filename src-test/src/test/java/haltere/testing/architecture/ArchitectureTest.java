@@ -44,7 +44,7 @@ class ArchitectureTest {
 
   @Test
   void allModulesAreLookedAt() {
-    for (String module : new String[] {"core", "filters", "zeromq", "ui"}) {
+    for (String module : new String[] {"core", "filters", "zeromq", "columnar", "ui"}) {
       assertTrue(
           product.stream().anyMatch(type -> type.getPackageName().startsWith("haltere." + module)),
           "no class of " + module + " was found, so the rules would hold for nothing");
@@ -331,6 +331,26 @@ class ArchitectureTest {
             .onlyDependOnClassesThat(
                 resideInAnyPackage(
                     "java..", "haltere.core..", "haltere.zeromq..", "org.zeromq..")));
+    check(
+        noClasses()
+            .that()
+            .resideOutsideOfPackage("haltere.columnar..")
+            .should()
+            .dependOnClassesThat()
+            .resideInAnyPackage("haltere.columnar..", "org.apache.parquet..", "blue.strategic..")
+            .because("tables in Parquet are found as a service"));
+    check(
+        classes()
+            .that()
+            .resideInAPackage("haltere.columnar..")
+            .should()
+            .onlyDependOnClassesThat(
+                resideInAnyPackage(
+                    "java..",
+                    "haltere.core..",
+                    "haltere.columnar..",
+                    "org.apache.parquet..",
+                    "org.apache.hadoop.conf..")));
     check(
         noClasses()
             .that()

@@ -1,4 +1,4 @@
-package haltere.core.format;
+package haltere.core.pipeline;
 
 import java.io.IOException;
 import java.nio.ByteBuffer;
