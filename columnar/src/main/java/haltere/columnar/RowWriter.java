@@ -7,9 +7,7 @@ import haltere.core.sink.TableMetadata;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
-import java.util.OptionalInt;
 import org.apache.hadoop.conf.Configuration;
 import org.apache.parquet.conf.ParquetConfiguration;
 import org.apache.parquet.hadoop.api.WriteSupport;
@@ -17,6 +15,7 @@ import org.apache.parquet.io.api.Binary;
 import org.apache.parquet.io.api.RecordConsumer;
 import org.apache.parquet.schema.LogicalTypeAnnotation;
 import org.apache.parquet.schema.MessageType;
+import org.apache.parquet.schema.PrimitiveType;
 import org.apache.parquet.schema.PrimitiveType.PrimitiveTypeName;
 import org.apache.parquet.schema.Type;
 import org.apache.parquet.schema.Types;
@@ -30,54 +29,29 @@ final class RowWriter<R extends Record> extends WriteSupport<R> implements RowFi
   private final RowFields fields;
   private final TableMetadata metadata;
   private final MessageType schema;
-  private final PrimitiveTypeName[] types;
   private RecordConsumer out;
   private int index;
 
   RowWriter(RowFields fields, TableMetadata metadata) {
     this.fields = fields;
     this.metadata = metadata;
-    List<String> names = fields.names();
-    types = fields.types().stream().map(RowWriter::type).toArray(PrimitiveTypeName[]::new);
-    Type[] columns = new Type[types.length];
-    for (int i = 0; i < types.length; i++) {
-      Class<?> component = fields.types().get(i);
-      boolean always =
-          component.isPrimitive() && component != double.class && component != float.class;
-      columns[i] =
-          (always ? Types.required(types[i]) : Types.optional(types[i]))
-              .as(types[i] == PrimitiveTypeName.BINARY ? LogicalTypeAnnotation.stringType() : null)
-              .named(names.get(i));
+    Type[] columns = new Type[fields.names().size()];
+    for (int i = 0; i < columns.length; i++) {
+      columns[i] = type(fields.kinds().get(i)).named(fields.names().get(i));
     }
     schema = new MessageType("row", columns);
   }
 
-  private static PrimitiveTypeName type(Class<?> component) {
-    if (component == long.class
-        || component == Long.class
-        || component == java.util.OptionalLong.class) {
-      return PrimitiveTypeName.INT64;
-    }
-    if (component == int.class
-        || component == short.class
-        || component == byte.class
-        || component == OptionalInt.class
-        || component != Double.class
-            && component != Float.class
-            && Number.class.isAssignableFrom(component)) {
-      return PrimitiveTypeName.INT32;
-    }
-    if (component == double.class
-        || component == Double.class
-        || component == java.util.OptionalDouble.class) {
-      return PrimitiveTypeName.DOUBLE;
-    }
-    if (component == float.class || component == Float.class) {
-      return PrimitiveTypeName.FLOAT;
-    }
-    return component == boolean.class || component == Boolean.class
-        ? PrimitiveTypeName.BOOLEAN
-        : PrimitiveTypeName.BINARY;
+  private static Types.PrimitiveBuilder<PrimitiveType> type(RowFields.Kind kind) {
+    return switch (kind) {
+      case LONG -> Types.optional(PrimitiveTypeName.INT64);
+      case INTEGER -> Types.optional(PrimitiveTypeName.INT32);
+      case DOUBLE -> Types.optional(PrimitiveTypeName.DOUBLE);
+      case FLOAT -> Types.optional(PrimitiveTypeName.FLOAT);
+      case FLAG -> Types.optional(PrimitiveTypeName.BOOLEAN);
+      case TEXT ->
+          Types.optional(PrimitiveTypeName.BINARY).as(LogicalTypeAnnotation.stringType());
+    };
   }
 
   @Override
@@ -116,7 +90,7 @@ final class RowWriter<R extends Record> extends WriteSupport<R> implements RowFi
   @Override
   public void write(R row) {
     out.startMessage();
-    for (index = 0; index < types.length; index++) {
+    for (index = 0; index < schema.getFieldCount(); index++) {
       fields.write(index, row, this);
     }
     out.endMessage();
@@ -133,7 +107,7 @@ final class RowWriter<R extends Record> extends WriteSupport<R> implements RowFi
   @Override
   public void number(long value) {
     start();
-    if (types[index] == PrimitiveTypeName.INT64) {
+    if (fields.kinds().get(index) == RowFields.Kind.LONG) {
       out.addLong(value);
     } else {
       out.addInteger((int) value);

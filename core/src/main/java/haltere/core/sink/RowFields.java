@@ -65,6 +65,42 @@ public final class RowFields {
     void nothing();
   }
 
+  /** What values of a component are. */
+  public enum Kind {
+    /** 64-bit integers. */
+    LONG,
+    /** Integers of at most 32 bits. */
+    INTEGER,
+    /** Double precision. */
+    DOUBLE,
+    /** Single precision. */
+    FLOAT,
+    /** Truth values. */
+    FLAG,
+    /** Texts, characters and constants of enumerations. */
+    TEXT;
+
+    private static Kind of(Class<?> type) {
+      if (type == double.class || type == Double.class || type == OptionalDouble.class) {
+        return DOUBLE;
+      }
+      if (type == float.class || type == Float.class) {
+        return FLOAT;
+      }
+      if (type == long.class || type == Long.class || type == OptionalLong.class) {
+        return LONG;
+      }
+      if (type == boolean.class || type == Boolean.class) {
+        return FLAG;
+      }
+      return type == char.class || !(type.isPrimitive() || isInteger(type)) ? TEXT : INTEGER;
+    }
+
+    private static boolean isInteger(Class<?> type) {
+      return type == OptionalInt.class || Number.class.isAssignableFrom(type);
+    }
+  }
+
   /** Hands on one component of a row. */
   private interface Field {
     void write(Object row, Values values) throws Throwable;
@@ -96,7 +132,7 @@ public final class RowFields {
       Pattern.compile("(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])");
 
   private final List<String> names;
-  private final List<Class<?>> types = new ArrayList<>();
+  private final List<Kind> kinds = new ArrayList<>();
   private final Field[] fields;
 
   /**
@@ -120,7 +156,7 @@ public final class RowFields {
         throw new IllegalArgumentException(
             components[i] + " cannot have " + decimals + " digits behind the decimal point");
       }
-      types.add(components[i].getType());
+      kinds.add(Kind.of(components[i].getType()));
       fields[i] = field(components[i], decimals);
     }
   }
@@ -161,12 +197,12 @@ public final class RowFields {
   }
 
   /**
-   * Types of the components.
+   * What the values of the columns are.
    *
-   * @return in order: primitive types, their boxes, optional numbers, String and enumerations
+   * @return in order
    */
-  public List<Class<?>> types() {
-    return List.copyOf(types);
+  public List<Kind> kinds() {
+    return kinds;
   }
 
   /**
