@@ -1,6 +1,7 @@
 package haltere.filters.object;
 
 import haltere.filters.estimation.GaussianState;
+import haltere.filters.trail.Ellipse;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
@@ -15,6 +16,9 @@ import java.util.function.ToDoubleFunction;
 final class TrackedObject {
   /** Halvings of an interval until a side is known to a thousandth of a pixel. */
   private static final int HALVINGS = 20;
+
+  /** Largest correlation of x and y, so that a line has a width. */
+  private static final double MAX_CORRELATION = 0.99;
 
   final List<Component> components = new ArrayList<>(1);
 
@@ -214,6 +218,24 @@ final class TrackedObject {
     return Math.sqrt(pp + side + s * (2 * pv + s * vv));
   }
 
+  /** The ellipse within its box whose axes are correlated as its events are. */
+  private Ellipse ellipse() {
+    double xx = 0;
+    double xy = 0;
+    double yy = 0;
+    for (Component c : components) {
+      double weight = c.activeRate();
+      double dx = c.middleX() - middleX();
+      double dy = c.middleY() - middleY();
+      xx += weight * (dx * dx + c.shape.varianceX);
+      xy += weight * (dx * dy + c.shape.covarianceXy);
+      yy += weight * (dy * dy + c.shape.varianceY);
+    }
+    double correlation = xx > 0 && yy > 0 ? xy / Math.sqrt(xx * yy) : 0;
+    double bounded = Math.max(-MAX_CORRELATION, Math.min(MAX_CORRELATION, correlation));
+    return Ellipse.of(halfX() * halfX(), bounded * halfX() * halfY(), halfY() * halfY());
+  }
+
   /** Moves all of it without a registration. */
   void shift(double dx, double dy) {
     for (Component component : components) {
@@ -240,7 +262,7 @@ final class TrackedObject {
     }
     // The sides of the extent are known to a cell of the template.
     double side = cell * cell / 4;
-    Ellipse ellipse = Ellipse.of(components, middleX(), middleY(), halfX(), halfY());
+    Ellipse ellipse = ellipse();
     return new ObjectTrack(
         timeUs,
         id,
@@ -253,8 +275,8 @@ final class TrackedObject {
         Math.sqrt(mean(state -> state.covariance(1, 1))),
         Math.sqrt(mean(state -> state.covariance(3, 3))),
         Math.round(events),
-        ellipse.major(),
-        ellipse.minor(),
+        ellipse.majorPx(),
+        ellipse.minorPx(),
         ellipse.angleRad(),
         existence(),
         rate / ObjectTracker.TICK_S,

@@ -78,7 +78,7 @@ class MendedSlipsTest {
 
   private static double speed(EventPacket events, String friction) {
     ClusterTrack last = new ClusterRun(friction, "motion.mixingFactor=0.002").take(events).last();
-    return Math.hypot(last.vxPxPerS(), last.vyPxPerS());
+    return Math.hypot(last.vxPxS(), last.vyPxS());
   }
 
   @Test
