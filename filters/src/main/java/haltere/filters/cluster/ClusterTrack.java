@@ -1,6 +1,7 @@
 package haltere.filters.cluster;
 
 import haltere.core.sink.Column;
+import haltere.filters.trail.Ellipse;
 import haltere.filters.trail.TrailPoint;
 
 /**
@@ -36,21 +37,9 @@ public record ClusterTrack(
     @Column(decimals = 1) double rateHz,
     long ageUs)
     implements TrailPoint {
-  /**
-   * Half axis at the angle.
-   *
-   * @return pixels
-   */
-  public double radiusAlongPx() {
-    return radiusPx * Math.sqrt(aspect);
-  }
-
-  /**
-   * Half axis across the angle.
-   *
-   * @return pixels
-   */
-  public double radiusAcrossPx() {
-    return radiusPx / Math.sqrt(aspect);
+  /** {@return the half axes; the first one, at the angle, may be the shorter one} */
+  public Ellipse ellipse() {
+    double root = Math.sqrt(aspect);
+    return new Ellipse(radiusPx * root, radiusPx / root, angleRad);
   }
 }

@@ -6,7 +6,6 @@ import haltere.core.chain.PublishingFilter;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.overlay.MarkStyle.Role;
-import haltere.filters.trail.Ellipse;
 import haltere.filters.trail.TrailMark;
 import haltere.filters.trail.TrailOverlay;
 import haltere.filters.trail.TrailSnapshot;
@@ -66,7 +65,7 @@ public final class ClusterTrackerFilter extends PublishingFilter<ClusterTrackerS
   private TrailMark mark(ClusterTrack track) {
     return new TrailMark(
         Role.OBJECT,
-        new Ellipse(track.radiusAlongPx(), track.radiusAcrossPx(), track.angleRad()),
+        track.ellipse(),
         settings().shape().type() == ClusterShapeSettings.Type.BOX,
         Integer.toString(track.id()),
         track.radiusPx() * Math.sqrt(0.5));

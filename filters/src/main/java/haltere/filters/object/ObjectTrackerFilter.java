@@ -95,11 +95,7 @@ public final class ObjectTrackerFilter extends PublishingFilter<ObjectTrackerSet
     return true;
   }
 
-  /**
-   * Where the objects come out.
-   *
-   * @return a result for each object at each report
-   */
+  /** {@return the outlet of the objects, a result for each object at each report} */
   public Outlet<ObjectTrack> tracks() {
     return tracks;
   }

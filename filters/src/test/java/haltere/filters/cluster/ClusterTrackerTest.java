@@ -168,8 +168,8 @@ class ClusterTrackerTest {
     assertEquals(12.8, row.radiusPx(), 1e-9);
     assertEquals(Math.toRadians(30), row.angleRad(), 1e-9);
     // Height over width is 4: the half axis at the angle is the shorter one.
-    assertEquals(6.4, row.radiusAlongPx(), 1e-9);
-    assertEquals(25.6, row.radiusAcrossPx(), 1e-9);
+    assertEquals(6.4, row.ellipse().majorPx(), 1e-9);
+    assertEquals(25.6, row.ellipse().minorPx(), 1e-9);
   }
 
   @Test

@@ -142,7 +142,7 @@ class MendedSlipsTest {
     ClusterTrack row =
         new ClusterRun("growth.aspect=true", "motion.mixingFactor=0.01").take(events).last();
     assertEquals(2.5, row.aspect(), 1e-9);
-    assertEquals(7.68 * Math.sqrt(2.5), row.radiusAlongPx(), 1e-9);
+    assertEquals(7.68 * Math.sqrt(2.5), row.ellipse().majorPx(), 1e-9);
   }
 
   @Test
