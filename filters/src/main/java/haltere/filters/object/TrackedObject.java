@@ -14,9 +14,6 @@ import java.util.function.ToDoubleFunction;
  * <p>Thread rule: one thread at a time.
  */
 final class TrackedObject {
-  /** Halvings of an interval until a side is known to a thousandth of a pixel. */
-  private static final int HALVINGS = 20;
-
   /** Largest correlation of x and y, so that a line has a width. */
   private static final double MAX_CORRELATION = 0.99;
 
@@ -104,12 +101,18 @@ final class TrackedObject {
     return 1 - none;
   }
 
-  /** Works out the box that holds all but the tails of its events. */
+  /** Works out the box around those of its components. */
   void measure() {
-    lowX = quantile(ShapeTemplate.TAIL, true);
-    highX = quantile(1 - ShapeTemplate.TAIL, true);
-    lowY = quantile(ShapeTemplate.TAIL, false);
-    highY = quantile(1 - ShapeTemplate.TAIL, false);
+    lowX = Double.POSITIVE_INFINITY;
+    highX = Double.NEGATIVE_INFINITY;
+    lowY = Double.POSITIVE_INFINITY;
+    highY = Double.NEGATIVE_INFINITY;
+    for (Component c : components) {
+      lowX = Math.min(lowX, c.middleX() - c.shape.halfX);
+      highX = Math.max(highX, c.middleX() + c.shape.halfX);
+      lowY = Math.min(lowY, c.middleY() - c.shape.halfY);
+      highY = Math.max(highY, c.middleY() + c.shape.halfY);
+    }
   }
 
   double middleX() {
@@ -141,39 +144,6 @@ final class TrackedObject {
       }
     }
     return low == Double.POSITIVE_INFINITY ? lowY : low;
-  }
-
-  /** Quantile of the events along a direction, each component being evenly filled. */
-  private double quantile(double share, boolean alongX) {
-    double low = Double.POSITIVE_INFINITY;
-    double high = Double.NEGATIVE_INFINITY;
-    double all = 0;
-    for (Component c : components) {
-      double middle = alongX ? c.middleX() : c.middleY();
-      double half = alongX ? c.shape.halfX : c.shape.halfY;
-      low = Math.min(low, middle - half);
-      high = Math.max(high, middle + half);
-      all += c.activeRate();
-    }
-    if (components.size() == 1) {
-      return share < 0.5 ? low : high;
-    }
-    for (int k = 0; k < HALVINGS; k++) {
-      double at = 0.5 * (low + high);
-      double sum = 0;
-      for (Component c : components) {
-        double middle = alongX ? c.middleX() : c.middleY();
-        double half = alongX ? c.shape.halfX : c.shape.halfY;
-        double below = (at - middle + half) / (2 * half);
-        sum += c.activeRate() * Math.max(0, Math.min(1, below));
-      }
-      if (sum < share * all) {
-        low = at;
-      } else {
-        high = at;
-      }
-    }
-    return 0.5 * (low + high);
   }
 
   /** Mean over its components by their events. */
