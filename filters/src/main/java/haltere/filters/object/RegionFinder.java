@@ -51,6 +51,7 @@ final class RegionFinder {
 
   private final int[] label = new int[ShapeTemplate.CELLS];
   private final int[] stack = new int[ShapeTemplate.CELLS];
+  private Region spare = new Region();
   private List<Region> regions = List.of();
 
   void clear() {
@@ -118,10 +119,10 @@ final class RegionFinder {
     int labels = 0;
     for (int cell = 0; cell < ShapeTemplate.CELLS; cell++) {
       if (shape.core[cell] && label[cell] == 0) {
-        Region region = new Region();
-        fill(shape, cell, ++labels, region);
-        if (region.mass > MIN_SHARE * shape.solidTotal) {
-          found.add(region);
+        fill(shape, cell, ++labels, spare);
+        if (spare.mass > MIN_SHARE * shape.solidTotal) {
+          found.add(spare);
+          spare = new Region();
         }
       }
     }
@@ -131,6 +132,9 @@ final class RegionFinder {
   private void fill(ShapeTemplate shape, int start, int number, Region region) {
     int side = ShapeTemplate.SIDE;
     region.label = number;
+    region.mass = 0;
+    region.x = 0;
+    region.y = 0;
     int top = 0;
     stack[top++] = start;
     label[start] = number;

@@ -99,17 +99,20 @@ class ShapeTemplateTest {
 
   @Test
   void theDistanceOfTwoIsTheGapBetweenTheirBoxes() {
-    Component one = component(0, 0);
-    assertEquals(0, one.boxDistance(component(5, 0)));
-    assertEquals(18, one.boxDistance(component(30, 0)), 2 * one.shape.cellPx + 0.1);
-    assertEquals(18 * Math.sqrt(2), one.boxDistance(component(30, -30)), 3 * one.shape.cellPx);
-    assertEquals(one.boxDistance(component(30, 4)), component(30, 4).boxDistance(one), 1e-9);
+    Component one = component();
+    Component other = component();
+    double blur = 3 * one.shape.cellPx;
+    other.state.setMean(0, 5);
+    assertEquals(0, one.boxDistance(other));
+    other.state.setMean(0, 30);
+    assertEquals(18, one.boxDistance(other), blur);
+    other.state.setMean(2, -30);
+    assertEquals(18 * Math.sqrt(2), one.boxDistance(other), blur);
+    assertEquals(one.boxDistance(other), other.boxDistance(one), 1e-9);
   }
 
-  private Component component(double x, double y) {
+  private Component component() {
     Component component = new Component(0);
-    component.state.setMean(0, x);
-    component.state.setMean(2, y);
     ShapeTemplate box = box(6, 6);
     component.shape.clear(box.cellPx);
     component.shape.absorb(box, 0, 0);
