@@ -49,8 +49,7 @@ final class RowWriter<R extends Record> extends WriteSupport<R> implements RowFi
       case DOUBLE -> Types.optional(PrimitiveTypeName.DOUBLE);
       case FLOAT -> Types.optional(PrimitiveTypeName.FLOAT);
       case FLAG -> Types.optional(PrimitiveTypeName.BOOLEAN);
-      case TEXT ->
-          Types.optional(PrimitiveTypeName.BINARY).as(LogicalTypeAnnotation.stringType());
+      case TEXT -> Types.optional(PrimitiveTypeName.BINARY).as(LogicalTypeAnnotation.stringType());
     };
   }
 
