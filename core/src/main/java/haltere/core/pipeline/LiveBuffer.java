@@ -10,30 +10,44 @@ import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import java.io.InterruptedIOException;
 import java.util.ArrayDeque;
+import java.util.Collections;
+import java.util.IdentityHashMap;
 import java.util.Objects;
+import java.util.Set;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 
 /**
- * Takes one stream from the thread that makes it to the thread that processes it, through a fixed
- * number of packets. Where they do not suffice, its {@link OverflowPolicy} says what happens;
- * events that are dropped are counted, and at their place in the stream stands one {@link DataLost}
- * for all that are missing there. Notifications are never dropped; a reset straight after a reset
- * takes its place.
+ * Takes one stream from the thread that makes it to the thread that processes it. So many events
+ * may wait, in however many packets they come. Beyond them, its {@link OverflowPolicy} says what
+ * happens; events that are dropped are counted, and at their place in the stream stands one {@link
+ * DataLost} for all that are missing there. Notifications are never dropped; a reset straight after
+ * a reset takes its place.
  *
  * <p>Thread rule: one producer uses it as a {@link StreamHandler}, one consumer as an {@link
  * EventSource}; the counts may be read from any thread.
  */
 public final class LiveBuffer implements StreamHandler, EventSource {
   private final SensorGeometry geometry;
-  private final int capacity;
+  private final int maxEvents;
+  private final int maxPackets;
+  private final int packetEvents;
   private final OverflowPolicy policy;
   private final String place;
   private final boolean gathering;
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition changed = lock.newCondition();
+  private final int pooledPackets;
   private final ArrayDeque<EventPacket> free = new ArrayDeque<>();
+
+  /** Packets of full size, which are used again; what small packets need beyond is made anew. */
+  private final Set<EventPacket> pooled = Collections.newSetFromMap(new IdentityHashMap<>());
+
   private final LiveQueue waiting;
+
+  /** Whether the consumer has a packet in its hands. */
+  private boolean held;
+
   private boolean ending;
   private boolean ended;
   private boolean closed;
@@ -46,52 +60,82 @@ public final class LiveBuffer implements StreamHandler, EventSource {
    * An empty buffer.
    *
    * @param geometry the sensor of the stream
-   * @param packets how many packets there are, at least 2
-   * @param capacity events that each holds; larger packets are cut, at least 1
-   * @param policy what happens when all are full
+   * @param maxEvents how many events may wait
+   * @param packetEvents larger packets are cut, 1 to {@code maxEvents}
+   * @param policy what happens when as many wait
    * @param place who loses events then, in words for a person, for {@link DataLost#place()}
    */
   public LiveBuffer(
-      SensorGeometry geometry, int packets, int capacity, OverflowPolicy policy, String place) {
-    this(geometry, packets, capacity, policy, place, false);
+      SensorGeometry geometry,
+      int maxEvents,
+      int packetEvents,
+      OverflowPolicy policy,
+      String place) {
+    this(geometry, maxEvents, Integer.MAX_VALUE, packetEvents, policy, place, false);
   }
 
   private LiveBuffer(
       SensorGeometry geometry,
-      int packets,
-      int capacity,
+      int maxEvents,
+      int maxPackets,
+      int packetEvents,
       OverflowPolicy policy,
       String place,
       boolean gathering) {
-    if (packets < 2 || capacity < 1) {
+    if (packetEvents < 1 || maxEvents < packetEvents) {
       throw new IllegalArgumentException(
-          "a buffer needs 2 packets of 1 event or more, not " + packets + " of " + capacity);
+          "a buffer needs room for a packet of 1 event or more, not "
+              + maxEvents
+              + " for one of "
+              + packetEvents);
     }
     this.geometry = Objects.requireNonNull(geometry, "geometry");
-    this.capacity = capacity;
+    this.maxEvents = maxEvents;
+    this.maxPackets = maxPackets;
+    this.packetEvents = packetEvents;
     this.policy = Objects.requireNonNull(policy, "policy");
     this.place = Objects.requireNonNull(place, "place");
     this.gathering = gathering;
+    pooledPackets = maxEvents / packetEvents + 1;
     waiting = new LiveQueue(place);
-    for (int i = 0; i < packets; i++) {
-      free.add(new EventPacket(capacity));
-    }
   }
 
   /**
-   * An empty buffer that puts small packets together while they wait, so that it holds as many
-   * events however they come. For a consumer to whom borders of packets mean nothing.
+   * An empty buffer that puts small packets together while they wait. For a consumer to whom
+   * borders of packets mean nothing.
    *
    * @param geometry the sensor of the stream
-   * @param packets how many packets there are, at least 2
-   * @param capacity events that each holds; larger packets are cut, at least 1
-   * @param policy what happens when all are full
+   * @param maxEvents how many events may wait
+   * @param packetEvents larger packets are cut, 1 to {@code maxEvents}
+   * @param policy what happens when as many wait
    * @param place who loses events then, in words for a person, for {@link DataLost#place()}
    * @return a buffer
    */
   public static LiveBuffer gathering(
-      SensorGeometry geometry, int packets, int capacity, OverflowPolicy policy, String place) {
-    return new LiveBuffer(geometry, packets, capacity, policy, place, true);
+      SensorGeometry geometry,
+      int maxEvents,
+      int packetEvents,
+      OverflowPolicy policy,
+      String place) {
+    return new LiveBuffer(
+        geometry, maxEvents, Integer.MAX_VALUE, packetEvents, policy, place, true);
+  }
+
+  /**
+   * An empty buffer for the transfers of a device, which has a fixed number of them however many
+   * events are in each.
+   *
+   * @param geometry the sensor of the stream
+   * @param packets how many may wait, with one in the consumer's hands, at least 2
+   * @param packetEvents larger packets are cut, at least 1
+   * @param policy what happens when as many wait
+   * @param place who loses events then, in words for a person, for {@link DataLost#place()}
+   * @return a buffer
+   */
+  public static LiveBuffer ofPackets(
+      SensorGeometry geometry, int packets, int packetEvents, OverflowPolicy policy, String place) {
+    return new LiveBuffer(
+        geometry, packets * packetEvents, packets, packetEvents, policy, place, false);
   }
 
   // ---- The producer's side
@@ -109,14 +153,16 @@ public final class LiveBuffer implements StreamHandler, EventSource {
       lock.lock();
       try {
         EventPacket last = gathering ? waiting.lastPacket() : null;
-        int room = last == null ? 0 : capacity - last.size();
-        int to = Math.min(packet.size(), from + (room > 0 ? room : capacity));
-        eventsIn += to - from;
-        if (room > 0) {
-          last.append(packet, from, to);
+        int left = last == null ? 0 : packetEvents - last.size();
+        int to = Math.min(packet.size(), from + (left > 0 ? left : packetEvents));
+        int taken = admitted(to - from);
+        if (taken > 0) {
+          to = from + taken;
+          put(packet, from, to);
         } else {
-          putCopy(packet, from, to);
+          lose(to - from);
         }
+        eventsIn += to - from;
         from = to;
       } finally {
         lock.unlock();
@@ -124,11 +170,19 @@ public final class LiveBuffer implements StreamHandler, EventSource {
     }
   }
 
-  private void putCopy(EventPacket packet, int from, int to) {
-    EventPacket copy = room();
-    if (copy == null) {
-      lose(to - from);
+  private void put(EventPacket packet, int from, int to) {
+    EventPacket last = gathering ? waiting.lastPacket() : null;
+    if (last != null && last.size() + to - from <= packetEvents) {
+      last.append(packet, from, to);
+      waiting.grew(to - from);
       return;
+    }
+    EventPacket copy = free.poll();
+    if (copy == null && pooled.size() < pooledPackets) {
+      copy = new EventPacket(packetEvents);
+      pooled.add(copy);
+    } else if (copy == null) {
+      copy = new EventPacket(to - from);
     }
     copy.clear();
     copy.append(packet, from, to);
@@ -136,32 +190,38 @@ public final class LiveBuffer implements StreamHandler, EventSource {
     changed.signalAll();
   }
 
-  /** A packet to fill, or null if the events are to be dropped. */
-  private EventPacket room() {
+  /** How many more events may wait. */
+  private int room() {
+    int packets = waiting.packets() + (held ? 1 : 0);
+    return packets >= maxPackets ? 0 : maxEvents - waiting.events();
+  }
+
+  /** Makes room as the policy says; returns how many of the events may wait. */
+  private int admitted(int events) {
     if (policy == OverflowPolicy.BLOCK) {
       try {
-        while (free.isEmpty() && !closed && !ending) {
+        while (room() < events && !closed && !ending) {
           changed.await();
         }
       } catch (InterruptedException interrupted) {
         Thread.currentThread().interrupt();
-        return null;
+        return 0;
       }
     }
     if (closed || ending) {
-      return null;
+      return 0;
     }
-    if (free.isEmpty() && policy == OverflowPolicy.DROP_OLDEST) {
-      dropOldest();
+    while (policy == OverflowPolicy.DROP_OLDEST && room() < events && waiting.packets() > 0) {
+      EventPacket oldest = waiting.dropOldest();
+      eventsLost += oldest.size();
+      free(oldest);
     }
-    return free.poll();
+    return Math.min(events, room());
   }
 
-  private void dropOldest() {
-    EventPacket oldest = waiting.dropOldest();
-    if (oldest != null) {
-      eventsLost += oldest.size();
-      free.add(oldest);
+  private void free(EventPacket packet) {
+    if (pooled.contains(packet)) {
+      free.add(packet);
     }
   }
 
@@ -284,9 +344,8 @@ public final class LiveBuffer implements StreamHandler, EventSource {
         return null;
       }
       Object next = waiting.take();
-      if (next instanceof SensorReading) {
-        changed.signalAll();
-      }
+      held = next instanceof EventPacket;
+      changed.signalAll();
       ended = next instanceof EndOfStream;
       return next;
     } catch (InterruptedException interrupted) {
@@ -300,7 +359,8 @@ public final class LiveBuffer implements StreamHandler, EventSource {
     lock.lock();
     try {
       eventsOut += events;
-      free.add(packet);
+      held = false;
+      free(packet);
       changed.signalAll();
     } finally {
       lock.unlock();

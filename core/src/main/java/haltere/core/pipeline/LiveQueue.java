@@ -6,7 +6,7 @@ import haltere.core.event.SensorReading;
 import haltere.core.stream.DataLost;
 import haltere.core.stream.Reset;
 import haltere.core.stream.StreamNotification;
-import java.util.ArrayList;
+import java.util.LinkedList;
 import java.util.List;
 
 /**
@@ -29,9 +29,10 @@ final class LiveQueue {
   private final String place;
   // EventPacket, SensorReading, StreamNotification or Gap; a gap is never at the end of what may be
   // taken.
-  private final List<Object> waiting = new ArrayList<>();
+  private final List<Object> waiting = new LinkedList<>(); // used at its ends
   private long lastTakenUs = StreamNotification.NO_TIME_US;
   private int packets;
+  private int events;
   private int mostPackets;
   private int readings;
   private long readingBytes;
@@ -48,6 +49,16 @@ final class LiveQueue {
   /** Packets that wait. */
   int packets() {
     return packets;
+  }
+
+  /** Events that wait. */
+  int events() {
+    return events;
+  }
+
+  /** Counts events that were added to the {@link #lastPacket() last packet}. */
+  void grew(int more) {
+    events += more;
   }
 
   /** The most packets that ever waited. */
@@ -74,6 +85,7 @@ final class LiveQueue {
   void add(EventPacket packet) {
     waiting.add(packet);
     packets++;
+    events += packet.size();
     mostPackets = Math.max(mostPackets, packets);
   }
 
@@ -106,6 +118,7 @@ final class LiveQueue {
       if (waiting.get(i) instanceof EventPacket oldest) {
         waiting.remove(i);
         packets--;
+        events -= oldest.size();
         addGap(i, oldest.size());
         return oldest;
       }
@@ -148,6 +161,7 @@ final class LiveQueue {
     }
     if (next instanceof EventPacket packet) {
       packets--;
+      events -= packet.size();
       lastTakenUs = packet.lastTimeUs();
     } else if (next instanceof SensorReading reading) {
       readings--;
@@ -160,15 +174,13 @@ final class LiveQueue {
 
   /** Throws away all that waits; returns how many events that were. */
   long clear() {
-    long events = 0;
-    for (Object item : waiting) {
-      events += item instanceof EventPacket packet ? packet.size() : 0;
-    }
+    int cleared = events;
     waiting.clear();
     packets = 0;
+    events = 0;
     readings = 0;
     readingBytes = 0;
-    return events;
+    return cleared;
   }
 
   private static long bytes(SensorReading reading) {

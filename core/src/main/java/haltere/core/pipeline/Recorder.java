@@ -96,7 +96,12 @@ public final class Recorder implements StreamHandler, Closeable {
     this.writer = Objects.requireNonNull(writer, "writer");
     this.patience = Objects.requireNonNull(patience, "patience");
     buffer =
-        LiveBuffer.gathering(geometry, queuePackets, PACKET_EVENTS, policy, "the recorder's disk");
+        LiveBuffer.gathering(
+            geometry,
+            (queuePackets - 1) * PACKET_EVENTS,
+            PACKET_EVENTS,
+            policy,
+            "the recorder's disk");
     thread = new Thread(this::work, "haltere-recorder");
     thread.setDaemon(true);
     thread.start();

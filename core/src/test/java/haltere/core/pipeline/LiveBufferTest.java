@@ -27,8 +27,8 @@ import org.junit.jupiter.api.Timeout;
 class LiveBufferTest {
   private static final SensorGeometry SENSOR = new SensorGeometry(4, 4);
 
-  private static LiveBuffer buffer(int packets, OverflowPolicy policy) {
-    return new LiveBuffer(SENSOR, packets, 4, policy, "the buffer");
+  private static LiveBuffer buffer(int events, OverflowPolicy policy) {
+    return new LiveBuffer(SENSOR, events, Math.min(4, events), policy, "the buffer");
   }
 
   private static EventPacket at(long... timesUs) {
@@ -75,7 +75,7 @@ class LiveBufferTest {
 
   @Test
   void theNewestIsDroppedAndToldAtItsPlace() throws IOException {
-    LiveBuffer buffer = buffer(2, OverflowPolicy.DROP_NEWEST);
+    LiveBuffer buffer = buffer(4, OverflowPolicy.DROP_NEWEST);
     buffer.notified(new StreamStarted(SENSOR, "test"));
     for (long t = 10; t <= 50; t += 10) {
       buffer.packet(at(t, t + 1));
@@ -95,7 +95,7 @@ class LiveBufferTest {
 
   @Test
   void theOldestIsDroppedAndToldAtItsPlace() throws IOException {
-    LiveBuffer buffer = buffer(2, OverflowPolicy.DROP_OLDEST);
+    LiveBuffer buffer = buffer(4, OverflowPolicy.DROP_OLDEST);
     buffer.notified(new StreamStarted(SENSOR, "test"));
     for (long t = 10; t <= 50; t += 10) {
       buffer.packet(at(t, t + 1));
@@ -161,7 +161,7 @@ class LiveBufferTest {
 
   @Test
   void largePacketsAreCutAndTheCallersPacketIsLeftAlone() throws IOException {
-    LiveBuffer buffer = buffer(3, OverflowPolicy.DROP_NEWEST);
+    LiveBuffer buffer = buffer(12, OverflowPolicy.DROP_NEWEST);
     EventPacket large = at(1, 2, 3, 4, 5, 6, 7, 8, 9);
     buffer.notified(new StreamStarted(SENSOR, "test"));
     buffer.packet(large);
@@ -172,8 +172,35 @@ class LiveBufferTest {
   }
 
   @Test
+  void asManyEventsWaitInSmallPacketsAsInLargeOnes() throws IOException {
+    for (int size : new int[] {1, 10, 100}) {
+      for (boolean gathering : new boolean[] {false, true}) {
+        LiveBuffer buffer =
+            gathering
+                ? LiveBuffer.gathering(SENSOR, 1000, 100, OverflowPolicy.DROP_NEWEST, "it")
+                : new LiveBuffer(SENSOR, 1000, 100, OverflowPolicy.DROP_NEWEST, "it");
+        long timeUs = 0;
+        buffer.notified(new StreamStarted(SENSOR, "test"));
+        for (int sent = 0; sent < 1500; sent += size) {
+          EventPacket packet = new EventPacket(size);
+          for (int i = 0; i < size; i++) {
+            packet.append(timeUs++, 1, 1, true);
+          }
+          buffer.packet(packet);
+        }
+        assertEquals(500, buffer.counts().lost(), size + " " + gathering);
+        buffer.notified(new EndOfStream(timeUs));
+        Log log = new Log();
+        buffer.drainTo(log);
+        assertEquals(1000, log.events);
+        assertEquals(500, log.lost);
+      }
+    }
+  }
+
+  @Test
   void aBlockedProducerLosesNothing() throws Exception {
-    LiveBuffer buffer = buffer(2, OverflowPolicy.BLOCK);
+    LiveBuffer buffer = buffer(8, OverflowPolicy.BLOCK);
     Thread producer = produce(buffer, 20_000, 3);
     Log log = new Log();
     buffer.drainTo(new StreamGrammar(log));
@@ -187,7 +214,7 @@ class LiveBufferTest {
   void underLoadEveryEventIsHandedOverOrToldToBeLost() throws Exception {
     for (OverflowPolicy policy :
         new OverflowPolicy[] {OverflowPolicy.DROP_NEWEST, OverflowPolicy.DROP_OLDEST}) {
-      LiveBuffer buffer = buffer(3, policy);
+      LiveBuffer buffer = buffer(12, policy);
       Thread producer = produce(buffer, 20_000, 9);
       Log log = new Log();
       buffer.drainTo(new StreamGrammar(log));

@@ -131,7 +131,7 @@ final class SimulatedTransfers {
             ? OverflowPolicy.DROP_OLDEST
             : OverflowPolicy.DROP_NEWEST;
     filling =
-        new LiveBuffer(
+        LiveBuffer.ofPackets(
             info.geometry(), waiting, TRANSFER_EVENTS, policy, info.id() + ": nobody took them");
     streams.add(filling);
     streamsBegun++;

@@ -37,7 +37,7 @@ public class HandOverBenchmark {
   private final PacketPool pool = new PacketPool(8, 16);
   private final EventPacket packet = packet(1024);
   private final LiveBuffer buffer =
-      new LiveBuffer(SENSOR, 8, 4096, OverflowPolicy.DROP_NEWEST, "benchmark");
+      new LiveBuffer(SENSOR, 8 * 4096, 4096, OverflowPolicy.DROP_NEWEST, "benchmark");
   private final StreamHandler nowhere =
       new StreamHandler() {
         @Override
