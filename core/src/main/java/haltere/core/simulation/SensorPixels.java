@@ -10,7 +10,7 @@ import haltere.core.event.EventAddress;
  * <p>Light is relative to the bright background, whose level is 0; levels are natural logarithms.
  * Times are in microseconds since the beginning. Thread rule: one thread at a time.
  */
-public abstract class SensorPixels {
+abstract class SensorPixels {
   private static final double LEAST_THRESHOLD_SHARE = 0.25;
 
   // what is known of a pixel lies together, a cache line each

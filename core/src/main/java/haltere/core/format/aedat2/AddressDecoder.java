@@ -8,7 +8,7 @@ import haltere.core.event.EventPacket;
  *
  * <p>Thread rule: immutable.
  */
-public abstract sealed class AddressDecoder permits Dvs128AddressDecoder, DavisAddressDecoder {
+abstract sealed class AddressDecoder permits Dvs128AddressDecoder, DavisAddressDecoder {
   /** Answer of {@link #address}: no polarity event (frame, inertial sample, external input). */
   public static final int OTHER = -1;
 

@@ -22,7 +22,7 @@ import java.util.regex.Pattern;
  * @param sensor size of the sensor, from our own line
  * @param firstTurnUs what to add to the file's 32-bit times, from our own line
  */
-public record AedatHeader(
+record AedatHeader(
     OptionalInt version,
     String versionText,
     int dataOffset,

@@ -19,7 +19,7 @@ import java.util.Optional;
  * @param geometry the sensor
  * @param remarks what was assumed, a line each
  */
-public record AedatSensor(Layout layout, SensorGeometry geometry, List<String> remarks) {
+record AedatSensor(Layout layout, SensorGeometry geometry, List<String> remarks) {
   /** The two meanings of an address word. */
   public enum Layout {
     /** {@link Dvs128AddressDecoder}. */

@@ -9,7 +9,7 @@ import haltere.core.event.SensorGeometry;
  * bits 12 to 21 are x counted from the right, bit 11 is 1 for ON. Bit 10 marks an external input,
  * bit 31 a pixel sample of a frame or an inertial sample; neither is an event.
  */
-public final class DavisAddressDecoder extends AddressDecoder {
+final class DavisAddressDecoder extends AddressDecoder {
   /** Widest sensor that the layout can hold. */
   public static final int MAX_WIDTH = 1024;
 

@@ -16,7 +16,7 @@ import java.nio.ByteBuffer;
  *
  * <p>Thread rule: one thread.
  */
-public final class RecordDecoder implements StreamDecoder {
+final class RecordDecoder implements StreamDecoder {
   /** Size of a record of AEDAT-2.0. */
   public static final int AEDAT2_BYTES = 8;
 

@@ -20,7 +20,7 @@ import java.nio.ByteBuffer;
  *
  * <p>Thread rule: one thread.
  */
-public final class Aedat3Decoder implements StreamDecoder {
+final class Aedat3Decoder implements StreamDecoder {
   static final int EVENT_BYTES = 8;
 
   private static final int TIME_BITS = 31;

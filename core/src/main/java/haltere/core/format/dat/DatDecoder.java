@@ -19,7 +19,7 @@ import java.nio.LongBuffer;
  *
  * <p>Thread rule: one thread.
  */
-public final class DatDecoder implements StreamDecoder {
+final class DatDecoder implements StreamDecoder {
   /** Size of a record. */
   public static final int RECORD_BYTES = 8;
 

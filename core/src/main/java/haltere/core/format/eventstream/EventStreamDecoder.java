@@ -17,7 +17,7 @@ import java.nio.ByteBuffer;
  *
  * <p>Thread rule: one thread.
  */
-public final class EventStreamDecoder implements StreamDecoder {
+final class EventStreamDecoder implements StreamDecoder {
   /** What the events are. */
   public enum Kind {
     /** Messages of any bytes. */

@@ -12,7 +12,7 @@ import java.nio.LongBuffer;
  * EVT2.1: little-endian words of 64 bits, each with a row of up to 32 neighbouring pixels that
  * fired at the same time. In the layout that is called legacy the halves of the words are swapped.
  */
-public final class Evt21Decoder extends EvtDecoder {
+final class Evt21Decoder extends EvtDecoder {
   static final int WORD_BYTES = 8;
   private static final int VECTOR = 32;
   private static final int COLUMN = 0x7fff << EventAddress.X_SHIFT;

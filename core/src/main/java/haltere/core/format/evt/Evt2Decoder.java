@@ -9,7 +9,7 @@ import java.nio.ByteBuffer;
 import java.nio.IntBuffer;
 
 /** EVT2: little-endian words of 32 bits, at most one event in each. */
-public final class Evt2Decoder extends EvtDecoder {
+final class Evt2Decoder extends EvtDecoder {
   private static final int WORD_BYTES = 4;
   private static final int TIME_HIGH = 8;
   private static final int EXT_TRIGGER = 0xa;

@@ -15,7 +15,7 @@ import haltere.core.format.ViolationCounts;
  *
  * <p>Thread rule: one thread.
  */
-public abstract sealed class EvtDecoder implements StreamDecoder
+abstract sealed class EvtDecoder implements StreamDecoder
     permits Evt2Decoder, Evt21Decoder, Evt3Decoder {
   /** Most columns and rows that EVT words can address. */
   public static final int MAX_SIDE = 2048;

@@ -19,7 +19,7 @@ import java.nio.ByteBuffer;
  *
  * <p>Thread rule: one thread.
  */
-public final class NmnistDecoder implements StreamDecoder {
+final class NmnistDecoder implements StreamDecoder {
   /** Size of a record. */
   public static final int RECORD_BYTES = 5;
 
