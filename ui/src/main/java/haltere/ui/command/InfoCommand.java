@@ -11,7 +11,7 @@ import haltere.core.json.Json;
 import haltere.core.stream.StreamNotification;
 import haltere.ui.command.terminal.ProgressBar;
 import haltere.ui.command.terminal.Quantities;
-import haltere.ui.command.terminal.RateLine;
+import haltere.ui.plot.EventRate;
 import haltere.ui.rendering.ContactSheet;
 import haltere.ui.rendering.Pictures;
 import java.io.IOException;
@@ -119,7 +119,7 @@ final class InfoCommand extends Subcommand {
     RecordingClock clock;
     Map<String, String> metadata;
     Optional<RecordingProblem> objection;
-    RateLine rates = new RateLine();
+    EventRate rates = new EventRate(48);
     try (RecordingReader reader = reading.open(file);
         ProgressBar bar = progressBar("reading", file)) {
       Optional<RecordingOutline> outline = quick ? reader.outline() : Optional.empty();
@@ -132,7 +132,7 @@ final class InfoCommand extends Subcommand {
       if (picture == null) {
         summary = RecordingSummary.scan(reader, bar, rates);
       } else {
-        ContactSheet sheet = new ContactSheet(reader.geometry(), marks -> {});
+        ContactSheet sheet = new ContactSheet(reader.geometry(), (timeUs, marks) -> {});
         summary = RecordingSummary.scan(reader, bar, rates, sheet);
         Pictures.write(picture, sheet.draw());
       }

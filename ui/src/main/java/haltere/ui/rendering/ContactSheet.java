@@ -13,7 +13,6 @@ import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.function.Consumer;
 
 /**
  * Pictures of a stream at up to eight moments. The moments are spread evenly over the stream,
@@ -39,11 +38,25 @@ public final class ContactSheet implements StreamHandler {
   private static final double MIN_FADING_US = 1_000;
   private static final double MAX_FADING_US = 100_000;
 
-  /** A picture of a moment and its time on the stream's clock. */
-  private record Panel(BufferedImage picture, long timeUs) {}
+  /** Packets this short are not cut, so that results of the same packet fit their events. */
+  private static final long SHORT_US = 2_000;
+
+  /** Draws what is known of a moment. */
+  public interface Marks {
+    /**
+     * Draws.
+     *
+     * @param timeUs the moment on the stream's clock, microseconds
+     * @param canvas takes the marks
+     */
+    void drawAt(long timeUs, OverlayCanvas canvas);
+  }
+
+  /** A picture of a moment and its time since the start. */
+  private record Panel(BufferedImage picture, long elapsedUs) {}
 
   private final EventFrame frame;
-  private final Consumer<OverlayCanvas> marks;
+  private final Marks marks;
   private final List<Panel> panels = new ArrayList<>();
   private long stepUs = FIRST_STEP_US;
   private final EventPacket piece = new EventPacket(4096);
@@ -59,9 +72,9 @@ public final class ContactSheet implements StreamHandler {
    * A sheet without pictures.
    *
    * @param geometry the sensor
-   * @param marks draws over the picture of each moment, as of that moment
+   * @param marks draws over the picture of each moment
    */
-  public ContactSheet(SensorGeometry geometry, Consumer<OverlayCanvas> marks) {
+  public ContactSheet(SensorGeometry geometry, Marks marks) {
     frame = new EventFrame(geometry);
     this.marks = marks;
   }
@@ -74,7 +87,8 @@ public final class ContactSheet implements StreamHandler {
         baseUs = packet.firstTimeUs() - elapsedUs;
       }
       int due = packet.indexAtOrAfter(baseUs + panelElapsedUs + stepUs, from);
-      int to = Math.min(packet.size(), due + 1);
+      boolean whole = packet.lastTimeUs() - packet.timeUs(from) <= SHORT_US;
+      int to = whole ? packet.size() : Math.min(packet.size(), due + 1);
       piece.clear();
       piece.append(packet, from, to);
       frame.packet(piece);
@@ -107,17 +121,21 @@ public final class ContactSheet implements StreamHandler {
     long constantUs = (long) Math.max(MIN_FADING_US, Math.min(MAX_FADING_US, fadingUs));
     int scale = Math.max(1, PANEL_PX / frame.geometry().width());
     FramePainter painter = new FramePainter(ColourMap.DARK, constantUs);
-    BufferedImage picture = scaled(Pictures.draw(frame, painter, scale, marks), PANEL_PX);
-    panels.add(new Panel(picture, frame.nowUs()));
+    BufferedImage picture = scaled(Pictures.draw(frame, painter, scale, this::drawMarks), PANEL_PX);
+    panels.add(new Panel(picture, elapsedUs));
     panelElapsedUs = elapsedUs;
     events = 0;
+  }
+
+  private void drawMarks(OverlayCanvas canvas) {
+    marks.drawAt(frame.nowUs(), canvas);
   }
 
   /**
    * Draws the sheet.
    *
-   * @return the pictures with their times, row by row; a stream that is too short for one has a
-   *     picture of its end
+   * @return the pictures with their times since the start, row by row; a stream that is too short
+   *     for one has a picture of its end
    */
   public BufferedImage draw() {
     if (panels.isEmpty()) {
@@ -126,17 +144,16 @@ public final class ContactSheet implements StreamHandler {
     List<BufferedImage> pictures = new ArrayList<>();
     int shown = Math.min(PANELS, panels.size());
     for (int i = 0; i < shown; i++) {
-      Panel panel = panels.get((int) ((i + 0.5) * panels.size() / shown));
-      pictures.add(panel.timeUs == StreamNotification.NO_TIME_US ? panel.picture : stamped(panel));
+      pictures.add(stamped(panels.get((int) ((i + 0.5) * panels.size() / shown))));
     }
     return join(pictures, PANEL_PX);
   }
 
   private static BufferedImage stamped(Panel panel) {
-    long minutes = Math.floorDiv(panel.timeUs, 60_000_000L);
+    long minutes = panel.elapsedUs / 60_000_000L;
     // the font has capitals only, so no unit
     String words =
-        String.format(Locale.ROOT, "%d:%06.3f", minutes, panel.timeUs * 1e-6 - 60 * minutes);
+        String.format(Locale.ROOT, "%d:%06.3f", minutes, panel.elapsedUs * 1e-6 - 60 * minutes);
     Graphics2D graphics = panel.picture.createGraphics();
     int high = PixelFont.HEIGHT * DOT_PX;
     graphics.setColor(new Color(MarkColours.plate(true), true));

@@ -1,24 +1,51 @@
-package haltere.ui.command.terminal;
+package haltere.ui.plot;
 
 import haltere.core.event.EventPacket;
 import haltere.core.stream.DataLost;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
+import haltere.ui.command.terminal.Quantities;
+import java.util.Arrays;
+import java.util.stream.IntStream;
 
 /**
- * Event rate over time as one line of block characters. The bins double in length whenever the
- * stream outgrows the line, so its length need not be known.
+ * Event rate over time, for one line of block characters or a plot, however long the stream is.
  *
  * <p>Thread rule: one thread.
  */
-public final class RateLine implements StreamHandler {
-  private static final int BINS = 48;
+public final class EventRate implements StreamHandler {
   private static final String BLOCKS = "\u2581\u2582\u2583\u2584\u2585\u2586\u2587\u2588";
 
-  private final long[] events = new long[BINS];
-  private long binUs = 1_000;
+  private final TimeBins bins;
   private long baseUs = StreamNotification.NO_TIME_US;
   private long elapsedUs;
+
+  /**
+   * A rate of nothing yet.
+   *
+   * @param bins stretches of time at the most, an even number
+   */
+  public EventRate(int bins) {
+    this.bins = new TimeBins(bins, 1_000);
+  }
+
+  /**
+   * Time since the first event, without what lies between a clock's end and its next start.
+   *
+   * @return microseconds
+   */
+  public long elapsedUs() {
+    return elapsedUs;
+  }
+
+  /**
+   * Events in stretches of time since the first event; a clock that restarts goes on.
+   *
+   * @return the bins, which grow with the stream
+   */
+  public TimeBins bins() {
+    return bins;
+  }
 
   @Override
   public void packet(EventPacket packet) {
@@ -28,13 +55,7 @@ public final class RateLine implements StreamHandler {
         baseUs = timeUs - elapsedUs;
       }
       elapsedUs = timeUs - baseUs;
-      while (elapsedUs / binUs >= BINS) {
-        for (int bin = 0; bin < BINS; bin++) {
-          events[bin] = 2 * bin < BINS ? events[2 * bin] + events[2 * bin + 1] : 0;
-        }
-        binUs *= 2;
-      }
-      events[(int) (elapsedUs / binUs)]++;
+      bins.add(elapsedUs, 1);
     }
   }
 
@@ -51,15 +72,8 @@ public final class RateLine implements StreamHandler {
    * @return a block for each stretch of time, a space where nothing happened, and the highest rate
    */
   public String line() {
-    int bins = (int) (elapsedUs / binUs) + 1;
-    double[] rates = new double[bins];
-    double highest = 0;
-    for (int bin = 0; bin < bins; bin++) {
-      // the last bin is partly filled; a short rest of it would look like a burst
-      long spanUs = Math.min(binUs, Math.max(binUs / 2, elapsedUs + 1 - bin * binUs));
-      rates[bin] = events[bin] * 1e6 / spanUs;
-      highest = Math.max(highest, rates[bin]);
-    }
+    double[] rates = IntStream.range(0, bins.size()).mapToDouble(bins::rateHz).toArray();
+    double highest = Arrays.stream(rates).max().orElse(0);
     StringBuilder line = new StringBuilder();
     for (double rate : rates) {
       int height = (int) Math.ceil(BLOCKS.length() * rate / highest);
