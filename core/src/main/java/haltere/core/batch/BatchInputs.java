@@ -41,7 +41,7 @@ public final class BatchInputs {
    * Adds a recording or all recordings in a folder.
    *
    * @param input a file or folder
-   * @throws RecordingProblem if there is no such thing, or two recordings would have one name
+   * @throws RecordingProblem if the input does not exist, or two recordings would have one name
    * @throws IOException if a folder cannot be read
    */
   public void add(Path input) throws IOException {

@@ -156,6 +156,10 @@ final class ResultFolder implements Closeable {
     write(Map.of(OUTPUTS, outputs));
   }
 
+  /**
+   * Writes the journal. It outlives a process that is killed without being forced to the disk;
+   * after a power failure the checksums tell what is whole.
+   */
   private void write(Map<String, Object> object) throws IOException {
     ByteBuffer bytes =
         ByteBuffer.wrap((Json.write(object) + "\n").getBytes(StandardCharsets.UTF_8));
@@ -163,7 +167,6 @@ final class ResultFolder implements Closeable {
     while (bytes.hasRemaining()) {
       journal.write(bytes, bytes.position());
     }
-    journal.force(true);
   }
 
   /**
@@ -172,8 +175,8 @@ final class ResultFolder implements Closeable {
    * @param done with the files under {@code outputs}
    */
   void complete(Map<String, Object> done) throws IOException {
-    forceNames();
     write(done);
+    journal.force(true);
     completed = true;
     journal.close();
     Files.move(

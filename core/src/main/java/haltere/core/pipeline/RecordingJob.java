@@ -22,6 +22,7 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.UnaryOperator;
 
@@ -211,7 +212,10 @@ public final class RecordingJob {
       sinks.add(watch);
       Pipeline.run(pace.apply(reader), filters, sinks, counters);
       if (strict) {
-        requireWhole(recording, reader.violations());
+        Optional<RecordingProblem> damage = damage(recording, reader.violations());
+        if (damage.isPresent()) {
+          throw damage.get();
+        }
       }
       written.finish();
       List<String> warnings = new ArrayList<>(reader.remarks());
@@ -235,22 +239,23 @@ public final class RecordingJob {
   }
 
   /**
-   * Refuses a recording that is cut off or damaged.
+   * Why a recording is not whole: it is cut off or damaged. A clock that went back is no damage.
    *
    * @param recording its file
    * @param violations what its reader counted
-   * @throws RecordingProblem if a violation is damage; a clock that went back is none
+   * @return the first damage, or empty if the recording is whole
    */
-  public static void requireWhole(Path recording, ViolationCounts violations)
-      throws RecordingProblem {
+  public static Optional<RecordingProblem> damage(Path recording, ViolationCounts violations) {
     for (Violation kind : Violation.values()) {
       if (kind.isDamage() && kind != Violation.CLOCK_WENT_BACK && violations.count(kind) > 0) {
-        throw new RecordingProblem(
-            recording,
-            violations.firstOffset(kind),
-            kind.sentence() + "; leave out --strict to use what is whole");
+        return Optional.of(
+            new RecordingProblem(
+                recording,
+                violations.firstOffset(kind),
+                kind.sentence() + "; leave out --strict to use what is whole"));
       }
     }
+    return Optional.empty();
   }
 
   private static Map<Violation, Long> counts(ViolationCounts violations) {

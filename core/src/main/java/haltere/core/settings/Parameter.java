@@ -28,32 +28,6 @@ public record Parameter(
     Object defaultValue,
     List<String> choices,
     String label) {
-  /**
-   * A setting that is called what its name says.
-   *
-   * @param name dotted path in the record
-   * @param type as of the component
-   * @param unit as of {@link Unit}, or empty
-   * @param min smallest number
-   * @param max largest number
-   * @param logarithmic whether a slider should be logarithmic
-   * @param help one sentence
-   * @param defaultValue the default
-   * @param choices of an enum
-   */
-  public Parameter(
-      String name,
-      Class<?> type,
-      String unit,
-      double min,
-      double max,
-      boolean logarithmic,
-      String help,
-      Object defaultValue,
-      List<String> choices) {
-    this(name, type, unit, min, max, logarithmic, help, defaultValue, choices, "");
-  }
-
   private static final BigDecimal LARGEST_LONG = BigDecimal.valueOf(Long.MAX_VALUE);
 
   /**

@@ -380,7 +380,8 @@ public final class SettingsSchema<S extends Record> {
                   false,
                   "",
                   null,
-                  List.of())
+                  List.of(),
+                  "")
               : leaf(component, component.getName(), null));
     }
     return List.copyOf(components);

@@ -79,7 +79,8 @@ record DavisBias(String name, int parameter, Kind kind, int first, int second, i
           case SHIFTED_SOURCE -> "Reference level of the shifted source " + name + ".";
         },
         usual(),
-        List.of());
+        List.of(),
+        "");
   }
 
   /** The nearest value that the chip can set. */

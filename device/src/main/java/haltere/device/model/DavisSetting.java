@@ -31,7 +31,7 @@ record DavisSetting(Parameter parameter, int module, int number, double scale) {
       int usual,
       double scale) {
     return new DavisSetting(
-        new Parameter(name, int.class, unit, 0, most, most > 1000, help, usual, List.of()),
+        new Parameter(name, int.class, unit, 0, most, most > 1000, help, usual, List.of(), ""),
         module,
         number,
         scale);

@@ -96,7 +96,8 @@ final class Dvs128Biases implements Biases, BiasSliders {
               true,
               bias.help,
               bias.inSets[0],
-              List.of()));
+              List.of(),
+              ""));
     }
     return parameters;
   }

@@ -21,7 +21,8 @@ final class Settings {
         false,
         help,
         usual,
-        List.of());
+        List.of(),
+        "");
   }
 
   static Parameter choice(
@@ -35,7 +36,8 @@ final class Settings {
         false,
         help,
         usual,
-        choices);
+        choices,
+        "");
   }
 
   /** The parameter of a name. */

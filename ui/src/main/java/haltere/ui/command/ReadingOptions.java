@@ -104,14 +104,7 @@ final class ReadingOptions extends SourceOptions {
    * @return a problem to report, or empty if there is none or nobody is strict
    */
   Optional<RecordingProblem> objection(Path file, ViolationCounts violations) {
-    if (strict) {
-      try {
-        RecordingJob.requireWhole(file, violations);
-      } catch (RecordingProblem objection) {
-        return Optional.of(objection);
-      }
-    }
-    return Optional.empty();
+    return strict ? RecordingJob.damage(file, violations) : Optional.empty();
   }
 
   void requireWhole(RecordingReader reader) throws RecordingProblem {

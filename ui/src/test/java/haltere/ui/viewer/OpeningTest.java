@@ -29,12 +29,6 @@ class OpeningTest {
     viewer.close();
   }
 
-  private Path recording(String name) throws IOException {
-    Path file = folder.resolve(name);
-    ViewerHarness.writeRecording(file, 2_000_000);
-    return file;
-  }
-
   private int filters() {
     return viewer.session().chain().stages().size();
   }
@@ -50,10 +44,10 @@ class OpeningTest {
   @Test
   void theFiltersComeOneAfterTheOtherAndAllOfThemBeforeItPlays() throws IOException {
     viewer = ViewerHarness.withBlob();
-    Path next = recording("next.aedat");
+    Path next = ViewerHarness.recording(folder, "next.aedat");
     viewer.openRecording(next);
     viewer.addNoiseFilters();
-    viewer.openRecording(recording("other.aedat"));
+    viewer.openRecording(ViewerHarness.recording(folder, "other.aedat"));
     List<Integer> cardsShown = new ArrayList<>();
     Parent list = (Parent) viewer.onFx(() -> viewer.stage.getScene().lookup(".cards"));
     InvalidationListener counter = changed -> cardsShown.add(list.getChildrenUnmodifiable().size());
@@ -70,8 +64,8 @@ class OpeningTest {
   @Test
   void ofTwoOpenedAtOnceTheLastOneIsShownWithItsOwnFilters() throws IOException {
     viewer = ViewerHarness.withBlob();
-    Path first = recording("first.aedat");
-    Path last = recording("last.aedat");
+    Path first = ViewerHarness.recording(folder, "first.aedat");
+    Path last = ViewerHarness.recording(folder, "last.aedat");
     onNextSession(() -> viewer.window.open(last, ReadOptions.DEFAULT));
     viewer.run(() -> viewer.window.open(first, ReadOptions.DEFAULT));
     viewer.waitUntilOpen("last.aedat");
@@ -83,7 +77,7 @@ class OpeningTest {
   void aPauseFromBeforeItBeginsIsKept() throws IOException {
     viewer = ViewerHarness.withBlob();
     onNextSession(viewer.window.playback()::togglePause);
-    Path file = recording("next.aedat");
+    Path file = ViewerHarness.recording(folder, "next.aedat");
     viewer.run(() -> viewer.window.open(file, ReadOptions.DEFAULT));
     viewer.waitFor("the recording", () -> viewer.window.session().get().file().isPresent());
     // taken by the player once it has begun
@@ -97,7 +91,7 @@ class OpeningTest {
     viewer = ViewerHarness.withBlob();
     viewer.run(() -> viewer.stage.setIconified(true));
     viewer.waitFor("minimized", viewer.stage::isIconified);
-    viewer.openRecording(recording("next.aedat"));
+    viewer.openRecording(ViewerHarness.recording(folder, "next.aedat"));
     viewer.waitFor("playback", () -> viewer.status().elapsedUs() > 500_000);
     viewer.run(() -> viewer.stage.setIconified(false));
     assertEquals(filters(), cards().size());

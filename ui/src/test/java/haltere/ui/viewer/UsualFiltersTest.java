@@ -26,12 +26,6 @@ class UsualFiltersTest {
     viewer.close();
   }
 
-  private Path recording(String name) throws IOException {
-    Path file = folder.resolve(name);
-    ViewerHarness.writeRecording(file, 2_000_000);
-    return file;
-  }
-
   private List<String> kinds() {
     // behind all changes that were asked for
     ViewerHarness.join(viewer.session().player().edit(chain -> {}));
@@ -97,8 +91,8 @@ class UsualFiltersTest {
 
   @Test
   void eachRecordingHasItsOwnChainAlsoInTheNextWindow() throws IOException {
-    Path first = recording("first.aedat");
-    Path second = recording("second.aedat");
+    Path first = ViewerHarness.recording(folder, "first.aedat");
+    Path second = ViewerHarness.recording(folder, "second.aedat");
     UserSettings settings = UserSettings.load(folder);
     viewer = new ViewerHarness(settings);
     viewer.openRecording(first);
@@ -129,7 +123,7 @@ class UsualFiltersTest {
     viewer.waitFor("the usual chain", () -> kinds().equals(usual));
     viewer.run(() -> viewer.window.actions().run("undo"));
     viewer.waitFor("no wing tracker", () -> !kinds().contains("wing-tracker"));
-    viewer.openRecording(recording("other.aedat"));
+    viewer.openRecording(ViewerHarness.recording(folder, "other.aedat"));
     viewer.run(() -> viewer.window.actions().run("open-scene"));
     viewer.waitUntilOpen("Fly scene");
     assertEquals(usual, kinds());

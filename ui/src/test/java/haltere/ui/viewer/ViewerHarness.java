@@ -134,7 +134,14 @@ public final class ViewerHarness extends JavaFxHarness implements AutoCloseable 
     return harness;
   }
 
-  /** Writes the blob as AEDAT-2. */
+  /** A recording of two seconds of the blob. */
+  public static Path recording(Path folder, String name) throws IOException {
+    Path file = folder.resolve(name);
+    writeRecording(file, 2_000_000);
+    return file;
+  }
+
+  /** Writes the blob in the format that the name of the file says. */
   public static void writeRecording(Path file, long lengthUs) throws IOException {
     try (BlobSource blob = new BlobSource(lengthUs)) {
       writeRecording(file, blob);
