@@ -147,7 +147,7 @@ final class InfoCommand extends Subcommand {
       print(file, summary, clock);
       metadata.forEach(this::line);
       if (surroundings().outIsTerminal() && summary.events() > 0) {
-        line("rate", rates.line());
+        line("rate", rates.line() + "  up to " + Quantities.rate(rates.highestHz()));
       }
     }
     for (String warning : summary.warnings()) {

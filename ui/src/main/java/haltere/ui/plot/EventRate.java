@@ -4,8 +4,6 @@ import haltere.core.event.EventPacket;
 import haltere.core.stream.DataLost;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
-import haltere.ui.command.terminal.Quantities;
-import java.util.Arrays;
 import java.util.stream.IntStream;
 
 /**
@@ -69,16 +67,24 @@ public final class EventRate implements StreamHandler {
   /**
    * The line.
    *
-   * @return a block for each stretch of time, a space where nothing happened, and the highest rate
+   * @return a block for each stretch of time, a space where nothing happened
    */
   public String line() {
-    double[] rates = IntStream.range(0, bins.size()).mapToDouble(bins::rateHz).toArray();
-    double highest = Arrays.stream(rates).max().orElse(0);
     StringBuilder line = new StringBuilder();
-    for (double rate : rates) {
-      int height = (int) Math.ceil(BLOCKS.length() * rate / highest);
+    for (int bin = 0; bin < bins.size(); bin++) {
+      double rate = bins.rateHz(bin);
+      int height = (int) Math.ceil(BLOCKS.length() * rate / highestHz());
       line.append(rate == 0 ? ' ' : BLOCKS.charAt(height - 1));
     }
-    return line + "  up to " + Quantities.rate(highest);
+    return line.toString();
+  }
+
+  /**
+   * The highest rate.
+   *
+   * @return events per second, of any of the bins
+   */
+  public double highestHz() {
+    return IntStream.range(0, bins.size()).mapToDouble(bins::rateHz).max().orElse(0);
   }
 }

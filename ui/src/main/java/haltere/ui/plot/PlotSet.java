@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import java.util.stream.Stream;
 
 /**
@@ -18,15 +17,18 @@ public record PlotSet(String title, String stage, List<List<PlotField>> lanes) {
   /** Each lane as the names of its fields, outlet and column, by title. */
   private static final Map<String, List<String>> KNOWN = known();
 
-  private static final Set<String> MAIN = Set.of("Main results of wings", "Positions of objects");
+  /** What a report plots of whoever publishes it. */
+  private static final List<List<String>> MAIN =
+      List.of(
+          List.of(
+              "wings/angle_rad",
+              "wings/amplitude_rad",
+              "wings/frequency_hz",
+              "pairs/phase_lag_rad"),
+          List.of("objects/x_px", "objects/y_px"));
 
   private static Map<String, List<String>> known() {
     Map<String, List<String>> sets = new LinkedHashMap<>();
-    sets.put(
-        "Main results of wings",
-        List.of(
-            "wings/angle_rad", "wings/amplitude_rad", "wings/frequency_hz", "pairs/phase_lag_rad"));
-    sets.put("Positions of objects", List.of("objects/x_px", "objects/y_px"));
     sets.put(
         "Acceleration and rotation", List.of("samples/acceleration_g", "samples/rotation_deg_s"));
     sets.put(
@@ -112,11 +114,12 @@ public record PlotSet(String title, String stage, List<List<PlotField>> lanes) {
     List<List<PlotField>> lanes = new ArrayList<>();
     for (String stage : offered.stream().map(PlotField::stage).distinct().toList()) {
       List<PlotField> fields = offered.stream().filter(each -> each.stage().equals(stage)).toList();
-      List<PlotSet> main = of(fields).stream().filter(set -> MAIN.contains(set.title)).toList();
-      main.forEach(set -> lanes.addAll(set.lanes));
-      if (main.isEmpty()) {
-        fields.stream().limit(2).map(List::of).forEach(lanes::add);
-      }
+      lanes.addAll(
+          MAIN.stream()
+              .map(names -> lanes(stage, names))
+              .filter(main -> main.stream().allMatch(fields::containsAll))
+              .findFirst()
+              .orElseGet(() -> fields.stream().limit(2).map(List::of).toList()));
     }
     return lanes;
   }

@@ -1,4 +1,4 @@
-package haltere.ui.report;
+package haltere.ui.command.report;
 
 import haltere.filters.orientation.OrientationEstimate;
 import haltere.filters.orientation.OrientationSettings;

@@ -1,4 +1,4 @@
-package haltere.ui.report;
+package haltere.ui.command.report;
 
 import haltere.core.batch.BatchFailure;
 import haltere.core.batch.BatchItem;

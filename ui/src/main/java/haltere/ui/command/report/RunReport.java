@@ -1,4 +1,4 @@
-package haltere.ui.report;
+package haltere.ui.command.report;
 
 import haltere.core.chain.ChainFile;
 import haltere.core.chain.FilterChain;

@@ -1,4 +1,4 @@
-package haltere.ui.report;
+package haltere.ui.command.report;
 
 import haltere.core.overlay.MarkStyle;
 import haltere.core.sink.SvgPlot;
