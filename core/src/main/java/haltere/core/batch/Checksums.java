@@ -12,8 +12,12 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** SHA-256 of files and texts, as hexadecimal digits. */
-final class Checksums {
+/**
+ * SHA-256 of files and texts, as hexadecimal digits.
+ *
+ * <p>Thread rule: any thread.
+ */
+public final class Checksums {
   private static final int BUFFER_BYTES = 1 << 20;
 
   private Checksums() {}
@@ -34,8 +38,14 @@ final class Checksums {
     return HexFormat.of().formatHex(sha256(text.getBytes(StandardCharsets.UTF_8)));
   }
 
-  /** Of a file; of a folder, the names and contents of its files in the order of their names. */
-  static String of(Path path) throws IOException {
+  /**
+   * Checksum of a file; of a folder, of the names and contents of its files in their order.
+   *
+   * @param path a file or a folder
+   * @return 64 hexadecimal digits
+   * @throws IOException if it cannot be read
+   */
+  public static String of(Path path) throws IOException {
     MessageDigest digest = digest();
     if (Files.isDirectory(path)) {
       for (Path file : files(path)) {

@@ -12,6 +12,8 @@ import haltere.core.chain.FilterChain;
 import haltere.core.chain.Filters;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.ReadOptions;
+import haltere.ui.command.report.FolderReport;
+import haltere.ui.command.report.ReportPage;
 import haltere.ui.command.terminal.ProgressBar;
 import haltere.ui.command.terminal.Quantities;
 import java.io.IOException;
@@ -19,6 +21,7 @@ import java.nio.charset.CharacterCodingException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collection;
+import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
@@ -123,6 +126,7 @@ final class BatchCommand extends Subcommand {
   boolean overwrite;
 
   @Mixin SourceOptions source;
+  @Mixin ReportOptions reporting;
 
   BatchCommand(Surroundings surroundings) {
     super(surroundings);
@@ -143,7 +147,7 @@ final class BatchCommand extends Subcommand {
     }
     Batch batch = new Batch(this::chain, options(), Failures::describe);
     BatchReport report = run(batch, items, part.failuresName());
-    result(
+    String summary =
         String.format(
             Locale.ROOT,
             "%d recordings: %d done (%s, %.1f MB, %,d rows), %d kept, %d in work elsewhere,"
@@ -155,7 +159,18 @@ final class BatchCommand extends Subcommand {
             report.rows(),
             report.kept(),
             report.elsewhere(),
-            report.failures().size()));
+            report.failures().size());
+    result(summary);
+    if (reporting.report != null) {
+      ReportPage page = reporting.page(out);
+      new FolderReport(out, this::chain, options().reading())
+          .addTo(
+              page,
+              items.stream().sorted(Comparator.comparing(BatchItem::name)).toList(),
+              report.failures(),
+              List.of(summary));
+      reporting.write(page, overwrite || resume);
+    }
     return report.failures().isEmpty() ? OK : FAILED;
   }
 
@@ -184,7 +199,7 @@ final class BatchCommand extends Subcommand {
     }
   }
 
-  private void check() {
+  private void check() throws IOException {
     if (inputs.isEmpty() && lists.isEmpty()) {
       throw wrongArguments("there is no INPUT and no --list");
     }
@@ -199,6 +214,12 @@ final class BatchCommand extends Subcommand {
     }
     if (Files.exists(out) && !Files.isDirectory(out)) {
       throw new CommandProblem(out + ": this is a file; name a folder");
+    }
+    if (reporting.report != null) {
+      Files.createDirectories(out); // a report may be in it
+      WritingOptions writing = new WritingOptions();
+      writing.overwrite = overwrite || resume;
+      writing.check(inputs, List.of(reporting.report));
     }
   }
 
