@@ -51,7 +51,8 @@ class ArchitectureTest {
 
   @Test
   void allModulesAreLookedAt() {
-    List.of("core", "device", "filters", "zeromq", "ui").forEach(name -> exists("haltere." + name));
+    List.of("core", "device", "filters", "zeromq", "columnar", "ui")
+        .forEach(name -> exists("haltere." + name));
   }
 
   @Test
@@ -335,6 +336,26 @@ class ArchitectureTest {
             .onlyDependOnClassesThat(
                 resideInAnyPackage(
                     "java..", "haltere.core..", "haltere.zeromq..", "org.zeromq..")));
+    check(
+        noClasses()
+            .that()
+            .resideOutsideOfPackage("haltere.columnar..")
+            .should()
+            .dependOnClassesThat()
+            .resideInAnyPackage("haltere.columnar..", "org.apache.parquet..", "blue.strategic..")
+            .because("tables in Parquet are found as a service"));
+    check(
+        classes()
+            .that()
+            .resideInAPackage("haltere.columnar..")
+            .should()
+            .onlyDependOnClassesThat(
+                resideInAnyPackage(
+                    "java..",
+                    "haltere.core..",
+                    "haltere.columnar..",
+                    "org.apache.parquet..",
+                    "org.apache.hadoop.conf..")));
     check(
         noClasses()
             .that()
