@@ -13,6 +13,8 @@ import haltere.core.chain.Filters;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.ReadOptions;
 import haltere.core.sink.Tables;
+import haltere.ui.command.report.FolderReport;
+import haltere.ui.command.report.ReportPage;
 import haltere.ui.command.terminal.ProgressBar;
 import haltere.ui.command.terminal.Quantities;
 import java.io.IOException;
@@ -20,6 +22,7 @@ import java.nio.charset.CharacterCodingException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collection;
+import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
@@ -124,6 +127,7 @@ final class BatchCommand extends Subcommand {
   boolean overwrite;
 
   @Mixin SourceOptions source;
+  @Mixin ReportOptions reporting;
 
   BatchCommand(Surroundings surroundings) {
     super(surroundings);
@@ -144,7 +148,7 @@ final class BatchCommand extends Subcommand {
     }
     Batch batch = new Batch(this::chain, options(), Failures::describe);
     BatchReport report = run(batch, items, part.failuresName());
-    result(
+    String summary =
         String.format(
             Locale.ROOT,
             "%d recordings: %d done (%s, %.1f MB, %,d rows), %d kept, %d in work elsewhere,"
@@ -156,7 +160,18 @@ final class BatchCommand extends Subcommand {
             report.rows(),
             report.kept(),
             report.elsewhere(),
-            report.failures().size()));
+            report.failures().size());
+    result(summary);
+    if (reporting.report != null) {
+      ReportPage page = reporting.page(out);
+      new FolderReport(out, this::chain, options().reading())
+          .addTo(
+              page,
+              items.stream().sorted(Comparator.comparing(BatchItem::name)).toList(),
+              report.failures(),
+              List.of(summary));
+      reporting.write(page, overwrite || resume);
+    }
     return report.failures().isEmpty() ? OK : FAILED;
   }
 
@@ -185,7 +200,7 @@ final class BatchCommand extends Subcommand {
     }
   }
 
-  private void check() {
+  private void check() throws IOException {
     if (inputs.isEmpty() && lists.isEmpty()) {
       throw wrongArguments("there is no INPUT and no --list");
     }
@@ -198,6 +213,12 @@ final class BatchCommand extends Subcommand {
     checkTables("--format", format);
     if (Files.exists(out) && !Files.isDirectory(out)) {
       throw new CommandProblem(out + ": this is a file; name a folder");
+    }
+    if (reporting.report != null) {
+      Files.createDirectories(out); // a report may be in it
+      WritingOptions writing = new WritingOptions();
+      writing.overwrite = overwrite || resume;
+      writing.check(inputs, List.of(reporting.report));
     }
   }
 

@@ -9,6 +9,8 @@ import haltere.filters.orientation.camera.CameraFile;
 import haltere.filters.orientation.camera.CameraModel;
 import haltere.filters.orientation.camera.LineObservation;
 import haltere.filters.orientation.camera.ObservationFile;
+import haltere.ui.command.report.OrientReport;
+import haltere.ui.command.report.ReportPage;
 import haltere.ui.command.results.OrientationTable;
 import haltere.ui.command.results.OrientedBodies;
 import haltere.ui.command.terminal.Quantities;
@@ -16,9 +18,13 @@ import java.io.IOException;
 import java.nio.charset.CharacterCodingException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -98,6 +104,7 @@ final class OrientCommand extends Subcommand {
   List<String> assignments = List.of();
 
   @Mixin WritingOptions writing;
+  @Mixin ReportOptions reporting;
 
   private long badRows;
 
@@ -108,11 +115,7 @@ final class OrientCommand extends Subcommand {
   @Override
   public Integer call() throws IOException {
     OrientationSettings settings = settings();
-    writing.check(out);
-    WritingOptions.checkDifferent(file, out);
-    if (camerasFile != null) {
-      WritingOptions.checkDifferent(camerasFile, out);
-    }
+    writing.check(Arrays.asList(file, camerasFile), Arrays.asList(out, reporting.report));
     if (camerasFile == null && !ObservationFile.hasCameras(file)) {
       throw wrongArguments("--cameras is missing: a table has no cameras of its own");
     }
@@ -132,7 +135,9 @@ final class OrientCommand extends Subcommand {
             observations,
             writing.overwrite,
             provenance(file).with("haltere.settings", json(settings)))) {
-      OrientedBodies bodies = new OrientedBodies(cameras.cameras(), settings, smooth, table);
+      OrientReport report = new OrientReport();
+      OrientedBodies bodies =
+          new OrientedBodies(cameras.cameras(), settings, smooth, table.andThen(report));
       read(observations, bodies);
       bodies.finish();
       if (bodies.observations() == 0 && badRows > 0) {
@@ -142,6 +147,7 @@ final class OrientCommand extends Subcommand {
       table.finish();
       message("wrote " + out + " (" + Quantities.count(bodies.estimates()) + " rows)");
       bodies.summary().forEach(this::result);
+      report(report, settings, cameras, bodies.summary());
       if (bodies.estimates() == 0) {
         warning(
             file
@@ -152,6 +158,31 @@ final class OrientCommand extends Subcommand {
       }
     }
     return OK;
+  }
+
+  private void report(
+      OrientReport report, OrientationSettings settings, CameraFile cameras, List<String> summary)
+      throws IOException {
+    if (reporting.report == null) {
+      return;
+    }
+    Map<String, String> read = new LinkedHashMap<>();
+    read.put("Observations", file.toString());
+    read.put("SHA-256", ReportOptions.checksum(file));
+    if (camerasFile != null) {
+      read.put("Cameras", camerasFile.toString());
+      read.put("SHA-256 of the cameras", ReportOptions.checksum(camerasFile));
+    }
+    read.put(
+        "Cameras in use",
+        cameras.cameras().stream()
+            .filter(camera -> camera.problem().isEmpty())
+            .map(CameraModel::id)
+            .collect(Collectors.joining(", ")));
+    read.put("Rows left out", Quantities.count(badRows));
+    ReportPage page = reporting.page(file);
+    report.addTo(page, read, settings, summary);
+    reporting.write(page, writing.overwrite);
   }
 
   private static Supplier<String> json(OrientationSettings settings) {

@@ -25,6 +25,7 @@ import haltere.core.stream.EventSource;
 import java.io.IOException;
 import java.nio.charset.CharacterCodingException;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
@@ -85,6 +86,7 @@ final class RunCommand extends Subcommand {
   @Mixin PublishingOptions publishing;
   @Mixin ReadingOptions reading;
   @Mixin RecordingWritingOptions writing;
+  @Mixin ReportOptions reporting;
 
   RunCommand(Surroundings surroundings) {
     super(surroundings);
@@ -104,6 +106,8 @@ final class RunCommand extends Subcommand {
         WritingOptions.checkDifferent(file, out);
       }
     }
+    reporting.requireRecording(cameras.given());
+    writing.check(Arrays.asList(file, chainFile, out), Arrays.asList(reporting.report));
     if (cameras.given()) {
       runCamera();
       return OK;
@@ -113,7 +117,9 @@ final class RunCommand extends Subcommand {
             .reading(reading.readOptions().withReadings(true), reading.strict)
             .opened(reading::open)
             .paced(this::paced);
-    summary(run(job, "filtering", file).stages());
+    JobReport done = run(reporting.watching(job), "filtering", file);
+    summary(done.stages());
+    reporting.write(done, List.of(), writing.overwrite);
     return OK;
   }
 

@@ -29,8 +29,8 @@ import haltere.ui.command.results.RoadTrackRow;
 import java.io.IOException;
 import java.nio.charset.CharacterCodingException;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -129,6 +129,7 @@ final class TrackCommand extends Subcommand {
   @Mixin PublishingOptions publishing;
   @Mixin ReadingOptions reading;
   @Mixin WritingOptions writing;
+  @Mixin ReportOptions reporting;
 
   /** The settings of the preset; null for those of the chain. */
   private KalmanTracksSettings start;
@@ -144,25 +145,17 @@ final class TrackCommand extends Subcommand {
     }
     cameras.checkOneSource(file);
     publishing.check();
-    writing.check(out);
-    if (crossings != null) {
-      if (roadFile == null) {
-        throw wrongArguments("--crossings needs a road with counting lines, see --road");
-      }
-      writing.check(crossings);
-      WritingOptions.checkDifferent(out, crossings);
+    reporting.requireRecording(cameras.given());
+    if (crossings != null && roadFile == null) {
+      throw wrongArguments("--crossings needs a road with counting lines, see --road");
     }
+    writing.check(
+        Arrays.asList(file, chainFile, roadFile), Arrays.asList(out, crossings, reporting.report));
     if (preset != null) {
       if (chainFile != null) {
         throw wrongArguments("--preset and --chain both say how to track");
       }
       start = preset(new KalmanTracksFilter.Provider(), preset);
-    }
-    for (Path input : inputs()) {
-      WritingOptions.checkDifferent(input, out);
-      if (crossings != null) {
-        WritingOptions.checkDifferent(input, crossings);
-      }
     }
     if (cameras.given()) {
       try (Camera camera = cameras.open(cameras.devices.get(0), false);
@@ -170,12 +163,11 @@ final class TrackCommand extends Subcommand {
         LiveRun.run(this, camera, chain, () -> results(chain), cameras.durationS());
       }
     } else {
-      run(
+      RecordingJob job =
           RecordingJob.of(file, this::chain, (reader, chain) -> results(chain))
               .reading(reading.readOptions(), reading.strict)
-              .opened(reading::open),
-          "tracking",
-          file);
+              .opened(reading::open);
+      reporting.write(run(reporting.watching(job), "tracking", file), List.of(), writing.overwrite);
     }
     return OK;
   }
@@ -183,10 +175,6 @@ final class TrackCommand extends Subcommand {
   private JobResults results(FilterChain chain) throws IOException {
     // the tracker that is added is published too
     return JobResults.all(() -> tables(chain), () -> publishing.open(chain, this));
-  }
-
-  private List<Path> inputs() {
-    return Stream.of(file, chainFile, roadFile).filter(Objects::nonNull).toList();
   }
 
   private FilterChain chain(SensorGeometry geometry) throws IOException {
