@@ -339,6 +339,14 @@ class ArchitectureTest {
     check(
         noClasses()
             .that()
+            .resideOutsideOfPackage("haltere.spark..")
+            .should()
+            .dependOnClassesThat()
+            .resideInAnyPackage("haltere.spark..", "org.apache.spark..", "scala..")
+            .because("nobody needs Spark but who runs it"));
+    check(
+        noClasses()
+            .that()
             .resideOutsideOfPackage("haltere.columnar..")
             .should()
             .dependOnClassesThat()
