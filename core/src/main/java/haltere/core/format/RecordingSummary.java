@@ -61,8 +61,6 @@ public record RecordingSummary(
 
   private static final long PEAK_US = 10_000;
 
-  private static final StreamHandler NOBODY = StreamHandler.ofReadings(reading -> {});
-
   /** Checks and copies. */
   public RecordingSummary {
     Objects.requireNonNull(format, "format");
@@ -78,28 +76,14 @@ public record RecordingSummary(
    *
    * @param reader at its start; at its end afterwards
    * @param progress hears how far it is
-   * @return what it holds
-   * @throws InterruptedIOException if the thread is interrupted
-   * @throws IOException if the file can no longer be read
-   */
-  public static RecordingSummary scan(RecordingReader reader, ProgressListener progress)
-      throws IOException {
-    return scan(reader, progress, NOBODY);
-  }
-
-  /**
-   * Reads a recording from its start to its end, in bounded memory.
-   *
-   * @param reader at its start; at its end afterwards
-   * @param progress hears how far it is
-   * @param also is handed all that is read; must not change packets
+   * @param also are handed all that is read; must not change packets
    * @return what it holds
    * @throws InterruptedIOException if the thread is interrupted
    * @throws IOException if the file can no longer be read
    */
   public static RecordingSummary scan(
-      RecordingReader reader, ProgressListener progress, StreamHandler also) throws IOException {
-    Scan scan = new Scan(also);
+      RecordingReader reader, ProgressListener progress, StreamHandler... also) throws IOException {
+    Scan scan = new Scan(List.of(also));
     long reported = 0;
     while (reader.next(scan)) {
       if (Thread.currentThread().isInterrupted()) {
@@ -131,22 +115,22 @@ public record RecordingSummary(
     private long peak;
     private boolean monotonic = true;
     private boolean lossTold;
-    private final StreamHandler also;
+    private final List<StreamHandler> also;
     private ReadingCounts handed = ReadingCounts.NONE;
 
-    Scan(StreamHandler also) {
+    Scan(List<StreamHandler> also) {
       this.also = also;
     }
 
     @Override
     public void reading(SensorReading reading) {
       handed = handed.plus(reading.kind());
-      also.reading(reading);
+      also.forEach(handler -> handler.reading(reading));
     }
 
     @Override
     public void packet(EventPacket packet) {
-      also.packet(packet);
+      also.forEach(handler -> handler.packet(packet));
       int size = packet.size();
       if (size == 0) {
         return;
@@ -201,7 +185,7 @@ public record RecordingSummary(
 
     @Override
     public void notified(StreamNotification notification) {
-      also.notified(notification);
+      also.forEach(handler -> handler.notified(notification));
       if (notification instanceof DataLost lost) {
         addGap(new Gap(lost.fromUs(), lost.toUs(), true));
         lossTold = true;

@@ -155,13 +155,27 @@ public final class RecordingJob {
   }
 
   /**
-   * The same job at another pace.
+   * The same job whose stream goes through something more before it goes into the chain.
    *
-   * @param by gives the recording's stream at the times at which it is wanted
+   * @param by gives the recording's stream, such as at the times at which it is wanted
    * @return another job
    */
   public RecordingJob paced(UnaryOperator<EventSource> by) {
-    return new RecordingJob(recording, chain, results, options, opening, strict, by, progress);
+    UnaryOperator<EventSource> both = source -> by.apply(pace.apply(source));
+    return new RecordingJob(recording, chain, results, options, opening, strict, both, progress);
+  }
+
+  /**
+   * The same job with more results.
+   *
+   * @param more opened after those that the job has, and finished after them
+   * @return another job
+   */
+  public RecordingJob with(ResultsMaker more) {
+    ResultsMaker both =
+        (reader, filters) ->
+            JobResults.all(() -> results.open(reader, filters), () -> more.open(reader, filters));
+    return new RecordingJob(recording, chain, both, options, opening, strict, pace, progress);
   }
 
   /**

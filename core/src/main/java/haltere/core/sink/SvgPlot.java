@@ -272,7 +272,22 @@ public final class SvgPlot {
   }
 
   private static String label(double x, double y, String anchor, String words) {
-    return text("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\">%s</text>%n", x, y, anchor, words);
+    return text(
+        "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\">%s</text>%n", x, y, anchor, escaped(words));
+  }
+
+  /**
+   * Words as they stand in SVG and HTML, also between quotes.
+   *
+   * @param words any text
+   * @return the text without characters that mean something there
+   */
+  public static String escaped(String words) {
+    return words
+        .replace("&", "&amp;")
+        .replace("<", "&lt;")
+        .replace(">", "&gt;")
+        .replace("\"", "&quot;");
   }
 
   private static String text(String format, Object... values) {

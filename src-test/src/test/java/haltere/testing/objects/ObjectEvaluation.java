@@ -94,7 +94,7 @@ public final class ObjectEvaluation {
         score.elsewhere());
     Optional<Path> sheets = folder("sheets");
     if (sheets.isPresent()) {
-      ContactSheet.draw(scene, rows, sheets.get());
+      TruthSheet.draw(scene, rows, sheets.get());
     }
   }
 

@@ -12,6 +12,9 @@ import haltere.core.chain.FilterChain;
 import haltere.core.chain.Filters;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.ReadOptions;
+import haltere.core.sink.Tables;
+import haltere.ui.command.report.FolderReport;
+import haltere.ui.command.report.ReportPage;
 import haltere.ui.command.terminal.ProgressBar;
 import haltere.ui.command.terminal.Quantities;
 import java.io.IOException;
@@ -19,6 +22,7 @@ import java.nio.charset.CharacterCodingException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collection;
+import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
@@ -39,7 +43,7 @@ import picocli.CommandLine.Parameters;
     description = {
       "Run one chain over many recordings, several at once.",
       "DIR gets a folder for each recording, with a table for each outlet of the chain"
-          + " (STAGE.OUTLET.csv) and done.json, which comes last: what was read, with which chain,"
+          + " (STAGE.OUTLET.csv or .parquet) and done.json, which comes last: what was read, with which chain,"
           + " and checksums. A recording that fails stops nothing; failed.json names all that did,"
           + " and the status is 1."
     })
@@ -107,9 +111,9 @@ final class BatchCommand extends Subcommand {
 
   @Option(
       names = "--format",
-      paramLabel = "csv",
-      defaultValue = "csv",
-      description = "Format of the tables: csv.")
+      paramLabel = "csv|parquet",
+      defaultValue = Tables.CSV,
+      description = "Format of the tables: csv (the default) or parquet.")
   String format;
 
   @Option(
@@ -123,6 +127,7 @@ final class BatchCommand extends Subcommand {
   boolean overwrite;
 
   @Mixin SourceOptions source;
+  @Mixin ReportOptions reporting;
 
   BatchCommand(Surroundings surroundings) {
     super(surroundings);
@@ -143,7 +148,7 @@ final class BatchCommand extends Subcommand {
     }
     Batch batch = new Batch(this::chain, options(), Failures::describe);
     BatchReport report = run(batch, items, part.failuresName());
-    result(
+    String summary =
         String.format(
             Locale.ROOT,
             "%d recordings: %d done (%s, %.1f MB, %,d rows), %d kept, %d in work elsewhere,"
@@ -155,7 +160,18 @@ final class BatchCommand extends Subcommand {
             report.rows(),
             report.kept(),
             report.elsewhere(),
-            report.failures().size()));
+            report.failures().size());
+    result(summary);
+    if (reporting.report != null) {
+      ReportPage page = reporting.page(out);
+      new FolderReport(out, this::chain, options().reading())
+          .addTo(
+              page,
+              items.stream().sorted(Comparator.comparing(BatchItem::name)).toList(),
+              report.failures(),
+              List.of(summary));
+      reporting.write(page, overwrite || resume);
+    }
     return report.failures().isEmpty() ? OK : FAILED;
   }
 
@@ -184,7 +200,7 @@ final class BatchCommand extends Subcommand {
     }
   }
 
-  private void check() {
+  private void check() throws IOException {
     if (inputs.isEmpty() && lists.isEmpty()) {
       throw wrongArguments("there is no INPUT and no --list");
     }
@@ -194,11 +210,15 @@ final class BatchCommand extends Subcommand {
     if (workers != null && (workers < 1 || workers > 1024)) {
       throw wrongArguments("--workers is " + workers + ", it must be from 1 to 1024");
     }
-    if (!format.equals("csv")) {
-      throw wrongArguments("--format is " + format + "; there is csv");
-    }
+    checkTables("--format", format);
     if (Files.exists(out) && !Files.isDirectory(out)) {
       throw new CommandProblem(out + ": this is a file; name a folder");
+    }
+    if (reporting.report != null) {
+      Files.createDirectories(out); // a report may be in it
+      WritingOptions writing = new WritingOptions();
+      writing.overwrite = overwrite || resume;
+      writing.check(inputs, List.of(reporting.report));
     }
   }
 
@@ -209,7 +229,8 @@ final class BatchCommand extends Subcommand {
         resume ? Existing.RESUME : overwrite ? Existing.OVERWRITE : Existing.REFUSE,
         source.apply(ReadOptions.DEFAULT),
         source.strict,
-        new Version().getVersion()[0]);
+        new Version().getVersion()[0],
+        format);
   }
 
   private BatchInputs inputs() throws IOException {

@@ -72,7 +72,8 @@ public final class HaltereProgram {
           new PrintStream(new FileOutputStream(FileDescriptor.err), true, StandardCharsets.UTF_8);
       FileChannel in = new FileInputStream(FileDescriptor.in).getChannel();
       Surroundings process =
-          new Surroundings(in, out, err, errIsTerminal(), System.getenv(), Path.of(""), window);
+          new Surroundings(
+              in, out, err, isTerminal(1), isTerminal(2), System.getenv(), Path.of(""), window);
       status = new HaltereProgram(process).run(args);
       Optional<String> failure = standardOutput.failure();
       failure.ifPresent(line -> err.print("haltere: " + line + "\n"));
@@ -83,11 +84,9 @@ public final class HaltereProgram {
     return status;
   }
 
-  /**
-   * Whether the standard error stream is a terminal; Java itself only knows of input and output.
-   */
-  private static boolean errIsTerminal() {
-    Path link = Path.of("/proc/self/fd/2");
+  /** Whether a stream of the process is a terminal; Java itself only knows of two together. */
+  private static boolean isTerminal(int descriptor) {
+    Path link = Path.of("/proc/self/fd/" + descriptor);
     try {
       String target = Files.readSymbolicLink(link).toString();
       return target.startsWith("/dev/pts/") || target.startsWith("/dev/tty");

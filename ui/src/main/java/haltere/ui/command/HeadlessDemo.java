@@ -68,7 +68,7 @@ final class HeadlessDemo {
                 frame,
                 new FramePainter(ColourMap.DARK, FADING_US),
                 Pictures.usualScale(scene.geometry()),
-                marks));
+                canvas -> marks.drawAt(frame.nowUs(), canvas)));
         estimates.finish();
         rows = estimates.rows();
         bar.erase();

@@ -11,6 +11,9 @@ import haltere.core.json.Json;
 import haltere.core.stream.StreamNotification;
 import haltere.ui.command.terminal.ProgressBar;
 import haltere.ui.command.terminal.Quantities;
+import haltere.ui.plot.EventRate;
+import haltere.ui.rendering.ContactSheet;
+import haltere.ui.rendering.Pictures;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -46,7 +49,14 @@ final class InfoCommand extends Subcommand {
               + " reading its events; one that does not tell is read all the same.")
   boolean quick;
 
+  @Option(
+      names = "--picture",
+      paramLabel = "FILE.png",
+      description = "Write pictures of the recording at up to eight moments into one file.")
+  Path picture;
+
   @Mixin ReadingOptions reading;
+  @Mixin WritingOptions writing;
 
   InfoCommand(Surroundings surroundings) {
     super(surroundings);
@@ -55,6 +65,13 @@ final class InfoCommand extends Subcommand {
   @Override
   public Integer call() throws IOException {
     reading.readOptions();
+    if (picture != null) {
+      if (quick || files.size() > 1) {
+        throw wrongArguments("--picture is of one recording that is read, so not with --quick");
+      }
+      writing.check(picture);
+      WritingOptions.checkDifferent(files.get(0), picture);
+    }
     if (files.size() == 1) {
       return single(files.get(0));
     }
@@ -102,6 +119,7 @@ final class InfoCommand extends Subcommand {
     RecordingClock clock;
     Map<String, String> metadata;
     Optional<RecordingProblem> objection;
+    EventRate rates = new EventRate(48);
     try (RecordingReader reader = reading.open(file);
         ProgressBar bar = progressBar("reading", file)) {
       Optional<RecordingOutline> outline = quick ? reader.outline() : Optional.empty();
@@ -111,7 +129,13 @@ final class InfoCommand extends Subcommand {
       }
       clock = reader.clock();
       metadata = reader.metadata();
-      summary = RecordingSummary.scan(reader, bar);
+      if (picture == null) {
+        summary = RecordingSummary.scan(reader, bar, rates);
+      } else {
+        ContactSheet sheet = new ContactSheet(reader.geometry(), (timeUs, marks) -> {});
+        summary = RecordingSummary.scan(reader, bar, rates, sheet);
+        Pictures.write(picture, sheet.draw());
+      }
       objection = reading.objection(file, reader.violations());
     }
     if (json) {
@@ -122,9 +146,15 @@ final class InfoCommand extends Subcommand {
     } else {
       print(file, summary, clock);
       metadata.forEach(this::line);
+      if (surroundings().outIsTerminal() && summary.events() > 0) {
+        line("rate", rates.line() + "  up to " + Quantities.rate(rates.highestHz()));
+      }
     }
     for (String warning : summary.warnings()) {
       warning(file + ": " + warning);
+    }
+    if (picture != null) {
+      message("wrote " + picture);
     }
     objection.ifPresent(problem -> error(problem.getMessage()));
     return objection.isEmpty();

@@ -1,11 +1,16 @@
 package haltere.ui.command;
 
+import haltere.core.json.Json;
+import haltere.core.settings.SettingsJson;
 import haltere.core.settings.SettingsProblem;
+import haltere.core.settings.SettingsSchema;
 import haltere.filters.orientation.OrientationSettings;
 import haltere.filters.orientation.camera.CameraFile;
 import haltere.filters.orientation.camera.CameraModel;
 import haltere.filters.orientation.camera.LineObservation;
 import haltere.filters.orientation.camera.ObservationFile;
+import haltere.ui.command.report.OrientReport;
+import haltere.ui.command.report.ReportPage;
 import haltere.ui.command.results.OrientationTable;
 import haltere.ui.command.results.OrientedBodies;
 import haltere.ui.command.terminal.Quantities;
@@ -13,8 +18,13 @@ import java.io.IOException;
 import java.nio.charset.CharacterCodingException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.function.Supplier;
+import java.util.stream.Collectors;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -52,7 +62,8 @@ final class OrientCommand extends Subcommand {
       required = true,
       paramLabel = "ORIENTATION.csv",
       description =
-          "Where the orientations go: CSV, or with frames also HDF5 by its name, such as OUT.h5.")
+          "Where the orientations go: CSV; by its name Parquet (OUT.parquet), or with frames HDF5"
+              + " (OUT.h5).")
   Path out;
 
   @Option(
@@ -93,6 +104,7 @@ final class OrientCommand extends Subcommand {
   List<String> assignments = List.of();
 
   @Mixin WritingOptions writing;
+  @Mixin ReportOptions reporting;
 
   private long badRows;
 
@@ -103,11 +115,7 @@ final class OrientCommand extends Subcommand {
   @Override
   public Integer call() throws IOException {
     OrientationSettings settings = settings();
-    writing.check(out);
-    WritingOptions.checkDifferent(file, out);
-    if (camerasFile != null) {
-      WritingOptions.checkDifferent(camerasFile, out);
-    }
+    writing.check(Arrays.asList(file, camerasFile), Arrays.asList(out, reporting.report));
     if (camerasFile == null && !ObservationFile.hasCameras(file)) {
       throw wrongArguments("--cameras is missing: a table has no cameras of its own");
     }
@@ -121,8 +129,15 @@ final class OrientCommand extends Subcommand {
       settings = settings.with("gate.minEccentricity=" + cameras.minEccentricity());
     }
     tellProblems(cameras.cameras());
-    try (OrientationTable table = new OrientationTable(out, observations, writing.overwrite)) {
-      OrientedBodies bodies = new OrientedBodies(cameras.cameras(), settings, smooth, table);
+    try (OrientationTable table =
+        new OrientationTable(
+            out,
+            observations,
+            writing.overwrite,
+            provenance(file).with("haltere.settings", json(settings)))) {
+      OrientReport report = new OrientReport();
+      OrientedBodies bodies =
+          new OrientedBodies(cameras.cameras(), settings, smooth, table.andThen(report));
       read(observations, bodies);
       bodies.finish();
       if (bodies.observations() == 0 && badRows > 0) {
@@ -132,6 +147,7 @@ final class OrientCommand extends Subcommand {
       table.finish();
       message("wrote " + out + " (" + Quantities.count(bodies.estimates()) + " rows)");
       bodies.summary().forEach(this::result);
+      report(report, settings, cameras, bodies.summary());
       if (bodies.estimates() == 0) {
         warning(
             file
@@ -142,6 +158,36 @@ final class OrientCommand extends Subcommand {
       }
     }
     return OK;
+  }
+
+  private void report(
+      OrientReport report, OrientationSettings settings, CameraFile cameras, List<String> summary)
+      throws IOException {
+    if (reporting.report == null) {
+      return;
+    }
+    Map<String, String> read = new LinkedHashMap<>();
+    read.put("Observations", file.toString());
+    read.put("SHA-256", ReportOptions.checksum(file));
+    if (camerasFile != null) {
+      read.put("Cameras", camerasFile.toString());
+      read.put("SHA-256 of the cameras", ReportOptions.checksum(camerasFile));
+    }
+    read.put(
+        "Cameras in use",
+        cameras.cameras().stream()
+            .filter(camera -> camera.problem().isEmpty())
+            .map(CameraModel::id)
+            .collect(Collectors.joining(", ")));
+    read.put("Rows left out", Quantities.count(badRows));
+    ReportPage page = reporting.page(file);
+    report.addTo(page, read, settings, summary);
+    reporting.write(page, writing.overwrite);
+  }
+
+  private static Supplier<String> json(OrientationSettings settings) {
+    SettingsSchema<OrientationSettings> schema = SettingsSchema.of(OrientationSettings.class);
+    return () -> Json.write(SettingsJson.toMap(settings, schema));
   }
 
   private ObservationFile open() throws IOException {

@@ -20,10 +20,12 @@ import haltere.core.pipeline.SessionRecorder.Limits;
 import haltere.core.playback.PacedSource;
 import haltere.core.playback.PlaybackClock;
 import haltere.core.playback.Sleeper;
+import haltere.core.sink.Tables;
 import haltere.core.stream.EventSource;
 import java.io.IOException;
 import java.nio.charset.CharacterCodingException;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
@@ -41,7 +43,7 @@ import picocli.CommandLine.Parameters;
       "Run a saved chain of filters over a recording.",
       "Without --out: say what each filter let through and what it cost. With --out: also write"
           + " the events that are left, with frames, inertial samples and triggers where its"
-          + " format can hold them, and what the filters publish to CSV files beside them,"
+          + " format can hold them, and what the filters publish to tables beside them,"
           + " named OUT.STAGE.OUTLET.csv."
     })
 final class RunCommand extends Subcommand {
@@ -73,10 +75,18 @@ final class RunCommand extends Subcommand {
               + " not given.")
   double speed = Double.POSITIVE_INFINITY;
 
+  @Option(
+      names = "--tables",
+      paramLabel = "csv|parquet",
+      defaultValue = Tables.CSV,
+      description = "Format of the tables of what the filters publish; csv if not given.")
+  String tables;
+
   @Mixin CameraOptionsGroup cameras;
   @Mixin PublishingOptions publishing;
   @Mixin ReadingOptions reading;
   @Mixin RecordingWritingOptions writing;
+  @Mixin ReportOptions reporting;
 
   RunCommand(Surroundings surroundings) {
     super(surroundings);
@@ -86,6 +96,7 @@ final class RunCommand extends Subcommand {
   public Integer call() throws IOException {
     cameras.checkOneSource(file);
     publishing.check();
+    checkTables("--tables", tables);
     if (!(speed >= PlaybackClock.MIN_SPEED)) {
       throw wrongArguments("--speed must be " + PlaybackClock.MIN_SPEED + " or more");
     }
@@ -95,6 +106,8 @@ final class RunCommand extends Subcommand {
         WritingOptions.checkDifferent(file, out);
       }
     }
+    reporting.requireRecording(cameras.given());
+    writing.check(Arrays.asList(file, chainFile, out), Arrays.asList(reporting.report));
     if (cameras.given()) {
       runCamera();
       return OK;
@@ -104,7 +117,9 @@ final class RunCommand extends Subcommand {
             .reading(reading.readOptions().withReadings(true), reading.strict)
             .opened(reading::open)
             .paced(this::paced);
-    summary(run(job, "filtering", file).stages());
+    JobReport done = run(reporting.watching(job), "filtering", file);
+    summary(done.stages());
+    reporting.write(done, List.of(), writing.overwrite);
     return OK;
   }
 
@@ -154,7 +169,10 @@ final class RunCommand extends Subcommand {
   private JobResults tables(FilterChain chain) throws IOException {
     checkTables(chain);
     return OutletTables.open(
-        chain, this::table, table -> AtomicFile.create(table, writing.overwrite));
+        chain,
+        this::table,
+        table -> AtomicFile.create(table, writing.overwrite),
+        provenance(file).chain(chain));
   }
 
   private void checkTables(FilterChain chain) throws IOException {
@@ -176,7 +194,7 @@ final class RunCommand extends Subcommand {
     String name = out.getFileName().toString();
     int dot = name.lastIndexOf('.');
     String stem = dot > 0 ? name.substring(0, dot) : name;
-    return out.resolveSibling(stem + "." + stage.name() + "." + outlet.name() + ".csv");
+    return out.resolveSibling(stem + "." + stage.name() + "." + outlet.name() + "." + tables);
   }
 
   private EventSource paced(EventSource source) {

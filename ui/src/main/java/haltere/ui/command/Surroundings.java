@@ -13,6 +13,7 @@ import java.util.Objects;
  * @param in standard input
  * @param out takes results
  * @param err takes messages, warnings and the progress bar
+ * @param outIsTerminal whether {@code out} is a terminal, so that a person reads it
  * @param errIsTerminal whether {@code err} is a terminal, so that a progress bar makes sense
  * @param environment the environment's variables
  * @param folder what relative paths of the demonstration start from
@@ -22,6 +23,7 @@ record Surroundings(
     ReadableByteChannel in,
     PrintStream out,
     PrintStream err,
+    boolean outIsTerminal,
     boolean errIsTerminal,
     Map<String, String> environment,
     Path folder,

@@ -12,7 +12,8 @@ import haltere.core.pipeline.JobResults;
 import haltere.core.pipeline.RecordingJob;
 import haltere.core.settings.SettingsProblem;
 import haltere.core.settings.SettingsSchema;
-import haltere.core.sink.CsvSink;
+import haltere.core.sink.TableMetadata;
+import haltere.core.sink.TableSink;
 import haltere.filters.object.ObjectTrack;
 import haltere.filters.object.ObjectTrackerFilter;
 import haltere.filters.object.ObjectTrackerSettings;
@@ -28,8 +29,8 @@ import haltere.ui.command.results.RoadTrackRow;
 import java.io.IOException;
 import java.nio.charset.CharacterCodingException;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -63,7 +64,7 @@ final class TrackCommand extends Subcommand {
       names = "--out",
       required = true,
       paramLabel = "TRACKS.csv",
-      description = "Where the table goes.")
+      description = "Where the table goes: CSV, or Parquet by its name, such as TRACKS.parquet.")
   Path out;
 
   @Option(
@@ -128,6 +129,7 @@ final class TrackCommand extends Subcommand {
   @Mixin PublishingOptions publishing;
   @Mixin ReadingOptions reading;
   @Mixin WritingOptions writing;
+  @Mixin ReportOptions reporting;
 
   /** The settings of the preset; null for those of the chain. */
   private KalmanTracksSettings start;
@@ -143,25 +145,17 @@ final class TrackCommand extends Subcommand {
     }
     cameras.checkOneSource(file);
     publishing.check();
-    writing.check(out);
-    if (crossings != null) {
-      if (roadFile == null) {
-        throw wrongArguments("--crossings needs a road with counting lines, see --road");
-      }
-      writing.check(crossings);
-      WritingOptions.checkDifferent(out, crossings);
+    reporting.requireRecording(cameras.given());
+    if (crossings != null && roadFile == null) {
+      throw wrongArguments("--crossings needs a road with counting lines, see --road");
     }
+    writing.check(
+        Arrays.asList(file, chainFile, roadFile), Arrays.asList(out, crossings, reporting.report));
     if (preset != null) {
       if (chainFile != null) {
         throw wrongArguments("--preset and --chain both say how to track");
       }
       start = preset(new KalmanTracksFilter.Provider(), preset);
-    }
-    for (Path input : inputs()) {
-      WritingOptions.checkDifferent(input, out);
-      if (crossings != null) {
-        WritingOptions.checkDifferent(input, crossings);
-      }
     }
     if (cameras.given()) {
       try (Camera camera = cameras.open(cameras.devices.get(0), false);
@@ -169,12 +163,11 @@ final class TrackCommand extends Subcommand {
         LiveRun.run(this, camera, chain, () -> results(chain), cameras.durationS());
       }
     } else {
-      run(
+      RecordingJob job =
           RecordingJob.of(file, this::chain, (reader, chain) -> results(chain))
               .reading(reading.readOptions(), reading.strict)
-              .opened(reading::open),
-          "tracking",
-          file);
+              .opened(reading::open);
+      reporting.write(run(reporting.watching(job), "tracking", file), List.of(), writing.overwrite);
     }
     return OK;
   }
@@ -182,10 +175,6 @@ final class TrackCommand extends Subcommand {
   private JobResults results(FilterChain chain) throws IOException {
     // the tracker that is added is published too
     return JobResults.all(() -> tables(chain), () -> publishing.open(chain, this));
-  }
-
-  private List<Path> inputs() {
-    return Stream.of(file, chainFile, roadFile).filter(Objects::nonNull).toList();
   }
 
   private FilterChain chain(SensorGeometry geometry) throws IOException {
@@ -232,10 +221,11 @@ final class TrackCommand extends Subcommand {
   }
 
   private JobResults tables(FilterChain chain) throws IOException {
+    TableMetadata metadata = provenance(file).chain(chain);
     ObjectTrackerFilter objects = last(chain, ObjectTrackerFilter.class);
     KalmanTracksFilter clusters = last(chain, KalmanTracksFilter.class);
     if (objects == null && clusters != null) {
-      return ResultFiles.open(writing.overwrite, files -> trackClusters(clusters, files));
+      return ResultFiles.open(writing.overwrite, metadata, files -> trackClusters(clusters, files));
     }
     ObjectTrackerFilter tracker =
         objects == null
@@ -246,7 +236,7 @@ final class TrackCommand extends Subcommand {
     }
     tracker.apply(assigned(ObjectTrackerSettings.class, tracker.settings(), "reportRateHz"));
     return ResultFiles.open(
-        writing.overwrite, files -> trackObjects(tracker, chain.geometry(), files));
+        writing.overwrite, metadata, files -> trackObjects(tracker, chain.geometry(), files));
   }
 
   private void trackObjects(ObjectTrackerFilter objects, SensorGeometry geometry, ResultFiles files)
@@ -258,7 +248,7 @@ final class TrackCommand extends Subcommand {
     }
     Function<ObjectTrack, Optional<PlanePoint>> onRoad = road.objects(geometry);
     objects.apply(road.motion(geometry));
-    CsvSink<RoadObjectRow> table = files.table(out, RoadObjectRow.class);
+    TableSink<RoadObjectRow> table = files.table(out, RoadObjectRow.class);
     Consumer<PlanePoint> counter = counter(road, files);
     subscribe(
         objects,
@@ -291,7 +281,7 @@ final class TrackCommand extends Subcommand {
       files.subscribe(tracks.points(), files.table(out, TrackPoint.class));
       return;
     }
-    CsvSink<RoadTrackRow> table = files.table(out, RoadTrackRow.class);
+    TableSink<RoadTrackRow> table = files.table(out, RoadTrackRow.class);
     // A track's position in the picture is published before its position on the road.
     TrackPoint[] inPicture = new TrackPoint[1];
     files.subscribe(tracks.points(), point -> inPicture[0] = point);

@@ -4,6 +4,7 @@ import haltere.core.camera.Camera;
 import haltere.core.chain.FilterChain;
 import haltere.core.event.SensorGeometry;
 import haltere.core.json.Json;
+import haltere.core.pipeline.JobReport;
 import haltere.core.pipeline.JobResults;
 import haltere.core.pipeline.RecordingJob;
 import haltere.core.settings.SettingsProblem;
@@ -22,10 +23,9 @@ import haltere.ui.wing.WingLogFormat;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.HashSet;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
-import java.util.Set;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -53,7 +53,9 @@ final class WingsCommand extends Subcommand {
       names = "--out",
       required = true,
       paramLabel = "WINGS.csv",
-      description = "Where the estimates go.")
+      description =
+          "Where the estimates go: CSV, or Parquet by its name, such as WINGS.parquet; so do the"
+              + " other tables.")
   Path out;
 
   @Option(names = "--beats", paramLabel = "BEATS.csv", description = "Where the beats go.")
@@ -122,9 +124,8 @@ final class WingsCommand extends Subcommand {
   @Mixin CameraOptionsGroup cameras;
   @Mixin PublishingOptions publishing;
   @Mixin ReadingOptions reading;
-
-  @Option(names = "--overwrite", description = "Replace output files that exist.")
-  boolean overwrite;
+  @Mixin WritingOptions writing;
+  @Mixin ReportOptions reporting;
 
   private WingsSummary summary;
 
@@ -138,20 +139,22 @@ final class WingsCommand extends Subcommand {
     cameras.checkOneSource(file);
     publishing.check();
     logFormat();
-    checkOutputs();
+    reporting.requireRecording(cameras.given());
+    writing.check(
+        Arrays.asList(file), Arrays.asList(out, beats, pairs, geometry, log, reporting.report));
     if (cameras.given()) {
       try (Camera camera = cameras.open(cameras.devices.get(0), false);
           FilterChain chain = chain(camera.geometry(), settings)) {
         LiveRun.run(this, camera, chain, () -> results(chain), cameras.durationS());
       }
     } else {
-      run(
+      RecordingJob job =
           RecordingJob.of(
                   file, sensor -> chain(sensor, settings), (reader, chain) -> results(chain))
               .reading(reading.readOptions(), reading.strict)
-              .opened(reading::open),
-          "tracking",
-          file);
+              .opened(reading::open);
+      JobReport done = run(reporting.watching(job), "tracking", file);
+      reporting.write(done, summary.lines(), writing.overwrite);
     }
     summary.lines().forEach(this::result);
     return OK;
@@ -171,21 +174,24 @@ final class WingsCommand extends Subcommand {
     WingTrackerFilter filter = (WingTrackerFilter) chain.stage(TRACKER).filter();
     summary = new WingsSummary(filter, filter.settings().output().rateHz());
     return ResultFiles.open(
-        overwrite,
+        writing.overwrite,
+        provenance(file).chain(chain),
         files -> {
           table(chain, files, "estimates", WingEstimate.class, out);
           table(chain, files, "beats", WingBeat.class, beats);
           table(chain, files, "pairs", WingPair.class, pairs);
           if (log != null) {
             String source = file == null ? cameras.devices.get(0) : file.getFileName().toString();
-            WingLog wingLog = WingLog.open(log, source, filter, logFormat(), overwrite);
+            WingLog wingLog = WingLog.open(log, source, filter, logFormat(), writing.overwrite);
             files.add(wingLog, wingLog::finish);
           }
           summary.listenTo(chain);
           files.add((StreamHandler) summary);
           if (geometry != null) {
             files.add(
-                () -> TextFile.write(geometry, Json.write(summary.geometry()) + "\n", overwrite));
+                () ->
+                    TextFile.write(
+                        geometry, Json.write(summary.geometry()) + "\n", writing.overwrite));
           }
         });
   }
@@ -255,23 +261,6 @@ final class WingsCommand extends Subcommand {
       return new WingLogFormat(rows, layout);
     } catch (IllegalArgumentException problem) {
       throw wrongArguments("--log-rows: " + problem.getMessage());
-    }
-  }
-
-  private void checkOutputs() throws IOException {
-    WritingOptions writing = new WritingOptions();
-    writing.overwrite = overwrite;
-    Set<Path> seen = new HashSet<>();
-    for (Path output : new Path[] {out, beats, pairs, geometry, log}) {
-      if (output != null) {
-        writing.check(output);
-        if (file != null) {
-          WritingOptions.checkDifferent(file, output);
-        }
-        if (!seen.add(output.toAbsolutePath().normalize())) {
-          throw wrongArguments(output + " is named for two outputs");
-        }
-      }
     }
   }
 }

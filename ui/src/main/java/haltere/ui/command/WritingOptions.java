@@ -1,13 +1,24 @@
 package haltere.ui.command;
 
+import haltere.core.sink.Tables;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Objects;
+import java.util.Set;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
 
 /** Options of every command that writes files, and the checks that come before the work. */
 class WritingOptions {
+  @Spec(Spec.Target.MIXEE)
+  CommandSpec command;
+
   @Option(names = "--overwrite", description = "Replace output files that exist.")
   boolean overwrite;
 
@@ -15,7 +26,8 @@ class WritingOptions {
    * Refuses an output that cannot be written, before any work is done.
    *
    * @param output where a file will be
-   * @throws CommandProblem if it exists, is a folder or has no folder to be in
+   * @throws CommandProblem if it exists, is a folder, has no folder to be in, or is a table of a
+   *     format that is not installed
    */
   void check(Path output) {
     Path folder = output.toAbsolutePath().getParent();
@@ -26,12 +38,39 @@ class WritingOptions {
       throw new CommandProblem(
           output + ": there is no folder " + folder + "; make it, or choose another place");
     }
+    Tables.problem(output)
+        .ifPresent(
+            missing -> {
+              throw new CommandProblem(output + ": " + missing);
+            });
     if (Files.exists(output, LinkOption.NOFOLLOW_LINKS) && !overwrite) {
       throw new CommandProblem(output + ": exists already; give --overwrite to replace it");
     }
     if (!Files.isWritable(folder)) {
       throw new CommandProblem(
           output + ": no permission to write in its folder; choose another place");
+    }
+  }
+
+  /**
+   * Refuses outputs before any work is done: those that cannot be written, that would replace an
+   * input, or that have the same name.
+   *
+   * @param inputs files that are read; null for those that are not given
+   * @param outputs where files will be; null for those that are not wanted
+   * @throws ParameterException if two outputs have the same name
+   * @throws IOException if the file system cannot tell files apart
+   */
+  void check(List<Path> inputs, List<Path> outputs) throws IOException {
+    Set<Path> seen = new HashSet<>();
+    for (Path output : outputs.stream().filter(Objects::nonNull).toList()) {
+      check(output);
+      for (Path input : inputs.stream().filter(Objects::nonNull).toList()) {
+        checkDifferent(input, output);
+      }
+      if (!seen.add(output.toAbsolutePath().normalize())) {
+        throw new ParameterException(command.commandLine(), output + " is named for two outputs");
+      }
     }
   }
 

@@ -17,6 +17,16 @@ public record PlotSet(String title, String stage, List<List<PlotField>> lanes) {
   /** Each lane as the names of its fields, outlet and column, by title. */
   private static final Map<String, List<String>> KNOWN = known();
 
+  /** What a report plots of whoever publishes it. */
+  private static final List<List<String>> MAIN =
+      List.of(
+          List.of(
+              "wings/angle_rad",
+              "wings/amplitude_rad",
+              "wings/frequency_hz",
+              "pairs/phase_lag_rad"),
+          List.of("objects/x_px", "objects/y_px"));
+
   private static Map<String, List<String>> known() {
     Map<String, List<String>> sets = new LinkedHashMap<>();
     sets.put(
@@ -92,6 +102,26 @@ public record PlotSet(String title, String stage, List<List<PlotField>> lanes) {
           });
     }
     return sets;
+  }
+
+  /**
+   * What a report plots: the main results, else the first two columns of each stage.
+   *
+   * @param offered what can be plotted
+   * @return lanes, in the order of the stages
+   */
+  public static List<List<PlotField>> main(List<PlotField> offered) {
+    List<List<PlotField>> lanes = new ArrayList<>();
+    for (String stage : offered.stream().map(PlotField::stage).distinct().toList()) {
+      List<PlotField> fields = offered.stream().filter(each -> each.stage().equals(stage)).toList();
+      lanes.addAll(
+          MAIN.stream()
+              .map(names -> lanes(stage, names))
+              .filter(main -> main.stream().allMatch(fields::containsAll))
+              .findFirst()
+              .orElseGet(() -> fields.stream().limit(2).map(List::of).toList()));
+    }
+    return lanes;
   }
 
   private static List<List<PlotField>> lanes(String stage, List<String> names) {

@@ -82,6 +82,7 @@ record CommandRun(int status, String out, String err, List<Optional<Path>> windo
             new PrintStream(out, false, StandardCharsets.UTF_8),
             new PrintStream(err, false, StandardCharsets.UTF_8),
             machine.terminal(),
+            machine.terminal(),
             Map.of(),
             machine.folder(),
             window);

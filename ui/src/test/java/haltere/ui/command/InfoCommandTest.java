@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.json.Json;
 import haltere.testing.Recorded;
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -14,6 +15,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
+import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -84,6 +86,56 @@ class InfoCommandTest {
     assertEquals(true, info.get("timestampsMonotonic"));
     assertEquals(List.of(), info.get("gaps"));
     assertEquals(List.of(), info.get("warnings"));
+  }
+
+  @Test
+  void endsWithTheRateOverTimeOnATerminalOnly() throws IOException {
+    TinyRecording bursts = new TinyRecording();
+    for (int ms = 0; ms < 300; ms++) {
+      for (int i = 0; i < (ms < 100 ? 1 : ms < 200 ? 8 : 4); i++) {
+        bursts.event(1000 * ms, i, 1, true);
+      }
+    }
+    Path file = bursts.write(folder.resolve("bursts.aedat"));
+    String[] lines =
+        CommandRun.on(CommandRun.Machine.BARE.withTerminal(), "info", file).out().split("\n");
+    String last = lines[lines.length - 1];
+    assertTrue(last.matches("  rate +\u2581{12}.\u2588{12}\u2584{13}  up to 8.00 kev/s"), last);
+    assertFalse(CommandRun.of("info", file).out().contains("\u2588"));
+  }
+
+  @Test
+  void aPictureShowsTheRecordingAtEightMoments() throws IOException {
+    TinyRecording sweep = new TinyRecording();
+    for (int i = 0; i < 1000; i++) {
+      sweep.event(1000 * i, i / 8, 64, true);
+    }
+    Path file = sweep.write(folder.resolve("sweep.aedat"));
+    Path picture = folder.resolve("sweep.png");
+    CommandRun run = CommandRun.of("info", file, "--picture", picture);
+    assertEquals(0, run.status(), run.err());
+    BufferedImage sheet = ImageIO.read(picture.toFile());
+    assertEquals(4 * 420 + 3 * 4, sheet.getWidth());
+    assertEquals(2 * 420 + 4, sheet.getHeight());
+    int[] brightest = new int[8];
+    for (int panel = 0; panel < 8; panel++) {
+      for (int x = 0; x < 420; x++) {
+        int top = panel / 4 * 424 + 210;
+        int left = panel % 4 * 424;
+        if (brightness(sheet, left + x, top) > brightness(sheet, left + brightest[panel], top)) {
+          brightest[panel] = x;
+        }
+      }
+    }
+    for (int panel = 1; panel < 8; panel++) {
+      assertTrue(brightest[panel] > brightest[panel - 1] + 20, Arrays.toString(brightest));
+    }
+    assertTrue(CommandRun.of("info", file, "--picture", picture).err().contains("--overwrite"));
+    assertEquals(2, CommandRun.of("info", file, file, "--picture", picture).status());
+  }
+
+  private static int brightness(BufferedImage image, int x, int y) {
+    return image.getRGB(x, y) >> 16 & 0xff;
   }
 
   @Test

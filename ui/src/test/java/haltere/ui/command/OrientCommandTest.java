@@ -116,6 +116,20 @@ class OrientCommandTest {
   }
 
   @Test
+  void aReportHasTheCamerasTheSettingsAndThePlotsOfEachComponent() throws IOException {
+    Path report = folder.resolve("report.html");
+    assertEquals(0, orient("--gate-angle", "50", "--report", report).status());
+    String page = Files.readString(report);
+    for (String part :
+        List.of("seen.csv", "cameras.json", "gate.angleDeg = 50.0", "used for the axis")) {
+      assertTrue(page.contains(part), part);
+    }
+    for (String component : List.of("x", "y", "z", "ux", "uy", "uz", "sd axis")) {
+      assertTrue(page.contains(">orientation: " + component + "<"), component);
+    }
+  }
+
+  @Test
   void smoothingLooksBothWaysAndIsNearer() throws IOException {
     assertEquals(0, orient().status());
     double before = medianDeg(rows(out));

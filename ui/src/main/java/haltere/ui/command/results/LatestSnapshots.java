@@ -3,9 +3,9 @@ package haltere.ui.command.results;
 import haltere.core.chain.FilterChain;
 import haltere.core.overlay.OverlayCanvas;
 import haltere.core.overlay.OverlayLayer;
+import haltere.ui.rendering.ContactSheet;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.Consumer;
 
 /**
  * Keeps the last snapshot of each overlay of a chain, so that they can be drawn when the run is
@@ -13,7 +13,7 @@ import java.util.function.Consumer;
  *
  * <p>Thread rule: the processing thread.
  */
-public final class LatestSnapshots implements Consumer<OverlayCanvas> {
+public final class LatestSnapshots implements ContactSheet.Marks {
   private static final class Latest<T> {
     private final OverlayLayer<T> layer;
     private T snapshot;
@@ -23,9 +23,9 @@ public final class LatestSnapshots implements Consumer<OverlayCanvas> {
       layer.subscribe().apply(taken -> snapshot = taken);
     }
 
-    void draw(OverlayCanvas canvas) {
+    void drawAt(long timeUs, OverlayCanvas canvas) {
       if (snapshot != null) {
-        layer.overlay().draw(snapshot, canvas);
+        layer.overlay().drawAt(snapshot, timeUs, canvas);
       }
     }
   }
@@ -40,9 +40,9 @@ public final class LatestSnapshots implements Consumer<OverlayCanvas> {
   }
 
   @Override
-  public void accept(OverlayCanvas canvas) {
+  public void drawAt(long timeUs, OverlayCanvas canvas) {
     for (Latest<?> layer : layers) {
-      layer.draw(canvas);
+      layer.drawAt(timeUs, canvas);
     }
   }
 }

@@ -35,7 +35,14 @@ public record OrientationRow(
     double rRadS,
     int used,
     int rejected) {
-  static OrientationRow of(String object, OrientationEstimate now) {
+  /**
+   * The row of an estimate.
+   *
+   * @param object name of the body
+   * @param now its estimate
+   * @return a row
+   */
+  public static OrientationRow of(String object, OrientationEstimate now) {
     return new OrientationRow(
         now.timeUs(),
         object,

@@ -9,12 +9,11 @@ import haltere.core.stream.EventSource;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import haltere.ui.rendering.ColourMap;
+import haltere.ui.rendering.ContactSheet;
 import haltere.ui.rendering.EventFrame;
 import haltere.ui.rendering.FramePainter;
 import haltere.ui.rendering.Pictures;
-import java.awt.Graphics2D;
 import java.awt.Rectangle;
-import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -26,11 +25,9 @@ import java.util.NavigableMap;
  * A picture of a scene at several moments: events, boxes of truth with their identities, ignored
  * regions, and tracks with theirs. Thread rule: one thread at a time.
  */
-final class ContactSheet implements StreamHandler {
+final class TruthSheet implements StreamHandler {
   private static final int PANELS = 8;
-  private static final int COLUMNS = 4;
   private static final int PANEL_PX = 420;
-  private static final int GAP_PX = 4;
   private static final long FADING_US = 15_000;
 
   private final List<TruthMoment> moments = new ArrayList<>();
@@ -40,7 +37,7 @@ final class ContactSheet implements StreamHandler {
   private final Rectangle shown;
   private final int scale;
 
-  private ContactSheet(ObjectScene scene, List<TrackRow> rows, EventSource events) {
+  private TruthSheet(ObjectScene scene, List<TrackRow> rows, EventSource events) {
     ticks = TrackTable.byTime(rows);
     frame = new EventFrame(events.geometry());
     shown = shown(scene, events.geometry());
@@ -69,9 +66,10 @@ final class ContactSheet implements StreamHandler {
   /** Draws a scene into a file of its name. */
   static void draw(ObjectScene scene, List<TrackRow> rows, Path folder) throws IOException {
     try (EventSource events = scene.events().open()) {
-      ContactSheet sheet = new ContactSheet(scene, rows, events);
+      TruthSheet sheet = new TruthSheet(scene, rows, events);
       events.drainTo(sheet);
-      Pictures.write(folder.resolve(scene.name() + ".png"), sheet.join());
+      Pictures.write(
+          folder.resolve(scene.name() + ".png"), ContactSheet.join(sheet.panels, PANEL_PX));
     }
   }
 
@@ -131,25 +129,5 @@ final class ContactSheet implements StreamHandler {
       canvas.ellipse(row.xPx(), row.yPx(), row.majorPx(), row.minorPx(), row.angleRad(), style);
     }
     canvas.text(row.xPx(), row.yPx(), "" + row.id(), style);
-  }
-
-  private BufferedImage join() {
-    int width = PANEL_PX;
-    int height = width * shown.height / shown.width;
-    int lines = (panels.size() + COLUMNS - 1) / COLUMNS;
-    BufferedImage sheet =
-        new BufferedImage(
-            COLUMNS * (width + GAP_PX),
-            Math.max(1, lines) * (height + GAP_PX),
-            BufferedImage.TYPE_INT_RGB);
-    Graphics2D graphics = sheet.createGraphics();
-    graphics.setRenderingHint(
-        RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
-    for (int i = 0; i < panels.size(); i++) {
-      int x = i % COLUMNS * (width + GAP_PX);
-      graphics.drawImage(panels.get(i), x, i / COLUMNS * (height + GAP_PX), width, height, null);
-    }
-    graphics.dispose();
-    return sheet;
   }
 }

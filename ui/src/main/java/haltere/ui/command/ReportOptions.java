@@ -1,0 +1,85 @@
+package haltere.ui.command;
+
+import haltere.core.pipeline.Checksums;
+import haltere.core.pipeline.JobReport;
+import haltere.core.pipeline.RecordingJob;
+import haltere.ui.command.report.ReportPage;
+import haltere.ui.command.report.RunReport;
+import haltere.ui.command.results.TextFile;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Collectors;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** The option of every command that writes a report of its work. */
+final class ReportOptions {
+  @Spec(Spec.Target.MIXEE)
+  CommandSpec command;
+
+  @Option(
+      names = "--report",
+      paramLabel = "REPORT.html",
+      description =
+          "One page with plots, pictures, settings, version and the command; it needs neither"
+              + " network nor scripts.")
+  Path report;
+
+  private RunReport gathered;
+
+  /** The same job, watched if a report is wanted. */
+  RecordingJob watching(RecordingJob job) {
+    if (report == null) {
+      return job;
+    }
+    gathered = new RunReport();
+    return gathered.watching(job);
+  }
+
+  /** Refuses a report of cameras: a page is about files that others can read again. */
+  void requireRecording(boolean camera) {
+    if (report != null && camera) {
+      throw subcommand().wrongArguments("--report is about a recording, not about a camera");
+    }
+  }
+
+  /** Writes the report of a job that was watched, if one is wanted. */
+  void write(JobReport job, List<String> summary, boolean overwrite) throws IOException {
+    if (report != null) {
+      ReportPage page = page(job.recording());
+      gathered.addTo(page, job, checksum(job.recording()), summary);
+      write(page, overwrite);
+    }
+  }
+
+  /** A page about a file or a folder. */
+  ReportPage page(Path about) {
+    return new ReportPage("haltere " + command.name() + ": " + about.getFileName());
+  }
+
+  static String checksum(Path file) throws IOException {
+    return ReadingOptions.isStandard(file) ? "of standard input, not known" : Checksums.of(file);
+  }
+
+  /** Writes a page that ends with the version and the command. */
+  void write(ReportPage page, boolean overwrite) throws IOException {
+    String words =
+        command.root().commandLine().getParseResult().originalArgs().stream()
+            .map(ReportOptions::quoted)
+            .collect(Collectors.joining(" ", "haltere ", ""));
+    page.addCommand(new Version().getVersion()[0], words);
+    TextFile.write(report, page.html(), overwrite);
+    subcommand().message("wrote " + report);
+  }
+
+  /** A word as a shell reads it back. */
+  private static String quoted(String word) {
+    return word.matches("[\\w@%+=:,./-]+") ? word : "'" + word.replace("'", "'\\''") + "'";
+  }
+
+  private Subcommand subcommand() {
+    return (Subcommand) command.userObject();
+  }
+}

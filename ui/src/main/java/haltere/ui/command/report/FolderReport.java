@@ -1,0 +1,208 @@
+package haltere.ui.command.report;
+
+import haltere.core.batch.BatchFailure;
+import haltere.core.batch.BatchItem;
+import haltere.core.chain.ChainFile;
+import haltere.core.chain.FilterChain;
+import haltere.core.event.EventPacket;
+import haltere.core.format.ReadOptions;
+import haltere.core.format.RecordingReader;
+import haltere.core.format.Recordings;
+import haltere.core.json.Json;
+import haltere.core.pipeline.RecordingJob;
+import haltere.core.sink.SvgPlot;
+import haltere.core.stream.EventSource;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import haltere.ui.command.results.LatestSnapshots;
+import haltere.ui.command.terminal.Quantities;
+import haltere.ui.plot.EventRate;
+import haltere.ui.plot.PlotField;
+import haltere.ui.plot.PlotSet;
+import haltere.ui.rendering.ContactSheet;
+import java.awt.image.BufferedImage;
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.IntStream;
+
+/**
+ * What a page tells of a folder of results: each recording's counts and the means of its main
+ * results. It reads what {@code done.json} and the tables say, so it is the same after a resumed or
+ * a shared run.
+ *
+ * <p>Thread rule: one thread.
+ */
+public final class FolderReport {
+  private static final int MAX_PICTURES = 8;
+  private static final long PICTURED_US = 1_000_000;
+
+  private final Path folder;
+  private final RecordingJob.ChainMaker chains;
+  private final ReadOptions reading;
+
+  /**
+   * A report of a folder.
+   *
+   * @param folder of the results
+   * @param chains makes the chain of each recording
+   * @param reading how recordings are read
+   */
+  public FolderReport(Path folder, RecordingJob.ChainMaker chains, ReadOptions reading) {
+    this.folder = folder;
+    this.chains = chains;
+    this.reading = reading;
+  }
+
+  /**
+   * Adds all to a page.
+   *
+   * @param page takes the sections
+   * @param items the recordings, in the order of their names
+   * @param failures those without a result
+   * @param summary lines for a person
+   * @throws IOException if a result or a recording cannot be read
+   */
+  public void addTo(
+      ReportPage page, List<BatchItem> items, List<BatchFailure> failures, List<String> summary)
+      throws IOException {
+    List<BatchItem> done = new ArrayList<>();
+    List<Map<?, ?>> results = new ArrayList<>();
+    for (BatchItem item : items) {
+      Path file = folder.resolve(item.name()).resolve("done.json");
+      if (Files.exists(file) && Json.read(file) instanceof Map<?, ?> result) {
+        done.add(item);
+        results.add(result);
+      }
+    }
+    page.section("Results");
+    page.text(summary);
+    if (!failures.isEmpty()) {
+      page.table(
+          List.of("failed", "cause"),
+          failures.stream()
+              .map(failure -> List.of(failure.item().name(), failure.cause()))
+              .toList());
+    }
+    page.section("What was read");
+    page.table(
+        List.of("", "recording", "format", "sensor", "events", "rows", "warnings", "SHA-256"),
+        IntStream.range(0, done.size()).mapToObj(i -> row(i + 1, results.get(i))).toList());
+    if (!done.isEmpty()) {
+      addChain(page, done);
+    }
+  }
+
+  private static List<String> row(int number, Map<?, ?> result) {
+    long rows =
+        ((List<?>) result.get("outputs"))
+            .stream().mapToLong(file -> count(((Map<?, ?>) file).get("rows"))).sum();
+    return List.of(
+        String.valueOf(number),
+        String.valueOf(result.get("recording")),
+        String.valueOf(result.get("format")),
+        String.valueOf(result.get("sensor")),
+        Quantities.count(count(((Map<?, ?>) result.get("counters")).get("events_in"))),
+        Quantities.count(rows),
+        String.join(
+            "\n", ((List<?>) result.get("warnings")).stream().map(String::valueOf).toList()),
+        String.valueOf(result.get("recordingSha256")).replaceFirst(".{32}", "$0\n"));
+  }
+
+  private static long count(Object number) {
+    return number instanceof Number value ? value.longValue() : 0;
+  }
+
+  private void addChain(ReportPage page, List<BatchItem> done) throws IOException {
+    try (RecordingReader first = Recordings.open(done.get(0).recording(), reading);
+        FilterChain chain = chains.make(first.geometry())) {
+      page.section("Chain");
+      page.table(
+          ChainTable.HEADER.subList(0, 3),
+          ChainTable.rows(chain).stream().map(cells -> cells.subList(0, 3)).toList());
+      page.section("Means of each recording");
+      for (List<PlotField> lane : PlotSet.main(PlotField.of(chain))) {
+        addMeans(page, lane.get(0), done);
+      }
+      page.section("Pictures of events and results, from the first second");
+      for (BatchItem item : done.subList(0, Math.min(MAX_PICTURES, done.size()))) {
+        page.text(List.of(item.name()));
+        page.picture(pictures(item), item.name() + " at moments of its first second");
+      }
+      page.folded("The chain as a file", List.of(ChainFile.write(chain).strip()));
+    }
+  }
+
+  private void addMeans(ReportPage page, PlotField field, List<BatchItem> done) throws IOException {
+    double[] numbers = IntStream.rangeClosed(1, done.size()).asDoubleStream().toArray();
+    double[] values = new double[done.size()];
+    for (int i = 0; i < values.length; i++) {
+      String table = field.stage() + "." + field.outlet() + ".csv";
+      values[i] = mean(folder.resolve(done.get(i).name()).resolve(table), field.column());
+    }
+    String unit = field.unit().isEmpty() ? "" : " (" + field.unit() + ")";
+    page.plot(
+        SvgPlot.around(new double[] {0.5, done.size() + 0.5}, values)
+            .dots("", ReportPage.colour("", 0), numbers, values)
+            .draw(field.outlet() + ": " + field.words(), "recording", field.words() + unit));
+  }
+
+  private BufferedImage pictures(BatchItem item) throws IOException {
+    try (RecordingReader reader = Recordings.open(item.recording(), reading);
+        FilterChain chain = chains.make(reader.geometry())) {
+      ContactSheet sheet = new ContactSheet(reader.geometry(), new LatestSnapshots(chain));
+      EventRate seen = new EventRate(2);
+      EventSource source = RunReport.inShortPackets(reader);
+      StreamHandler through = new Through(chain, sheet, seen);
+      while (seen.elapsedUs() < PICTURED_US && source.next(through)) {
+        // up to a second of events
+      }
+      return sheet.draw();
+    }
+  }
+
+  /** Through a chain to a sheet. */
+  private record Through(FilterChain chain, ContactSheet sheet, EventRate seen)
+      implements StreamHandler {
+    @Override
+    public void packet(EventPacket packet) {
+      seen.packet(packet);
+      chain.packet(packet);
+      sheet.packet(packet);
+    }
+
+    @Override
+    public void notified(StreamNotification notification) {
+      seen.notified(notification);
+      chain.notified(notification);
+      sheet.notified(notification);
+    }
+  }
+
+  /** Mean of a column of a table, NaN if there is none. */
+  private static double mean(Path table, String column) throws IOException {
+    double sum = 0;
+    long rows = 0;
+    if (Files.exists(table)) {
+      try (BufferedReader lines = Files.newBufferedReader(table)) {
+        int index = List.of(String.valueOf(lines.readLine()).split(",")).indexOf(column);
+        for (String line = lines.readLine(); line != null; line = lines.readLine()) {
+          String[] cells = line.split(",", -1);
+          double value =
+              index < 0 || index >= cells.length || cells[index].isEmpty()
+                  ? Double.NaN
+                  : Double.parseDouble(cells[index]);
+          if (Double.isFinite(value)) {
+            sum += value;
+            rows++;
+          }
+        }
+      }
+    }
+    return rows == 0 ? Double.NaN : sum / rows;
+  }
+}

@@ -1,0 +1,59 @@
+package haltere.ui.command.report;
+
+import haltere.filters.orientation.OrientationEstimate;
+import haltere.filters.orientation.OrientationSettings;
+import haltere.ui.command.results.OrientationRow;
+import haltere.ui.plot.PlotField;
+import haltere.ui.plot.RowFields;
+import java.util.List;
+import java.util.Map;
+import java.util.function.BiConsumer;
+import java.util.stream.Stream;
+
+/**
+ * What a page tells of orientations: position, axis and deviation of each body over time.
+ *
+ * <p>Thread rule: one thread.
+ */
+public final class OrientReport implements BiConsumer<String, OrientationEstimate> {
+  private static final RowFields ROW = RowFields.of(OrientationRow.class).orElseThrow();
+
+  private final List<ReportCurves> curves =
+      Stream.of("x_m", "y_m", "z_m", "ux", "uy", "uz", "sd_axis_rad")
+          .map(column -> new ReportCurves(List.of(new PlotField("", "orientation", column))))
+          .toList();
+
+  @Override
+  public void accept(String object, OrientationEstimate now) {
+    OrientationRow row = OrientationRow.of(object, now);
+    for (ReportCurves curve : curves) {
+      PlotField field = curve.fields().get(0);
+      double value = ROW.value(row, ROW.columns().indexOf(field.column()));
+      curve.take(field, now.timeUs(), object, value);
+    }
+  }
+
+  /**
+   * Adds what was gathered to a page.
+   *
+   * @param page takes the sections
+   * @param read what was read, by name
+   * @param settings of the estimator
+   * @param summary lines for a person
+   */
+  public void addTo(
+      ReportPage page,
+      Map<String, String> read,
+      OrientationSettings settings,
+      List<String> summary) {
+    page.section("What was read");
+    page.facts(read);
+    page.section("Settings that differ from their defaults");
+    List<String> differing = ChainTable.differing(settings);
+    page.text(differing.isEmpty() ? List.of("none") : differing);
+    page.section("Results");
+    page.text(summary);
+    page.section("Plots");
+    curves.forEach(curve -> curve.addTo(page));
+  }
+}

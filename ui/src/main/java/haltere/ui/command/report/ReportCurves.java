@@ -1,0 +1,151 @@
+package haltere.ui.command.report;
+
+import haltere.core.sink.SvgPlot;
+import haltere.ui.plot.PlotField;
+import haltere.ui.plot.TimeBins;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.IntStream;
+
+/**
+ * The curves of a lane over a whole stream, in bounded memory: lowest and highest values in
+ * stretches of time, and the newest samples as they are.
+ *
+ * <p>Thread rule: one thread.
+ */
+final class ReportCurves {
+  private static final int BINS = 400;
+  private static final int NEWEST = 128;
+  private static final int MAX_CURVES = 200;
+  private static final int MAX_NAMED = 8;
+
+  /** Samples in a bin from which on a close-up shows more. */
+  private static final int DENSE = 4;
+
+  private record Sample(long timeUs, double value) {}
+
+  private static final class Trace {
+    private final Deque<Sample> newest = new ArrayDeque<>();
+    private TimeBins bins = new TimeBins(BINS, 1_000);
+    private long baseUs;
+    private long samples;
+
+    void add(long timeUs, double value) {
+      if (samples == 0 || timeUs < baseUs) {
+        // a clock that went back begins anew
+        bins = new TimeBins(BINS, 1_000);
+        newest.clear();
+        samples = 0;
+        baseUs = timeUs;
+      }
+      samples++;
+      bins.add(timeUs - baseUs, value);
+      if (newest.size() == NEWEST) {
+        newest.removeFirst();
+      }
+      newest.addLast(new Sample(timeUs, value));
+    }
+
+    double[] timesS() {
+      return IntStream.range(0, bins.size())
+          .filter(bin -> bins.count(bin) > 0)
+          .mapToDouble(bin -> (baseUs + (bin + 0.5) * bins.binUs()) * 1e-6)
+          .toArray();
+    }
+
+    double[] edge(boolean low) {
+      return IntStream.range(0, bins.size())
+          .filter(bin -> bins.count(bin) > 0)
+          .mapToDouble(bin -> low ? bins.lowest(bin) : bins.highest(bin))
+          .toArray();
+    }
+
+    boolean isDense() {
+      return samples > (long) DENSE * bins.size();
+    }
+  }
+
+  private final List<PlotField> fields;
+  private final Map<String, Trace> traces = new LinkedHashMap<>();
+
+  /** Curves of nothing yet. */
+  ReportCurves(List<PlotField> fields) {
+    this.fields = fields;
+  }
+
+  List<PlotField> fields() {
+    return fields;
+  }
+
+  /** Takes a sample; one that is not a number is left out. */
+  void take(PlotField field, long timeUs, String key, double value) {
+    String name =
+        fields.size() == 1
+            ? key
+            : field.outlet() + " " + field.words() + (key.isEmpty() ? "" : ", " + key);
+    if (Double.isFinite(value) && (traces.size() < MAX_CURVES || traces.containsKey(name))) {
+      traces.computeIfAbsent(name, absent -> new Trace()).add(timeUs, value);
+    }
+  }
+
+  /** Adds the plots to a page: all of the time, and a close-up where that hides the samples. */
+  void addTo(ReportPage page) {
+    if (traces.isEmpty()) {
+      return;
+    }
+    PlotField first = fields.get(0);
+    String label = first.words() + (first.unit().isEmpty() ? "" : " (" + first.unit() + ")");
+    String title = first.outlet() + ": " + first.words();
+    List<Trace> all = List.copyOf(traces.values());
+    double[] times = join(all.stream().map(Trace::timesS).toList());
+    SvgPlot whole =
+        SvgPlot.around(
+            times,
+            join(all.stream().map(trace -> trace.edge(true)).toList()),
+            join(all.stream().map(trace -> trace.edge(false)).toList()));
+    int number = 0;
+    for (Map.Entry<String, Trace> each : traces.entrySet()) {
+      Trace trace = each.getValue();
+      String colour = ReportPage.colour(each.getKey(), number++);
+      double[] low = trace.edge(true);
+      double[] high = trace.edge(false);
+      double[] middle = new double[low.length];
+      java.util.Arrays.setAll(middle, i -> (low[i] + high[i]) / 2);
+      whole.band("", colour, trace.timesS(), low, high);
+      whole.line(legend(each.getKey()), colour, trace.timesS(), middle);
+    }
+    page.plot(whole.draw(title, "time (s)", label));
+    if (all.stream().anyMatch(Trace::isDense)) {
+      page.plot(closeUp().draw(title + ", the last samples", "time (s)", label));
+    }
+  }
+
+  private SvgPlot closeUp() {
+    List<double[]> times = new ArrayList<>();
+    List<double[]> values = new ArrayList<>();
+    for (Trace trace : traces.values()) {
+      times.add(trace.newest.stream().mapToDouble(sample -> sample.timeUs * 1e-6).toArray());
+      values.add(trace.newest.stream().mapToDouble(Sample::value).toArray());
+    }
+    SvgPlot plot = SvgPlot.around(join(times), join(values));
+    int number = 0;
+    for (String key : traces.keySet()) {
+      String colour = ReportPage.colour(key, number);
+      plot.line(legend(key), colour, times.get(number), values.get(number));
+      number++;
+    }
+    return plot;
+  }
+
+  private String legend(String key) {
+    return traces.size() <= MAX_NAMED ? key : "";
+  }
+
+  private static double[] join(List<double[]> parts) {
+    return parts.stream().flatMapToDouble(java.util.Arrays::stream).toArray();
+  }
+}

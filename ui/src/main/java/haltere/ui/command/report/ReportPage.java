@@ -1,0 +1,168 @@
+package haltere.ui.command.report;
+
+import haltere.core.overlay.MarkStyle;
+import haltere.core.sink.SvgPlot;
+import haltere.ui.rendering.MarkColours;
+import haltere.ui.rendering.Pictures;
+import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.Base64;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+
+/**
+ * An HTML page of tables, plots and pictures, all inside of it. Its colours follow the reader's
+ * light or dark setting.
+ *
+ * <p>Thread rule: one thread at a time.
+ */
+public final class ReportPage {
+  /** Colours of curves beside those of left and right wings. */
+  private static final int COLOURS = 8;
+
+  private static final String STYLE =
+      """
+      :root{color-scheme:light dark;--paper:#fff;--ink:#1f2328;--grey:#57606a;--rule:#d8dee4;%s}
+      @media (prefers-color-scheme:dark){
+      :root{--paper:#0d1117;--ink:#e6edf3;--grey:#9da7b3;--rule:#30363d;%s}}
+      body{font:15px/1.45 system-ui,sans-serif;background:var(--paper);color:var(--ink);
+      max-width:1280px;margin:2em auto;padding:0 1em}
+      summary{margin-top:2em;cursor:pointer}
+      h1{font-size:1.5em}h2{font-size:1.15em;margin-top:2em;border-bottom:1px solid var(--rule)}
+      table{border-collapse:collapse;display:block;overflow-x:auto}
+      th,td{text-align:left;vertical-align:top;padding:.2em 1.2em .2em 0;overflow-wrap:break-word}
+      th{color:var(--grey);font-weight:normal;white-space:nowrap}td{white-space:pre-line}
+      pre{overflow-x:auto;border:1px solid var(--rule);border-radius:4px;padding:.6em}
+      img{max-width:100%%;height:auto}
+      svg{width:49%%;min-width:420px;fill:var(--ink)}
+      svg circle{r:3px}svg>rect{fill:var(--paper)}svg g[stroke]{stroke:var(--rule)}
+      """;
+
+  private final StringBuilder body = new StringBuilder();
+  private final String title;
+
+  /**
+   * A page with a title.
+   *
+   * @param title what it is about
+   */
+  public ReportPage(String title) {
+    this.title = SvgPlot.escaped(title);
+  }
+
+  /**
+   * The colour of a curve, as SVG has it.
+   *
+   * @param key the curve's key; those of left and right wings have colours of their own
+   * @param number how many curves there were before it
+   * @return a name that the page resolves
+   */
+  public static String colour(String key, int number) {
+    return key.startsWith("left")
+        ? "var(--left)"
+        : key.startsWith("right") ? "var(--right)" : "var(--c" + number % COLOURS + ")";
+  }
+
+  private static String colours(boolean dark) {
+    List<String> colours = new ArrayList<>();
+    colours.add("--left:" + web(MarkStyle.of(MarkStyle.Role.LEFT), dark));
+    colours.add("--right:" + web(MarkStyle.of(MarkStyle.Role.RIGHT), dark));
+    IntStream.range(0, COLOURS)
+        .mapToObj(i -> "--c" + i + ":" + web(MarkStyle.of(MarkStyle.Role.OBJECT, i), dark))
+        .forEach(colours::add);
+    return String.join(";", colours);
+  }
+
+  private static String web(MarkStyle style, boolean dark) {
+    return String.format("#%06x", MarkColours.argb(style, dark) & 0xffffff);
+  }
+
+  /** Begins a section. */
+  void section(String name) {
+    body.append("<h2>").append(SvgPlot.escaped(name)).append("</h2>\n");
+  }
+
+  /** Adds names and their values. */
+  void facts(Map<String, String> facts) {
+    List<List<String>> rows =
+        facts.entrySet().stream().map(fact -> List.of(fact.getKey(), fact.getValue())).toList();
+    body.append("<table>").append(rows(rows, true)).append("</table>\n");
+  }
+
+  /** Adds a table. */
+  void table(List<String> header, List<List<String>> rows) {
+    body.append("<table>").append(row("th", "th", header));
+    body.append(rows(rows, false)).append("</table>\n");
+  }
+
+  private static String rows(List<List<String>> rows, boolean named) {
+    return rows.stream()
+        .map(cells -> row(named ? "th" : "td", "td", cells))
+        .collect(Collectors.joining());
+  }
+
+  private static String row(String first, String others, List<String> cells) {
+    StringBuilder row = new StringBuilder("<tr>");
+    for (int i = 0; i < cells.size(); i++) {
+      String tag = i == 0 ? first : others;
+      row.append('<').append(tag).append('>').append(SvgPlot.escaped(cells.get(i)));
+      row.append("</").append(tag).append('>');
+    }
+    return row.append("</tr>\n").toString();
+  }
+
+  /** Adds lines as they are. */
+  void text(List<String> lines) {
+    body.append("<pre>").append(SvgPlot.escaped(String.join("\n", lines))).append("</pre>\n");
+  }
+
+  /** Adds lines that are shown on demand. */
+  void folded(String name, List<String> lines) {
+    body.append("<details><summary>").append(SvgPlot.escaped(name)).append("</summary>\n");
+    text(lines);
+    body.append("</details>\n");
+  }
+
+  /** Adds an SVG document. */
+  void plot(String svg) {
+    body.append(svg);
+  }
+
+  /** Adds a picture with the words for those who do not see it. */
+  void picture(BufferedImage picture, String words) {
+    body.append("<img alt=\"").append(SvgPlot.escaped(words)).append("\" width=\"");
+    body.append(picture.getWidth()).append("\" src=\"data:image/png;base64,");
+    body.append(Base64.getEncoder().encodeToString(Pictures.png(picture))).append("\">\n");
+  }
+
+  /**
+   * Adds how to do it again.
+   *
+   * @param version of the program
+   * @param command as a shell reads it
+   */
+  public void addCommand(String version, String command) {
+    section("How to do it again");
+    text(List.of(command));
+    facts(Map.of("Version", version));
+  }
+
+  /**
+   * The page.
+   *
+   * @return an HTML document
+   */
+  public String html() {
+    return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n<title>"
+        + title
+        + "</title>\n<meta name=\"viewport\" content=\"width=device-width\">\n<style>\n"
+        + STYLE.formatted(colours(false), colours(true))
+        + "</style></head><body>\n<h1>"
+        + title
+        + "</h1>\n"
+        + body
+        + "</body></html>\n";
+  }
+}

@@ -1,0 +1,237 @@
+package haltere.ui.command.report;
+
+import haltere.core.chain.ChainFile;
+import haltere.core.chain.FilterChain;
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.event.SensorReading;
+import haltere.core.pipeline.JobReport;
+import haltere.core.pipeline.JobResults;
+import haltere.core.pipeline.PipelineCounters.Counter;
+import haltere.core.pipeline.RecordingJob;
+import haltere.core.playback.PacedSource;
+import haltere.core.playback.PlaybackClock;
+import haltere.core.playback.Sleeper;
+import haltere.core.sink.SvgPlot;
+import haltere.core.stream.EventSource;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import haltere.ui.command.results.LatestSnapshots;
+import haltere.ui.command.terminal.Quantities;
+import haltere.ui.plot.EventRate;
+import haltere.ui.plot.PlotField;
+import haltere.ui.plot.PlotSet;
+import haltere.ui.plot.RowFields;
+import haltere.ui.plot.TimeBins;
+import haltere.ui.rendering.ContactSheet;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.stream.IntStream;
+
+/**
+ * What a page tells of a recording that goes through a chain: gathered while the job runs, in
+ * bounded memory.
+ *
+ * <p>Thread rule: the thread of the job.
+ */
+public final class RunReport implements JobResults {
+  private static final int RATE_BINS = 400;
+
+  private final EventRate rate = new EventRate(RATE_BINS);
+  private final List<ReportCurves> curves = new ArrayList<>();
+  private long firstUs = StreamNotification.NO_TIME_US;
+  private long lastUs;
+  private FilterChain chain;
+  private ContactSheet sheet;
+  private List<List<String>> stages = List.of();
+  private String chainText = "";
+
+  /**
+   * The same job, watched for the report.
+   *
+   * @param job not run yet
+   * @return another job
+   */
+  public RecordingJob watching(RecordingJob job) {
+    return job.with((reader, filters) -> open(filters)).paced(this::watched);
+  }
+
+  private EventSource watched(EventSource source) {
+    return inShortPackets(new Tap(source));
+  }
+
+  /** In packets of milliseconds, so that pictures show events and results of the same moment. */
+  static EventSource inShortPackets(EventSource source) {
+    PlaybackClock unlimited = new PlaybackClock(System::nanoTime, Sleeper.real());
+    unlimited.setSpeed(Double.POSITIVE_INFINITY);
+    return new PacedSource(source, unlimited);
+  }
+
+  private JobResults open(FilterChain filters) {
+    chain = filters;
+    sheet = new ContactSheet(filters.geometry(), new LatestSnapshots(filters));
+    for (List<PlotField> lane : PlotSet.main(PlotField.of(filters))) {
+      ReportCurves plotted = new ReportCurves(lane);
+      curves.add(plotted);
+      lane.forEach(field -> listen(field, plotted));
+    }
+    return this;
+  }
+
+  private void listen(PlotField field, ReportCurves plotted) {
+    field
+        .find(chain)
+        .ifPresent(
+            outlet -> {
+              RowFields row = RowFields.of(outlet.type()).orElseThrow();
+              int column = row.columns().indexOf(field.column());
+              outlet.subscribe(
+                  result ->
+                      plotted.take(
+                          field, row.timeUs(result), row.key(result), row.value(result, column)));
+            });
+  }
+
+  @Override
+  public List<StreamHandler> sinks() {
+    return List.of(sheet);
+  }
+
+  @Override
+  public void finish() {
+    chainText = ChainFile.write(chain);
+    stages = ChainTable.rows(chain);
+  }
+
+  @Override
+  public List<ResultFile> files() {
+    return List.of();
+  }
+
+  @Override
+  public void close() {
+    // nothing is open
+  }
+
+  /**
+   * Adds what was gathered to a page.
+   *
+   * @param page takes the sections
+   * @param job what the job did
+   * @param sha256 checksum of the recording, hexadecimal
+   * @param summary lines for a person
+   * @throws IOException if the page cannot be made
+   */
+  public void addTo(ReportPage page, JobReport job, String sha256, List<String> summary)
+      throws IOException {
+    long events = job.counters().get(Counter.EVENTS_IN);
+    Map<String, String> read = new LinkedHashMap<>();
+    read.put("Recording", job.recording().toString());
+    read.put("SHA-256", sha256);
+    read.put("Size", Quantities.count(job.bytes()) + " bytes");
+    read.put("Format", job.format());
+    read.put("Sensor", job.sensor() + " pixels");
+    read.put("Events", Quantities.count(events));
+    if (events > 0) {
+      double durationS = rate.elapsedUs() * 1e-6;
+      read.put("Time", Quantities.seconds(firstUs) + " to " + Quantities.seconds(lastUs));
+      read.put("Duration", text("%.6f s", durationS));
+      read.put("Mean rate", Quantities.rate(durationS > 0 ? events / durationS : 0));
+    }
+    if (!job.readings().isEmpty()) {
+      read.put("Also", job.readings().toString());
+    }
+    read.put("Warnings", job.warnings().isEmpty() ? "none" : String.join("\n", job.warnings()));
+    page.section("What was read");
+    page.facts(read);
+    page.section("Chain");
+    page.table(ChainTable.HEADER, stages);
+    page.section("Results");
+    if (!summary.isEmpty()) {
+      page.text(summary);
+    }
+    page.table(
+        List.of("file", "rows"),
+        job.files().stream()
+            .map(file -> List.of(file.path().toString(), Quantities.count(file.rows())))
+            .toList());
+    page.section("Pictures of events and results");
+    page.picture(sheet.draw(), "The recording with the results at up to eight moments");
+    page.section("Plots");
+    addRate(page);
+    curves.forEach(curve -> curve.addTo(page));
+    page.folded("The chain as a file", List.of(chainText.strip()));
+  }
+
+  private void addRate(ReportPage page) {
+    TimeBins bins = rate.bins();
+    if (bins.size() > 1) {
+      double[] timesS =
+          IntStream.range(0, bins.size())
+              .mapToDouble(bin -> (firstUs + (bin + 0.5) * bins.binUs()) * 1e-6)
+              .toArray();
+      double[] kevS =
+          IntStream.range(0, bins.size()).mapToDouble(bin -> bins.rateHz(bin) * 1e-3).toArray();
+      page.plot(
+          SvgPlot.around(timesS, kevS)
+              .line("", ReportPage.colour("", 0), timesS, kevS)
+              .draw("Event rate of the recording", "time (s)", "event rate (kev/s)"));
+    }
+  }
+
+  private static String text(String format, Object... values) {
+    return String.format(Locale.ROOT, format, values);
+  }
+
+  /** Notes rate and times of what goes into the chain. */
+  private final class Tap implements EventSource {
+    private final EventSource source;
+
+    Tap(EventSource source) {
+      this.source = source;
+    }
+
+    @Override
+    public SensorGeometry geometry() {
+      return source.geometry();
+    }
+
+    @Override
+    public boolean next(StreamHandler handler) throws IOException {
+      return source.next(
+          new StreamHandler() {
+            @Override
+            public void packet(EventPacket packet) {
+              if (!packet.isEmpty()) {
+                rate.packet(packet);
+                lastUs = packet.lastTimeUs();
+                if (firstUs == StreamNotification.NO_TIME_US) {
+                  firstUs = packet.firstTimeUs();
+                }
+              }
+              handler.packet(packet);
+            }
+
+            @Override
+            public void notified(StreamNotification notification) {
+              rate.notified(notification);
+              handler.notified(notification);
+            }
+
+            @Override
+            public void reading(SensorReading reading) {
+              handler.reading(reading);
+            }
+          });
+    }
+
+    @Override
+    public void close() throws IOException {
+      source.close();
+    }
+  }
+}

@@ -1,0 +1,90 @@
+package haltere.ui.plot;
+
+import haltere.core.event.EventPacket;
+import haltere.core.stream.DataLost;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import java.util.stream.IntStream;
+
+/**
+ * Event rate over time, for one line of block characters or a plot, however long the stream is.
+ *
+ * <p>Thread rule: one thread.
+ */
+public final class EventRate implements StreamHandler {
+  private static final String BLOCKS = "\u2581\u2582\u2583\u2584\u2585\u2586\u2587\u2588";
+
+  private final TimeBins bins;
+  private long baseUs = StreamNotification.NO_TIME_US;
+  private long elapsedUs;
+
+  /**
+   * A rate of nothing yet.
+   *
+   * @param bins stretches of time at the most, an even number
+   */
+  public EventRate(int bins) {
+    this.bins = new TimeBins(bins, 1_000);
+  }
+
+  /**
+   * Time since the first event, without what lies between a clock's end and its next start.
+   *
+   * @return microseconds
+   */
+  public long elapsedUs() {
+    return elapsedUs;
+  }
+
+  /**
+   * Events in stretches of time since the first event; a clock that restarts goes on.
+   *
+   * @return the bins, which grow with the stream
+   */
+  public TimeBins bins() {
+    return bins;
+  }
+
+  @Override
+  public void packet(EventPacket packet) {
+    for (int i = 0; i < packet.size(); i++) {
+      long timeUs = packet.timeUs(i);
+      if (baseUs == StreamNotification.NO_TIME_US) {
+        baseUs = timeUs - elapsedUs;
+      }
+      elapsedUs = timeUs - baseUs;
+      bins.add(elapsedUs, 1);
+    }
+  }
+
+  @Override
+  public void notified(StreamNotification notification) {
+    if (notification.endsContinuity() && !(notification instanceof DataLost)) {
+      baseUs = StreamNotification.NO_TIME_US;
+    }
+  }
+
+  /**
+   * The line.
+   *
+   * @return a block for each stretch of time, a space where nothing happened
+   */
+  public String line() {
+    StringBuilder line = new StringBuilder();
+    for (int bin = 0; bin < bins.size(); bin++) {
+      double rate = bins.rateHz(bin);
+      int height = (int) Math.ceil(BLOCKS.length() * rate / highestHz());
+      line.append(rate == 0 ? ' ' : BLOCKS.charAt(height - 1));
+    }
+    return line.toString();
+  }
+
+  /**
+   * The highest rate.
+   *
+   * @return events per second, of any of the bins
+   */
+  public double highestHz() {
+    return IntStream.range(0, bins.size()).mapToDouble(bins::rateHz).max().orElse(0);
+  }
+}

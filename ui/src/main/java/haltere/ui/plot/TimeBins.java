@@ -1,0 +1,119 @@
+package haltere.ui.plot;
+
+/**
+ * Lowest and highest value in bins of time. The bins double in length whenever time outgrows them,
+ * so memory is bounded and the length of a stream need not be known.
+ *
+ * <p>Thread rule: one thread.
+ */
+public final class TimeBins {
+  private final long[] counts;
+  private final double[] lowest;
+  private final double[] highest;
+  private long binUs;
+  private long endUs;
+
+  /**
+   * Empty bins.
+   *
+   * @param bins how many there are at the most, an even number
+   * @param firstBinUs length of a bin at first, microseconds
+   */
+  public TimeBins(int bins, long firstBinUs) {
+    counts = new long[bins];
+    lowest = new double[bins];
+    highest = new double[bins];
+    binUs = firstBinUs;
+  }
+
+  /**
+   * Takes a sample.
+   *
+   * @param elapsedUs time since the first sample, 0 or more
+   * @param value the number
+   */
+  public void add(long elapsedUs, double value) {
+    while (elapsedUs / binUs >= counts.length) {
+      merge();
+    }
+    int bin = (int) (elapsedUs / binUs);
+    lowest[bin] = counts[bin] == 0 ? value : Math.min(lowest[bin], value);
+    highest[bin] = counts[bin] == 0 ? value : Math.max(highest[bin], value);
+    counts[bin]++;
+    endUs = Math.max(endUs, elapsedUs + 1);
+  }
+
+  private void merge() {
+    for (int to = 0; to < counts.length; to++) {
+      int a = 2 * to;
+      int b = a + 1;
+      if (a >= counts.length) {
+        counts[to] = 0;
+        continue;
+      }
+      int known = counts[a] > 0 ? a : b;
+      lowest[to] = counts[b] == 0 ? lowest[known] : Math.min(lowest[known], lowest[b]);
+      highest[to] = counts[b] == 0 ? highest[known] : Math.max(highest[known], highest[b]);
+      counts[to] = counts[a] + counts[b];
+    }
+    binUs *= 2;
+  }
+
+  /**
+   * Number of bins up to the last sample.
+   *
+   * @return 0 before the first
+   */
+  public int size() {
+    return (int) ((endUs + binUs - 1) / binUs);
+  }
+
+  /**
+   * Length of a bin.
+   *
+   * @return microseconds
+   */
+  public long binUs() {
+    return binUs;
+  }
+
+  /**
+   * Samples in a bin.
+   *
+   * @param bin 0 to {@link #size()} - 1
+   * @return a count
+   */
+  public long count(int bin) {
+    return counts[bin];
+  }
+
+  /**
+   * Samples per second in a bin.
+   *
+   * @param bin 0 to {@link #size()} - 1
+   * @return a rate; of the last bin over what it covers of time, and at least half of its length
+   */
+  public double rateHz(int bin) {
+    return counts[bin] * 1e6 / Math.min(binUs, Math.max(binUs / 2, endUs - bin * binUs));
+  }
+
+  /**
+   * Lowest value in a bin.
+   *
+   * @param bin 0 to {@link #size()} - 1
+   * @return NaN without samples
+   */
+  public double lowest(int bin) {
+    return counts[bin] == 0 ? Double.NaN : lowest[bin];
+  }
+
+  /**
+   * Highest value in a bin.
+   *
+   * @param bin 0 to {@link #size()} - 1
+   * @return NaN without samples
+   */
+  public double highest(int bin) {
+    return counts[bin] == 0 ? Double.NaN : highest[bin];
+  }
+}

@@ -1,0 +1,206 @@
+package haltere.ui.rendering;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.overlay.OverlayCanvas;
+import haltere.core.stream.DataLost;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+
+/**
+ * Pictures of a stream at up to eight moments. The moments are spread evenly over the stream,
+ * however long it is: where there are too many, each second one is dropped. Events fade so that a
+ * picture shows some percent of the pixels.
+ *
+ * <p>Thread rule: one thread at a time. Needs no display.
+ */
+public final class ContactSheet implements StreamHandler {
+  private static final int PANELS = 8;
+  private static final int COLUMNS = 4;
+  private static final int PANEL_PX = 420;
+  private static final int GAP_PX = 4;
+  private static final int DOT_PX = 2;
+  private static final int MARGIN_PX = 6;
+
+  /** Distance of the first moments; a recording that is shorter gets fewer pictures. */
+  private static final long FIRST_STEP_US = 10_000;
+
+  /** Share of the pixels that have an event within the time constant of the fading. */
+  private static final double VISIBLE_SHARE = 0.04;
+
+  private static final double MIN_FADING_US = 1_000;
+  private static final double MAX_FADING_US = 100_000;
+
+  /** Packets this short are not cut, so that results of the same packet fit their events. */
+  private static final long SHORT_US = 2_000;
+
+  /** Draws what is known of a moment. */
+  public interface Marks {
+    /**
+     * Draws.
+     *
+     * @param timeUs the moment on the stream's clock, microseconds
+     * @param canvas takes the marks
+     */
+    void drawAt(long timeUs, OverlayCanvas canvas);
+  }
+
+  /** A picture of a moment and its time since the start. */
+  private record Panel(BufferedImage picture, long elapsedUs) {}
+
+  private final EventFrame frame;
+  private final Marks marks;
+  private final List<Panel> panels = new ArrayList<>();
+  private long stepUs = FIRST_STEP_US;
+  private final EventPacket piece = new EventPacket(4096);
+
+  /** Time on the stream's clock at which its elapsed time would be 0. */
+  private long baseUs = StreamNotification.NO_TIME_US;
+
+  private long elapsedUs;
+  private long panelElapsedUs;
+  private long events;
+
+  /**
+   * A sheet without pictures.
+   *
+   * @param geometry the sensor
+   * @param marks draws over the picture of each moment
+   */
+  public ContactSheet(SensorGeometry geometry, Marks marks) {
+    frame = new EventFrame(geometry);
+    this.marks = marks;
+  }
+
+  @Override
+  public void packet(EventPacket packet) {
+    int from = 0;
+    while (from < packet.size()) {
+      if (baseUs == StreamNotification.NO_TIME_US) {
+        baseUs = packet.firstTimeUs() - elapsedUs;
+      }
+      int due = packet.indexAtOrAfter(baseUs + panelElapsedUs + stepUs, from);
+      boolean whole = packet.lastTimeUs() - packet.timeUs(from) <= SHORT_US;
+      int to = whole ? packet.size() : Math.min(packet.size(), due + 1);
+      piece.clear();
+      piece.append(packet, from, to);
+      frame.packet(piece);
+      elapsedUs = piece.lastTimeUs() - baseUs;
+      events += to - from;
+      from = to;
+      if (elapsedUs - panelElapsedUs >= stepUs) {
+        add();
+        if (panels.size() == 2 * PANELS) {
+          for (int i = PANELS - 1; i >= 0; i--) {
+            panels.remove(2 * i);
+          }
+          stepUs *= 2;
+        }
+      }
+    }
+  }
+
+  @Override
+  public void notified(StreamNotification notification) {
+    frame.notified(notification);
+    if (notification.endsContinuity() && !(notification instanceof DataLost)) {
+      baseUs = StreamNotification.NO_TIME_US;
+    }
+  }
+
+  private void add() {
+    double spanUs = Math.max(1, elapsedUs - panelElapsedUs);
+    double fadingUs = VISIBLE_SHARE * frame.geometry().pixels() * spanUs / Math.max(1, events);
+    long constantUs = (long) Math.max(MIN_FADING_US, Math.min(MAX_FADING_US, fadingUs));
+    int scale = Math.max(1, PANEL_PX / frame.geometry().width());
+    FramePainter painter = new FramePainter(ColourMap.DARK, constantUs);
+    BufferedImage picture = scaled(Pictures.draw(frame, painter, scale, this::drawMarks), PANEL_PX);
+    panels.add(new Panel(picture, elapsedUs));
+    panelElapsedUs = elapsedUs;
+    events = 0;
+  }
+
+  private void drawMarks(OverlayCanvas canvas) {
+    marks.drawAt(frame.nowUs(), canvas);
+  }
+
+  /**
+   * Draws the sheet.
+   *
+   * @return the pictures with their times since the start, row by row; a stream that is too short
+   *     for one has a picture of its end
+   */
+  public BufferedImage draw() {
+    if (panels.isEmpty()) {
+      add();
+    }
+    List<BufferedImage> pictures = new ArrayList<>();
+    int shown = Math.min(PANELS, panels.size());
+    for (int i = 0; i < shown; i++) {
+      pictures.add(stamped(panels.get((int) ((i + 0.5) * panels.size() / shown))));
+    }
+    return join(pictures, PANEL_PX);
+  }
+
+  private static BufferedImage stamped(Panel panel) {
+    long minutes = panel.elapsedUs / 60_000_000L;
+    // the font has capitals only, so no unit
+    String words =
+        String.format(Locale.ROOT, "%d:%06.3f", minutes, panel.elapsedUs * 1e-6 - 60 * minutes);
+    Graphics2D graphics = panel.picture.createGraphics();
+    int high = PixelFont.HEIGHT * DOT_PX;
+    graphics.setColor(new Color(MarkColours.plate(true), true));
+    graphics.fillRect(0, 0, PixelFont.width(words, DOT_PX) + 2 * MARGIN_PX, high + 2 * MARGIN_PX);
+    graphics.setColor(Color.WHITE);
+    PixelFont.draw(graphics, words, MARGIN_PX, MARGIN_PX + high, DOT_PX);
+    graphics.dispose();
+    return panel.picture;
+  }
+
+  /**
+   * Joins pictures in rows of four.
+   *
+   * @param pictures of equal proportions, at least one
+   * @param widthPx width of each in the result, pixels
+   * @return one picture
+   */
+  public static BufferedImage join(List<BufferedImage> pictures, int widthPx) {
+    int columns = Math.min(COLUMNS, pictures.size());
+    List<BufferedImage> cells = pictures.stream().map(cell -> scaled(cell, widthPx)).toList();
+    int highPx = cells.get(0).getHeight();
+    BufferedImage sheet =
+        new BufferedImage(
+            columns * (widthPx + GAP_PX) - GAP_PX,
+            (cells.size() + columns - 1) / columns * (highPx + GAP_PX) - GAP_PX,
+            BufferedImage.TYPE_INT_RGB);
+    Graphics2D graphics = sheet.createGraphics();
+    for (int i = 0; i < cells.size(); i++) {
+      graphics.drawImage(
+          cells.get(i), i % columns * (widthPx + GAP_PX), i / columns * (highPx + GAP_PX), null);
+    }
+    graphics.dispose();
+    return sheet;
+  }
+
+  private static BufferedImage scaled(BufferedImage picture, int widthPx) {
+    if (picture.getWidth() == widthPx) {
+      return picture;
+    }
+    int highPx =
+        Math.max(1, Math.round((float) widthPx * picture.getHeight() / picture.getWidth()));
+    BufferedImage scaled = new BufferedImage(widthPx, highPx, BufferedImage.TYPE_INT_RGB);
+    Graphics2D graphics = scaled.createGraphics();
+    graphics.setRenderingHint(
+        RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
+    graphics.drawImage(picture, 0, 0, widthPx, highPx, null);
+    graphics.dispose();
+    return scaled;
+  }
+}

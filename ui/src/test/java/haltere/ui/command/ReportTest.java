@@ -1,0 +1,159 @@
+package haltere.ui.command;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.StringReader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.util.Base64;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import javax.imageio.ImageIO;
+import javax.xml.parsers.DocumentBuilderFactory;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.xml.sax.InputSource;
+
+class ReportTest {
+  private static final Pattern PLOT = Pattern.compile("<svg .*?</svg>", Pattern.DOTALL);
+  private static final Pattern PICTURE = Pattern.compile("src=\"data:image/png;base64,([^\"]+)\"");
+
+  @TempDir Path folder;
+
+  private Path scene(String name, String kind, String seconds) {
+    Path file = folder.resolve(name);
+    CommandRun run = CommandRun.of("simulate", kind, file, "--duration", seconds);
+    assertEquals(0, run.status(), run.err());
+    return file;
+  }
+
+  /** Runs a command with a report, which has to be one page that needs nothing else. */
+  private String page(Object... words) throws Exception {
+    Path report = folder.resolve("report.html");
+    Object[] all = java.util.Arrays.copyOf(words, words.length + 2);
+    all[words.length] = "--report";
+    all[words.length + 1] = report;
+    CommandRun run = CommandRun.of(all);
+    assertEquals(0, run.status(), run.err());
+    String page = Files.readString(report);
+    assertFalse(page.contains("<script") || page.contains("<link"), "the page stands alone");
+    assertFalse(page.replace("http://www.w3.org/2000/svg", "").contains("http"), "no network");
+    assertTrue(page.contains("prefers-color-scheme:dark"));
+    assertTrue(page.contains("haltere " + words[0] + " "), "the command");
+    for (String plot : plots(page)) {
+      assertNotNull(
+          DocumentBuilderFactory.newInstance()
+              .newDocumentBuilder()
+              .parse(new InputSource(new StringReader(plot))));
+    }
+    return page;
+  }
+
+  private static List<String> plots(String page) {
+    return PLOT.matcher(page).results().map(found -> found.group()).toList();
+  }
+
+  private static void assertPlots(String page, String... titles) {
+    for (String title : titles) {
+      assertTrue(plots(page).stream().anyMatch(plot -> plot.contains(">" + title + "<")), title);
+    }
+  }
+
+  private static BufferedImage picture(String page) throws IOException {
+    Matcher found = PICTURE.matcher(page);
+    assertTrue(found.find());
+    return ImageIO.read(new ByteArrayInputStream(Base64.getDecoder().decode(found.group(1))));
+  }
+
+  private static String sha256(Path file) throws Exception {
+    byte[] digest = MessageDigest.getInstance("SHA-256").digest(Files.readAllBytes(file));
+    return HexFormat.of().formatHex(digest);
+  }
+
+  @Test
+  void wingsAreReportedWithSettingsPlotsAndPictures() throws Exception {
+    Path fly = scene("a&b <fly>.aedat", "fly", "0.3");
+    Path out = folder.resolve("wings.csv");
+    String page = page("wings", fly, "--out", out, "--rate", "500");
+    assertTrue(page.contains("a&amp;b &lt;fly&gt;.aedat") && !page.contains("<fly>"), "escaped");
+    assertTrue(page.contains(sha256(fly)));
+    assertTrue(page.contains("128x128") && page.contains("aedat2"));
+    assertTrue(page.contains("output.rateHz = 500.0 (default 1000.0)"), "settings that differ");
+    assertTrue(page.contains("frequency") && page.contains("in lock"), "the summary");
+    assertTrue(page.contains("--rate 500") && page.contains("Version"));
+    assertPlots(page, "Event rate of the recording", "wings: angle", "wings: frequency");
+    assertEquals(4 * 420 + 3 * 4, picture(page).getWidth());
+  }
+
+  @Test
+  void picturesShowTheResultsOfTheirMoment() throws Exception {
+    Path fly = scene("fly.aedat", "fly", "0.3");
+    String page = page("wings", fly, "--out", folder.resolve("wings.csv"));
+    BufferedImage sheet = picture(page);
+    int marked = 0;
+    for (int x = 3 * 424; x < sheet.getWidth(); x++) {
+      for (int y = 424; y < sheet.getHeight(); y++) {
+        marked += (sheet.getRGB(x, y) & 0xffffff) == 0x2ed3a5 ? 1 : 0; // a right wing's colour
+      }
+    }
+    assertTrue(marked > 50, marked + " pixels of the right wing's lines");
+  }
+
+  @Test
+  void tracksAndChainsAreReported() throws Exception {
+    Path dots = scene("dots.aedat", "dots", "0.5");
+    String track = page("track", dots, "--out", folder.resolve("tracks.csv"));
+    assertPlots(track, "objects: x", "objects: y");
+    Path chain =
+        Files.writeString(
+            folder.resolve("chain.json"),
+            """
+            {"filters": [{"filter": "refractory"},
+              {"filter": "background-activity", "settings": {"correlationUs": 7000}}]}
+            """);
+    String run = page("run", dots, "--chain", chain, "--overwrite");
+    assertTrue(run.contains("correlationUs = 7000"));
+    assertTrue(run.contains("refractory"));
+  }
+
+  @Test
+  void aBatchIsOnePage() throws Exception {
+    Path in = Files.createDirectory(folder.resolve("in"));
+    scene("in/one.aedat", "dots", "0.2");
+    Path two = scene("in/two.es", "dots", "0.3");
+    Files.write(in.resolve("broken.aedat4"), new byte[] {'#', '!', 'A', 'E', 'R', '-', 'D', 'A'});
+    Path out = folder.resolve("out");
+    CommandRun broken =
+        CommandRun.of("batch", in, "--track", "--out", out, "--report", out.resolve("all.html"));
+    assertEquals(Files.exists(out.resolve("failed.json")) ? 1 : 0, broken.status(), broken.err());
+    String page = page("batch", in.resolve("one.aedat"), two, "--track", "--out", out, "--resume");
+    assertTrue(page.contains("one.aedat") && page.contains("two.es"));
+    assertTrue(page.contains("2 kept"));
+    assertTrue(page.replace("\n", "").contains(sha256(two)));
+    assertPlots(page, "objects: x");
+    assertTrue(picture(page).getWidth() > 400);
+  }
+
+  @Test
+  void aReportThatExistsAndOneOfACameraAreRefused() throws Exception {
+    Path dots = scene("dots.aedat", "dots", "0.1");
+    Path there = Files.writeString(folder.resolve("there.html"), "mine");
+    Path out = folder.resolve("tracks.csv");
+    CommandRun run = CommandRun.of("track", dots, "--out", out, "--report", there);
+    assertEquals(1, run.status());
+    assertTrue(run.err().contains("--overwrite"), run.err());
+    assertFalse(Files.exists(out), "refused before any work");
+    assertEquals(2, CommandRun.of("track", dots, "--out", out, "--report", out).status());
+    Object[] camera = {"track", "--device", "simulated:dots", "--out", out, "--report", there};
+    assertEquals(2, CommandRun.of(camera).status());
+  }
+}
