@@ -1,10 +1,10 @@
 package haltere.filters.object;
 
+import haltere.core.settings.AdjustableSettings;
 import haltere.core.settings.Help;
 import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
-import java.util.List;
 
 /**
  * Settings of {@link ObjectTrackerFilter}.
@@ -37,7 +37,8 @@ public record ObjectTrackerSettings(
         @Unit("Hz")
         double reportRateHz,
     @Help("The path of an object is drawn for this long.") @Range(min = 0, max = 60) @Unit("s")
-        double pathS) {
+        double pathS)
+    implements AdjustableSettings<ObjectTrackerSettings> {
   /** Checks the ranges. */
   public ObjectTrackerSettings {
     SettingsSchema.validate(
@@ -50,16 +51,5 @@ public record ObjectTrackerSettings(
    */
   public static ObjectTrackerSettings defaults() {
     return new ObjectTrackerSettings(0, 0.3, 5, 100, 1);
-  }
-
-  /**
-   * {@return new settings, these but for some}
-   *
-   * @param assignments such as {@code scalePx=40}
-   * @throws haltere.core.settings.SettingsProblem if a name or a value is wrong
-   */
-  public ObjectTrackerSettings with(String... assignments) {
-    return SettingsSchema.of(ObjectTrackerSettings.class)
-        .withAssignments(this, List.of(assignments));
   }
 }

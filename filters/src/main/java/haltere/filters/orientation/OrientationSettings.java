@@ -1,10 +1,10 @@
 package haltere.filters.orientation;
 
+import haltere.core.settings.AdjustableSettings;
 import haltere.core.settings.Help;
 import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
-import java.util.List;
 
 /**
  * Settings of {@link BodyOrientationEstimator}.
@@ -24,7 +24,8 @@ public record OrientationSettings(
     Turning turning,
     AngleNoise line,
     BodyMotion position,
-    HeadTail direction) {
+    HeadTail direction)
+    implements AdjustableSettings<OrientationSettings> {
   /** Which filter follows the axis. */
   public enum Form {
     /** The error of the axis in its tangent plane; roll, which nobody sees, is left out. */
@@ -47,7 +48,7 @@ public record OrientationSettings(
         Form.ERROR_STATE,
         new ObservationGate(40, 0, 0, 0.1),
         new Turning(1, 40, 0.5, 0.3, 0.05, 0),
-        new AngleNoise(2, true, false),
+        new AngleNoise(2, true),
         new BodyMotion(1, 2, 5, 0.02, 0.5),
         new HeadTail(0.5, 2, 12, 50));
   }
@@ -68,17 +69,6 @@ public record OrientationSettings(
             "turning.updateNoise=0.1",
             "line.angleSdDeg=" + Math.toDegrees(Math.sqrt(10)),
             "line.calibrate=false");
-  }
-
-  /**
-   * These settings but for some.
-   *
-   * @param assignments texts of the form {@code name=value}, such as {@code gate.angleDeg=30}
-   * @return new settings
-   * @throws haltere.core.settings.SettingsProblem for a name or a value that is not valid
-   */
-  public OrientationSettings with(String... assignments) {
-    return SettingsSchema.of(OrientationSettings.class).withAssignments(this, List.of(assignments));
   }
 
   /**
@@ -175,7 +165,6 @@ public record OrientationSettings(
    *
    * @param angleSdDeg initial standard deviation
    * @param calibrate whether that of each camera is learnt
-   * @param byEccentricity whether round detections count for less
    */
   public record AngleNoise(
       @Help("Initial standard deviation of an observed angle; a larger value trusts lines less.")
@@ -183,8 +172,7 @@ public record OrientationSettings(
           @Unit("deg")
           double angleSdDeg,
       @Help("Whether the standard deviation of each camera is learnt from its own detections.")
-          boolean calibrate,
-      @Help("Whether a detection counts for less the rounder it is.") boolean byEccentricity) {}
+          boolean calibrate) {}
 
   /**
    * How the body moves, and when it is lost.
