@@ -204,7 +204,7 @@ final class PictureMaker {
     DisplayFrame frame = exchange.back();
     events.paintRanked(frame.pixels);
     frames.paintUnder(frame.pixels, frame.geometry, events.style().background());
-    frame.pixel = probes.pixel(events.frame());
+    frame.pixel = probes.pixel(events);
     frame.region = probes.region(events.frame().nowUs());
     frame.scale = scale();
     frame.timeUs = events.frame().nowUs();
@@ -262,7 +262,7 @@ final class PictureMaker {
   /** How far back events of a slice matter to its picture and to what is said of places. */
   long memoryUs(long ofSliceUs) {
     long fadingUs = Math.round(FramePainter.oldestUs(style(ofSliceUs, ofSliceUs)));
-    return Math.max(fadingUs, probes.memoryUs());
+    return Math.max(Math.max(fadingUs, events.memoryUs()), probes.memoryUs());
   }
 
   private PictureStyle style() {
@@ -290,6 +290,7 @@ final class PictureMaker {
     return switch (style.mode()) {
       case COUNTS -> Texts.digits(events.fullCount()) + " events";
       case TIME_SURFACE -> Texts.duration(FramePainter.oldestUs(style)) + " ago";
+      case FREQUENCY -> "1 kHz";
       default -> "";
     };
   }
