@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.regex.Pattern;
 
 /**
  * A number that is published over time, by name, so that it is found again in another chain.
@@ -19,6 +20,8 @@ import java.util.Optional;
 public record PlotField(String stage, String outlet, String column) {
   /** The rate of events into the chain, which is no filter's. */
   public static final PlotField EVENT_RATE = new PlotField("", "playback", "event_rate_eps");
+
+  private static final Pattern COVARIANCE = Pattern.compile("p (v?[xy]){2}");
 
   /** Units as columns end in them, the longer ones first, and as they are shown. */
   private static final Map<String, String> UNITS = units();
@@ -59,11 +62,12 @@ public record PlotField(String stage, String outlet, String column) {
   /**
    * The column in words, without its unit.
    *
-   * @return such as "event rate"
+   * @return such as "event rate", or "P xx" for a number of a covariance matrix
    */
   public String words() {
     int unit = ending().map(found -> found.getKey().length()).orElse(0);
-    return column.substring(0, column.length() - unit).replace('_', ' ');
+    String name = column.substring(0, column.length() - unit).replace('_', ' ');
+    return COVARIANCE.matcher(name).matches() ? "P" + name.substring(1) : name;
   }
 
   /**

@@ -8,6 +8,7 @@ import haltere.ui.rendering.ColourScale;
 import haltere.ui.rendering.EventPicture;
 import haltere.ui.rendering.FrameExchange;
 import haltere.ui.rendering.FramePainter;
+import haltere.ui.rendering.PictureStamp;
 import haltere.ui.rendering.PictureStyle;
 import haltere.ui.rendering.Pictures;
 import haltere.ui.viewer.controls.Texts;
@@ -256,6 +257,10 @@ final class PictureMaker {
     PictureStyle style = events.style();
     ColourScale.of(style.mode(), style.gradient(), scale())
         .ifPresent(legend -> legend.draw(picture, dark));
+    if (events.frame().nowUs() != StreamNotification.NO_TIME_US) {
+      PictureStamp.words(picture, events.frame().nowUs() + " \u00b5s", dark);
+    }
+    PictureStamp.scaleBar(picture, Pictures.usualScale(geometry), dark);
     return picture;
   }
 
