@@ -11,8 +11,8 @@ import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.simulation.fly.FlyScene;
 import haltere.core.simulation.fly.FlySceneSettings;
-import haltere.filters.object.ObjectSnapshot;
 import haltere.filters.object.ObjectTrack;
+import haltere.filters.trail.TrailSnapshot;
 import haltere.filters.wing.WingEstimate;
 import haltere.filters.wing.WingPart;
 import haltere.testing.EventFilterContract;
@@ -39,9 +39,9 @@ class DefaultChainTest extends EventFilterContract {
     if (result instanceof ObjectTrack track) {
       return List.of(track.timeUs(), track.xPx(), track.yPx(), track.vxPxS(), track.events());
     }
-    return ((ObjectSnapshot) result)
-        .paths().stream()
-            .map(path -> path.stream().map(this::withoutIdentity).toList())
+    return ((TrailSnapshot) result)
+        .trails().stream()
+            .map(trail -> trail.path().stream().map(this::withoutIdentity).toList())
             .collect(Collectors.toSet());
   }
 

@@ -1,20 +1,27 @@
 package haltere.ui;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import haltere.core.json.Json;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 
 /** The installed program, as a user starts it. */
 @Timeout(60)
@@ -100,6 +107,65 @@ class StartScriptTest {
     assertEquals(1, run.status());
     assertEquals(1, run.err().lines().count(), run.err());
     assertTrue(run.err().contains("JAVA_HOME"), run.err());
+  }
+
+  @Test
+  void eachLibraryOfADistributionHasItsLicenceInTheBillOfMaterials() throws IOException {
+    Path installed = script.getParent().getParent();
+    Map<?, ?> bill = (Map<?, ?>) Json.read(installed.resolve("haltere.cdx.json"));
+    Set<Object> named = new HashSet<>();
+    for (Object component : (List<?>) bill.get("components")) {
+      assertFalse(((List<?>) ((Map<?, ?>) component).get("licenses")).isEmpty());
+      named.add(((Map<?, ?>) component).get("bom-ref"));
+    }
+    Set<Object> libraries = new HashSet<>();
+    try (Stream<Path> files = Files.walk(installed.resolve("lib"))) {
+      files
+          .map(file -> file.getFileName().toString())
+          .filter(name -> name.endsWith(".jar") && !name.startsWith("haltere-"))
+          .forEach(libraries::add);
+    }
+    assertEquals(libraries, named);
+    assertTrue(read(installed.resolve("THIRD-PARTY.md")).contains("MPL-2.0"));
+    assertTrue(read(installed.resolve("licenses/LGPL-2.1.txt")).contains("LESSER GENERAL PUBLIC"));
+  }
+
+  /** This build's JDK, and those that are installed beside it. */
+  static List<Path> installedJdks() throws IOException {
+    Path own = Path.of(System.getProperty("java.home"));
+    try (Stream<Path> beside = Files.list(own.getParent())) {
+      return Stream.concat(Stream.of(own), beside.filter(jdk -> version(jdk) > 17).sorted())
+          .distinct()
+          .toList();
+    }
+  }
+
+  /** First number of a JDK's version; 0 where there is no JDK. */
+  private static int version(Path jdk) {
+    try (Stream<String> lines = Files.lines(jdk.resolve("release"))) {
+      return lines
+          .map(line -> line.replaceFirst("^JAVA_VERSION=\"(\\d+).*", "$1"))
+          .filter(number -> number.matches("\\d+"))
+          .findFirst()
+          .map(Integer::valueOf)
+          .orElse(0);
+    } catch (IOException none) {
+      return 0;
+    }
+  }
+
+  @ParameterizedTest
+  @MethodSource("installedJdks")
+  void onEachInstalledJdkNativeCodeIsLoadedWithoutAWarning(Path jdk) throws Exception {
+    Map<String, String> environment = Map.of("JAVA_HOME", jdk.toString());
+    Files.writeString(folder.resolve("in.csv"), "t_us,x,y,on\n1,2,3,1\n");
+    // Zstandard, libusb and the window toolkit
+    String[] words = "--quiet convert --sensor 8x8 --rows top in.csv out.aedat4".split(" ");
+    assertEquals(new Run(0, "", ""), run(script, environment, words));
+    Run devices = run(script, environment, "devices");
+    assertEquals("", devices.err());
+    Run view = run(script, environment, "view");
+    assertEquals(1, view.err().lines().count(), view.err());
   }
 
   @Test

@@ -1,8 +1,6 @@
 package haltere.core.batch;
 
-import haltere.core.chain.ChainStage;
 import haltere.core.chain.FilterChain;
-import haltere.core.chain.Outlet;
 import haltere.core.format.AtomicFile;
 import haltere.core.format.RecordingProblem;
 import haltere.core.json.Json;
@@ -10,6 +8,7 @@ import haltere.core.pipeline.JobReport;
 import haltere.core.pipeline.JobResults;
 import haltere.core.pipeline.OutletTables;
 import haltere.core.pipeline.PipelineCounters.Counter;
+import haltere.core.pipeline.Provenance;
 import haltere.core.pipeline.RecordingJob;
 import java.io.IOException;
 import java.io.InterruptedIOException;
@@ -30,9 +29,10 @@ import java.util.function.Function;
 
 /**
  * The same chain over many recordings. Each recording has a folder of its name below the folder of
- * the results, with a table for each outlet, {@code STAGE.OUTLET.csv}, and {@code done.json}, which
- * comes last. A recording that fails stops nothing; {@code failed.json} names all that did. What is
- * written does not depend on the number of workers or shards, nor on how often a run was killed.
+ * the results, with a table for each outlet, {@code STAGE.OUTLET.csv} (or another format), and
+ * {@code done.json}, which comes last. A recording that fails stops nothing; {@code failed.json}
+ * names all that did. What is written does not depend on the number of workers or shards, nor on
+ * how often a run was killed.
  *
  * <p>Thread rule: {@link #run} waits for its workers; listeners are called on theirs, one at a
  * time.
@@ -219,21 +219,27 @@ public final class Batch {
       }
       try (ResultFolder folder = taken.get()) {
         folder.clear();
+        Provenance provenance = new Provenance(options.program(), Optional.of(item.recording()));
         JobReport report =
-            RecordingJob.of(item.recording(), chain, (reader, filters) -> open(folder, filters))
+            RecordingJob.of(
+                    item.recording(),
+                    chain,
+                    (reader, filters) -> open(folder, filters, provenance.chain(filters)))
                 .reading(options.reading(), options.strict())
                 .telling((count, position, size) -> progress.reached(position))
                 .run();
-        folder.complete(results.of(item, report, Checksums.of(item.recording()), place));
+        folder.complete(
+            results.of(item, report, provenance.recordingSha256().orElseThrow(), place));
         progress.finish();
         count(item, report);
       }
     }
 
-    private JobResults open(ResultFolder folder, FilterChain filters) throws IOException {
-      OutletTables.Naming naming = (stage, outlet) -> folder.path(name(stage, outlet));
+    private JobResults open(ResultFolder folder, FilterChain filters, Provenance provenance)
+        throws IOException {
+      OutletTables.Naming naming = (stage, outlet) -> folder.path(options.tableName(stage, outlet));
       folder.begin(OutletTables.files(filters, naming));
-      return OutletTables.open(filters, naming, AtomicFile::repeatable);
+      return OutletTables.open(filters, naming, AtomicFile::repeatable, provenance);
     }
 
     private void count(BatchItem item, JobReport report) {
@@ -288,10 +294,5 @@ public final class Batch {
         reached(size);
       }
     }
-  }
-
-  /** Name of the table of an outlet. */
-  static String name(ChainStage stage, Outlet<?> outlet) {
-    return stage.name() + "." + outlet.name() + ".csv";
   }
 }

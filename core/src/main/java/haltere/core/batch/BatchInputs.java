@@ -2,6 +2,7 @@ package haltere.core.batch;
 
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.Recordings;
+import haltere.core.pipeline.Checksums;
 import java.io.IOException;
 import java.nio.file.FileVisitResult;
 import java.nio.file.Files;

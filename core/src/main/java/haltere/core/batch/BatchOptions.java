@@ -1,5 +1,7 @@
 package haltere.core.batch;
 
+import haltere.core.chain.ChainStage;
+import haltere.core.chain.Outlet;
 import haltere.core.format.ReadOptions;
 import java.nio.file.Path;
 import java.util.Objects;
@@ -13,6 +15,7 @@ import java.util.Objects;
  * @param reading what the user says of all recordings
  * @param strict whether a recording that is cut off or damaged is a failure
  * @param program name and version of the program, a part of what makes a result valid
+ * @param tables ending of the tables, one of {@link haltere.core.sink.Tables#endings}
  */
 public record BatchOptions(
     Path folder,
@@ -20,7 +23,8 @@ public record BatchOptions(
     Existing existing,
     ReadOptions reading,
     boolean strict,
-    String program) {
+    String program,
+    String tables) {
   /** What happens to results that are there. */
   public enum Existing {
     /** The batch does not start. */
@@ -37,8 +41,14 @@ public record BatchOptions(
     Objects.requireNonNull(existing, "existing");
     Objects.requireNonNull(reading, "reading");
     Objects.requireNonNull(program, "program");
+    Objects.requireNonNull(tables, "tables");
     if (workers < 1 || workers > 1024) {
       throw new IllegalArgumentException("1 to 1024 workers can run, not " + workers);
     }
+  }
+
+  /** Name of the table of an outlet. */
+  String tableName(ChainStage stage, Outlet<?> outlet) {
+    return stage.name() + "." + outlet.name() + "." + tables;
   }
 }

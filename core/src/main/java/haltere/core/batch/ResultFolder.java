@@ -2,6 +2,7 @@ package haltere.core.batch;
 
 import haltere.core.format.AtomicFile;
 import haltere.core.json.Json;
+import haltere.core.pipeline.Checksums;
 import java.io.Closeable;
 import java.io.IOException;
 import java.nio.ByteBuffer;

@@ -7,6 +7,7 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.format.ReadOptions;
 import haltere.core.json.Json;
 import haltere.core.json.JsonProblem;
+import haltere.core.pipeline.Checksums;
 import haltere.core.pipeline.JobReport;
 import haltere.core.pipeline.JobResults;
 import haltere.core.pipeline.OutletTables;
@@ -42,7 +43,7 @@ final class ResultRecord {
   ResultRecord(RecordingJob.ChainMaker maker, BatchOptions options) throws IOException {
     try (FilterChain chain = maker.make(SENSOR)) {
       List<Path> files =
-          OutletTables.files(chain, (stage, outlet) -> Path.of(Batch.name(stage, outlet)));
+          OutletTables.files(chain, (stage, outlet) -> Path.of(options.tableName(stage, outlet)));
       if (files.stream().distinct().count() < files.size()) {
         throw new ChainProblem("two stages of the same name would write one table: " + files);
       }
@@ -50,6 +51,7 @@ final class ResultRecord {
     }
     settings.put("program", options.program());
     settings.put("reading", reading(options));
+    settings.put("tables", options.tables());
   }
 
   private static Object json(String chain) throws JsonProblem {

@@ -129,6 +129,15 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
   }
 
   /**
+   * Where the file will be.
+   *
+   * @return as it was asked for
+   */
+  public Path path() {
+    return asked;
+  }
+
+  /**
    * The channel to write to.
    *
    * @return owned by this file, closed with it

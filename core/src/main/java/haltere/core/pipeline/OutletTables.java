@@ -6,6 +6,9 @@ import haltere.core.chain.Outlet;
 import haltere.core.chain.ResultOrder;
 import haltere.core.format.AtomicFile;
 import haltere.core.sink.CsvSink;
+import haltere.core.sink.TableMetadata;
+import haltere.core.sink.TableSink;
+import haltere.core.sink.Tables;
 import haltere.core.stream.StreamHandler;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -46,13 +49,17 @@ public final class OutletTables implements JobResults {
     AtomicFile create(Path file) throws IOException;
   }
 
-  private final Map<Path, CsvSink<?>> tables = new LinkedHashMap<>();
+  private final Map<Path, TableSink<?>> tables = new LinkedHashMap<>();
   private final List<ResultOrder.Sorter<?>> sorters = new ArrayList<>();
   private final List<Outlet.Subscription> subscriptions = new ArrayList<>();
 
   private final ResultFailure failure = new ResultFailure();
 
-  private OutletTables() {}
+  private final TableMetadata metadata;
+
+  private OutletTables(TableMetadata metadata) {
+    this.metadata = metadata;
+  }
 
   /**
    * The files that {@link #open} would write.
@@ -79,12 +86,14 @@ public final class OutletTables implements JobResults {
    * @param chain the chain
    * @param naming where each table goes
    * @param maker begins each file
+   * @param metadata kept in tables whose format, which follows from the name, can hold it
    * @return open tables
    * @throws IOException if one cannot be written
    */
-  public static OutletTables open(FilterChain chain, Naming naming, FileMaker maker)
+  public static OutletTables open(
+      FilterChain chain, Naming naming, FileMaker maker, TableMetadata metadata)
       throws IOException {
-    OutletTables tables = new OutletTables();
+    OutletTables tables = new OutletTables(metadata);
     try {
       for (ChainStage stage : stages(chain)) {
         for (Outlet<?> outlet : stage.filter().outlets()) {
@@ -119,7 +128,7 @@ public final class OutletTables implements JobResults {
 
   private <R extends Record> void openRows(Outlet<R> outlet, Path file, FileMaker maker)
       throws IOException {
-    CsvSink<R> table = CsvSink.of(maker.create(file), outlet.type());
+    TableSink<R> table = Tables.of(maker.create(file), outlet.type(), metadata);
     tables.put(file, table);
     if (outlet.order().isPresent()) {
       ResultOrder.Sorter<R> sorter = outlet.order().get().to(table);
@@ -146,7 +155,7 @@ public final class OutletTables implements JobResults {
   public void finish() throws IOException {
     failure.rethrow();
     sorters.forEach(ResultOrder.Sorter::finish);
-    for (CsvSink<?> table : tables.values()) {
+    for (TableSink<?> table : tables.values()) {
       table.finish();
     }
   }
@@ -155,7 +164,7 @@ public final class OutletTables implements JobResults {
   public void close() throws IOException {
     subscriptions.forEach(Outlet.Subscription::close);
     IOException problem = null;
-    for (CsvSink<?> table : tables.values()) {
+    for (TableSink<?> table : tables.values()) {
       try {
         table.close();
       } catch (IOException thrown) {

@@ -1,14 +1,12 @@
 package haltere.core.sink;
 
 import haltere.core.format.AtomicFile;
-import java.io.Closeable;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
-import java.util.function.Consumer;
 
 /**
  * Writes records as rows of a table: comma separated, UTF-8, a header line, lines that end in a
@@ -20,7 +18,7 @@ import java.util.function.Consumer;
  *
  * @param <R> type of the rows, a {@link #isFlat flat} record
  */
-public final class CsvSink<R extends Record> implements Consumer<R>, Closeable {
+public final class CsvSink<R extends Record> implements TableSink<R> {
   private final AtomicFile file;
   private final CsvText text;
   private final RowFields fields;
@@ -110,12 +108,6 @@ public final class CsvSink<R extends Record> implements Consumer<R>, Closeable {
     return RowFields.names(type);
   }
 
-  /**
-   * Writes a row.
-   *
-   * @param row the row
-   * @throws UncheckedIOException if it cannot be written
-   */
   @Override
   public void accept(R row) {
     Objects.requireNonNull(row, "row");
@@ -149,20 +141,12 @@ public final class CsvSink<R extends Record> implements Consumer<R>, Closeable {
     }
   }
 
-  /**
-   * Rows written.
-   *
-   * @return a count, without the header
-   */
+  @Override
   public long rows() {
     return rows;
   }
 
-  /**
-   * Completes the file and puts it in its place.
-   *
-   * @throws IOException if that fails; the target is then as it was
-   */
+  @Override
   public void finish() throws IOException {
     text.flush();
     if (file != null) {
@@ -170,11 +154,6 @@ public final class CsvSink<R extends Record> implements Consumer<R>, Closeable {
     }
   }
 
-  /**
-   * Releases the file; one that was not finished leaves nothing.
-   *
-   * @throws IOException if it cannot be removed
-   */
   @Override
   public void close() throws IOException {
     if (file != null) {

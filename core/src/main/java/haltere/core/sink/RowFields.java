@@ -15,27 +15,90 @@ import java.util.Set;
 import java.util.regex.Pattern;
 
 /**
- * The components of a flat record: their names as columns, and their values without boxes.
+ * The components of a {@link CsvSink#isFlat flat} record: their names as columns, and their values
+ * without boxes. A {@link TableFormat} reads rows with it.
  *
  * <p>Thread rule: immutable.
  */
-final class RowFields {
+public final class RowFields {
   /** Takes the value of a component. */
-  interface Values {
+  public interface Values {
+    /**
+     * Takes an integer.
+     *
+     * @param value of any width
+     */
     void number(long value);
 
-    /** Negative decimals mean as many as needed to read the same number back. */
+    /**
+     * Takes a floating-point number.
+     *
+     * @param value not-a-number means that there is no value
+     * @param decimals digits behind the decimal point of a text; negative for as many as needed to
+     *     read the same number back
+     */
     void number(double value, int decimals);
 
-    /** As for double, with the digits that the shorter type needs. */
+    /**
+     * Takes a floating-point number with the digits that the shorter type needs.
+     *
+     * @param value not-a-number means that there is no value
+     * @param decimals as for double
+     */
     void number(float value, int decimals);
 
+    /**
+     * Takes a truth value.
+     *
+     * @param value true or false
+     */
     void flag(boolean value);
 
+    /**
+     * Takes a text.
+     *
+     * @param value not null
+     */
     void text(CharSequence value);
 
     /** There is no value. */
     void nothing();
+  }
+
+  /** What values of a component are. */
+  public enum Kind {
+    /** 64-bit integers. */
+    LONG,
+    /** Integers of at most 32 bits. */
+    INTEGER,
+    /** Double precision. */
+    DOUBLE,
+    /** Single precision. */
+    FLOAT,
+    /** Truth values. */
+    FLAG,
+    /** Texts, characters and constants of enumerations. */
+    TEXT;
+
+    private static Kind of(Class<?> type) {
+      if (type == double.class || type == Double.class || type == OptionalDouble.class) {
+        return DOUBLE;
+      }
+      if (type == float.class || type == Float.class) {
+        return FLOAT;
+      }
+      if (type == long.class || type == Long.class || type == OptionalLong.class) {
+        return LONG;
+      }
+      if (type == boolean.class || type == Boolean.class) {
+        return FLAG;
+      }
+      return type == char.class || !(type.isPrimitive() || isInteger(type)) ? TEXT : INTEGER;
+    }
+
+    private static boolean isInteger(Class<?> type) {
+      return type == OptionalInt.class || Number.class.isAssignableFrom(type);
+    }
   }
 
   /** Hands on one component of a row. */
@@ -69,14 +132,16 @@ final class RowFields {
       Pattern.compile("(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])");
 
   private final List<String> names;
+  private final List<Kind> kinds = new ArrayList<>();
   private final Field[] fields;
 
   /**
    * The components of a type.
    *
+   * @param type a record
    * @throws IllegalArgumentException if it is not flat
    */
-  RowFields(Class<? extends Record> type) {
+  public RowFields(Class<? extends Record> type) {
     if (!isFlat(type)) {
       throw new IllegalArgumentException(
           type.getSimpleName() + " is not a record of plain values and makes no row");
@@ -91,6 +156,7 @@ final class RowFields {
         throw new IllegalArgumentException(
             components[i] + " cannot have " + decimals + " digits behind the decimal point");
       }
+      kinds.add(Kind.of(components[i].getType()));
       fields[i] = field(components[i], decimals);
     }
   }
@@ -121,13 +187,32 @@ final class RowFields {
     return names;
   }
 
-  /** Names of the columns, in order. */
-  List<String> names() {
+  /**
+   * Names of the columns.
+   *
+   * @return in order
+   */
+  public List<String> names() {
     return names;
   }
 
-  /** Hands on one component of a row. */
-  void write(int index, Record row, Values values) {
+  /**
+   * What the values of the columns are.
+   *
+   * @return in order
+   */
+  public List<Kind> kinds() {
+    return kinds;
+  }
+
+  /**
+   * Hands on one component of a row.
+   *
+   * @param index which, from 0
+   * @param row a record of the type
+   * @param values takes the value
+   */
+  public void write(int index, Record row, Values values) {
     try {
       fields[index].write(row, values);
     } catch (RuntimeException | Error thrown) {

@@ -9,7 +9,6 @@ import haltere.core.chain.ChainStage;
 import haltere.core.chain.EventFilter;
 import haltere.core.chain.FilterChain;
 import haltere.core.chain.FilterFailure;
-import haltere.core.chain.Outlet;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.pipeline.PipelineCounters.Counter;
@@ -18,14 +17,11 @@ import haltere.core.stream.StreamNotification;
 import haltere.testing.MemoryRecording;
 import java.io.IOException;
 import java.io.InterruptedIOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 class PipelineTest {
   private static final SensorGeometry SENSOR = new SensorGeometry(20, 10);
@@ -158,70 +154,6 @@ class PipelineTest {
     for (Counter counter : Counter.values()) {
       assertTrue(counter.sentence().matches("[A-Z].*\\."), counter.name());
       assertTrue(counters.toString().contains(counter.sentence()));
-    }
-  }
-
-  record Row(long timeUs, double level) {}
-
-  record Deep(Row row) {}
-
-  private static final class Publishing implements EventFilter {
-    final Outlet<Row> rows = new Outlet<>("rows", Row.class);
-    final Outlet<Deep> deep = new Outlet<>("deep", Deep.class);
-
-    @Override
-    public void process(EventPacket packet) {
-      for (int i = 0; i < packet.size(); i++) {
-        if (packet.timeUs(i) % 1000 == 0) {
-          rows.publish(new Row(packet.timeUs(i), 0.5));
-          deep.publish(new Deep(null));
-        }
-      }
-    }
-
-    @Override
-    public void reset() {}
-
-    @Override
-    public List<Outlet<?>> outlets() {
-      return List.of(rows, deep);
-    }
-  }
-
-  @Test
-  void resultsGoToATablePerOutletOfPlainRecords(@TempDir Path folder) throws IOException {
-    chain.add("meter", new Publishing());
-    chain.add("meter", new Publishing());
-    Path beside = folder.resolve("take.3.aedat2");
-    try (ResultLog log = ResultLog.open(chain, beside, false)) {
-      Pipeline.run(recording(2_500), chain, List.of(), counters);
-      assertEquals(0, Files.list(folder).filter(p -> p.toString().endsWith(".csv")).count());
-      log.finish();
-      assertEquals(
-          List.of(
-              folder.resolve("take.3-meter-rows.csv"), folder.resolve("take.3-meter-2-rows.csv")),
-          log.files());
-      assertTrue(log.summary().get(0).startsWith("meter/rows: 3 rows"));
-    }
-    assertEquals(
-        "time_us,level\n0,0.5\n1000,0.5\n2000,0.5\n",
-        Files.readString(folder.resolve("take.3-meter-rows.csv")));
-    assertThrows(IOException.class, () -> ResultLog.open(chain, beside, false));
-    assertEquals(2, Files.list(folder).count());
-    ResultLog.open(chain, beside, true).close();
-    assertEquals(2, Files.list(folder).count());
-  }
-
-  @Test
-  void aNestedChainsOutletsOfOneNameGetTablesOfTheirOwn(@TempDir Path folder) throws IOException {
-    FilterChain inner = new FilterChain(SENSOR);
-    inner.add("a", new Publishing());
-    inner.add("b", new Publishing());
-    chain.add("chain", inner);
-    try (ResultLog log = ResultLog.open(chain, folder.resolve("out"), false)) {
-      assertEquals(
-          List.of(folder.resolve("out-chain-rows.csv"), folder.resolve("out-chain-rows-2.csv")),
-          log.files());
     }
   }
 }

@@ -95,47 +95,30 @@ public final class Cluster {
 
   Cluster() {}
 
-  /**
-   * Identity.
-   *
-   * @return from 1, never given out twice; 0 before the cluster was visible
-   */
+  /** {@return the identity, from 1, never given out twice; 0 before the cluster was visible} */
   public int id() {
     return id;
   }
 
   /**
-   * Whether it has enough support to be reported.
-   *
-   * @return true while it has an identity and support
+   * {@return whether it has enough support to be reported: true while it has an identity and
+   * support}
    */
   public boolean isVisible() {
     return visible;
   }
 
-  /**
-   * Column of the centre.
-   *
-   * @return pixels
-   */
+  /** {@return column of the centre, pixels} */
   public double xPx() {
     return x;
   }
 
-  /**
-   * Row of the centre.
-   *
-   * @return pixels
-   */
+  /** {@return row of the centre, pixels} */
   public double yPx() {
     return y;
   }
 
-  /**
-   * Events since its birth.
-   *
-   * @return at least 1
-   */
+  /** {@return events since its birth, at least 1} */
   public long eventCount() {
     return events + fresh;
   }

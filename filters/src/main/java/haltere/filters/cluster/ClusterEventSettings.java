@@ -28,11 +28,7 @@ public record ClusterEventSettings(
     SettingsSchema.validate(ClusterEventSettings.class, polarity, inhibition, edgeThickness);
   }
 
-  /**
-   * The settings to start from.
-   *
-   * @return both polarities, no inhibition, events anywhere
-   */
+  /** {@return the settings to start from: both polarities, no inhibition, events anywhere} */
   public static ClusterEventSettings defaults() {
     return new ClusterEventSettings(Keep.BOTH, 0, 0);
   }

@@ -35,9 +35,8 @@ public record ClusterGrowthSettings(
   }
 
   /**
-   * The settings to start from.
-   *
-   * @return no adaptation; once it is on, by up to a factor of 4, with a surround of 2
+   * {@return the settings to start from: no adaptation; once it is on, by up to a factor of 4, with
+   * a surround of 2}
    */
   public static ClusterGrowthSettings defaults() {
     return new ClusterGrowthSettings(false, false, 4, 2);

@@ -32,9 +32,8 @@ public record ClusterMergingSettings(
   }
 
   /**
-   * The settings to start from.
-   *
-   * @return boxes that overlap merge unless their directions differ by 60 degrees
+   * {@return the settings to start from: boxes that overlap merge unless their directions differ by
+   * 60 degrees}
    */
   public static ClusterMergingSettings defaults() {
     return new ClusterMergingSettings(true, 1, 60, false);

@@ -81,9 +81,8 @@ public record ClusterMotionSettings(
   }
 
   /**
-   * The settings to start from.
-   *
-   * @return a constant weight of 0.05, prediction with an average over 100 ms, no friction or limit
+   * {@return the settings to start from: a constant weight of 0.05, prediction with an average over
+   * 100 ms, no friction or limit}
    */
   public static ClusterMotionSettings defaults() {
     return new ClusterMotionSettings(

@@ -57,9 +57,7 @@ public record ClusterShapeSettings(
   }
 
   /**
-   * The settings to start from.
-   *
-   * @return an upright square whose radius is 0.06 of the longer side
+   * {@return the settings to start from: an upright square whose radius is 0.06 of the longer side}
    */
   public static ClusterShapeSettings defaults() {
     return new ClusterShapeSettings(0.06, 1, 0, Angle.FIXED, Type.BOX);

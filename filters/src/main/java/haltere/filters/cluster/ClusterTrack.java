@@ -1,6 +1,8 @@
 package haltere.filters.cluster;
 
 import haltere.core.sink.Column;
+import haltere.filters.trail.Ellipse;
+import haltere.filters.trail.TrailPoint;
 
 /**
  * Where a cluster is at one time, from events before that time only.
@@ -9,8 +11,8 @@ import haltere.core.sink.Column;
  * @param id identity of the cluster, from 1, never given out twice by a tracker
  * @param xPx column of the centre, pixels
  * @param yPx row of the centre, pixels
- * @param vxPxPerS velocity to the right, pixels a second
- * @param vyPxPerS velocity upwards, pixels a second
+ * @param vxPxS velocity to the right, pixels a second
+ * @param vyPxS velocity upwards, pixels a second
  * @param radiusPx geometric mean of the half axes, pixels
  * @param aspect half axis at the angle over the other one
  * @param angleRad direction of the first half axis, counterclockwise from +x, above -pi/2 and up to
@@ -25,30 +27,19 @@ public record ClusterTrack(
     int id,
     @Column(decimals = 3) double xPx,
     @Column(decimals = 3) double yPx,
-    @Column(value = "vx_px_s", decimals = 3) double vxPxPerS,
-    @Column(value = "vy_px_s", decimals = 3) double vyPxPerS,
+    @Column(value = "vx_px_s", decimals = 3) double vxPxS,
+    @Column(value = "vy_px_s", decimals = 3) double vyPxS,
     @Column(decimals = 3) double radiusPx,
     @Column(decimals = 3) double aspect,
     @Column(decimals = 4) double angleRad,
     long events,
     @Column(decimals = 1) double mass,
     @Column(decimals = 1) double rateHz,
-    long ageUs) {
-  /**
-   * Half axis at the angle.
-   *
-   * @return pixels
-   */
-  public double radiusAlongPx() {
-    return radiusPx * Math.sqrt(aspect);
-  }
-
-  /**
-   * Half axis across the angle.
-   *
-   * @return pixels
-   */
-  public double radiusAcrossPx() {
-    return radiusPx / Math.sqrt(aspect);
+    long ageUs)
+    implements TrailPoint {
+  /** {@return the half axes; the first one, at the angle, may be the shorter one} */
+  public Ellipse ellipse() {
+    double root = Math.sqrt(aspect);
+    return new Ellipse(radiusPx * root, radiusPx / root, angleRad);
   }
 }

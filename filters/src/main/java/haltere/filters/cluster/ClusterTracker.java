@@ -80,11 +80,7 @@ public final class ClusterTracker {
     lastId = 0;
   }
 
-  /**
-   * What it does.
-   *
-   * @return the settings in force
-   */
+  /** {@return the settings in force} */
   public ClusterTrackerSettings settings() {
     return settings;
   }
@@ -131,20 +127,12 @@ public final class ClusterTracker {
     }
   }
 
-  /**
-   * How many clusters there are, visible or not.
-   *
-   * @return at least 0
-   */
+  /** {@return how many clusters there are, visible or not, at least 0} */
   public int count() {
     return count;
   }
 
-  /**
-   * Events of all clusters that there have been.
-   *
-   * @return a count up to the last update
-   */
+  /** {@return events of all clusters that there have been, a count up to the last update} */
   public long eventCount() {
     return eventCount;
   }

@@ -5,21 +5,24 @@ import haltere.core.chain.Outlet;
 import haltere.core.chain.PublishingFilter;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.overlay.MarkStyle.Role;
+import haltere.filters.trail.TrailMark;
+import haltere.filters.trail.TrailOverlay;
+import haltere.filters.trail.TrailSnapshot;
+import haltere.filters.trail.Trails;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
-import java.util.stream.Collectors;
 
 /**
  * {@link ClusterTracker} as a stage of a chain. Publishes a {@link ClusterTrack} for each visible
- * cluster at each report, and all of them together as a {@link ClusterSnapshot}, once also when
- * there is none any more. Passes all events on unless its settings say otherwise.
+ * cluster at each report, and all of them together as a {@link TrailSnapshot}, once also when there
+ * is none any more. Passes all events on unless its settings say otherwise.
  */
 public final class ClusterTrackerFilter extends PublishingFilter<ClusterTrackerSettings> {
   private final Outlet<ClusterTrack> clusters = outlet("clusters", ClusterTrack.class);
-  private final Outlet<ClusterSnapshot> snapshots =
-      drawnOutlet("snapshot", ClusterSnapshot.class, "clusters", new ClusterTrackOverlay());
-  private final Paths<ClusterTrack> paths = new Paths<>();
+  private final Outlet<TrailSnapshot> snapshots =
+      drawnOutlet("snapshot", TrailSnapshot.class, "clusters", new TrailOverlay());
+  private final Trails trails = new Trails();
   private final ClusterTracker tracker;
   private boolean showing;
 
@@ -48,20 +51,24 @@ public final class ClusterTrackerFilter extends PublishingFilter<ClusterTrackerS
   /** Publishes what is visible; false if nothing is. */
   private boolean publish(long timeUs) {
     List<ClusterTrack> tracks = tracker.tracks(timeUs);
-    tracks.forEach(clusters::publish);
-    Set<Integer> ids = tracks.stream().map(ClusterTrack::id).collect(Collectors.toSet());
-    paths.keep(ids);
-    if (snapshots.hasSubscribers() && (showing || !tracks.isEmpty())) {
-      int maxLength = settings().output().pathPoints();
-      snapshots.publish(
-          new ClusterSnapshot(
-              timeUs,
-              settings().shape().type(),
-              tracks.stream()
-                  .map(track -> new ClusterSnapshot.Trail(paths.add(track.id(), track, maxLength)))
-                  .toList()));
+    for (ClusterTrack track : tracks) {
+      clusters.publish(track);
+      trails.add(track, mark(track), settings().output().pathPoints());
+    }
+    TrailSnapshot snapshot = trails.at(timeUs);
+    if (showing || !tracks.isEmpty()) {
+      snapshots.publish(snapshot);
     }
     return !tracks.isEmpty();
+  }
+
+  private TrailMark mark(ClusterTrack track) {
+    return new TrailMark(
+        Role.OBJECT,
+        track.ellipse(),
+        settings().shape().type() == ClusterShapeSettings.Type.BOX,
+        Integer.toString(track.id()),
+        track.radiusPx() * Math.sqrt(0.5));
   }
 
   @Override
@@ -72,7 +79,7 @@ public final class ClusterTrackerFilter extends PublishingFilter<ClusterTrackerS
   @Override
   public void reset() {
     tracker.reset();
-    paths.keep(Set.of());
+    trails.clear();
     showing = false;
   }
 

@@ -40,11 +40,7 @@ public record ClusterTrackerSettings(
         output);
   }
 
-  /**
-   * The settings to start from.
-   *
-   * @return the defaults of all parts
-   */
+  /** {@return the settings to start from: the defaults of all parts} */
   public static ClusterTrackerSettings defaults() {
     return new ClusterTrackerSettings(
         ClusterShapeSettings.defaults(),

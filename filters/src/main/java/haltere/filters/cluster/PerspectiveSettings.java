@@ -33,11 +33,7 @@ public record PerspectiveSettings(
     SettingsSchema.validate(PerspectiveSettings.class, enabled, vanishingX, vanishingY, minScale);
   }
 
-  /**
-   * The default perspective.
-   *
-   * @return none; once enabled, towards the middle of the top row
-   */
+  /** {@return the settings to start from: none; once enabled, towards the middle of the top row} */
   public static PerspectiveSettings defaults() {
     return new PerspectiveSettings(false, 0.5, 1, 0.1);
   }

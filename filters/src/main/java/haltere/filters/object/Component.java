@@ -1,6 +1,7 @@
 package haltere.filters.object;
 
 import haltere.filters.estimation.GaussianState;
+import haltere.filters.trail.Ellipse;
 import java.util.Arrays;
 
 /**
@@ -231,20 +232,17 @@ final class Component {
    * two directions in which the information is independent. An edge tells nothing along itself.
    */
   private void register() {
-    double scale = weight * INDEPENDENT;
-    double xx = scale * shape.infoXx;
-    double xy = scale * shape.infoXy;
-    double yy = scale * shape.infoYy;
-    double angle = 0.5 * Math.atan2(2 * xy, xx - yy);
-    double apart = Math.hypot(0.5 * (xx - yy), xy);
-    double mean = 0.5 * (xx + yy);
-    for (int k = 0; k < 2; k++) {
-      double information = k == 0 ? mean + apart : mean - apart;
-      if (!(information > 0)) {
-        continue;
-      }
-      double cos = k == 0 ? Math.cos(angle) : -Math.sin(angle);
-      double sin = k == 0 ? Math.sin(angle) : Math.cos(angle);
+    Ellipse information = Ellipse.of(shape.infoXx, shape.infoXy, shape.infoYy);
+    double cos = Math.cos(information.angleRad());
+    double sin = Math.sin(information.angleRad());
+    correct(information.majorPx(), cos, sin);
+    correct(information.minorPx(), -sin, cos);
+  }
+
+  /** Takes in the displacement along a direction, of which an event has information of a root. */
+  private void correct(double root, double cos, double sin) {
+    double information = weight * INDEPENDENT * root * root;
+    if (information > 0) {
       row[0] = cos;
       row[2] = sin;
       state.project(row);

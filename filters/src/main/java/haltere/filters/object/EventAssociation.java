@@ -24,9 +24,6 @@ final class EventAssociation {
   /** An event's novelty is bounded, nat, so that none counts more than twenty others. */
   private static final double MAX_NOVELTY = 3;
 
-  /** Novelty above which a component is certain, and its events need not be asked, nat. */
-  private static final double KNOWN_NOVELTY = 200;
-
   private final ActivityGrid grid;
   private final ClutterMap clutter;
   private final BirthDetector births;
@@ -149,7 +146,7 @@ final class EventAssociation {
       if (share >= MIN_SHARE) {
         int at = cells[k];
         ShapeTemplate shape = component.shape;
-        if (component.novelty < KNOWN_NOVELTY) {
+        if (!component.object.isDecided()) {
           double novelty = Math.log(intensity[k] / repeat);
           component.novelty += share * Math.max(-MAX_NOVELTY, Math.min(MAX_NOVELTY, novelty));
         }

@@ -40,9 +40,6 @@ final class ObjectRelations {
   /** Memory of the evidence, seconds: three independent comparisons. */
   private static final double EVIDENCE_S = 1;
 
-  /** A gap of the cells of both sides is none, pixels. */
-  private static final double BLUR_PX = 2 * ShapeTemplate.MIN_CELL_PX;
-
   /** Variance of a displacement from the cells of the template, px². */
   private static final double CELL_VARIANCE = ShapeTemplate.MIN_CELL_PX * ShapeTemplate.MIN_CELL_PX;
 
@@ -120,10 +117,7 @@ final class ObjectRelations {
     if (apart > FAR_SIZES * size) {
       return FAR;
     }
-    // The boxes' distance will do where the cells' makes no difference.
-    double distance =
-        apart > 2 * size ? apart : a.shape.distance(b.shape, b.x() - a.x(), b.y() - a.y());
-    double shares = Math.max(0, distance - BLUR_PX) / (GAP_SHARE * size);
+    double shares = apart / (GAP_SHARE * size);
     return TOUCH_NAT - Math.log1p(shares * shares);
   }
 

@@ -1,6 +1,7 @@
 package haltere.filters.object;
 
 import haltere.core.sink.Column;
+import haltere.filters.trail.TrailPoint;
 
 /**
  * An object at one time: where it is, how fast it moves, how large it is, and how sure that is. The
@@ -43,7 +44,8 @@ public record ObjectTrack(
     @Column(decimals = 4) double existence,
     @Column(decimals = 1) double eventRateHz,
     @Column(decimals = 3) double ageS,
-    @Column(decimals = 3) double lowYPx) {
+    @Column(decimals = 3) double lowYPx)
+    implements TrailPoint {
   /** The same with the identity that was decided since. */
   ObjectTrack withId(int decided) {
     return new ObjectTrack(

@@ -6,14 +6,15 @@ import haltere.core.chain.PublishingFilter;
 import haltere.core.chain.ResultOrder;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.overlay.MarkStyle.Role;
 import haltere.core.stream.EndOfStream;
 import haltere.core.stream.StreamNotification;
-import java.util.ArrayDeque;
-import java.util.ArrayList;
+import haltere.filters.trail.Ellipse;
+import haltere.filters.trail.TrailMark;
+import haltere.filters.trail.TrailOverlay;
+import haltere.filters.trail.TrailSnapshot;
+import haltere.filters.trail.Trails;
 import java.util.Comparator;
-import java.util.HashMap;
-import java.util.List;
-import java.util.Map;
 
 /**
  * Tracks what moves, of any shape: an object is one track from its first to its last event, also
@@ -24,7 +25,7 @@ import java.util.Map;
  *   <li>{@code objects}: an {@link ObjectTrack} for each object at each report, from events before
  *       that time only. When an identity is decided, the rows since the object began come at once,
  *       at most two seconds of them; the rows of one object are in order of their times;
- *   <li>{@code object-snapshot}: an {@link ObjectSnapshot} at each report.
+ *   <li>{@code object-snapshot}: an {@link TrailSnapshot} at each report.
  * </ul>
  *
  * <p>Thread rule: as {@link haltere.core.chain.EventFilter}.
@@ -41,9 +42,9 @@ public final class ObjectTrackerFilter extends PublishingFilter<ObjectTrackerSet
               Math.round(UNDECIDED_S * 1e6),
               ObjectTrack::timeUs,
               Comparator.comparingInt(ObjectTrack::id)));
-  private final Outlet<ObjectSnapshot> snapshots =
-      drawnOutlet("object-snapshot", ObjectSnapshot.class, "objects", new ObjectOverlay());
-  private final Map<Integer, ArrayDeque<ObjectTrack>> paths = new HashMap<>();
+  private final Outlet<TrailSnapshot> snapshots =
+      drawnOutlet("object-snapshot", TrailSnapshot.class, "objects", new TrailOverlay());
+  private final Trails trails = new Trails();
   private final ObjectTracker tracker;
 
   /**
@@ -58,7 +59,7 @@ public final class ObjectTrackerFilter extends PublishingFilter<ObjectTrackerSet
             geometry,
             settings,
             this::accept,
-            this::show,
+            timeUs -> snapshots.publish(trails.at(timeUs)),
             () -> tracks.hasSubscribers() || snapshots.hasSubscribers());
   }
 
@@ -70,7 +71,7 @@ public final class ObjectTrackerFilter extends PublishingFilter<ObjectTrackerSet
   @Override
   public void reset() {
     tracker.reset();
-    paths.clear();
+    trails.clear();
   }
 
   /** {@inheritDoc} Identities begin anew. */
@@ -94,11 +95,7 @@ public final class ObjectTrackerFilter extends PublishingFilter<ObjectTrackerSet
     return true;
   }
 
-  /**
-   * Where the objects come out.
-   *
-   * @return a result for each object at each report
-   */
+  /** {@return the outlet of the objects, a result for each object at each report} */
   public Outlet<ObjectTrack> tracks() {
     return tracks;
   }
@@ -125,31 +122,17 @@ public final class ObjectTrackerFilter extends PublishingFilter<ObjectTrackerSet
   private void accept(ObjectTrack track) {
     tracks.publish(track);
     if (snapshots.hasSubscribers()) {
-      paths.computeIfAbsent(track.id(), id -> new ArrayDeque<>()).add(track);
+      int maxRows = 1 + (int) Math.round(settings().pathS() * settings().reportRateHz());
+      trails.add(
+          track,
+          new TrailMark(
+              Role.ESTIMATE,
+              new Ellipse(track.majorPx(), track.minorPx(), track.angleRad()),
+              false,
+              Integer.toString(track.id()),
+              0),
+          maxRows);
     }
-  }
-
-  private void show(long timeUs) {
-    if (!snapshots.hasSubscribers()) {
-      paths.clear();
-      return;
-    }
-    long fromUs = timeUs - Math.round(settings().pathS() * 1e6);
-    List<List<ObjectTrack>> shown = new ArrayList<>();
-    paths
-        .values()
-        .removeIf(
-            path -> {
-              if (path.peekLast().timeUs() < timeUs) {
-                return true;
-              }
-              while (path.peekFirst().timeUs() < fromUs) {
-                path.removeFirst();
-              }
-              return false;
-            });
-    paths.values().forEach(path -> shown.add(List.copyOf(path)));
-    snapshots.publish(new ObjectSnapshot(timeUs, shown));
   }
 
   /** Makes the filter where its name is found in a chain. */

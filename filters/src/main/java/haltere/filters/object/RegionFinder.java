@@ -14,8 +14,8 @@ final class RegionFinder {
   /** Share of the extent's events below which a region is not followed. */
   private static final double MIN_SHARE = 0.1;
 
-  /** Looks for which two regions stay apart before they are components. */
-  private static final int LOOKS = 3;
+  /** Looks after the first one for which regions stay apart before they are components. */
+  private static final int LOOKS = 2;
 
   /** Ticks between two looks: half a shape's memory is three of them. */
   static final int LOOK_TICKS = 5;
@@ -28,17 +28,19 @@ final class RegionFinder {
     private double halfX;
     private double halfY;
     private int label;
-    private int looks;
-    private final double[] pathX = new double[LOOKS];
-    private final double[] pathY = new double[LOOKS];
+    private double firstX;
+    private double firstY;
 
-    /** Velocity against the component over the last looks, pixels a look. */
+    /** Looks since the first one. */
+    private int looks;
+
+    /** Mean velocity against the component, pixels a look. */
     double slipX() {
-      return (pathX[(looks - 1) % LOOKS] - pathX[looks % LOOKS]) / (LOOKS - 1);
+      return (x - firstX) / looks;
     }
 
     double slipY() {
-      return (pathY[(looks - 1) % LOOKS] - pathY[looks % LOOKS]) / (LOOKS - 1);
+      return (y - firstY) / looks;
     }
 
     private double distance(double atX, double atY) {
@@ -49,7 +51,7 @@ final class RegionFinder {
 
   private final int[] label = new int[ShapeTemplate.CELLS];
   private final int[] stack = new int[ShapeTemplate.CELLS];
-  private final Region scratch = new Region();
+  private Region spare = new Region();
   private List<Region> regions = List.of();
 
   void clear() {
@@ -60,30 +62,25 @@ final class RegionFinder {
     for (Region region : regions) {
       region.x -= dx;
       region.y -= dy;
-      for (int i = 0; i < LOOKS; i++) {
-        region.pathX[i] -= dx;
-        region.pathY[i] -= dy;
-      }
+      region.firstX -= dx;
+      region.firstY -= dy;
     }
   }
 
   /** Looks at the template; returns a region that has stayed apart from the largest, or null. */
   Region findApart(ShapeTemplate shape) {
-    if (isConnected(shape)) {
+    List<Region> found = find(shape);
+    if (found.size() < 2) {
       regions = List.of();
       return null;
     }
-    List<Region> found = find(shape);
     for (Region now : found) {
       Region before = nearest(now);
       if (before != null) {
-        now.looks = before.looks;
-        System.arraycopy(before.pathX, 0, now.pathX, 0, LOOKS);
-        System.arraycopy(before.pathY, 0, now.pathY, 0, LOOKS);
+        now.looks = before.looks + 1;
+        now.firstX = before.firstX;
+        now.firstY = before.firstY;
       }
-      now.pathX[now.looks % LOOKS] = now.x;
-      now.pathY[now.looks % LOOKS] = now.y;
-      now.looks++;
     }
     regions = found;
     Region largest = found.get(0);
@@ -115,33 +112,17 @@ final class RegionFinder {
     return best;
   }
 
-  /** Whether one region holds all but small ones, as it mostly does. */
-  private boolean isConnected(ShapeTemplate shape) {
-    Arrays.fill(label, 0);
-    int large = 0;
-    for (int cell = 0; cell < ShapeTemplate.CELLS; cell++) {
-      if (shape.core[cell] && label[cell] == 0) {
-        fill(shape, cell, 1, scratch);
-        large += isLarge(scratch, shape) ? 1 : 0;
-      }
-    }
-    return large < 2;
-  }
-
-  private static boolean isLarge(Region region, ShapeTemplate shape) {
-    return region.mass > MIN_SHARE * shape.solidTotal;
-  }
-
+  /** The connected regions that hold a share of the events each. */
   private List<Region> find(ShapeTemplate shape) {
     Arrays.fill(label, 0);
     List<Region> found = new ArrayList<>(2);
     int labels = 0;
     for (int cell = 0; cell < ShapeTemplate.CELLS; cell++) {
       if (shape.core[cell] && label[cell] == 0) {
-        Region region = new Region();
-        fill(shape, cell, ++labels, region);
-        if (isLarge(region, shape)) {
-          found.add(region);
+        fill(shape, cell, ++labels, spare);
+        if (spare.mass > MIN_SHARE * shape.solidTotal) {
+          found.add(spare);
+          spare = new Region();
         }
       }
     }
@@ -187,6 +168,8 @@ final class RegionFinder {
     double scale = region.mass > 0 ? cell / region.mass : 0;
     region.x *= scale;
     region.y *= scale;
+    region.firstX = region.x;
+    region.firstY = region.y;
     region.halfX = 0.5 * (highX - lowX + 1) * cell;
     region.halfY = 0.5 * (highY - lowY + 1) * cell;
   }

@@ -80,8 +80,6 @@ final class ShapeTemplate {
   private final float[] work = new float[CELLS];
   private final float[] marginalX = new float[SIDE];
   private final float[] marginalY = new float[SIDE];
-  private final short[] rim = new short[CELLS];
-  private int rimCells;
 
   /** Side of a cell. */
   double cellPx = MIN_CELL_PX;
@@ -324,7 +322,6 @@ final class ShapeTemplate {
     halfX = Math.max(0.5 * (highX - lowX) * cellPx, 1);
     halfY = Math.max(0.5 * (highY - lowY) * cellPx, 1);
     lowEdge = firstAt(marginalY, EDGE) * cellPx;
-    findRim();
   }
 
   /** Where a marginal reaches a share of its sum, cells from the middle. */
@@ -359,45 +356,6 @@ final class ShapeTemplate {
     }
     double before = i == 0 ? 0 : marginal[i - 1];
     return X[i] - (marginal[i] - level) / (marginal[i] - before);
-  }
-
-  /** Cells of the core that have a neighbour outside of it. */
-  private void findRim() {
-    rimCells = 0;
-    for (int i = 0; i < CELLS; i++) {
-      if (core[i]
-          && !(i >= SIDE
-              && i < CELLS - SIDE
-              && core[i - 1]
-              && core[i + 1]
-              && core[i - SIDE]
-              && core[i + SIDE])) {
-        rim[rimCells++] = (short) i;
-      }
-    }
-  }
-
-  /** Least distance between the core and that of another whose grid stands elsewhere. */
-  double distance(ShapeTemplate other, double dx, double dy) {
-    float scale = (float) (other.cellPx * perCell);
-    float offX = (float) (dx * perCell);
-    float offY = (float) (dy * perCell);
-    float least = Float.POSITIVE_INFINITY;
-    for (int j = 0; j < other.rimCells; j++) {
-      int there = other.rim[j];
-      float x = offX + scale * X[there];
-      float y = offY + scale * Y[there];
-      int inside = cell(x * cellPx, y * cellPx);
-      if (inside >= 0 && core[inside]) {
-        return 0;
-      }
-      for (int i = 0; i < rimCells; i++) {
-        float apartX = x - X[rim[i]];
-        float apartY = y - Y[rim[i]];
-        least = Math.min(least, apartX * apartX + apartY * apartY);
-      }
-    }
-    return Math.max(0, Math.sqrt(least) * cellPx - 0.5 * (cellPx + other.cellPx));
   }
 
   /** Cell size one step up. */

@@ -1,6 +1,7 @@
 package haltere.filters.object;
 
 import haltere.filters.estimation.GaussianState;
+import haltere.filters.trail.Ellipse;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
@@ -13,8 +14,8 @@ import java.util.function.ToDoubleFunction;
  * <p>Thread rule: one thread at a time.
  */
 final class TrackedObject {
-  /** Halvings of an interval until a side is known to a thousandth of a pixel. */
-  private static final int HALVINGS = 20;
+  /** Largest correlation of x and y, so that a line has a width. */
+  private static final double MAX_CORRELATION = 0.99;
 
   final List<Component> components = new ArrayList<>(1);
 
@@ -100,12 +101,18 @@ final class TrackedObject {
     return 1 - none;
   }
 
-  /** Works out the box that holds all but the tails of its events. */
+  /** Works out the box around those of its components. */
   void measure() {
-    lowX = quantile(ShapeTemplate.TAIL, true);
-    highX = quantile(1 - ShapeTemplate.TAIL, true);
-    lowY = quantile(ShapeTemplate.TAIL, false);
-    highY = quantile(1 - ShapeTemplate.TAIL, false);
+    lowX = Double.POSITIVE_INFINITY;
+    highX = Double.NEGATIVE_INFINITY;
+    lowY = Double.POSITIVE_INFINITY;
+    highY = Double.NEGATIVE_INFINITY;
+    for (Component c : components) {
+      lowX = Math.min(lowX, c.middleX() - c.shape.halfX);
+      highX = Math.max(highX, c.middleX() + c.shape.halfX);
+      lowY = Math.min(lowY, c.middleY() - c.shape.halfY);
+      highY = Math.max(highY, c.middleY() + c.shape.halfY);
+    }
   }
 
   double middleX() {
@@ -137,39 +144,6 @@ final class TrackedObject {
       }
     }
     return low == Double.POSITIVE_INFINITY ? lowY : low;
-  }
-
-  /** Quantile of the events along a direction, each component being evenly filled. */
-  private double quantile(double share, boolean alongX) {
-    double low = Double.POSITIVE_INFINITY;
-    double high = Double.NEGATIVE_INFINITY;
-    double all = 0;
-    for (Component c : components) {
-      double middle = alongX ? c.middleX() : c.middleY();
-      double half = alongX ? c.shape.halfX : c.shape.halfY;
-      low = Math.min(low, middle - half);
-      high = Math.max(high, middle + half);
-      all += c.activeRate();
-    }
-    if (components.size() == 1) {
-      return share < 0.5 ? low : high;
-    }
-    for (int k = 0; k < HALVINGS; k++) {
-      double at = 0.5 * (low + high);
-      double sum = 0;
-      for (Component c : components) {
-        double middle = alongX ? c.middleX() : c.middleY();
-        double half = alongX ? c.shape.halfX : c.shape.halfY;
-        double below = (at - middle + half) / (2 * half);
-        sum += c.activeRate() * Math.max(0, Math.min(1, below));
-      }
-      if (sum < share * all) {
-        low = at;
-      } else {
-        high = at;
-      }
-    }
-    return 0.5 * (low + high);
   }
 
   /** Mean over its components by their events. */
@@ -214,6 +188,24 @@ final class TrackedObject {
     return Math.sqrt(pp + side + s * (2 * pv + s * vv));
   }
 
+  /** The ellipse within its box whose axes are correlated as its events are. */
+  private Ellipse ellipse() {
+    double xx = 0;
+    double xy = 0;
+    double yy = 0;
+    for (Component c : components) {
+      double weight = c.activeRate();
+      double dx = c.middleX() - middleX();
+      double dy = c.middleY() - middleY();
+      xx += weight * (dx * dx + c.shape.varianceX);
+      xy += weight * (dx * dy + c.shape.covarianceXy);
+      yy += weight * (dy * dy + c.shape.varianceY);
+    }
+    double correlation = xx > 0 && yy > 0 ? xy / Math.sqrt(xx * yy) : 0;
+    double bounded = Math.max(-MAX_CORRELATION, Math.min(MAX_CORRELATION, correlation));
+    return Ellipse.of(halfX() * halfX(), bounded * halfX() * halfY(), halfY() * halfY());
+  }
+
   /** Moves all of it without a registration. */
   void shift(double dx, double dy) {
     for (Component component : components) {
@@ -240,7 +232,7 @@ final class TrackedObject {
     }
     // The sides of the extent are known to a cell of the template.
     double side = cell * cell / 4;
-    Ellipse ellipse = Ellipse.of(components, middleX(), middleY(), halfX(), halfY());
+    Ellipse ellipse = ellipse();
     return new ObjectTrack(
         timeUs,
         id,
@@ -253,8 +245,8 @@ final class TrackedObject {
         Math.sqrt(mean(state -> state.covariance(1, 1))),
         Math.sqrt(mean(state -> state.covariance(3, 3))),
         Math.round(events),
-        ellipse.major(),
-        ellipse.minor(),
+        ellipse.majorPx(),
+        ellipse.minorPx(),
         ellipse.angleRad(),
         existence(),
         rate / ObjectTracker.TICK_S,

@@ -24,6 +24,18 @@ public final class Homography implements PlaneMapping {
   private final DMatrixRMaj forward = new DMatrixRMaj(3, 3);
   private final DMatrixRMaj backward = new DMatrixRMaj(3, 3);
 
+  /** The Jacobian, where it is the same everywhere; else null. */
+  private final PlaneJacobian constant;
+
+  /** The identity. */
+  Homography() {
+    originX = 0;
+    originY = 0;
+    CommonOps_DDRM.setIdentity(forward);
+    CommonOps_DDRM.setIdentity(backward);
+    constant = new PlaneJacobian(1, 0, 0, 1);
+  }
+
   /**
    * The map through four points.
    *
@@ -37,6 +49,7 @@ public final class Homography implements PlaneMapping {
     }
     requireQuadrangle("pixels", points, true);
     requireQuadrangle("positions", points, false);
+    constant = null;
     originX = points.get(0).xPx();
     originY = points.get(0).yPx();
     DMatrixRMaj equations = new DMatrixRMaj(8, 8);
@@ -129,6 +142,9 @@ public final class Homography implements PlaneMapping {
 
   @Override
   public PlaneJacobian jacobian(double xPx, double yPx) {
+    if (constant != null) {
+      return constant;
+    }
     double perDepth = 1 / depth(xPx, yPx);
     double x = planeX(xPx, yPx);
     double y = planeY(xPx, yPx);

@@ -10,11 +10,7 @@ package haltere.filters.plane;
  * @param yv derivative of y by v
  */
 public record PlaneJacobian(double xu, double xv, double yu, double yv) {
-  /**
-   * The Jacobian of the inverse map.
-   *
-   * @return J⁻¹, not finite where J is singular
-   */
+  /** {@return the Jacobian of the inverse map, J⁻¹, not finite where J is singular} */
   public PlaneJacobian inverse() {
     double scale = 1 / (xu * yv - xv * yu);
     return new PlaneJacobian(scale * yv, -scale * xv, -scale * yu, scale * xu);

@@ -9,7 +9,7 @@ package haltere.filters.plane;
  */
 public interface PlaneMapping {
   /** The picture itself: positions on the plane are pixels. */
-  PlaneMapping PICTURE = new PicturePlane();
+  PlaneMapping PICTURE = new Homography();
 
   /**
    * Whether a pixel sees the plane.

@@ -30,11 +30,7 @@ public record PlanePoint(
     @Column(value = "sd_vy_m_s", decimals = 4) double sdVyMS) {
   private static final double KM_H_PER_M_S = 3.6;
 
-  /**
-   * Speed on the plane.
-   *
-   * @return kilometres an hour
-   */
+  /** {@return speed on the plane, kilometres an hour} */
   public double speedKmH() {
     return KM_H_PER_M_S * Math.hypot(vxMS, vyMS);
   }

@@ -41,11 +41,7 @@ public final class RoadMapping implements PlaneMapping {
     pixelAngle = (bottomAngle - Math.atan2(heightM, settings.farthestM())) / vanishingY;
   }
 
-  /**
-   * Height of the camera.
-   *
-   * @return metres above the road
-   */
+  /** {@return height of the camera, metres above the road} */
   public double heightM() {
     return heightM;
   }

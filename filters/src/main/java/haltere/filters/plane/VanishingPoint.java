@@ -30,9 +30,8 @@ public record VanishingPoint(
   }
 
   /**
-   * The settings to start from.
-   *
-   * @return no mark; its values are the middle of the top row of 128 x 128 pixels
+   * {@return the settings to start from: no mark; its values are the middle of the top row of 128 x
+   * 128 pixels}
    */
   public static VanishingPoint defaults() {
     return new VanishingPoint(false, 63.5, 127);

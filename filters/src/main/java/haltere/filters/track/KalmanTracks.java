@@ -108,11 +108,7 @@ public final class KalmanTracks {
     lastId = 0;
   }
 
-  /**
-   * What they do.
-   *
-   * @return the settings in force
-   */
+  /** {@return the settings in force} */
   public KalmanTracksSettings settings() {
     return settings;
   }

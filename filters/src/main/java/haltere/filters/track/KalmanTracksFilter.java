@@ -5,14 +5,16 @@ import haltere.core.chain.Outlet;
 import haltere.core.chain.PublishingFilter;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.filters.cluster.Paths;
+import haltere.core.overlay.MarkStyle.Role;
+import haltere.filters.estimation.Gate;
 import haltere.filters.plane.PlanePoint;
-import java.util.ArrayList;
-import java.util.List;
+import haltere.filters.trail.TrailMark;
+import haltere.filters.trail.TrailOverlay;
+import haltere.filters.trail.TrailSnapshot;
+import haltere.filters.trail.Trails;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
-import java.util.stream.Collectors;
 
 /**
  * {@link KalmanTracks} as a stage of a chain. Publishes at each report a {@link TrackPoint} for
@@ -20,12 +22,18 @@ import java.util.stream.Collectors;
  * {@link TrackUpdate} for each update of each track.
  */
 public final class KalmanTracksFilter extends PublishingFilter<KalmanTracksSettings> {
+  /** Distance of a label from the position, pixels: beside an ellipse of usual size. */
+  private static final double LABEL_PX = 3;
+
+  /** Half axes of the ellipse that holds 95 %, over standard deviations. */
+  private static final double RADII_OF_95_PERCENT = Math.sqrt(Gate.probability(0.95).threshold(2));
+
   private final Outlet<TrackPoint> points = outlet("tracks", TrackPoint.class);
   private final Outlet<PlanePoint> roadPoints = outlet("road-tracks", PlanePoint.class);
   private final Outlet<TrackUpdate> updates = outlet("estimates", TrackUpdate.class);
-  private final Outlet<TrackSnapshot> snapshots =
-      drawnOutlet("track-snapshot", TrackSnapshot.class, "tracks", new TrackOverlay());
-  private final Paths<TrackPoint> paths = new Paths<>();
+  private final Outlet<TrailSnapshot> snapshots =
+      drawnOutlet("track-snapshot", TrailSnapshot.class, "tracks", new TrailOverlay());
+  private final Trails trails = new Trails();
   private final KalmanTracks tracks;
 
   /**
@@ -52,30 +60,33 @@ public final class KalmanTracksFilter extends PublishingFilter<KalmanTracksSetti
   private void report(long timeUs) {
     boolean drawn = snapshots.hasSubscribers();
     if (drawn || points.hasSubscribers() || roadPoints.hasSubscribers()) {
-      List<TrackSnapshot.Shown> shown = new ArrayList<>();
-      tracks.forEach(timeUs, track -> publish(track, drawn ? shown : null));
-      paths.keep(shown.stream().map(track -> track.now().id()).collect(Collectors.toSet()));
-      if (drawn) {
-        snapshots.publish(new TrackSnapshot(timeUs, shown));
-      }
+      tracks.forEach(timeUs, track -> publish(track, drawn));
+      snapshots.publish(trails.at(timeUs));
     }
   }
 
-  private void publish(TrackPrediction track, List<TrackSnapshot.Shown> shown) {
+  private void publish(TrackPrediction track, boolean drawn) {
     TrackPoint point = track.point();
     Optional<PlanePoint> onRoad =
         settings().road().mapToRoad() ? Optional.of(track.planePoint()) : Optional.empty();
     points.publish(point);
     onRoad.ifPresent(roadPoints::publish);
-    if (shown != null) {
-      int maxLength = settings().clusters().output().pathPoints();
-      shown.add(
-          new TrackSnapshot.Shown(
-              paths.add(point.id(), point, maxLength),
-              track.covarianceXyPx2(),
-              track.track.cluster == null,
-              onRoad));
+    if (drawn) {
+      trails.add(point, mark(track, onRoad), settings().clusters().output().pathPoints());
     }
+  }
+
+  /** The ellipse that holds the position with 95 % probability, and on a road the speed. */
+  private static TrailMark mark(TrackPrediction track, Optional<PlanePoint> onRoad) {
+    String id = Integer.toString(track.track.id);
+    return new TrailMark(
+        track.track.cluster == null ? Role.WARNING : Role.UNCERTAINTY,
+        track.ellipse().times(RADII_OF_95_PERCENT),
+        false,
+        onRoad
+            .map(point -> String.format(Locale.ROOT, "%s: %.0f km/h", id, point.speedKmH()))
+            .orElse(id),
+        LABEL_PX);
   }
 
   @Override
@@ -86,7 +97,7 @@ public final class KalmanTracksFilter extends PublishingFilter<KalmanTracksSetti
   @Override
   public void reset() {
     tracks.reset();
-    paths.keep(Set.of());
+    trails.clear();
   }
 
   /** {@inheritDoc} Identities begin anew. */

@@ -24,11 +24,7 @@ public record KalmanTracksSettings(
     SettingsSchema.validate(KalmanTracksSettings.class, clusters, filter, life, road);
   }
 
-  /**
-   * The settings to start from.
-   *
-   * @return those of each part
-   */
+  /** {@return the settings to start from: those of each part} */
   public static KalmanTracksSettings defaults() {
     return new KalmanTracksSettings(
         ClusterTrackerSettings.defaults(),

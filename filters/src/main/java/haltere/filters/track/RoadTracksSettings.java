@@ -26,11 +26,7 @@ public record RoadTracksSettings(
     SettingsSchema.validate(RoadTracksSettings.class, mapToRoad, view, processVariance);
   }
 
-  /**
-   * The settings to start from.
-   *
-   * @return not on a road; there, a density of 10 m²/s³
-   */
+  /** {@return the settings to start from: not on a road; there, a density of 10 m²/s³} */
   public static RoadTracksSettings defaults() {
     return new RoadTracksSettings(false, RoadViewSettings.defaults(), 10);
   }

@@ -56,9 +56,8 @@ public record TrackLifeSettings(
   }
 
   /**
-   * The settings to start from.
-   *
-   * @return updates each 10 ms from 10 events on, no feedback, half a second of coasting, 4 sigma
+   * {@return the settings to start from: updates each 10 ms from 10 events on, no feedback, half a
+   * second of coasting, 4 sigma}
    */
   public static TrackLifeSettings defaults() {
     return new TrackLifeSettings(10_000, 10, EventCount.EACH_CLUSTER, false, 0.5, 4);

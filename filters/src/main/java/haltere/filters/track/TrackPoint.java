@@ -1,6 +1,7 @@
 package haltere.filters.track;
 
 import haltere.core.sink.Column;
+import haltere.filters.trail.TrailPoint;
 
 /**
  * Where a track is at one time, from events before that time only.
@@ -28,4 +29,5 @@ public record TrackPoint(
     @Column(decimals = 3) double sdYPx,
     @Column(value = "sd_vx_px_s", decimals = 3) double sdVxPxS,
     @Column(value = "sd_vy_px_s", decimals = 3) double sdVyPxS,
-    long events) {}
+    long events)
+    implements TrailPoint {}

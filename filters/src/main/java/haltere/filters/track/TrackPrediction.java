@@ -7,6 +7,7 @@ import haltere.filters.estimation.motion.ConstantVelocity;
 import haltere.filters.plane.PlaneJacobian;
 import haltere.filters.plane.PlaneMapping;
 import haltere.filters.plane.PlanePoint;
+import haltere.filters.trail.Ellipse;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 
@@ -184,8 +185,13 @@ final class TrackPrediction {
     return toPixels.yy(p(offset, offset), p(offset, 2 + offset), p(2 + offset, 2 + offset));
   }
 
-  double covarianceXyPx2() {
+  private double covarianceXyPx2() {
     return toPixels.xy(p(0, 0), p(0, 2), p(2, 2));
+  }
+
+  /** Standard deviations of the predicted position in the picture. */
+  Ellipse ellipse() {
+    return Ellipse.of(xxPx2(0), covarianceXyPx2(), yyPx2(0));
   }
 
   private double p(int i, int j) {

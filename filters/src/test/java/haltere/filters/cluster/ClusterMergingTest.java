@@ -114,7 +114,7 @@ class ClusterMergingTest {
             .findFirst()
             .orElseThrow()
             .timeUs();
-    double velocity = run.at(mergedUs).get(0).vxPxPerS();
+    double velocity = run.at(mergedUs).get(0).vxPxS();
     assertTrue(velocity > 55 && velocity < 105, velocity + " px/s at " + mergedUs);
   }
 }

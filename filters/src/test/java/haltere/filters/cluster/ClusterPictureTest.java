@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import haltere.core.event.EventPacket;
 import haltere.filters.noise.BackgroundActivity;
 import haltere.filters.noise.BackgroundActivitySettings;
+import haltere.filters.trail.TrailOverlay;
+import haltere.filters.trail.TrailSnapshot;
 import haltere.testing.EventPackets;
 import haltere.testing.evaluation.TrackingScene;
 import java.io.IOException;
@@ -29,19 +31,19 @@ class ClusterPictureTest {
     new BackgroundActivity(scene.geometry(), BackgroundActivitySettings.defaults()).filter(events);
     ClusterTrackerFilter filter =
         new ClusterTrackerFilter(scene.geometry(), ClusterTrackerSettings.defaults());
-    ClusterSnapshot[] last = new ClusterSnapshot[1];
+    TrailSnapshot[] last = new TrailSnapshot[1];
     filter.outlets().stream()
-        .filter(outlet -> outlet.type() == ClusterSnapshot.class)
-        .forEach(outlet -> outlet.subscribe(snapshot -> last[0] = (ClusterSnapshot) snapshot));
+        .filter(outlet -> outlet.type() == TrailSnapshot.class)
+        .forEach(outlet -> outlet.subscribe(snapshot -> last[0] = (TrailSnapshot) snapshot));
     filter.process(EventPackets.copy(events));
     SvgCanvas canvas = new SvgCanvas(scene.geometry());
     canvas.events(events, events.indexAtOrAfter(SHOWN_US - EVENTS_OF_US));
-    new ClusterTrackOverlay().draw(last[0], canvas);
+    new TrailOverlay().draw(last[0], canvas);
     Path file = Path.of("build", "pictures", "clusters.svg");
     Files.createDirectories(file.getParent());
     Files.writeString(file, canvas.svg());
     assertTrue(Files.size(file) < 150_000, "small enough to commit: " + Files.size(file));
     long discs = scene.truth().stream().filter(point -> point.timeUs() == last[0].timeUs()).count();
-    assertEquals(discs, last[0].clusters().size(), 1);
+    assertEquals(discs, last[0].trails().size(), 1);
   }
 }

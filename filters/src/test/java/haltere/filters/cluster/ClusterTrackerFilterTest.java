@@ -8,6 +8,8 @@ import haltere.core.chain.EventFilter;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.stream.DataLost;
+import haltere.filters.trail.TrailPoint;
+import haltere.filters.trail.TrailSnapshot;
 import haltere.testing.EventFilterContract;
 import haltere.testing.EventPackets;
 import haltere.testing.EventPackets.BlobPath;
@@ -23,7 +25,7 @@ class ClusterTrackerFilterTest extends EventFilterContract {
   private static final BlobPath CIRCLE = new BlobPath(64, 64, 35, SECOND_US, 6);
 
   private final List<ClusterTrack> tracks = new ArrayList<>();
-  private final List<ClusterSnapshot> snapshots = new ArrayList<>();
+  private final List<TrailSnapshot> snapshots = new ArrayList<>();
 
   @Override
   protected EventFilter create(SensorGeometry geometry) {
@@ -43,9 +45,9 @@ class ClusterTrackerFilterTest extends EventFilterContract {
     if (result instanceof ClusterTrack track) {
       return anonymous(track);
     }
-    return ((ClusterSnapshot) result)
-        .clusters().stream()
-            .map(trail -> trail.path().stream().map(ClusterTrackerFilterTest::anonymous).toList())
+    return ((TrailSnapshot) result)
+        .trails().stream()
+            .map(trail -> trail.path().stream().map(this::withoutIdentity).toList())
             .toList();
   }
 
@@ -55,8 +57,8 @@ class ClusterTrackerFilterTest extends EventFilterContract {
         0,
         track.xPx(),
         track.yPx(),
-        track.vxPxPerS(),
-        track.vyPxPerS(),
+        track.vxPxS(),
+        track.vyPxS(),
         track.radiusPx(),
         track.aspect(),
         track.angleRad(),
@@ -70,7 +72,7 @@ class ClusterTrackerFilterTest extends EventFilterContract {
     ClusterTrackerFilter filter =
         new ClusterTrackerFilter(SENSOR, ClusterTrackerSettings.defaults().with(changes));
     filter.outlets().get(0).subscribe(result -> tracks.add((ClusterTrack) result));
-    filter.outlets().get(1).subscribe(result -> snapshots.add((ClusterSnapshot) result));
+    filter.outlets().get(1).subscribe(result -> snapshots.add((TrailSnapshot) result));
     return filter;
   }
 
@@ -97,11 +99,10 @@ class ClusterTrackerFilterTest extends EventFilterContract {
         double angle = 2 * Math.PI * track.timeUs() / SECOND_US;
         double off =
             Math.hypot(
-                track.vxPxPerS() + speed * Math.sin(angle),
-                track.vyPxPerS() - speed * Math.cos(angle));
+                track.vxPxS() + speed * Math.sin(angle), track.vyPxS() - speed * Math.cos(angle));
         // A velocity averaged over 0.1 s lags by 36 degrees on a round of a second.
         assertTrue(off < 0.75 * speed, off + " px/s off: " + track);
-        assertEquals(speed, Math.hypot(track.vxPxPerS(), track.vyPxPerS()), 0.35 * speed);
+        assertEquals(speed, Math.hypot(track.vxPxS(), track.vyPxS()), 0.35 * speed);
       }
     }
   }
@@ -134,8 +135,8 @@ class ClusterTrackerFilterTest extends EventFilterContract {
     // The mass falls from 2500 to 10 in 0.28 s.
     long lastUs = tracks.get(tracks.size() - 1).timeUs();
     assertTrue(lastUs > 400_000 && lastUs < 520_000, "last seen at " + lastUs);
-    ClusterSnapshot last = snapshots.get(snapshots.size() - 1);
-    assertTrue(last.clusters().isEmpty());
+    TrailSnapshot last = snapshots.get(snapshots.size() - 1);
+    assertTrue(last.trails().isEmpty());
     assertEquals(lastUs + 10_000, last.timeUs());
     assertEquals(tracks.size() + 1, snapshots.size());
   }
@@ -186,11 +187,11 @@ class ClusterTrackerFilterTest extends EventFilterContract {
   @Test
   void aSnapshotHoldsThePathOfEachCluster() {
     run(EventPackets.blob(SENSOR, 13, 2 * SECOND_US, CIRCLE, 50_000, 0));
-    ClusterSnapshot last = snapshots.get(snapshots.size() - 1);
-    List<ClusterTrack> path = last.clusters().get(0).path();
+    TrailSnapshot last = snapshots.get(snapshots.size() - 1);
+    List<TrailPoint> path = last.trails().get(0).path();
     assertEquals(100, path.size());
     assertEquals(tracks.subList(tracks.size() - 100, tracks.size()), path);
-    assertEquals(last.timeUs(), last.clusters().get(0).now().timeUs());
+    assertEquals(last.timeUs(), last.trails().get(0).now().timeUs());
   }
 
   @Test

@@ -135,7 +135,7 @@ class ClusterTrackerTest {
   private static double newbornSpeed(EventPacket events, String start) {
     ClusterTrack born =
         new ClusterRun(start, "motion.predict=false").take(events).at(260_000).get(1);
-    return Math.hypot(born.vxPxPerS(), born.vyPxPerS());
+    return Math.hypot(born.vxPxS(), born.vyPxS());
   }
 
   @Test
@@ -152,7 +152,7 @@ class ClusterTrackerTest {
   private static double fastest(EventPacket events, String limit) {
     return new ClusterRun(limit, "shape.size=0.04")
         .take(events).at(300_000).stream()
-            .mapToDouble(row -> Math.hypot(row.vxPxPerS(), row.vyPxPerS()))
+            .mapToDouble(row -> Math.hypot(row.vxPxS(), row.vyPxS()))
             .max()
             .orElseThrow();
   }
@@ -168,8 +168,8 @@ class ClusterTrackerTest {
     assertEquals(12.8, row.radiusPx(), 1e-9);
     assertEquals(Math.toRadians(30), row.angleRad(), 1e-9);
     // Height over width is 4: the half axis at the angle is the shorter one.
-    assertEquals(6.4, row.radiusAlongPx(), 1e-9);
-    assertEquals(25.6, row.radiusAcrossPx(), 1e-9);
+    assertEquals(6.4, row.ellipse().majorPx(), 1e-9);
+    assertEquals(25.6, row.ellipse().minorPx(), 1e-9);
   }
 
   @Test
@@ -211,7 +211,7 @@ class ClusterTrackerTest {
     ClusterRun run = new ClusterRun("shape.angle=of-velocity").take(blob(12, CIRCLE, 600_000));
     assertTrue(run.after(200_000).size() > 30);
     for (ClusterTrack row : run.after(200_000)) {
-      double off = row.angleRad() - Math.atan2(row.vyPxPerS(), row.vxPxPerS());
+      double off = row.angleRad() - Math.atan2(row.vyPxS(), row.vxPxS());
       assertEquals(0, Math.sin(off), 0.15);
     }
   }
@@ -361,7 +361,7 @@ class ClusterTrackerTest {
     ClusterRun run = new ClusterRun().take(atOnce);
     assertEquals(Set.of(1), run.identities());
     assertEquals(64, run.last().xPx(), 1e-9);
-    assertEquals(0, run.last().vxPxPerS(), 1e-9);
+    assertEquals(0, run.last().vxPxS(), 1e-9);
   }
 
   @Test

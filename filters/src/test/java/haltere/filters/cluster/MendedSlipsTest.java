@@ -78,7 +78,7 @@ class MendedSlipsTest {
 
   private static double speed(EventPacket events, String friction) {
     ClusterTrack last = new ClusterRun(friction, "motion.mixingFactor=0.002").take(events).last();
-    return Math.hypot(last.vxPxPerS(), last.vyPxPerS());
+    return Math.hypot(last.vxPxS(), last.vyPxS());
   }
 
   @Test
@@ -142,7 +142,7 @@ class MendedSlipsTest {
     ClusterTrack row =
         new ClusterRun("growth.aspect=true", "motion.mixingFactor=0.01").take(events).last();
     assertEquals(2.5, row.aspect(), 1e-9);
-    assertEquals(7.68 * Math.sqrt(2.5), row.radiusAlongPx(), 1e-9);
+    assertEquals(7.68 * Math.sqrt(2.5), row.ellipse().majorPx(), 1e-9);
   }
 
   @Test

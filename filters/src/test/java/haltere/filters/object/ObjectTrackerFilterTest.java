@@ -12,6 +12,7 @@ import haltere.core.settings.SettingsProblem;
 import haltere.core.stream.EndOfStream;
 import haltere.core.stream.Reset;
 import haltere.filters.object.MovingShapes.Place;
+import haltere.filters.trail.TrailSnapshot;
 import haltere.testing.EventFilterContract;
 import haltere.testing.EventPackets;
 import java.util.ArrayList;
@@ -46,9 +47,9 @@ class ObjectTrackerFilterTest extends EventFilterContract {
   protected Object withoutIdentity(Object result) {
     return result instanceof ObjectTrack track
         ? track.withId(0)
-        : ((ObjectSnapshot) result)
-            .paths().stream()
-                .map(path -> path.stream().map(track -> track.withId(0)).toList())
+        : ((TrailSnapshot) result)
+            .trails().stream()
+                .map(trail -> trail.path().stream().map(this::withoutIdentity).toList())
                 .toList();
   }
 

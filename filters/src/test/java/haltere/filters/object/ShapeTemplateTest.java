@@ -98,12 +98,25 @@ class ShapeTemplateTest {
   }
 
   @Test
-  void theDistanceOfTwoIsTheirGap() {
-    ShapeTemplate one = box(6, 6);
-    ShapeTemplate other = box(6, 6);
-    assertEquals(0, one.distance(other, 5, 0));
-    assertEquals(18, one.distance(other, 30, 0), 2 * one.cellPx + 0.1);
-    assertEquals(18 * Math.sqrt(2), one.distance(other, 30, 30), 3 * one.cellPx);
-    assertEquals(one.distance(other, 30, 4), other.distance(one, -30, -4), 1e-3);
+  void theDistanceOfTwoIsTheGapBetweenTheirBoxes() {
+    Component one = component();
+    Component other = component();
+    double blur = 3 * one.shape.cellPx;
+    other.state.setMean(0, 5);
+    assertEquals(0, one.boxDistance(other));
+    other.state.setMean(0, 30);
+    assertEquals(18, one.boxDistance(other), blur);
+    other.state.setMean(2, -30);
+    assertEquals(18 * Math.sqrt(2), one.boxDistance(other), blur);
+    assertEquals(one.boxDistance(other), other.boxDistance(one), 1e-9);
+  }
+
+  private Component component() {
+    Component component = new Component(0);
+    ShapeTemplate box = box(6, 6);
+    component.shape.clear(box.cellPx);
+    component.shape.absorb(box, 0, 0);
+    component.shape.refresh();
+    return component;
   }
 }

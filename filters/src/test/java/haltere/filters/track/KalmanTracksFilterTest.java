@@ -6,12 +6,15 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import haltere.core.chain.EventFilter;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
+import haltere.core.overlay.MarkStyle.Role;
 import haltere.filters.plane.PlanePoint;
+import haltere.filters.trail.TrailSnapshot;
 import haltere.testing.EventFilterContract;
 import haltere.testing.EventPackets;
 import haltere.testing.EventPackets.BlobPath;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import org.junit.jupiter.api.Test;
 
 class KalmanTracksFilterTest extends EventFilterContract {
@@ -32,23 +35,19 @@ class KalmanTracksFilterTest extends EventFilterContract {
 
   @Override
   protected Object withoutIdentity(Object result) {
-    if (result instanceof TrackPoint p) {
-      return withoutIdentity(p);
-    }
     if (result instanceof TrackUpdate u) {
       return List.of(u.timeUs(), u.x(), u.y(), u.vx(), u.vy(), u.nis(), u.pXx());
     }
-    if (result instanceof TrackSnapshot snapshot) {
-      return snapshot.tracks().stream()
-          .map(track -> track.path().stream().map(this::withoutIdentity).toList())
+    if (result instanceof TrailSnapshot snapshot) {
+      return snapshot.trails().stream()
+          .map(trail -> trail.path().stream().map(this::withoutIdentity).toList())
           .toList();
     }
+    if (result instanceof TrackPoint p) {
+      return List.of(
+          p.timeUs(), p.xPx(), p.yPx(), p.vxPxS(), p.vyPxS(), p.sdXPx(), p.sdVxPxS(), p.events());
+    }
     return result;
-  }
-
-  private Object withoutIdentity(TrackPoint p) {
-    return List.of(
-        p.timeUs(), p.xPx(), p.yPx(), p.vxPxS(), p.vyPxS(), p.sdXPx(), p.sdVxPxS(), p.events());
   }
 
   private static <T> List<T> results(KalmanTracksFilter filter, Class<T> type) {
@@ -67,16 +66,18 @@ class KalmanTracksFilterTest extends EventFilterContract {
     List<TrackPoint> points = results(filter, TrackPoint.class);
     List<PlanePoint> onRoad = results(filter, PlanePoint.class);
     List<TrackUpdate> updates = results(filter, TrackUpdate.class);
-    List<TrackSnapshot> snapshots = results(filter, TrackSnapshot.class);
+    List<TrailSnapshot> snapshots = results(filter, TrailSnapshot.class);
     filter.process(EventPackets.blob(SENSOR, 3, 500_000, circle, 20_000, 0));
     assertTrue(points.size() > 40, points.size() + " points");
     assertEquals(points.size(), onRoad.size());
     assertTrue(updates.size() > 40, updates.size() + " updates");
-    TrackSnapshot last = snapshots.get(snapshots.size() - 1);
-    assertEquals(points.get(points.size() - 1), last.tracks().get(0).now());
-    assertEquals(onRoad.get(onRoad.size() - 1), last.tracks().get(0).onRoad().orElseThrow());
-    assertEquals(points.size(), last.tracks().get(0).path().size());
-    assertEquals(false, last.tracks().get(0).coasting());
+    TrailSnapshot last = snapshots.get(snapshots.size() - 1);
+    assertEquals(points.get(points.size() - 1), last.trails().get(0).now());
+    String speed =
+        String.format(Locale.ROOT, "%.0f km/h", onRoad.get(onRoad.size() - 1).speedKmH());
+    assertEquals("1: " + speed, last.trails().get(0).mark().label());
+    assertEquals(points.size(), last.trails().get(0).path().size());
+    assertEquals(Role.UNCERTAINTY, last.trails().get(0).mark().role());
   }
 
   @Test
@@ -105,12 +106,12 @@ class KalmanTracksFilterTest extends EventFilterContract {
     EventPacket events = EventPackets.blob(SENSOR, 5, 300_000, still, 20_000, 0);
     events.append(5_000_000, 3, 3, true);
     KalmanTracksFilter filter = new KalmanTracksFilter(SENSOR, KalmanTracksSettings.defaults());
-    List<TrackSnapshot> snapshots = results(filter, TrackSnapshot.class);
+    List<TrailSnapshot> snapshots = results(filter, TrailSnapshot.class);
     filter.process(events);
-    TrackSnapshot last = snapshots.get(snapshots.size() - 1);
-    assertEquals(List.of(), last.tracks());
-    TrackSnapshot before = snapshots.get(snapshots.size() - 2);
-    assertTrue(before.tracks().get(0).coasting());
+    TrailSnapshot last = snapshots.get(snapshots.size() - 1);
+    assertEquals(List.of(), last.trails());
+    TrailSnapshot before = snapshots.get(snapshots.size() - 2);
+    assertEquals(Role.WARNING, before.trails().get(0).mark().role());
     // The cluster is visible until 0.5 s or so, and the track goes on for half a second.
     assertEquals(1_000_000, last.timeUs(), 100_000);
   }

@@ -38,17 +38,21 @@ class ArchitectureTest {
             .importPackages("haltere");
   }
 
+  /** A rule that is about no class fails. */
   private static void check(ArchRule rule) {
-    rule.allowEmptyShould(true).check(product);
+    rule.allowEmptyShould(false).check(product);
+  }
+
+  private static void exists(String name) {
+    assertTrue(
+        product.stream().anyMatch(type -> (type.getPackageName() + ".").startsWith(name + ".")),
+        "there is no package " + name + ", so its rule would hold for nothing");
   }
 
   @Test
   void allModulesAreLookedAt() {
-    for (String module : new String[] {"core", "filters", "zeromq", "ui"}) {
-      assertTrue(
-          product.stream().anyMatch(type -> type.getPackageName().startsWith("haltere." + module)),
-          "no class of " + module + " was found, so the rules would hold for nothing");
-    }
+    List.of("core", "device", "filters", "zeromq", "columnar", "ui")
+        .forEach(name -> exists("haltere." + name));
   }
 
   @Test
@@ -271,6 +275,7 @@ class ArchitectureTest {
   }
 
   private static void knowsNoneOf(String one, Set<String> others, String reason) {
+    others.forEach(ArchitectureTest::exists);
     check(
         noClasses()
             .that()
@@ -331,6 +336,26 @@ class ArchitectureTest {
             .onlyDependOnClassesThat(
                 resideInAnyPackage(
                     "java..", "haltere.core..", "haltere.zeromq..", "org.zeromq..")));
+    check(
+        noClasses()
+            .that()
+            .resideOutsideOfPackage("haltere.columnar..")
+            .should()
+            .dependOnClassesThat()
+            .resideInAnyPackage("haltere.columnar..", "org.apache.parquet..", "blue.strategic..")
+            .because("tables in Parquet are found as a service"));
+    check(
+        classes()
+            .that()
+            .resideInAPackage("haltere.columnar..")
+            .should()
+            .onlyDependOnClassesThat(
+                resideInAnyPackage(
+                    "java..",
+                    "haltere.core..",
+                    "haltere.columnar..",
+                    "org.apache.parquet..",
+                    "org.apache.hadoop.conf..")));
     check(
         noClasses()
             .that()

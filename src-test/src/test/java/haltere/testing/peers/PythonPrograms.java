@@ -39,6 +39,26 @@ final class PythonPrograms {
     return programs;
   }
 
+  /** An example of the repository; the running test is skipped if what it imports is not there. */
+  static PythonPrograms exampleOrSkip(String name, Path folder, String... imports)
+      throws IOException {
+    Path check = folder.resolve("imports.py");
+    Files.writeString(check, "import " + String.join(", ", imports) + "\n");
+    Assumptions.assumeTrue(
+        Files.isExecutable(python()) && new PythonPrograms(check, folder).run().isPresent(),
+        "there is no Python with what " + name + " imports (HALTERE_PEERS names one)");
+    return new PythonPrograms(Path.of("../examples/python", name), folder);
+  }
+
+  /** What the last script said that failed. */
+  String errors() {
+    try {
+      return Files.readString(folder.resolve("errors.txt"));
+    } catch (IOException none) {
+      return "";
+    }
+  }
+
   private static Path python() {
     String named = System.getenv("HALTERE_PEERS");
     return named != null ? Path.of(named) : Path.of("../build/peers/bin/python3");

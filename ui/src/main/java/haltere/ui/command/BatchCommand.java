@@ -12,6 +12,7 @@ import haltere.core.chain.FilterChain;
 import haltere.core.chain.Filters;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.ReadOptions;
+import haltere.core.sink.Tables;
 import haltere.ui.command.report.FolderReport;
 import haltere.ui.command.report.ReportPage;
 import haltere.ui.command.terminal.ProgressBar;
@@ -43,7 +44,7 @@ import picocli.CommandLine.Parameters;
     description = {
       "Run one chain over many recordings, several at once.",
       "DIR gets a folder for each recording, with a table for each outlet of the chain"
-          + " (STAGE.OUTLET.csv) and done.json, which comes last: what was read, with which chain,"
+          + " (STAGE.OUTLET.csv or .parquet) and done.json, which comes last: what was read, with which chain,"
           + " and checksums. A recording that fails stops nothing; failed.json names all that did,"
           + " and the status is 1."
     })
@@ -111,9 +112,9 @@ final class BatchCommand extends Subcommand {
 
   @Option(
       names = "--format",
-      paramLabel = "csv",
-      defaultValue = "csv",
-      description = "Format of the tables: csv.")
+      paramLabel = "csv|parquet",
+      defaultValue = Tables.CSV,
+      description = "Format of the tables: csv (the default) or parquet.")
   String format;
 
   @Option(
@@ -210,9 +211,7 @@ final class BatchCommand extends Subcommand {
     if (workers != null && (workers < 1 || workers > 1024)) {
       throw wrongArguments("--workers is " + workers + ", it must be from 1 to 1024");
     }
-    if (!format.equals("csv")) {
-      throw wrongArguments("--format is " + format + "; there is csv");
-    }
+    checkTables("--format", format);
     if (Files.exists(out) && !Files.isDirectory(out)) {
       throw new CommandProblem(out + ": this is a file; name a folder");
     }
@@ -231,7 +230,8 @@ final class BatchCommand extends Subcommand {
         resume ? Existing.RESUME : overwrite ? Existing.OVERWRITE : Existing.REFUSE,
         source.apply(ReadOptions.DEFAULT),
         source.strict,
-        new Version().getVersion()[0]);
+        new Version().getVersion()[0],
+        format);
   }
 
   private BatchInputs inputs() throws IOException {

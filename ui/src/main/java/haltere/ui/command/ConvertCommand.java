@@ -27,6 +27,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -179,9 +180,13 @@ final class ConvertCommand extends Subcommand {
     if (!filters.isEmpty()) {
       throw wrongArguments("--filter works on events; leave it out with --stream");
     }
-    if (stream != ReadingStream.FRAMES && !out.toString().endsWith(".csv")) {
-      throw wrongArguments("--stream writes a table; let " + out + " end in .csv");
+    if (stream != ReadingStream.FRAMES && !isTable(out)) {
+      throw wrongArguments("--stream writes a table; let " + out + " end in .csv or .parquet");
     }
+  }
+
+  private static boolean isTable(Path file) {
+    return Stream.of(".csv", ".parquet").anyMatch(file.toString()::endsWith);
   }
 
   private void convertStream() throws IOException {
@@ -195,7 +200,8 @@ final class ConvertCommand extends Subcommand {
               out,
               writing.overwrite,
               fromUs == null ? Long.MIN_VALUE : fromUs,
-              toUs == null ? Long.MAX_VALUE : toUs);
+              toUs == null ? Long.MAX_VALUE : toUs,
+              provenance(in));
       rows = export.run(reader, bar, () -> reading.requireWhole(reader));
       warnings.addAll(reader.remarks());
       warnings.addAll(reader.violations().describe(Set.of(Violation.OTHER_DATA)));

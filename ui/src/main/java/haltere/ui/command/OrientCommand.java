@@ -1,6 +1,9 @@
 package haltere.ui.command;
 
+import haltere.core.json.Json;
+import haltere.core.settings.SettingsJson;
 import haltere.core.settings.SettingsProblem;
+import haltere.core.settings.SettingsSchema;
 import haltere.filters.orientation.OrientationSettings;
 import haltere.filters.orientation.camera.CameraFile;
 import haltere.filters.orientation.camera.CameraModel;
@@ -20,6 +23,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -59,7 +63,8 @@ final class OrientCommand extends Subcommand {
       required = true,
       paramLabel = "ORIENTATION.csv",
       description =
-          "Where the orientations go: CSV, or with frames also HDF5 by its name, such as OUT.h5.")
+          "Where the orientations go: CSV; by its name Parquet (OUT.parquet), or with frames HDF5"
+              + " (OUT.h5).")
   Path out;
 
   @Option(
@@ -125,7 +130,12 @@ final class OrientCommand extends Subcommand {
       settings = settings.with("gate.minEccentricity=" + cameras.minEccentricity());
     }
     tellProblems(cameras.cameras());
-    try (OrientationTable table = new OrientationTable(out, observations, writing.overwrite)) {
+    try (OrientationTable table =
+        new OrientationTable(
+            out,
+            observations,
+            writing.overwrite,
+            provenance(file).with("haltere.settings", json(settings)))) {
       OrientReport report = new OrientReport();
       OrientedBodies bodies =
           new OrientedBodies(cameras.cameras(), settings, smooth, table.andThen(report));
@@ -174,6 +184,11 @@ final class OrientCommand extends Subcommand {
     ReportPage page = reporting.page(file);
     report.addTo(page, read, settings, summary);
     reporting.write(page, writing.overwrite);
+  }
+
+  private static Supplier<String> json(OrientationSettings settings) {
+    SettingsSchema<OrientationSettings> schema = SettingsSchema.of(OrientationSettings.class);
+    return () -> Json.write(SettingsJson.toMap(settings, schema));
   }
 
   private ObservationFile open() throws IOException {

@@ -1,6 +1,6 @@
 package haltere.ui.command;
 
-import haltere.core.batch.Checksums;
+import haltere.core.pipeline.Checksums;
 import haltere.core.pipeline.JobReport;
 import haltere.core.pipeline.RecordingJob;
 import haltere.ui.command.report.ReportPage;

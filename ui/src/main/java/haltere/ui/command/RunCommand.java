@@ -20,6 +20,7 @@ import haltere.core.pipeline.SessionRecorder.Limits;
 import haltere.core.playback.PacedSource;
 import haltere.core.playback.PlaybackClock;
 import haltere.core.playback.Sleeper;
+import haltere.core.sink.Tables;
 import haltere.core.stream.EventSource;
 import java.io.IOException;
 import java.nio.charset.CharacterCodingException;
@@ -43,7 +44,7 @@ import picocli.CommandLine.Parameters;
       "Run a saved chain of filters over a recording.",
       "Without --out: say what each filter let through and what it cost. With --out: also write"
           + " the events that are left, with frames, inertial samples and triggers where its"
-          + " format can hold them, and what the filters publish to CSV files beside them,"
+          + " format can hold them, and what the filters publish to tables beside them,"
           + " named OUT.STAGE.OUTLET.csv."
     })
 final class RunCommand extends Subcommand {
@@ -75,6 +76,13 @@ final class RunCommand extends Subcommand {
               + " not given.")
   double speed = Double.POSITIVE_INFINITY;
 
+  @Option(
+      names = "--tables",
+      paramLabel = "csv|parquet",
+      defaultValue = Tables.CSV,
+      description = "Format of the tables of what the filters publish; csv if not given.")
+  String tables;
+
   @Mixin CameraOptionsGroup cameras;
   @Mixin PublishingOptions publishing;
   @Mixin ReadingOptions reading;
@@ -89,6 +97,7 @@ final class RunCommand extends Subcommand {
   public Integer call() throws IOException {
     cameras.checkOneSource(file);
     publishing.check();
+    checkTables("--tables", tables);
     if (!(speed >= PlaybackClock.MIN_SPEED)) {
       throw wrongArguments("--speed must be " + PlaybackClock.MIN_SPEED + " or more");
     }
@@ -161,7 +170,10 @@ final class RunCommand extends Subcommand {
   private JobResults tables(FilterChain chain) throws IOException {
     checkTables(chain);
     return OutletTables.open(
-        chain, this::table, table -> AtomicFile.create(table, writing.overwrite));
+        chain,
+        this::table,
+        table -> AtomicFile.create(table, writing.overwrite),
+        provenance(file).chain(chain));
   }
 
   private void checkTables(FilterChain chain) throws IOException {
@@ -183,7 +195,7 @@ final class RunCommand extends Subcommand {
     String name = out.getFileName().toString();
     int dot = name.lastIndexOf('.');
     String stem = dot > 0 ? name.substring(0, dot) : name;
-    return out.resolveSibling(stem + "." + stage.name() + "." + outlet.name() + ".csv");
+    return out.resolveSibling(stem + "." + stage.name() + "." + outlet.name() + "." + tables);
   }
 
   private EventSource paced(EventSource source) {

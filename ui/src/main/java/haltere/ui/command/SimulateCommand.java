@@ -5,7 +5,9 @@ import haltere.core.format.RecordingWriter;
 import haltere.core.simulation.Scene;
 import haltere.core.simulation.Scenes;
 import haltere.core.simulation.flight.FlightScene;
-import haltere.core.sink.CsvSink;
+import haltere.core.sink.TableMetadata;
+import haltere.core.sink.TableSink;
+import haltere.core.sink.Tables;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import haltere.ui.command.results.FlightFiles;
@@ -104,7 +106,9 @@ final class SimulateCommand extends Subcommand {
       FlightFiles flight = flight(scene);
       write(scene);
       if (flight != null) {
-        flight.write(scene.startUs() + lengthUs(scene), writing.overwrite).forEach(this::message);
+        flight
+            .write(scene.startUs() + lengthUs(scene), writing.overwrite, metadata())
+            .forEach(this::message);
       }
     }
     return OK;
@@ -141,8 +145,10 @@ final class SimulateCommand extends Subcommand {
     long events;
     long rows = 0;
     try (RecordingWriter writer = writing.create(out, scene.geometry());
-        CsvSink<T> table =
-            truth == null ? null : CsvSink.create(truth, scene.truthType(), writing.overwrite)) {
+        TableSink<T> table =
+            truth == null
+                ? null
+                : Tables.create(truth, scene.truthType(), writing.overwrite, metadata())) {
       events = writeEvents(scene, endUs, writer);
       if (table != null) {
         rows = writeTruth(scene, endUs, table);
@@ -159,6 +165,12 @@ final class SimulateCommand extends Subcommand {
     if (truth != null) {
       message("wrote " + truth + " (" + Quantities.count(rows) + " rows)");
     }
+  }
+
+  private TableMetadata metadata() {
+    return provenance(null)
+        .with("haltere.scene", () -> sceneName)
+        .with("haltere.settings", () -> String.join(" ", assignments));
   }
 
   private long lengthUs(Scene<?> scene) {
@@ -181,7 +193,7 @@ final class SimulateCommand extends Subcommand {
     }
   }
 
-  private <T extends Record> long writeTruth(Scene<T> scene, long endUs, CsvSink<T> table)
+  private <T extends Record> long writeTruth(Scene<T> scene, long endUs, TableSink<T> table)
       throws IOException {
     double rate = rateHz == null ? scene.truthRateHz() : rateHz;
     long row = 0;

@@ -6,7 +6,9 @@ import haltere.core.format.RecordingReader;
 import haltere.core.format.Violation;
 import haltere.core.pipeline.JobReport;
 import haltere.core.pipeline.JobResults;
+import haltere.core.pipeline.Provenance;
 import haltere.core.pipeline.RecordingJob;
+import haltere.core.sink.Tables;
 import haltere.ui.command.terminal.LiveStatus;
 import haltere.ui.command.terminal.ProgressBar;
 import haltere.ui.command.terminal.Quantities;
@@ -172,6 +174,23 @@ abstract class Subcommand implements Callable<Integer> {
       warning(file + ": " + warning);
     }
     return report;
+  }
+
+  /** Refuses a format of tables that there is not. */
+  void checkTables(String option, String ending) {
+    Optional<String> missing = Tables.problem(Path.of("table." + ending));
+    if (missing.isPresent()) {
+      throw wrongArguments(option + " is " + ending + ": " + missing.get());
+    }
+    if (!Tables.endings().contains(ending)) {
+      throw wrongArguments(
+          option + " is " + ending + "; there is " + String.join(", ", Tables.endings()));
+    }
+  }
+
+  /** What tables say of themselves, beside their chain or settings. */
+  static Provenance provenance(Path source) {
+    return new Provenance(new Version().getVersion()[0], Optional.ofNullable(source));
   }
 
   /** Says which tables were written. */

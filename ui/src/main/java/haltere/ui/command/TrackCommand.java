@@ -12,7 +12,8 @@ import haltere.core.pipeline.JobResults;
 import haltere.core.pipeline.RecordingJob;
 import haltere.core.settings.SettingsProblem;
 import haltere.core.settings.SettingsSchema;
-import haltere.core.sink.CsvSink;
+import haltere.core.sink.TableMetadata;
+import haltere.core.sink.TableSink;
 import haltere.filters.object.ObjectTrack;
 import haltere.filters.object.ObjectTrackerFilter;
 import haltere.filters.object.ObjectTrackerSettings;
@@ -64,7 +65,7 @@ final class TrackCommand extends Subcommand {
       names = "--out",
       required = true,
       paramLabel = "TRACKS.csv",
-      description = "Where the table goes.")
+      description = "Where the table goes: CSV, or Parquet by its name, such as TRACKS.parquet.")
   Path out;
 
   @Option(
@@ -221,10 +222,11 @@ final class TrackCommand extends Subcommand {
   }
 
   private JobResults tables(FilterChain chain) throws IOException {
+    TableMetadata metadata = provenance(file).chain(chain);
     ObjectTrackerFilter objects = last(chain, ObjectTrackerFilter.class);
     KalmanTracksFilter clusters = last(chain, KalmanTracksFilter.class);
     if (objects == null && clusters != null) {
-      return ResultFiles.open(writing.overwrite, files -> trackClusters(clusters, files));
+      return ResultFiles.open(writing.overwrite, metadata, files -> trackClusters(clusters, files));
     }
     ObjectTrackerFilter tracker =
         objects == null
@@ -235,7 +237,7 @@ final class TrackCommand extends Subcommand {
     }
     tracker.apply(assigned(ObjectTrackerSettings.class, tracker.settings(), "reportRateHz"));
     return ResultFiles.open(
-        writing.overwrite, files -> trackObjects(tracker, chain.geometry(), files));
+        writing.overwrite, metadata, files -> trackObjects(tracker, chain.geometry(), files));
   }
 
   private void trackObjects(ObjectTrackerFilter objects, SensorGeometry geometry, ResultFiles files)
@@ -247,7 +249,7 @@ final class TrackCommand extends Subcommand {
     }
     Function<ObjectTrack, Optional<PlanePoint>> onRoad = road.objects(geometry);
     objects.apply(road.motion(geometry));
-    CsvSink<RoadObjectRow> table = files.table(out, RoadObjectRow.class);
+    TableSink<RoadObjectRow> table = files.table(out, RoadObjectRow.class);
     Consumer<PlanePoint> counter = counter(road, files);
     subscribe(
         objects,
@@ -280,7 +282,7 @@ final class TrackCommand extends Subcommand {
       files.subscribe(tracks.points(), files.table(out, TrackPoint.class));
       return;
     }
-    CsvSink<RoadTrackRow> table = files.table(out, RoadTrackRow.class);
+    TableSink<RoadTrackRow> table = files.table(out, RoadTrackRow.class);
     // A track's position in the picture is published before its position on the road.
     TrackPoint[] inPicture = new TrackPoint[1];
     files.subscribe(tracks.points(), point -> inPicture[0] = point);

@@ -54,7 +54,9 @@ final class WingsCommand extends Subcommand {
       names = "--out",
       required = true,
       paramLabel = "WINGS.csv",
-      description = "Where the estimates go.")
+      description =
+          "Where the estimates go: CSV, or Parquet by its name, such as WINGS.parquet; so do the"
+              + " other tables.")
   Path out;
 
   @Option(names = "--beats", paramLabel = "BEATS.csv", description = "Where the beats go.")
@@ -174,6 +176,7 @@ final class WingsCommand extends Subcommand {
     summary = new WingsSummary(filter, filter.settings().output().rateHz());
     return ResultFiles.open(
         writing.overwrite,
+        provenance(file).chain(chain),
         files -> {
           table(chain, files, "estimates", WingEstimate.class, out);
           table(chain, files, "beats", WingBeat.class, beats);

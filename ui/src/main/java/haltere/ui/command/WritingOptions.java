@@ -1,5 +1,6 @@
 package haltere.ui.command;
 
+import haltere.core.sink.Tables;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
@@ -25,7 +26,8 @@ class WritingOptions {
    * Refuses an output that cannot be written, before any work is done.
    *
    * @param output where a file will be
-   * @throws CommandProblem if it exists, is a folder or has no folder to be in
+   * @throws CommandProblem if it exists, is a folder, has no folder to be in, or is a table of a
+   *     format that is not installed
    */
   void check(Path output) {
     Path folder = output.toAbsolutePath().getParent();
@@ -36,6 +38,11 @@ class WritingOptions {
       throw new CommandProblem(
           output + ": there is no folder " + folder + "; make it, or choose another place");
     }
+    Tables.problem(output)
+        .ifPresent(
+            missing -> {
+              throw new CommandProblem(output + ": " + missing);
+            });
     if (Files.exists(output, LinkOption.NOFOLLOW_LINKS) && !overwrite) {
       throw new CommandProblem(output + ": exists already; give --overwrite to replace it");
     }

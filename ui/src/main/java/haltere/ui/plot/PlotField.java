@@ -3,10 +3,9 @@ package haltere.ui.plot;
 import haltere.core.chain.ChainStage;
 import haltere.core.chain.FilterChain;
 import haltere.core.chain.Outlet;
+import haltere.core.sink.ColumnUnit;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Pattern;
 
@@ -23,40 +22,13 @@ public record PlotField(String stage, String outlet, String column) {
 
   private static final Pattern COVARIANCE = Pattern.compile("p (v?[xy]){2}");
 
-  /** Units as columns end in them, the longer ones first, and as they are shown. */
-  private static final Map<String, String> UNITS = units();
-
-  private static Map<String, String> units() {
-    Map<String, String> units = new LinkedHashMap<>();
-    units.put("_rad2_per_s2", "rad\u00b2/s\u00b2");
-    units.put("_rad2_per_s", "rad\u00b2/s");
-    units.put("_rad2", "rad\u00b2");
-    units.put("_rad", "rad");
-    units.put("_px_s", "px/s");
-    units.put("_px", "px");
-    units.put("_m_s", "m/s");
-    units.put("_km_h", "km/h");
-    units.put("_m", "m");
-    units.put("_hz", "Hz");
-    units.put("_us", "\u00b5s");
-    units.put("_eps", "ev/s");
-    units.put("_deg_s", "\u00b0/s");
-    units.put("_g", "g");
-    units.put("_c", "\u00b0C");
-    return units;
-  }
-
   /**
    * The unit of the number, which stands at the end of the column's name.
    *
    * @return such as "rad", "px/s" or "\u00b5s"; empty where the name has none
    */
   public String unit() {
-    return ending().map(Map.Entry::getValue).orElse("");
-  }
-
-  private Optional<Map.Entry<String, String>> ending() {
-    return UNITS.entrySet().stream().filter(unit -> column.endsWith(unit.getKey())).findFirst();
+    return ColumnUnit.of(column).map(ColumnUnit::symbol).orElse("");
   }
 
   /**
@@ -65,7 +37,7 @@ public record PlotField(String stage, String outlet, String column) {
    * @return such as "event rate", or "P xx" for a number of a covariance matrix
    */
   public String words() {
-    int unit = ending().map(found -> found.getKey().length()).orElse(0);
+    int unit = ColumnUnit.of(column).map(found -> found.ending().length()).orElse(0);
     String name = column.substring(0, column.length() - unit).replace('_', ' ');
     return COVARIANCE.matcher(name).matches() ? "P" + name.substring(1) : name;
   }

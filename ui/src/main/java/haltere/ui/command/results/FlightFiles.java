@@ -4,7 +4,9 @@ import haltere.core.json.Json;
 import haltere.core.simulation.flight.FlightCamera;
 import haltere.core.simulation.flight.FlightDetection;
 import haltere.core.simulation.flight.FlightScene;
-import haltere.core.sink.CsvSink;
+import haltere.core.sink.TableMetadata;
+import haltere.core.sink.TableSink;
+import haltere.core.sink.Tables;
 import haltere.ui.command.terminal.Quantities;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -23,11 +25,12 @@ import java.util.Map;
  */
 public record FlightFiles(FlightScene scene, Path observations, Path cameras) {
   /** Writes what was seen before a time; returns what to tell the user. */
-  public List<String> write(long endUs, boolean overwrite) throws IOException {
+  public List<String> write(long endUs, boolean overwrite, TableMetadata metadata)
+      throws IOException {
     List<String> told = new ArrayList<>();
     if (observations != null) {
-      try (CsvSink<FlightDetection> table =
-          CsvSink.create(observations, FlightDetection.class, overwrite)) {
+      try (TableSink<FlightDetection> table =
+          Tables.create(observations, FlightDetection.class, overwrite, metadata)) {
         for (long k = 0; scene.pictureTimeUs(k) < endUs; k++) {
           scene.detections(k).forEach(table);
         }

@@ -3,7 +3,9 @@ package haltere.ui.command.results;
 import haltere.core.format.hdf5.Hdf5TableWriter;
 import haltere.core.format.hdf5.Hdf5TableWriter.Column;
 import haltere.core.format.hdf5.Hdf5TableWriter.Kind;
-import haltere.core.sink.CsvSink;
+import haltere.core.sink.TableMetadata;
+import haltere.core.sink.TableSink;
+import haltere.core.sink.Tables;
 import haltere.filters.orientation.OrientationEstimate;
 import haltere.filters.orientation.camera.ObservationFile;
 import java.io.Closeable;
@@ -15,16 +17,16 @@ import java.util.List;
 import java.util.function.BiConsumer;
 
 /**
- * The file that {@code haltere orient} writes: CSV, or HDF5 with the table {@code ML_estimates} of
- * Flydra. Where the observations have frames, both have the frame and {@code hz_line0} to {@code
- * hz_line5}.
+ * The file that {@code haltere orient} writes: CSV, Parquet, or HDF5 with the table {@code
+ * ML_estimates} of Flydra. Where the observations have frames, both have the frame and {@code
+ * hz_line0} to {@code hz_line5}.
  *
  * <p>Thread rule: one thread at a time.
  */
 public final class OrientationTable implements BiConsumer<String, OrientationEstimate>, Closeable {
   private final ObservationFile observations;
-  private CsvSink<OrientationRow> rows;
-  private CsvSink<FrameOrientationRow> frameRows;
+  private TableSink<OrientationRow> rows;
+  private TableSink<FrameOrientationRow> frameRows;
   private Hdf5TableWriter estimates;
 
   /**
@@ -33,17 +35,19 @@ public final class OrientationTable implements BiConsumer<String, OrientationEst
    * @param out where it will be; HDF5 by the end of its name
    * @param observations whose frames are written
    * @param overwrite whether a file that is there may be replaced
+   * @param metadata kept in a table whose format can hold it
    * @throws IOException if the file cannot be written
    */
-  public OrientationTable(Path out, ObservationFile observations, boolean overwrite)
+  public OrientationTable(
+      Path out, ObservationFile observations, boolean overwrite, TableMetadata metadata)
       throws IOException {
     this.observations = observations;
     if (isHdf5(out)) {
       estimates = Hdf5TableWriter.create(out, "ML_estimates", columns(), overwrite);
     } else if (observations.hasFrames()) {
-      frameRows = CsvSink.create(out, FrameOrientationRow.class, overwrite);
+      frameRows = Tables.create(out, FrameOrientationRow.class, overwrite, metadata);
     } else {
-      rows = CsvSink.create(out, OrientationRow.class, overwrite);
+      rows = Tables.create(out, OrientationRow.class, overwrite, metadata);
     }
   }
 

@@ -6,6 +6,9 @@ import haltere.core.event.SensorReading;
 import haltere.core.event.Trigger;
 import haltere.core.format.RecordingReader;
 import haltere.core.sink.CsvSink;
+import haltere.core.sink.TableMetadata;
+import haltere.core.sink.TableSink;
+import haltere.core.sink.Tables;
 import haltere.core.stream.StreamHandler;
 import haltere.ui.command.terminal.ProgressBar;
 import haltere.ui.rendering.FramePictures;
@@ -30,6 +33,7 @@ public final class ReadingExport {
   private final boolean overwrite;
   private final long fromUs;
   private final long toUs;
+  private final TableMetadata metadata;
 
   /**
    * An export that has not begun.
@@ -39,13 +43,21 @@ public final class ReadingExport {
    * @param overwrite whether what is there may be replaced
    * @param fromUs first time, microseconds
    * @param toUs first time that is left out, microseconds
+   * @param metadata kept in a table whose format can hold it
    */
-  public ReadingExport(ReadingStream stream, Path out, boolean overwrite, long fromUs, long toUs) {
+  public ReadingExport(
+      ReadingStream stream,
+      Path out,
+      boolean overwrite,
+      long fromUs,
+      long toUs,
+      TableMetadata metadata) {
     this.stream = stream;
     this.out = out;
     this.overwrite = overwrite;
     this.fromUs = fromUs;
     this.toUs = toUs;
+    this.metadata = metadata;
   }
 
   /**
@@ -59,8 +71,8 @@ public final class ReadingExport {
   public long run(RecordingReader reader, ProgressBar progress, Check check) throws IOException {
     return switch (stream) {
       case IMU -> {
-        try (CsvSink<ReadingTables.SampleRow> table =
-            CsvSink.create(out, ReadingTables.SampleRow.class, overwrite)) {
+        try (TableSink<ReadingTables.SampleRow> table =
+            Tables.create(out, ReadingTables.SampleRow.class, overwrite, metadata)) {
           pass(
               reader,
               progress,
@@ -72,8 +84,8 @@ public final class ReadingExport {
         }
       }
       case TRIGGERS -> {
-        try (CsvSink<ReadingTables.TriggerRow> table =
-            CsvSink.create(out, ReadingTables.TriggerRow.class, overwrite)) {
+        try (TableSink<ReadingTables.TriggerRow> table =
+            Tables.create(out, ReadingTables.TriggerRow.class, overwrite, metadata)) {
           pass(
               reader,
               progress,

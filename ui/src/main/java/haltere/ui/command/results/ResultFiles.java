@@ -3,7 +3,9 @@ package haltere.ui.command.results;
 import haltere.core.chain.Outlet;
 import haltere.core.pipeline.JobResults;
 import haltere.core.pipeline.ResultFailure;
-import haltere.core.sink.CsvSink;
+import haltere.core.sink.TableMetadata;
+import haltere.core.sink.TableSink;
+import haltere.core.sink.Tables;
 import haltere.core.stream.StreamHandler;
 import java.io.Closeable;
 import java.io.IOException;
@@ -35,22 +37,27 @@ public final class ResultFiles implements JobResults {
   private final List<Closeable> parts = new ArrayList<>();
   private final ResultFailure failure = new ResultFailure();
   private final List<StreamHandler> sinks = new ArrayList<>();
-  private final Map<Path, CsvSink<?>> tables = new LinkedHashMap<>();
+  private final Map<Path, TableSink<?>> tables = new LinkedHashMap<>();
 
-  private ResultFiles(boolean overwrite) {
+  private final TableMetadata metadata;
+
+  private ResultFiles(boolean overwrite, TableMetadata metadata) {
     this.overwrite = overwrite;
+    this.metadata = metadata;
   }
 
   /**
    * Opens files.
    *
    * @param overwrite whether files that are there may be replaced
+   * @param metadata kept in tables whose format can hold it
    * @param filling opens each; what it opened is closed if it throws
    * @return open files
    * @throws IOException if one cannot be written
    */
-  public static ResultFiles open(boolean overwrite, Filling filling) throws IOException {
-    ResultFiles files = new ResultFiles(overwrite);
+  public static ResultFiles open(boolean overwrite, TableMetadata metadata, Filling filling)
+      throws IOException {
+    ResultFiles files = new ResultFiles(overwrite, metadata);
     try {
       filling.fill(files);
       return files;
@@ -69,8 +76,8 @@ public final class ResultFiles implements JobResults {
    * @return takes the rows
    * @throws IOException if it cannot be written
    */
-  public <R extends Record> CsvSink<R> table(Path file, Class<R> type) throws IOException {
-    CsvSink<R> table = CsvSink.create(file, type, overwrite);
+  public <R extends Record> TableSink<R> table(Path file, Class<R> type) throws IOException {
+    TableSink<R> table = Tables.create(file, type, overwrite, metadata);
     add(table, table::finish);
     tables.put(file, table);
     return table;

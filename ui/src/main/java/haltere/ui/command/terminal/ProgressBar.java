@@ -16,7 +16,7 @@ public final class ProgressBar implements ProgressListener, AutoCloseable {
   private static final int MIN_BAR_WIDTH = 8;
 
   /** Letters of label and bar together, so that all fits onto a line of 80. */
-  private static final int WIDTH = 48;
+  private static final int WIDTH = 46;
 
   private final TerminalLine line;
   private final String label;

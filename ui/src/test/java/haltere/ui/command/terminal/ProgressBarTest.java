@@ -69,8 +69,8 @@ class ProgressBarTest {
     nanos += 1_000_000_000L;
     bar.events(30_000_000);
     bar.progress(1, 2);
-    assertTrue(screen().contains("tracking dvs128-mov\u2026"), screen());
-    assertTrue(screen().contains("d-session-0042.aedat ["), screen());
+    assertTrue(screen().contains("tracking dvs128-mo\u2026"), screen());
+    assertTrue(screen().contains("-session-0042.aedat ["), screen());
     assertTrue(screen().strip().length() < 80, screen());
   }
 

@@ -1,4 +1,4 @@
-package haltere.core.batch;
+package haltere.core.pipeline;
 
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -15,7 +15,7 @@ import java.util.stream.Stream;
 /**
  * SHA-256 of files and texts, as hexadecimal digits.
  *
- * <p>Thread rule: any thread.
+ * <p>Thread rule: all methods may be called from any thread.
  */
 public final class Checksums {
   private static final int BUFFER_BYTES = 1 << 20;
@@ -30,19 +30,32 @@ public final class Checksums {
     }
   }
 
-  static byte[] sha256(byte[] bytes) {
+  /**
+   * The SHA-256 of bytes.
+   *
+   * @param bytes any
+   * @return 32 bytes
+   */
+  public static byte[] sha256(byte[] bytes) {
     return digest().digest(bytes);
   }
 
-  static String ofText(String text) {
+  /**
+   * The SHA-256 of a text in UTF-8.
+   *
+   * @param text any
+   * @return 64 digits
+   */
+  public static String ofText(String text) {
     return HexFormat.of().formatHex(sha256(text.getBytes(StandardCharsets.UTF_8)));
   }
 
   /**
-   * Checksum of a file; of a folder, of the names and contents of its files in their order.
+   * The SHA-256 of a recording.
    *
-   * @param path a file or a folder
-   * @return 64 hexadecimal digits
+   * @param path a file; of a folder, the names and contents of its files in the order of their
+   *     names count
+   * @return 64 digits
    * @throws IOException if it cannot be read
    */
   public static String of(Path path) throws IOException {
@@ -59,8 +72,14 @@ public final class Checksums {
     return HexFormat.of().formatHex(digest.digest());
   }
 
-  /** All files of a folder, in the order of their names. */
-  static List<Path> files(Path folder) throws IOException {
+  /**
+   * All files of a folder and the folders in it.
+   *
+   * @param folder a folder
+   * @return in the order of their names
+   * @throws IOException if it cannot be read
+   */
+  public static List<Path> files(Path folder) throws IOException {
     try (Stream<Path> all = Files.walk(folder)) {
       return all.filter(Files::isRegularFile).sorted().toList();
     }

@@ -1,0 +1,37 @@
+package haltere.columnar;
+
+import haltere.core.format.AtomicFile;
+import haltere.core.sink.TableFormat;
+import haltere.core.sink.TableMetadata;
+import haltere.core.sink.TableSink;
+import java.io.IOException;
+
+/**
+ * Tables in Apache Parquet: the columns of CSV, each with its type. Integers are INT64 or INT32,
+ * floating-point numbers DOUBLE or FLOAT in full, truth values BOOLEAN, texts and enum constants
+ * STRING. What is an empty field in CSV is null. The file's metadata has the units of the columns
+ * ({@code haltere.units}, a JSON object) and the entries of {@link TableMetadata}. The same rows
+ * and entries give the same bytes.
+ *
+ * <p>Thread rule: all methods may be called from any thread.
+ */
+public final class ParquetFormat implements TableFormat {
+  /** For the service loader. */
+  public ParquetFormat() {}
+
+  @Override
+  public String ending() {
+    return "parquet";
+  }
+
+  @Override
+  public <R extends Record> TableSink<R> open(
+      AtomicFile file, Class<R> type, TableMetadata metadata) throws IOException {
+    try {
+      return new ParquetTable<>(file, type, metadata);
+    } catch (IOException | RuntimeException | LinkageError problem) {
+      file.close();
+      throw problem;
+    }
+  }
+}

@@ -1,0 +1,41 @@
+package haltere.core.sink;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.util.function.Consumer;
+
+/**
+ * A table that is being written, a row for each record. It appears in its place when it is {@link
+ * #finish() finished}; closed before that, it leaves nothing.
+ *
+ * <p>Thread rule: one thread at a time.
+ *
+ * @param <R> type of the rows, a {@link CsvSink#isFlat flat} record
+ */
+public interface TableSink<R extends Record> extends Consumer<R>, Closeable {
+  /**
+   * Writes a row.
+   *
+   * @param row the row
+   * @throws java.io.UncheckedIOException if it cannot be written
+   */
+  @Override
+  void accept(R row);
+
+  /**
+   * Rows written.
+   *
+   * @return a count, without a header
+   */
+  long rows();
+
+  /**
+   * Completes the file and puts it in its place.
+   *
+   * @throws IOException if that fails; the target is then as it was
+   */
+  void finish() throws IOException;
+
+  @Override
+  void close() throws IOException;
+}

@@ -1,0 +1,115 @@
+package haltere.core.sink;
+
+import haltere.core.extension.Extensions;
+import haltere.core.format.AtomicFile;
+import haltere.core.format.RecordingProblem;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+
+/**
+ * Starts tables in the format that their names end in: CSV, and what is found as a {@link
+ * TableFormat}.
+ *
+ * <p>Thread rule: all methods may be called from any thread.
+ */
+public final class Tables {
+  /** Ending of comma separated text. */
+  public static final String CSV = "csv";
+
+  /** Formats that come in a module of their own, by ending. */
+  private static final Map<String, String> MODULES = Map.of("parquet", "haltere-columnar");
+
+  private Tables() {}
+
+  private static Map<String, TableFormat> found() {
+    Map<String, TableFormat> found = new TreeMap<>();
+    for (TableFormat format : Extensions.find(TableFormat.class)) {
+      found.putIfAbsent(format.ending(), format);
+    }
+    return found;
+  }
+
+  /**
+   * The endings that there are.
+   *
+   * @return CSV first
+   */
+  public static List<String> endings() {
+    List<String> endings = new java.util.ArrayList<>(found().keySet());
+    endings.add(0, CSV);
+    return endings;
+  }
+
+  /**
+   * Why a table cannot be written under a name.
+   *
+   * @param file where it will be
+   * @return one line for a person; empty if its format is there, which is CSV for all names that no
+   *     format answers to
+   */
+  public static Optional<String> problem(Path file) {
+    String ending = ending(file);
+    return MODULES.containsKey(ending) && !found().containsKey(ending)
+        ? Optional.of(
+            "tables of the format "
+                + ending
+                + " need the module "
+                + MODULES.get(ending)
+                + ", which is not installed; name a .csv")
+        : Optional.empty();
+  }
+
+  /**
+   * Starts a table beside its place, where it appears when it is finished.
+   *
+   * @param <R> type of the rows
+   * @param file where it will be
+   * @param type class of the rows
+   * @param overwrite whether a file that is there may be replaced
+   * @param metadata kept in the file where its format can
+   * @return an open table
+   * @throws IOException if its format is missing, the file is there and may not be replaced, or
+   *     cannot be written
+   * @throws IllegalArgumentException if the type is not {@link CsvSink#isFlat flat}
+   */
+  public static <R extends Record> TableSink<R> create(
+      Path file, Class<R> type, boolean overwrite, TableMetadata metadata) throws IOException {
+    Optional<String> problem = problem(file);
+    if (problem.isPresent()) {
+      throw new RecordingProblem(file, problem.get());
+    }
+    return of(AtomicFile.create(file, overwrite), type, metadata);
+  }
+
+  /**
+   * Starts a table in a file that was begun.
+   *
+   * @param <R> type of the rows
+   * @param file empty; owned by the table from now on
+   * @param type class of the rows
+   * @param metadata kept in the file where its format can
+   * @return an open table
+   * @throws IOException if its format is missing, or the file cannot be written
+   * @throws IllegalArgumentException if the type is not flat
+   */
+  public static <R extends Record> TableSink<R> of(
+      AtomicFile file, Class<R> type, TableMetadata metadata) throws IOException {
+    Optional<String> problem = problem(file.path());
+    if (problem.isPresent()) {
+      file.close();
+      throw new RecordingProblem(file.path(), problem.get());
+    }
+    TableFormat format = found().get(ending(file.path()));
+    return format == null ? CsvSink.of(file, type) : format.open(file, type, metadata);
+  }
+
+  private static String ending(Path file) {
+    String name = String.valueOf(file.getFileName());
+    return name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
+  }
+}

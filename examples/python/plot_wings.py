@@ -1,0 +1,54 @@
+#!/usr/bin/env python3
+"""Plots what `haltere wings` found: stroke angle, amplitude and frequency of both wings over time.
+
+Usage:
+    plot_wings.py WINGS.csv|WINGS.parquet PICTURE.png [--from S] [--to S]
+
+Needs matplotlib; for Parquet also pyarrow. The cells (# %%) run one by one in Jupyter, Spyder and VS Code.
+"""
+
+# %% Read the table
+import argparse
+import csv
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+
+parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+parser.add_argument("wings")
+parser.add_argument("picture")
+parser.add_argument("--from", dest="start", type=float, default=0, help="seconds after the first row")
+parser.add_argument("--to", dest="end", type=float, default=float("inf"), help="seconds after the first row")
+options = parser.parse_args()
+
+if options.wings.endswith(".parquet"):
+    import pyarrow.parquet
+
+    rows = pyarrow.parquet.read_table(options.wings).to_pylist()
+else:
+    with open(options.wings, newline="", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+first_us = min(int(row["t_us"]) for row in rows)
+
+# %% Rows of each wing in the chosen stretch of time
+wings = {"left": [], "right": []}
+for row in rows:
+    seconds = (int(row["t_us"]) - first_us) * 1e-6
+    if row["edge"] in wings and options.start <= seconds <= options.end:
+        wings[row["edge"]].append((seconds, row))
+
+# %% Plot: an empty field (null) is not known and leaves a gap
+panels = [("angle_rad", "stroke angle (rad)"), ("amplitude_rad", "amplitude (rad)"), ("frequency_hz", "frequency (Hz)")]
+figure, axes = plt.subplots(len(panels), 1, sharex=True, figsize=(10, 7), layout="constrained")
+for axis, (column, label) in zip(axes, panels):
+    for side, points in wings.items():
+        values = [float("nan") if row[column] in ("", None) else float(row[column]) for _, row in points]
+        axis.plot([seconds for seconds, _ in points], values, label=side, linewidth=0.8)
+    axis.set_ylabel(label)
+    axis.grid(alpha=0.3)
+axes[0].legend(loc="upper right")
+axes[-1].set_xlabel("time after the first row (s)")
+figure.savefig(options.picture, dpi=120)
+print(f"wrote {options.picture}: {sum(len(points) for points in wings.values())} rows")

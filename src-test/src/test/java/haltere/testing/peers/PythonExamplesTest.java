@@ -1,0 +1,131 @@
+package haltere.testing.peers;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.core.batch.Batch;
+import haltere.core.batch.BatchFailure;
+import haltere.core.batch.BatchInputs;
+import haltere.core.batch.BatchItem;
+import haltere.core.batch.BatchOptions;
+import haltere.core.chain.FilterChain;
+import haltere.core.chain.Filters;
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.ReadOptions;
+import haltere.core.format.RecordingWriter;
+import haltere.core.format.Recordings;
+import haltere.core.format.WriteOptions;
+import haltere.core.simulation.Scene;
+import haltere.core.simulation.Scenes;
+import haltere.testing.SceneEvents;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * The Python examples of the repository on results of a batch. Needs {@link PythonPrograms};
+ * skipped without.
+ */
+class PythonExamplesTest {
+  private static final Path PROGRAM =
+      Path.of(System.getProperty("haltere.installed"), "bin", "haltere");
+
+  @TempDir Path folder;
+  private Path in;
+  private Path out;
+
+  /** Hears nothing. */
+  private static final Batch.Listener QUIET =
+      new Batch.Listener() {
+        @Override
+        public void progress(long doneBytes, long totalBytes) {}
+
+        @Override
+        public void failed(BatchFailure failure) {}
+
+        @Override
+        public void warned(BatchItem item, String warning) {}
+      };
+
+  @BeforeEach
+  void simulate() throws IOException {
+    in = Files.createDirectories(folder.resolve("in"));
+    out = folder.resolve("out");
+    try (Scene<?> scene = Scenes.named("fly").create(List.of("run.durationS=0.3"));
+        RecordingWriter writer =
+            Recordings.forWriting(in.resolve("fly.aedat"))
+                .create(in.resolve("fly.aedat"), WriteOptions.of(scene.geometry()))
+                .orElseThrow()) {
+      writer.write(SceneEvents.of(scene));
+      writer.finish();
+    }
+  }
+
+  private void batch(String tables) throws IOException {
+    BatchInputs inputs = new BatchInputs(out, Optional.empty());
+    inputs.add(in);
+    BatchOptions options =
+        new BatchOptions(
+            out,
+            1,
+            BatchOptions.Existing.REFUSE,
+            ReadOptions.DEFAULT,
+            false,
+            "haltere test",
+            tables);
+    int done =
+        new Batch(PythonExamplesTest::wings, options, Throwable::toString)
+            .run(inputs.items(), "failed.json", QUIET)
+            .done();
+    assertEquals(1, done);
+  }
+
+  private static FilterChain wings(SensorGeometry sensor) {
+    FilterChain chain = new FilterChain(sensor);
+    chain.add(Filters.named("wing-tracker"));
+    return chain;
+  }
+
+  @Test
+  void aBatchBecomesNwbFilesThatAreValidWithItsEvents() throws IOException {
+    PythonPrograms script =
+        PythonPrograms.exampleOrSkip("batch_to_nwb.py", folder, "pynwb.event", "pyarrow");
+    for (String tables : List.of("csv", "parquet")) {
+      out = folder.resolve(tables);
+      batch(tables);
+      Path nwb = folder.resolve("nwb-" + tables);
+      Optional<List<String>> said =
+          script.run(
+              out.toString(),
+              nwb.toString(),
+              "--recordings",
+              in.toString(),
+              "--haltere",
+              PROGRAM.toString());
+      assertEquals(
+          Optional.of(List.of("wrote " + nwb.resolve("fly.aedat.nwb") + " (valid)")),
+          said,
+          script::errors);
+    }
+  }
+
+  @Test
+  void wingsArePlotted() throws IOException {
+    PythonPrograms script =
+        PythonPrograms.exampleOrSkip("plot_wings.py", folder, "matplotlib", "pyarrow");
+    for (String tables : List.of("csv", "parquet")) {
+      out = folder.resolve(tables);
+      batch(tables);
+      Path picture = folder.resolve(tables + ".png");
+      Path table = out.resolve("fly.aedat/wing-tracker.wings." + tables);
+      assertTrue(script.run(table.toString(), picture.toString()).isPresent(), script::errors);
+      assertTrue(ImageIO.read(picture.toFile()).getWidth() > 500);
+    }
+  }
+}
