@@ -27,7 +27,8 @@ import javafx.geometry.Orientation;
 import javafx.geometry.Pos;
 import javafx.scene.control.Label;
 import javafx.scene.control.SplitPane;
-import javafx.scene.layout.StackPane;
+import javafx.scene.layout.BorderPane;
+import javafx.scene.layout.HBox;
 
 /**
  * Two chains side by side on the same events: the second one begins as a copy of the first, has its
@@ -72,10 +73,13 @@ public final class CompareFeature implements ViewerFeature {
     SplitPane settings = new SplitPane(chainPanel, table);
     settings.setOrientation(Orientation.VERTICAL);
     Label name = new Label("Second chain");
-    name.getStyleClass().add("readout");
-    name.setMouseTransparent(true);
-    StackPane named = new StackPane(view, name);
-    StackPane.setAlignment(name, Pos.TOP_CENTER);
+    HBox bar = new HBox(name);
+    bar.setAlignment(Pos.CENTER_LEFT);
+    bar.getStyleClass().add("view-bar");
+    // as high as the first picture's bar, so that both pictures have the same height
+    bar.minHeightProperty().bind(window.panels().viewBar().heightProperty());
+    BorderPane named = new BorderPane(view);
+    named.setTop(bar);
     settingsShown =
         window.panels().offer("second-chain", "Second chain", PanelPlace.SIDE, () -> settings);
     shown = window.panels().offer("compare", "Compare", PanelPlace.BESIDE, () -> named);

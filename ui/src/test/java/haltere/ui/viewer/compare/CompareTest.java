@@ -25,6 +25,7 @@ import javafx.scene.Parent;
 import javafx.scene.control.Label;
 import javafx.scene.control.Menu;
 import javafx.scene.control.MenuButton;
+import javafx.scene.layout.Region;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -71,6 +72,11 @@ class CompareTest {
     viewer.waitFor("a track", () -> viewer.status().elapsedUs() > 300_000);
     viewer.run(() -> viewer.window.actions().run("compare"));
     viewer.waitFor("the second chain", () -> compare().secondChain().isPresent());
+    viewer.waitFor(
+        "pictures of the same height",
+        () ->
+            viewer.node("event-view", Region.class).getHeight()
+                == viewer.node("second-event-view", Region.class).getHeight());
     for (int i = 0; i < 3; i++) {
       Set<String> before = tableTexts();
       viewer.waitFor(
