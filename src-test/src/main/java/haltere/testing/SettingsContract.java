@@ -24,8 +24,8 @@ import org.junit.jupiter.api.TestFactory;
 
 /** What every settings record must keep to. A module's test extends this and names its records. */
 public abstract class SettingsContract {
-  private static final int MOST_COMPONENTS = 8;
-  private static final int MOST_WORDS = 25;
+  private static final int MAX_COMPONENTS = 8;
+  private static final int MAX_WORDS = 25;
 
   /**
    * The settings records to test.
@@ -74,7 +74,7 @@ public abstract class SettingsContract {
 
   private static void checkSize(Class<?> type) {
     assertTrue(
-        type.getRecordComponents().length <= MOST_COMPONENTS,
+        type.getRecordComponents().length <= MAX_COMPONENTS,
         () -> type.getSimpleName() + " has more than eight components: group them in records");
     for (var component : type.getRecordComponents()) {
       if (component.getType().isRecord()) {
@@ -87,7 +87,7 @@ public abstract class SettingsContract {
     assertTrue(parameter.help().endsWith("."), "a sentence ends with a full stop");
     assertTrue(parameter.help().length() > 10, "the help says something");
     int words = parameter.help().split("\\s+").length;
-    assertTrue(words <= MOST_WORDS, () -> words + " words: " + parameter.help());
+    assertTrue(words <= MAX_WORDS, () -> words + " words: " + parameter.help());
     if (parameter.isNumber()) {
       assertFalse(parameter.unit().isBlank(), "a number has a unit, 1 for a ratio");
     }

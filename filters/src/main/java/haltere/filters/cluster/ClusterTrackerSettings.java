@@ -54,10 +54,9 @@ public record ClusterTrackerSettings(
   }
 
   /**
-   * The defaults of the tracker of Cardinale (2006): at most 10 clusters of 0.15 of the longer
-   * side, a weight of 0.01, visible from 10 events on, dead after 10 ms, merging whatever they do.
-   *
-   * @return these settings
+   * {@return the defaults of the tracker of Cardinale (2006): at most 10 clusters of 0.15 of the
+   * longer side, a weight of 0.01, visible from 10 events on, dead after 10 ms, merging whatever
+   * they do}
    */
   public static ClusterTrackerSettings original() {
     return defaults()
@@ -73,10 +72,9 @@ public record ClusterTrackerSettings(
   }
 
   /**
-   * These settings but for some.
+   * {@return new settings, these but for some}
    *
    * @param assignments texts of the form {@code name=value}, such as {@code shape.size=0.1}
-   * @return new settings
    * @throws haltere.core.settings.SettingsProblem for a name or a value that is not valid
    */
   public ClusterTrackerSettings with(String... assignments) {

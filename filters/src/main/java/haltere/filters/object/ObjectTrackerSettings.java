@@ -53,10 +53,9 @@ public record ObjectTrackerSettings(
   }
 
   /**
-   * These settings with some of them changed.
+   * {@return new settings, these but for some}
    *
    * @param assignments such as {@code scalePx=40}
-   * @return the changed settings
    * @throws haltere.core.settings.SettingsProblem if a name or a value is wrong
    */
   public ObjectTrackerSettings with(String... assignments) {
