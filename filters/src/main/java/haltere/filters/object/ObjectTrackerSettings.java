@@ -17,14 +17,14 @@ import haltere.core.settings.Unit;
  */
 public record ObjectTrackerSettings(
     @Help(
-            "Usual size of an object. Pieces whose gap is a small share of it are one object."
-                + " 0 compares the gap with the sizes of the pieces themselves.")
+            "Usual size of an object; a larger value joins pieces over wider gaps. 0: the sizes of"
+                + " the pieces themselves decide.")
         @Range(min = 0, max = 2000)
         @Unit("px")
         double scalePx,
     @Help(
-            "An object is reported once it was watched for this long, with its rows since it"
-                + " began. Shorter is sooner, and less sure what is one object.")
+            "Time an object is watched before all its rows are reported; a shorter time is less"
+                + " sure what is one object.")
         @Range(min = 0.1, max = 2)
         @Unit("s")
         double confirmS,

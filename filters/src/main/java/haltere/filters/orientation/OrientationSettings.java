@@ -81,9 +81,8 @@ public record OrientationSettings(
    */
   public record ObservationGate(
       @Help(
-              "An observation is used if its line is less than this away from the expected one: 0"
-                  + " rejects all, those of the start included; 90 and more accept all, whatever the"
-                  + " outlier share is.")
+              "Largest angle between an observed line and the expected one; a larger value accepts"
+                  + " more. 0 rejects all, 90 and more accept all.")
           @Range(min = 0, max = 180)
           @Unit("deg")
           double angleDeg,
@@ -98,8 +97,8 @@ public record OrientationSettings(
           @Unit("1")
           double minEccentricity,
       @Help(
-              "Share of lines that are not the body's; one that is more likely such a line is not"
-                  + " used. 0 leaves it all to the angle.")
+              "Share of lines that are outliers; a larger value rejects more lines. 0 leaves the"
+                  + " decision to the angle.")
           @Range(min = 0, max = 0.5)
           @Unit("1")
           double outlierShare) {
@@ -143,8 +142,8 @@ public record OrientationSettings(
           @Unit("s")
           double saccadeS,
       @Help(
-              "Quaternions only: a variance that is added to each of the seven states at every"
-                  + " update, as Straw et al. (2011) do, instead of the noise of the rates; 0 for none.")
+              "Quaternions only: variance added to each of the seven states at every update,"
+                  + " instead of the noise of the rates (Straw et al., 2011).")
           @Range(min = 0, max = 1000)
           @Unit("1")
           double updateNoise) {
@@ -230,8 +229,8 @@ public record OrientationSettings(
           @Unit("sigma")
           double certaintySigmas,
       @Help(
-              "Standard deviation of the angle between axis and flight; it helps where cameras do not"
-                  + " tell the axis, and only there. 90 leaves the flight out.")
+              "Standard deviation of the angle between axis and flight, for moments without an"
+                  + " axis from the cameras. 90 leaves the flight out.")
           @Range(min = 5, max = 90)
           @Unit("deg")
           double slipSdDeg) {}
