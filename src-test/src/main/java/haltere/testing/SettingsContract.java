@@ -25,6 +25,7 @@ import org.junit.jupiter.api.TestFactory;
 /** What every settings record must keep to. A module's test extends this and names its records. */
 public abstract class SettingsContract {
   private static final int MAX_COMPONENTS = 8;
+  private static final int MAX_WORDS = 25;
 
   /**
    * The settings records to test.
@@ -85,6 +86,8 @@ public abstract class SettingsContract {
   private static void checkWords(Parameter parameter) {
     assertTrue(parameter.help().endsWith("."), "a sentence ends with a full stop");
     assertTrue(parameter.help().length() > 10, "the help says something");
+    int words = parameter.help().split("\\s+").length;
+    assertTrue(words <= MAX_WORDS, () -> words + " words: " + parameter.help());
     if (parameter.isNumber()) {
       assertFalse(parameter.unit().isBlank(), "a number has a unit, 1 for a ratio");
     }

@@ -183,15 +183,19 @@ public final class Recordings {
       throw new RecordingProblem(
           file, "it is packed as a whole; unpack it first: " + unpacking.get());
     }
+    String extension = FileHead.extension(file);
+    boolean claimed =
+        answers.keySet().stream().anyMatch(format -> format.extensions().contains(extension));
     String reasons =
         answers.entrySet().stream()
-            .filter(answer -> surest.isEmpty() || surest.contains(answer.getKey()))
+            .filter(answer -> surest.isEmpty() ? claimed : surest.contains(answer.getKey()))
             .map(answer -> answer.getKey().name() + ": " + answer.getValue().reason())
             .collect(Collectors.joining("; "));
+    String formats = reasons.isEmpty() ? String.join(", ", formats().keySet()) : reasons;
     throw new RecordingProblem(
         file,
         (surest.isEmpty() ? "no known format (" : "several formats fit (")
-            + reasons
+            + formats
             + "); name one with --format");
   }
 

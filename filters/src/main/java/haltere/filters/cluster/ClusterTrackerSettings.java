@@ -1,5 +1,6 @@
 package haltere.filters.cluster;
 
+import haltere.core.settings.AdjustableSettings;
 import haltere.core.settings.SettingsSchema;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -25,7 +26,8 @@ public record ClusterTrackerSettings(
     ClusterMergingSettings merging,
     PerspectiveSettings perspective,
     ClusterEventSettings events,
-    ClusterOutputSettings output) {
+    ClusterOutputSettings output)
+    implements AdjustableSettings<ClusterTrackerSettings> {
   /** Checks the values. */
   public ClusterTrackerSettings {
     SettingsSchema.validate(
@@ -69,17 +71,6 @@ public record ClusterTrackerSettings(
             "life.border=never",
             "merging.differentAngleDeg=180",
             "output.maxClusters=10");
-  }
-
-  /**
-   * {@return new settings, these but for some}
-   *
-   * @param assignments texts of the form {@code name=value}, such as {@code shape.size=0.1}
-   * @throws haltere.core.settings.SettingsProblem for a name or a value that is not valid
-   */
-  public ClusterTrackerSettings with(String... assignments) {
-    return SettingsSchema.of(ClusterTrackerSettings.class)
-        .withAssignments(this, List.of(assignments));
   }
 
   /** Names of settings of earlier versions, see {@link SettingsSchema}. */

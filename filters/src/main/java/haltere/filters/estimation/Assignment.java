@@ -1,6 +1,7 @@
 package haltere.filters.estimation;
 
 import java.util.Arrays;
+import java.util.Objects;
 
 /**
  * Assigns rows to columns, one to one, so that the sum of the costs is the least there is: tracks
@@ -52,7 +53,6 @@ public final class Assignment {
   private double unassigned;
   private int nearStride;
   private int farStride;
-  private double totalCost;
 
   /**
    * Room for a matrix.
@@ -105,7 +105,6 @@ public final class Assignment {
     Arrays.fill(costs, 0, rows * columns, Double.POSITIVE_INFINITY);
     Arrays.fill(columnOfRow, 0, rows, NONE);
     Arrays.fill(rowOfColumn, 0, columns, NONE);
-    totalCost = 0;
   }
 
   /**
@@ -116,8 +115,8 @@ public final class Assignment {
    * @param cost at most 1e150 in size, or positive infinity for a pair that is forbidden
    */
   public void setCost(int row, int column, double cost) {
-    checkRow(row);
-    checkColumn(column);
+    Objects.checkIndex(row, rows);
+    Objects.checkIndex(column, columns);
     if (cost != Double.POSITIVE_INFINITY) {
       requireCost("cost of a pair", cost);
     }
@@ -152,7 +151,7 @@ public final class Assignment {
     Arrays.fill(columnOfRow, 0, rows, NONE);
     Arrays.fill(rowOfColumn, 0, columns, NONE);
     int pairs = 0;
-    totalCost = 0;
+    double totalCost = 0;
     for (int i = 0; i < near; i++) {
       int j = farOfNear[i];
       if (change(i, j) < 0) {
@@ -164,8 +163,7 @@ public final class Assignment {
         pairs++;
       }
     }
-    totalCost += (rows - pairs) * unassignedRow + (columns - pairs) * unassignedColumn;
-    return totalCost;
+    return totalCost + (rows - pairs) * unassignedRow + (columns - pairs) * unassignedColumn;
   }
 
   /**
@@ -175,8 +173,7 @@ public final class Assignment {
    * @return a column or {@link #NONE}
    */
   public int columnOf(int row) {
-    checkRow(row);
-    return columnOfRow[row];
+    return columnOfRow[Objects.checkIndex(row, rows)];
   }
 
   /**
@@ -186,17 +183,7 @@ public final class Assignment {
    * @return a row or {@link #NONE}
    */
   public int rowOf(int column) {
-    checkColumn(column);
-    return rowOfColumn[column];
-  }
-
-  /**
-   * What the last solution costs.
-   *
-   * @return pairs, unassigned rows and unassigned columns together
-   */
-  public double totalCost() {
-    return totalCost;
+    return rowOfColumn[Objects.checkIndex(column, columns)];
   }
 
   /** Gives one more of the near side an end, along the path that costs least. */
@@ -256,18 +243,6 @@ public final class Assignment {
   /** What a pair changes against leaving both ends unassigned; 0 where it is of no use. */
   private double change(int i, int j) {
     return Math.min(costs[i * nearStride + j * farStride] - unassigned, 0);
-  }
-
-  private void checkRow(int row) {
-    if (row < 0 || row >= rows) {
-      throw new IndexOutOfBoundsException("there is no row " + row + " of " + rows);
-    }
-  }
-
-  private void checkColumn(int column) {
-    if (column < 0 || column >= columns) {
-      throw new IndexOutOfBoundsException("there is no column " + column + " of " + columns);
-    }
   }
 
   private static void requireCost(String what, double cost) {

@@ -40,12 +40,6 @@ public final class BatchLeastSquares {
   private final DMatrixRMaj information;
   private final List<Item> items = new ArrayList<>();
 
-  // Of the trajectory that was linearised last: xₖ, Φₖ and the normal equations Λ, g.
-  private final DMatrixRMaj last;
-  private final DMatrixRMaj phi;
-  private final DMatrixRMaj normal;
-  private final DMatrixRMaj gradient;
-
   /** A measurement and the time since the one before. */
   private record Item(double dtS, DMatrixRMaj z) {}
 
@@ -75,10 +69,6 @@ public final class BatchLeastSquares {
     this.model = model;
     this.mean = mean.copy();
     information = inverse(covariance);
-    last = new DMatrixRMaj(n, 1);
-    phi = new DMatrixRMaj(n, n);
-    normal = new DMatrixRMaj(n, n);
-    gradient = new DMatrixRMaj(n, 1);
   }
 
   /**
@@ -104,115 +94,119 @@ public final class BatchLeastSquares {
   public Optional<Solution> fit(DMatrixRMaj start) {
     Require.state(start, process.stateSize());
     int n = process.stateSize();
-    DMatrixRMaj best = start.copy();
-    DMatrixRMaj tried = new DMatrixRMaj(n, 1);
+    Trajectory best = new Trajectory(n);
+    Trajectory tried = new Trajectory(n);
     DMatrixRMaj damped = new DMatrixRMaj(n, n);
     DMatrixRMaj delta = new DMatrixRMaj(n, 1);
     LinearSolverDense<DMatrixRMaj> solver = LinearSolverFactory_DDRM.chol(n);
-    double cost = linearise(best);
-    double lambda = FIRST_LAMBDA;
-    for (int step = 0; step < MAX_STEPS && !Double.isNaN(cost); step++) {
-      damped.setTo(normal);
-      for (int i = 0; i < n; i++) {
-        damped.set(i, i, (1 + lambda) * normal.get(i, i));
-      }
-      double triedCost = Double.NaN;
-      if (solver.setA(damped)) {
-        solver.solve(gradient, delta);
-        if (CommonOps_DDRM.dot(gradient, delta) < CONVERGED) {
-          break;
-        }
-        CommonOps_DDRM.add(best, delta, tried);
-        triedCost = follow(tried, new DMatrixRMaj(n, 1), false, cost);
-      }
-      if (Double.isNaN(triedCost)) {
-        lambda *= 10;
-      } else {
-        lambda /= 10;
-        best.setTo(tried);
-        cost = linearise(best);
-      }
-    }
-    return Double.isNaN(cost) ? Optional.empty() : solution(best, cost);
-  }
-
-  private Optional<Solution> solution(DMatrixRMaj first, double cost) {
-    int n = first.numRows;
-    DMatrixRMaj p = new DMatrixRMaj(n, n);
-    if (!CommonOps_DDRM.invertSPD(normal, p)) {
+    best.first.setTo(start);
+    if (!best.follow(Double.MAX_VALUE)) {
       return Optional.empty();
     }
-    DMatrixRMaj phiP = new DMatrixRMaj(n, n);
-    DMatrixRMaj lastP = new DMatrixRMaj(n, n);
-    CommonOps_DDRM.mult(phi, p, phiP);
-    CommonOps_DDRM.multTransB(phiP, phi, lastP);
-    CommonOps_DDRM.symmLowerToFull(lastP);
-    double timeS = items.stream().mapToDouble(Item::dtS).sum();
-    return Optional.of(
-        new Solution(
-            new Estimate(0, ConstMatrix.copyOf(first), ConstMatrix.copyOf(p)),
-            new Estimate(timeS, ConstMatrix.copyOf(last), ConstMatrix.copyOf(lastP)),
-            cost));
+    double lambda = FIRST_LAMBDA;
+    for (int step = 0; step < MAX_STEPS; step++) {
+      damped.setTo(best.normal);
+      for (int i = 0; i < n; i++) {
+        damped.set(i, i, (1 + lambda) * best.normal.get(i, i));
+      }
+      boolean isBetter = false;
+      if (solver.setA(damped)) {
+        solver.solve(best.gradient, delta);
+        if (CommonOps_DDRM.dot(best.gradient, delta) < CONVERGED) {
+          break;
+        }
+        CommonOps_DDRM.add(best.first, delta, tried.first);
+        isBetter = tried.follow(best.cost);
+      }
+      lambda = isBetter ? lambda / 10 : lambda * 10;
+      if (isBetter) {
+        Trajectory worse = best;
+        best = tried;
+        tried = worse;
+      }
+    }
+    return best.solution();
   }
 
-  private double linearise(DMatrixRMaj first) {
-    return follow(first, last, true, Double.MAX_VALUE);
-  }
+  /** The trajectory from a first state, with the normal equations Λ, g of its linearisation. */
+  private final class Trajectory {
+    final DMatrixRMaj first;
+    final DMatrixRMaj normal;
+    final DMatrixRMaj gradient;
+    double cost;
+    private final DMatrixRMaj x;
+    private final DMatrixRMaj phi;
 
-  /**
-   * Follows the trajectory from a first state: J and x, and on request Λ, g and Φ; NaN as soon as J
-   * is no number or above a limit.
-   */
-  private double follow(DMatrixRMaj first, DMatrixRMaj x, boolean linearise, double limit) {
-    int n = first.numRows;
-    int m = model.size();
-    DMatrixRMaj evolved = new DMatrixRMaj(n, 1);
-    DMatrixRMaj f = new DMatrixRMaj(n, n);
-    DMatrixRMaj product = new DMatrixRMaj(n, n);
-    DMatrixRMaj h = new DMatrixRMaj(m, n);
-    DMatrixRMaj hPhi = new DMatrixRMaj(m, n);
-    DMatrixRMaj weighted = new DMatrixRMaj(m, n);
-    DMatrixRMaj r = new DMatrixRMaj(m, m);
-    DMatrixRMaj expected = new DMatrixRMaj(m, 1);
-    DMatrixRMaj y = new DMatrixRMaj(m, 1);
-    DMatrixRMaj deviation = new DMatrixRMaj(n, 1);
-    CommonOps_DDRM.subtract(mean, first, deviation);
-    CommonOps_DDRM.mult(information, deviation, evolved);
-    double cost = CommonOps_DDRM.dot(deviation, evolved);
-    if (linearise) {
-      gradient.setTo(evolved);
+    Trajectory(int n) {
+      first = new DMatrixRMaj(n, 1);
+      normal = new DMatrixRMaj(n, n);
+      gradient = new DMatrixRMaj(n, 1);
+      x = new DMatrixRMaj(n, 1);
+      phi = new DMatrixRMaj(n, n);
+    }
+
+    Optional<Solution> solution() {
+      DMatrixRMaj p = phi.createLike();
+      if (!CommonOps_DDRM.invertSPD(normal, p)) {
+        return Optional.empty();
+      }
+      DMatrixRMaj phiP = phi.createLike();
+      DMatrixRMaj lastP = phi.createLike();
+      CommonOps_DDRM.mult(phi, p, phiP);
+      CommonOps_DDRM.multTransB(phiP, phi, lastP);
+      CommonOps_DDRM.symmLowerToFull(lastP);
+      double timeS = items.stream().mapToDouble(Item::dtS).sum();
+      return Optional.of(
+          new Solution(
+              new Estimate(0, ConstMatrix.copyOf(first), ConstMatrix.copyOf(p)),
+              new Estimate(timeS, ConstMatrix.copyOf(x), ConstMatrix.copyOf(lastP)),
+              cost));
+    }
+
+    /** Follows it; false as soon as J is no number or above a limit. */
+    boolean follow(double limit) {
+      int n = first.numRows;
+      int m = model.size();
+      DMatrixRMaj evolved = new DMatrixRMaj(n, 1);
+      DMatrixRMaj f = new DMatrixRMaj(n, n);
+      DMatrixRMaj product = new DMatrixRMaj(n, n);
+      DMatrixRMaj h = new DMatrixRMaj(m, n);
+      DMatrixRMaj hPhi = new DMatrixRMaj(m, n);
+      DMatrixRMaj weighted = new DMatrixRMaj(m, n);
+      DMatrixRMaj r = new DMatrixRMaj(m, m);
+      DMatrixRMaj expected = new DMatrixRMaj(m, 1);
+      DMatrixRMaj y = new DMatrixRMaj(m, 1);
+      CommonOps_DDRM.subtract(mean, first, x);
+      CommonOps_DDRM.mult(information, x, gradient);
+      cost = CommonOps_DDRM.dot(x, gradient);
       normal.setTo(information);
       CommonOps_DDRM.setIdentity(phi);
-    }
-    x.setTo(first);
-    for (Item item : items) {
-      if (item.dtS() > 0) {
-        if (linearise) {
+      x.setTo(first);
+      for (Item item : items) {
+        if (item.dtS() > 0) {
           process.jacobian(x, item.dtS(), f);
           CommonOps_DDRM.mult(f, phi, product);
           phi.setTo(product);
+          process.evolve(x, item.dtS(), evolved);
+          x.setTo(evolved);
         }
-        process.evolve(x, item.dtS(), evolved);
-        x.setTo(evolved);
-      }
-      model.expected(x, expected);
-      model.residual(item.z(), expected, y);
-      model.noise(x, r);
-      DMatrixRMaj weight = inverse(r);
-      CommonOps_DDRM.mult(weight, y, expected);
-      cost += CommonOps_DDRM.dot(y, expected);
-      if (!(cost <= limit)) {
-        return Double.NaN;
-      }
-      if (linearise) {
+        model.expected(x, expected);
+        model.residual(item.z(), expected, y);
+        model.noise(x, r);
+        DMatrixRMaj weight = inverse(r);
+        CommonOps_DDRM.mult(weight, y, expected);
+        cost += CommonOps_DDRM.dot(y, expected);
+        if (!(cost <= limit)) {
+          return false;
+        }
         model.jacobian(x, h);
         CommonOps_DDRM.mult(h, phi, hPhi);
         CommonOps_DDRM.mult(weight, hPhi, weighted);
         CommonOps_DDRM.multAddTransA(hPhi, weighted, normal);
         CommonOps_DDRM.multAddTransA(hPhi, expected, gradient);
       }
+      return true;
     }
-    return cost;
   }
 
   /** Of a matrix that is known to be positive definite. */

@@ -1,6 +1,7 @@
 package haltere.filters.estimation;
 
 import java.util.Arrays;
+import java.util.Objects;
 import org.ejml.data.DMatrixRMaj;
 
 /** A matrix, or a column vector, that cannot change: what estimates and steps are made of. */
@@ -26,9 +27,14 @@ public final class ConstMatrix {
         matrix.numRows, matrix.numCols, Arrays.copyOf(matrix.data, matrix.getNumElements()));
   }
 
-  /** {@return the number of rows} */
-  public int rows() {
-    return rows;
+  /**
+   * A column vector.
+   *
+   * @param values its entries; copied
+   * @return independent of the array from now on
+   */
+  public static ConstMatrix column(double... values) {
+    return new ConstMatrix(values.length, 1, values.clone());
   }
 
   /** {@return the number of columns; 1 for a vector} */
@@ -44,7 +50,7 @@ public final class ConstMatrix {
    * @return its value
    */
   public double get(int row, int column) {
-    return values[checked(row, rows) * columns + checked(column, columns)];
+    return values[Objects.checkIndex(row, rows) * columns + Objects.checkIndex(column, columns)];
   }
 
   /**
@@ -62,13 +68,6 @@ public final class ConstMatrix {
     return new DMatrixRMaj(rows, columns, true, values.clone());
   }
 
-  private static int checked(int index, int size) {
-    if (index < 0 || index >= size) {
-      throw new IndexOutOfBoundsException(index + " of " + size);
-    }
-    return index;
-  }
-
   @Override
   public boolean equals(Object other) {
     return other instanceof ConstMatrix that
@@ -84,13 +83,6 @@ public final class ConstMatrix {
 
   @Override
   public String toString() {
-    StringBuilder text = new StringBuilder("[");
-    for (int i = 0; i < values.length; i++) {
-      if (i > 0) {
-        text.append(i % columns == 0 ? "; " : ", ");
-      }
-      text.append(values[i]);
-    }
-    return text.append(']').toString();
+    return toMatrix().toString();
   }
 }

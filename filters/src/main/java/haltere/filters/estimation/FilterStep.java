@@ -1,7 +1,46 @@
 package haltere.filters.estimation;
 
-/** One thing that an estimator did, with every intermediate of it: for tests, plots, smoothing. */
-public sealed interface FilterStep permits Launch, Prediction, Correction {
+/** A step of an estimator, with what tests, plots and smoothing need of it. */
+public sealed interface FilterStep {
   /** {@return the estimate after the step: state, covariance and time} */
   Estimate estimate();
+
+  /**
+   * A filter was set to a state and covariance from outside: at first, or anew.
+   *
+   * @param estimate what it was set to
+   */
+  record Launch(Estimate estimate) implements FilterStep {}
+
+  /**
+   * A time step, P⁻ = F P Fᵀ + Q.
+   *
+   * @param dtS seconds that were predicted
+   * @param transition F
+   * @param noise Q
+   * @param estimate x⁻ and P⁻, after the step
+   */
+  record Prediction(double dtS, ConstMatrix transition, ConstMatrix noise, Estimate estimate)
+      implements FilterStep {}
+
+  /**
+   * A usable measurement, taken in or gated. One that was not a number leaves no step.
+   *
+   * @param outcome what became of it
+   * @param prior x⁻ and P⁻, before it
+   * @param innovation y = z − h(x⁻)
+   * @param innovationCovariance S = H P⁻ Hᵀ + R
+   * @param gain K = P⁻ Hᵀ S⁻¹; also of a measurement that was not taken in
+   * @param nis normalised innovation squared, yᵀ S⁻¹ y
+   * @param estimate x and P, after it
+   */
+  record Correction(
+      UpdateOutcome outcome,
+      Estimate prior,
+      ConstMatrix innovation,
+      ConstMatrix innovationCovariance,
+      ConstMatrix gain,
+      double nis,
+      Estimate estimate)
+      implements FilterStep {}
 }

@@ -3,6 +3,7 @@ package haltere.filters.estimation;
 import java.util.Arrays;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
+import org.ejml.dense.row.MatrixFeatures_DDRM;
 
 /**
  * A Gaussian belief about a state: mean x and covariance P, with the operations of a Kalman filter
@@ -405,7 +406,9 @@ public final class GaussianState {
   }
 
   /**
-   * Sets one entry of the covariance so that it stays one; for a person, not for the hot path.
+   * Sets one entry of the covariance so that it stays one; for a person, not for the hot path. A
+   * variance takes its row and column along, so that the correlations stay; a covariance changes
+   * its counterpart as well.
    *
    * @param row from 0
    * @param column from 0
@@ -413,7 +416,38 @@ public final class GaussianState {
    * @throws IllegalArgumentException if no covariance has such a number there
    */
   public void edit(int row, int column, double value) {
-    p.setTo(CovarianceEdit.with(p, row, column, value));
+    if (row == column) {
+      if (!(value >= 0)) {
+        throw new IllegalArgumentException("a variance cannot be negative: " + value);
+      }
+      double before = p.get(row, row);
+      scale(row, before > 0 ? Math.sqrt(value / before) : 0);
+      p.set(row, row, value);
+      return;
+    }
+    DMatrixRMaj edited = p.copy();
+    edited.set(row, column, value);
+    edited.set(column, row, value);
+    if (!isCovariance(edited)) {
+      throw new IllegalArgumentException(
+          value + " is more than the variances of its row and its column allow");
+    }
+    p.setTo(edited);
+  }
+
+  /** By Cholesky's decomposition of the correlations, but for what rounding may take from it. */
+  private static boolean isCovariance(DMatrixRMaj p) {
+    DMatrixRMaj correlations = p.createLike();
+    for (int i = 0; i < p.numRows; i++) {
+      for (int j = 0; j < p.numRows; j++) {
+        double scale = Math.sqrt(p.get(i, i) * p.get(j, j));
+        if (scale == 0 && i != j && p.get(i, j) != 0) {
+          return false;
+        }
+        correlations.set(i, j, i == j ? 1 + 1e-9 : scale == 0 ? 0 : p.get(i, j) / scale);
+      }
+    }
+    return MatrixFeatures_DDRM.isPositiveDefinite(correlations);
   }
 
   /** {@return whether all numbers are finite and no variance is negative} */

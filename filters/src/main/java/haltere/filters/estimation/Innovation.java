@@ -1,15 +1,17 @@
 package haltere.filters.estimation;
 
+import org.ejml.LinearSolverSafe;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
+import org.ejml.dense.row.MatrixFeatures_DDRM;
+import org.ejml.dense.row.factory.LinearSolverFactory_DDRM;
+import org.ejml.interfaces.linsol.LinearSolverDense;
 
 /**
- * One measurement against a prediction: y, H, R, S, K, and how likely it was. A workspace that is
- * used again for each measurement; it allocates only when a larger measurement comes than ever.
+ * One measurement against a prediction: y, H, R, S, K. A workspace that is used again for each
+ * measurement; it allocates only when a larger measurement comes than ever.
  */
 final class Innovation {
-  private static final double LOG_TWO_PI = Math.log(2 * Math.PI);
-
   final DMatrixRMaj y = new DMatrixRMaj(1, 1);
   final DMatrixRMaj h = new DMatrixRMaj(1, 1);
   final DMatrixRMaj r = new DMatrixRMaj(1, 1);
@@ -18,9 +20,14 @@ final class Innovation {
   private final DMatrixRMaj expected = new DMatrixRMaj(1, 1);
   private final DMatrixRMaj hp = new DMatrixRMaj(1, 1);
   private final DMatrixRMaj gainTransposed = new DMatrixRMaj(1, 1);
-  private final PositiveDefinite factored = new PositiveDefinite();
-  private double nis;
-  private double logLikelihood;
+  private final DMatrixRMaj weighted = new DMatrixRMaj(1, 1);
+
+  /** Of S, of which it keeps a copy. */
+  private final LinearSolverDense<DMatrixRMaj> solver =
+      new LinearSolverSafe<>(LinearSolverFactory_DDRM.chol(1));
+
+  /** yᵀ S⁻¹ y. */
+  double nis;
 
   /**
    * Compares a measurement with what x and P lead one to expect; false if it cannot be used. S = H
@@ -36,49 +43,25 @@ final class Innovation {
     CommonOps_DDRM.mult(h, p, hp);
     CommonOps_DDRM.multTransB(hp, h, s);
     CommonOps_DDRM.addEquals(s, r);
-    double logDeterminant;
-    if (size() == 1) {
-      // S is a number: no factor, no inverse.
-      double variance = s.get(0);
-      nis = y.get(0) * y.get(0) / variance;
-      logDeterminant = Math.log(variance);
-      for (int i = 0; i < hp.numCols; i++) {
-        gain.set(i, hp.get(i) / variance);
-      }
-      if (!(variance > 0)) {
-        return false;
-      }
-    } else {
-      if (!factored.factor(s)) {
-        return false;
-      }
-      nis = factored.quadratic(y);
-      logDeterminant = factored.logDeterminant();
-      // S Kᵀ = H P, as P is symmetric.
-      factored.solve(hp, gainTransposed);
-      CommonOps_DDRM.transpose(gainTransposed, gain);
+    if (!solver.setA(s)) {
+      return false;
     }
-    logLikelihood = -0.5 * (nis + logDeterminant + size() * LOG_TWO_PI);
-    return Double.isFinite(logLikelihood);
+    solver.solve(y, weighted);
+    nis = CommonOps_DDRM.dot(y, weighted);
+    // S Kᵀ = H P, as P is symmetric.
+    solver.solve(hp, gainTransposed);
+    CommonOps_DDRM.transpose(gainTransposed, gain);
+    return Double.isFinite(nis) && !MatrixFeatures_DDRM.hasUncountable(s);
   }
 
   int size() {
     return y.numRows;
   }
 
-  /** yᵀ S⁻¹ y. */
-  double nis() {
-    return nis;
-  }
-
-  /** ln N(y; 0, S). */
-  double logLikelihood() {
-    return logLikelihood;
-  }
-
   private void reshape(int m, int n) {
     y.reshape(m, 1);
     expected.reshape(m, 1);
+    weighted.reshape(m, 1);
     h.reshape(m, n);
     r.reshape(m, m);
     s.reshape(m, m);

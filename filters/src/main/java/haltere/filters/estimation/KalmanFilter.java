@@ -4,7 +4,6 @@ import java.util.Arrays;
 import java.util.Objects;
 import java.util.function.Consumer;
 import org.ejml.data.DMatrixRMaj;
-import org.ejml.dense.row.CommonOps_DDRM;
 import org.ejml.dense.row.MatrixFeatures_DDRM;
 
 /**
@@ -32,7 +31,6 @@ import org.ejml.dense.row.MatrixFeatures_DDRM;
  */
 public final class KalmanFilter {
   private final ProcessModel process;
-  private final InnovationMonitor monitor = new InnovationMonitor(InnovationMonitor.LOSS_AFTER);
   private final GaussianState belief;
   private final DMatrixRMaj evolved;
   private final DMatrixRMaj f;
@@ -59,7 +57,7 @@ public final class KalmanFilter {
   }
 
   /**
-   * Begins (again) from a state. The clock and the counts go on; a run of gated innovations ends.
+   * Begins (again) from a state. The clock goes on.
    *
    * @param x state, copied
    * @param p its covariance, symmetric and positive definite, copied
@@ -67,10 +65,9 @@ public final class KalmanFilter {
   public void launch(DMatrixRMaj x, DMatrixRMaj p) {
     Require.state(x, process.stateSize());
     Require.covariance("covariance", p, process.stateSize());
-    monitor.endRun();
     belief.set(x, p);
     if (observer != null) {
-      observer.accept(new Launch(estimate()));
+      observer.accept(new FilterStep.Launch(estimate()));
     }
   }
 
@@ -87,17 +84,12 @@ public final class KalmanFilter {
     DMatrixRMaj x = belief.mean();
     process.jacobian(x, dtS, f);
     process.noise(x, dtS, q);
-    if (process instanceof LinearProcessModel) {
-      // f(x, Δt) is F x, and F is there already
-      CommonOps_DDRM.mult(f, x, evolved);
-    } else {
-      process.evolve(x, dtS, evolved);
-    }
+    process.evolve(x, dtS, evolved);
     x.setTo(evolved);
     belief.predict(f, q);
     if (observer != null) {
       observer.accept(
-          new Prediction(dtS, ConstMatrix.copyOf(f), ConstMatrix.copyOf(q), estimate()));
+          new FilterStep.Prediction(dtS, ConstMatrix.copyOf(f), ConstMatrix.copyOf(q), estimate()));
     }
   }
 
@@ -115,14 +107,14 @@ public final class KalmanFilter {
       return UpdateOutcome.UNUSABLE;
     }
     Estimate prior = observer == null ? null : estimate();
-    if (!model.gate().passes(innovation.nis(), innovation.size())) {
-      return note(monitor.noteGated(), prior);
+    if (!model.gate().passes(innovation.nis, innovation.size())) {
+      return note(UpdateOutcome.GATED, prior);
     }
     belief.correct(innovation);
     if (MatrixFeatures_DDRM.hasUncountable(belief.mean())) {
       throw new ArithmeticException("the state is no longer finite: " + belief.mean());
     }
-    return note(monitor.noteApplied(), prior);
+    return note(UpdateOutcome.APPLIED, prior);
   }
 
   /**
@@ -163,11 +155,6 @@ public final class KalmanFilter {
         timeS, ConstMatrix.copyOf(belief.mean()), ConstMatrix.copyOf(belief.covariance()));
   }
 
-  /** {@return the filter's own monitor: what became of the measurements so far} */
-  public InnovationMonitor monitor() {
-    return monitor;
-  }
-
   /**
    * Hands every further step to an observer, which may keep it; this allocates.
    *
@@ -176,22 +163,20 @@ public final class KalmanFilter {
   public void observe(Consumer<? super FilterStep> newObserver) {
     observer = newObserver;
     if (observer != null) {
-      observer.accept(new Launch(estimate()));
+      observer.accept(new FilterStep.Launch(estimate()));
     }
   }
 
   private UpdateOutcome note(UpdateOutcome outcome, Estimate prior) {
     if (observer != null) {
       observer.accept(
-          new Correction(
+          new FilterStep.Correction(
               outcome,
               prior,
-              ConstMatrix.copyOf(innovation.h),
               ConstMatrix.copyOf(innovation.y),
               ConstMatrix.copyOf(innovation.s),
               ConstMatrix.copyOf(innovation.gain),
-              innovation.nis(),
-              innovation.logLikelihood(),
+              innovation.nis,
               estimate()));
     }
     return outcome;

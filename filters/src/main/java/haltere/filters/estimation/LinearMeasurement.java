@@ -44,16 +44,6 @@ public final class LinearMeasurement implements MeasurementModel {
     return new LinearMeasurement(h, r, Gate.OPEN);
   }
 
-  /**
-   * The same measurement with another gate.
-   *
-   * @param newGate which innovations are believed
-   * @return a copy
-   */
-  public LinearMeasurement withGate(Gate newGate) {
-    return new LinearMeasurement(h, r, newGate);
-  }
-
   @Override
   public int size() {
     return h.numRows;

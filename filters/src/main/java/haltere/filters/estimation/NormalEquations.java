@@ -3,6 +3,9 @@ package haltere.filters.estimation;
 import java.util.Arrays;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
+import org.ejml.dense.row.MatrixFeatures_DDRM;
+import org.ejml.dense.row.factory.LinearSolverFactory_DDRM;
+import org.ejml.interfaces.linsol.LinearSolverDense;
 
 /**
  * The normal equations A s = b of a weighted least-squares step: A gathers the information of
@@ -17,7 +20,7 @@ public final class NormalEquations {
   private final DMatrixRMaj leading = new DMatrixRMaj(1, 1);
   private final DMatrixRMaj right = new DMatrixRMaj(1, 1);
   private final DMatrixRMaj solution = new DMatrixRMaj(1, 1);
-  private final PositiveDefinite factored = new PositiveDefinite();
+  private final LinearSolverDense<DMatrixRMaj> solver = LinearSolverFactory_DDRM.chol(1);
 
   /**
    * Equations without any information.
@@ -94,19 +97,16 @@ public final class NormalEquations {
    * @return false where A is not positive definite
    */
   public boolean solve(int unknowns, double[] out) {
-    leading.reshape(unknowns, unknowns);
+    CommonOps_DDRM.extract(a, 0, unknowns, 0, unknowns, leading);
+    CommonOps_DDRM.symmLowerToFull(leading);
     right.reshape(unknowns, 1);
     solution.reshape(unknowns, 1);
-    for (int i = 0; i < unknowns; i++) {
-      System.arraycopy(a.data, i * n, leading.data, i * unknowns, i + 1);
-    }
-    CommonOps_DDRM.symmLowerToFull(leading);
     System.arraycopy(b, 0, right.data, 0, unknowns);
-    if (!factored.factor(leading)) {
+    if (!solver.setA(leading)) {
       return false;
     }
-    factored.solve(right, solution);
+    solver.solve(right, solution);
     System.arraycopy(solution.data, 0, out, 0, unknowns);
-    return true;
+    return !MatrixFeatures_DDRM.hasUncountable(solution);
   }
 }

@@ -7,20 +7,6 @@ import org.ejml.dense.row.MatrixFeatures_DDRM;
 public final class Require {
   private Require() {}
 
-  static double finite(String name, double value) {
-    if (!Double.isFinite(value)) {
-      throw new IllegalArgumentException(name + " must be finite: " + value);
-    }
-    return value;
-  }
-
-  static double share(String name, double value) {
-    if (!(value > 0 && value < 1)) {
-      throw new IllegalArgumentException(name + " must be between 0 and 1: " + value);
-    }
-    return value;
-  }
-
   static double positive(String name, double value) {
     if (!(value > 0) || Double.isInfinite(value)) {
       throw new IllegalArgumentException(name + " must be positive and finite: " + value);
@@ -107,7 +93,7 @@ public final class Require {
         }
       }
     }
-    if (!new PositiveDefinite().factor(p)) {
+    if (!MatrixFeatures_DDRM.isPositiveDefinite(p)) {
       throw new IllegalArgumentException(name + " is not positive definite");
     }
   }

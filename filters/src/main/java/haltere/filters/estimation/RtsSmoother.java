@@ -1,10 +1,13 @@
 package haltere.filters.estimation;
 
+import haltere.filters.estimation.FilterStep.Launch;
+import haltere.filters.estimation.FilterStep.Prediction;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
+import org.ejml.dense.row.MatrixFeatures_DDRM;
 
 /**
  * Goes back over the steps that a filter has recorded and gives each time the benefit of what came
@@ -85,8 +88,7 @@ public final class RtsSmoother {
    */
   public static boolean back(
       DMatrixRMaj p, DMatrixRMaj f, DMatrixRMaj predicted, DMatrixRMaj later, DMatrixRMaj change) {
-    PositiveDefinite factored = new PositiveDefinite();
-    if (!factored.factor(predicted)) {
+    if (!MatrixFeatures_DDRM.isPositiveDefinite(predicted)) {
       return false;
     }
     int n = p.numRows;
@@ -94,7 +96,7 @@ public final class RtsSmoother {
     DMatrixRMaj gainTransposed = new DMatrixRMaj(n, n);
     // P⁻ Cᵀ = F P
     CommonOps_DDRM.mult(f, p, half);
-    factored.solve(half, gainTransposed);
+    CommonOps_DDRM.solveSPD(predicted, half, gainTransposed);
     DMatrixRMaj moved = new DMatrixRMaj(n, 1);
     CommonOps_DDRM.multTransA(gainTransposed, change, moved);
     change.setTo(moved);

@@ -1,6 +1,6 @@
 /**
- * Estimators that state how sure they are: linear and extended Kalman filters, a smoother, a batch
- * estimator, and tests of their consistency.
+ * Estimators that state how sure they are: linear and extended Kalman filters, a smoother and a
+ * batch estimator.
  *
  * <ul>
  *   <li>A model is one method per equation: {@link haltere.filters.estimation.ProcessModel}
@@ -12,7 +12,6 @@
  *       covariance there.
  *   <li>{@link haltere.filters.estimation.KalmanFilter} runs it over models; {@link
  *       haltere.filters.estimation.RtsSmoother} goes back over recorded steps.
- *   <li>{@link haltere.filters.estimation.Consistency} (NEES, NIS) judges an estimator.
  * </ul>
  *
  * <p>Nothing here knows of events or of the chain; times are seconds, angles radians, and noise is

@@ -1,10 +1,10 @@
 package haltere.filters.object;
 
+import haltere.core.settings.AdjustableSettings;
 import haltere.core.settings.Help;
 import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
-import java.util.List;
 
 /**
  * Settings of {@link ObjectTrackerFilter}.
@@ -17,14 +17,14 @@ import java.util.List;
  */
 public record ObjectTrackerSettings(
     @Help(
-            "Usual size of an object. Pieces whose gap is a small share of it are one object."
-                + " 0 compares the gap with the sizes of the pieces themselves.")
+            "Usual size of an object; a larger value joins pieces over wider gaps. 0: the sizes of"
+                + " the pieces themselves decide.")
         @Range(min = 0, max = 2000)
         @Unit("px")
         double scalePx,
     @Help(
-            "An object is reported once it was watched for this long, with its rows since it"
-                + " began. Shorter is sooner, and less sure what is one object.")
+            "Time an object is watched before all its rows are reported; a shorter time is less"
+                + " sure what is one object.")
         @Range(min = 0.1, max = 2)
         @Unit("s")
         double confirmS,
@@ -37,7 +37,8 @@ public record ObjectTrackerSettings(
         @Unit("Hz")
         double reportRateHz,
     @Help("The path of an object is drawn for this long.") @Range(min = 0, max = 60) @Unit("s")
-        double pathS) {
+        double pathS)
+    implements AdjustableSettings<ObjectTrackerSettings> {
   /** Checks the ranges. */
   public ObjectTrackerSettings {
     SettingsSchema.validate(
@@ -50,16 +51,5 @@ public record ObjectTrackerSettings(
    */
   public static ObjectTrackerSettings defaults() {
     return new ObjectTrackerSettings(0, 0.3, 5, 100, 1);
-  }
-
-  /**
-   * {@return new settings, these but for some}
-   *
-   * @param assignments such as {@code scalePx=40}
-   * @throws haltere.core.settings.SettingsProblem if a name or a value is wrong
-   */
-  public ObjectTrackerSettings with(String... assignments) {
-    return SettingsSchema.of(ObjectTrackerSettings.class)
-        .withAssignments(this, List.of(assignments));
   }
 }

@@ -97,12 +97,12 @@ final class AxisHypothesis {
     System.arraycopy(Vectors.orthogonalTo(u), 0, e1, 0, 3);
     Vectors.cross(u, e1, e2);
     error.mean().zero();
-    error.setVariances(
-        Vectors.quadratic(covariance, e1, e1),
-        rateVariance,
-        Vectors.quadratic(covariance, e2, e2),
-        rateVariance);
-    error.addNoise(0, 2, Vectors.quadratic(covariance, e1, e2));
+    double[] by1 = new double[3];
+    double[] by2 = new double[3];
+    Vectors.multiply(covariance, e1, by1);
+    Vectors.multiply(covariance, e2, by2);
+    error.setVariances(Vectors.dot(e1, by1), rateVariance, Vectors.dot(e2, by2), rateVariance);
+    error.addNoise(0, 2, Vectors.dot(e1, by2));
     CommonOps_DDRM.setIdentity(transition);
     flightLog = 0;
     step = null;

@@ -15,12 +15,11 @@ final class AxisMixture {
   private final HypothesisSet hypotheses;
   private final double unknownVariance;
   private final AxisHypothesis mean = new AxisHypothesis();
-  private final AxisDifference[] differences = new AxisDifference[HypothesisSet.MAX_KEPT];
-  private final GaussianState[] pool = new GaussianState[HypothesisSet.MAX_KEPT];
+  private final AxisDifference difference = new AxisDifference();
+  private final GaussianState[] parts = new GaussianState[HypothesisSet.MAX_KEPT];
   private final GaussianState mixed = new GaussianState(4);
   private double unknown;
-  private boolean hasMean;
-  private boolean hasCovariance;
+  private boolean isPresent;
 
   /**
    * A mixture of hypotheses, the likeliest first, with probabilities that add up to 1, and of the
@@ -29,62 +28,46 @@ final class AxisMixture {
   AxisMixture(HypothesisSet hypotheses, double unknownVariance) {
     this.hypotheses = hypotheses;
     this.unknownVariance = unknownVariance;
-    Arrays.setAll(differences, i -> new AxisDifference());
-    Arrays.setAll(pool, i -> new GaussianState(4));
+    Arrays.setAll(parts, i -> new GaussianState(4));
   }
 
   /** Sets the probability that no hypothesis is true, after a change of the hypotheses. */
   void changed(double newUnknown) {
     unknown = newUnknown;
-    hasMean = false;
-    hasCovariance = false;
-  }
-
-  /** The mean; its covariance is that of the likeliest hypothesis. */
-  AxisHypothesis mean() {
-    if (!hasMean) {
-      double[] offset = new double[4];
-      mean.copy(hypotheses.get(0));
-      for (int i = 1; i < hypotheses.size(); i++) {
-        differences[i].between(hypotheses.get(0), hypotheses.get(i), 1);
-        for (int k = 0; k < 4; k++) {
-          offset[k] += hypotheses.get(i).weight * differences[i].d[k];
-        }
-      }
-      mean.move(offset);
-      hasMean = true;
-    }
-    return mean;
+    isPresent = false;
   }
 
   /** The mean with the covariance of the mixture. */
-  AxisHypothesis meanWithCovariance() {
-    if (!hasCovariance) {
-      AxisHypothesis best = hypotheses.get(0);
-      DMatrixRMaj p = mean().error.covariance();
-      int count = hypotheses.size();
-      if (count > 1) {
-        double[] weights = new double[count];
-        pool[0].set(best.error);
-        weights[0] = best.weight;
-        for (int i = 1; i < count; i++) {
-          weights[i] = hypotheses.get(i).weight;
-          differences[i].carry(pool[i]);
-        }
-        mixed.mix(Arrays.copyOf(pool, count), weights);
-        p.setTo(mixed.covariance());
-      }
-      CommonOps_DDRM.scale(1 - unknown, p);
-      for (int i = 0; i < 4; i++) {
-        p.add(i, i, unknown * (i % 2 == 0 ? unknownVariance : best.error.covariance(i, i)));
-      }
-      hasCovariance = true;
+  AxisHypothesis mean() {
+    if (isPresent) {
+      return mean;
     }
+    AxisHypothesis best = hypotheses.get(0);
+    int count = hypotheses.size();
+    double[] weights = new double[count];
+    parts[0].set(best.error);
+    for (int i = 0; i < count; i++) {
+      weights[i] = hypotheses.get(i).weight;
+      if (i > 0) {
+        difference.between(best, hypotheses.get(i), 1);
+        difference.carry(parts[i]);
+      }
+    }
+    mixed.mix(Arrays.copyOf(parts, count), weights);
+    CommonOps_DDRM.subtractEquals(mixed.mean(), best.error.mean());
+    mean.copy(best);
+    mean.move(mixed.mean().data);
+    DMatrixRMaj p = mean.error.covariance();
+    CommonOps_DDRM.scale(1 - unknown, mixed.covariance(), p);
+    for (int i = 0; i < 4; i++) {
+      p.add(i, i, unknown * (i % 2 == 0 ? unknownVariance : best.error.covariance(i, i)));
+    }
+    isPresent = true;
     return mean;
   }
 
   double axisVariance() {
-    return meanWithCovariance().angleVariance();
+    return mean().angleVariance();
   }
 
   /** Probability of the hypotheses that are nearer to the mean than to its opposite. */

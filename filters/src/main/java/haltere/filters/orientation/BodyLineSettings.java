@@ -1,10 +1,10 @@
 package haltere.filters.orientation;
 
+import haltere.core.settings.AdjustableSettings;
 import haltere.core.settings.Help;
 import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
-import java.util.List;
 
 /**
  * Settings of {@link BodyLineFilter}.
@@ -41,7 +41,8 @@ public record BodyLineSettings(
     @Help("A body that makes no events for so long is looked for anew.")
         @Range(min = 1000, max = 1000000000, logarithmic = true)
         @Unit("us")
-        long forgetUs) {
+        long forgetUs)
+    implements AdjustableSettings<BodyLineSettings> {
   public BodyLineSettings {
     SettingsSchema.validate(
         BodyLineSettings.class,
@@ -57,16 +58,5 @@ public record BodyLineSettings(
   /** {@return the settings to start from: an insect of 4 to 120 pixels} */
   public static BodyLineSettings defaults() {
     return new BodyLineSettings(200, 1, 1.6, 8, 1, 60, 200_000);
-  }
-
-  /**
-   * These settings but for some.
-   *
-   * @param assignments texts of the form {@code name=value}
-   * @return new settings
-   * @throws haltere.core.settings.SettingsProblem for a name or a value that is not valid
-   */
-  public BodyLineSettings with(String... assignments) {
-    return SettingsSchema.of(BodyLineSettings.class).withAssignments(this, List.of(assignments));
   }
 }

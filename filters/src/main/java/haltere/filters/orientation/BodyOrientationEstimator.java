@@ -283,11 +283,6 @@ public final class BodyOrientationEstimator {
     position.record(positionSteps);
   }
 
-  /** The last step of the axis with those before; null if its form has no smoother. */
-  AxisStep axisStep() {
-    return axis.step();
-  }
-
   private void count(OrientationCount what, long number) {
     counts.merge(what, number, Long::sum);
   }

@@ -2,6 +2,7 @@ package haltere.filters.orientation;
 
 import haltere.filters.orientation.camera.Vectors;
 import java.util.Arrays;
+import java.util.Comparator;
 
 /** Hypotheses of one time, and those of the time before. A fixed number is kept and reused. */
 final class HypothesisSet {
@@ -20,10 +21,16 @@ final class HypothesisSet {
   /** The same, times the share of the less likely one. */
   private static final double MERGE_DISTANCE_BY_SHARE = 0.01;
 
+  private static final Comparator<AxisHypothesis> LIKELIEST_FIRST =
+      (a, b) -> Double.compare(b.weight, a.weight);
+
   private AxisHypothesis[] now = new AxisHypothesis[CAPACITY];
   private AxisHypothesis[] before = new AxisHypothesis[CAPACITY];
   private int size;
-  private double best = Double.NEGATIVE_INFINITY;
+
+  /** Largest logarithm of a weight of the hypotheses that are decided. */
+  double best = Double.NEGATIVE_INFINITY;
+
   private final AxisDifference difference = new AxisDifference();
   private final double[] shift = new double[4];
 
@@ -70,15 +77,6 @@ final class HypothesisSet {
       size--;
     }
     return add();
-  }
-
-  /** Largest logarithm of a weight after {@link #finish}. */
-  double best() {
-    return best;
-  }
-
-  void finish(AxisHypothesis hypothesis) {
-    best = Math.max(best, hypothesis.logWeight);
   }
 
   /**
@@ -181,14 +179,7 @@ final class HypothesisSet {
   }
 
   private void sort() {
-    for (int i = 1; i < size; i++) {
-      AxisHypothesis each = now[i];
-      int k = i;
-      for (; k > 0 && now[k - 1].weight < each.weight; k--) {
-        now[k] = now[k - 1];
-      }
-      now[k] = each;
-    }
+    Arrays.sort(now, 0, size, LIKELIEST_FIRST);
   }
 
   private void merge() {

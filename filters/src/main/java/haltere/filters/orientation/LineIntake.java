@@ -20,7 +20,6 @@ final class LineIntake {
   private final long[] latestUs;
   private final List<LineObservation> usable = new ArrayList<>();
   private final List<LineObservation> views = new ArrayList<>();
-  private final double[] line = new double[3];
   private boolean together;
 
   LineIntake(List<CameraModel> cameras, OrientationSettings settings, LineNoise noise) {
@@ -97,16 +96,13 @@ final class LineIntake {
   private Optional<OrientationCount> measure(
       LineObservation seen, double[] positionM, LineMeasurement into) {
     CameraModel camera = cameras.get(seen.camera());
-    double ratio = seen.axisRatio();
-    line[0] = seen.xPx();
-    line[1] = seen.yPx();
-    line[2] = seen.angleRad();
+    double[] line = seen.line();
     OrientationCount problem = null;
     if (!Double.isFinite(seen.angleRad())) {
       problem = OrientationCount.WITHOUT_ANGLE;
     } else if (seen.areaPx() <= gate.minAreaPx() && gate.minAreaPx() > 0) {
       problem = OrientationCount.SMALL;
-    } else if (gate.minEccentricity() > 0 && ratio <= gate.minEccentricity()) {
+    } else if (gate.minEccentricity() > 0 && seen.axisRatio() <= gate.minEccentricity()) {
       problem = OrientationCount.ROUND;
     } else if (!seen.hasPosition() && !camera.project(positionM, line)) {
       problem = OrientationCount.WITHOUT_LINE;
@@ -117,7 +113,7 @@ final class LineIntake {
     } else {
       into.camera = seen.camera();
       into.setAngle(line[2]);
-      noise.putInto(into, ratio);
+      into.varianceRad2 = noise.variances[into.camera];
     }
     return Optional.ofNullable(problem);
   }

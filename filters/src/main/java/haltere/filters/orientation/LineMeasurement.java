@@ -15,9 +15,6 @@ final class LineMeasurement {
   private double cos = 1;
   double varianceRad2;
 
-  /** Factor of the camera's variance for a round detection, at least 1. */
-  double roundness;
-
   boolean used;
 
   /** Angle from the expected line, before any update. */

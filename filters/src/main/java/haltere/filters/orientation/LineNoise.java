@@ -14,7 +14,7 @@ final class LineNoise {
   private static final double MAX_SD = Math.toRadians(30);
 
   private final OrientationSettings.AngleNoise settings;
-  private final double[] variances;
+  final double[] variances;
   private final double[] weights;
 
   LineNoise(OrientationSettings.AngleNoise settings, int cameras) {
@@ -26,27 +26,9 @@ final class LineNoise {
     Arrays.fill(weights, INITIAL_WEIGHT);
   }
 
-  /** Gives a measurement its variance, by its camera and the ratio of its axes. */
-  void putInto(LineMeasurement line, double ratio) {
-    line.roundness = settings.byEccentricity() ? roundness(ratio) : 1;
-    line.varianceRad2 = variances[line.camera] * line.roundness;
-  }
-
-  /**
-   * Variance of an ellipse's angle over that of one with the ratio 2: (ρ / (ρ² − 1))², from the
-   * derivative of the angle by the second moments.
-   */
-  private static double roundness(double ratio) {
-    if (Double.isNaN(ratio) || ratio >= 2) {
-      return 1;
-    }
-    double lever = 1.5 * ratio / Math.max(1e-3, ratio * ratio - 1);
-    return Math.min(400, lever * lever);
-  }
-
   /** Learns from a line's estimate of its own variance. */
   void learn(LineMeasurement each) {
-    double now = each.ownRad2 / each.roundness;
+    double now = each.ownRad2;
     if (settings.calibrate() && Double.isFinite(now)) {
       double variance = variances[each.camera];
       double weight = Math.min(MEMORY, weights[each.camera] + 1);

@@ -1,10 +1,10 @@
 package haltere.filters.orientation;
 
+import haltere.core.settings.AdjustableSettings;
 import haltere.core.settings.Help;
 import haltere.core.settings.Range;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
-import java.util.List;
 
 /**
  * Settings of {@link BodyOrientationEstimator}.
@@ -24,7 +24,8 @@ public record OrientationSettings(
     Turning turning,
     AngleNoise line,
     BodyMotion position,
-    HeadTail direction) {
+    HeadTail direction)
+    implements AdjustableSettings<OrientationSettings> {
   /** Which filter follows the axis. */
   public enum Form {
     /** The error of the axis in its tangent plane; roll, which nobody sees, is left out. */
@@ -47,7 +48,7 @@ public record OrientationSettings(
         Form.ERROR_STATE,
         new ObservationGate(40, 0, 0, 0.1),
         new Turning(1, 40, 0.5, 0.3, 0.05, 0),
-        new AngleNoise(2, true, false),
+        new AngleNoise(2, true),
         new BodyMotion(1, 2, 5, 0.02, 0.5),
         new HeadTail(0.5, 2, 12, 50));
   }
@@ -71,17 +72,6 @@ public record OrientationSettings(
   }
 
   /**
-   * These settings but for some.
-   *
-   * @param assignments texts of the form {@code name=value}, such as {@code gate.angleDeg=30}
-   * @return new settings
-   * @throws haltere.core.settings.SettingsProblem for a name or a value that is not valid
-   */
-  public OrientationSettings with(String... assignments) {
-    return SettingsSchema.of(OrientationSettings.class).withAssignments(this, List.of(assignments));
-  }
-
-  /**
    * Which observations are used.
    *
    * @param angleDeg largest angle between what is seen and what is expected
@@ -91,9 +81,8 @@ public record OrientationSettings(
    */
   public record ObservationGate(
       @Help(
-              "An observation is used if its line is less than this away from the expected one: 0"
-                  + " rejects all, those of the start included; 90 and more accept all, whatever the"
-                  + " outlier share is.")
+              "Largest angle between an observed line and the expected one; a larger value accepts"
+                  + " more. 0 rejects all, 90 and more accept all.")
           @Range(min = 0, max = 180)
           @Unit("deg")
           double angleDeg,
@@ -108,8 +97,8 @@ public record OrientationSettings(
           @Unit("1")
           double minEccentricity,
       @Help(
-              "Share of lines that are not the body's; one that is more likely such a line is not"
-                  + " used. 0 leaves it all to the angle.")
+              "Share of lines that are outliers; a larger value rejects more lines. 0 leaves the"
+                  + " decision to the angle.")
           @Range(min = 0, max = 0.5)
           @Unit("1")
           double outlierShare) {
@@ -153,8 +142,8 @@ public record OrientationSettings(
           @Unit("s")
           double saccadeS,
       @Help(
-              "Quaternions only: a variance that is added to each of the seven states at every"
-                  + " update, as Straw et al. (2011) do, instead of the noise of the rates; 0 for none.")
+              "Quaternions only: variance added to each of the seven states at every update,"
+                  + " instead of the noise of the rates (Straw et al., 2011).")
           @Range(min = 0, max = 1000)
           @Unit("1")
           double updateNoise) {
@@ -175,7 +164,6 @@ public record OrientationSettings(
    *
    * @param angleSdDeg initial standard deviation
    * @param calibrate whether that of each camera is learnt
-   * @param byEccentricity whether round detections count for less
    */
   public record AngleNoise(
       @Help("Initial standard deviation of an observed angle; a larger value trusts lines less.")
@@ -183,8 +171,7 @@ public record OrientationSettings(
           @Unit("deg")
           double angleSdDeg,
       @Help("Whether the standard deviation of each camera is learnt from its own detections.")
-          boolean calibrate,
-      @Help("Whether a detection counts for less the rounder it is.") boolean byEccentricity) {}
+          boolean calibrate) {}
 
   /**
    * How the body moves, and when it is lost.
@@ -242,8 +229,8 @@ public record OrientationSettings(
           @Unit("sigma")
           double certaintySigmas,
       @Help(
-              "Standard deviation of the angle between axis and flight; it helps where cameras do not"
-                  + " tell the axis, and only there. 90 leaves the flight out.")
+              "Standard deviation of the angle between axis and flight, for moments without an"
+                  + " axis from the cameras. 90 leaves the flight out.")
           @Range(min = 5, max = 90)
           @Unit("deg")
           double slipSdDeg) {}

@@ -1,13 +1,11 @@
 package haltere.filters.orientation;
 
-import haltere.filters.estimation.Correction;
 import haltere.filters.estimation.Estimate;
 import haltere.filters.estimation.FilterStep;
 import haltere.filters.estimation.KalmanFilter;
 import haltere.filters.estimation.LinearMeasurement;
 import haltere.filters.estimation.RtsSmoother;
-import haltere.filters.estimation.motion.ConstantNoise;
-import haltere.filters.estimation.motion.ConstantVelocity;
+import haltere.filters.estimation.motion.AxisMotion;
 import haltere.filters.orientation.camera.CameraModel;
 import haltere.filters.orientation.camera.LineObservation;
 import haltere.filters.orientation.camera.Vectors;
@@ -47,10 +45,10 @@ public final class OrientationTrack {
   }
 
   private void addPositionStep(FilterStep step) {
-    boolean isCorrection = step instanceof Correction;
+    boolean isCorrection = step instanceof FilterStep.Correction;
     int last = positionSteps.size() - 1;
     positions += isCorrection ? 0 : 1;
-    if (isCorrection && last >= 0 && positionSteps.get(last) instanceof Correction) {
+    if (isCorrection && last >= 0 && positionSteps.get(last) instanceof FilterStep.Correction) {
       positionSteps.set(last, step); // the smoother needs only the last one of a time
     } else {
       positionSteps.add(step);
@@ -66,7 +64,7 @@ public final class OrientationTrack {
    */
   public Optional<OrientationEstimate> update(long timeUs, List<LineObservation> seen) {
     Optional<OrientationEstimate> now = estimator.update(timeUs, seen);
-    now.ifPresent(each -> instants.add(new Instant(each, positions, estimator.axisStep())));
+    now.ifPresent(each -> instants.add(new Instant(each, positions, estimator.axis.step())));
     return now;
   }
 
@@ -171,7 +169,7 @@ public final class OrientationTrack {
         x.set(2 * i, z.get(i));
       }
       if (filter == null) {
-        filter = new KalmanFilter(ConstantNoise.perStep(new ConstantVelocity(3, 0), 1), x, start);
+        filter = new KalmanFilter(AxisMotion.constantVelocity(3, 0).withNoisePerStep(1), x, start);
         filter.observe(steps::add);
       } else {
         double dtS = secondsBetween(k - 1, k);

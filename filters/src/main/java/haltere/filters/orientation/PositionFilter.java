@@ -3,7 +3,7 @@ package haltere.filters.orientation;
 import haltere.filters.estimation.FilterStep;
 import haltere.filters.estimation.KalmanFilter;
 import haltere.filters.estimation.UpdateOutcome;
-import haltere.filters.estimation.motion.ConstantVelocity;
+import haltere.filters.estimation.motion.AxisMotion;
 import haltere.filters.orientation.camera.CameraModel;
 import haltere.filters.orientation.camera.LineObservation;
 import java.util.List;
@@ -23,9 +23,8 @@ final class PositionFilter {
   private final List<CameraModel> cameras;
   private final Triangulation start;
   private final PixelMeasurement pixel;
-  private final ConstantVelocity motion;
+  private final AxisMotion motion;
   private final DMatrixRMaj z = new DMatrixRMaj(2, 1);
-  private final double[] line = new double[3];
   private KalmanFilter filter;
   private Consumer<? super FilterStep> recorder;
   private int rejectedTimes;
@@ -34,7 +33,7 @@ final class PositionFilter {
     this.cameras = cameras;
     start = new Triangulation(settings.pixelSd());
     pixel = new PixelMeasurement(settings.pixelSd(), settings.gateSigmas());
-    motion = new ConstantVelocity(3, settings.accelerationDensity());
+    motion = AxisMotion.constantVelocity(3, settings.accelerationDensity());
   }
 
   boolean isRunning() {
@@ -81,9 +80,7 @@ final class PositionFilter {
     int pixels = 0;
     for (LineObservation observation : seen) {
       CameraModel camera = cameras.get(observation.camera());
-      line[0] = observation.xPx();
-      line[1] = observation.yPx();
-      line[2] = Double.NaN;
+      double[] line = observation.line();
       if (!observation.hasPosition()
           || !camera.straighten(line)
           || !pixel.turnTo(camera, filter.state(0), filter.state(2), filter.state(4))) {

@@ -13,6 +13,12 @@ import org.ejml.dense.row.CommonOps_DDRM;
 final class QuaternionFilter implements AxisFilter {
   private static final int N = 7;
 
+  /** Times in a row at which most lines were rejected, after which an axis is lost. */
+  private static final int LOST_AFTER = 3;
+
+  /** Times at which all lines agreed, after which an axis is established. */
+  private static final int ESTABLISHED = 3;
+
   private final double rateVariance;
   private final double updateNoise;
   private final double gateRad;
@@ -24,14 +30,17 @@ final class QuaternionFilter implements AxisFilter {
   private final double[] gradient = new double[3];
   private final DMatrixRMaj projection = CommonOps_DDRM.identity(N);
   private final QuaternionMotion motion;
-  private final AxisDoubt doubt;
+
+  /** Times in a row at which most lines were rejected, and at which all lines were used. */
+  private int rejectedTimes;
+
+  private int agreements;
 
   QuaternionFilter(OrientationSettings settings) {
     OrientationSettings.Turning turning = settings.turning();
     rateVariance = turning.meanRateVariance();
     updateNoise = turning.updateNoise();
     motion = new QuaternionMotion(turning.decayS(), rateVariance, updateNoise);
-    doubt = new AxisDoubt(2 * settings.position().togetherS());
     gateRad = Math.toRadians(settings.gate().angleDeg());
     outlierShare = settings.gate().effectiveOutlierShare();
   }
@@ -39,7 +48,8 @@ final class QuaternionFilter implements AxisFilter {
   @Override
   public void launch(AxisLaunch found) {
     launch(found.axis(), found.covariance());
-    doubt.reset(found.lines() > 2);
+    rejectedTimes = 0;
+    agreements = found.lines() > 2 ? ESTABLISHED : 0;
   }
 
   /** Begins with an axis and its covariance in the world. */
@@ -66,7 +76,6 @@ final class QuaternionFilter implements AxisFilter {
 
   @Override
   public void predict(double dtS) {
-    doubt.age(dtS);
     if (dtS > 0) {
       motion.step(x, dtS);
       state.predict(motion.transition, motion.noise);
@@ -142,19 +151,25 @@ final class QuaternionFilter implements AxisFilter {
     return row;
   }
 
+  /**
+   * An axis that is young, and may have begun with an outlier, is searched again as soon as most
+   * lines are rejected; an established one when they are several times in a row.
+   */
   @Override
   public boolean doubts(LineMeasurement[] lines, int count) {
-    return doubt.note(lines, count);
+    int used = 0;
+    for (int i = 0; i < count; i++) {
+      used += lines[i].used ? 1 : 0;
+    }
+    boolean isMost = count <= 2 ? used < count : 2 * used <= count;
+    rejectedTimes = count == 0 || !isMost ? 0 : rejectedTimes + 1;
+    agreements += count > 1 && used == count ? 1 : 0;
+    return rejectedTimes > 0 && (agreements < ESTABLISHED || rejectedTimes >= LOST_AFTER);
   }
 
   @Override
   public boolean offer(AxisLaunch found) {
-    boolean replaces = doubt.isEstablished();
-    if (!doubt.isWorthReplacing(found)) {
-      return false;
-    }
-    launch(found.axis(), found.covariance());
-    doubt.reset(found.lines() > 2 || replaces);
+    launch(found);
     return true;
   }
 
@@ -168,7 +183,7 @@ final class QuaternionFilter implements AxisFilter {
     for (int i = 0; i < 3; i++) {
       variance += state.project(inState(CommonOps_DDRM.extractRow(byQuaternion, i, null).data));
     }
-    return new Axis(u.clone(), tip, variance, 1, doubt.isCalm(), rollSd(), x[0]);
+    return new Axis(u.clone(), tip, variance, 1, rejectedTimes == 0, rollSd(), x[0]);
   }
 
   /**

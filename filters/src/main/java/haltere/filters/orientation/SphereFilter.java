@@ -203,7 +203,7 @@ final class SphereFilter implements AxisFilter {
   /** Assigns the lines one after the other, by increasing innovation. */
   private void decide(AxisHypothesis hypothesis, LineMeasurement[] lines, int count) {
     while (hypothesis.undecided > 0) {
-      if (hypothesis.logWeight < hypotheses.best() - MAX_LOG_ODDS) {
+      if (hypothesis.logWeight < hypotheses.best - MAX_LOG_ODDS) {
         hypothesis.logWeight = Double.NEGATIVE_INFINITY;
         return;
       }
@@ -232,7 +232,7 @@ final class SphereFilter implements AxisFilter {
       hypothesis.logWeight += log;
     }
     hypothesis.recentre(true);
-    hypotheses.finish(hypothesis);
+    hypotheses.best = Math.max(hypotheses.best, hypothesis.logWeight);
   }
 
   /** The undecided line with the smallest innovation, which {@link #closest} then holds. */

@@ -4,7 +4,6 @@ import haltere.filters.orientation.camera.CameraModel;
 import haltere.filters.orientation.camera.LineObservation;
 import haltere.filters.orientation.camera.Vectors;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
@@ -51,7 +50,7 @@ final class Triangulation {
     sights.clear();
     for (LineObservation observation : seen) {
       CameraModel camera = cameras.get(observation.camera());
-      double[] line = {observation.xPx(), observation.yPx(), Double.NaN};
+      double[] line = observation.line();
       if (observation.hasPosition() && camera.straighten(line)) {
         sights.add(new Sight(camera, line));
       }
@@ -74,31 +73,29 @@ final class Triangulation {
 
   private boolean refine() {
     DMatrixRMaj information = new DMatrixRMaj(3, 3);
-    double[] step = new double[3];
-    double[] moved = new double[3];
+    DMatrixRMaj right = new DMatrixRMaj(3, 1);
+    DMatrixRMaj jacobian = new DMatrixRMaj(2, 3);
     double[] pixel = new double[2];
-    double[] j = new double[6];
+    double[] step = new double[3];
     for (int round = 0; round < ROUNDS; round++) {
       information.zero();
-      Arrays.fill(step, 0);
+      right.zero();
       for (Sight each : sights) {
         if (!each.camera().projectIdeal(pointM, pixel)) {
           return false;
         }
-        each.camera().pixelByPoint(pointM, pixel, j);
-        for (int k = 0; k < 9; k++) {
-          information.data[k] += j[k / 3] * j[k % 3] + j[3 + k / 3] * j[3 + k % 3];
-        }
-        for (int k = 0; k < 3; k++) {
-          step[k] += j[k] * (each.pixel()[0] - pixel[0]) + j[3 + k] * (each.pixel()[1] - pixel[1]);
-        }
+        each.camera().pixelByPoint(pointM, pixel, jacobian.data);
+        CommonOps_DDRM.multAddTransA(jacobian, jacobian, information);
+        double[] seen = each.pixel();
+        CommonOps_DDRM.multAddTransA(
+            jacobian, new DMatrixRMaj(2, 1, true, seen[0] - pixel[0], seen[1] - pixel[1]), right);
       }
       if (!CommonOps_DDRM.invertSPD(information, covarianceM2)) {
         return false;
       }
-      Vectors.multiply(covarianceM2.data, step, moved);
+      Vectors.multiply(covarianceM2.data, right.data, step);
       for (int k = 0; k < 3; k++) {
-        pointM[k] += moved[k];
+        pointM[k] += step[k];
       }
     }
     double nearest = Double.POSITIVE_INFINITY;

@@ -1,5 +1,6 @@
 package haltere.filters.track;
 
+import haltere.core.settings.AdjustableSettings;
 import haltere.core.settings.SettingsSchema;
 import haltere.filters.cluster.ClusterTrackerSettings;
 import java.util.LinkedHashMap;
@@ -18,7 +19,8 @@ public record KalmanTracksSettings(
     ClusterTrackerSettings clusters,
     TrackFilterSettings filter,
     TrackLifeSettings life,
-    RoadTracksSettings road) {
+    RoadTracksSettings road)
+    implements AdjustableSettings<KalmanTracksSettings> {
   /** Checks the ranges. */
   public KalmanTracksSettings {
     SettingsSchema.validate(KalmanTracksSettings.class, clusters, filter, life, road);
@@ -52,17 +54,6 @@ public record KalmanTracksSettings(
             "life.eventsOf=all-clusters",
             "life.coastTimeS=0",
             "road.processVariance=1");
-  }
-
-  /**
-   * {@return new settings, these but for some}
-   *
-   * @param assignments texts of the form {@code name=value}, such as {@code life.coastTimeS=1}
-   * @throws haltere.core.settings.SettingsProblem for a name or a value that is not valid
-   */
-  public KalmanTracksSettings with(String... assignments) {
-    return SettingsSchema.of(KalmanTracksSettings.class)
-        .withAssignments(this, List.of(assignments));
   }
 
   /**

@@ -1,9 +1,7 @@
 package haltere.filters.track;
 
 import haltere.filters.estimation.GaussianState;
-import haltere.filters.estimation.LinearProcessModel;
-import haltere.filters.estimation.motion.ConstantNoise;
-import haltere.filters.estimation.motion.ConstantVelocity;
+import haltere.filters.estimation.motion.AxisMotion;
 import haltere.filters.plane.PlaneJacobian;
 import haltere.filters.plane.PlaneMapping;
 import haltere.filters.plane.PlanePoint;
@@ -33,7 +31,7 @@ final class TrackPrediction {
   private final PlaneMapping mapping;
   private final TrackFilterSettings settings;
   private final double endProcessVariance;
-  private final LinearProcessModel motion;
+  private final AxisMotion motion;
   private final GaussianState state = new GaussianState(4);
   private final DMatrixRMaj q = new DMatrixRMaj(4, 4);
   private final double[] row = new double[4];
@@ -49,11 +47,11 @@ final class TrackPrediction {
     settings = all.filter();
     RoadTracksSettings road = all.road();
     endProcessVariance = road.mapToRoad() ? road.processVariance() : settings.minProcessVariance();
-    ConstantVelocity velocity = new ConstantVelocity(2, 1);
+    AxisMotion velocity = AxisMotion.constantVelocity(2, 1);
     motion =
         settings.noise() == TrackFilterSettings.Noise.DENSITY
             ? velocity
-            : ConstantNoise.perStep(velocity, 1);
+            : velocity.withNoisePerStep(1);
   }
 
   private double measurementVariance(Track of) {
@@ -91,7 +89,7 @@ final class TrackPrediction {
     state.set(track.belief);
     double dtS = 1e-6 * (timeUs - track.timeUs);
     if (dtS > 0) {
-      motion.noise(dtS, q);
+      motion.noise(state.mean(), dtS, q);
       CommonOps_DDRM.scale(processVariance(track), q);
       state.shear(0, 1, dtS);
       state.shear(2, 3, dtS);

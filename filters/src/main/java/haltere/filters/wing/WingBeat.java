@@ -17,7 +17,7 @@ import haltere.core.sink.Column;
  *     tracked
  */
 public record WingBeat(
-    WingSide side,
+    WingPart side,
     long beat,
     @Column("t_us") long timeUs,
     @Column(decimals = 2) double periodUs,

@@ -25,8 +25,8 @@ public record WingFilterSettings(
         @Unit("harmonics")
         int harmonics,
     @Help(
-            "Constant delay of the camera from light to time stamp; a larger value makes estimates of a later time."
-                + " 0 is the time that the events carry.")
+            "Constant delay of the camera from light to time stamp; a larger value makes estimates"
+                + " of a later time.")
         @Range(min = 0, max = 2000)
         @Unit("us")
         double latencyUs,

@@ -1,5 +1,6 @@
 package haltere.filters.wing;
 
+import haltere.filters.estimation.ConstMatrix;
 import java.util.List;
 
 /**
@@ -9,8 +10,8 @@ import java.util.List;
  * @param part the wing, or the edge where there is a filter for each edge
  * @param names of the entries of the state
  * @param units of the entries of the state
- * @param x the state; arrays are copied
- * @param p the covariance, row by row
+ * @param x the state
+ * @param p the covariance
  * @param q process noise of each entry that is used now: a density in squared units a second, or
  *     what an update adds with {@link WingModel#ORIGINAL}
  * @param qUnits of the process noise
@@ -24,9 +25,9 @@ public record WingFilterState(
     WingPart part,
     List<String> names,
     List<String> units,
-    double[] x,
-    double[] p,
-    double[] q,
+    ConstMatrix x,
+    ConstMatrix p,
+    ConstMatrix q,
     List<String> qUnits,
     List<Source> qSources,
     double r,
@@ -48,24 +49,6 @@ public record WingFilterState(
     units = List.copyOf(units);
     qUnits = List.copyOf(qUnits);
     qSources = List.copyOf(qSources);
-    x = x.clone();
-    p = p.clone();
-    q = q.clone();
-  }
-
-  @Override
-  public double[] x() {
-    return x.clone();
-  }
-
-  @Override
-  public double[] p() {
-    return p.clone();
-  }
-
-  @Override
-  public double[] q() {
-    return q.clone();
   }
 
   /**
@@ -78,9 +61,9 @@ public record WingFilterState(
    */
   public double value(WingFilterEdit.Table table, int row, int column) {
     return switch (table) {
-      case STATE -> x[row];
-      case COVARIANCE -> p[row * x.length + column];
-      case PROCESS_NOISE -> q[row];
+      case STATE -> x.get(row);
+      case COVARIANCE -> p.get(row, column);
+      case PROCESS_NOISE -> q.get(row);
       case MEASUREMENT_NOISE -> r;
     };
   }

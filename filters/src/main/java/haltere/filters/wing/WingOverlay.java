@@ -45,7 +45,6 @@ public final class WingOverlay implements Overlay<WingSnapshot> {
         fly.centreY() + 1.3 * length * sin,
         object);
     canvas.circle(fly.centreX(), fly.centreY(), snapshot.regionPx(), MarkStyle.of(Role.REGION));
-    double[] sd = snapshot.sdRad();
     for (int side = 0; side < 2; side++) {
       double x = side == 0 ? fly.leftHingeX() : fly.rightHingeX();
       double y = side == 0 ? fly.leftHingeY() : fly.rightHingeY();
@@ -69,8 +68,9 @@ public final class WingOverlay implements Overlay<WingSnapshot> {
           most = Math.max(most, angle);
         }
       }
-      if (least <= most && !Double.isNaN(sd[side])) {
-        double half = UNCERTAINTY_SD * sd[side] + (most - least) / 2;
+      double sd = snapshot.sdRad().get(side);
+      if (least <= most && !Double.isNaN(sd)) {
+        double half = UNCERTAINTY_SD * sd + (most - least) / 2;
         arc(canvas, x, y, heading + turn * (least + most) / 2, half, 0.9 * fly.sizePx());
       }
     }

@@ -49,11 +49,9 @@ public enum WingPart {
     return side == 0 ? LEFT : RIGHT;
   }
 
-  /** {@return the wing that it is, or is an edge of} */
-  public WingSide side() {
-    return this == LEFT || this == LEFT_LEADING || this == LEFT_TRAILING
-        ? WingSide.LEFT
-        : WingSide.RIGHT;
+  /** {@return the side of the wing that it is, or is an edge of: 0 left, 1 right} */
+  public int sideNumber() {
+    return this == RIGHT || this == RIGHT_LEADING || this == RIGHT_TRAILING ? 1 : 0;
   }
 
   /** {@return whether it is a wing as a whole} */

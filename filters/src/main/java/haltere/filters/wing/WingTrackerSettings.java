@@ -1,5 +1,6 @@
 package haltere.filters.wing;
 
+import haltere.core.settings.AdjustableSettings;
 import haltere.core.settings.SettingsSchema;
 
 /**
@@ -18,7 +19,8 @@ public record WingTrackerSettings(
     WingFilterSettings filter,
     WingNoiseSettings noise,
     RunningAverageSettings average,
-    WingOutputSettings output) {
+    WingOutputSettings output)
+    implements AdjustableSettings<WingTrackerSettings> {
   public WingTrackerSettings {
     SettingsSchema.validate(
         WingTrackerSettings.class, search, place, filter, noise, average, output);
@@ -51,17 +53,5 @@ public record WingTrackerSettings(
         new WingNoiseSettings(2, 1, 0.5, 2, 0, 0.001, 0, 1000),
         new RunningAverageSettings(0.1, 0, 0.01, 0.1745, true, true),
         defaults().output());
-  }
-
-  /**
-   * These settings but for some.
-   *
-   * @param assignments texts of the form {@code name=value}, such as {@code filter.harmonics=2}
-   * @return new settings
-   * @throws haltere.core.settings.SettingsProblem for a name or a value that is not valid
-   */
-  public WingTrackerSettings with(String... assignments) {
-    return SettingsSchema.of(WingTrackerSettings.class)
-        .withAssignments(this, java.util.List.of(assignments));
   }
 }

@@ -1,6 +1,7 @@
 package haltere.filters.wing;
 
 import haltere.core.sink.Column;
+import haltere.filters.estimation.ConstMatrix;
 
 /**
  * How sure a Kalman filter is of its state at a time, and what it thinks of its measurements: the
@@ -47,21 +48,20 @@ public record WingVariances(
    * @return the variances and covariances of those four
    */
   public static WingVariances of(long timeUs, WingFilterState f) {
-    double[] p = f.p();
-    int size = f.names().size();
+    ConstMatrix p = f.p();
     return new WingVariances(
         timeUs,
         f.part(),
-        p[0],
-        p[size + 1],
-        p[2 * size + 2],
-        p[3 * size + 3],
-        p[1],
-        p[2],
-        p[3],
-        p[size + 2],
-        p[size + 3],
-        p[2 * size + 3],
+        p.get(0, 0),
+        p.get(1, 1),
+        p.get(2, 2),
+        p.get(3, 3),
+        p.get(0, 1),
+        p.get(0, 2),
+        p.get(0, 3),
+        p.get(1, 2),
+        p.get(1, 3),
+        p.get(2, 3),
         f.r(),
         f.nis());
   }

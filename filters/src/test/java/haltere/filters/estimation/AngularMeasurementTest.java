@@ -5,7 +5,8 @@ import static haltere.filters.estimation.Matrices.diagonal;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import haltere.filters.estimation.motion.ConstantVelocity;
+import haltere.filters.estimation.FilterStep.Correction;
+import haltere.filters.estimation.motion.AxisMotion;
 import org.ejml.data.DMatrixRMaj;
 import org.junit.jupiter.api.Test;
 
@@ -28,7 +29,7 @@ class AngularMeasurementTest {
   void aFilterOfATurningAngleFollowsItThroughManyTurns() {
     Draws draws = new Draws(4);
     KalmanFilter filter =
-        new KalmanFilter(new ConstantVelocity(1, 0.1), column(0, 5), diagonal(1, 4));
+        new KalmanFilter(AxisMotion.constantVelocity(1, 0.1), column(0, 5), diagonal(1, 4));
     MeasurementModel heading = new Heading();
     double truth = 0;
     for (int k = 1; k <= 5000; k++) {

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.filters.estimation.example.Oscillations;
-import haltere.filters.estimation.motion.ConstantAcceleration;
+import haltere.filters.estimation.motion.AxisMotion;
 import haltere.filters.estimation.motion.DampedOscillator;
 import org.ejml.data.DMatrixRMaj;
 import org.junit.jupiter.api.Test;
@@ -16,7 +16,7 @@ class BatchLeastSquaresTest {
   private static BatchLeastSquares oscillation(double noise) {
     BatchLeastSquares fit =
         new BatchLeastSquares(
-            new DampedOscillator(0, 0, 0),
+            new DampedOscillator(Double.POSITIVE_INFINITY),
             LinearMeasurement.ofEntries(4, 1e-6, 0),
             START,
             Matrices.diagonal(1, 100, 100, 1000));
@@ -32,7 +32,7 @@ class BatchLeastSquaresTest {
   void ofALinearProcessWithoutNoiseItIsTheKalmanFilter() {
     DMatrixRMaj x = Matrices.column(1, 2, 3);
     DMatrixRMaj p = Matrices.diagonal(4, 25, 100);
-    ConstantAcceleration motion = new ConstantAcceleration(1, 0);
+    AxisMotion motion = AxisMotion.constantAcceleration(1, 0);
     LinearMeasurement place = LinearMeasurement.ofEntries(3, 0.5, 0);
     KalmanFilter filter = new KalmanFilter(motion, x, p);
     BatchLeastSquares batch = new BatchLeastSquares(motion, place, x, p);

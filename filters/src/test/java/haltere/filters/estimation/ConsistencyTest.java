@@ -16,7 +16,7 @@ class ConsistencyTest {
     assertEquals(1 + 4, Consistency.nees(column(2, 6), diagonal(4, 9)), 1e-14);
     DMatrixRMaj p = Matrices.rows(new double[] {2, 1}, new double[] {1, 2});
     // P⁻¹ = [2 −1; −1 2] / 3
-    assertEquals((2 * 1 - 2 * 1 * 3 + 2 * 9) / 3.0, Consistency.nis(column(1, 3), p), 1e-14);
+    assertEquals((2 * 1 - 2 * 1 * 3 + 2 * 9) / 3.0, Consistency.nees(column(1, 3), p), 1e-14);
     assertThrows(
         IllegalArgumentException.class, () -> Consistency.nees(column(1, 1), diagonal(1, 0)));
   }

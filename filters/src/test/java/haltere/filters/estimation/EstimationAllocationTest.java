@@ -4,7 +4,7 @@ import static haltere.filters.estimation.Matrices.column;
 import static haltere.filters.estimation.Matrices.diagonal;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import haltere.filters.estimation.motion.ConstantVelocity;
+import haltere.filters.estimation.motion.AxisMotion;
 import haltere.testing.Allocation;
 import org.ejml.data.DMatrixRMaj;
 import org.junit.jupiter.api.Test;
@@ -15,7 +15,7 @@ class EstimationAllocationTest {
 
   @Test
   void aFilterThatNobodyObservesAllocatesNothing() {
-    ConstantVelocity plane = new ConstantVelocity(2, 10);
+    AxisMotion plane = AxisMotion.constantVelocity(2, 10);
     LinearMeasurement place = LinearMeasurement.ofEntries(4, 1, 0, 2);
     DMatrixRMaj x = column(0, 0, 0, 0);
     DMatrixRMaj p = diagonal(1, 1, 1, 1);

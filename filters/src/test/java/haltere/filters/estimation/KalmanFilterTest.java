@@ -9,13 +9,15 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import haltere.filters.estimation.motion.ConstantAcceleration;
-import haltere.filters.estimation.motion.ConstantVelocity;
-import haltere.filters.estimation.motion.WhiteJerk;
+import haltere.filters.estimation.FilterStep.Correction;
+import haltere.filters.estimation.FilterStep.Launch;
+import haltere.filters.estimation.FilterStep.Prediction;
+import haltere.filters.estimation.motion.AxisMotion;
 import java.util.ArrayList;
 import java.util.List;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
+import org.ejml.dense.row.MatrixFeatures_DDRM;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -28,7 +30,7 @@ class KalmanFilterTest {
     double variance = 0.04;
     DMatrixRMaj launch = column(1, -2, 3);
     DMatrixRMaj p0 = diagonal(4, 9, 25);
-    KalmanFilter filter = new KalmanFilter(new ConstantAcceleration(1, 0), launch, p0);
+    KalmanFilter filter = new KalmanFilter(AxisMotion.constantAcceleration(1, 0), launch, p0);
     LinearMeasurement position = LinearMeasurement.ofEntries(3, variance, 0);
     // Information form of the fit, in terms of the state at the end.
     DMatrixRMaj information = new DMatrixRMaj(3, 3);
@@ -143,7 +145,7 @@ class KalmanFilterTest {
 
     @Override
     public void transition(double dtS, DMatrixRMaj f) {
-      new ConstantVelocity(1, 0).transition(dtS, f);
+      AxisMotion.constantVelocity(1, 0).jacobian(column(0, 0), dtS, f);
     }
 
     @Override
@@ -168,7 +170,7 @@ class KalmanFilterTest {
         h.set(i, draws.normal(1));
       }
       LinearMeasurement m = new LinearMeasurement(h, draws.covariance(2), Gate.OPEN);
-      WhiteJerk jerk = new WhiteJerk(1, 2);
+      AxisMotion jerk = AxisMotion.whiteJerk(1, 2);
       KalmanFilter filter = new KalmanFilter(jerk, x, p);
       Textbook textbook = new Textbook(x, p);
       for (int k = 0; k < 20; k++) {
@@ -186,7 +188,7 @@ class KalmanFilterTest {
   @Test
   void everyIntermediateOfAStepCanBeObservedAndFitsTheEquations() {
     KalmanFilter filter =
-        new KalmanFilter(new ConstantVelocity(1, 2), column(1, 3), diagonal(4, 9));
+        new KalmanFilter(AxisMotion.constantVelocity(1, 2), column(1, 3), diagonal(4, 9));
     List<FilterStep> steps = new ArrayList<>();
     filter.observe(steps::add);
     filter.predict(0.5);
@@ -209,8 +211,6 @@ class KalmanFilterTest {
     assertEquals(p00 + 0.7, s, 1e-14);
     assertEquals(p00 / s, correction.gain().get(0), 1e-15);
     assertEquals(1.5 * 1.5 / s, correction.nis(), 1e-14);
-    assertEquals(
-        -0.5 * (1.5 * 1.5 / s + Math.log(2 * Math.PI * s)), correction.logLikelihood(), 1e-14);
     assertEquals(filter.estimate(), correction.estimate());
     assertEquals(Math.sqrt(filter.covariance(1, 1)), filter.estimate().standardDeviation(1));
     filter.observe(null);
@@ -221,7 +221,7 @@ class KalmanFilterTest {
   @Test
   void whatWasObservedDoesNotChangeAfterwards() {
     KalmanFilter filter =
-        new KalmanFilter(new ConstantVelocity(1, 2), column(1, 3), diagonal(4, 9));
+        new KalmanFilter(AxisMotion.constantVelocity(1, 2), column(1, 3), diagonal(4, 9));
     Estimate before = filter.estimate();
     before.covariance().toMatrix().set(0, 0, 77);
     filter.predict(1);
@@ -233,14 +233,14 @@ class KalmanFilterTest {
   @ValueSource(doubles = {-1e-9, Double.NaN, Double.POSITIVE_INFINITY})
   void impossibleTimeStepsAreRefused(double dtS) {
     KalmanFilter filter =
-        new KalmanFilter(new ConstantVelocity(1, 1), column(0, 0), diagonal(1, 1));
+        new KalmanFilter(AxisMotion.constantVelocity(1, 1), column(0, 0), diagonal(1, 1));
     assertThrows(IllegalArgumentException.class, () -> filter.predict(dtS));
   }
 
   @Test
   void aStepOfNothingPredictsNothing() {
     KalmanFilter filter =
-        new KalmanFilter(new ConstantVelocity(1, 1), column(0, 1), diagonal(1, 1));
+        new KalmanFilter(AxisMotion.constantVelocity(1, 1), column(0, 1), diagonal(1, 1));
     Estimate before = filter.estimate();
     filter.predict(0);
     assertEquals(before, filter.estimate());
@@ -249,19 +249,19 @@ class KalmanFilterTest {
   @Test
   void aYearOfSilencesLeavesACovarianceThatCanStillBeUsed() {
     KalmanFilter filter =
-        new KalmanFilter(new ConstantVelocity(1, 1e6), column(0, 1), diagonal(1, 1));
+        new KalmanFilter(AxisMotion.constantVelocity(1, 1e6), column(0, 1), diagonal(1, 1));
     LinearMeasurement position = LinearMeasurement.ofEntries(2, 1, 0);
     for (int i = 0; i < 365; i++) {
       filter.predict(86_400);
       assertEquals(UpdateOutcome.APPLIED, filter.update(position, 5));
     }
-    assertTrue(new PositiveDefinite().factor(covarianceOf(filter)));
+    assertTrue(MatrixFeatures_DDRM.isPositiveDefinite(covarianceOf(filter)));
     assertEquals(5, filter.state(0), 1e-3);
   }
 
   @Test
   void badLaunchesAreRefused() {
-    LinearProcessModel model = new ConstantVelocity(1, 1);
+    AxisMotion model = AxisMotion.constantVelocity(1, 1);
     DMatrixRMaj x = column(0, 0);
     assertThrows(
         IllegalArgumentException.class,
@@ -276,8 +276,8 @@ class KalmanFilterTest {
                 model, x, Matrices.rows(new double[] {1, 0.5}, new double[] {0.4, 1})));
     assertThrows(
         IllegalArgumentException.class, () -> new KalmanFilter(model, x, diagonal(1, Double.NaN)));
-    assertThrows(IllegalArgumentException.class, () -> new ConstantVelocity(0, 1));
-    assertThrows(IllegalArgumentException.class, () -> new ConstantVelocity(1, -1));
+    assertThrows(IllegalArgumentException.class, () -> AxisMotion.constantVelocity(0, 1));
+    assertThrows(IllegalArgumentException.class, () -> AxisMotion.constantVelocity(1, -1));
     assertThrows(
         IllegalArgumentException.class, () -> LinearMeasurement.ofEntries(2, Double.NaN, 0));
     KalmanFilter filter = new KalmanFilter(model, x, diagonal(1, 1));

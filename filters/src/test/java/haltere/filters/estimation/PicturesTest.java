@@ -3,7 +3,8 @@ package haltere.filters.estimation;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.sink.SvgPlot;
-import haltere.filters.estimation.motion.ConstantVelocity;
+import haltere.filters.estimation.FilterStep.Correction;
+import haltere.filters.estimation.motion.AxisMotion;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -63,12 +64,12 @@ class PicturesTest {
     Draws draws = new Draws(12);
     KalmanFilter filter =
         new KalmanFilter(
-            new ConstantVelocity(1, 1), Matrices.column(0, 0), Matrices.diagonal(1, 1));
+            AxisMotion.constantVelocity(1, 1), Matrices.column(0, 0), Matrices.diagonal(1, 1));
     LinearMeasurement position = LinearMeasurement.ofEntries(2, believed, 0);
     DMatrixRMaj truth = draws.normal(Matrices.diagonal(1, 1));
-    ConstantVelocity model = new ConstantVelocity(1, 1);
+    AxisMotion model = AxisMotion.constantVelocity(1, 1);
     DMatrixRMaj q = new DMatrixRMaj(2, 2);
-    model.noise(0.02, q);
+    model.noise(truth, 0.02, q);
     double[] nis = new double[1];
     filter.observe(step -> nis[0] = step instanceof Correction c ? c.nis() : nis[0]);
     double[] means = new double[50];

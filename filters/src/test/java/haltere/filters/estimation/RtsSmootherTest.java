@@ -5,7 +5,7 @@ import static haltere.filters.estimation.Matrices.diagonal;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import haltere.filters.estimation.motion.ConstantVelocity;
+import haltere.filters.estimation.motion.AxisMotion;
 import java.util.ArrayList;
 import java.util.List;
 import org.ejml.data.DMatrixRMaj;
@@ -21,7 +21,7 @@ class RtsSmootherTest {
     double variance = 0.09;
     DMatrixRMaj x0 = column(1, 2);
     DMatrixRMaj p0 = diagonal(4, 1);
-    ConstantVelocity model = new ConstantVelocity(1, 0.7);
+    AxisMotion model = AxisMotion.constantVelocity(1, 0.7);
     KalmanFilter filter = new KalmanFilter(model, x0, p0);
     List<FilterStep> steps = new ArrayList<>();
     filter.observe(steps::add);
@@ -64,12 +64,11 @@ class RtsSmootherTest {
     assertEquals(filter.estimate(), smoothed.get(STANDS - 1));
   }
 
-  private static void addTransition(
-      DMatrixRMaj information, ConstantVelocity model, double dtS, int at) {
+  private static void addTransition(DMatrixRMaj information, AxisMotion model, double dtS, int at) {
     DMatrixRMaj f = new DMatrixRMaj(2, 2);
     DMatrixRMaj q = new DMatrixRMaj(2, 2);
-    model.transition(dtS, f);
-    model.noise(dtS, q);
+    model.jacobian(column(0, 0), dtS, f);
+    model.noise(column(0, 0), dtS, q);
     assertTrue(CommonOps_DDRM.invert(q));
     // Error x₊ − F x = [−F I] (x, x₊), weighted with Q⁻¹.
     DMatrixRMaj a = new DMatrixRMaj(2, 4);
@@ -93,7 +92,7 @@ class RtsSmootherTest {
     double nees = 0;
     double filteredSquare = 0;
     double smoothedSquare = 0;
-    ConstantVelocity model = new ConstantVelocity(1, 2);
+    AxisMotion model = AxisMotion.constantVelocity(1, 2);
     LinearMeasurement position = LinearMeasurement.ofEntries(2, 0.5, 0);
     for (int run = 0; run < runs; run++) {
       Draws draws = new Draws(500 + run);
@@ -107,7 +106,7 @@ class RtsSmootherTest {
       for (int k = 1; k <= 40; k++) {
         DMatrixRMaj next = new DMatrixRMaj(2, 1);
         model.evolve(truth, 0.1, next);
-        model.noise(0.1, q);
+        model.noise(truth, 0.1, q);
         CommonOps_DDRM.add(next, draws.normal(q), truth);
         filter.predict(0.1);
         filter.update(position, truth.get(0) + draws.normal(Math.sqrt(0.5)));
@@ -129,7 +128,7 @@ class RtsSmootherTest {
   @Test
   void aNewLaunchCutsThePathInTwo() {
     KalmanFilter filter =
-        new KalmanFilter(new ConstantVelocity(1, 1), column(0, 0), diagonal(1, 1));
+        new KalmanFilter(AxisMotion.constantVelocity(1, 1), column(0, 0), diagonal(1, 1));
     List<FilterStep> steps = new ArrayList<>();
     filter.observe(steps::add);
     filter.predict(1);

@@ -39,7 +39,7 @@ public final class Whiteness {
    */
   public static Interval band(int innovations, double confidence) {
     Require.atLeast("innovations", 2, innovations);
-    double rejected = 1 - Require.share("confidence", confidence);
+    double rejected = 1 - confidence;
     double quantile = ChiSquaredDistribution.of(1).inverseSurvivalProbability(rejected);
     double half = Math.sqrt(quantile / (innovations - 1));
     return new Interval(-half, half);

@@ -47,7 +47,7 @@ final class SpherePath {
 
   /** What a filter holds, all hypotheses together. */
   static AxisState state(SphereFilter filter) {
-    return filter.mixture.meanWithCovariance().state();
+    return filter.mixture.mean().state();
   }
 
   /**

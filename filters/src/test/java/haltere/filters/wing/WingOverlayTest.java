@@ -15,6 +15,7 @@ import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import haltere.filters.DefaultChain;
 import haltere.filters.estimation.Angles;
+import haltere.filters.estimation.ConstMatrix;
 import haltere.testing.EventPackets;
 import java.io.IOException;
 import java.util.ArrayList;
@@ -71,9 +72,9 @@ class WingOverlayTest {
                 WingTrackerState.Phase.TRACKING,
                 fly,
                 42,
-                new double[] {left, left, right, right},
-                new double[] {200, 200},
-                new double[] {0.02, 0.02}),
+                ConstMatrix.column(left, left, right, right),
+                ConstMatrix.column(200, 200),
+                ConstMatrix.column(0.02, 0.02)),
             marks);
     return marks;
   }
@@ -102,7 +103,7 @@ class WingOverlayTest {
   @Test
   void ofWingsThatAreLostOnlyThatIsSaid() {
     FlyGeometry fly = new FlyGeometry(50, 60, Math.PI / 2, 40, 47, 60, 53, 60, 0.9, 0);
-    double[] none = {Double.NaN, Double.NaN, Double.NaN, Double.NaN};
+    ConstMatrix none = ConstMatrix.column(Double.NaN, Double.NaN, Double.NaN, Double.NaN);
     Marks marks = new Marks();
     new WingOverlay()
         .draw(
@@ -112,8 +113,8 @@ class WingOverlayTest {
                 fly,
                 42,
                 none,
-                new double[] {200, 200},
-                new double[] {0.02, 0.02}),
+                ConstMatrix.column(200, 200),
+                ConstMatrix.column(0.02, 0.02)),
             marks);
     assertEquals(List.of("wings lost"), marks.all);
   }

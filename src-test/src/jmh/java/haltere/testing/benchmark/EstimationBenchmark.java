@@ -4,7 +4,7 @@ import haltere.filters.estimation.GaussianState;
 import haltere.filters.estimation.KalmanFilter;
 import haltere.filters.estimation.LinearMeasurement;
 import haltere.filters.estimation.UpdateOutcome;
-import haltere.filters.estimation.motion.ConstantVelocity;
+import haltere.filters.estimation.motion.AxisMotion;
 import java.util.Random;
 import java.util.concurrent.TimeUnit;
 import org.ejml.data.DMatrix4;
@@ -96,7 +96,8 @@ public class EstimationBenchmark {
     e = new DMatrixRMaj(size, 1);
     DMatrixRMaj start = new DMatrixRMaj(4, 1);
     plane =
-        new KalmanFilter(new ConstantVelocity(2, 1e4), start, CommonOps_DDRM.diag(4, 1e4, 4, 1e4));
+        new KalmanFilter(
+            AxisMotion.constantVelocity(2, 1e4), start, CommonOps_DDRM.diag(4, 1e4, 4, 1e4));
   }
 
   private int next() {

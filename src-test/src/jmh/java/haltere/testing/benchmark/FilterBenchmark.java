@@ -42,6 +42,7 @@ public class FilterBenchmark {
     "refractory",
     "background-activity",
     "hot-pixels",
+    "frequency-map",
     "region",
     "polarity",
     "cluster-tracker",

@@ -12,7 +12,6 @@ import haltere.filters.wing.WingEstimate;
 import haltere.filters.wing.WingListener;
 import haltere.filters.wing.WingPart;
 import haltere.filters.wing.WingResult;
-import haltere.filters.wing.WingSide;
 import haltere.filters.wing.WingSnapshot;
 import haltere.filters.wing.WingTrackerSettings;
 import haltere.filters.wing.WingTrackerState;
@@ -197,7 +196,7 @@ public final class WingScores implements WingListener {
     if (!counts(e.timeUs())) {
       return;
     }
-    int side = e.edge().side().ordinal();
+    int side = e.edge().sideNumber();
     FlyTruth.Wing truth = wing(truthAt(e.timeUs()), side);
     double angleOff = Angles.wrapPi(e.angleRad() - truthOf(truth, e.edge()));
     phaseErrors[e.edge().ordinal()].add(truth.phaseRad(), angleOff);
@@ -228,9 +227,9 @@ public final class WingScores implements WingListener {
     }
     FlyTruth truth = truthAt(b.timeUs());
     double lagTruth = Angles.wrapPi(truth.left().phaseRad() - truth.right().phaseRad());
-    double sign = b.side() == WingSide.LEFT ? -1 : 1;
+    double sign = b.side() == WingPart.LEFT ? -1 : 1;
     lag.add(Angles.wrapPi(b.phaseLagRad() - sign * lagTruth));
-    beatAmplitude.add(b.amplitudeRad() - wing(truth, b.side().ordinal()).amplitudeRad());
+    beatAmplitude.add(b.amplitudeRad() - wing(truth, b.side().sideNumber()).amplitudeRad());
   }
 
   /**

@@ -40,6 +40,7 @@ import picocli.CommandLine.Parameters;
 /** Runs one chain over many recordings. */
 @Command(
     name = "batch",
+    footer = {"", "Example: haltere batch recordings --track --out results --report results.html"},
     description = {
       "Run one chain over many recordings, several at once.",
       "DIR gets a folder for each recording, with a table for each outlet of the chain"

@@ -36,6 +36,7 @@ import picocli.CommandLine.Parameters;
 /** Copies a recording to another format, or a part of it, or what filters leave of it. */
 @Command(
     name = "convert",
+    footer = {"", "Example: haltere convert recording.raw part.csv --from 0 --to 2000000"},
     description = "Write a recording, or a part of it, in the format that OUT's name ends in.")
 final class ConvertCommand extends Subcommand {
   /** Names of the formats that {@code .raw} files may have. */

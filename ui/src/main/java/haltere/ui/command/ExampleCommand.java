@@ -1,6 +1,6 @@
 package haltere.ui.command;
 
-import haltere.filters.estimation.Consistency;
+import haltere.filters.estimation.Gate;
 import haltere.filters.estimation.example.ExampleTable;
 import haltere.filters.estimation.example.FallingWeight;
 import haltere.filters.estimation.example.MeasurementSeries;
@@ -163,7 +163,8 @@ final class ExampleCommand extends Subcommand {
       squares += Math.pow((measured[k] - fit[k]) / noiseM, 2) / fit.length;
     }
     // Four neighbours share a third difference, which the noise was told from.
-    if (!(squares <= Consistency.meanBand(1, fit.length / 4, 0.999).upper())) {
+    int independent = fit.length / 4;
+    if (!(squares * independent <= Gate.probability(0.9995).threshold(independent))) {
       warning(
           text(
               "the residuals are %.2g times the noise: this is another motion than the model's%s;"

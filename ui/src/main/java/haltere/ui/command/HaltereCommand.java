@@ -9,6 +9,7 @@ import picocli.CommandLine.Option;
 /** The program without a command: the viewer, or the same scene without a window. */
 @Command(
     name = "haltere",
+    footer = {"", "Example: haltere info recording.aedat4"},
     description = {
       "Watch and filter the events of event cameras.",
       "Without a command: the viewer on the built-in fly scene; without a display the same scene"

@@ -12,11 +12,14 @@ import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
+import picocli.CommandLine.Model.UsageMessageSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.UnmatchedArgumentException;
@@ -28,24 +31,24 @@ import picocli.CommandLine.UnmatchedArgumentException;
  * <p>Thread rule: everything runs on the calling thread.
  */
 public final class HaltereProgram {
+  /** Commands by what a person wants, what most want first. */
+  private static final Map<String, List<String>> GROUPS = groups();
+
   private static final List<String> COMMANDS =
-      List.of(
-          "view",
-          "info",
-          "convert",
-          "run",
-          "track",
-          "wings",
-          "orient",
-          "batch",
-          "devices",
-          "record",
-          "simulate",
-          "scenes",
-          "filters",
-          "example",
-          "bench",
-          "completion");
+      GROUPS.values().stream().flatMap(List::stream).toList();
+
+  private static Map<String, List<String>> groups() {
+    Map<String, List<String>> groups = new LinkedHashMap<>();
+    groups.put("See what is there", List.of("view", "info"));
+    groups.put(
+        "Work on recordings", List.of("wings", "track", "orient", "run", "batch", "convert"));
+    groups.put("Make recordings", List.of("devices", "record", "simulate", "scenes"));
+    groups.put("More", List.of("filters", "example", "bench", "completion"));
+    return groups;
+  }
+
+  private static final int HELP_WIDTH = 80;
+  private static final int COMMAND_COLUMN = 14;
 
   private final Surroundings surroundings;
 
@@ -125,15 +128,42 @@ public final class HaltereProgram {
         program.addSubcommand(name, inOrder(new CommandLine(command(name))));
       }
     }
+    program
+        .getHelpSectionMap()
+        .put(UsageMessageSpec.SECTION_KEY_COMMAND_LIST, HaltereProgram::commandList);
+    boolean coloured =
+        surroundings.outIsTerminal() && !surroundings.environment().containsKey("NO_COLOR");
     return program
         .setExpandAtFiles(false)
         .setCaseInsensitiveEnumValuesAllowed(true)
-        .setColorScheme(CommandLine.Help.defaultColorScheme(Ansi.OFF))
+        .setColorScheme(CommandLine.Help.defaultColorScheme(coloured ? Ansi.ON : Ansi.OFF))
         .setOut(new java.io.PrintWriter(surroundings.out(), true))
         .setErr(new java.io.PrintWriter(surroundings.err(), true))
         .setParameterExceptionHandler(this::wrongArguments)
         .setExecutionStrategy(HaltereProgram::executed)
         .setExecutionExceptionHandler(this::failed);
+  }
+
+  /** Commands in groups, each with the first sentence of its description. */
+  private static String commandList(CommandLine.Help help) {
+    if (help.subcommands().isEmpty()) {
+      return "";
+    }
+    CommandLine.Help.TextTable table =
+        CommandLine.Help.TextTable.forColumnWidths(
+            help.colorScheme(), COMMAND_COLUMN, HELP_WIDTH - COMMAND_COLUMN);
+    GROUPS.forEach(
+        (group, names) -> {
+          table.addRowValues(help.colorScheme().text("@|bold " + group + ":|@"));
+          for (String name : names) {
+            CommandLine.Help command = help.subcommands().get(name);
+            String[] description = command.commandSpec().usageMessage().description();
+            table.addRowValues(
+                help.colorScheme().commandText("  " + name),
+                help.colorScheme().text(description[0]));
+          }
+        });
+    return table.toString();
   }
 
   private static int executed(ParseResult parsed) {

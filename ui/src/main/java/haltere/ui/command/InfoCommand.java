@@ -30,6 +30,7 @@ import picocli.CommandLine.Parameters;
 /** Reads recordings through and says what is in them. */
 @Command(
     name = "info",
+    footer = {"", "Example: haltere info recording.aedat4 --picture recording.png"},
     description = "Say what is in recordings: format, sensor, events, times, rates, gaps.")
 final class InfoCommand extends Subcommand {
   @Parameters(arity = "1..*", paramLabel = "FILE", description = "Recordings.")

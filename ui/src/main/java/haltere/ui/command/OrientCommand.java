@@ -33,6 +33,7 @@ import picocli.CommandLine.Parameters;
 /** Finds the three-dimensional orientation of bodies from what calibrated cameras saw of them. */
 @Command(
     name = "orient",
+    footer = {"", "Example: haltere orient seen.csv --cameras cameras.json --out orientation.csv"},
     description = {
       "Find where bodies are and which way they point, from what calibrated cameras saw of them.",
       "OUT has a row for each body at each time at which it was seen and its axis is known; the"

@@ -27,6 +27,7 @@ import picocli.CommandLine.Parameters;
 /** Records cameras. */
 @Command(
     name = "record",
+    footer = {"", "Example: haltere record recording.aedat4 --duration 10"},
     description = {
       "Record a camera until its time is over, or until Ctrl+C; the recording is whole then.",
       "The first camera that is there is taken, or that of --device. With several --device each"

@@ -39,6 +39,7 @@ import picocli.CommandLine.Parameters;
 /** Runs a saved chain over a recording. */
 @Command(
     name = "run",
+    footer = {"", "Example: haltere run recording.aedat4 --chain chain.json --out left.aedat4"},
     description = {
       "Run a saved chain of filters over a recording.",
       "Without --out: say what each filter let through and what it cost. With --out: also write"

@@ -27,6 +27,7 @@ import picocli.CommandLine.Parameters;
 /** Writes a synthetic recording and what is true of it. */
 @Command(
     name = "simulate",
+    footer = {"", "Example: haltere simulate fly fly.aedat4 --truth truth.csv"},
     description =
         "Write a synthetic recording and its ground truth. The same settings make the same"
             + " events.")

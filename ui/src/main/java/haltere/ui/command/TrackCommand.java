@@ -43,6 +43,7 @@ import picocli.CommandLine.Parameters;
 /** Tracks what moves in a recording and writes a table of it. */
 @Command(
     name = "track",
+    footer = {"", "Example: haltere track cars.raw --out tracks.csv --report tracks.html"},
     description = {
       "Track what moves in a recording or before a camera and write where it is, how fast, how"
           + " large, and how sure that is.",

@@ -34,6 +34,7 @@ import picocli.CommandLine.Parameters;
 /** Tracks the wings of a tethered fly through a recording. */
 @Command(
     name = "wings",
+    footer = {"", "Example: haltere wings fly.aedat4 --out wings.csv --report wings.html"},
     description = {
       "Track the wings of a tethered fly through a recording.",
       "OUT has a row for each edge and each wing at each tick of the rate; the angle is the"

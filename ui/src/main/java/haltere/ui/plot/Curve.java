@@ -43,6 +43,7 @@ public final class Curve {
   private final long[] pendingFromUs = new long[LEVELS];
   private final double[] pendingLowest = new double[LEVELS];
   private final double[] pendingHighest = new double[LEVELS];
+  private long firstUs = Long.MIN_VALUE;
   private long lastUs = Long.MIN_VALUE;
   private double last = Double.NaN;
   private double intervalUs;
@@ -89,6 +90,15 @@ public final class Curve {
   }
 
   /**
+   * End of the transient with which an estimate begins: the first tenth of the curve.
+   *
+   * @return microseconds; what is before it does not matter to the range of a plot
+   */
+  public long settledUs() {
+    return firstUs + (lastUs - firstUs) / 10;
+  }
+
+  /**
    * The newest value.
    *
    * @return NaN before the first
@@ -110,7 +120,9 @@ public final class Curve {
     if (timeUs < lastUs) {
       forgetFrom(timeUs);
     }
-    if (lastUs != Long.MIN_VALUE) {
+    if (lastUs == Long.MIN_VALUE) {
+      firstUs = timeUs;
+    } else {
       double interval = (double) timeUs - lastUs;
       intervalUs =
           intervalUs == 0 ? interval : intervalUs + 0.05 * (Math.min(interval, 1e6) - intervalUs);

@@ -131,6 +131,31 @@ public final class Lane {
   }
 
   /**
+   * Range of the curves in a window, without the transients with which they begin.
+   *
+   * @param window which times
+   * @param columns pixels that the window is wide
+   * @return lowest and highest value; the lowest is above the highest where there is none
+   */
+  public double[] range(TimeWindow window, int columns) {
+    double[] range = {Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY};
+    for (Curve curve : all) {
+      long from = Math.max(window.fromUs(), Math.min(curve.settledUs(), window.toUs()));
+      curve.paint(
+          from,
+          window.toUs(),
+          columns,
+          (fromUs, toUs, low, high, joined) -> {
+            if (toUs >= from && fromUs <= window.toUs()) {
+              range[0] = Math.min(range[0], low);
+              range[1] = Math.max(range[1], high);
+            }
+          });
+    }
+    return range;
+  }
+
+  /**
    * Playback went back: of all curves what lies before a time stays. Those that have nothing there
    * are forgotten; a track that is found once more is another one.
    *

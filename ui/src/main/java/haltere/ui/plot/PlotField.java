@@ -7,6 +7,7 @@ import haltere.core.sink.ColumnUnit;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.regex.Pattern;
 
 /**
  * A number that is published over time, by name, so that it is found again in another chain.
@@ -18,6 +19,8 @@ import java.util.Optional;
 public record PlotField(String stage, String outlet, String column) {
   /** The rate of events into the chain, which is no filter's. */
   public static final PlotField EVENT_RATE = new PlotField("", "playback", "event_rate_eps");
+
+  private static final Pattern COVARIANCE = Pattern.compile("p (v?[xy]){2}");
 
   /**
    * The unit of the number, which stands at the end of the column's name.
@@ -31,11 +34,12 @@ public record PlotField(String stage, String outlet, String column) {
   /**
    * The column in words, without its unit.
    *
-   * @return such as "event rate"
+   * @return such as "event rate", or "P xx" for a number of a covariance matrix
    */
   public String words() {
     int unit = ColumnUnit.of(column).map(found -> found.ending().length()).orElse(0);
-    return column.substring(0, column.length() - unit).replace('_', ' ');
+    String name = column.substring(0, column.length() - unit).replace('_', ' ');
+    return COVARIANCE.matcher(name).matches() ? "P" + name.substring(1) : name;
   }
 
   /**

@@ -45,6 +45,7 @@ public record ColourScale(Gradient gradient, String first, String last) {
     return switch (mode) {
       case TIME_SURFACE -> Optional.of(new ColourScale(gradient, farEnd, "now"));
       case COUNTS -> Optional.of(new ColourScale(gradient, "0", farEnd));
+      case FREQUENCY -> Optional.of(new ColourScale(gradient, "5 Hz", farEnd));
       default -> Optional.empty();
     };
   }

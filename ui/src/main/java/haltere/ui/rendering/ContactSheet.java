@@ -6,7 +6,6 @@ import haltere.core.overlay.OverlayCanvas;
 import haltere.core.stream.DataLost;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
-import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
@@ -26,8 +25,6 @@ public final class ContactSheet implements StreamHandler {
   private static final int COLUMNS = 4;
   private static final int PANEL_PX = 420;
   private static final int GAP_PX = 4;
-  private static final int DOT_PX = 2;
-  private static final int MARGIN_PX = 6;
 
   /** Distance of the first moments; a recording that is shorter gets fewer pictures. */
   private static final long FIRST_STEP_US = 10_000;
@@ -154,13 +151,7 @@ public final class ContactSheet implements StreamHandler {
     // the font has capitals only, so no unit
     String words =
         String.format(Locale.ROOT, "%d:%06.3f", minutes, panel.elapsedUs * 1e-6 - 60 * minutes);
-    Graphics2D graphics = panel.picture.createGraphics();
-    int high = PixelFont.HEIGHT * DOT_PX;
-    graphics.setColor(new Color(MarkColours.plate(true), true));
-    graphics.fillRect(0, 0, PixelFont.width(words, DOT_PX) + 2 * MARGIN_PX, high + 2 * MARGIN_PX);
-    graphics.setColor(Color.WHITE);
-    PixelFont.draw(graphics, words, MARGIN_PX, MARGIN_PX + high, DOT_PX);
-    graphics.dispose();
+    PictureStamp.words(panel.picture, words, true);
     return panel.picture;
   }
 

@@ -13,16 +13,18 @@ public enum DisplayMode {
   /** As by polarity, ON events only. */
   ON_ONLY("ON only", "ON events only, fading with age.", false),
   /** As by polarity, OFF events only. */
-  OFF_ONLY("OFF only", "OFF events only, fading with age.", false);
+  OFF_ONLY("OFF only", "OFF events only, fading with age.", false),
+  /** The frequency at which it flickers. */
+  FREQUENCY("Frequency", "The frequency at which each pixel flickers, 5 Hz to 1 kHz.", true);
 
   private final String words;
   private final String help;
-  private final boolean sums;
+  private final boolean gathers;
 
-  DisplayMode(String words, String help, boolean sums) {
+  DisplayMode(String words, String help, boolean gathers) {
     this.words = words;
     this.help = help;
-    this.sums = sums;
+    this.gathers = gathers;
   }
 
   /**
@@ -44,8 +46,8 @@ public enum DisplayMode {
   }
 
   /** Whether all events of a pixel count, not just its last one. */
-  boolean sums() {
-    return sums;
+  boolean gathers() {
+    return gathers;
   }
 
   /** Whether events of a polarity are shown at all. */

@@ -16,7 +16,7 @@ public final class EventPicture implements StreamHandler {
   private final EventFrame frame;
   private final FramePainter painter;
   private PictureStyle style;
-  private EventSums sums;
+  private Gathered gathered;
 
   /**
    * A picture without events.
@@ -51,47 +51,51 @@ public final class EventPicture implements StreamHandler {
   /**
    * Changes what the next picture looks like.
    *
-   * @param newStyle one that sums begins with the events after this
+   * @param newStyle one that gathered begins with the events after this
    */
   public void configure(PictureStyle newStyle) {
     style = newStyle;
     painter.configure(newStyle);
-    if (!newStyle.mode().sums()) {
-      sums = null;
-    } else if (sums == null) {
-      sums = new EventSums(frame.geometry(), newStyle);
+    boolean frequency = newStyle.mode() == DisplayMode.FREQUENCY;
+    if (!newStyle.mode().gathers()) {
+      gathered = null;
+    } else if (gathered != null && frequency == gathered instanceof FrequencyPicture) {
+      gathered.configure(newStyle);
     } else {
-      sums.configure(newStyle);
+      gathered =
+          frequency
+              ? new FrequencyPicture(frame.geometry(), newStyle)
+              : new EventSums(frame.geometry(), newStyle);
     }
   }
 
   /** The next event is the first of a new exposure; only styles that are sharp forget. */
   public void beginExposure() {
-    if (sums != null && style.sharp() && !style.isAccumulated()) {
-      sums.clear();
+    if (gathered != null && style.sharp() && !style.isAccumulated()) {
+      gathered.beginExposure();
     }
   }
 
   /** The next picture is of its events alone, without smoothing over the pictures before. */
   public void settle() {
-    if (sums != null) {
-      sums.settle();
+    if (gathered != null) {
+      gathered.settle();
     }
   }
 
   @Override
   public void packet(EventPacket packet) {
     frame.packet(packet);
-    if (sums != null) {
-      sums.packet(packet);
+    if (gathered != null) {
+      gathered.packet(packet);
     }
   }
 
   @Override
   public void notified(StreamNotification notification) {
     frame.notified(notification);
-    if (sums != null && notification.endsContinuity() && !(notification instanceof DataLost)) {
-      sums.clear();
+    if (gathered != null && notification.endsContinuity() && !(notification instanceof DataLost)) {
+      gathered.clear();
     }
   }
 
@@ -110,7 +114,27 @@ public final class EventPicture implements StreamHandler {
    * @return a count that changes with the scene; 0 for styles that do not count
    */
   public double fullCount() {
-    return sums != null && style.mode() == DisplayMode.COUNTS ? sums.fullCount() : 0;
+    return gathered != null && style.mode() == DisplayMode.COUNTS ? gathered.fullCount() : 0;
+  }
+
+  /**
+   * Frequency at which a pixel flickers.
+   *
+   * @param x column
+   * @param y row, upwards
+   * @return hertz; NaN where none is known, and for styles that do not show frequencies
+   */
+  public double frequencyHz(int x, int y) {
+    return gathered == null ? Double.NaN : gathered.frequencyHz(x, y, frame.nowUs());
+  }
+
+  /**
+   * How far back events matter to a style beyond their fading.
+   *
+   * @return microseconds
+   */
+  public long memoryUs() {
+    return gathered == null ? 0 : gathered.memoryUs();
   }
 
   /**
@@ -120,8 +144,8 @@ public final class EventPicture implements StreamHandler {
    *     rank in place of its opacity: 0 for the background, 127 for what differs most from it
    */
   public void paintRanked(int[] ranked) {
-    if (sums != null) {
-      sums.paintRanked(frame.nowUs(), ranked);
+    if (gathered != null) {
+      gathered.paint(frame.nowUs(), ranked, true);
     } else {
       painter.paintRanked(frame, ranked);
     }
@@ -133,8 +157,8 @@ public final class EventPicture implements StreamHandler {
    * @param argb receives one opaque pixel for each of the sensor's, row by row from the TOP
    */
   public void paint(int[] argb) {
-    if (sums != null) {
-      sums.paint(frame.nowUs(), argb);
+    if (gathered != null) {
+      gathered.paint(frame.nowUs(), argb, false);
     } else {
       painter.paint(frame, argb);
     }

@@ -12,7 +12,7 @@ import java.util.Arrays;
  *
  * <p>Thread rule: one thread at a time.
  */
-final class EventSums {
+final class EventSums implements Gathered {
   /** Steps of the colours. */
   private static final int ENTRIES = 1024;
 
@@ -62,7 +62,8 @@ final class EventSums {
   }
 
   /** Changes what the next picture looks like; another mode or time constant begins anew. */
-  void configure(PictureStyle newStyle) {
+  @Override
+  public void configure(PictureStyle newStyle) {
     if (newStyle.equals(style)) {
       return;
     }
@@ -87,19 +88,27 @@ final class EventSums {
     rankedTable = Ranks.ranked(table, style.background());
   }
 
-  void clear() {
+  @Override
+  public void clear() {
     Arrays.fill(sums, 0);
     empty = true;
     fullCount = 0;
     weightUs = Long.MIN_VALUE / 2;
   }
 
+  @Override
+  public void beginExposure() {
+    clear();
+  }
+
   /** The next picture tells what counts as much from its own events. */
-  void settle() {
+  @Override
+  public void settle() {
     fullCount = 0;
   }
 
-  void packet(EventPacket packet) {
+  @Override
+  public void packet(EventPacket packet) {
     int size = packet.size();
     if (size == 0) {
       return;
@@ -157,19 +166,14 @@ final class EventSums {
     }
   }
 
-  /** Events of a pixel that are painted in the colour of the most; 0 without any. */
-  double fullCount() {
+  @Override
+  public double fullCount() {
     return fullCount;
   }
 
-  /** Paints row by row from the top. */
-  void paint(long nowUs, int[] argb) {
-    paint(nowUs, argb, table);
-  }
-
-  /** Paints colours that carry their rank. */
-  void paintRanked(long nowUs, int[] ranked) {
-    paint(nowUs, ranked, rankedTable);
+  @Override
+  public void paint(long nowUs, int[] argb, boolean ranked) {
+    paint(nowUs, argb, ranked ? rankedTable : table);
   }
 
   private void paint(long nowUs, int[] argb, int[] colours) {

@@ -91,7 +91,7 @@ public record PictureStyle(
    */
   public int background() {
     return switch (mode) {
-      case POLARITY, ON_ONLY, OFF_ONLY -> colours.background();
+      case POLARITY, ON_ONLY, OFF_ONLY, FREQUENCY -> colours.background();
       case TIME_SURFACE, COUNTS -> gradient.colour(0);
       case INTENSITY -> Gradient.GREY.colour(0.5);
     };

@@ -1,6 +1,7 @@
 package haltere.ui.command;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.image.BufferedImage;
@@ -121,6 +122,32 @@ class HaltereCommandTest {
       assertEquals(0, help.status());
       assertTrue(help.out().startsWith("Usage: haltere " + command + " "), help.out());
     }
+  }
+
+  @Test
+  void helpIsInGroupsAndEndsWithAnExample() {
+    String help = CommandRun.of("--help").out();
+    assertTrue(help.indexOf("Work on recordings:") < help.indexOf("\n  wings "), help);
+    assertTrue(help.indexOf("Make recordings:") < help.indexOf("\n  record "), help);
+    assertTrue(help.lines().allMatch(line -> line.length() <= 80), help);
+    String wings = CommandRun.of("wings", "--help").out();
+    assertTrue(wings.stripTrailing().lines().reduce((a, b) -> b).get().startsWith("Example: "));
+  }
+
+  @Test
+  void coloursAreForTerminalsOnly() {
+    assertFalse(CommandRun.of("--help").out().contains("\u001b["));
+    assertTrue(
+        CommandRun.on(CommandRun.Machine.BARE.withTerminal(), "--help").out().contains("\u001b["));
+  }
+
+  @Test
+  void aFileThatIsNoRecordingIsOneShortLine() throws IOException {
+    Path text = Files.writeString(folder.resolve("passwd"), "root:x:0:0\n".repeat(40));
+    CommandRun run = CommandRun.of("info", text);
+    assertEquals(1, run.status());
+    assertEquals(1, run.errorLines().size());
+    assertTrue(run.err().length() < 200 + text.toString().length(), run.err());
   }
 
   @Test

@@ -1,5 +1,6 @@
 package haltere.ui.plot;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -23,6 +24,23 @@ class LaneTest {
   private record NoTime(double x) {}
 
   private static final PlotField FIELD = new PlotField("wings", "beats", "angle_rad");
+
+  @Test
+  void theRangeLeavesOutTheTransientWithWhichACurveBegins() {
+    Lane lane = new Lane(FIELD);
+    for (int i = 0; i <= 100; i++) {
+      lane.take(FIELD, 10_000L * i, "left", i < 5 ? 1000 : i % 10);
+    }
+    TimeWindow window = new TimeWindow();
+    window.advanceTo(1_000_000);
+    assertArrayEquals(new double[] {0, 9}, lane.range(window, 500));
+  }
+
+  @Test
+  void aCovarianceIsCalledByItsLetter() {
+    assertEquals("P xvx", new PlotField("tracks", "estimates", "p_xvx").words());
+    assertEquals("phase", new PlotField("wing-tracker", "wings", "phase_rad").words());
+  }
 
   @Test
   void aRowIsReadByItsColumns() {

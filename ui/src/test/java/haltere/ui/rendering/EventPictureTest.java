@@ -65,6 +65,26 @@ class EventPictureTest {
   }
 
   @Test
+  void aPixelThatFlickersHasTheColourOfItsFrequency() {
+    EventPicture picture = picture(DisplayMode.FREQUENCY, true);
+    for (int k = 0; k < 5; k++) {
+      picture.beginExposure();
+      event(picture, 10_000L * k, 3, 2, true);
+      event(picture, 10_000L * k + 1000, 3, 2, false);
+      event(picture, 10_000L * k + 2000, 4, 2, true);
+    }
+    assertEquals(100, picture.frequencyHz(3, 2), 1e-6);
+    double share = Math.log(100 / 5.0) / Math.log(1000 / 5.0);
+    int expected = Gradient.CIVIDIS.colour(share);
+    for (int shift = 0; shift < 24; shift += 8) {
+      assertEquals(expected >> shift & 0xFF, pixel(picture, 3, 2) >> shift & 0xFF, 2);
+    }
+    assertEquals(ColourMap.DARK.background(), pixel(picture, 4, 2), "ON events alone");
+    picture.advanceTo(300_000);
+    assertEquals(ColourMap.DARK.background(), pixel(picture, 3, 2), "silent since");
+  }
+
+  @Test
   void theIntensityIsTheFadingSumOfAllEvents() {
     SplittableRandom random = new SplittableRandom(4);
     EventPicture picture = picture(DisplayMode.INTENSITY, false);

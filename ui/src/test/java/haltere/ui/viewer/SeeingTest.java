@@ -56,7 +56,7 @@ class SeeingTest {
     }
     assertEquals(DisplayMode.values().length, pictures.size());
     ChoiceBox<?> choice = viewer.node("show-as", ChoiceBox.class);
-    assertEquals(DisplayMode.OFF_ONLY, viewer.onFx(choice::getValue));
+    assertEquals(DisplayMode.FREQUENCY, viewer.onFx(choice::getValue));
   }
 
   private static int hash(WritableImage image) {

@@ -1,5 +1,6 @@
 package haltere.core.simulation.dots;
 
+import haltere.core.settings.AdjustableSettings;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.simulation.NoiseSettings;
 import haltere.core.simulation.RunSettings;
@@ -14,7 +15,8 @@ import haltere.core.simulation.SensorSettings;
  * @param run seed, start and length
  */
 public record MovingDotsSettings(
-    SensorSettings sensor, DotSettings dots, NoiseSettings noise, RunSettings run) {
+    SensorSettings sensor, DotSettings dots, NoiseSettings noise, RunSettings run)
+    implements AdjustableSettings<MovingDotsSettings> {
   /** Checks the values. */
   public MovingDotsSettings {
     SettingsSchema.validate(MovingDotsSettings.class, sensor, dots, noise, run);
@@ -31,17 +33,5 @@ public record MovingDotsSettings(
         DotSettings.defaults(),
         NoiseSettings.defaults(),
         new RunSettings(1, 0, 0, 100));
-  }
-
-  /**
-   * These settings but for some.
-   *
-   * @param assignments texts of the form {@code name=value}, such as {@code run.seed=7}
-   * @return new settings
-   * @throws haltere.core.settings.SettingsProblem for a name or a value that is not valid
-   */
-  public MovingDotsSettings with(String... assignments) {
-    return SettingsSchema.of(MovingDotsSettings.class)
-        .withAssignments(this, java.util.List.of(assignments));
   }
 }

@@ -1,10 +1,10 @@
 package haltere.core.simulation.flight;
 
+import haltere.core.settings.AdjustableSettings;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.simulation.NoiseSettings;
 import haltere.core.simulation.RunSettings;
 import haltere.core.simulation.SensorSettings;
-import java.util.List;
 
 /**
  * The free flight of {@link FlightScene}.
@@ -22,7 +22,8 @@ public record FlightSettings(
     FlightViewSettings view,
     FlightDetectionSettings detection,
     NoiseSettings noise,
-    RunSettings run) {
+    RunSettings run)
+    implements AdjustableSettings<FlightSettings> {
   /** Checks the values. */
   public FlightSettings {
     SettingsSchema.validate(FlightSettings.class, sensor, body, view, detection, noise, run);
@@ -41,16 +42,5 @@ public record FlightSettings(
         FlightDetectionSettings.defaults(),
         new NoiseSettings(0.02, 0.1, 0.05, 3, 50),
         new RunSettings(1, 0, 0, 100));
-  }
-
-  /**
-   * These settings but for some.
-   *
-   * @param assignments texts of the form {@code name=value}, such as {@code view.cameras=2}
-   * @return new settings
-   * @throws haltere.core.settings.SettingsProblem for a name or a value that is not valid
-   */
-  public FlightSettings with(String... assignments) {
-    return SettingsSchema.of(FlightSettings.class).withAssignments(this, List.of(assignments));
   }
 }

@@ -1,5 +1,6 @@
 package haltere.core.simulation.fly;
 
+import haltere.core.settings.AdjustableSettings;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.simulation.NoiseSettings;
 import haltere.core.simulation.PixelSettings;
@@ -25,7 +26,8 @@ public record FlySceneSettings(
     PixelSettings pixel,
     NoiseSettings noise,
     DisturbanceSettings disturbances,
-    RunSettings run) {
+    RunSettings run)
+    implements AdjustableSettings<FlySceneSettings> {
   /** Checks the values. */
   public FlySceneSettings {
     SettingsSchema.validate(
@@ -46,17 +48,5 @@ public record FlySceneSettings(
         NoiseSettings.defaults(),
         DisturbanceSettings.defaults(),
         RunSettings.defaults());
-  }
-
-  /**
-   * These settings but for some.
-   *
-   * @param assignments texts of the form {@code name=value}, such as {@code run.seed=7}
-   * @return new settings
-   * @throws haltere.core.settings.SettingsProblem for a name or a value that is not valid
-   */
-  public FlySceneSettings with(String... assignments) {
-    return SettingsSchema.of(FlySceneSettings.class)
-        .withAssignments(this, java.util.List.of(assignments));
   }
 }

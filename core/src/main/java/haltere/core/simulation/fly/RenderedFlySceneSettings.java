@@ -1,5 +1,6 @@
 package haltere.core.simulation.fly;
 
+import haltere.core.settings.AdjustableSettings;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.simulation.NoiseSettings;
 import haltere.core.simulation.PhotoreceptorSettings;
@@ -27,7 +28,8 @@ public record RenderedFlySceneSettings(
     PixelSettings pixel,
     PhotoreceptorSettings photoreceptor,
     NoiseSettings noise,
-    RunSettings run) {
+    RunSettings run)
+    implements AdjustableSettings<RenderedFlySceneSettings> {
   /** Checks the values. */
   public RenderedFlySceneSettings {
     SettingsSchema.validate(
@@ -57,17 +59,5 @@ public record RenderedFlySceneSettings(
         PhotoreceptorSettings.defaults(),
         NoiseSettings.defaults(),
         RunSettings.defaults());
-  }
-
-  /**
-   * These settings but for some.
-   *
-   * @param assignments texts of the form {@code name=value}, such as {@code run.seed=7}
-   * @return new settings
-   * @throws haltere.core.settings.SettingsProblem for a name or a value that is not valid
-   */
-  public RenderedFlySceneSettings with(String... assignments) {
-    return SettingsSchema.of(RenderedFlySceneSettings.class)
-        .withAssignments(this, java.util.List.of(assignments));
   }
 }

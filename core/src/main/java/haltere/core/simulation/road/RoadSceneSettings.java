@@ -1,5 +1,6 @@
 package haltere.core.simulation.road;
 
+import haltere.core.settings.AdjustableSettings;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.simulation.NoiseSettings;
 import haltere.core.simulation.PixelSettings;
@@ -26,7 +27,8 @@ public record RoadSceneSettings(
     PixelSettings pixel,
     NoiseSettings noise,
     RainSettings rain,
-    RunSettings run) {
+    RunSettings run)
+    implements AdjustableSettings<RoadSceneSettings> {
   /** Checks the values. */
   public RoadSceneSettings {
     SettingsSchema.validate(
@@ -48,17 +50,5 @@ public record RoadSceneSettings(
         NoiseSettings.defaults(),
         RainSettings.defaults(),
         new RunSettings(1, 0, 0, 100));
-  }
-
-  /**
-   * These settings but for some.
-   *
-   * @param assignments texts of the form {@code name=value}, such as {@code run.seed=7}
-   * @return new settings
-   * @throws haltere.core.settings.SettingsProblem for a name or a value that is not valid
-   */
-  public RoadSceneSettings with(String... assignments) {
-    return SettingsSchema.of(RoadSceneSettings.class)
-        .withAssignments(this, java.util.List.of(assignments));
   }
 }

@@ -7,8 +7,7 @@ import haltere.filters.estimation.Gate;
 import haltere.filters.estimation.KalmanFilter;
 import haltere.filters.estimation.LinearMeasurement;
 import haltere.filters.estimation.RtsSmoother;
-import haltere.filters.estimation.motion.ConstantAcceleration;
-import haltere.filters.estimation.motion.WhiteJerk;
+import haltere.filters.estimation.motion.AxisMotion;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -45,7 +44,7 @@ public final class FallingWeight {
     this.series = series;
     KalmanFilter filter =
         new KalmanFilter(
-            new WhiteJerk(1, JERK_DENSITY),
+            AxisMotion.whiteJerk(1, JERK_DENSITY),
             new DMatrixRMaj(3, 1, true, series.get(0).xM(), 0, 2),
             CommonOps_DDRM.diag(1, 25, 100));
     List<FilterStep> steps = new ArrayList<>();
@@ -58,7 +57,7 @@ public final class FallingWeight {
     LinearMeasurement model = new LinearMeasurement(h, r, Gate.OPEN);
     BatchLeastSquares fit =
         new BatchLeastSquares(
-            new ConstantAcceleration(1, 0),
+            AxisMotion.constantAcceleration(1, 0),
             LinearMeasurement.ofEntries(3, r.get(0, 0), 0),
             new DMatrixRMaj(3, 1),
             CommonOps_DDRM.diag(UNKNOWN, UNKNOWN, UNKNOWN));

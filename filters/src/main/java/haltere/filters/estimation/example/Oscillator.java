@@ -7,11 +7,10 @@ import static haltere.filters.estimation.motion.DampedOscillator.VELOCITY;
 
 import haltere.filters.estimation.BatchLeastSquares;
 import haltere.filters.estimation.BatchLeastSquares.Solution;
-import haltere.filters.estimation.Consistency;
 import haltere.filters.estimation.Estimate;
+import haltere.filters.estimation.Gate;
 import haltere.filters.estimation.KalmanFilter;
 import haltere.filters.estimation.MeasurementModel;
-import haltere.filters.estimation.ProcessModel;
 import haltere.filters.estimation.motion.DampedOscillator;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -21,6 +20,7 @@ import java.util.stream.Stream;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 import org.ejml.dense.row.MatrixFeatures_DDRM;
+import org.ejml.dense.row.mult.VectorVectorMult_DDRM;
 
 /**
  * Damping and frequency of a weight on a spring: state (s, v, ζ, ω) of {@link DampedOscillator}
@@ -47,44 +47,9 @@ public final class Oscillator {
   private final MeasurementModel model;
   private final DMatrixRMaj mean;
   private final DMatrixRMaj covariance = CommonOps_DDRM.diag(1, 100, 100, 1000);
-  private final Motion motion;
+  private final DampedOscillator motion;
   private final List<Estimate> estimates = new ArrayList<>();
   private Optional<Solution> solution = Optional.empty();
-
-  /** The motion without noise, unknown where it is faster than measurements can follow. */
-  private record Motion(DampedOscillator exact, double maxRateRadS) implements ProcessModel {
-    private boolean isTooFast(DMatrixRMaj x) {
-      return !(Math.abs(x.get(FREQUENCY)) * (1 + Math.abs(x.get(DAMPING))) <= maxRateRadS);
-    }
-
-    @Override
-    public int stateSize() {
-      return exact.stateSize();
-    }
-
-    @Override
-    public void evolve(DMatrixRMaj x, double dtS, DMatrixRMaj evolved) {
-      if (isTooFast(x)) {
-        evolved.fill(Double.NaN);
-      } else {
-        exact.evolve(x, dtS, evolved);
-      }
-    }
-
-    @Override
-    public void jacobian(DMatrixRMaj x, double dtS, DMatrixRMaj f) {
-      if (isTooFast(x)) {
-        f.fill(Double.NaN);
-      } else {
-        exact.jacobian(x, dtS, f);
-      }
-    }
-
-    @Override
-    public void noise(DMatrixRMaj x, double dtS, DMatrixRMaj q) {
-      q.zero();
-    }
-  }
 
   /** Displacement, or displacement and acceleration, with the covariance R. */
   private record Measured(DMatrixRMaj r) implements MeasurementModel {
@@ -97,7 +62,7 @@ public final class Oscillator {
     public void expected(DMatrixRMaj x, DMatrixRMaj z) {
       z.set(0, 0, x.get(POSITION));
       if (size() > 1) {
-        z.set(1, 0, acceleration(x));
+        z.set(1, 0, DampedOscillator.acceleration(x.data));
       }
     }
 
@@ -106,7 +71,9 @@ public final class Oscillator {
       h.zero();
       h.set(0, POSITION, 1);
       if (size() > 1) {
-        CommonOps_DDRM.insert(accelerationSlope(x), h, 1, 0);
+        DMatrixRMaj slope = new DMatrixRMaj(1, 4);
+        DampedOscillator.accelerationSlope(x.data, slope.data);
+        CommonOps_DDRM.insert(slope, h, 1, 0);
       }
     }
 
@@ -130,7 +97,7 @@ public final class Oscillator {
     this.series = series;
     model = new Measured(series.noise());
     double meanStepS = (series.get(series.size() - 1).tS() - series.get(0).tS()) / series.size();
-    motion = new Motion(new DampedOscillator(0, 0, 0), 2 * Math.PI / meanStepS);
+    motion = new DampedOscillator(2 * Math.PI / meanStepS);
     mean = new DMatrixRMaj(4, 1, true, 0, 0.6, 0.1, startFrequencyRadS);
     BatchLeastSquares batch = new BatchLeastSquares(motion, model, mean, covariance);
     KalmanFilter filter = filter();
@@ -182,8 +149,8 @@ public final class Oscillator {
   private Optional<Solution> better(BatchLeastSquares batch, int numbers) {
     Optional<Solution> next =
         solution.flatMap(before -> fit(batch, before.first().state().toMatrix()));
-    double upper = Consistency.meanBand(1, numbers, 0.95).upper();
-    if (next.isPresent() && next.get().cost() <= upper * numbers) {
+    double upper = Gate.probability(0.975).threshold(numbers);
+    if (next.isPresent() && next.get().cost() <= upper) {
       return next;
     }
     return Stream.concat(next.stream(), fit(batch, mean).stream())
@@ -244,7 +211,7 @@ public final class Oscillator {
     return new ExampleTable(series)
         .add("s_m", estimates, POSITION)
         .add("v_m_s", estimates, VELOCITY)
-        .add("a_m_s2", k -> acceleration(estimates.get(k).state().toMatrix()))
+        .add("a_m_s2", k -> DampedOscillator.acceleration(estimates.get(k).state().toMatrix().data))
         .add("sd_a_m_s2", k -> accelerationDeviation(estimates.get(k)))
         .add("damping", estimates, DAMPING)
         .add("frequency_rad_s", estimates, FREQUENCY)
@@ -262,31 +229,10 @@ public final class Oscillator {
     return k < estimates.size() ? estimates.get(k).value(entry) : Double.NaN;
   }
 
-  /** a = −ω² s − 2 ζ ω v. */
-  private static double acceleration(DMatrixRMaj x) {
-    double omega = x.get(FREQUENCY);
-    return -omega * omega * x.get(POSITION) - 2 * x.get(DAMPING) * omega * x.get(VELOCITY);
-  }
-
   private static double accelerationDeviation(Estimate estimate) {
-    DMatrixRMaj slope = accelerationSlope(estimate.state().toMatrix());
-    DMatrixRMaj slopeP = new DMatrixRMaj(1, 4);
-    CommonOps_DDRM.mult(slope, estimate.covariance().toMatrix(), slopeP);
-    return Math.sqrt(CommonOps_DDRM.dot(slopeP, slope));
-  }
-
-  /** ∂a/∂x, a row. */
-  private static DMatrixRMaj accelerationSlope(DMatrixRMaj x) {
-    double omega = x.get(FREQUENCY);
-    double zeta = x.get(DAMPING);
-    double v = x.get(VELOCITY);
-    return new DMatrixRMaj(
-        1,
-        4,
-        true,
-        -omega * omega,
-        -2 * zeta * omega,
-        -2 * omega * v,
-        -2 * omega * x.get(POSITION) - 2 * zeta * v);
+    DMatrixRMaj slope = new DMatrixRMaj(4, 1);
+    DampedOscillator.accelerationSlope(estimate.state().toMatrix().data, slope.data);
+    return Math.sqrt(
+        VectorVectorMult_DDRM.innerProdA(slope, estimate.covariance().toMatrix(), slope));
   }
 }

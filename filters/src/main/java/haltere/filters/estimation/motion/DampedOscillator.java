@@ -1,21 +1,19 @@
 package haltere.filters.estimation.motion;
 
 import haltere.filters.estimation.ProcessModel;
-import haltere.filters.estimation.Require;
+import java.util.Arrays;
 import org.ejml.data.DMatrixRMaj;
-import org.ejml.dense.row.CommonOps_DDRM;
 
 /**
- * A damped harmonic oscillator whose damping and frequency are to be found: state (s, v, ζ, ω).
+ * A damped harmonic oscillator whose damping and frequency are to be found, without process noise:
+ * state (s, v, ζ, ω).
  *
  * <pre>
- * ds/dt = v     dv/dt = −ω² s − 2 ζ ω v     dζ/dt = 0     dω/dt = 0
+ * ds/dt = v     dv/dt = a = −ω² s − 2 ζ ω v     dζ/dt = 0     dω/dt = 0
  * </pre>
  *
  * <p>State and Jacobian go together through Runge-Kutta 4, dF/dt = J(x) F, in as many steps as the
- * oscillation needs; so F is the exact Jacobian of the state as it is computed. White acceleration
- * drives v, and ζ and ω may wander. J's second row is (−ω², −2ζω, −2ωv, −2ωs − 2ζv); the worked
- * example of {@code docs/estimation.md} uses it.
+ * oscillation needs; so F is the exact Jacobian of the state as it is computed.
  *
  * <p>Thread rule: holds workspaces; not safe for use by two threads at a time.
  */
@@ -38,30 +36,22 @@ public final class DampedOscillator implements ProcessModel {
   /** Radians of the oscillation in one Runge-Kutta step. */
   private static final double STEP_RAD = 0.1;
 
-  private final double accelerationDensity;
-  private final double dampingDensity;
-  private final double frequencyDensity;
+  private final double maxRateRadS;
   private final RungeKutta4 flow = new RungeKutta4(N, DampedOscillator::derivative);
   private final RungeKutta4 flowWithJacobian =
-      new RungeKutta4(N + N * N, DampedOscillator::derivativeWithJacobian);
+      new RungeKutta4(N + N * N, this::derivativeWithJacobian);
   private final double[] state = new double[N];
   private final double[] stateAndJacobian = new double[N + N * N];
-  private final DMatrixRMaj stepF = new DMatrixRMaj(N, N);
-  private final DMatrixRMaj stepQ = new DMatrixRMaj(N, N);
-  private final DMatrixRMaj product = new DMatrixRMaj(N, N);
+  private final double[] slope = new double[N];
 
   /**
    * An oscillator.
    *
-   * @param accelerationDensity spectral density of the acceleration, in unit²/s³
-   * @param dampingDensity spectral density of the change of ζ, per second
-   * @param frequencyDensity spectral density of the change of ω, in rad²/s³
+   * @param maxRateRadS ω (1 + |ζ|) above which the motion is unknown (NaN): too fast for the
+   *     measurements; infinite for none
    */
-  public DampedOscillator(
-      double accelerationDensity, double dampingDensity, double frequencyDensity) {
-    this.accelerationDensity = Require.notNegative("acceleration density", accelerationDensity);
-    this.dampingDensity = Require.notNegative("damping density", dampingDensity);
-    this.frequencyDensity = Require.notNegative("frequency density", frequencyDensity);
+  public DampedOscillator(double maxRateRadS) {
+    this.maxRateRadS = maxRateRadS;
   }
 
   @Override
@@ -72,110 +62,75 @@ public final class DampedOscillator implements ProcessModel {
   @Override
   public void evolve(DMatrixRMaj x, double dtS, DMatrixRMaj evolved) {
     System.arraycopy(x.data, 0, state, 0, N);
-    flow.integrate(state, dtS, steps(x, dtS));
+    integrate(flow, state, dtS);
     System.arraycopy(state, 0, evolved.data, 0, N);
   }
 
   @Override
   public void jacobian(DMatrixRMaj x, double dtS, DMatrixRMaj f) {
     System.arraycopy(x.data, 0, stateAndJacobian, 0, N);
-    identity();
-    flowWithJacobian.integrate(stateAndJacobian, dtS, steps(x, dtS));
-    System.arraycopy(stateAndJacobian, N, f.data, 0, N * N);
-  }
-
-  /**
-   * {@inheritDoc} Q of one Runge-Kutta step h in closed form, with the pushes of its beginning,
-   * then Q ← F Q Fᵀ + Q(h) from step to step.
-   */
-  @Override
-  public void noise(DMatrixRMaj x, double dtS, DMatrixRMaj q) {
-    int steps = steps(x, dtS);
-    double h = dtS / steps;
-    System.arraycopy(x.data, 0, state, 0, N);
-    q.zero();
-    for (int k = 0; k < steps; k++) {
-      noiseOfStep(h);
-      if (k > 0) {
-        System.arraycopy(state, 0, stateAndJacobian, 0, N);
-        identity();
-        flowWithJacobian.integrate(stateAndJacobian, h, 1);
-        System.arraycopy(stateAndJacobian, N, stepF.data, 0, N * N);
-        CommonOps_DDRM.mult(stepF, q, product);
-        CommonOps_DDRM.multTransB(product, stepF, q);
-      }
-      flow.integrate(state, h, 1);
-      CommonOps_DDRM.addEquals(q, stepQ);
-    }
-  }
-
-  private void noiseOfStep(double h) {
-    double s = state[POSITION];
-    double v = state[VELOCITY];
-    double zeta = state[DAMPING];
-    double omega = state[FREQUENCY];
-    stepQ.zero();
-    for (int i = 0; i < 2; i++) {
-      for (int j = 0; j < 2; j++) {
-        stepQ.set(i, j, accelerationDensity * AxisBlocks.integratedWhiteNoise(2, i, j, h));
-      }
-    }
-    addParameterNoise(DAMPING, -2 * omega * v, dampingDensity, h);
-    addParameterNoise(FREQUENCY, -2 * omega * s - 2 * zeta * v, frequencyDensity, h);
-  }
-
-  /** A parameter that wanders pushes v, and v moves s: three integrators in a row. */
-  private void addParameterNoise(int parameter, double push, double density, double h) {
-    for (int i = 0; i < 3; i++) {
-      for (int j = 0; j < 3; j++) {
-        double weight = density * (i == 2 ? 1 : push) * (j == 2 ? 1 : push);
-        stepQ.add(
-            i == 2 ? parameter : i,
-            j == 2 ? parameter : j,
-            weight * AxisBlocks.integratedWhiteNoise(3, i, j, h));
-      }
-    }
-  }
-
-  private void identity() {
     for (int i = 0; i < N * N; i++) {
       stateAndJacobian[N + i] = i % (N + 1) == 0 ? 1 : 0;
     }
+    integrate(flowWithJacobian, stateAndJacobian, dtS);
+    System.arraycopy(stateAndJacobian, N, f.data, 0, N * N);
   }
 
-  private static int steps(DMatrixRMaj x, double dtS) {
-    double omega = Math.abs(x.get(FREQUENCY));
-    double rate = omega * (1 + Math.abs(x.get(DAMPING)));
-    return (int) Math.max(1, Math.min(MAX_STEPS, Math.ceil(rate * dtS / STEP_RAD)));
+  @Override
+  public void noise(DMatrixRMaj x, double dtS, DMatrixRMaj q) {
+    q.zero();
+  }
+
+  private void integrate(RungeKutta4 method, double[] x, double dtS) {
+    double rate = Math.abs(x[FREQUENCY]) * (1 + Math.abs(x[DAMPING]));
+    if (rate <= maxRateRadS) {
+      method.integrate(
+          x, dtS, (int) Math.max(1, Math.min(MAX_STEPS, Math.ceil(rate * dtS / STEP_RAD))));
+    } else {
+      Arrays.fill(x, Double.NaN);
+    }
+  }
+
+  /**
+   * The acceleration, a.
+   *
+   * @param x state, four numbers
+   * @return in units of s per second squared
+   */
+  public static double acceleration(double[] x) {
+    return -x[FREQUENCY] * x[FREQUENCY] * x[POSITION] - 2 * x[DAMPING] * x[FREQUENCY] * x[VELOCITY];
+  }
+
+  /**
+   * The derivative of the acceleration by the state.
+   *
+   * @param x state, four numbers
+   * @param row gets ∂a/∂x, four numbers
+   */
+  public static void accelerationSlope(double[] x, double[] row) {
+    double omega = x[FREQUENCY];
+    row[POSITION] = -omega * omega;
+    row[VELOCITY] = -2 * x[DAMPING] * omega;
+    row[DAMPING] = -2 * omega * x[VELOCITY];
+    row[FREQUENCY] = -2 * omega * x[POSITION] - 2 * x[DAMPING] * x[VELOCITY];
   }
 
   private static void derivative(double[] x, double[] dx) {
     dx[POSITION] = x[VELOCITY];
-    dx[VELOCITY] =
-        -x[FREQUENCY] * x[FREQUENCY] * x[POSITION] - 2 * x[DAMPING] * x[FREQUENCY] * x[VELOCITY];
+    dx[VELOCITY] = acceleration(x);
     dx[DAMPING] = 0;
     dx[FREQUENCY] = 0;
   }
 
-  private static void derivativeWithJacobian(double[] x, double[] dx) {
+  private void derivativeWithJacobian(double[] x, double[] dx) {
     derivative(x, dx);
-    double s = x[POSITION];
-    double v = x[VELOCITY];
-    double zeta = x[DAMPING];
-    double omega = x[FREQUENCY];
+    accelerationSlope(x, slope);
+    Arrays.fill(dx, N, dx.length, 0);
     for (int j = 0; j < N; j++) {
-      double fs = x[N + j];
-      double fv = x[2 * N + j];
-      double fz = x[3 * N + j];
-      double fw = x[4 * N + j];
-      dx[N + j] = fv;
-      dx[2 * N + j] =
-          -omega * omega * fs
-              - 2 * zeta * omega * fv
-              - 2 * omega * v * fz
-              + (-2 * omega * s - 2 * zeta * v) * fw;
-      dx[3 * N + j] = 0;
-      dx[4 * N + j] = 0;
+      dx[N + j] = x[2 * N + j];
+      for (int k = 0; k < N; k++) {
+        dx[2 * N + j] += slope[k] * x[N + k * N + j];
+      }
     }
   }
 }

@@ -2,6 +2,7 @@ package haltere.filters.estimation.motion;
 
 import haltere.filters.estimation.Require;
 import java.util.Objects;
+import java.util.function.BiConsumer;
 
 /**
  * The classical Runge-Kutta method of fourth order: Kutta (1901); Press et al., "Numerical
@@ -10,19 +11,7 @@ import java.util.Objects;
  * <p>Thread rule: not safe for use by two threads at a time.
  */
 public final class RungeKutta4 {
-  /** The right-hand side of dx/dt = f(x). */
-  @FunctionalInterface
-  public interface Derivative {
-    /**
-     * Computes the derivative.
-     *
-     * @param x state, not to be changed
-     * @param derivative dx/dt, per second; every entry is to be filled
-     */
-    void at(double[] x, double[] derivative);
-  }
-
-  private final Derivative derivative;
+  private final BiConsumer<double[], double[]> derivative;
   private final double[] k1;
   private final double[] k2;
   private final double[] k3;
@@ -33,9 +22,9 @@ public final class RungeKutta4 {
    * An integrator of one equation.
    *
    * @param size dimension of the state
-   * @param derivative right-hand side
+   * @param derivative right-hand side f of dx/dt = f(x): gets x, not to be changed, and fills dx/dt
    */
-  public RungeKutta4(int size, Derivative derivative) {
+  public RungeKutta4(int size, BiConsumer<double[], double[]> derivative) {
     this.derivative = Objects.requireNonNull(derivative, "derivative");
     k1 = new double[size];
     k2 = new double[size];
@@ -59,10 +48,10 @@ public final class RungeKutta4 {
   }
 
   private void step(double[] x, double h) {
-    derivative.at(x, k1);
-    derivative.at(along(x, 0.5 * h, k1), k2);
-    derivative.at(along(x, 0.5 * h, k2), k3);
-    derivative.at(along(x, h, k3), k4);
+    derivative.accept(x, k1);
+    derivative.accept(along(x, 0.5 * h, k1), k2);
+    derivative.accept(along(x, 0.5 * h, k2), k3);
+    derivative.accept(along(x, h, k3), k4);
     for (int i = 0; i < x.length; i++) {
       x[i] += h / 6 * (k1[i] + 2 * k2[i] + 2 * k3[i] + k4[i]);
     }

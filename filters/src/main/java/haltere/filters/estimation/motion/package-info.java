@@ -1,6 +1,6 @@
 /**
- * Motions whose equations are known, ready to be estimated: constant velocity and acceleration, a
- * wandering acceleration, a damped oscillator, and a way to integrate others. Times are seconds;
- * noise is a spectral density, so that a model says the same whatever its time steps.
+ * Motions whose equations are known, ready to be estimated: chains of integrators on several axes,
+ * a damped oscillator, and a way to integrate others. Times are seconds; noise is a spectral
+ * density, so that a model says the same whatever its time steps.
  */
 package haltere.filters.estimation.motion;

@@ -21,6 +21,7 @@ import javax.xml.stream.XMLStreamReader;
  */
 final class CameraXml {
   private static final String CAMERA = "single_camera_calibration";
+  private static final List<String> LENS = List.of("fc1", "fc2", "cc1", "cc2");
 
   private CameraXml() {}
 
@@ -83,24 +84,22 @@ final class CameraXml {
     if (!camera.containsKey("fc1")) {
       return CameraModel.of(id, matrix, new double[0], width, height);
     }
-    double fx = field(camera, "fc1", Double.NaN, name);
-    double fy = field(camera, "fc2", Double.NaN, name);
-    double cx = field(camera, "cc1", Double.NaN, name);
-    double cy = field(camera, "cc2", Double.NaN, name);
-    requireSame(camera, "fc1p", fx, name);
-    requireSame(camera, "fc2p", fy, name);
-    requireSame(camera, "cc1p", cx, name);
-    requireSame(camera, "cc2p", cy, name);
-    if (!(fx > 0 && fy > 0) || !Double.isFinite(cx + cy)) {
+    double[] own = new double[4];
+    for (int i = 0; i < 4; i++) {
+      own[i] = field(camera, LENS.get(i), Double.NaN, name);
+      requireSame(camera, LENS.get(i) + "p", own[i], name);
+    }
+    double fx = own[0];
+    if (!(fx > 0 && own[1] > 0) || !Double.isFinite(own[2] + own[3])) {
       throw new JsonProblem(name + ": fc1, fc2, cc1 and cc2 must be there, the first two positive");
     }
     Lens lens =
         new Lens(
             fx,
-            fy,
+            own[1],
             field(camera, "alpha_c", 0, name) * fx,
-            cx,
-            cy,
+            own[2],
+            own[3],
             field(camera, "k1", 0, name),
             field(camera, "k2", 0, name),
             field(camera, "p1", 0, name),

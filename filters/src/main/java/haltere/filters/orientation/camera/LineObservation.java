@@ -19,6 +19,11 @@ public record LineObservation(
     }
   }
 
+  /** {@return column, row and angle, a new array} */
+  public double[] line() {
+    return new double[] {xPx, yPx, angleRad};
+  }
+
   /** {@return whether its position is known: both numbers are finite} */
   public boolean hasPosition() {
     return Double.isFinite(xPx) && Double.isFinite(yPx);

@@ -116,20 +116,4 @@ public final class Vectors {
       out[i] = m[3 * i] * v[0] + m[3 * i + 1] * v[1] + m[3 * i + 2] * v[2];
     }
   }
-
-  /**
-   * The form aᵀ M b.
-   *
-   * @param m nine numbers
-   * @param a three numbers
-   * @param b three numbers
-   * @return aᵀ M b
-   */
-  public static double quadratic(double[] m, double[] a, double[] b) {
-    double sum = 0;
-    for (int i = 0; i < 3; i++) {
-      sum += a[i] * (m[3 * i] * b[0] + m[3 * i + 1] * b[1] + m[3 * i + 2] * b[2]);
-    }
-    return sum;
-  }
 }

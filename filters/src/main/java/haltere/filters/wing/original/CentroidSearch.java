@@ -96,12 +96,10 @@ public final class CentroidSearch implements FlySearch {
     double bodyX = (at[0] + at[2]) / 2;
     double bodyY = (at[1] + at[3]) / 2;
     double heading = Math.atan2(at[3] - at[1], at[2] - at[0]) + Math.PI / 2;
-    double[] votes = new double[2];
-    for (int side = 0; side < 2; side++) {
-      votes[side] = vote(bodyX, bodyY, heading, side == 0 ? 1 : -1, reach);
-    }
-    double sum = votes[0] + votes[1];
-    double all = Math.abs(votes[0]) + Math.abs(votes[1]);
+    double left = vote(bodyX, bodyY, heading, 1, reach);
+    double right = vote(bodyX, bodyY, heading, -1, reach);
+    double sum = left + right;
+    double all = Math.abs(left) + Math.abs(right);
     FlyGeometry fly =
         new FlyGeometry(
             bodyX,

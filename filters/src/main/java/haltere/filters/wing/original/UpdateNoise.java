@@ -48,11 +48,6 @@ public final class UpdateNoise implements EdgeNoise {
   }
 
   @Override
-  public long dateUs(long meanUs, long lastUs) {
-    return lastUs;
-  }
-
-  @Override
   public boolean isDensity() {
     return false;
   }

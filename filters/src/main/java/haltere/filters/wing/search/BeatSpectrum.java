@@ -18,8 +18,8 @@ final class BeatSpectrum {
   private static final double BIN_S = 250e-6;
   private static final double STEP_HZ = 1;
   private static final int BINS = 1024;
-  private static final int NEAR_STEPS = 2;
-  private static final double NEAR_SHARE = 0.03;
+  private static final double NEAR_STEP = 0.03;
+  private static final double NEAR_SHARE = 2 * NEAR_STEP;
 
   private final double[] weight = new double[BINS];
   private final double[] sumX = new double[BINS];
@@ -67,42 +67,44 @@ final class BeatSpectrum {
     if (!settle()) {
       return false;
     }
-    double best = -1;
-    double bestHz = fromHz;
-    for (double hz = fromHz; hz <= toHz; hz += STEP_HZ) {
-      double gain = gain(hz);
-      if (gain > best) {
-        best = gain;
-        bestHz = hz;
-      }
-    }
+    double bestHz = bestOf(fromHz, toHz, STEP_HZ);
+    double best = gain(bestHz);
     double before = gain(bestHz - STEP_HZ);
     double after = gain(bestHz + STEP_HZ);
     double curve = before - 2 * best + after;
     double shift = curve < 0 ? 0.5 * (before - after) / curve : 0;
     frequencyHz = bestHz + STEP_HZ * Math.max(-1, Math.min(1, shift));
     explained = gain(frequencyHz) / scatter;
-    axis();
+    double xx = fit[0] * fit[0] + fit[1] * fit[1];
+    double yy = fit[2] * fit[2] + fit[3] * fit[3];
+    double xy = fit[0] * fit[2] + fit[1] * fit[3];
+    axisRad = 0.5 * Math.atan2(2 * xy, xx - yy);
     return true;
+  }
+
+  /** The frequency of an even series that explains most. */
+  private double bestOf(double fromHz, double toHz, double stepHz) {
+    double best = -1;
+    double bestHz = fromHz;
+    for (double hz = fromHz; hz <= toHz; hz += stepHz) {
+      double gain = gain(hz);
+      if (gain > best) {
+        best = gain;
+        bestHz = hz;
+      }
+    }
+    return bestHz;
   }
 
   /** How much of the scatter sinusoids near a frequency explain, 0 to 1, after {@link #settle}. */
   double explainedNear(double hz) {
-    double best = 0;
-    for (int step = -NEAR_STEPS; step <= NEAR_STEPS; step++) {
-      best = Math.max(best, gain(hz * (1 + step * NEAR_SHARE)));
-    }
-    return best / scatter;
+    return gain(bestOf(hz * (1 - NEAR_SHARE), hz * (1 + NEAR_SHARE) + 1e-9, hz * NEAR_STEP))
+        / scatter;
   }
 
   /** The same of the best frequency of a range, in steps of half the spectrum's resolution. */
   double mostExplained(double fromHz, double toHz) {
-    double stepHz = 0.5 / (bins * BIN_S);
-    double best = 0;
-    for (double hz = fromHz; hz <= toHz; hz += stepHz) {
-      best = Math.max(best, gain(hz));
-    }
-    return best / scatter;
+    return gain(bestOf(fromHz, toHz, 0.5 / (bins * BIN_S))) / scatter;
   }
 
   /**
@@ -182,12 +184,5 @@ final class BeatSpectrum {
     fit[2] = (ss * yc - cs * ys) / det;
     fit[3] = (cc * ys - cs * yc) / det;
     return fit[0] * xc + fit[1] * xs + fit[2] * yc + fit[3] * ys;
-  }
-
-  private void axis() {
-    double xx = fit[0] * fit[0] + fit[1] * fit[1];
-    double yy = fit[2] * fit[2] + fit[3] * fit[3];
-    double xy = fit[0] * fit[2] + fit[1] * fit[3];
-    axisRad = 0.5 * Math.atan2(2 * xy, xx - yy);
   }
 }

@@ -24,38 +24,38 @@ final class CoarseStroke {
   double cosine;
   double sine;
 
-  /** Begins with no events. */
-  void clear() {
-    size = 0;
-  }
-
-  /** One in how many events of a wing is to be taken. */
-  static int strideOf(int events) {
-    return Math.max(1, events / EVENTS);
-  }
-
   /**
-   * Takes an event, unless it is too near or too far.
-   *
-   * @param dx from the hinge
-   * @param dy from the hinge
-   * @param outerPx events further away are left out
-   * @param referenceRad direction from which angles are measured
-   * @param turn 1 for counterclockwise, -1 for clockwise
-   * @param phase of the beat
+   * Searches the events of a side about a hinge, neither too near nor too far; false if there are
+   * too few. Angles are measured from a direction, counterclockwise for turn 1, clockwise for −1;
+   * phases are of an angular frequency, 0 at a time.
    */
-  void add(double dx, double dy, double outerPx, double referenceRad, double turn, double phase) {
-    double rr = dx * dx + dy * dy;
-    if (rr < LEAST_SQUARE_PX || rr > outerPx * outerPx) {
-      return;
+  boolean search(
+      SideSplit split,
+      int side,
+      double hingeX,
+      double hingeY,
+      double outerPx,
+      double referenceRad,
+      double turn,
+      double omega,
+      double middleS) {
+    StrokeSample sample = split.sample;
+    int stride = Math.max(1, split.count(side) / EVENTS);
+    int seen = 0;
+    size = 0;
+    for (int i = 0; i < sample.size; i++) {
+      if (split.isOn(side, i) && seen++ % stride == 0) {
+        double dx = sample.x[i] - hingeX;
+        double dy = sample.y[i] - hingeY;
+        double rr = dx * dx + dy * dy;
+        if (rr >= LEAST_SQUARE_PX && rr <= outerPx * outerPx) {
+          double phase = omega * (sample.timeS[i] - middleS);
+          angle[size] = StrokeFit.near(turn * (Math.atan2(dy, dx) - referenceRad), Math.PI / 2);
+          cos[size] = Math.cos(phase);
+          sin[size++] = Math.sin(phase);
+        }
+      }
     }
-    angle[size] = StrokeFit.near(turn * (Math.atan2(dy, dx) - referenceRad), Math.PI / 2);
-    cos[size] = Math.cos(phase);
-    sin[size++] = Math.sin(phase);
-  }
-
-  /** Searches; false if there is too little to search in. */
-  boolean search() {
     if (size < LEAST_EVENTS) {
       return false;
     }

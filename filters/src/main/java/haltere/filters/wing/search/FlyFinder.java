@@ -56,7 +56,7 @@ final class FlyFinder {
     this.geometry = geometry;
     this.steps = steps;
     sample = new StrokeSample(geometry.width(), geometry.height(), capacity);
-    split = new SideSplit(capacity);
+    split = new SideSplit(sample, capacity);
     px = new double[capacity];
     py = new double[capacity];
   }
@@ -169,29 +169,19 @@ final class FlyFinder {
   /** Takes all events for those of one wing, on either side of the axis. */
   private boolean fitAlone() {
     fittedAxis = spectrum.axisRad;
-    split.along(sample, fittedAxis);
-    double across = ALONE_SHARE * split.reach(sample, split.middleX, split.middleY);
+    split.along(fittedAxis);
+    double across = ALONE_SHARE * split.reach(split.middleX, split.middleY);
     double omega = 2 * Math.PI * spectrum.frequencyHz;
     for (int side = 0; side < 2; side++) {
       double sign = side == 0 ? 1 : -1;
-      split.classifyAll(sample, side);
+      split.classifyAll(side);
       double startX = split.middleX + sign * across * Math.sin(fittedAxis);
       double startY = split.middleY - sign * across * Math.cos(fittedAxis);
-      fitted[side] = lines.search(sample, side, split.classes, startX, startY);
+      fitted[side] = lines.search(split, side, startX, startY);
       if (fitted[side]) {
-        outerPx = split.reach(sample, lines.x, lines.y);
+        outerPx = split.reach(lines.x, lines.y);
         fitted[side] =
-            fits[side].fit(
-                    sample,
-                    split.classes,
-                    side,
-                    fittedAxis,
-                    sign,
-                    lines.x,
-                    lines.y,
-                    outerPx,
-                    omega,
-                    false)
+            fits[side].fit(split, side, fittedAxis, lines.x, lines.y, outerPx, omega, false)
                 && isWing(fits[side])
                 && fits[side].inliers > ALONE_INLIERS * fits[side].events;
       }
@@ -213,12 +203,12 @@ final class FlyFinder {
   /** Divides along an axis, finds hinges and strokes; tells how many events that explains. */
   private double fit(double axis) {
     fittedAxis = axis;
-    split.along(sample, axis);
+    split.along(axis);
     double x = split.middleX;
     double y = split.middleY;
-    outerPx = split.reach(sample, x, y);
+    outerPx = split.reach(x, y);
     for (int pass = 0; pass < 2; pass++) {
-      split.classify(sample, x, y, axis);
+      split.classify(x, y, axis);
       for (int side = 0; side < 2; side++) {
         fitted[side] = fitSide(side, pass == 0, x, y);
       }
@@ -251,16 +241,14 @@ final class FlyFinder {
     double hingeX = fits[side].hingeX();
     double hingeY = fits[side].hingeY();
     if (first || !fitted[side]) {
-      if (!lines.search(sample, side, split.classes, x, y)) {
+      if (!lines.search(split, side, x, y)) {
         return false;
       }
       hingeX = lines.x;
       hingeY = lines.y;
     }
     double omega = 2 * Math.PI * spectrum.frequencyHz;
-    double turn = side == 0 ? 1 : -1;
-    return fits[side].fit(
-            sample, split.classes, side, fittedAxis, turn, hingeX, hingeY, outerPx, omega, first)
+    return fits[side].fit(split, side, fittedAxis, hingeX, hingeY, outerPx, omega, first)
         && isWing(fits[side]);
   }
 

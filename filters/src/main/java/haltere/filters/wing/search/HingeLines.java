@@ -1,5 +1,7 @@
 package haltere.filters.wing.search;
 
+import haltere.filters.estimation.NormalEquations;
+
 /**
  * The point where a wing is hinged: at any instant the events of one wing lie on a line through it.
  * Lines go through pairs of events that came shortly after each other; the point is the one nearest
@@ -20,24 +22,23 @@ final class HingeLines {
 
   double y;
 
-  /**
-   * Searches from a point, among the events of the class of a side; false if there are too few
-   * lines.
-   */
-  boolean search(StrokeSample sample, int side, byte[] classes, double startX, double startY) {
+  private final NormalEquations normal = new NormalEquations(2);
+  private final double[] row = new double[2];
+  private final double[] step = new double[2];
+
+  /** Searches from a point, among the events of a side; false if there are too few lines. */
+  boolean search(SideSplit split, int side, double startX, double startY) {
+    StrokeSample sample = split.sample;
     x = startX;
     y = startY;
     for (double scale : SCALES_PX) {
-      double prior = scale * scale / (SLACK_PX * SLACK_PX);
-      double xx = prior;
-      double yy = prior;
-      double xy = 0;
-      double bx = prior * (startX - x);
-      double by = prior * (startY - y);
+      normal.clear();
+      normal.believe(0, startX - x, SLACK_PX / scale);
+      normal.believe(1, startY - y, SLACK_PX / scale);
       int lines = 0;
       int from = 0;
       for (int i = 0; i < sample.size; i++) {
-        if (!sample.supported[i] || classes[i] != side) {
+        if (!sample.supported[i] || !split.isOn(side, i)) {
           continue;
         }
         while (sample.timeS[i] - sample.timeS[from] > MOST_APART_S) {
@@ -45,40 +46,39 @@ final class HingeLines {
         }
         int partners = 0;
         for (int j = i - 1; j >= from && partners < MOST_PARTNERS; j--) {
-          if (!sample.supported[j] || classes[j] != side || sample.sign[j] != sample.sign[i]) {
-            continue;
+          if (sample.supported[j] && split.isOn(side, j) && sample.sign[j] == sample.sign[i]) {
+            partners++;
+            lines += add(sample, i, j, scale, startX, startY) ? 1 : 0;
           }
-          partners++;
-          double dx = sample.x[i] - sample.x[j];
-          double dy = sample.y[i] - sample.y[j];
-          double base = Math.sqrt(dx * dx + dy * dy);
-          if (base < LEAST_BASE_PX) {
-            continue;
-          }
-          double nx = -dy / base;
-          double ny = dx / base;
-          double mx = (sample.x[i] + sample.x[j]) / 2 - x;
-          double my = (sample.y[i] + sample.y[j]) / 2 - y;
-          double off = nx * mx + ny * my;
-          // a line is the less sure at the hinge the further it is drawn out from its two events
-          double startOut = Math.hypot(mx + x - startX, my + y - startY) / base;
-          double scaled = off / scale;
-          double w = 1 / ((1 + scaled * scaled) * (1 + startOut * startOut));
-          xx += w * nx * nx;
-          xy += w * nx * ny;
-          yy += w * ny * ny;
-          bx += w * nx * off;
-          by += w * ny * off;
-          lines++;
         }
       }
-      if (lines < 10) {
+      if (lines < 10 || !normal.solve(2, step)) {
         return false;
       }
-      double det = xx * yy - xy * xy;
-      x += (yy * bx - xy * by) / det;
-      y += (xx * by - xy * bx) / det;
+      x += step[0];
+      y += step[1];
     }
+    return true;
+  }
+
+  /** Adds the line through two events; false if they are too near to each other. */
+  private boolean add(
+      StrokeSample sample, int i, int j, double scale, double startX, double startY) {
+    double dx = sample.x[i] - sample.x[j];
+    double dy = sample.y[i] - sample.y[j];
+    double base = Math.sqrt(dx * dx + dy * dy);
+    if (base < LEAST_BASE_PX) {
+      return false;
+    }
+    row[0] = -dy / base;
+    row[1] = dx / base;
+    double mx = (sample.x[i] + sample.x[j]) / 2;
+    double my = (sample.y[i] + sample.y[j]) / 2;
+    double off = row[0] * (mx - x) + row[1] * (my - y);
+    // a line is the less sure at the hinge the further it is drawn out from its two events
+    double startOut = Math.hypot(mx - startX, my - startY) / base;
+    double scaled = off / scale;
+    normal.add(1 / ((1 + scaled * scaled) * (1 + startOut * startOut)), row, 2, off);
     return true;
   }
 }

@@ -7,8 +7,9 @@ final class SideSplit {
   private static final int ROUNDS = 20;
 
   /** Class of each event: 0 counterclockwise of the axis, 1 clockwise. */
-  final byte[] classes;
+  private final byte[] classes;
 
+  final StrokeSample sample;
   private final double[] sorted;
 
   /** A point on the axis, in the middle of the events. */
@@ -16,18 +17,20 @@ final class SideSplit {
 
   double middleY;
 
-  SideSplit(int capacity) {
+  /** Of the events of a sample. */
+  SideSplit(StrokeSample sample, int capacity) {
+    this.sample = sample;
     classes = new byte[capacity];
     sorted = new double[capacity];
   }
 
   /** Finds the middle for an axis: halfway between the medians of both sides. */
-  void along(StrokeSample sample, double axis) {
+  void along(double axis) {
     double cos = Math.cos(axis);
     double sin = Math.sin(axis);
-    int n = project(sample, cos, sin);
+    int n = project(cos, sin);
     double along = (sorted[n / 20] + sorted[n - 1 - n / 20]) / 2;
-    n = project(sample, -sin, cos);
+    n = project(-sin, cos);
     double across = (sorted[n / 20] + sorted[n - 1 - n / 20]) / 2;
     for (int round = 0; round < ROUNDS; round++) {
       int below = Arrays.binarySearch(sorted, 0, n, across);
@@ -45,7 +48,7 @@ final class SideSplit {
     middleY = along * sin + across * cos;
   }
 
-  private int project(StrokeSample sample, double cos, double sin) {
+  private int project(double cos, double sin) {
     int n = 0;
     for (int i = 0; i < sample.size; i++) {
       if (sample.supported[i]) {
@@ -57,7 +60,7 @@ final class SideSplit {
   }
 
   /** Radius about a point that holds nearly all supported events. */
-  double reach(StrokeSample sample, double x, double y) {
+  double reach(double x, double y) {
     int n = 0;
     for (int i = 0; i < sample.size; i++) {
       if (sample.supported[i]) {
@@ -69,17 +72,31 @@ final class SideSplit {
   }
 
   /** Says of all events that they lie on one side. */
-  void classifyAll(StrokeSample sample, int side) {
+  void classifyAll(int side) {
     Arrays.fill(classes, 0, sample.size, (byte) side);
   }
 
   /** Says of each event on which side of the axis through a point it lies. */
-  void classify(StrokeSample sample, double x, double y, double axis) {
+  void classify(double x, double y, double axis) {
     double cos = Math.cos(axis);
     double sin = Math.sin(axis);
     for (int i = 0; i < sample.size; i++) {
       double across = (sample.y[i] - y) * cos - (sample.x[i] - x) * sin;
       classes[i] = (byte) (across > 0 ? 0 : 1);
     }
+  }
+
+  /** Whether an event lies on a side. */
+  boolean isOn(int side, int event) {
+    return classes[event] == side;
+  }
+
+  /** Events of a side. */
+  int count(int side) {
+    int all = 0;
+    for (int i = 0; i < sample.size; i++) {
+      all += classes[i] == side ? 1 : 0;
+    }
+    return all;
   }
 }

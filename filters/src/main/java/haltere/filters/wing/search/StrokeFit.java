@@ -62,6 +62,10 @@ final class StrokeFit {
 
   private final CoarseStroke coarse = new CoarseStroke();
   private int stride = 1;
+  private final double[] prior = new double[SERIES];
+  private SideSplit split;
+  private int side;
+  private double outerPx;
   private double referenceRad;
   private double turn;
   private double middleS;
@@ -146,48 +150,46 @@ final class StrokeFit {
   /**
    * Fits.
    *
-   * @param sample events
-   * @param classes class of each event
-   * @param side the class to take
+   * @param events divided into sides
+   * @param own the side to take: 0 for angles counterclockwise of the reference, 1 for clockwise
    * @param reference direction from which angles are measured
-   * @param turned 1 for counterclockwise, -1 for clockwise
    * @param hingeX where to look for the hinge
    * @param hingeY where to look for the hinge
-   * @param outerPx events further from the hinge are left out
+   * @param farthestPx events further from the hinge are left out
    * @param startOmega angular frequency to begin with
    * @param quick whether the hinge to the nearest pixel is enough
    * @return false if there is too little to fit
    */
   boolean fit(
-      StrokeSample sample,
-      byte[] classes,
-      int side,
+      SideSplit events,
+      int own,
       double reference,
-      double turned,
       double hingeX,
       double hingeY,
-      double outerPx,
+      double farthestPx,
       double startOmega,
       boolean quick) {
     Arrays.fill(p, 0);
+    split = events;
+    side = own;
     referenceRad = reference;
-    turn = turned;
+    turn = own == 0 ? 1 : -1;
+    outerPx = farthestPx;
+    StrokeSample sample = events.sample;
     middleS = sample.size == 0 ? 0 : sample.timeS[sample.size - 1] / 2;
     p[OMEGA] = startOmega;
     p[HINGE_X] = hingeX;
     p[HINGE_Y] = hingeY;
     p[WIDTH] = 0.03;
-    if (!coarse(sample, classes, side, outerPx)) {
+    System.arraycopy(p, 0, prior, 0, SERIES);
+    if (!coarse()) {
       return false;
     }
     int rounds = quick ? QUICK_ROUNDS : ROUNDS;
-    stride = Math.max(1, eventsOf(sample, classes, side) / (quick ? QUICK_EVENTS : MOST_EVENTS));
+    stride = Math.max(1, split.count(side) / (quick ? QUICK_EVENTS : MOST_EVENTS));
     for (int round = 0; round < rounds; round++) {
       int unknowns = round < WITH_HARMONICS ? SERIES + 2 : SIZE;
-      if (!accumulate(sample, classes, side, hingeX, hingeY, outerPx, startOmega, round)) {
-        return false;
-      }
-      if (!normal.solve(unknowns, step)) {
+      if (!accumulate(round) || !normal.solve(unknowns, step)) {
         return false;
       }
       double moved = Math.hypot(step[HINGE_X], step[HINGE_Y]);
@@ -203,30 +205,9 @@ final class StrokeFit {
     return true;
   }
 
-  private static int eventsOf(StrokeSample sample, byte[] classes, int side) {
-    int all = 0;
-    for (int i = 0; i < sample.size; i++) {
-      all += classes[i] == side ? 1 : 0;
-    }
-    return all;
-  }
-
-  private boolean coarse(StrokeSample sample, byte[] classes, int side, double outerPx) {
-    coarse.clear();
-    int coarseStride = CoarseStroke.strideOf(eventsOf(sample, classes, side));
-    int seen = 0;
-    for (int i = 0; i < sample.size; i++) {
-      if (classes[i] == side && seen++ % coarseStride == 0) {
-        coarse.add(
-            sample.x[i] - p[HINGE_X],
-            sample.y[i] - p[HINGE_Y],
-            outerPx,
-            referenceRad,
-            turn,
-            p[OMEGA] * (sample.timeS[i] - middleS));
-      }
-    }
-    if (!coarse.search()) {
+  private boolean coarse() {
+    if (!coarse.search(
+        split, side, p[HINGE_X], p[HINGE_Y], outerPx, referenceRad, turn, p[OMEGA], middleS)) {
       return false;
     }
     p[CENTRE] = coarse.centre;
@@ -240,20 +221,13 @@ final class StrokeFit {
     return to + Angles.wrapPi(angle - to);
   }
 
-  private boolean accumulate(
-      StrokeSample sample,
-      byte[] classes,
-      int side,
-      double priorX,
-      double priorY,
-      double outerPx,
-      double startOmega,
-      int round) {
+  private boolean accumulate(int round) {
+    StrokeSample sample = split.sample;
     normal.clear();
     believe(CENTRE, 1.7, 0.5);
-    believe(OMEGA, startOmega, 2 * Math.PI * 8);
-    believe(HINGE_X, priorX, round < WITH_HINGE ? 1e-4 : SLACK_PX);
-    believe(HINGE_Y, priorY, round < WITH_HINGE ? 1e-4 : SLACK_PX);
+    believe(OMEGA, prior[OMEGA], 2 * Math.PI * 8);
+    believe(HINGE_X, prior[HINGE_X], round < WITH_HINGE ? 1e-4 : SLACK_PX);
+    believe(HINGE_Y, prior[HINGE_Y], round < WITH_HINGE ? 1e-4 : SLACK_PX);
     believe(WIDTH, 0.03, round < WITH_EDGES ? 1e-6 : 0.03);
     believe(LAG, 0, round < WITH_EDGES ? 1e-9 : 200e-6);
     for (int k = 1; k <= HARMONICS; k++) {
@@ -269,7 +243,7 @@ final class StrokeFit {
     double outerSquare = outerPx * outerPx;
     int seen = 0;
     for (int i = 0; i < sample.size; i++) {
-      if (classes[i] != side || ++seen % stride != 0) {
+      if (!split.isOn(side, i) || ++seen % stride != 0) {
         continue;
       }
       double dx = sample.x[i] - p[HINGE_X];

@@ -1,15 +1,15 @@
 package haltere.filters.wing.stroke;
 
-import haltere.filters.wing.WingSide;
+import haltere.filters.wing.WingPart;
 
 /** Tells of each beat as it ends: when the phase has passed 0. */
 final class BeatClock {
-  private final WingSide side;
+  private final WingPart side;
   private final BeatListener beats;
   private double lastPhase;
   private double lastCrossingUs = Double.NaN;
 
-  BeatClock(WingSide side, BeatListener beats) {
+  BeatClock(WingPart side, BeatListener beats) {
     this.side = side;
     this.beats = beats;
   }

@@ -1,6 +1,6 @@
 package haltere.filters.wing.stroke;
 
-import haltere.filters.wing.WingSide;
+import haltere.filters.wing.WingPart;
 
 /**
  * Takes beats as they end.
@@ -17,5 +17,5 @@ public interface BeatListener {
    * @param leastRad least stroke angle of the beat
    * @param mostRad largest stroke angle of the beat
    */
-  void beat(WingSide side, double timeUs, double periodUs, double leastRad, double mostRad);
+  void beat(WingPart side, double timeUs, double periodUs, double leastRad, double mostRad);
 }

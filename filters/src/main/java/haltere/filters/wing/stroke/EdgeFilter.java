@@ -1,9 +1,9 @@
 package haltere.filters.wing.stroke;
 
 import haltere.filters.estimation.Angles;
+import haltere.filters.estimation.ConstMatrix;
 import haltere.filters.estimation.Gate;
 import haltere.filters.estimation.GaussianState;
-import haltere.filters.estimation.InnovationMonitor;
 import haltere.filters.wing.WingFilterEdit;
 import haltere.filters.wing.WingFilterState;
 import haltere.filters.wing.WingFilterState.Source;
@@ -38,11 +38,13 @@ final class EdgeFilter extends EdgeEstimator {
       List.of("rad\u00b2", "rad\u00b2", "rad\u00b2", "rad\u00b2/s\u00b2");
 
   final GaussianState belief = new GaussianState(SIZE);
-  private final InnovationMonitor monitor = new InnovationMonitor(LOST_AFTER);
+
+  /** Innovations outside the gate since the last one within. */
+  private int gated;
+
   private final WingPart part;
   private final EdgeNoise noise;
   private final double threshold;
-  private final SineCosine wave = new SineCosine();
   private final double[] row = {1, 0, 0, 0};
   private WingNoiseSettings settings;
   private double[] q;
@@ -93,7 +95,7 @@ final class EdgeFilter extends EdgeEstimator {
   void launch(long atUs, StrokeSeed seed) {
     super.launch(atUs, seed);
     stateUs = atUs;
-    lagUs = part == WingPart.edge(part.side().ordinal(), 0) ? 0 : seed.lagS() / US;
+    lagUs = part == WingPart.edge(part.sideNumber(), 0) ? 0 : seed.lagS() / US;
     clearAverage();
     belief.setMean(CENTRE, centre);
     belief.setMean(AMPLITUDE, amplitude);
@@ -101,7 +103,7 @@ final class EdgeFilter extends EdgeEstimator {
     belief.setMean(OMEGA, omega);
     noise.launch(belief);
     copyState();
-    monitor.endRun();
+    gated = 0;
     nis = Double.NaN;
     highestPhase = Angles.wrapTwoPi(belief.mean(PHASE));
   }
@@ -122,7 +124,7 @@ final class EdgeFilter extends EdgeEstimator {
       return false;
     }
     double measured = sum / count;
-    long atUs = noise.dateUs(stateUs + ages / count, timeUs);
+    long atUs = noise.isDensity() ? stateUs + ages / count : timeUs;
     clearAverage();
     predict(atUs);
     update(measured);
@@ -150,19 +152,22 @@ final class EdgeFilter extends EdgeEstimator {
 
   /** Takes in an angle, unless it lies outside the gate. */
   void update(double angle) {
-    wave.of(belief.mean(PHASE));
-    row[AMPLITUDE] = wave.sine();
-    row[PHASE] = amplitude * wave.cosine();
-    double innovation = angle - (centre + amplitude * wave.sine());
+    double phase = Angles.wrapPi(belief.mean(PHASE));
+    double sine = Math.sin(phase);
+    row[AMPLITUDE] = sine;
+    // the cosine, of either sign
+    row[PHASE] =
+        amplitude * Math.copySign(Math.sqrt(1 - sine * sine), Math.PI / 2 - Math.abs(phase));
+    double innovation = angle - (centre + amplitude * sine);
     if (Math.abs(innovation) > Math.PI) {
       innovation = Angles.wrapPi(innovation);
     }
     expected = angle - innovation;
     nis = innovation * innovation / (belief.project(row) + r);
     if (nis > threshold) {
-      monitor.noteGated();
+      gated++;
     } else if (belief.correct(innovation, r)) {
-      monitor.noteApplied();
+      gated = 0;
       mend();
     }
   }
@@ -219,7 +224,7 @@ final class EdgeFilter extends EdgeEstimator {
 
   @Override
   boolean isLost(long nowUs) {
-    return monitor.lockLost();
+    return gated >= LOST_AFTER;
   }
 
   @Override
@@ -229,9 +234,9 @@ final class EdgeFilter extends EdgeEstimator {
             part,
             FilterNumbers.of(FilterNumbers.NAMES, SIZE),
             FilterNumbers.of(FilterNumbers.UNITS, SIZE),
-            belief.mean().data,
-            belief.covariance().data,
-            q,
+            ConstMatrix.copyOf(belief.mean()),
+            ConstMatrix.copyOf(belief.covariance()),
+            ConstMatrix.column(q),
             noise.isDensity() ? FilterNumbers.of(FilterNumbers.DENSITY_UNITS, SIZE) : UPDATE_UNITS,
             List.of(qSources),
             r,

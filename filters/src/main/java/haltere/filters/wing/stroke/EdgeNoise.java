@@ -51,17 +51,9 @@ public interface EdgeNoise {
   }
 
   /**
-   * Time that the mean of several events stands for.
-   *
-   * @param meanUs mean of their times
-   * @param lastUs time of the last one
-   * @return microseconds
+   * {@return whether the process noise is that of a second, so that the mean of several events is
+   * of the mean of their times; that of an update is of the last one's}
    */
-  default long dateUs(long meanUs, long lastUs) {
-    return meanUs;
-  }
-
-  /** {@return whether the process noise is that of a second, not of an update} */
   default boolean isDensity() {
     return true;
   }

@@ -5,7 +5,6 @@ import haltere.filters.wing.WingEstimate;
 import haltere.filters.wing.WingFilterEdit;
 import haltere.filters.wing.WingFilterState;
 import haltere.filters.wing.WingPart;
-import haltere.filters.wing.WingSide;
 import haltere.filters.wing.WingTrackerSettings;
 import java.util.List;
 import java.util.Optional;
@@ -26,10 +25,10 @@ public final class EdgesEstimator implements SideEstimator {
    */
   private static final long SILENT_US = 30_000;
 
-  private final WingSide side;
+  private final WingPart side;
   private final StrokeFrame frame;
   private final BeatListener beats;
-  private final EdgeEstimator[] edges;
+  private final EdgeEstimator[] edges = new EdgeEstimator[2];
   private final boolean[] taken = new boolean[2];
   private final boolean filters;
   private double latencyUs;
@@ -37,63 +36,38 @@ public final class EdgesEstimator implements SideEstimator {
   private double lastPassedUs;
   private double lagS;
 
-  private EdgesEstimator(
-      WingSide side,
+  /**
+   * Estimators that have to be {@link #launch launched}.
+   *
+   * @param frame where the wing is hinged
+   * @param settings of the tracker
+   * @param beats takes the beats
+   * @param noise of a Kalman filter of a plain sinusoid for each edge (Cardinale 2006); empty for
+   *     running averages, without standard deviations
+   */
+  public EdgesEstimator(
       StrokeFrame frame,
       WingTrackerSettings settings,
       BeatListener beats,
-      EdgeEstimator[] edges) {
-    this.side = side;
+      Optional<EdgeNoise> noise) {
     this.frame = frame;
     this.beats = beats;
-    this.edges = edges;
-    filters = edges[0] instanceof EdgeFilter;
+    side = frame.side();
+    filters = noise.isPresent();
+    for (int edge = 0; edge < 2; edge++) {
+      edges[edge] =
+          filters
+              ? new EdgeFilter(WingPart.edge(side.sideNumber(), edge), noise.get(), settings)
+              : new EdgeAverage(settings);
+    }
     apply(settings);
   }
 
-  /**
-   * A Kalman filter for each edge, to be {@link #launch launched}.
-   *
-   * @param side which wing
-   * @param frame where it is hinged
-   * @param settings of the tracker
-   * @param beats takes the beats
-   * @param noise of both filters
-   * @return filters of a plain sinusoid (Cardinale 2006)
-   */
-  public static EdgesEstimator filters(
-      WingSide side,
-      StrokeFrame frame,
-      WingTrackerSettings settings,
-      BeatListener beats,
-      EdgeNoise noise) {
-    EdgeEstimator[] edges = {
-      new EdgeFilter(WingPart.edge(side.ordinal(), LEADING), noise, settings),
-      new EdgeFilter(WingPart.edge(side.ordinal(), TRAILING), noise, settings)
-    };
-    return new EdgesEstimator(side, frame, settings, beats, edges);
-  }
-
-  /**
-   * A running average for each edge, to be {@link #launch launched}.
-   *
-   * @param side which wing
-   * @param frame where it is hinged
-   * @param settings of the tracker
-   * @param beats takes the beats
-   * @return averages without standard deviations
-   */
-  public static EdgesEstimator averages(
-      WingSide side, StrokeFrame frame, WingTrackerSettings settings, BeatListener beats) {
-    EdgeEstimator[] edges = {new EdgeAverage(settings), new EdgeAverage(settings)};
-    return new EdgesEstimator(side, frame, settings, beats, edges);
-  }
-
   @Override
-  public void apply(WingTrackerSettings settings) {
+  public final void apply(WingTrackerSettings settings) {
     latencyUs = filters ? settings.filter().latencyUs() : 0;
     for (int edge = 0; edge < 2; edge++) {
-      taken[edge] = settings.output().takes(WingPart.edge(side.ordinal(), edge));
+      taken[edge] = settings.output().takes(WingPart.edge(side.sideNumber(), edge));
       edges[edge].apply(settings);
     }
   }
@@ -186,7 +160,7 @@ public final class EdgesEstimator implements SideEstimator {
       EdgeEstimator edge = edges[part];
       return new WingEstimate(
           nowUs,
-          WingPart.edge(side.ordinal(), part),
+          WingPart.edge(side.sideNumber(), part),
           Angles.wrapTwoPi(edge.angle(atUs)),
           edge.centre,
           edge.amplitude,
@@ -198,7 +172,7 @@ public final class EdgesEstimator implements SideEstimator {
     }
     return new WingEstimate(
         nowUs,
-        WingPart.wing(side.ordinal()),
+        side,
         Angles.wrapTwoPi(meanAngle(edge -> edge.angle(atUs))),
         mean(edge -> edge.centre),
         mean(edge -> edge.amplitude),
@@ -228,7 +202,7 @@ public final class EdgesEstimator implements SideEstimator {
 
   @Override
   public void edit(WingFilterEdit edit) {
-    edges[edit.part() == WingPart.edge(side.ordinal(), LEADING) ? LEADING : TRAILING].edit(edit);
+    edges[edit.part() == WingPart.edge(side.sideNumber(), LEADING) ? LEADING : TRAILING].edit(edit);
   }
 
   @Override

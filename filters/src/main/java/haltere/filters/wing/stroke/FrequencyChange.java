@@ -26,15 +26,12 @@ final class FrequencyChange {
   private double usual;
   private double weight;
   private double excess;
-  private FrequencyChange other;
 
-  /** Says which wing is driven together with this one; null if none is known. */
-  void besides(FrequencyChange wing) {
-    other = wing;
-  }
-
-  /** Looks, about once in a millisecond; in calm flight, the change counts as usual. */
-  void look(FrequencyHistory history, boolean calm) {
+  /**
+   * Looks, about once in a millisecond; in calm flight, the change counts as usual. The other wing
+   * is the one that is driven together with this one; null if none is known.
+   */
+  void look(FrequencyHistory history, boolean calm, FrequencyChange other) {
     if (weight == 0) {
       usual = FIRST_SHARE * history.variance[history.ago(0)];
       weight = FIRST_WEIGHT;

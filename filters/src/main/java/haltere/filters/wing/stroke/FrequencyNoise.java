@@ -44,8 +44,6 @@ final class FrequencyNoise {
   /** Says whose wing is driven together with this one; null if there is none. */
   void besides(FrequencyNoise wing) {
     other = wing;
-    runAway.besides(wing == null ? null : wing.runAway);
-    changes.besides(wing == null ? null : wing.changes);
   }
 
   /** Takes a residual, its weight times the slope, and the slope. */
@@ -58,7 +56,7 @@ final class FrequencyNoise {
    */
   void look(double dtS, StrokeEkf filter, double most) {
     double omega = filter.x[StrokeEkf.OMEGA];
-    runAway.look(dtS, omega, most);
+    runAway.look(dtS, omega, most, other == null ? null : other.runAway);
     boolean calm = isCalm();
     history.add(dtS, filter);
     // a fly that has surprised does so again
@@ -67,7 +65,8 @@ final class FrequencyNoise {
     surprise += dtS / sinceS * (change * change - surprise);
     hindsight.look(dtS, history, calm);
     double p = filter.belief.covariance(StrokeEkf.OMEGA, StrokeEkf.OMEGA);
-    changes.look(history, calm && (other == null || other.isCalm()));
+    boolean isCalmFly = calm && (other == null || other.isCalm());
+    changes.look(history, isCalmFly, other == null ? null : other.changes);
     if (p < calmVariance) {
       calmVariance = p;
     } else if (calm) {

@@ -1,49 +1,57 @@
 package haltere.filters.wing.stroke;
 
-import java.util.Arrays;
+import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.CommonOps_DDRM;
+import org.ejml.dense.row.factory.LinearSolverFactory_DDRM;
+import org.ejml.interfaces.linsol.LinearSolverDense;
 
 /**
  * Follows a wing's hinge as the body sways. The stroke's filter explains the angles; what it cannot
  * explain, as it differs between near and far events, is a shift of the hinge. Residuals gather in
  * normal equations of the shift beside the filter's own centre, amplitude and phase, which are
- * eliminated; the shift is a random walk that is estimated every few milliseconds.
+ * eliminated (Schur complement); the shift is a random walk that is estimated every few
+ * milliseconds.
  *
  * <p>Thread rule: one thread at a time.
  */
 final class HingeTracker {
-  private static final int SIZE = 5;
-  private static final int SHIFT = 2;
+  /** Number of the first entry of the shift, after centre, amplitude and phase. */
+  private static final int SHIFT = 3;
 
-  private final double[][] a = new double[SIZE][SIZE];
-  private final double[] b = new double[SIZE];
-  private final double[][] m = new double[SIZE][SIZE + 1];
-  private double pxx;
-  private double pxy;
-  private double pyy;
-  private final UsualShift usual = new UsualShift();
+  /** Number of the right side, after the shift. */
+  private static final int RIGHT = 5;
 
-  /** The last shift, pixels, and what it does to centre, amplitude and phase. */
-  double shiftX;
+  /** Estimates that tell what events say against a hinge that is set by hand. */
+  private static final int USUAL_LOOKS = 10;
 
-  double shiftY;
-  double centreShift;
-  double amplitudeShift;
-  double phaseShift;
+  /** Upper triangle of the normal equations with their right side. */
+  private final DMatrixRMaj sums = new DMatrixRMaj(RIGHT + 1, RIGHT + 1);
+
+  private final DMatrixRMaj p = new DMatrixRMaj(2, 2);
+  private final DMatrixRMaj usual = new DMatrixRMaj(3, 3);
+  private int usualLooks;
+  private final LinearSolverDense<DMatrixRMaj> solver = LinearSolverFactory_DDRM.chol(SHIFT);
+  private final DMatrixRMaj nuisances = new DMatrixRMaj(3, 3);
+  private final DMatrixRMaj coupled = new DMatrixRMaj(3, 3);
+  private final DMatrixRMaj taken = new DMatrixRMaj(3, 3);
+  private final DMatrixRMaj seen = new DMatrixRMaj(3, 3);
+  private final DMatrixRMaj information = new DMatrixRMaj(2, 2);
+  private final DMatrixRMaj right = new DMatrixRMaj(2, 1);
+  private final DMatrixRMaj effect = new DMatrixRMaj(3, 2);
+
+  /** The last shift, pixels. */
+  final DMatrixRMaj shift = new DMatrixRMaj(2, 1);
+
+  /** What the last shift adds to centre, amplitude and phase. */
+  final DMatrixRMaj stroke = new DMatrixRMaj(SHIFT, 1);
 
   /** Begins with an uncertainty of the hinge, pixels. */
   void launch(double sdPx) {
-    pxx = sdPx * sdPx;
-    pyy = pxx;
-    pxy = 0;
-    usual.clear();
-    clear();
-  }
-
-  private void clear() {
-    for (double[] row : a) {
-      Arrays.fill(row, 0);
-    }
-    Arrays.fill(b, 0);
+    CommonOps_DDRM.setIdentity(p);
+    CommonOps_DDRM.scale(sdPx * sdPx, p);
+    usual.zero();
+    usualLooks = 0;
+    sums.zero();
   }
 
   /**
@@ -57,101 +65,87 @@ final class HingeTracker {
    * @param slope derivative of the angle with respect to the phase
    */
   void add(double weight, double y, double gx, double gy, double sin, double slope) {
-    double[] a0 = a[0];
-    double[] a1 = a[1];
-    double[] a2 = a[2];
-    double[] a3 = a[3];
+    double[] d = sums.data;
     double wx = weight * gx;
-    a0[0] += wx * gx;
-    a0[1] += wx * gy;
-    a0[2] += wx;
-    a0[3] += wx * sin;
-    a0[4] += wx * slope;
     double wy = weight * gy;
-    a1[1] += wy * gy;
-    a1[2] += wy;
-    a1[3] += wy * sin;
-    a1[4] += wy * slope;
     double ws = weight * sin;
-    a2[2] += weight;
-    a2[3] += ws;
-    a2[4] += weight * slope;
-    a3[3] += ws * sin;
-    a3[4] += ws * slope;
-    a[4][4] += weight * slope * slope;
-    double r = weight * y;
-    b[0] += r * gx;
-    b[1] += r * gy;
-    b[2] += r;
-    b[3] += r * sin;
-    b[4] += r * slope;
+    double wp = weight * slope;
+    d[0] += weight;
+    d[1] += ws;
+    d[2] += wp;
+    d[3] += wx;
+    d[4] += wy;
+    d[5] += weight * y;
+    d[7] += ws * sin;
+    d[8] += ws * slope;
+    d[9] += ws * gx;
+    d[10] += ws * gy;
+    d[11] += ws * y;
+    d[14] += wp * slope;
+    d[15] += wp * gx;
+    d[16] += wp * gy;
+    d[17] += wp * y;
+    d[21] += wx * gx;
+    d[22] += wx * gy;
+    d[23] += wx * y;
+    d[28] += wy * gy;
+    d[29] += wy * y;
   }
 
   /**
-   * Estimates the shift since the last time.
+   * Estimates the shift since the last time; false where there is none.
    *
    * @param byHand whether a person has put the hinge where it is; what the events say against that
    *     at first is no shift, then or later
    */
   boolean solve(double dtS, double walkPx2PerS, double inflation, boolean byHand) {
-    pxx += walkPx2PerS * dtS;
-    pyy += walkPx2PerS * dtS;
-    // eliminate the nuisances, the last three, from the bottom up
-    for (int i = 0; i < SIZE; i++) {
-      for (int j = 0; j < SIZE; j++) {
-        m[i][j] = j >= i ? a[i][j] : a[j][i];
-      }
-      m[i][SIZE] = b[i];
+    p.add(0, 0, walkPx2PerS * dtS);
+    p.add(1, 1, walkPx2PerS * dtS);
+    CommonOps_DDRM.symmUpperToFull(sums);
+    CommonOps_DDRM.extract(sums, 0, SHIFT, 0, SHIFT, nuisances);
+    CommonOps_DDRM.extract(sums, 0, SHIFT, SHIFT, RIGHT + 1, coupled);
+    CommonOps_DDRM.extract(sums, SHIFT, RIGHT + 1, SHIFT, RIGHT + 1, seen);
+    double trust = sums.get(0, 0) * 1e-6 + 1e-9;
+    for (int i = 0; i < SHIFT; i++) {
+      nuisances.add(i, i, trust);
     }
-    double trust = a[2][2] * 1e-6 + 1e-9;
-    for (int k = SHIFT; k < SIZE; k++) {
-      m[k][k] += trust;
-    }
-    for (int k = SIZE - 1; k >= SHIFT; k--) {
-      for (int i = 0; i < k; i++) {
-        double f = m[i][k] / m[k][k];
-        for (int j = 0; j <= SIZE; j++) {
-          m[i][j] -= f * m[k][j];
-        }
-      }
-    }
-    double jxx = m[0][0] / inflation;
-    double jxy = m[0][1] / inflation;
-    double jyy = m[1][1] / inflation;
-    double rx = m[0][SIZE] / inflation;
-    double ry = m[1][SIZE] / inflation;
-    if (byHand) {
-      if (!usual.isLearnt()) {
-        usual.add(jxx, jxy, jyy, rx, ry);
-        clear();
-        return false;
-      }
-      rx -= jxx * usual.x() + jxy * usual.y();
-      ry -= jxy * usual.x() + jyy * usual.y();
-    }
-    double det = pxx * pyy - pxy * pxy;
-    double ixx = pyy / det + jxx;
-    double ixy = -pxy / det + jxy;
-    double iyy = pxx / det + jyy;
-    double idet = ixx * iyy - ixy * ixy;
-    if (!(det > 0) || !(idet > 0)) {
-      clear();
+    sums.zero();
+    if (!solver.setA(nuisances)) {
       return false;
     }
-    pxx = iyy / idet;
-    pxy = -ixy / idet;
-    pyy = ixx / idet;
-    shiftX = pxx * rx + pxy * ry;
-    shiftY = pxy * rx + pyy * ry;
-    // what the shift takes from the nuisances
-    double[] n = m[2];
-    centreShift = -(n[0] * shiftX + n[1] * shiftY) / n[2];
-    n = m[3];
-    amplitudeShift = -(n[0] * shiftX + n[1] * shiftY + n[2] * centreShift) / n[3];
-    n = m[4];
-    phaseShift =
-        -(n[0] * shiftX + n[1] * shiftY + n[2] * centreShift + n[3] * amplitudeShift) / n[4];
-    clear();
+    solver.solve(coupled, taken);
+    CommonOps_DDRM.multAddTransA(-1, coupled, taken, seen);
+    CommonOps_DDRM.scale(1 / inflation, seen);
+    if (byHand && usualLooks < USUAL_LOOKS) {
+      usualLooks++;
+      CommonOps_DDRM.addEquals(usual, seen);
+      return false;
+    }
+    if (byHand) {
+      split(usual);
+      if (CommonOps_DDRM.det(information) > 0 && CommonOps_DDRM.invert(information)) {
+        CommonOps_DDRM.mult(information, right, shift);
+        split(seen);
+        CommonOps_DDRM.multAdd(-1, information, shift, right);
+        CommonOps_DDRM.insert(right, seen, 0, 2);
+      }
+    }
+    split(seen);
+    if (!(CommonOps_DDRM.det(p) > 0)) {
+      return false;
+    }
+    CommonOps_DDRM.invert(p);
+    CommonOps_DDRM.addEquals(p, information);
+    CommonOps_DDRM.invert(p);
+    CommonOps_DDRM.mult(p, right, shift);
+    CommonOps_DDRM.extract(taken, 0, SHIFT, 0, 2, effect);
+    CommonOps_DDRM.mult(-1, effect, shift, stroke);
     return true;
+  }
+
+  /** Takes the equations of a shift apart. */
+  private void split(DMatrixRMaj equations) {
+    CommonOps_DDRM.extract(equations, 0, 2, 0, 2, information);
+    CommonOps_DDRM.extract(equations, 0, 2, 2, 3, right);
   }
 }

@@ -23,9 +23,20 @@ final class RadialResiduals {
   private final double[][] moment = new double[2][RINGS];
   private final double[][] weight = new double[2][RINGS];
   private double ringsPerSquarePx;
-  private double chordShare;
-  private double answeredShare;
-  private double bendVariance;
+
+  /**
+   * Degree, 0 to 1, to which the distance of the edges varies over the radius as a chord's does.
+   */
+  double chordShare;
+
+  /**
+   * Degree, 0 to 1, to which passages are answered at both edges beyond what chance pairs; slow
+   * pixels and blind ones miss an edge.
+   */
+  double answeredShare;
+
+  /** Variance over the radius of the middle between the edges in mid stroke, squared seconds. */
+  double bendVariance;
 
   /** Begins anew with a region of interest that ends at a distance, squared pixels. */
   void launch(double outerSquarePx) {
@@ -92,26 +103,6 @@ final class RadialResiduals {
     double most = Math.max(sum[0], sum[1]);
     answeredShare = most == 0 ? 0 : Math.max(0, 2 * Math.min(sum[0], sum[1]) / most - 1);
     fade(Math.exp(-dtS / MEMORY_S));
-  }
-
-  /**
-   * Degree, 0 to 1, to which the distance of the edges varies over the radius as a chord's does.
-   */
-  double chordShare() {
-    return chordShare;
-  }
-
-  /**
-   * Degree, 0 to 1, to which passages are answered at both edges beyond what chance pairs; slow
-   * pixels and blind ones miss an edge.
-   */
-  double answeredShare() {
-    return answeredShare;
-  }
-
-  /** Variance over the radius of the middle between the edges in mid stroke, squared seconds. */
-  double bendVariance() {
-    return bendVariance;
   }
 
   /** Weighted variance of the rings without their noise. */

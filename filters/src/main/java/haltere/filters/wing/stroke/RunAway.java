@@ -21,12 +21,6 @@ final class RunAway {
   private double y;
   private double w;
   private double density;
-  private RunAway other;
-
-  /** Says which wing is driven together with this one; null if none is known. */
-  void besides(RunAway wing) {
-    other = wing;
-  }
 
   /**
    * Takes a residual.
@@ -40,10 +34,13 @@ final class RunAway {
     w += weight * slope;
   }
 
-  /** Looks, about once in a millisecond; the residuals of the last beat count. */
-  void look(double dtS, double omega, double most) {
+  /**
+   * Looks, about once in a millisecond; the residuals of the last beat count. The other wing is the
+   * one that is driven together with this one; null if none is known.
+   */
+  void look(double dtS, double omega, double most, RunAway other) {
     if (w > 0) {
-      double excess = excess();
+      double excess = excess(other);
       density = Math.max(density * Math.exp(-dtS / HOLD_S), Math.min(most, DENSITY * excess));
       if (density < LEAST_DENSITY) {
         density = 0;
@@ -54,7 +51,7 @@ final class RunAway {
     w *= fade;
   }
 
-  private double excess() {
+  private double excess(RunAway other) {
     boolean calm = density == 0;
     if (other == null) {
       return together.excess(y, w, calm);

@@ -129,18 +129,11 @@ final class StrokeEkf {
     return value;
   }
 
-  /** Stroke angle when the phase has turned on. */
+  /** Stroke angle when the phase has turned on; {@link #slopeThere} keeps its slope. */
   double angleAfter(double turn) {
     double c = Math.cos(turn);
     double s = Math.sin(turn);
     return angle(cos * c - sin * s, sin * c + cos * s);
-  }
-
-  /** Derivative with respect to the phase when that has turned on. */
-  double slopeAfter(double turn) {
-    double c = Math.cos(turn);
-    double s = Math.sin(turn);
-    return slope(cos * c - sin * s, sin * c + cos * s);
   }
 
   /**
@@ -224,15 +217,8 @@ final class StrokeEkf {
       turn(turned);
     }
     double lag = x[OMEGA] * x[LAG];
-    if (Math.abs(lag) < 0.5) {
-      double square = lag * lag;
-      lagSin = lag * (1 - square * (1.0 / 6 - square * (1.0 / 120 - square * (1.0 / 5040))));
-      lagCos =
-          1 - square * (0.5 - square * (1.0 / 24 - square * (1.0 / 720 - square * (1.0 / 40320))));
-    } else {
-      lagSin = Math.sin(lag);
-      lagCos = Math.cos(lag);
-    }
+    lagSin = Math.sin(lag);
+    lagCos = Math.cos(lag);
   }
 
   /** Sets an entry of the state; the covariance stays. */

@@ -1,6 +1,6 @@
 package haltere.filters.wing.stroke;
 
-import haltere.filters.wing.WingSide;
+import haltere.filters.wing.WingPart;
 
 /**
  * Where a wing is hinged and from where its stroke angle is measured; turns pixels into angles.
@@ -10,6 +10,7 @@ import haltere.filters.wing.WingSide;
 public final class StrokeFrame {
   private static final double LEAST_RADIUS_PX = 1;
 
+  private final WingPart side;
   private final double turn;
   private double hingeX;
   private double hingeY;
@@ -31,8 +32,13 @@ public final class StrokeFrame {
    *
    * @param side which wing
    */
-  public StrokeFrame(WingSide side) {
-    turn = side == WingSide.LEFT ? 1 : -1;
+  public StrokeFrame(WingPart side) {
+    this.side = side;
+    turn = side == WingPart.LEFT ? 1 : -1;
+  }
+
+  WingPart side() {
+    return side;
   }
 
   /** {@return which way stroke angles grow on the sensor: 1 for the left wing, -1 for the right} */

@@ -1,6 +1,7 @@
 package haltere.filters.wing.stroke;
 
 import haltere.filters.estimation.Angles;
+import haltere.filters.estimation.ConstMatrix;
 import haltere.filters.wing.WingEstimate;
 import haltere.filters.wing.WingFilterEdit;
 import haltere.filters.wing.WingFilterSettings;
@@ -8,7 +9,6 @@ import haltere.filters.wing.WingFilterState;
 import haltere.filters.wing.WingFilterState.Source;
 import haltere.filters.wing.WingNoiseSettings;
 import haltere.filters.wing.WingPart;
-import haltere.filters.wing.WingSide;
 import haltere.filters.wing.WingTrackerSettings;
 import java.util.Arrays;
 import java.util.List;
@@ -37,7 +37,7 @@ public final class WingEstimator implements SideEstimator {
   final StrokeEkf filter;
   private WingEventNoise noise;
   private final StrokeFrame frame;
-  private final WingSide side;
+  private final WingPart side;
   private WingNoiseSettings settings;
   private WingNoiseSettings appliedNoise;
   private WingFilterSettings options;
@@ -74,14 +74,12 @@ public final class WingEstimator implements SideEstimator {
   /**
    * An estimator that has to be {@link #launch launched}.
    *
-   * @param side which wing
-   * @param frame where it is hinged; follows the events if the settings say so
+   * @param frame where the wing is hinged; follows the events if the settings say so
    * @param settings of the tracker
    * @param beats takes the beats
    */
-  public WingEstimator(
-      WingSide side, StrokeFrame frame, WingTrackerSettings settings, BeatListener beats) {
-    this.side = side;
+  public WingEstimator(StrokeFrame frame, WingTrackerSettings settings, BeatListener beats) {
+    side = frame.side();
     this.frame = frame;
     clock = new BeatClock(side, beats);
     filter = new StrokeEkf(settings.filter().harmonics());
@@ -97,7 +95,7 @@ public final class WingEstimator implements SideEstimator {
     options = changed.filter();
     followsHinge = changed.place().followsHinges();
     for (int edge = 0; edge < 2; edge++) {
-      takes[edge] = changed.output().takes(WingPart.edge(side.ordinal(), edge));
+      takes[edge] = changed.output().takes(WingPart.edge(side.sideNumber(), edge));
     }
     averagingS = options.averagingUs() * 1e-6;
     if (settings.equals(appliedNoise)) {
@@ -260,10 +258,10 @@ public final class WingEstimator implements SideEstimator {
     double dtS = (timeUs - hingeUs) * 1e-6;
     hingeUs = timeUs;
     if (followsHinge && hinge.solve(dtS, settings.hingePx2PerS(), REPEATING, frame.isByHand())) {
-      frame.shift(hinge.shiftX, hinge.shiftY);
-      filter.x[StrokeEkf.CENTRE] += hinge.centreShift;
-      filter.x[StrokeEkf.AMPLITUDE] += hinge.amplitudeShift;
-      filter.turn(hinge.phaseShift);
+      frame.shift(hinge.shift.get(0), hinge.shift.get(1));
+      filter.x[StrokeEkf.CENTRE] += hinge.stroke.get(0);
+      filter.x[StrokeEkf.AMPLITUDE] += hinge.stroke.get(1);
+      filter.turn(hinge.stroke.get(2));
     }
   }
 
@@ -397,15 +395,11 @@ public final class WingEstimator implements SideEstimator {
     if (!hasBothEdges()) {
       return 0;
     }
-    double chord = radial.chordShare();
-    double fast = fastShare(lagS);
+    double chord = radial.chordShare;
+    // a slow pixel spreads the times of both edges, the shape of a wing those of one
+    double fast = CameraLatency.fastShare(lagS, timingSdS());
     double both = chord * fast;
-    return both == 0 ? 0 : radial.answeredShare() * both / (both + (1 - chord) * (1 - fast));
-  }
-
-  /** A slow pixel spreads the times of both edges, the shape of a wing those of one. */
-  private double fastShare(double lagS) {
-    return CameraLatency.fastShare(lagS, timingSdS());
+    return both == 0 ? 0 : radial.answeredShare * both / (both + (1 - chord) * (1 - fast));
   }
 
   private double timingSdS() {
@@ -421,35 +415,31 @@ public final class WingEstimator implements SideEstimator {
       return 0;
     }
     double passage = passageShare(lagS);
-    double slow = radial.chordShare() * (1 - radial.answeredShare() * fastShare(lagS));
+    double slow =
+        radial.chordShare * (1 - radial.answeredShare * CameraLatency.fastShare(lagS, timingSdS()));
     double halfS = lagS / 2;
     double delayS = Math.min(halfS, CameraLatency.delayS(timingSdS()));
     return (passage * (1 - passage) + slow) * halfS * halfS
         + passage * delayS * delayS
-        + radial.bendVariance();
-  }
-
-  private double angle() {
-    return filter.angleAfter(ahead());
-  }
-
-  /** On which side of the wing's middle an edge is: 1 nearer to the tail, -1 nearer to the head. */
-  private int sideOf(int edge) {
-    return edge == WING ? 0 : filter.slopeAfter(ahead()) >= 0 == (edge == LEADING) ? 1 : -1;
+        + radial.bendVariance;
   }
 
   @Override
   public WingEstimate estimate(int part) {
-    int at = sideOf(part);
+    double angle = filter.angleAfter(ahead());
+    boolean isRising = filter.slopeThere >= 0;
+    // on which side of the wing's middle: 1 nearer to the tail, -1 nearer to the head
+    int at = part == WING ? 0 : isRising == (part == LEADING) ? 1 : -1;
     // the leading edge is half a width ahead of the wing on both ways, the trailing edge behind it
     double wider = part == WING ? 0 : part == LEADING ? 1 : -1;
     double width = filter.x[StrokeEkf.WIDTH];
+    shape.of(filter);
     return new WingEstimate(
         timeUs,
-        part == WING ? WingPart.wing(side.ordinal()) : WingPart.edge(side.ordinal(), part),
-        Angles.wrapTwoPi(angle() + at * width),
+        part == WING ? side : WingPart.edge(side.sideNumber(), part),
+        Angles.wrapTwoPi(angle + at * width),
         filter.x[StrokeEkf.CENTRE],
-        amplitude() + wider * width,
+        shape.amplitude() + wider * width,
         phase(),
         filter.x[StrokeEkf.OMEGA] / (2 * Math.PI),
         sdAngle(at),
@@ -465,16 +455,11 @@ public final class WingEstimator implements SideEstimator {
     for (int step = 0; step < steps; step++) {
       double turn = ahead + 2 * Math.PI * step / steps;
       double angle = filter.angleAfter(turn);
-      double leading = filter.slopeAfter(turn) >= 0 ? width : -width;
+      double leading = filter.slopeThere >= 0 ? width : -width;
       angles[LEADING][step] = angle + leading;
       angles[TRAILING][step] = angle - leading;
     }
     return angles;
-  }
-
-  private double amplitude() {
-    shape.of(filter);
-    return shape.amplitude();
   }
 
   private double phase() {
@@ -515,12 +500,12 @@ public final class WingEstimator implements SideEstimator {
             : noise.fixed() == 0 ? Source.ESTIMATOR : Source.SETTINGS;
     return List.of(
         new WingFilterState(
-            WingPart.wing(side.ordinal()),
+            side,
             FilterNumbers.of(FilterNumbers.NAMES, filter.size),
             FilterNumbers.of(FilterNumbers.UNITS, filter.size),
-            filter.x,
-            filter.belief.covariance().data,
-            present,
+            ConstMatrix.copyOf(filter.belief.mean()),
+            ConstMatrix.copyOf(filter.belief.covariance()),
+            ConstMatrix.column(present),
             FilterNumbers.of(FilterNumbers.DENSITY_UNITS, filter.size),
             List.of(sources),
             noise.present(),

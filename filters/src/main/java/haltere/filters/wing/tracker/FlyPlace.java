@@ -2,8 +2,8 @@ package haltere.filters.wing.tracker;
 
 import haltere.filters.estimation.Angles;
 import haltere.filters.wing.FlyGeometry;
+import haltere.filters.wing.WingPart;
 import haltere.filters.wing.WingPlaceSettings;
-import haltere.filters.wing.WingSide;
 import haltere.filters.wing.search.FoundFly;
 import haltere.filters.wing.stroke.StrokeFrame;
 
@@ -14,7 +14,7 @@ import haltere.filters.wing.stroke.StrokeFrame;
 final class FlyPlace {
   private static final double LEAST_REGION_PX = 3;
 
-  final StrokeFrame[] frames = {new StrokeFrame(WingSide.LEFT), new StrokeFrame(WingSide.RIGHT)};
+  final StrokeFrame[] frames = {new StrokeFrame(WingPart.LEFT), new StrokeFrame(WingPart.RIGHT)};
   private double axisCos = 1;
   private double axisSin;
   private double axisX;

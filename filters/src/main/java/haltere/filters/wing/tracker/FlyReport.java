@@ -1,6 +1,7 @@
 package haltere.filters.wing.tracker;
 
 import haltere.filters.estimation.Angles;
+import haltere.filters.estimation.ConstMatrix;
 import haltere.filters.wing.FlyGeometry;
 import haltere.filters.wing.WingAverage;
 import haltere.filters.wing.WingBeat;
@@ -10,12 +11,12 @@ import haltere.filters.wing.WingFilterState;
 import haltere.filters.wing.WingListener;
 import haltere.filters.wing.WingMeasurement;
 import haltere.filters.wing.WingPair;
-import haltere.filters.wing.WingSide;
+import haltere.filters.wing.WingPart;
 import haltere.filters.wing.WingSnapshot;
 import haltere.filters.wing.WingTrackerState.Phase;
 import haltere.filters.wing.WingVariances;
 import haltere.filters.wing.stroke.SideEstimator;
-import java.util.Arrays;
+import org.ejml.data.DMatrixRMaj;
 
 /** Tells a listener what the estimators of both wings say. */
 final class FlyReport {
@@ -113,10 +114,10 @@ final class FlyReport {
 
   /** Tells everything at once, to be drawn. */
   void snapshot(long timeUs, Phase phase, FlyGeometry geometry, double regionPx) {
-    double[] strokes = new double[4 * BEAT_STEPS];
+    DMatrixRMaj strokes = new DMatrixRMaj(4, BEAT_STEPS);
     double[] frequency = {Double.NaN, Double.NaN};
     double[] sd = {Double.NaN, Double.NaN};
-    Arrays.fill(strokes, Double.NaN);
+    strokes.fill(Double.NaN);
     for (int side = 0; side < 2; side++) {
       if (wings.tracked[side]) {
         SideEstimator wing = wings.main[side];
@@ -126,17 +127,25 @@ final class FlyReport {
         double[][] beat = wing.beat(BEAT_STEPS);
         for (int edge = 2 * side; edge < 2 * side + 2; edge++) {
           if (wings.takesNow[edge]) {
-            System.arraycopy(beat[edge % 2], 0, strokes, edge * BEAT_STEPS, BEAT_STEPS);
+            System.arraycopy(beat[edge % 2], 0, strokes.data, edge * BEAT_STEPS, BEAT_STEPS);
           }
         }
       }
     }
-    listener.take(new WingSnapshot(timeUs, phase, geometry, regionPx, strokes, frequency, sd));
+    listener.take(
+        new WingSnapshot(
+            timeUs,
+            phase,
+            geometry,
+            regionPx,
+            ConstMatrix.copyOf(strokes),
+            ConstMatrix.column(frequency),
+            ConstMatrix.column(sd)));
   }
 
   /** Tells of a beat that has ended; the first one has no beginning and is left out. */
-  void beat(WingSide side, double timeUs, double periodUs, double leastRad, double mostRad) {
-    int own = side.ordinal();
+  void beat(WingPart side, double timeUs, double periodUs, double leastRad, double mostRad) {
+    int own = side.sideNumber();
     if (!(periodUs > 0) || !wings.locked) {
       return;
     }

@@ -205,15 +205,13 @@ final class TrackedFly {
 
   void publish(long timeUs, Phase phase) {
     wings.report.tick(timeUs, settings.filter().method() == WingMethod.BOTH);
-    if (listener.wants(WingSnapshot.class)) {
-      wings.report.snapshot(timeUs, phase, geometry(), place.regionPx());
-    }
+    publishSnapshot(timeUs, phase);
   }
 
-  /** Tells whoever draws that there is nothing to be drawn any more. */
-  void publishLoss(long timeUs) {
+  /** Tells whoever draws, also that there is nothing to be drawn any more. */
+  void publishSnapshot(long timeUs, Phase phase) {
     if (listener.wants(WingSnapshot.class)) {
-      wings.report.snapshot(timeUs, Phase.LOST, geometry(), place.regionPx());
+      wings.report.snapshot(timeUs, phase, geometry(), place.regionPx());
     }
   }
 

@@ -3,7 +3,6 @@ package haltere.filters.wing.tracker;
 import haltere.core.event.SensorGeometry;
 import haltere.filters.wing.WingMethod;
 import haltere.filters.wing.WingModel;
-import haltere.filters.wing.WingSide;
 import haltere.filters.wing.WingTrackerSettings;
 import haltere.filters.wing.WingTrackerState;
 import haltere.filters.wing.original.CentroidSearch;
@@ -17,6 +16,7 @@ import haltere.filters.wing.stroke.EdgesEstimator;
 import haltere.filters.wing.stroke.SideEstimator;
 import haltere.filters.wing.stroke.StrokeFrame;
 import haltere.filters.wing.stroke.WingEstimator;
+import java.util.Optional;
 import java.util.function.Consumer;
 
 /**
@@ -53,12 +53,11 @@ final class TrackerParts {
   }
 
   /** The Kalman filter of a wing, or one for each of its edges. */
-  static SideEstimator filter(
-      WingSide side, StrokeFrame frame, WingTrackerSettings settings, BeatListener beats) {
+  static SideEstimator filter(StrokeFrame frame, WingTrackerSettings settings, BeatListener beats) {
     return switch (settings.filter().model()) {
-      case WINGS -> new WingEstimator(side, frame, settings, beats);
-      case EDGES -> EdgesEstimator.filters(side, frame, settings, beats, EdgeNoise.DENSITY);
-      case ORIGINAL -> EdgesEstimator.filters(side, frame, settings, beats, new UpdateNoise());
+      case WINGS -> new WingEstimator(frame, settings, beats);
+      case EDGES -> new EdgesEstimator(frame, settings, beats, Optional.of(EdgeNoise.DENSITY));
+      case ORIGINAL -> new EdgesEstimator(frame, settings, beats, Optional.of(new UpdateNoise()));
     };
   }
 }

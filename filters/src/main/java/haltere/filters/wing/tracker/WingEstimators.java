@@ -6,7 +6,6 @@ import haltere.filters.wing.WingFilterState;
 import haltere.filters.wing.WingListener;
 import haltere.filters.wing.WingMethod;
 import haltere.filters.wing.WingPart;
-import haltere.filters.wing.WingSide;
 import haltere.filters.wing.WingTrackerSettings;
 import haltere.filters.wing.stroke.BeatListener;
 import haltere.filters.wing.stroke.EdgesEstimator;
@@ -16,6 +15,7 @@ import haltere.filters.wing.stroke.StrokeSeed;
 import haltere.filters.wing.stroke.WingEstimator;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
@@ -23,7 +23,6 @@ import java.util.stream.IntStream;
  * average for each wing, whether the wing is tracked, and which of its edges are taken.
  */
 final class WingEstimators {
-  private static final WingSide[] SIDES = WingSide.values();
 
   final SideEstimator[] main = new SideEstimator[2];
   final EdgesEstimator[] beside = new EdgesEstimator[2];
@@ -63,11 +62,8 @@ final class WingEstimators {
             report.beat(s, endUs, periodUs, least, most);
           }
         };
-    beside[side] = EdgesEstimator.averages(SIDES[side], frames[side], settings, beats);
-    main[side] =
-        tells
-            ? beside[side]
-            : TrackerParts.filter(SIDES[side], frames[side], settings, report::beat);
+    beside[side] = new EdgesEstimator(frames[side], settings, beats, Optional.empty());
+    main[side] = tells ? beside[side] : TrackerParts.filter(frames[side], settings, report::beat);
   }
 
   private void takeEdges() {
@@ -163,7 +159,7 @@ final class WingEstimators {
   }
 
   private int sideOf(WingPart part) {
-    int side = part.side().ordinal();
+    int side = part.sideNumber();
     if (!tracked[side] || main[side].filters().stream().noneMatch(f -> f.part() == part)) {
       throw new IllegalArgumentException("there is no filter for " + part + " now");
     }

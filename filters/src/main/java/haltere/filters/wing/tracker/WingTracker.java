@@ -4,6 +4,7 @@ import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.stream.ReportClock;
+import haltere.filters.estimation.Angles;
 import haltere.filters.wing.FlyGeometry;
 import haltere.filters.wing.WingByHand;
 import haltere.filters.wing.WingFilterEdit;
@@ -228,7 +229,7 @@ public final class WingTracker {
       return settings;
     }
     double offset =
-        haltere.filters.estimation.Angles.wrapPi(
+        Angles.wrapPi(
             settings.place().headingOffsetRad() + headingRad - fly.geometry().headingRad());
     return settings.with("place.headingOffsetRad=" + offset);
   }
@@ -342,7 +343,7 @@ public final class WingTracker {
       phase = now;
       say(timeUs, now, recent.size());
       if (now == Phase.LOST) {
-        fly.publishLoss(timeUs);
+        fly.publishSnapshot(timeUs, now);
       }
       search.startAt(timeUs + CHECK_US);
     }

@@ -18,9 +18,6 @@ class FrequencyChangeTest {
     double[] sd = new double[filter.size];
     sd[StrokeEkf.OMEGA] = 1;
     filter.launch(state, sd);
-    for (int side = 0; side < 2; side++) {
-      wings[side].besides(wings[1 - side]);
-    }
   }
 
   private void look(double left, double right) {
@@ -28,7 +25,7 @@ class FrequencyChangeTest {
     for (int side = 0; side < 2; side++) {
       filter.x[StrokeEkf.OMEGA] = both[side];
       histories[side].add(DT_S, filter);
-      wings[side].look(histories[side], true);
+      wings[side].look(histories[side], true, wings[1 - side]);
     }
   }
 

@@ -38,20 +38,20 @@ class RadialResidualsTest {
   @Test
   void edgesThatComeTogetherTowardsTheTipAreThoseOfAChord() {
     look(4000, 1, share -> 300e-6 * (1 - share), 0);
-    assertTrue(radial.chordShare() > 0.8, "" + radial.chordShare());
-    assertEquals(0, radial.bendVariance(), 1e-11);
+    assertTrue(radial.chordShare > 0.8, "" + radial.chordShare);
+    assertEquals(0, radial.bendVariance, 1e-11);
   }
 
   @Test
   void edgesThatKeepTheirDistanceAreThoseOfALag() {
     look(4000, 1, share -> HALF_APART_S, 0);
-    assertTrue(radial.chordShare() < 0.05, "" + radial.chordShare());
+    assertTrue(radial.chordShare < 0.05, "" + radial.chordShare);
   }
 
   @Test
   void fewEventsSayNothingOfAChord() {
     look(20, 1, share -> HALF_APART_S, 0);
-    assertTrue(radial.chordShare() < 0.2, "" + radial.chordShare());
+    assertTrue(radial.chordShare < 0.2, "" + radial.chordShare);
   }
 
   @Test
@@ -59,17 +59,17 @@ class RadialResidualsTest {
     double bendS = 200e-6;
     look(4000, 1, share -> HALF_APART_S, bendS);
     // the share of the length has a variance of 1/18 over a disc
-    assertEquals(bendS * bendS / 18, radial.bendVariance(), 0.2 * bendS * bendS / 18);
+    assertEquals(bendS * bendS / 18, radial.bendVariance, 0.2 * bendS * bendS / 18);
   }
 
   @Test
   void passagesThatOneEdgeAnswersAreCounted() {
     look(2000, 1, share -> HALF_APART_S, 0);
-    assertEquals(1, radial.answeredShare(), 1e-9);
+    assertEquals(1, radial.answeredShare, 1e-9);
     look(2000, 0.75, share -> HALF_APART_S, 0);
-    assertEquals(0.5, radial.answeredShare(), 0.05);
+    assertEquals(0.5, radial.answeredShare, 0.05);
     look(2000, 0.3, share -> HALF_APART_S, 0);
-    assertEquals(0, radial.answeredShare(), 1e-9);
+    assertEquals(0, radial.answeredShare, 1e-9);
   }
 
   @Test

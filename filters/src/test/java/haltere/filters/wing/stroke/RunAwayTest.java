@@ -16,10 +16,9 @@ class RunAwayTest {
     RunAway[] wings = {new RunAway(), new RunAway()};
     double[] off = {leftOff, rightOff};
     for (int side = 0; side < 2; side++) {
-      wings[side].besides(wings[1 - side]);
       wings[side].add(off[side], 1000, 1);
     }
-    wings[0].look(DT_S, OMEGA, 4e4);
+    wings[0].look(DT_S, OMEGA, 4e4, wings[1]);
     return wings;
   }
 
@@ -28,7 +27,7 @@ class RunAwayTest {
     assertTrue(wings(0.12, 0.12)[0].density() > 1000);
     RunAway alone = new RunAway();
     alone.add(0.12, 1000, 1);
-    alone.look(DT_S, OMEGA, 4e4);
+    alone.look(DT_S, OMEGA, 4e4, null);
     assertEquals(0, alone.density());
   }
 
@@ -42,9 +41,9 @@ class RunAwayTest {
     RunAway[] wings = wings(0.25, -0.25);
     assertTrue(wings[0].density() > 1000);
     for (int i = 0; i < 600; i++) {
-      for (RunAway wing : wings) {
-        wing.add(0, 100, 1);
-        wing.look(DT_S, OMEGA, 4e4);
+      for (int side = 0; side < 2; side++) {
+        wings[side].add(0, 100, 1);
+        wings[side].look(DT_S, OMEGA, 4e4, wings[1 - side]);
       }
     }
     assertEquals(0, wings[0].density());

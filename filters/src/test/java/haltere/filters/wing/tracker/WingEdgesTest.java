@@ -14,7 +14,6 @@ import haltere.filters.wing.WingListener;
 import haltere.filters.wing.WingMeasurement;
 import haltere.filters.wing.WingPart;
 import haltere.filters.wing.WingResult;
-import haltere.filters.wing.WingSide;
 import haltere.filters.wing.WingTrackerSettings;
 import java.util.ArrayList;
 import java.util.List;
@@ -59,7 +58,7 @@ class WingEdgesTest {
 
   private static long beats(Said said) {
     return said.beats.stream()
-        .filter(b -> b.side() == WingSide.LEFT && b.timeUs() > 250_000)
+        .filter(b -> b.side() == WingPart.LEFT && b.timeUs() > 250_000)
         .count();
   }
 
@@ -120,16 +119,16 @@ class WingEdgesTest {
     for (WingFilterState filter : tracker.filters()) {
       WingEstimate edge = said.last(filter.part());
       assertEquals(atUs, edge.timeUs());
-      assertEquals(filter.x()[0], edge.centreRad());
-      assertEquals(filter.x()[1], edge.amplitudeRad());
-      assertEquals(filter.x()[3] / (2 * Math.PI), edge.frequencyHz());
-      assertEquals(Math.sqrt(filter.p()[15]) / (2 * Math.PI), edge.sdFrequencyHz());
+      assertEquals(filter.x().get(0), edge.centreRad());
+      assertEquals(filter.x().get(1), edge.amplitudeRad());
+      assertEquals(filter.x().get(3) / (2 * Math.PI), edge.frequencyHz());
+      assertEquals(Math.sqrt(filter.p().get(15)) / (2 * Math.PI), edge.sdFrequencyHz());
       assertEquals(filter.events(), edge.events());
     }
     assertEdgesDiffer(said);
     for (WingPart wing : new WingPart[] {WingPart.LEFT, WingPart.RIGHT}) {
-      WingEstimate leading = said.last(WingPart.edge(wing.side().ordinal(), 0));
-      WingEstimate trailing = said.last(WingPart.edge(wing.side().ordinal(), 1));
+      WingEstimate leading = said.last(WingPart.edge(wing.sideNumber(), 0));
+      WingEstimate trailing = said.last(WingPart.edge(wing.sideNumber(), 1));
       WingEstimate mean = said.last(wing);
       assertEquals((leading.centreRad() + trailing.centreRad()) / 2, mean.centreRad(), 1e-9);
       assertEquals(
@@ -202,8 +201,8 @@ class WingEdgesTest {
     for (WingFilterState filter : tracker.filters()) {
       WingMeasurement last =
           rows.stream().filter(m -> m.edge() == filter.part()).reduce((a, b) -> b).orElseThrow();
-      assertEquals(filter.x()[0], last.centreRad(), 1e-12);
-      assertEquals(filter.x()[1], last.amplitudeRad(), 1e-12);
+      assertEquals(filter.x().get(0), last.centreRad(), 1e-12);
+      assertEquals(filter.x().get(1), last.amplitudeRad(), 1e-12);
     }
   }
 

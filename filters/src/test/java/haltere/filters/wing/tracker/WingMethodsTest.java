@@ -15,7 +15,6 @@ import haltere.filters.wing.WingFilterState;
 import haltere.filters.wing.WingModel;
 import haltere.filters.wing.WingPair;
 import haltere.filters.wing.WingPart;
-import haltere.filters.wing.WingSide;
 import haltere.filters.wing.WingTrackerSettings;
 import haltere.filters.wing.WingTrackerState.Phase;
 import haltere.testing.wings.WingScores;
@@ -94,7 +93,7 @@ class WingMethodsTest {
   void theHalfWidthOfTheWingIsFound() {
     Said said = Said.with(Flies.events(0.3, STEADY, SPARSE));
     for (WingFilterState filter : said.tracker.filters()) {
-      assertEquals(0.03, filter.x()[filter.names().indexOf("half width")], 0.012);
+      assertEquals(0.03, filter.x().get(filter.names().indexOf("half width")), 0.012);
     }
   }
 
@@ -126,13 +125,13 @@ class WingMethodsTest {
       part.append(fly, 0, most);
       tracker.track(part);
       int updates = 0;
-      double before = tracker.filters().get(0).x()[0];
+      double before = tracker.filters().get(0).x().get(0);
       long events = tracker.filters().get(0).events();
       for (int i = most; i < fly.size(); i++) {
         part.clear();
         part.append(fly, i, i + 1);
         tracker.track(part);
-        double now = tracker.filters().get(0).x()[0];
+        double now = tracker.filters().get(0).x().get(0);
         updates += now == before ? 0 : 1;
         before = now;
       }
@@ -166,7 +165,7 @@ class WingMethodsTest {
         left.amplitudeRad() + right.amplitudeRad(), pair.amplitudeLeftPlusRightRad(), 1e-9);
     assertEquals(-lag, pair.phaseLagRad(), 0.04);
     WingBeat beat = said.beats.get(said.beats.size() - 1);
-    assertEquals(beat.side() == WingSide.RIGHT ? lag : -lag, beat.phaseLagRad(), 0.04);
+    assertEquals(beat.side() == WingPart.RIGHT ? lag : -lag, beat.phaseLagRad(), 0.04);
   }
 
   @Test
@@ -178,7 +177,7 @@ class WingMethodsTest {
       Said said = Said.with(fly, "filter.method=WRA");
       List<WingBeat> late =
           said.beats.stream()
-              .filter(b -> b.timeUs() > 100_000 && b.side() == WingSide.LEFT)
+              .filter(b -> b.timeUs() > 100_000 && b.side() == WingPart.LEFT)
               .toList();
       assertEquals(60, late.size(), 1, "beats with an amplitude of " + amplitude);
       double mean = late.stream().mapToDouble(WingBeat::frequencyHz).average().orElse(0);
@@ -268,8 +267,8 @@ class WingMethodsTest {
     for (WingFilterState filter : filters) {
       assertEquals(List.of("centre", "amplitude", "phase", "angular frequency"), filter.names());
       assertEquals(1000, filter.r());
-      assertEquals(2, filter.q()[0]);
-      assertEquals(2, filter.q()[3], "at each update");
+      assertEquals(2, filter.q().get(0));
+      assertEquals(2, filter.q().get(3), "at each update");
     }
     FlyScene truth = Flies.scene(STEADY, EVEN, "stroke.beat.frequencyHz=235");
     double squares = 0;

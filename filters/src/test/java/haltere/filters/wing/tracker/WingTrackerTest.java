@@ -178,14 +178,14 @@ class WingTrackerTest {
       tracker.edit(new WingFilterEdit(part, Table.STATE, 0, 0, 1.25));
       tracker.edit(new WingFilterEdit(part, Table.COVARIANCE, 0, 0, 0.125));
       WingFilterState now = tracker.filters().get(0);
-      assertEquals(1.25, now.x()[0]);
-      assertEquals(0.125, now.p()[0], 1e-12);
+      assertEquals(1.25, now.x().get(0));
+      assertEquals(0.125, now.p().get(0), 1e-12);
       tracker.track(part(events, half, half + 200));
       tracker.apply(tracker.settings().with("output.leftTrailing=false"));
-      assertEquals(0.25, tracker.filters().get(0).q()[1]);
+      assertEquals(0.25, tracker.filters().get(0).q().get(1));
       assertEquals(0.5, tracker.filters().get(0).r());
       tracker.apply(tracker.withHeading(tracker.geometry().orElseThrow().headingRad() + 0.05));
-      assertEquals(0.25, tracker.filters().get(0).q()[1], "after the fly was placed by hand");
+      assertEquals(0.25, tracker.filters().get(0).q().get(1), "after the fly was placed by hand");
       assertThrows(
           IllegalArgumentException.class,
           () -> tracker.edit(new WingFilterEdit(part, Table.PROCESS_NOISE, 1, 0, -1)));
@@ -193,7 +193,8 @@ class WingTrackerTest {
           IllegalArgumentException.class,
           () -> tracker.edit(new WingFilterEdit(part, Table.COVARIANCE, 0, 1, 1e9)));
       tracker.restart(part);
-      assertEquals(tracker.settings().noise().amplitude(), tracker.filters().get(0).q()[1], model);
+      assertEquals(
+          tracker.settings().noise().amplitude(), tracker.filters().get(0).q().get(1), model);
     }
     WingTracker average =
         new WingTracker(

@@ -6,7 +6,7 @@ import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import haltere.filters.wing.FlyGeometry;
 import haltere.filters.wing.WingBeat;
-import haltere.filters.wing.WingSide;
+import haltere.filters.wing.WingPart;
 import haltere.filters.wing.WingSnapshot;
 import haltere.filters.wing.WingTrackerState;
 import haltere.filters.wing.tracker.WingTrackerFilter;
@@ -68,7 +68,7 @@ public final class WingsSummary implements StreamHandler {
   }
 
   private void beat(WingBeat beat) {
-    int side = beat.side() == WingSide.LEFT ? 0 : 1;
+    int side = beat.side() == WingPart.LEFT ? 0 : 1;
     beats[side]++;
     frequency[side] += beat.frequencyHz();
     frequencySquares[side] += beat.frequencyHz() * beat.frequencyHz();

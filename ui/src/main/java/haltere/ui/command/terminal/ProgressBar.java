@@ -13,10 +13,14 @@ import java.util.function.LongSupplier;
  */
 public final class ProgressBar implements ProgressListener, AutoCloseable {
   private static final int BAR_WIDTH = 24;
-  private static final int LABEL_WIDTH = 24;
+  private static final int MIN_BAR_WIDTH = 8;
+
+  /** Letters of label and bar together, so that all fits onto a line of 80. */
+  private static final int WIDTH = 46;
 
   private final TerminalLine line;
   private final String label;
+  private final int barWidth;
   private final LongSupplier nanoTime;
   private final long startNanos;
   private long events = -1;
@@ -31,10 +35,19 @@ public final class ProgressBar implements ProgressListener, AutoCloseable {
    */
   public ProgressBar(PrintStream err, boolean shown, String label, LongSupplier nanoTime) {
     line = new TerminalLine(err, shown, nanoTime);
-    this.label =
-        label.length() <= LABEL_WIDTH ? label : label.substring(0, LABEL_WIDTH - 3) + "...";
+    this.label = shortened(label);
+    barWidth = Math.min(BAR_WIDTH, WIDTH - this.label.length());
     this.nanoTime = nanoTime;
     startNanos = nanoTime.getAsLong();
+  }
+
+  /** A long name loses its middle, because its end tells it from others. */
+  private static String shortened(String label) {
+    int most = WIDTH - MIN_BAR_WIDTH;
+    int tail = most / 2;
+    return label.length() <= most
+        ? label
+        : label.substring(0, most - tail - 1) + "\u2026" + label.substring(label.length() - tail);
   }
 
   /**
@@ -55,10 +68,10 @@ public final class ProgressBar implements ProgressListener, AutoCloseable {
 
   private String text(long done, long total, double seconds) {
     double share = total <= 0 ? 0 : Math.min(1, done / (double) total);
-    int filled = (int) (share * BAR_WIDTH);
+    int filled = (int) (share * barWidth);
     StringBuilder bar = new StringBuilder(80);
     bar.append(label).append(" [");
-    for (int i = 0; i < BAR_WIDTH; i++) {
+    for (int i = 0; i < barWidth; i++) {
       bar.append(i < filled ? '=' : i == filled ? '>' : ' ');
     }
     bar.append(String.format(Locale.ROOT, "] %3d %%", (int) (share * 100)));

@@ -24,7 +24,11 @@ import java.util.Map;
 import java.util.Optional;
 import javafx.beans.property.BooleanProperty;
 import javafx.geometry.Orientation;
+import javafx.geometry.Pos;
+import javafx.scene.control.Label;
 import javafx.scene.control.SplitPane;
+import javafx.scene.layout.BorderPane;
+import javafx.scene.layout.HBox;
 
 /**
  * Two chains side by side on the same events: the second one begins as a copy of the first, has its
@@ -66,12 +70,19 @@ public final class CompareFeature implements ViewerFeature {
     chainPanel.setSteps(window.steps());
     view.setId("second-event-view");
     view.setAccessibleText("Events behind the second chain");
-    SplitPane both = new SplitPane(view, table);
-    both.setOrientation(Orientation.VERTICAL);
-    both.setDividerPositions(0.65);
+    SplitPane settings = new SplitPane(chainPanel, table);
+    settings.setOrientation(Orientation.VERTICAL);
+    Label name = new Label("Second chain");
+    HBox bar = new HBox(name);
+    bar.setAlignment(Pos.CENTER_LEFT);
+    bar.getStyleClass().add("view-bar");
+    // as high as the first picture's bar, so that both pictures have the same height
+    bar.minHeightProperty().bind(window.panels().viewBar().heightProperty());
+    BorderPane named = new BorderPane(view);
+    named.setTop(bar);
     settingsShown =
-        window.panels().offer("second-chain", "Second chain", PanelPlace.SIDE, () -> chainPanel);
-    shown = window.panels().offer("compare", "Compare", PanelPlace.BESIDE, () -> both);
+        window.panels().offer("second-chain", "Second chain", PanelPlace.SIDE, () -> settings);
+    shown = window.panels().offer("compare", "Compare", PanelPlace.BESIDE, () -> named);
     window
         .actions()
         .add(
@@ -144,6 +155,8 @@ public final class CompareFeature implements ViewerFeature {
     window.editor().presets().ifPresent(editor::setPresets);
     editor.setAccess(ChainAccess.beside(player, made.chain()));
     showStages(stages);
+    // both chains run from as far before this moment as they remember
+    window.playback().jump(0);
   }
 
   private void stop(Running ended) {
@@ -180,6 +193,8 @@ public final class CompareFeature implements ViewerFeature {
                         firstMeans.close();
                       }
                       firstMeans = new PublishedMeans(first);
+                      // both means begin here
+                      secondMeans.take();
                       return first;
                     },
                     listening -> {}));

@@ -8,6 +8,7 @@ import haltere.ui.rendering.ColourScale;
 import haltere.ui.rendering.EventPicture;
 import haltere.ui.rendering.FrameExchange;
 import haltere.ui.rendering.FramePainter;
+import haltere.ui.rendering.PictureStamp;
 import haltere.ui.rendering.PictureStyle;
 import haltere.ui.rendering.Pictures;
 import haltere.ui.viewer.controls.Texts;
@@ -204,7 +205,7 @@ final class PictureMaker {
     DisplayFrame frame = exchange.back();
     events.paintRanked(frame.pixels);
     frames.paintUnder(frame.pixels, frame.geometry, events.style().background());
-    frame.pixel = probes.pixel(events.frame());
+    frame.pixel = probes.pixel(events);
     frame.region = probes.region(events.frame().nowUs());
     frame.scale = scale();
     frame.timeUs = events.frame().nowUs();
@@ -256,13 +257,17 @@ final class PictureMaker {
     PictureStyle style = events.style();
     ColourScale.of(style.mode(), style.gradient(), scale())
         .ifPresent(legend -> legend.draw(picture, dark));
+    if (events.frame().nowUs() != StreamNotification.NO_TIME_US) {
+      PictureStamp.words(picture, events.frame().nowUs() + " \u00b5s", dark);
+    }
+    PictureStamp.scaleBar(picture, Pictures.usualScale(geometry), dark);
     return picture;
   }
 
   /** How far back events of a slice matter to its picture and to what is said of places. */
   long memoryUs(long ofSliceUs) {
     long fadingUs = Math.round(FramePainter.oldestUs(style(ofSliceUs, ofSliceUs)));
-    return Math.max(fadingUs, probes.memoryUs());
+    return Math.max(Math.max(fadingUs, events.memoryUs()), probes.memoryUs());
   }
 
   private PictureStyle style() {
@@ -290,6 +295,7 @@ final class PictureMaker {
     return switch (style.mode()) {
       case COUNTS -> Texts.digits(events.fullCount()) + " events";
       case TIME_SURFACE -> Texts.duration(FramePainter.oldestUs(style)) + " ago";
+      case FREQUENCY -> "1 kHz";
       default -> "";
     };
   }

@@ -13,8 +13,10 @@ import haltere.ui.viewer.controls.Texts;
  * @param agoUs how old it is
  * @param rateEps events per second of recording time in the {@link ViewProbes#NEAR} neighbours at
  *     each side; NaN if not known yet
+ * @param frequencyHz at which the pixel flickers, NaN where that is not shown or not known
  */
-record PixelReading(int x, int y, long lastUs, boolean on, long agoUs, double rateEps) {
+record PixelReading(
+    int x, int y, long lastUs, boolean on, long agoUs, double rateEps, double frequencyHz) {
   /** One line for a person. */
   String words() {
     StringBuilder words = new StringBuilder("x " + x + "   y " + y);
@@ -29,6 +31,9 @@ record PixelReading(int x, int y, long lastUs, boolean on, long agoUs, double ra
     }
     if (!Double.isNaN(rateEps)) {
       words.append("   ").append(Texts.quantity(rateEps)).append(" ev/s near");
+    }
+    if (!Double.isNaN(frequencyHz)) {
+      words.append("   ").append(Texts.quantity(frequencyHz)).append(" Hz");
     }
     return words.toString();
   }

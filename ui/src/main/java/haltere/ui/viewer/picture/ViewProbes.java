@@ -6,6 +6,7 @@ import haltere.ui.measure.PixelRegion;
 import haltere.ui.measure.RegionMeter;
 import haltere.ui.measure.RegionReading;
 import haltere.ui.rendering.EventFrame;
+import haltere.ui.rendering.EventPicture;
 import java.util.Objects;
 import java.util.Optional;
 
@@ -87,7 +88,8 @@ final class ViewProbes {
   }
 
   /** What there is to say of the pixel under the mouse. */
-  Optional<PixelReading> pixel(EventFrame frame) {
+  Optional<PixelReading> pixel(EventPicture events) {
+    EventFrame frame = events.frame();
     follow();
     if (near == null) {
       return Optional.empty();
@@ -106,7 +108,8 @@ final class ViewProbes {
             lastUs,
             frame.lastOn(x, y),
             frame.nowUs() - lastUs,
-            around.spanUs() > 0 ? around.rateEps() : Double.NaN));
+            around.spanUs() > 0 ? around.rateEps() : Double.NaN,
+            events.frequencyHz(x, y)));
   }
 
   /** What the region of interest is doing, with its frequency however lately that was found. */

@@ -79,7 +79,7 @@ final class LanePicture {
     graphics.clearRect(0, 0, width, height);
     int wide = (int) Math.max(1, width - LEFT - RIGHT);
     List<Curve> curves = lane.curves();
-    range(curves, wide);
+    range(wide);
     grid(graphics, width, height, ink, startUs);
     pixels.begin(LEFT, wide, height, density);
     for (Curve curve : curves) {
@@ -101,21 +101,10 @@ final class LanePicture {
     return (int) Math.round(share * 255);
   }
 
-  private void range(List<Curve> curves, int wide) {
-    lowest = Double.POSITIVE_INFINITY;
-    highest = Double.NEGATIVE_INFINITY;
-    for (Curve curve : curves) {
-      curve.paint(
-          window.fromUs(),
-          window.toUs(),
-          wide,
-          (fromUs, toUs, low, high, joined) -> {
-            if (toUs >= window.fromUs() && fromUs <= window.toUs()) {
-              lowest = Math.min(lowest, low);
-              highest = Math.max(highest, high);
-            }
-          });
-    }
+  private void range(int wide) {
+    double[] range = lane.range(window, wide);
+    lowest = range[0];
+    highest = range[1];
     if (!(lowest <= highest)) {
       lowest = 0;
       highest = 1;

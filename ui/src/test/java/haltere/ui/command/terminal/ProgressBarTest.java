@@ -61,6 +61,20 @@ class ProgressBarTest {
   }
 
   @Test
+  void aLongNameKeepsItsEndAndTheLineItsWidth() {
+    String label = "tracking dvs128-moving-dark-box-second-session-0042.aedat";
+    ProgressBar bar =
+        new ProgressBar(
+            new PrintStream(terminal, true, StandardCharsets.UTF_8), true, label, () -> nanos);
+    nanos += 1_000_000_000L;
+    bar.events(30_000_000);
+    bar.progress(1, 2);
+    assertTrue(screen().contains("tracking dvs128-mo\u2026"), screen());
+    assertTrue(screen().contains("-session-0042.aedat ["), screen());
+    assertTrue(screen().strip().length() < 80, screen());
+  }
+
+  @Test
   void withoutATerminalThereIsNothing() {
     ProgressBar bar = bar(false);
     nanos += 1_000_000_000L;

@@ -18,8 +18,14 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import javafx.scene.Parent;
+import javafx.scene.control.Label;
 import javafx.scene.control.Menu;
 import javafx.scene.control.MenuButton;
+import javafx.scene.layout.Region;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -58,6 +64,34 @@ class CompareTest {
     viewer.run(() -> viewer.window.actions().run("compare"));
     viewer.waitFor("one chain again", () -> !viewer.isThere("second-event-view"));
     assertTrue(viewer.onFx(() -> compare().secondChain().isEmpty()));
+  }
+
+  @Test
+  void twoIdenticalChainsShowNoDifference() {
+    viewer = ViewerHarness.withBlobAndNoiseFilters();
+    viewer.waitFor("a track", () -> viewer.status().elapsedUs() > 300_000);
+    viewer.run(() -> viewer.window.actions().run("compare"));
+    viewer.waitFor("the second chain", () -> compare().secondChain().isPresent());
+    viewer.waitFor(
+        "pictures of the same height",
+        () ->
+            viewer.node("event-view", Region.class).getHeight()
+                == viewer.node("second-event-view", Region.class).getHeight());
+    for (int i = 0; i < 3; i++) {
+      Set<String> before = tableTexts();
+      viewer.waitFor(
+          "other numbers", () -> tableTexts().contains("same") && !tableTexts().equals(before));
+      Set<String> texts = tableTexts();
+      assertTrue(texts.stream().noneMatch(text -> text.endsWith("%")), texts.toString());
+    }
+  }
+
+  private Set<String> tableTexts() {
+    return viewer.onFx(
+        () ->
+            viewer.node("comparison", Parent.class).lookupAll(".label").stream()
+                .map(label -> ((Label) label).getText())
+                .collect(Collectors.toCollection(TreeSet::new)));
   }
 
   private static List<String> names(FilterChain chain) {

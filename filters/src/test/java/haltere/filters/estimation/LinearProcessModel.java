@@ -5,7 +5,7 @@ import org.ejml.dense.row.CommonOps_DDRM;
 import org.ejml.dense.row.mult.MatrixVectorMult_DDRM;
 
 /** A process whose state after a step is a matrix, which depends on the step alone, times x. */
-public interface LinearProcessModel extends ProcessModel {
+interface LinearProcessModel extends ProcessModel {
   /**
    * The transition matrix F(Δt).
    *

@@ -2,13 +2,13 @@ package haltere.filters.estimation;
 
 import org.apache.commons.statistics.distribution.ChiSquaredDistribution;
 import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.CommonOps_DDRM;
+import org.ejml.dense.row.MatrixFeatures_DDRM;
 
 /**
- * Tells whether an estimator is as sure as it says: normalised errors and innovations squared, and
- * their bands.
- *
- * <p>Bar-Shalom, Li and Kirubarajan (2001), "Estimation with Applications to Tracking and
- * Navigation", section 5.4: NEES eq. 5.4.2-3, NIS eq. 5.4.2-8.
+ * Tells whether an estimator is as sure as it says, by its normalised errors (NEES) and innovations
+ * (NIS) squared: Bar-Shalom, Li and Kirubarajan (2001), "Estimation with Applications to Tracking
+ * and Navigation", section 5.4.
  */
 public final class Consistency {
   private Consistency() {}
@@ -21,11 +21,12 @@ public final class Consistency {
    * @return at least 0
    */
   public static double nees(DMatrixRMaj error, DMatrixRMaj covariance) {
-    PositiveDefinite p = new PositiveDefinite();
-    if (!p.factor(covariance)) {
+    DMatrixRMaj weighted = new DMatrixRMaj(error.numRows, 1);
+    if (!MatrixFeatures_DDRM.isPositiveDefinite(covariance)
+        || !CommonOps_DDRM.solveSPD(covariance, error, weighted)) {
       throw new IllegalArgumentException("covariance is not positive definite");
     }
-    return p.quadratic(error);
+    return CommonOps_DDRM.dot(error, weighted);
   }
 
   /**
@@ -48,17 +49,6 @@ public final class Consistency {
   }
 
   /**
-   * Normalised innovation squared, yᵀ S⁻¹ y. Its mean is the measurement's dimension.
-   *
-   * @param innovation measurement minus expectation
-   * @param innovationCovariance S, positive definite
-   * @return at least 0
-   */
-  public static double nis(DMatrixRMaj innovation, DMatrixRMaj innovationCovariance) {
-    return nees(innovation, innovationCovariance);
-  }
-
-  /**
    * The band in which the mean of independent NEES or NIS values lies when the estimator is
    * consistent.
    *
@@ -70,7 +60,7 @@ public final class Consistency {
   public static Interval meanBand(int dimension, int samples, double confidence) {
     Require.atLeast("dimension", 1, dimension);
     Require.atLeast("samples", 1, samples);
-    double tail = (1 - Require.share("confidence", confidence)) / 2;
+    double tail = (1 - confidence) / 2;
     ChiSquaredDistribution sum = ChiSquaredDistribution.of((double) dimension * samples);
     return new Interval(
         sum.inverseCumulativeProbability(tail) / samples,

@@ -1,0 +1,24 @@
+package haltere.core.settings;
+
+import java.util.List;
+
+/**
+ * A settings record of which a copy with some other values can be asked for.
+ *
+ * @param <S> the record itself
+ */
+public interface AdjustableSettings<S extends Record & AdjustableSettings<S>> {
+  /**
+   * These settings but for some.
+   *
+   * @param assignments texts of the form {@code name=value}, such as {@code output.rateHz=100}
+   * @return new settings
+   * @throws SettingsProblem for a name or a value that is not valid
+   */
+  @SuppressWarnings("unchecked")
+  default S with(String... assignments) {
+    S present = (S) this;
+    return SettingsSchema.of((Class<S>) present.getClass())
+        .withAssignments(present, List.of(assignments));
+  }
+}

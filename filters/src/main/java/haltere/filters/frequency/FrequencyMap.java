@@ -1,0 +1,245 @@
+package haltere.filters.frequency;
+
+import haltere.core.event.EventAddress;
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import java.util.Arrays;
+import java.util.Objects;
+
+/**
+ * Frequency at which each pixel flickers: reciprocal of the time after which falling edges, the
+ * first OFF events after ON events, come again. Falling edges are more precise than rising ones
+ * (Pfrommer, 2022, Frequency Cam, arXiv:2211.00198).
+ *
+ * <p>The period is the shortest interval between two of the last edges that most neighbours or
+ * every second one share: the first peak of the autocorrelation of the edges (Perkel, Gerstein and
+ * Moore, 1967, Biophysical Journal 7:391). So an edge may be missing, and an object that passes
+ * twice in a period, as a wing does in a stroke, has the frequency of the period. A pixel with too
+ * few edges of its own takes the frequency of its cell of 4 by 4 pixels, if it had an edge while
+ * the cell had that frequency.
+ *
+ * <p>Thread rule: not safe for use by two threads at a time.
+ */
+public final class FrequencyMap {
+  /** Periods after which a frequency that is not found again is not told any more. */
+  public static final int MAX_SILENT_PERIODS = 10;
+
+  private static final int CELL_SHIFT = 2;
+
+  /** Part of the shortest period within which further edges belong to the same one. */
+  private static final double SAME_EDGE = 0.8;
+
+  private static final int EDGES = 5;
+
+  /**
+   * Pairs of edges with the same interval from which on it is a period of a cell. Five edges have
+   * four pairs of neighbours, so one edge may be missing.
+   */
+  private static final int CELL_PAIRS = 3;
+
+  /** The same of a pixel, whose edges are fewer and so more often alike by chance. */
+  private static final int PIXEL_PAIRS = 4;
+
+  /** Largest jitter of an edge: the latency of a pixel in dim light varies by about as much. */
+  private static final double MAX_JITTER_US = 4_000;
+
+  private static final long NEVER_US = Long.MIN_VALUE / 4;
+
+  private final int width;
+  private final int height;
+  private final int cellsAcross;
+  private final Edges pixels;
+  private final Edges cells;
+  private FrequencyMapSettings settings;
+  private long sameEdgeUs;
+  private double maxPeriodUs;
+
+  /**
+   * A map without frequencies.
+   *
+   * @param geometry the sensor; events outside of it are ignored
+   * @param settings limits and tolerance
+   */
+  public FrequencyMap(SensorGeometry geometry, FrequencyMapSettings settings) {
+    width = geometry.width();
+    height = geometry.height();
+    cellsAcross = (width >> CELL_SHIFT) + 1;
+    pixels = new Edges(geometry.pixels(), PIXEL_PAIRS);
+    cells = new Edges(cellsAcross * ((height >> CELL_SHIFT) + 1), CELL_PAIRS);
+    apply(settings);
+    reset();
+  }
+
+  /** Forgets all events. */
+  public void reset() {
+    pixels.reset();
+    cells.reset();
+  }
+
+  /**
+   * Settings in force.
+   *
+   * @return as given last
+   */
+  public FrequencyMapSettings settings() {
+    return settings;
+  }
+
+  /**
+   * Takes other settings; what is known of the pixels stays.
+   *
+   * @param newSettings from the next event on
+   */
+  public void apply(FrequencyMapSettings newSettings) {
+    settings = Objects.requireNonNull(newSettings, "newSettings");
+    sameEdgeUs = (long) (SAME_EDGE * 1e6 / settings.maxFrequencyHz());
+    maxPeriodUs = 1e6 / settings.minFrequencyHz();
+  }
+
+  /**
+   * Time after which events do not matter any more.
+   *
+   * @return microseconds: the edges of a longest period, and how long it is told
+   */
+  public long memoryUs() {
+    return Math.round((EDGES + MAX_SILENT_PERIODS) * 1e6 / settings.minFrequencyHz());
+  }
+
+  /**
+   * Takes events.
+   *
+   * @param packet left as it is
+   */
+  public void add(EventPacket packet) {
+    long[] times = packet.timesUs();
+    int[] addresses = packet.addresses();
+    int size = packet.size();
+    for (int i = 0; i < size; i++) {
+      int address = addresses[i];
+      int x = EventAddress.x(address);
+      int y = EventAddress.y(address);
+      if (x < width && y < height) {
+        boolean on = EventAddress.isOn(address);
+        pixels.add(y * width + x, times[i], on);
+        cells.add(cell(x, y), times[i], on);
+      }
+    }
+  }
+
+  private int cell(int x, int y) {
+    return (y >> CELL_SHIFT) * cellsAcross + (x >> CELL_SHIFT);
+  }
+
+  /**
+   * Period of a pixel.
+   *
+   * @param x column, inside of the sensor
+   * @param y row, upwards
+   * @param nowUs the time for which it is asked, on the clock of the events
+   * @return microseconds, 0 where none is known
+   */
+  public float periodUs(int x, int y, long nowUs) {
+    int pixel = y * width + x;
+    float own = pixels.periodUs(pixel, nowUs);
+    if (own > 0) {
+      return own;
+    }
+    float shared = cells.periodUs(cell(x, y), nowUs);
+    return nowUs - pixels.lastUs(pixel) <= (double) MAX_SILENT_PERIODS * shared ? shared : 0;
+  }
+
+  /**
+   * Frequency of a pixel.
+   *
+   * @param x column, inside of the sensor
+   * @param y row, upwards
+   * @param nowUs the time for which it is asked, on the clock of the events
+   * @return hertz, NaN where none is known
+   */
+  public double frequencyHz(int x, int y, long nowUs) {
+    float period = periodUs(x, y, nowUs);
+    return period == 0 ? Double.NaN : 1e6 / period;
+  }
+
+  /** The last edges and the period of each place. */
+  private final class Edges {
+    /** Numbers of a place: a cache line, so that an edge waits for memory once. */
+    private static final int STRIDE = 8;
+
+    /** Behind the edges: when the period was found last. */
+    private static final int FOUND = EDGES;
+
+    /** Behind that: the period, nanoseconds. */
+    private static final int PERIOD = EDGES + 1;
+
+    private final boolean[] lastOn;
+
+    /** Times of the last edges of each place, the newest first, then what was found. */
+    private final long[] state;
+
+    private final int minPairs;
+
+    Edges(int places, int minPairs) {
+      this.minPairs = minPairs;
+      lastOn = new boolean[places];
+      state = new long[STRIDE * places];
+    }
+
+    void reset() {
+      Arrays.fill(lastOn, false);
+      Arrays.fill(state, NEVER_US);
+    }
+
+    void add(int place, long timeUs, boolean on) {
+      if (lastOn[place] != on) {
+        lastOn[place] = on;
+        int at = STRIDE * place;
+        if (!on && timeUs - state[at] >= sameEdgeUs) {
+          for (int i = EDGES - 1; i > 0; i--) {
+            state[at + i] = state[at + i - 1];
+          }
+          state[at] = timeUs;
+          find(at);
+        }
+      }
+    }
+
+    /** Looks for the shortest interval that enough pairs of edges share. */
+    private void find(int at) {
+      for (int lag = 1; lag < EDGES; lag++) {
+        long interval = state[at] - state[at + lag];
+        if (interval > maxPeriodUs) {
+          return;
+        }
+        long toleranceUs = (long) Math.min(MAX_JITTER_US, settings.tolerance() * interval);
+        int pairs = 0;
+        long sumUs = 0;
+        for (int later = at; later < at + EDGES - 1; later++) {
+          for (int earlier = later + 1; earlier < at + EDGES; earlier++) {
+            long between = state[later] - state[earlier];
+            if (Math.abs(between - interval) <= toleranceUs) {
+              pairs++;
+              sumUs += between;
+            }
+          }
+        }
+        if (pairs >= minPairs) {
+          state[at + FOUND] = state[at];
+          state[at + PERIOD] = 1000 * sumUs / pairs;
+          return;
+        }
+      }
+    }
+
+    /** The period in microseconds, 0 where none is known. */
+    float periodUs(int place, long nowUs) {
+      int at = STRIDE * place;
+      float periodUs = state[at + PERIOD] * 1e-3f;
+      return nowUs - state[at + FOUND] <= MAX_SILENT_PERIODS * periodUs ? periodUs : 0;
+    }
+
+    long lastUs(int place) {
+      return state[STRIDE * place];
+    }
+  }
+}

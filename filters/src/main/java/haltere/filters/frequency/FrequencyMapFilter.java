@@ -1,0 +1,124 @@
+package haltere.filters.frequency;
+
+import haltere.core.chain.NamedProvider;
+import haltere.core.chain.Outlet;
+import haltere.core.chain.PublishingFilter;
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.stream.ReportClock;
+
+/**
+ * {@link FrequencyMap} as a stage of a chain; events pass as they are. Publishes {@code
+ * frequencies}: at each report a {@link PixelFrequency} for each pixel whose frequency is known,
+ * from events before that time only.
+ *
+ * <p>Thread rule: as {@link haltere.core.chain.EventFilter}.
+ */
+public final class FrequencyMapFilter extends PublishingFilter<FrequencyMapSettings> {
+  private final Outlet<PixelFrequency> frequencies = outlet("frequencies", PixelFrequency.class);
+  private final SensorGeometry geometry;
+  private final FrequencyMap map;
+  private final ReportClock reports = new ReportClock();
+  private final EventPacket part = new EventPacket(0);
+  private boolean begun;
+
+  /**
+   * A filter in its initial state.
+   *
+   * @param geometry the sensor whose events it will see
+   * @param settings limits, tolerance and rate of reports
+   */
+  public FrequencyMapFilter(SensorGeometry geometry, FrequencyMapSettings settings) {
+    this.geometry = geometry;
+    map = new FrequencyMap(geometry, settings);
+    reports.setRate(settings.reportRateHz());
+  }
+
+  /**
+   * Frequencies of pixels.
+   *
+   * @return published at each report, row by row from the bottom
+   */
+  public Outlet<PixelFrequency> frequencies() {
+    return frequencies;
+  }
+
+  @Override
+  public void process(EventPacket packet) {
+    int from = 0;
+    while (from < packet.size()) {
+      if (!begun) {
+        begun = true;
+        reports.skipTo(packet.timeUs(from));
+      }
+      int to = packet.indexAtOrAfter(reports.nextUs(), from);
+      part.clear();
+      part.append(packet, from, to);
+      map.add(part);
+      if (to < packet.size()) {
+        report(packet.timeUs(to));
+      }
+      from = to;
+    }
+  }
+
+  /** Reports at all times up to that of the next event; none where pixels were silent too long. */
+  private void report(long nextEventUs) {
+    publish(reports.nextUs());
+    reports.advance();
+    if (nextEventUs - reports.nextUs() > map.memoryUs()) {
+      reports.skipTo(nextEventUs);
+    }
+    while (reports.nextUs() <= nextEventUs) {
+      publish(reports.nextUs());
+      reports.advance();
+    }
+  }
+
+  private void publish(long timeUs) {
+    for (int y = 0; y < geometry.height(); y++) {
+      for (int x = 0; x < geometry.width(); x++) {
+        double frequencyHz = map.frequencyHz(x, y, timeUs);
+        if (!Double.isNaN(frequencyHz)) {
+          frequencies.publish(new PixelFrequency(timeUs, frequencyHz, x, y));
+        }
+      }
+    }
+  }
+
+  @Override
+  public void reset() {
+    map.reset();
+    begun = false;
+  }
+
+  @Override
+  public long memoryUs() {
+    return map.memoryUs();
+  }
+
+  @Override
+  public FrequencyMapSettings settings() {
+    return map.settings();
+  }
+
+  @Override
+  public void apply(FrequencyMapSettings settings) {
+    if (settings.reportRateHz() != settings().reportRateHz()) {
+      reports.setRate(settings.reportRateHz());
+    }
+    map.apply(settings);
+  }
+
+  /** Makes the filter where its name is found in a chain. */
+  public static final class Provider extends NamedProvider<FrequencyMapSettings> {
+    /** Found by its name in the list of services. */
+    public Provider() {
+      super(
+          "frequency-map",
+          "Publishes the frequency at which each pixel flickers; events pass as they are.",
+          FrequencyMapSettings.class,
+          FrequencyMapFilter::new);
+    }
+  }
+}

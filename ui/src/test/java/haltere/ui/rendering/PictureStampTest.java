@@ -1,0 +1,30 @@
+package haltere.ui.rendering;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+
+import java.awt.image.BufferedImage;
+import org.junit.jupiter.api.Test;
+
+class PictureStampTest {
+  @Test
+  void theScaleBarIsARoundNumberOfPixelsOfTheSensorLong() {
+    BufferedImage picture = new BufferedImage(768, 768, BufferedImage.TYPE_INT_RGB);
+    PictureStamp.scaleBar(picture, 6, true);
+    int row = 768 - 6 - 7;
+    int ink = picture.getRGB(10, row);
+    int length = 0;
+    while (picture.getRGB(6 + length, row) == ink) {
+      length++;
+    }
+    assertEquals(20 * 6, length);
+  }
+
+  @Test
+  void theTimeStandsInTheUpperLeftCorner() {
+    BufferedImage picture = new BufferedImage(768, 768, BufferedImage.TYPE_INT_RGB);
+    PictureStamp.words(picture, "1", true);
+    assertNotEquals(picture.getRGB(2, 2), picture.getRGB(6 + 4, 6 + 7));
+    assertEquals(0xFF000000, picture.getRGB(300, 300));
+  }
+}
