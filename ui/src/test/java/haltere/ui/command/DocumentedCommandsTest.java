@@ -31,7 +31,8 @@ class DocumentedCommandsTest {
   private static final Path DOCS = Path.of("..", "docs");
   private static final Pattern COMMAND =
       Pattern.compile("^(?:\\$ )?(?:ui/build/install/haltere/bin/)?(?=haltere )(.+)$");
-  private static final Pattern FILE = Pattern.compile(".+\\.(aedat4?|csv|json|raw|h5|xml|png|html)|.+/");
+  private static final Pattern FILE =
+      Pattern.compile(".+\\.(aedat4?|csv|json|raw|h5|xml|png|html)|.+/");
   private static final Set<String> FOLDERS = Set.of("pictures", "plots");
 
   /** What needs more than a folder of files, and is only understood here. */
