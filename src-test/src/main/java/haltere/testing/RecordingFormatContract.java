@@ -37,7 +37,7 @@ public abstract class RecordingFormatContract extends RecordingTimeContract {
   private static final int[] PACKET_SIZES = {1, 7, 1000, 8192, 1 << 20};
 
   /** Places in which a file is cut, at the most; a longer one is cut in every second, third... */
-  private static final int MOST_CUTS = 2500;
+  private static final int MAX_CUTS = 2500;
 
   /** Bytes at the start of a file of which none is passed over. */
   private static final int EVERY_BYTE = 500;
@@ -116,7 +116,7 @@ public abstract class RecordingFormatContract extends RecordingTimeContract {
     int cutsNoticed = 0;
     int cutsRead = 0;
     Path cut = file("cut");
-    int step = 1 + (bytes.length - 1) / MOST_CUTS;
+    int step = 1 + (bytes.length - 1) / MAX_CUTS;
     for (int length = 0; length < bytes.length; length += length < EVERY_BYTE ? 1 : step) {
       NewFile.write(cut, Arrays.copyOf(bytes, length));
       try (RecordingReader reader = format().open(cut, options(usualSensor()))) {

@@ -24,7 +24,7 @@ import org.junit.jupiter.api.TestFactory;
 
 /** What every settings record must keep to. A module's test extends this and names its records. */
 public abstract class SettingsContract {
-  private static final int MOST_COMPONENTS = 8;
+  private static final int MAX_COMPONENTS = 8;
 
   /**
    * The settings records to test.
@@ -73,7 +73,7 @@ public abstract class SettingsContract {
 
   private static void checkSize(Class<?> type) {
     assertTrue(
-        type.getRecordComponents().length <= MOST_COMPONENTS,
+        type.getRecordComponents().length <= MAX_COMPONENTS,
         () -> type.getSimpleName() + " has more than eight components: group them in records");
     for (var component : type.getRecordComponents()) {
       if (component.getType().isRecord()) {

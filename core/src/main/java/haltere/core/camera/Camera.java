@@ -34,8 +34,8 @@ public interface Camera extends EventSource {
   }
 
   /**
-   * Hands over the next thing of the stream; waits for it, however long that takes. {@link #close}
-   * ends the waiting; the stream then still gets its end.
+   * Hands over the next packet, notification or sample; waits for it, however long that takes.
+   * {@link #close} ends the waiting; the stream then still gets its end.
    *
    * @param handler takes it
    * @return false, and nothing was handed over, after the {@link EndOfStream} that nothing follows
@@ -46,7 +46,7 @@ public interface Camera extends EventSource {
   boolean next(StreamHandler handler) throws IOException;
 
   /**
-   * Waits for the next thing of the stream without taking it.
+   * Waits for the next packet, notification or sample without taking it.
    *
    * @param nanos at most so long, 0 to only look
    * @return true if {@link #next} would not wait now

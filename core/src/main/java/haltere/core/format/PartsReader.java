@@ -123,7 +123,7 @@ final class PartsReader implements RecordingReader {
       lastUs = Math.max(lastUs, reading.timeUs());
     }
 
-    /** Tells that the clock started anew if the first thing of a part is before the last one. */
+    /** Tells that the clock started anew if the first event of a part is before the last one. */
     private boolean isBack(long timeUs) {
       boolean back = entering && timeUs < lastUs;
       if (back) {

@@ -80,8 +80,8 @@ public interface RecordingReader extends EventSource {
   /**
    * What the recording says of the camera, its settings and the chain of filters.
    *
-   * @return as {@link WriteOptions#metadata()} when it was written; empty for formats that hold no
-   *     such thing
+   * @return as {@link WriteOptions#metadata()} when it was written; empty for formats without
+   *     metadata
    */
   default Map<String, String> metadata() {
     return Map.of();
@@ -117,7 +117,7 @@ public interface RecordingReader extends EventSource {
 
   /**
    * Goes on at the first event at or after a time within a segment; behind the segment's end that
-   * is the start of the next. The next thing handed over is a {@code Reset(SEEK)} (before the first
+   * is the start of the next. What is handed over next is a {@code Reset(SEEK)} (before the first
    * call of {@link #next} it is the start of the stream). May be called after the end of the
    * stream, which then starts anew.
    *

@@ -11,11 +11,11 @@ import java.util.Objects;
 public record MarkStyle(Role role, int identity) {
   /** What a mark stands for. */
   public enum Role {
-    /** A thing that was found. */
+    /** An object that was found. */
     OBJECT,
-    /** Where a thing has been. */
+    /** The path of an object. */
     PATH,
-    /** How a thing moves. */
+    /** The motion of an object. */
     VELOCITY,
     /** A raw measurement. */
     MEASUREMENT,

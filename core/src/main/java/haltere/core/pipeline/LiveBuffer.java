@@ -222,7 +222,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
   }
 
   /**
-   * Hands over the next thing of the stream; waits for it.
+   * Hands over the next packet, notification or sample; waits for it.
    *
    * @param handler takes it
    * @return false after the end of the stream, or once closed
@@ -247,7 +247,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
   }
 
   /**
-   * Waits for the next thing of the stream without taking it.
+   * Waits for the next packet, notification or sample without taking it.
    *
    * @param nanos at most so long
    * @return true if {@link #next} would not wait now

@@ -60,16 +60,16 @@ public final class SessionRecorder implements StreamHandler, Closeable {
    */
   public record Limits(long partBytes, long keepFreeBytes) {
     /** The smallest size of a part: one packet of events and the file's own lines. */
-    public static final long LEAST_PART_BYTES = 1 << 20;
+    public static final long MIN_PART_BYTES = 1 << 20;
 
     /** One part, and 256 MB of the disk left. */
     public static final Limits USUAL = new Limits(Long.MAX_VALUE, 256_000_000);
 
     /** Checks the sizes. */
     public Limits {
-      if (partBytes < LEAST_PART_BYTES || keepFreeBytes < 0) {
+      if (partBytes < MIN_PART_BYTES || keepFreeBytes < 0) {
         throw new IllegalArgumentException(
-            "a part has at least " + LEAST_PART_BYTES + " bytes, not " + partBytes);
+            "a part has at least " + MIN_PART_BYTES + " bytes, not " + partBytes);
       }
     }
   }

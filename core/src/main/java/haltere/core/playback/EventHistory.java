@@ -107,7 +107,7 @@ final class EventHistory {
    * @param mostEvents about so many are kept
    */
   EventHistory(int mostEvents) {
-    this(mostEvents, KeptReadings.MOST_BYTES);
+    this(mostEvents, KeptReadings.MAX_BYTES);
   }
 
   /**

@@ -15,7 +15,7 @@ final class KeptReadings {
   /**
    * Room for 15 s of a camera's frames of 346 by 260 pixels, 25 a second, and what else it tells.
    */
-  static final long MOST_BYTES = 72 << 20;
+  static final long MAX_BYTES = 72 << 20;
 
   /** What a reading takes beside the pixels of a frame, about. */
   private static final int BYTES_EACH = 96;

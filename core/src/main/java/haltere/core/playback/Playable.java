@@ -68,7 +68,7 @@ public interface Playable extends EventSource {
   }
 
   /**
-   * Goes on at the first event at or after a place. The next thing handed over is a {@code
+   * Goes on at the first event at or after a place. What is handed over next is a {@code
    * Reset(SEEK)}, or the start of the stream if nothing has been handed over yet or the end has.
    *
    * @param elapsedUs microseconds, from 0 to before the end

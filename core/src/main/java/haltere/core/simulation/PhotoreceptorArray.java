@@ -21,7 +21,7 @@ public final class PhotoreceptorArray extends SensorPixels {
   /** Change of the level between two instants at which it is computed, share of the threshold. */
   private static final double STEP_SHARE = 0.25;
 
-  private static final double LEAST_STEP_US = 1e-3;
+  private static final double MIN_STEP_US = 1e-3;
 
   /** No light is less, as a share of the background: a photodiode has a dark current. */
   private static final double DARK = 1e-4;
@@ -125,7 +125,7 @@ public final class PhotoreceptorArray extends SensorPixels {
       if (followerUs > 0) {
         rate = Math.max(rate, Math.abs(u - v) / followerUs);
       }
-      double h = Math.min(left, Math.max(LEAST_STEP_US, step / rate));
+      double h = Math.min(left, Math.max(MIN_STEP_US, step / rate));
       double nextI = i + slope * h;
       double nextY = nextI;
       if (tau > 0) {

@@ -25,7 +25,7 @@ public interface Scene<T extends Record> extends EventSource {
    * The truth at a time.
    *
    * @param timeUs microseconds on the clock of the events
-   * @return one row for each thing in the scene that has a truth of its own
+   * @return one row for each object of the scene that has a truth of its own
    */
   List<T> truthRows(long timeUs);
 

@@ -11,7 +11,7 @@ import haltere.core.event.EventAddress;
  * Times are in microseconds since the beginning. Thread rule: one thread at a time.
  */
 public abstract class SensorPixels {
-  private static final double LEAST_THRESHOLD_SHARE = 0.25;
+  private static final double MIN_THRESHOLD_SHARE = 0.25;
 
   // what is known of a pixel lies together, a cache line each
   static final int FIELDS = 8;
@@ -52,7 +52,7 @@ public abstract class SensorPixels {
     refractoryUs = settings.refractoryUs();
     double ratio = StrictMath.pow(2, balance);
     SeededRandom random = new SeededRandom(seed, "thresholds");
-    double least = LEAST_THRESHOLD_SHARE * settings.threshold();
+    double least = MIN_THRESHOLD_SHARE * settings.threshold();
     for (int p = 0; p < state.length; p += FIELDS) {
       state[p + OFF_THRESHOLD] =
           ratio

@@ -11,7 +11,7 @@ import haltere.core.stream.StreamHandler;
  */
 public abstract class SensorScene<T extends Record> implements TunableScene<T> {
   /** Most events of a packet, unless a scene says otherwise. */
-  protected static final int MOST_EVENTS = 4096;
+  protected static final int MAX_EVENTS = 4096;
 
   private final SceneSensor<?> sensor;
   private final RunSettings run;

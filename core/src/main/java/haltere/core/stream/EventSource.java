@@ -19,7 +19,7 @@ public interface EventSource extends Closeable {
   SensorGeometry geometry();
 
   /**
-   * Hands the next thing of the stream to the handler: exactly one packet, one reading or one
+   * Hands what comes next in the stream to the handler: exactly one packet, one reading or one
    * notification.
    *
    * @param handler takes it

@@ -4,7 +4,7 @@ import haltere.core.event.SensorGeometry;
 import java.util.Objects;
 
 /**
- * The first thing in every stream.
+ * The first notification of every stream.
  *
  * @param geometry the sensor that the events come from
  * @param source what a person would call the source: a file's name, a camera's, a scene's

@@ -128,7 +128,7 @@ class SessionRecorderTest {
   @Test
   void noPartIsLargerThanAllowedAndNoEventIsMissing() throws IOException {
     List<Part> parts;
-    try (SessionRecorder session = session(new Limits(Limits.LEAST_PART_BYTES, 0))) {
+    try (SessionRecorder session = session(new Limits(Limits.MIN_PART_BYTES, 0))) {
       session.notified(new StreamStarted(SENSOR, "camera"));
       for (int i = 0; i < 300; i++) {
         session.packet(events(i * 2000L, 1500));
@@ -138,7 +138,7 @@ class SessionRecorderTest {
     }
     assertTrue(parts.size() > 2, parts.toString());
     for (Part part : parts) {
-      assertTrue(Files.size(part.file()) <= Limits.LEAST_PART_BYTES, part.toString());
+      assertTrue(Files.size(part.file()) <= Limits.MIN_PART_BYTES, part.toString());
       assertEquals(0, part.report().lost());
     }
     assertHoldTogether(parts);

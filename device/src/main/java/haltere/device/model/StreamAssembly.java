@@ -84,7 +84,7 @@ final class StreamAssembly {
     return !ready.isEmpty();
   }
 
-  /** Hands over the next thing; returns how many events it has. */
+  /** Hands over the next packet, notification or sample; returns how many events it has. */
   int handOver(StreamHandler handler) {
     Object next = ready.remove();
     if (next == packet) {

@@ -122,7 +122,10 @@ final class UsbCamera implements Camera {
     return prepare(nanos);
   }
 
-  /** Works until the next thing can be handed over; false if the time is over before. */
+  /**
+   * Works until a packet, notification or sample can be handed over; false if the time is over
+   * before.
+   */
   private boolean prepare(long nanos) throws CameraProblem, InterruptedIOException {
     long end = System.nanoTime() + Math.min(nanos, Long.MAX_VALUE / 4);
     while (notices.isEmpty() && state != State.OVER) {

@@ -10,7 +10,7 @@ import java.util.function.Consumer;
  */
 final class DavisDroppedWords extends DroppedWords {
   private static final int NONE = -1;
-  private static final int MOST_WRAPS = 0xfff;
+  private static final int MAX_WRAPS = 0xfff;
   private static final int WORDS_AT_ONCE = 1024;
 
   private final DavisLayout layout;
@@ -86,8 +86,8 @@ final class DavisDroppedWords extends DroppedWords {
     if (reset) {
       words.putShort((short) DavisDecoder.CLOCK_RESET);
     }
-    for (long left = wraps; left > 0; left -= MOST_WRAPS) {
-      words.putShort((short) (DavisDecoder.WRAP << 12 | Math.min(left, MOST_WRAPS)));
+    for (long left = wraps; left > 0; left -= MAX_WRAPS) {
+      words.putShort((short) (DavisDecoder.WRAP << 12 | Math.min(left, MAX_WRAPS)));
       if (words.remaining() < 4 * DavisDecoder.WORD_BYTES) {
         decoder.accept(words.flip());
         words.clear();

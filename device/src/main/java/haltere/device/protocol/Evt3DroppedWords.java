@@ -26,7 +26,7 @@ final class Evt3DroppedWords extends DroppedWords {
   private static final int WORDS_AT_ONCE = 8;
 
   /** More than a sensor has columns; masks of 12 and of 8 pixels come to this. */
-  private static final int MOST_GONE_ON = 2400;
+  private static final int MAX_GONE_ON = 2400;
 
   private long events;
   private long turns;
@@ -73,7 +73,7 @@ final class Evt3DroppedWords extends DroppedWords {
     if (run != NONE) {
       run = run & ~0x7ff | Math.min(0x7ff, (run & 0x7ff) + length);
     } else {
-      goneOn = Math.min(MOST_GONE_ON, goneOn + length);
+      goneOn = Math.min(MAX_GONE_ON, goneOn + length);
     }
   }
 

@@ -41,10 +41,10 @@ final class SimulatedTransfers {
   private static final long UNKNOWN = -1;
 
   /** Time that making a scene may take at once, while others wait for the lock. */
-  private static final long MOST_WORK_NANOS = 5_000_000;
+  private static final long MAX_WORK_NANOS = 5_000_000;
 
   /** The scene may be so much later than the clock, to be made up for. */
-  private static final long MOST_LATE_US = 200_000;
+  private static final long MAX_LATE_US = 200_000;
 
   private final CameraInfo info;
   private final CameraOptions options;
@@ -150,7 +150,7 @@ final class SimulatedTransfers {
       long beginNanos = nanoTime.getAsLong();
       while (filling != null && madeUs + TRANSFER_US <= sceneUs()) {
         make(madeUs + TRANSFER_US);
-        if (nanoTime.getAsLong() - beginNanos > MOST_WORK_NANOS) {
+        if (nanoTime.getAsLong() - beginNanos > MAX_WORK_NANOS) {
           standStill(sceneUs() - madeUs);
           return;
         }
@@ -162,7 +162,7 @@ final class SimulatedTransfers {
 
   /** The clock has gone on while the scene was made: what is too late is left out. */
   private void standStill(long lateUs) {
-    if (lateUs > MOST_LATE_US) {
+    if (lateUs > MAX_LATE_US) {
       anchorNanos += lateUs * NANOS_PER_US;
       zeroUs -= lateUs;
       behind = true;

@@ -20,7 +20,7 @@ import java.util.function.Supplier;
  */
 public final class ReceivedBuffers {
   private static final int ALIGNMENT = 64;
-  private static final long MOST_BYTES = 1L << 30;
+  private static final long MAX_BYTES = 1L << 30;
 
   /** The oldest may wait for so long where what is up to date is wanted. */
   private static final long UP_TO_DATE_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
@@ -76,13 +76,13 @@ public final class ReceivedBuffers {
     droppedLast = notes.get();
     abandoned = notes.get();
     int count = transfers + waiting + 1;
-    if ((long) count * (bufferBytes + ALIGNMENT) > MOST_BYTES) {
+    if ((long) count * (bufferBytes + ALIGNMENT) > MAX_BYTES) {
       throw new IllegalArgumentException(
           count
               + " buffers of "
               + bufferBytes
               + " bytes would need more than "
-              + (MOST_BYTES >> 20)
+              + (MAX_BYTES >> 20)
               + " MiB");
     }
     int stride = (bufferBytes + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;

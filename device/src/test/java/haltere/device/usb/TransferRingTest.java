@@ -19,7 +19,7 @@ class TransferRingTest {
   private static final int TRANSFERS = 4;
   private static final int WAITING = 8;
   private static final int BYTES = 64;
-  private static final int MOST_FAILURES = 16;
+  private static final int MAX_FAILURES = 16;
 
   private final TransfersByHand device = new TransfersByHand();
   private final ReceivedBuffers buffers =
@@ -91,12 +91,12 @@ class TransferRingTest {
   void errorsInARowAreADeviceThatIsGoneButNotWithSomethingBetween() throws Exception {
     ring.start();
     TransfersByHand.ByHand first = device.transfers.get(0);
-    for (int i = 0; i < 3 * MOST_FAILURES; i++) {
-      first.end(i % MOST_FAILURES == 0 ? TransferEnd.COMPLETED : TransferEnd.FAILED, 0);
+    for (int i = 0; i < 3 * MAX_FAILURES; i++) {
+      first.end(i % MAX_FAILURES == 0 ? TransferEnd.COMPLETED : TransferEnd.FAILED, 0);
     }
-    assertEquals(1 + 3 * MOST_FAILURES, first.started);
+    assertEquals(1 + 3 * MAX_FAILURES, first.started);
 
-    for (int i = 0; i <= MOST_FAILURES; i++) {
+    for (int i = 0; i <= MAX_FAILURES; i++) {
       first.end(TransferEnd.FAILED, 0);
     }
     device.transfers.subList(1, TRANSFERS).forEach(other -> other.end(TransferEnd.CANCELLED, 0));

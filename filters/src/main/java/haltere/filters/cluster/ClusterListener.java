@@ -20,10 +20,8 @@ public interface ClusterListener {
   default void reported(long timeUs) {}
 
   /**
-   * Whether updates and reports go on although there is no cluster. A tracker without clusters
-   * skips them otherwise.
-   *
-   * @return false unless overridden
+   * {@return whether updates and reports go on although there is no cluster, false unless
+   * overridden} A tracker without clusters skips them otherwise.
    */
   default boolean isWaiting() {
     return false;

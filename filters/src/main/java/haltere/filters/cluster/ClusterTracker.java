@@ -138,10 +138,10 @@ public final class ClusterTracker {
   }
 
   /**
-   * One of the clusters, in the order of their births.
+   * {@return one of the clusters, in the order of their births, the same object as long as it
+   * lives}
    *
    * @param index from 0
-   * @return the same object as long as the cluster lives
    */
   public Cluster cluster(int index) {
     return clusters[Objects.checkIndex(index, count)];
@@ -162,10 +162,9 @@ public final class ClusterTracker {
   }
 
   /**
-   * The visible clusters.
+   * {@return where the visible clusters are at a time, a new list}
    *
    * @param timeUs time of a report, or now, microseconds
-   * @return where they are at that time, a new list
    */
   public List<ClusterTrack> tracks(long timeUs) {
     List<ClusterTrack> tracks = new ArrayList<>(count);

@@ -1,5 +1,6 @@
 package haltere.filters.object;
 
+import haltere.filters.estimation.GaussianState;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -12,23 +13,16 @@ import java.util.List;
  * <p>Thread rule: one thread at a time.
  */
 final class BirthDetector {
-  /**
-   * Evidence of a birth, nat. A picture has up to 14,400 cells and looks 20 times a second: 12 nat
-   * are one false birth in two seconds of such noise, which novelty then refuses.
-   */
-  private static final double BIRTH_NAT = 12;
-
   /** Evidence with which a cell belongs to a birth, nat: odds of 7. */
   private static final double CELL_NAT = 2;
 
   /** Standard deviation of a velocity before it was measured, sizes per second. */
   static final double SPEED_SIZES_S = 5;
 
-  /** Events from which a place and a velocity can be estimated. */
-  private static final int MIN_EVENTS = 6;
-
   private static final int RING = 1 << 15;
-  private static final int WINDOW = (int) Math.round(2 * ClutterMap.BIRTH_S / ObjectTracker.TICK_S);
+
+  /** Ticks of the events that make a component: 86 % of an exponential memory. */
+  static final int WINDOW = (int) Math.round(2 * ClutterMap.BIRTH_S / ObjectTracker.TICK_S);
 
   private final ActivityGrid grid;
   private final ClutterMap clutter;
@@ -47,28 +41,41 @@ final class BirthDetector {
     void event(double x, double y, double s);
   }
 
-  /** Sums of the events of a birth. */
-  private static final class Cloud {
+  /** Sums of one coordinate z of the events of a birth, and of their times t. */
+  private static final class Axis {
     double n;
-    double x;
-    double y;
+    double z;
     double t;
-    double xx;
-    double yy;
+    double zz;
     double tt;
-    double xt;
-    double yt;
+    double zt;
 
-    void add(double px, double py, double s) {
+    void add(double place, double s) {
       n++;
-      x += px;
-      y += py;
+      z += place;
       t += s;
-      xx += px * px;
-      yy += py * py;
+      zz += place * place;
       tt += s * s;
-      xt += px * s;
-      yt += py * s;
+      zt += place * s;
+    }
+
+    double variance() {
+      return (zz - z * z / n) / n;
+    }
+
+    /** Linear regression of places of a variance r on time, with a prior of the velocity. */
+    void start(GaussianState state, int at, double r, double priorSd) {
+      double prior = priorSd * priorSd;
+      double vtt = Math.max((tt - t * t / n) / n, ObjectTracker.TICK_S * ObjectTracker.TICK_S / 12);
+      double keep = prior / (prior + r / (n * vtt));
+      double v = keep * (zt - z * t / n) / (n * vtt);
+      double pv = (1 - keep) * prior + 1;
+      double meanT = t / n;
+      state.setMean(at, z / n - v * meanT);
+      state.setMean(at + 1, v);
+      state.addNoise(at, r / n + pv * meanT * meanT);
+      state.addNoise(at + 1, pv);
+      state.addNoise(at, at + 1, -pv * meanT);
     }
   }
 
@@ -99,22 +106,16 @@ final class BirthDetector {
   /** Cells of each birth of this tick; the list is used again. */
   List<int[]> find() {
     found.clear();
-    boolean isClean = true;
+    Arrays.fill(seen, false);
     for (int cell = 0; cell < seen.length; cell++) {
-      if (!isSurprising(cell)) {
-        continue;
-      }
-      if (isClean) {
-        Arrays.fill(seen, false);
-        isClean = false;
-      }
-      if (!seen[cell]) {
+      if (isSurprising(cell) && !seen[cell]) {
         int size = connect(cell);
         double total = 0;
         for (int i = 0; i < size; i++) {
           total += clutter.surprise(stack[i]);
         }
-        if (total >= BIRTH_NAT) {
+        // a component costs nothing but time: its motion is to bring the other half
+        if (total >= 0.5 * clutter.alarmNat()) {
           found.add(Arrays.copyOf(stack, size));
         }
       }
@@ -146,25 +147,38 @@ final class BirthDetector {
     return size;
   }
 
-  /** Makes a component of the events in cells, or says that there are too few. */
+  /** Makes a component of the events in cells, or says that there are none. */
   boolean begin(int[] cells, Component component) {
     Arrays.fill(mine, false);
     for (int cell : cells) {
       mine[cell] = true;
       clutter.clear(cell);
     }
-    Cloud cloud = new Cloud();
-    visit(cloud::add, false);
-    if (cloud.n < MIN_EVENTS) {
+    Axis alongX = new Axis();
+    Axis alongY = new Axis();
+    visit(
+        (px, py, t) -> {
+          alongX.add(px, t);
+          alongY.add(py, t);
+        },
+        false);
+    if (alongX.n == 0) {
       return false;
     }
-    place(cloud, component);
+    double xx = alongX.variance();
+    double yy = alongY.variance();
+    double size = Math.max(4, 4 * Math.sqrt(Math.max(xx, yy)));
+    double r = Math.max(0.25 * (xx + yy), 1);
+    component.state.setVariances(0, 0, 0, 0);
+    alongX.start(component.state, 0, r, SPEED_SIZES_S * size);
+    alongY.start(component.state, 2, r, SPEED_SIZES_S * size);
+    component.shape.clear(Math.max(ShapeTemplate.MIN_CELL_PX, size / (0.5 * ShapeTemplate.SIDE)));
     double x = component.x();
     double y = component.y();
     double vx = component.vx();
     double vy = component.vy();
     visit((px, py, s) -> component.shape.spread(px - x - vx * s, py - y - vy * s, 1, 1), true);
-    component.rate = cloud.n / WINDOW;
+    component.rate = alongX.n / WINDOW;
     component.shape.refresh();
     return true;
   }
@@ -192,34 +206,5 @@ final class BirthDetector {
         ringPixels[at] = 0;
       }
     }
-  }
-
-  /** Linear regression of place on time, with a prior of the velocity. */
-  private static void place(Cloud cloud, Component component) {
-    double n = cloud.n;
-    double mx = cloud.x / n;
-    double my = cloud.y / n;
-    double mt = cloud.t / n;
-    double vxx = cloud.xx / n - mx * mx;
-    double vyy = cloud.yy / n - my * my;
-    double dt = ObjectTracker.TICK_S;
-    double vtt = Math.max(cloud.tt / n - mt * mt, dt * dt / 12);
-    double half = Math.max(2, 2 * Math.sqrt(Math.max(vxx, vyy)));
-    double prior = SPEED_SIZES_S * 2 * half;
-    double r = Math.max(0.25 * (vxx + vyy), 1);
-    double keep = prior * prior / (prior * prior + r / (n * vtt));
-    double vx = keep * (cloud.xt / n - mx * mt) / vtt;
-    double vy = keep * (cloud.yt / n - my * mt) / vtt;
-    double pv = (1 - keep) * prior * prior + 1;
-    double pp = r / n + pv * mt * mt;
-    component.state.setMean(0, mx - vx * mt);
-    component.state.setMean(1, vx);
-    component.state.setMean(2, my - vy * mt);
-    component.state.setMean(3, vy);
-    component.state.setVariances(pp, pv, pp, pv);
-    component.state.addNoise(0, 1, -pv * mt);
-    component.state.addNoise(2, 3, -pv * mt);
-    component.shape.clear(
-        Math.max(ShapeTemplate.MIN_CELL_PX, 2 * half / (0.5 * ShapeTemplate.SIDE)));
   }
 }

@@ -2,6 +2,7 @@ package haltere.filters.object;
 
 import haltere.core.event.SensorGeometry;
 import java.util.Arrays;
+import java.util.List;
 
 /**
  * Rates of the events that no object explains. Each pixel's rate has an exponential prior around
@@ -27,9 +28,6 @@ final class ClutterMap {
   /** Memory of a pixel's own last events, seconds; as long as a component's template lasts. */
   private static final double RECENT_S = ShapeTemplate.MEMORY_S;
 
-  /** Events of a quiet pixel within {@link #RECENT_S}, so that no ratio is unbounded: 0.07 Hz. */
-  private static final double QUIET_EVENTS = 0.02;
-
   /** Winsorising: a cell counts at most this many times the mean, so that objects do not. */
   private static final double MAX_OF_MEAN = 3;
 
@@ -37,6 +35,13 @@ final class ClutterMap {
   private static final double PRIOR_HZ = 0.2;
 
   private static final double PRIOR_S = 0.5;
+
+  /** Events of a quiet pixel within {@link #RECENT_S}, so that no ratio is unbounded. */
+  private static final double QUIET_EVENTS = PRIOR_HZ * RECENT_S;
+
+  /** Rate of false objects that noise alone may make, Hz: one in eleven days. */
+  private static final double FALSE_ALARM_HZ = 1e-6;
+
   private static final double CELL_PIXELS = 1 << 2 * CELL_SHIFT;
   private static final int TABLE = 1024;
 
@@ -74,12 +79,10 @@ final class ClutterMap {
   }
 
   void reset() {
-    Arrays.fill(clutter, 0);
-    Arrays.fill(recent, 0);
+    for (float[] values : List.of(clutter, recent, excess, background, cellRecent)) {
+      Arrays.fill(values, 0);
+    }
     Arrays.fill(touched, 0);
-    Arrays.fill(excess, 0);
-    Arrays.fill(background, 0);
-    Arrays.fill(cellRecent, 0);
     tick = 0;
     ticks = 0;
     level = 1;
@@ -88,6 +91,14 @@ final class ClutterMap {
 
   int cells() {
     return excess.length;
+  }
+
+  /**
+   * Evidence from which noise makes {@link #FALSE_ALARM_HZ} false objects, nat: the log of the
+   * number of tests, which is one for each cell in each {@link #BIRTH_S}, for each false alarm.
+   */
+  double alarmNat() {
+    return Math.log(cells() / (BIRTH_S * FALSE_ALARM_HZ));
   }
 
   /** Cell of a pixel. */
@@ -157,7 +168,7 @@ final class ClutterMap {
     double usual = winsorisedMean(background);
     double present = winsorisedMean(excess);
     double expected = usual / ticks * BIRTH_S / ObjectTracker.TICK_S;
-    boolean isNew = ticks * ObjectTracker.TICK_S < 4 * BIRTH_S;
+    boolean isNew = ticks < BirthDetector.WINDOW;
     level = isNew ? 1 : Math.max(1, present / Math.max(expected, 1e-9));
     double priorTicks = PRIOR_S / ObjectTracker.TICK_S;
     double prior = PRIOR_HZ * PRIOR_S * CELL_PIXELS;

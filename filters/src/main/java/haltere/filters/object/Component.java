@@ -15,9 +15,6 @@ import java.util.Arrays;
  * <p>Thread rule: one thread at a time.
  */
 final class Component {
-  /** Memory of the rate of events, seconds: a stride, over which a rate varies. */
-  private static final double RATE_S = 0.5;
-
   /**
    * Independent registrations an event is worth: neighbouring pixels of one edge, and of two ticks,
    * repeat one another's error.
@@ -30,7 +27,11 @@ final class Component {
   /** Ticks between two refreshments of a shape that lasts thirty. */
   private static final int REFRESH_TICKS = 4;
 
-  private static final double MIN_RATE = 0.05;
+  /** Distance of the extent's middle from the grid's that is mended: more than a cell. */
+  private static final double RECENTRE_CELLS = 1.5;
+
+  /** Rate of one event within the memory, events a tick. */
+  private static final double MIN_RATE = ObjectTracker.TICK_S / ShapeTemplate.MEMORY_S;
 
   final GaussianState state = new GaussianState(4);
   final ShapeTemplate shape = new ShapeTemplate();
@@ -65,7 +66,7 @@ final class Component {
   /** Expected events of a tick, square pixel and unit of density. */
   double intensity;
 
-  /** Probability to be moving, not below what lets a resting one begin again. */
+  /** Probability to be moving in the tick. */
   double active;
 
   /**
@@ -135,7 +136,7 @@ final class Component {
 
   /** Events of a tick, as far as it moves. */
   double activeRate() {
-    return rate * Math.max(presence.moving(), 1e-3);
+    return rate * Math.max(presence.moving(), ObjectRelations.ERROR);
   }
 
   void beginTick() {
@@ -145,7 +146,7 @@ final class Component {
     Arrays.fill(products, 1);
     Arrays.fill(logs, 0);
     intensity = rate / (shape.cellPx * shape.cellPx);
-    active = Math.max(presence.moving(), 0.02);
+    active = presence.movingNext();
   }
 
   /** Multiplies the likelihood ratios by those of an event: 1 + ratio. */
@@ -171,17 +172,15 @@ final class Component {
     predict();
     double moved = ObjectTracker.TICK_S * presence.moving();
     double known = ClutterMap.BIRTH_S + age * ObjectTracker.TICK_S;
-    double memory = Math.min(ShapeTemplate.MEMORY_S, known);
+    double keep = Math.exp(-moved / Math.min(ShapeTemplate.MEMORY_S, known));
     if (weight > 0.5) {
       register();
-      shape.decay(Math.exp(-moved / memory));
+      shape.decay(keep);
       if (isMoving()) {
         activeUs = nowUs;
       }
     }
-    rate =
-        Math.max(
-            MIN_RATE, rate + (1 - Math.exp(-moved / Math.min(RATE_S, known))) * (weight - rate));
+    rate = Math.max(MIN_RATE, rate + (1 - keep) * (weight - rate));
     walkedX += x() - beforeX;
     walkedY += y() - beforeY;
     pathX[age % PATH] = walkedX;
@@ -198,7 +197,7 @@ final class Component {
     shape.refresh();
     double cell = shape.wantedCell();
     double far = Math.max(Math.abs(shape.middleX), Math.abs(shape.middleY));
-    if (cell != shape.cellPx || far > 1.5 * shape.cellPx) {
+    if (cell != shape.cellPx || far > RECENTRE_CELLS * shape.cellPx) {
       double dx = shape.middleX;
       double dy = shape.middleY;
       shape.resample(cell, dx, dy);
@@ -296,7 +295,7 @@ final class Component {
         Math.max(
             Math.abs(dx) + other.shape.halfX + Math.abs(other.shape.middleX),
             Math.abs(dy) + other.shape.halfY + Math.abs(other.shape.middleY));
-    while (shape.reach() < 1.05 * need) {
+    while (shape.reach() < need) {
       shape.resample(shape.coarser(), 0, 0);
     }
     shape.absorb(other.shape, dx, dy);

@@ -18,12 +18,6 @@ final class EventAssociation {
   /** Components that share a block of 16 × 16 pixels; more do not count there. */
   private static final int MAX_NEAR = 16;
 
-  /** Shares below this are left out: a hundredth of an event changes nothing. */
-  private static final double MIN_SHARE = 0.01;
-
-  /** An event's novelty is bounded, nat, so that none counts more than twenty others. */
-  private static final double MAX_NOVELTY = 3;
-
   private final ActivityGrid grid;
   private final ClutterMap clutter;
   private final BirthDetector births;
@@ -143,18 +137,18 @@ final class EventAssociation {
       double mine = component.active * intensity[k];
       component.addLikelihood(intensity[k] / (sum - mine));
       double share = mine / sum;
-      if (share >= MIN_SHARE) {
-        int at = cells[k];
-        ShapeTemplate shape = component.shape;
-        if (!component.object.isDecided()) {
-          double novelty = Math.log(intensity[k] / repeat);
-          component.novelty += share * Math.max(-MAX_NOVELTY, Math.min(MAX_NOVELTY, novelty));
-        }
-        component.weight += share;
-        component.gradientX -= share * shape.gradientX[at];
-        component.gradientY -= share * shape.gradientY[at];
-        shape.add(at, share);
+      int at = cells[k];
+      ShapeTemplate shape = component.shape;
+      if (!component.object.isDecided()) {
+        // no event decides alone
+        double novelty = Math.log(intensity[k] / repeat);
+        double most = ObjectRelations.DECISIVE_NAT;
+        component.novelty += share * Math.max(-most, Math.min(most, novelty));
       }
+      component.weight += share;
+      component.gradientX -= share * shape.gradientX[at];
+      component.gradientY -= share * shape.gradientY[at];
+      shape.add(at, share);
     }
     return noise / sum;
   }

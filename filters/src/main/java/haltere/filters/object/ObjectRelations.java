@@ -19,42 +19,48 @@ final class ObjectRelations {
   /** Prior log odds of touching components: four of five are one object. */
   private static final double TOUCH_NAT = Math.log(4);
 
-  /** Gap at which the prior is half, as a share of the size; its tail is Cauchy's. */
-  private static final double GAP_SHARE = 0.15;
+  /**
+   * Gap at which the prior is half, as a share of the size, where the gaps between pieces of an
+   * object are Cauchy's and one in ten is larger than the pieces; and how far pieces bend in {@link
+   * #WATCH_S}, as a share of the size.
+   */
+  private static final double GAP_SHARE = 1 / Math.tan(0.9 * Math.PI / 2);
 
   /** Log odds from which two are joined: an odds ratio of e. */
   private static final double JOIN_NAT = 1;
 
-  /** Log odds below which a joined one leaves, and from which two identities become one: 20. */
-  private static final double DECISIVE_NAT = 3;
+  /** Probability of an error of a decision that is not taken back: that usual for tests. */
+  static final double ERROR = 0.05;
 
-  /** Novelty from which a component is one rather than a flicker, nat: see BIRTH_NAT. */
-  static final double MIN_NOVELTY = 10;
-
-  /** Bend between components of one object, as a share of their size, in {@link #WATCH_S}. */
-  private static final double BEND_SHARE = 0.15;
+  /** Log odds of such a decision: one leaves its object, or two identities become one. */
+  static final double DECISIVE_NAT = -Math.log(ERROR);
 
   /** Time over which displacements are compared, seconds. */
-  static final double WATCH_S = 0.3;
+  static final double WATCH_S = ShapeTemplate.MEMORY_S;
 
-  /** Memory of the evidence, seconds: three independent comparisons. */
-  private static final double EVIDENCE_S = 1;
+  /** Time from which displacements tell something, and from which touching ones are joined. */
+  private static final double FIRST_S = 0.1;
+
+  /** Memory of the evidence, seconds: as long as a motion lasts. */
+  private static final double EVIDENCE_S = 1 / Presence.STOP_HZ;
 
   /** Variance of a displacement from the cells of the template, px². */
   private static final double CELL_VARIANCE = ShapeTemplate.MIN_CELL_PX * ShapeTemplate.MIN_CELL_PX;
-
-  /** Gap in sizes beyond which no evidence makes one object: the prior is −7 nat. */
-  private static final double FAR_SIZES = 8;
 
   /** Of pairs that are too far from one another to be compared. */
   private static final double FAR = Double.NEGATIVE_INFINITY;
 
   private final double[][] gap = new double[ObjectTracker.MAX_COMPONENTS][];
   private final double[][] evidence = new double[ObjectTracker.MAX_COMPONENTS][];
+
+  /** {@link ClutterMap#alarmNat}; half of it tells a component from a flicker. */
+  private final double alarmNat;
+
   private double scalePx;
   private MotionModel motion;
 
-  ObjectRelations() {
+  ObjectRelations(double alarmNat) {
+    this.alarmNat = alarmNat;
     for (int i = 0; i < ObjectTracker.MAX_COMPONENTS; i++) {
       gap[i] = new double[ObjectTracker.MAX_COMPONENTS];
       evidence[i] = new double[ObjectTracker.MAX_COMPONENTS];
@@ -99,7 +105,7 @@ final class ObjectRelations {
         } else if (a.isMoving() && b.isMoving()) {
           sum *= fade;
           int ticks = Math.min(watch, Math.min(a.knownTicks(), b.knownTicks()));
-          if (ticks > watch / 3) {
+          if (ticks * ObjectTracker.TICK_S > FIRST_S) {
             sum += motionLog(a, b, ticks) * seconds / WATCH_S;
           }
         }
@@ -112,13 +118,9 @@ final class ObjectRelations {
   }
 
   private double gapLog(Component a, Component b) {
-    double size = sizeOf(a, b);
-    double apart = a.boxDistance(b);
-    if (apart > FAR_SIZES * size) {
-      return FAR;
-    }
-    double shares = apart / (GAP_SHARE * size);
-    return TOUCH_NAT - Math.log1p(shares * shares);
+    double shares = a.boxDistance(b) / (GAP_SHARE * sizeOf(a, b));
+    double prior = TOUCH_NAT - Math.log1p(shares * shares);
+    return prior < -2 * DECISIVE_NAT ? FAR : prior;
   }
 
   private double sizeOf(Component a, Component b) {
@@ -141,7 +143,7 @@ final class ObjectRelations {
     double dy = ay - by + growth * (b.middleY() - by - a.middleY() + ay);
     double unlike = motion.unlikeShare();
     double own = 0.5 * unlike * unlike * (ax * ax + ay * ay + bx * bx + by * by);
-    double bend = BEND_SHARE * sizeOf(a, b);
+    double bend = GAP_SHARE * sizeOf(a, b);
     double turn = motion.turnRadS() * ticks * ObjectTracker.TICK_S;
     double lineX = turn * (b.middleX() - a.middleX());
     double lineY = turn * (b.middleY() - a.middleY());
@@ -208,13 +210,13 @@ final class ObjectRelations {
       return odds > DECISIVE_NAT;
     }
     double watched = Math.min(a.age(), b.age()) * ObjectTracker.TICK_S;
-    return watched > WATCH_S ? odds > JOIN_NAT : watched > WATCH_S / 3 && odds >= TOUCH_NAT - 0.05;
+    return watched > WATCH_S ? odds > JOIN_NAT : watched > FIRST_S && odds >= TOUCH_NAT;
   }
 
-  private static boolean mayJoin(TrackedObject object) {
+  private boolean mayJoin(TrackedObject object) {
     return !object.isLost
         && (object.isMoving() || object.isDecided())
-        && object.novelty() >= MIN_NOVELTY;
+        && object.novelty() >= 0.5 * alarmNat;
   }
 
   /** The component that leaves an object of several, or null. */

@@ -29,14 +29,11 @@ final class ObjectTracker {
   /** Ticks between two comparisons of the components. */
   private static final int COMPARE_TICKS = 2;
 
-  /** Novelty from which an object is reported, nat: twice what one of two may have. */
-  private static final double CONFIRM_NOVELTY = 2 * ObjectRelations.MIN_NOVELTY;
+  /** Prior of the rate of new objects: as many come as one vanishes. */
+  private static final double PRIOR_S = 1 / Presence.VANISH_HZ;
 
-  /** Events from which an object is reported: its extent is then known to a sixth. */
-  private static final double CONFIRM_EVENTS = 40;
-
-  /** Prior of the rate of new objects: as if one had come in ten seconds before. */
-  private static final double PRIOR_S = 10;
+  /** Standard deviation of a return, as a share of the size and of the way since the last event. */
+  private static final double RETURN_SHARE = 0.25;
 
   private static final long UNDECIDED_US = Math.round(ObjectTrackerFilter.UNDECIDED_S * 1e6);
 
@@ -48,7 +45,7 @@ final class ObjectTracker {
   private final ClutterMap clutter;
   private final BirthDetector births;
   private final EventAssociation association;
-  private final ObjectRelations relations = new ObjectRelations();
+  private final ObjectRelations relations;
   private final ReportClock reports = new ReportClock();
   private final List<Component> components = new ArrayList<>();
   private final List<TrackedObject> objects = new ArrayList<>();
@@ -87,6 +84,7 @@ final class ObjectTracker {
     grid = new ActivityGrid(geometry);
     clutter = new ClutterMap(geometry, grid);
     births = new BirthDetector(grid, clutter);
+    relations = new ObjectRelations(clutter.alarmNat());
     association = new EventAssociation(geometry, grid, clutter, births);
     apply(settings);
     apply(motion);
@@ -148,7 +146,8 @@ final class ObjectTracker {
       return;
     }
     while (timeUs >= tickStartUs + TICK_US) {
-      step();
+      update(tickStartUs + TICK_US);
+      report(tickStartUs + TICK_US);
       if (objects.isEmpty()) {
         // nothing happens until the tick of this event
         passed = (int) Math.min(1_000_000, (timeUs - tickStartUs) / TICK_US);
@@ -170,12 +169,6 @@ final class ObjectTracker {
         }
       }
     }
-  }
-
-  private void step() {
-    long nowUs = tickStartUs + TICK_US;
-    update(nowUs);
-    report(nowUs);
   }
 
   private void update(long nowUs) {
@@ -258,7 +251,7 @@ final class ObjectTracker {
    * The object that rests or is lost and comes back with a component, or null: odds of a normal
    * density about its place, which widens with time as it was fast and is large, against a new
    * object anywhere in the picture. The rate of new ones has a Gamma prior of shape 1, as clutter
-   * has; what comes back does so within a second.
+   * has; what comes back goes no further than before it stops again.
    */
   private TrackedObject returned(Component component, long nowUs) {
     TrackedObject best = null;
@@ -271,10 +264,11 @@ final class ObjectTracker {
       }
       object.measure();
       boolean isMoving = object.isMoving();
-      double quietS = isMoving ? 0 : Math.min(1, (nowUs - object.activeUs) * 1e-6);
+      double quietS =
+          isMoving ? 0 : Math.min(1 / Presence.STOP_HZ, (nowUs - object.activeUs) * 1e-6);
       double size = Math.max(object.size(), component.shape.size());
       double speed = motion.coasts() ? 0 : object.speed;
-      double sd = 0.25 * size + 0.5 * Math.max(size, speed) * quietS;
+      double sd = RETURN_SHARE * (size + Math.max(size, speed) * quietS);
       double dx =
           ObjectRelations.outside(
               component.middleX() - object.middleX(), component.shape.halfX + object.halfX());
@@ -308,7 +302,6 @@ final class ObjectTracker {
         least = d;
         nearest = component;
       }
-      component.presence.set(0.4, 0.5, 0.1);
       if (object.isLost) {
         components.add(component);
       }
@@ -320,14 +313,14 @@ final class ObjectTracker {
       components.add(seen);
       return;
     }
-    double rate = Math.max(seen.rate, 0.5 * nearest.rate);
+    double rate = Math.max(seen.rate, nearest.rate);
     nearest.absorb(seen);
     nearest.rate = rate;
     if (!motion.coasts()) {
       nearest.setVelocity(seen.vx(), seen.vy());
       nearest.state.covariance().setTo(seen.state.covariance());
     }
-    nearest.presence.set(0.9, 0.05, 0.05);
+    nearest.presence.begin();
     free.push(seen);
   }
 
@@ -433,25 +426,18 @@ final class ObjectTracker {
   private void live(long nowUs) {
     for (int i = objects.size() - 1; i >= 0; i--) {
       TrackedObject object = objects.get(i);
-      if (motion.coasts() && !object.isMoving() && hasLeft(object)) {
-        components.removeAll(object.components);
-        free.addAll(object.components);
-        objects.remove(i);
-      } else if (object.isLost) {
-        if (motion.coasts()) {
-          object.components.forEach(Component::predict);
-        }
-        if ((nowUs - object.activeUs) * 1e-6 > settings.rememberS()) {
-          free.addAll(object.components);
-          objects.remove(i);
-        }
-      } else if (object.isMoving()) {
+      double silentS = (nowUs - object.activeUs) * 1e-6;
+      if (object.isMoving() && !object.isLost) {
         object.activeUs = nowUs;
         goAlong(object, nowUs);
-      } else if (!object.isDecided()) {
+      } else if (!object.isDecided()
+          || object.isLost && silentS > settings.rememberS()
+          || motion.coasts() && hasLeft(object)) {
         object.components.forEach(this::end);
         objects.remove(i);
-      } else if (object.existence() < 0.5) {
+      } else if (object.isLost && motion.coasts()) {
+        object.components.forEach(Component::predict);
+      } else if (!object.isLost && object.existence() < 0.5) {
         object.isLost = true;
         components.removeAll(object.components);
       }
@@ -473,11 +459,7 @@ final class ObjectTracker {
 
   /** Whether nothing of an object is in the picture any more. */
   private boolean hasLeft(TrackedObject object) {
-    boolean hasLeft = true;
-    for (Component component : object.components) {
-      hasLeft &= inside(component) == 0;
-    }
-    return hasLeft;
+    return object.components.stream().allMatch(component -> inside(component) == 0);
   }
 
   /** Components without events go along with the others, and end after a while. */
@@ -499,19 +481,16 @@ final class ObjectTracker {
     }
   }
 
-  private static boolean isEvident(TrackedObject object) {
-    return object.isMoving()
-        && object.events >= CONFIRM_EVENTS
-        && object.novelty() >= CONFIRM_NOVELTY;
+  private boolean isEvident(TrackedObject object) {
+    return object.isMoving() && object.novelty() >= clutter.alarmNat();
   }
 
   private boolean isApart(TrackedObject object) {
     for (int i = 0; i < objects.size(); i++) {
       TrackedObject other = objects.get(i);
-      if (other != object && other.isDecided() && !other.isLost) {
-        if (!relations.areApart(object, other)) {
-          return false;
-        }
+      boolean isNeighbour = other != object && other.isDecided() && !other.isLost;
+      if (isNeighbour && !relations.areApart(object, other)) {
+        return false;
       }
     }
     return true;

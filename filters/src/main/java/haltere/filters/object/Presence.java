@@ -16,13 +16,16 @@ final class Presence {
   static final double STOP_HZ = 1;
 
   /** Rate at which a moving component vanishes inside the picture, Hz. */
-  private static final double VANISH_HZ = 0.1;
+  static final double VANISH_HZ = 0.1;
 
-  /** Rate at which one vanishes that is wholly outside of the picture, Hz. */
-  private static final double LEAVE_HZ = 20;
+  /** Rate at which one vanishes that is wholly outside of the picture for a time, Hz. */
+  private static final double LEAVE_HZ = 1 / ClutterMap.BIRTH_S;
 
   /** Rate at which a resting component is given up, Hz. */
   private static final double FORGET_HZ = 0.5;
+
+  /** Probability that what was just seen to be born moves: one of ten is a flicker. */
+  private static final double NEWBORN = 0.9;
 
   private double moving;
   private double resting;
@@ -34,7 +37,7 @@ final class Presence {
 
   /** What was just seen to be born moves, or is a flicker. */
   void begin() {
-    set(0.9, 0, 0.1);
+    set(NEWBORN, 0, 1 - NEWBORN);
   }
 
   void set(double moving, double resting, double gone) {
@@ -49,6 +52,11 @@ final class Presence {
 
   double moving() {
     return moving;
+  }
+
+  /** Probability to be moving in the next tick, if it does not vanish. */
+  double movingNext() {
+    return moving + (resting - moving) * STOP_HZ * ObjectTracker.TICK_S;
   }
 
   double gone() {

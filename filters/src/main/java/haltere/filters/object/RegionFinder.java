@@ -2,6 +2,8 @@ package haltere.filters.object;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
+import java.util.Comparator;
 import java.util.List;
 
 /**
@@ -83,10 +85,7 @@ final class RegionFinder {
       }
     }
     regions = found;
-    Region largest = found.get(0);
-    for (Region region : found) {
-      largest = region.mass > largest.mass ? region : largest;
-    }
+    Region largest = Collections.max(found, Comparator.comparingDouble(region -> region.mass));
     for (Region region : found) {
       if (region != largest && region.looks >= LOOKS && largest.looks >= LOOKS) {
         return region;
@@ -148,8 +147,8 @@ final class RegionFinder {
       int row = here / side;
       double mass = shape.mass[here];
       region.mass += mass;
-      region.x += mass * ShapeTemplate.x(here);
-      region.y += mass * ShapeTemplate.y(here);
+      region.x += mass * ShapeTemplate.X[here];
+      region.y += mass * ShapeTemplate.Y[here];
       lowX = Math.min(lowX, column);
       highX = Math.max(highX, column);
       lowY = Math.min(lowY, row);
@@ -194,7 +193,7 @@ final class RegionFinder {
           label[cell] == region.label
               ? -1
               : region.distance(
-                  ShapeTemplate.x(cell) * shape.cellPx, ShapeTemplate.y(cell) * shape.cellPx);
+                  ShapeTemplate.X[cell] * shape.cellPx, ShapeTemplate.Y[cell] * shape.cellPx);
       if (d < least) {
         least = d;
         best = region;

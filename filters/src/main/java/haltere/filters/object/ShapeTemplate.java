@@ -25,34 +25,29 @@ final class ShapeTemplate {
   static final double MEMORY_S = 0.3;
 
   /** Share of the events that come from beside the shape seen so far: it grows or bends. */
-  private static final double GROWTH = 0.05;
+  private static final double GROWTH = ObjectRelations.ERROR;
 
   /** Cells up to which it may grow within its memory. */
   private static final int GROWTH_CELLS = 2;
 
-  /** Share of the mean density below which a cell does not belong to the extent. */
-  private static final double FAINT = 0.1;
+  /** Share of the mean density below which a cell is a gap, and not of the extent. */
+  private static final double FAINT = 0.2;
 
-  /** Share of the mean density below which a cell does not connect two others. */
-  private static final double SPARSE = 0.3;
-
-  /** Share of the events beyond either side of the extent: two standard deviations. */
-  static final double TAIL = 0.02;
-
-  /** Share of the usual weight of a row at an edge. */
-  private static final double EDGE = 0.5;
-
-  /** Cells that the longer side spans: between both, the cells keep their size. */
-  private static final double MIN_SPAN = 0.5 * SIDE;
-
+  /** Cells that the longer side spans at most: the rest is for growth. */
   private static final double MAX_SPAN = 0.8 * SIDE;
+
+  /** Cells that it spans at least: two changes of size away. */
+  private static final double MIN_SPAN = MAX_SPAN / 2;
 
   /** Probability that an event is anywhere in the grid, so that no logarithm diverges. */
   private static final float FLOOR = 1e-3f / CELLS;
 
   private static final double HALF = SIDE / 2.0;
-  private static final float[] X = new float[CELLS];
-  private static final float[] Y = new float[CELLS];
+
+  /** Columns and rows of the cells' middles from the middle of the grid, cells. */
+  static final float[] X = new float[CELLS];
+
+  static final float[] Y = new float[CELLS];
 
   static {
     for (int i = 0; i < CELLS; i++) {
@@ -72,7 +67,7 @@ final class ShapeTemplate {
 
   final float[] gradientY = new float[CELLS];
 
-  /** Cells that connect: those of the extent that are not sparse. */
+  /** Cells of the extent. */
   final boolean[] core = new boolean[CELLS];
 
   private final float[] smooth = new float[CELLS];
@@ -141,15 +136,6 @@ final class ShapeTemplate {
     lowEdge *= factor;
   }
 
-  /** Column of a cell's middle from the middle of the grid, cells. */
-  static double x(int cell) {
-    return X[cell];
-  }
-
-  static double y(int cell) {
-    return Y[cell];
-  }
-
   /** Half a side of the grid. */
   double reach() {
     return HALF * cellPx;
@@ -194,7 +180,8 @@ final class ShapeTemplate {
   void refresh() {
     settle();
     blur();
-    widen();
+    widen(smooth, work, 1);
+    widen(work, wide, SIDE);
     float sum = 0;
     for (int i = 0; i < CELLS; i++) {
       sum += smooth[i];
@@ -219,21 +206,15 @@ final class ShapeTemplate {
     }
   }
 
-  /** The smoothed weight spread over squares of 2 GROWTH_CELLS + 1 cells. */
-  private void widen() {
-    float share = 1f / (2 * GROWTH_CELLS + 1);
-    for (int i = GROWTH_CELLS; i < CELLS - GROWTH_CELLS; i++) {
-      work[i] = share * (smooth[i - 2] + smooth[i - 1] + smooth[i] + smooth[i + 1] + smooth[i + 2]);
-    }
-    int step = SIDE;
-    for (int i = GROWTH_CELLS * step; i < CELLS - GROWTH_CELLS * step; i++) {
-      wide[i] =
-          share
-              * (work[i - 2 * step]
-                  + work[i - step]
-                  + work[i]
-                  + work[i + step]
-                  + work[i + 2 * step]);
+  /** The mean of a cell and of those to both sides of it, some cells apart in the arrays. */
+  private static void widen(float[] from, float[] to, int apart) {
+    int reach = GROWTH_CELLS * apart;
+    for (int i = reach; i < CELLS - reach; i++) {
+      float sum = 0;
+      for (int k = i - reach; k <= i + reach; k += apart) {
+        sum += from[k];
+      }
+      to[i] = sum / (2 * GROWTH_CELLS + 1);
     }
   }
 
@@ -273,10 +254,9 @@ final class ShapeTemplate {
       mean += density[i] * density[i];
     }
     float faint = (float) FAINT * mean;
-    float sparse = (float) SPARSE * mean;
     for (int i = 0; i < CELLS; i++) {
-      core[i] = density[i] > sparse;
-      work[i] = density[i] > faint ? mass[i] : 0;
+      core[i] = density[i] > faint;
+      work[i] = core[i] ? mass[i] : 0;
     }
     Arrays.fill(marginalX, 0);
     double xy = 0;
@@ -310,18 +290,19 @@ final class ShapeTemplate {
     mx /= solidTotal;
     my /= solidTotal;
     double area = cellPx * cellPx;
-    varianceX = (xx / solidTotal - mx * mx) * area;
+    // events are evenly spread within a cell
+    varianceX = (xx / solidTotal - mx * mx + 1.0 / 12) * area;
     covarianceXy = (xy / solidTotal - mx * my) * area;
-    varianceY = (yy / solidTotal - my * my) * area;
-    double lowX = quantile(marginalX, TAIL);
-    double highX = quantile(marginalX, 1 - TAIL);
-    double lowY = quantile(marginalY, TAIL);
-    double highY = quantile(marginalY, 1 - TAIL);
+    varianceY = (yy / solidTotal - my * my + 1.0 / 12) * area;
+    double lowX = quantile(marginalX, ObjectRelations.ERROR / 2);
+    double highX = quantile(marginalX, 1 - ObjectRelations.ERROR / 2);
+    double lowY = quantile(marginalY, ObjectRelations.ERROR / 2);
+    double highY = quantile(marginalY, 1 - ObjectRelations.ERROR / 2);
     middleX = 0.5 * (lowX + highX) * cellPx;
     middleY = 0.5 * (lowY + highY) * cellPx;
     halfX = Math.max(0.5 * (highX - lowX) * cellPx, 1);
     halfY = Math.max(0.5 * (highY - lowY) * cellPx, 1);
-    lowEdge = firstAt(marginalY, EDGE) * cellPx;
+    lowEdge = edge(marginalY) * cellPx;
   }
 
   /** Where a marginal reaches a share of its sum, cells from the middle. */
@@ -339,17 +320,17 @@ final class ShapeTemplate {
   }
 
   /**
-   * Where a marginal first reaches a share of its mean by weight, cells from the middle of the
-   * grid. An edge that is blurred symmetrically has half of it at its place.
+   * Where a marginal first reaches half of its mean by weight, cells from the middle of the grid.
+   * An edge that is blurred symmetrically has half of it at its place.
    */
-  private static double firstAt(float[] marginal, double share) {
+  private static double edge(float[] marginal) {
     double sum = 0;
     double squares = 0;
     for (float m : marginal) {
       sum += m;
       squares += m * (double) m;
     }
-    double level = share * squares / sum;
+    double level = 0.5 * squares / sum;
     int i = 0;
     while (marginal[i] < level) {
       i++;
@@ -378,20 +359,20 @@ final class ShapeTemplate {
     System.arraycopy(mass, 0, work, 0, CELLS);
     double from = cellPx;
     clear(cell);
-    for (int i = 0; i < CELLS; i++) {
-      if (work[i] > 0) {
-        spread(X[i] * from - shiftX, Y[i] * from - shiftY, work[i], from);
-      }
-    }
+    spread(work, from, -shiftX, -shiftY);
   }
 
   /** Adds another template that stands elsewhere. */
   void absorb(ShapeTemplate other, double dx, double dy) {
     settle();
     other.settle();
+    spread(other.mass, other.cellPx, dx, dy);
+  }
+
+  private void spread(float[] weights, double side, double dx, double dy) {
     for (int i = 0; i < CELLS; i++) {
-      if (other.mass[i] > 0) {
-        spread(dx + X[i] * other.cellPx, dy + Y[i] * other.cellPx, other.mass[i], other.cellPx);
+      if (weights[i] > 0) {
+        spread(X[i] * side + dx, Y[i] * side + dy, weights[i], side);
       }
     }
   }

@@ -14,9 +14,6 @@ import java.util.function.ToDoubleFunction;
  * <p>Thread rule: one thread at a time.
  */
 final class TrackedObject {
-  /** Largest correlation of x and y, so that a line has a width. */
-  private static final double MAX_CORRELATION = 0.99;
-
   final List<Component> components = new ArrayList<>(1);
 
   /** Rows from before its identity was decided, oldest first. */
@@ -202,8 +199,7 @@ final class TrackedObject {
       yy += weight * (dy * dy + c.shape.varianceY);
     }
     double correlation = xx > 0 && yy > 0 ? xy / Math.sqrt(xx * yy) : 0;
-    double bounded = Math.max(-MAX_CORRELATION, Math.min(MAX_CORRELATION, correlation));
-    return Ellipse.of(halfX() * halfX(), bounded * halfX() * halfY(), halfY() * halfY());
+    return Ellipse.of(halfX() * halfX(), correlation * halfX() * halfY(), halfY() * halfY());
   }
 
   /** Moves all of it without a registration. */

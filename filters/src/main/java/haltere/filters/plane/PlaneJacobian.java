@@ -17,58 +17,53 @@ public record PlaneJacobian(double xu, double xv, double yu, double yv) {
   }
 
   /**
-   * First entry of J (u, v)ᵀ.
+   * {@return the first entry of J (u, v)ᵀ, in the unit of x}
    *
    * @param u first entry of the vector
    * @param v second entry of the vector
-   * @return in the unit of x
    */
   public double x(double u, double v) {
     return xu * u + xv * v;
   }
 
   /**
-   * Second entry of J (u, v)ᵀ.
+   * {@return the second entry of J (u, v)ᵀ, in the unit of y}
    *
    * @param u first entry of the vector
    * @param v second entry of the vector
-   * @return in the unit of y
    */
   public double y(double u, double v) {
     return yu * u + yv * v;
   }
 
   /**
-   * Variance of x where (u, v) has a covariance.
+   * {@return the variance of x, an entry of J C Jᵀ, where (u, v) has the covariance C}
    *
    * @param uu variance of u
    * @param uv covariance of u and v
    * @param vv variance of v
-   * @return entry of J C Jᵀ
    */
   public double xx(double uu, double uv, double vv) {
     return xu * xu * uu + 2 * xu * xv * uv + xv * xv * vv;
   }
 
   /**
-   * Covariance of x and y where (u, v) has a covariance.
+   * {@return the covariance of x and y, an entry of J C Jᵀ, where (u, v) has the covariance C}
    *
    * @param uu variance of u
    * @param uv covariance of u and v
    * @param vv variance of v
-   * @return entry of J C Jᵀ
    */
   public double xy(double uu, double uv, double vv) {
     return xu * yu * uu + (xu * yv + xv * yu) * uv + xv * yv * vv;
   }
 
   /**
-   * Variance of y where (u, v) has a covariance.
+   * {@return the variance of y, an entry of J C Jᵀ, where (u, v) has the covariance C}
    *
    * @param uu variance of u
    * @param uv covariance of u and v
    * @param vv variance of v
-   * @return entry of J C Jᵀ
    */
   public double yy(double uu, double uv, double vv) {
     return yu * yu * uu + 2 * yu * yv * uv + yv * yv * vv;

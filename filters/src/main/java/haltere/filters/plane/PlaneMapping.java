@@ -12,66 +12,60 @@ public interface PlaneMapping {
   PlaneMapping PICTURE = new Homography();
 
   /**
-   * Whether a pixel sees the plane.
+   * {@return whether a pixel sees the plane: false for NaN as well; the other methods on pixels are
+   * valid only where this is true}
    *
    * @param xPx column, may lie beside the sensor
    * @param yPx row, may lie beside the sensor
-   * @return false for NaN as well; the other methods on pixels are valid only where this is true
    */
   boolean seesPlane(double xPx, double yPx);
 
   /**
-   * Whether a position on the plane lies in front of the camera.
+   * {@return whether a position on the plane lies in front of the camera: false for NaN as well;
+   * {@link #pixelX} and {@link #pixelY} are valid only where this is true}
    *
    * @param x first coordinate on the plane
    * @param y second coordinate on the plane
-   * @return false for NaN as well; {@link #pixelX} and {@link #pixelY} are valid only where this is
-   *     true
    */
   boolean isSeen(double x, double y);
 
   /**
-   * First coordinate of what a pixel sees.
+   * {@return first coordinate of the position on the plane that a pixel sees}
    *
    * @param xPx column
    * @param yPx row
-   * @return position on the plane
    */
   double planeX(double xPx, double yPx);
 
   /**
-   * Second coordinate of what a pixel sees.
+   * {@return second coordinate of the position on the plane that a pixel sees}
    *
    * @param xPx column
    * @param yPx row
-   * @return position on the plane
    */
   double planeY(double xPx, double yPx);
 
   /**
-   * Column that sees a position.
+   * {@return column that sees a position, pixels}
    *
    * @param x first coordinate on the plane
    * @param y second coordinate on the plane
-   * @return pixels
    */
   double pixelX(double x, double y);
 
   /**
-   * Row that sees a position.
+   * {@return row that sees a position, pixels}
    *
    * @param x first coordinate on the plane
    * @param y second coordinate on the plane
-   * @return pixels
    */
   double pixelY(double x, double y);
 
   /**
-   * Derivatives of the position on the plane by the pixel.
+   * {@return the derivatives of {@link #planeX} and {@link #planeY} by the pixel}
    *
    * @param xPx column
    * @param yPx row
-   * @return the Jacobian of {@link #planeX} and {@link #planeY}
    */
   PlaneJacobian jacobian(double xPx, double yPx);
 }

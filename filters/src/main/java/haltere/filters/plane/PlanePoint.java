@@ -1,6 +1,7 @@
 package haltere.filters.plane;
 
 import haltere.core.sink.Column;
+import haltere.filters.estimation.GaussianState;
 
 /**
  * Where an object is on a plane at one time, from events before that time only. On a road x is
@@ -30,15 +31,35 @@ public record PlanePoint(
     @Column(value = "sd_vy_m_s", decimals = 4) double sdVyMS) {
   private static final double KM_H_PER_M_S = 3.6;
 
+  /**
+   * {@return the point of a belief, with its standard deviations}
+   *
+   * @param timeUs time, microseconds
+   * @param id identity of the track
+   * @param state x, its velocity, y and its velocity are the first four entries
+   */
+  public static PlanePoint of(long timeUs, int id, GaussianState state) {
+    return new PlanePoint(
+        timeUs,
+        id,
+        state.mean(0),
+        state.mean(2),
+        state.mean(1),
+        state.mean(3),
+        state.sd(0),
+        state.sd(2),
+        state.sd(1),
+        state.sd(3));
+  }
+
   /** {@return speed on the plane, kilometres an hour} */
   public double speedKmH() {
     return KM_H_PER_M_S * Math.hypot(vxMS, vyMS);
   }
 
   /**
-   * Standard deviation of the speed, to first order and with uncorrelated velocities.
-   *
-   * @return kilometres an hour; that of a point at rest is the larger one of its velocities
+   * {@return the standard deviation of the speed, to first order and with uncorrelated velocities,
+   * kilometres an hour; that of a point at rest is the larger one of its velocities}
    */
   public double sdSpeedKmH() {
     double speed = Math.hypot(vxMS, vyMS);

@@ -43,9 +43,8 @@ public record RoadViewSettings(
   }
 
   /**
-   * The settings to start from: the defaults of Cardinale (2006).
-   *
-   * @return 5 m high, 2 m to 300 m, no vanishing point marked
+   * {@return the settings to start from, those of Cardinale (2006): 5 m high, 2 m to 300 m, no
+   * vanishing point marked}
    */
   public static RoadViewSettings defaults() {
     return new RoadViewSettings(5, 2, 300, VanishingPoint.defaults());

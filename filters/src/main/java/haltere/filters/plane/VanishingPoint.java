@@ -38,21 +38,19 @@ public record VanishingPoint(
   }
 
   /**
-   * A mark, such as a click.
+   * {@return a mark, such as a click}
    *
    * @param xPx column, pixels
    * @param yPx row above the bottom row, pixels
-   * @return that point
    */
   public static VanishingPoint at(double xPx, double yPx) {
     return new VanishingPoint(true, xPx, yPx);
   }
 
   /**
-   * The point in use on a sensor.
+   * {@return this point if it is marked, else the middle of the sensor's top row}
    *
    * @param sensor the sensor
-   * @return this one if it is marked, else the middle of the sensor's top row
    * @throws haltere.core.settings.SettingsProblem if nothing is marked and there is one row only
    */
   VanishingPoint on(SensorGeometry sensor) {

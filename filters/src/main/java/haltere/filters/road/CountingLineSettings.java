@@ -36,10 +36,9 @@ public record CountingLineSettings(
   }
 
   /**
-   * Position of a line.
+   * {@return position of a line, metres along the road}
    *
    * @param line from 0
-   * @return metres along the road
    */
   public double distanceM(int line) {
     return firstM + line * apartM;

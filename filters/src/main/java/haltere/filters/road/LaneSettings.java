@@ -39,10 +39,9 @@ public record LaneSettings(
   }
 
   /**
-   * Lane of a position.
+   * {@return lane of a position, from 0 for the leftmost, or {@link #BESIDE}}
    *
    * @param xM metres to the right, as in {@link haltere.filters.plane.RoadMapping}
-   * @return from 0 for the leftmost, or {@link #BESIDE}
    */
   public int laneAt(double xM) {
     double lane = Math.floor((xM - leftEdgeM) / widthM);

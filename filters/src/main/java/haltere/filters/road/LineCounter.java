@@ -18,7 +18,7 @@ public final class LineCounter implements Consumer<PlanePoint> {
   private static final double CLEAR_SIGMAS = 2;
 
   /** Tracks that are remembered, so that memory is bounded; the longest unseen is forgotten. */
-  static final int MAX_TRACKS = 1000;
+  private static final int MAX_TRACKS = 1000;
 
   private final LaneSettings lanes;
   private final CountingLineSettings lines;
@@ -27,15 +27,7 @@ public final class LineCounter implements Consumer<PlanePoint> {
   /** For each line, and on it for each lane and beside them: away, then towards. */
   private final long[][] counts;
 
-  private final Map<Integer, Passage> passages =
-      new LinkedHashMap<>(16, 0.75f, true) {
-        private static final long serialVersionUID = 1;
-
-        @Override
-        protected boolean removeEldestEntry(Map.Entry<Integer, Passage> eldest) {
-          return size() > MAX_TRACKS;
-        }
-      };
+  private final Map<Integer, Passage> passages = recent();
 
   /** The last position of a track and, for each line, its side and when it was at the line. */
   private static final class Passage {
@@ -63,6 +55,18 @@ public final class LineCounter implements Consumer<PlanePoint> {
     this.lines = Objects.requireNonNull(lines, "lines");
     this.crossings = Objects.requireNonNull(crossings, "crossings");
     counts = new long[lines.lines()][2 * (lanes.lanes() + 1)];
+  }
+
+  /** A map by identities that forgets the longest unseen of too many. */
+  static <V> Map<Integer, V> recent() {
+    return new LinkedHashMap<>(16, 0.75f, true) {
+      private static final long serialVersionUID = 1;
+
+      @Override
+      protected boolean removeEldestEntry(Map.Entry<Integer, V> eldest) {
+        return size() > MAX_TRACKS;
+      }
+    };
   }
 
   /**

@@ -17,14 +17,15 @@ import org.ejml.data.DMatrixRMaj;
  */
 public final class RoadMotion extends MotionModel {
   /**
-   * Standard deviation of the rate at which a vehicle turns, rad/s: at 2 m/s² to the side, which is
-   * comfortable (AASHTO, Geometric Design of Highways and Streets, 2011, §3.3), at 20 m/s.
+   * Standard deviation of the rate at which a vehicle turns, rad/s: a side friction factor of 0.16
+   * at 50 km/h or of 0.15 at 60 km/h (AASHTO, Geometric Design of Highways and Streets, 2001,
+   * Exhibit 3-14) times gravity, over the speed.
    */
   private static final double TURN_RAD_S = 0.1;
 
   /**
-   * Standard deviation of speeds on a road as a share of their mean, 0.1 to 0.2 (May, Traffic Flow
-   * Fundamentals, 1990, §4).
+   * Standard deviation of the difference of two speeds on a road as a share of their mean: √2 times
+   * 0.14, as of 52 ± 7 and 71 ± 11 mph (FHWA, Speed Concepts: Informational Guide, 2009, Figure 6).
    */
   private static final double UNLIKE_SHARE = 0.2;
 

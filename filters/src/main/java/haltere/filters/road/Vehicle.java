@@ -1,5 +1,6 @@
 package haltere.filters.road;
 
+import haltere.filters.estimation.Gate;
 import haltere.filters.estimation.GaussianState;
 import haltere.filters.object.ObjectTrack;
 import haltere.filters.plane.PlaneJacobian;
@@ -49,8 +50,11 @@ final class Vehicle {
   /** Time for which an acceleration lasts, seconds (Singer, IEEE TAES 6, 1970). */
   static final double LASTS_S = 1;
 
-  /** Normalised squared innovation from which a vehicle brakes: 95 % of χ² with 1 are below. */
-  private static final double BRAKES = 3.84;
+  /** Normalised squared innovation from which a vehicle brakes: 95 % of χ² are below. */
+  private static final double BRAKES = Gate.probability(0.95).threshold(1);
+
+  /** Least height of the camera above what is seen, as a share of its height above the road. */
+  private static final double MIN_CLEARANCE = 0.1;
 
   private final RoadMapping mapping;
   private final VehiclePrior prior;
@@ -82,11 +86,7 @@ final class Vehicle {
     return state;
   }
 
-  /**
-   * Takes a row of its track, later than the one before.
-   *
-   * @return where it is; empty until its extent is known
-   */
+  /** Takes a row of its track; {@return where it is, empty until its extent is known} */
   Optional<PlanePoint> update(ObjectTrack track) {
     double seconds = (track.timeUs() - timeUs) * 1e-6;
     timeUs = track.timeUs();
@@ -103,7 +103,7 @@ final class Vehicle {
         start(track);
       }
     }
-    return isStarted ? Optional.of(point(track.id())) : Optional.empty();
+    return isStarted ? Optional.of(PlanePoint.of(timeUs, track.id(), state)) : Optional.empty();
   }
 
   private void start(ObjectTrack track) {
@@ -160,9 +160,8 @@ final class Vehicle {
   }
 
   /**
-   * Corrects by where a point at a height is seen on the road, or how fast it is seen to move.
-   *
-   * @return the normalised squared innovation
+   * Corrects by where a point at a height is seen on the road, or how fast it is seen to move;
+   * {@return the normalised squared innovation}
    */
   private double correct(int at, int behind, int height, double seen, double variance) {
     double s = scale(height);
@@ -179,26 +178,12 @@ final class Vehicle {
     return innovation * innovation / expected;
   }
 
-  /** H / (H − z), for heights up to nine tenths of the camera's. */
+  /** H / (H − z). */
   private double scale(int height) {
-    return 1 / Math.max(0.1, 1 - state.mean(height) / mapping.heightM());
+    return 1 / Math.max(MIN_CLEARANCE, 1 - state.mean(height) / mapping.heightM());
   }
 
   private static double square(double value) {
     return value * value;
-  }
-
-  private PlanePoint point(int id) {
-    return new PlanePoint(
-        timeUs,
-        id,
-        state.mean(X),
-        state.mean(Y),
-        state.mean(VX),
-        state.mean(VY),
-        state.sd(X),
-        state.sd(Y),
-        state.sd(VX),
-        state.sd(VY));
   }
 }

@@ -6,19 +6,19 @@ import haltere.core.settings.SettingsSchema;
 import haltere.core.settings.Unit;
 
 /**
- * What is usual on a road before anything is seen. Sources of the defaults:
+ * What is usual on a road before anything is seen. Defaults, with a source where one was found:
  *
  * <ul>
  *   <li>speed: a rural limit of 90 km/h;
- *   <li>acceleration: the upper of usual ones, 1.5 ft/s² (Jones and Potts, Operations Research 10,
- *       1962); braking on a dry road: Greibe, Braking distance, friction and behaviour, 2007;
- *   <li>drift: a lane of 3.5 m in 5 to 7 s (Toledo and Zohar, Transportation Research Record 1999,
- *       2007);
- *   <li>width: 2.55 m (Directive 96/53/EC, Annex I) and mirrors;
- *   <li>length, height: between a passenger car (5.8 × 1.3 m) and a lorry (AASHTO, Geometric Design
- *       of Highways and Streets, 2011, Table 2-1a);
- *   <li>lower edge: between the road (tyres, shadow) and 0.2 m of ground clearance, from which a
- *       car may count as an off-road vehicle (Regulation (EU) 2018/858, Annex I).
+ *   <li>acceleration (assumed): speeds change by 2 km/h within a second;
+ *   <li>braking (assumed): 0.8 times gravity, more than the 0.7 that wheels which slide have;
+ *   <li>drift: a lane of 3.5 m in 5 to 6 s (Toledo and Zohar, Modeling Duration of Lane Changes,
+ *       Transportation Research Record, 2007), a little less as most vehicles keep theirs;
+ *   <li>width: 2.55 m (Directive 96/53/EC, Annex I), and mirrors (assumed);
+ *   <li>length, height: between a passenger car, 5.8 × 1.3 m, and a lorry, 9.2 × 3.4 to 4.1 m
+ *       (AASHTO, Geometric Design of Highways and Streets, 2004, Exhibit 2-1);
+ *   <li>lower edge: between the road (tyres, shadow) and the 0.2 m of clearance between axles of an
+ *       off-road vehicle (category M1G: Regulation (EU) 2018/858, Annex I, Part A).
  * </ul>
  *
  * @param speedMS root mean square of the velocity along the road

@@ -3,7 +3,6 @@ package haltere.filters.road;
 import haltere.filters.object.ObjectTrack;
 import haltere.filters.plane.PlanePoint;
 import haltere.filters.plane.RoadMapping;
-import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
@@ -19,15 +18,7 @@ import java.util.function.Function;
 public final class VehiclesOnRoad implements Function<ObjectTrack, Optional<PlanePoint>> {
   private final RoadMapping mapping;
   private final VehiclePrior prior;
-  private final Map<Integer, Vehicle> vehicles =
-      new LinkedHashMap<>(16, 0.75f, true) {
-        private static final long serialVersionUID = 1;
-
-        @Override
-        protected boolean removeEldestEntry(Map.Entry<Integer, Vehicle> eldest) {
-          return size() > LineCounter.MAX_TRACKS;
-        }
-      };
+  private final Map<Integer, Vehicle> vehicles = LineCounter.recent();
 
   /**
    * A road that has seen nothing.

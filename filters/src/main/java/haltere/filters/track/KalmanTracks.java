@@ -52,7 +52,7 @@ public final class KalmanTracks {
    * @param geometry the sensor whose events they will see
    * @param settings what to do
    * @param atReport is called at each report time, in microseconds, while there is a track and once
-   *     when there is none any more; it may ask for {@link #points}
+   *     when there is none any more; it may ask for {@link #forEach}
    */
   public KalmanTracks(
       SensorGeometry geometry, KalmanTracksSettings settings, LongConsumer atReport) {
@@ -145,18 +145,6 @@ public final class KalmanTracks {
    */
   public void track(EventPacket packet) {
     clusters.track(packet);
-  }
-
-  /**
-   * The tracks in the picture.
-   *
-   * @param timeUs time of a report, or now, microseconds
-   * @return where they are at that time, a new list
-   */
-  public List<TrackPoint> points(long timeUs) {
-    List<TrackPoint> points = new ArrayList<>();
-    forEach(timeUs, track -> points.add(track.point()));
-    return points;
   }
 
   /** Gives each track in the picture, predicted to a time. */

@@ -36,11 +36,9 @@ public record KalmanTracksSettings(
   }
 
   /**
-   * The defaults of Cardinale (2006), on clusters with the defaults of that time: updates after 100
-   * events of all clusters, dynamic variances that end at 8 px² and at 1 per update, a unit start
-   * covariance, no feedback, no coasting.
-   *
-   * @return these settings
+   * {@return the defaults of Cardinale (2006), on clusters with the defaults of that time: updates
+   * after 100 events of all clusters, dynamic variances that end at 8 px² and at 1 per update, a
+   * unit start covariance, no feedback, no coasting}
    */
   public static KalmanTracksSettings original() {
     return defaults()
@@ -59,20 +57,18 @@ public record KalmanTracksSettings(
   }
 
   /**
-   * These settings with tracks on a road.
+   * {@return new settings, these with tracks on a road}
    *
    * @param view the road as the camera sees it
-   * @return new settings
    */
   public KalmanTracksSettings onRoad(RoadTracksSettings view) {
     return new KalmanTracksSettings(clusters, filter, life, view);
   }
 
   /**
-   * These settings on other clusters.
+   * {@return new settings, these on other clusters}
    *
    * @param settings of the cluster tracker
-   * @return new settings
    */
   public KalmanTracksSettings withClusters(ClusterTrackerSettings settings) {
     return new KalmanTracksSettings(settings, filter, life, road);

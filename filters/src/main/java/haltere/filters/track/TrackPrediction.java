@@ -214,16 +214,6 @@ final class TrackPrediction {
 
   /** The predicted track in metres, where the plane is a road. */
   PlanePoint planePoint() {
-    return new PlanePoint(
-        timeUs,
-        track.id,
-        state.mean(0),
-        state.mean(2),
-        state.mean(1),
-        state.mean(3),
-        state.sd(0),
-        state.sd(2),
-        state.sd(1),
-        state.sd(3));
+    return PlanePoint.of(timeUs, track.id, state);
   }
 }

@@ -29,10 +29,9 @@ public record Ellipse(double majorPx, double minorPx, double angleRad) {
   }
 
   /**
-   * The same ellipse in another size.
+   * {@return the same ellipse with half axes times a factor}
    *
    * @param factor more than 0
-   * @return with half axes times the factor
    */
   public Ellipse times(double factor) {
     return new Ellipse(factor * majorPx, factor * minorPx, angleRad);

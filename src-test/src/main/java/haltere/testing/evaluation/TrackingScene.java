@@ -34,7 +34,7 @@ public record TrackingScene(
     List<Encounter> encounters) {
   private static final double DURATION_S = 3;
   private static final int TICK_US = 10_000;
-  private static final double LEAST_VISIBLE_S = 0.5;
+  private static final double MIN_VISIBLE_S = 0.5;
   private static final int[][] SENSORS = {{128, 128}, {240, 180}, {346, 260}};
 
   /**
@@ -122,7 +122,7 @@ public record TrackingScene(
     for (double s = 0; s < DURATION_S; s += 0.01) {
       visible += isOn(geometry, path, s, 0) ? 1 : 0;
     }
-    if (visible * 0.01 >= LEAST_VISIBLE_S) {
+    if (visible * 0.01 >= MIN_VISIBLE_S) {
       paths.add(path);
     }
   }

@@ -14,10 +14,10 @@ public final class RenderedFlies {
   private static final int[][] SENSORS = {{128, 128}, {240, 180}, {346, 260}};
 
   /** Contrast of a membrane over the threshold of the pixels, at the least. */
-  private static final double LEAST_CONTRAST = 1.2;
+  private static final double MIN_CONTRAST = 1.2;
 
   /** Largest transmission of a membrane that a threshold of 0.1 sees. */
-  private static final double VISIBLE_TRANSMISSION = Math.exp(-0.1 * LEAST_CONTRAST) - 0.001;
+  private static final double VISIBLE_TRANSMISSION = Math.exp(-0.1 * MIN_CONTRAST) - 0.001;
 
   private RenderedFlies() {}
 
@@ -37,7 +37,7 @@ public final class RenderedFlies {
     double unlike = Math.toRadians(random.nextDouble(-6, 6));
     double transmission = random.nextDouble(0.3, VISIBLE_TRANSMISSION);
     // a membrane whose contrast is below the threshold has no trailing edge that a pixel could see
-    double most = Math.min(0.4, -Math.log(transmission) / LEAST_CONTRAST);
+    double most = Math.min(0.4, -Math.log(transmission) / MIN_CONTRAST);
     double threshold = logarithmic(random, 0.1, most);
     double bandwidth = logarithmic(random, 160, 16_000);
     List<String> set =

@@ -24,7 +24,7 @@ import java.util.List;
  * time; the truth may be asked for by any thread.
  */
 public final class MovingDotsScene implements Scene<DotTruth> {
-  private static final int MOST_EVENTS = 4096;
+  private static final int MAX_EVENTS = 4096;
   private static final int INTERVAL_US = 1000;
 
   private final MovingDotsSettings settings;
@@ -59,7 +59,7 @@ public final class MovingDotsScene implements Scene<DotTruth> {
     merger = new EventMerger(new PixelSettings(1, 0, 0, 0, 0, 0, 0), sensor, settings.run());
     noise = new BackgroundNoise(settings.noise(), sensor, settings.run().seed());
     cutter =
-        new PacketCutter(settings.run(), geometry, "moving dots", MOST_EVENTS, this::makeInterval);
+        new PacketCutter(settings.run(), geometry, "moving dots", MAX_EVENTS, this::makeInterval);
   }
 
   @Override

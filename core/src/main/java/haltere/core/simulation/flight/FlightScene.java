@@ -26,7 +26,7 @@ import java.util.stream.IntStream;
  * pulled by one thread at a time; the truth and the detections may be asked for by any thread.
  */
 public final class FlightScene implements Scene<FlightTruth> {
-  private static final int MOST_EVENTS = 4096;
+  private static final int MAX_EVENTS = 4096;
   private static final int STEP_US = 200;
   private static final double JITTER_US = 100;
 
@@ -76,7 +76,7 @@ public final class FlightScene implements Scene<FlightTruth> {
     random = SeededRandom.of(seed, "crossings", settings.view().camera());
     merger = new EventMerger(new PixelSettings(1, 0, 0, 0, 0, 0, 0), sensor, settings.run());
     noise = new BackgroundNoise(settings.noise(), sensor, seed * 31 + settings.view().camera());
-    cutter = new PacketCutter(settings.run(), geometry, "flight", MOST_EVENTS, this::makeInterval);
+    cutter = new PacketCutter(settings.run(), geometry, "flight", MAX_EVENTS, this::makeInterval);
     outline(camera, 0, now);
   }
 

@@ -14,7 +14,7 @@ final class BodyShape {
     {-0.32, 0.28, 0.14} // abdomen
   };
 
-  private static final double MOST_SIDEWAYS = 0.155;
+  private static final double MAX_SIDEWAYS = 0.155;
 
   /** Half of the width over which the outline is blurred, pixels. */
   private static final double BLUR = 1;
@@ -66,7 +66,7 @@ final class BodyShape {
     double dx = x - pose.centreX;
     double dy = y - pose.centreY;
     double sideways = dy * pose.cosHeading - dx * pose.sinHeading;
-    if (Math.abs(sideways) > MOST_SIDEWAYS * length) {
+    if (Math.abs(sideways) > MAX_SIDEWAYS * length) {
       return false;
     }
     double forward = dx * pose.cosHeading + dy * pose.sinHeading;

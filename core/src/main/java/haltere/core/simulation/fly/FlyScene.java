@@ -39,7 +39,7 @@ public final class FlyScene extends TetheredFlyScene {
    * @param settings what is to be seen
    */
   public FlyScene(FlySceneSettings settings) {
-    this(settings, MOST_EVENTS);
+    this(settings, MAX_EVENTS);
   }
 
   /** A scene whose packets have at most so many events. */

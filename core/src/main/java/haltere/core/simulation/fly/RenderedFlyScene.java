@@ -42,7 +42,7 @@ public final class RenderedFlyScene extends TetheredFlyScene {
    * @param settings what is to be seen
    */
   public RenderedFlyScene(RenderedFlySceneSettings settings) {
-    this(settings, MOST_EVENTS);
+    this(settings, MAX_EVENTS);
   }
 
   /** A scene whose packets have at most so many events. */

@@ -9,13 +9,13 @@ import haltere.core.settings.Unit;
  * The two wings as the sensor sees them: dark sectors about their hinges.
  *
  * @param lengthPx hinge to tip, pixels
- * @param rootShare where the visible blade begins, as a share of the length
- * @param widthRad width of the blade as seen from the hinge
- * @param contrast darkness of the blade before its background, natural logarithm of the light,
+ * @param rootShare where the visible wing begins, as a share of the length
+ * @param widthRad width of the wing as seen from the hinge
+ * @param contrast darkness of the wing before its background, natural logarithm of the light,
  *     median over its veins and folds
  * @param contrastSpread spread of the contrast from pixel to pixel and pass to pass, standard
  *     deviation of its logarithm (veins, folds, angle of attack)
- * @param visibleShare share of the blade that casts a shadow at all in one pass; the rest is clear
+ * @param visibleShare share of the wing that casts a shadow at all in one pass; the rest is clear
  *     as glass
  */
 public record WingSettings(
@@ -24,26 +24,26 @@ public record WingSettings(
         @Unit("px")
         double lengthPx,
     @Help(
-            "Where the visible blade begins, as a share of the length of the wing; the 6 pixels next to the hinge are never seen.")
+            "Where the visible wing begins, as a share of the length of the wing; the 6 pixels next to the hinge are never seen.")
         @Range(min = 0, max = 0.9)
         @Unit("1")
         double rootShare,
-    @Help("Width of the blade as seen from its hinge.")
+    @Help("Width of the wing as seen from its hinge.")
         @Range(min = 0.005, max = 0.5, logarithmic = true)
         @Unit("rad")
         double widthRad,
     @Help(
-            "How dark the blade is before its background, as the natural logarithm of the light (median).")
+            "How dark the wing is before its background, as the natural logarithm of the light (median).")
         @Range(min = 0, max = 3)
         @Unit("ln")
         double contrast,
     @Help(
-            "Spread of the contrast over the blade and from pass to pass (veins, folds, angle of attack), as the standard deviation of its logarithm.")
+            "Spread of the contrast over the wing and from pass to pass (veins, folds, angle of attack), as the standard deviation of its logarithm.")
         @Range(min = 0, max = 2)
         @Unit("1")
         double contrastSpread,
     @Help(
-            "Share of the blade that casts a shadow at all in one pass, the rest is clear: thins the events evenly.")
+            "Share of the wing that casts a shadow at all in one pass, the rest is clear: thins the events evenly.")
         @Range(min = 0, max = 1)
         @Unit("1")
         double visibleShare) {

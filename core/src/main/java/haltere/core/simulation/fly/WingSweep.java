@@ -19,13 +19,13 @@ final class WingSweep {
   /** Motion of the fly, at the wing's tip, after which the pixels' angles are computed anew. */
   static final double STALE_PX = 0.05;
 
-  /** Pixels nearer to the hinge than this never see the blade. */
-  private static final double LEAST_RADIUS_PX = 6;
+  /** Pixels nearer to the hinge than this never see the wing. */
+  private static final double MIN_RADIUS_PX = 6;
 
   private static final double REBUILD_PX = 2;
   private static final int SHADOWS = 4096;
 
-  // whether a pixel of the list can see the blade until the list is made anew
+  // whether a pixel of the list can see the wing until the list is made anew
   private static final byte ALWAYS = 0;
   private static final byte NEVER = 1;
   private static final byte DEPENDS = 2;
@@ -95,7 +95,7 @@ final class WingSweep {
     }
     visibleBelow = (long) (wing.visibleShare() * (1L << 32));
     outer = wing.lengthPx();
-    inner = Math.max(LEAST_RADIUS_PX, outer * wing.rootShare());
+    inner = Math.max(MIN_RADIUS_PX, outer * wing.rootShare());
     halfWidth = wing.widthRad() / 2;
     leastAngle = kinematics.leastAngle(side);
     mostAngle = kinematics.mostAngle(side);

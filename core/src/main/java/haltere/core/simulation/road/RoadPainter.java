@@ -21,8 +21,8 @@ final class RoadPainter {
   static final double STEEP = 1e12;
 
   private static final double US = 1e-6;
-  private static final int MOST_LOOKS = 64;
-  private static final double LEAST_MOTION_PX = 0.5;
+  private static final int MAX_LOOKS = 64;
+  private static final double MIN_MOTION_PX = 0.5;
   private static final double LARGEST_MOTION_PX = 8;
   private static final double MOTION_SHARE = 1.0 / 24;
   private static final double TIMED_WITHIN_PX = 1.0 / 16;
@@ -200,9 +200,9 @@ final class RoadPainter {
     double motion = motion(a, b, Double.POSITIVE_INFINITY);
     double seen = Math.max(motion(a, b, 1), Math.min(motion, 2 * LARGEST_MOTION_PX));
     double size = Math.min(b.toX - b.fromX, b.toY - b.fromY);
-    double most = Math.max(LEAST_MOTION_PX, Math.min(LARGEST_MOTION_PX, size * MOTION_SHARE));
+    double most = Math.max(MIN_MOTION_PX, Math.min(LARGEST_MOTION_PX, size * MOTION_SHARE));
     mover.looks = motion == 0 && !mover.isGone ? 0 : 1;
-    while (mover.looks > 0 && mover.looks < MOST_LOOKS && seen > most * mover.looks) {
+    while (mover.looks > 0 && mover.looks < MAX_LOOKS && seen > most * mover.looks) {
       mover.looks *= 2;
     }
     mover.halvings = 0;

@@ -38,7 +38,7 @@ public final class RoadScene extends SensorScene<RoadTruth> {
    * @param settings what is to be seen
    */
   public RoadScene(RoadSceneSettings settings) {
-    this(settings, MOST_EVENTS);
+    this(settings, MAX_EVENTS);
   }
 
   /** A scene whose packets have at most so many events. */

@@ -16,8 +16,8 @@ import java.util.List;
  */
 final class TrafficPlan {
   private static final int DIRECTIONS = 2;
-  private static final int MOST_IN_BLOCK = 10_000;
-  private static final double LEAST_BLOCK_S = 120;
+  private static final int MAX_IN_BLOCK = 10_000;
+  private static final double MIN_BLOCK_S = 120;
   private static final double TRY_EACH_S = 0.25;
 
   private record Block(long number, List<Vehicle> vehicles) {}
@@ -32,7 +32,7 @@ final class TrafficPlan {
     TrafficSettings traffic = settings.traffic();
     // a slow vehicle is there for about two times the road's length over the speed
     double longestS = 3 * traffic.roadM() / traffic.speedMS() + traffic.encounters().stopS();
-    blockS = Math.max(LEAST_BLOCK_S, 8 * longestS);
+    blockS = Math.max(MIN_BLOCK_S, 8 * longestS);
     for (int direction = 0; direction < DIRECTIONS; direction++) {
       encounters[direction] = new Encounters(traffic, settings.vehicles(), direction == 0);
     }
@@ -80,7 +80,7 @@ final class TrafficPlan {
         startS += TRY_EACH_S;
       }
       for (Vehicle vehicle : group) {
-        long place = DIRECTIONS * MOST_IN_BLOCK * (number + 1) + direction;
+        long place = DIRECTIONS * MAX_IN_BLOCK * (number + 1) + direction;
         Vehicle placed = vehicle.later(startS, (int) (place + DIRECTIONS * (long) all.size()));
         if (placed.leaveS >= fromS + blockS) {
           return List.copyOf(all);
