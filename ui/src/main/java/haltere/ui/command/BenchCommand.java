@@ -42,13 +42,13 @@ import picocli.CommandLine.Parameters;
             + " on a recording or on the built-in fly scene.")
 final class BenchCommand extends Subcommand {
   /** Events kept in memory for the filters; 48 MB. */
-  private static final int MOST_EVENTS = 4_000_000;
+  private static final int MAX_EVENTS = 4_000_000;
 
   private static final int SCENE_EVENTS = 1_000_000;
   private static final int FEWEST_ROUNDS = 3;
 
   /** Less than one clock cycle per event. */
-  private static final double LEAST_NANOS = 0.1;
+  private static final double MIN_NANOS = 0.1;
 
   @Parameters(arity = "0..1", paramLabel = "FILE", description = "A recording.")
   Path file;
@@ -112,7 +112,7 @@ final class BenchCommand extends Subcommand {
   }
 
   private void measure(Path recording) throws IOException {
-    Held held = new Held(MOST_EVENTS);
+    Held held = new Held(MAX_EVENTS);
     SensorGeometry geometry;
     long decoded = 0;
     String format;
@@ -173,7 +173,7 @@ final class BenchCommand extends Subcommand {
               Locale.ROOT,
               "%-24s %10s %10.2f",
               name,
-              perEvent < LEAST_NANOS
+              perEvent < MIN_NANOS
                   ? "no work" // a filter that passes everything as it is
                   : String.format(Locale.ROOT, "%.1f", 1e3 / perEvent),
               perEvent));

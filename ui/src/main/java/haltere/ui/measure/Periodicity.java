@@ -26,7 +26,7 @@ final class Periodicity {
   private static final int SMOOTHING = 16;
 
   /** A multiple says the period more exactly than the one before: it changes it by no more. */
-  private static final double MOST_CHANGE = 0.1;
+  private static final double MAX_CHANGE = 0.1;
 
   private final double[] correlation;
   private final float[] centred;
@@ -139,7 +139,7 @@ final class Periodicity {
       int around = 1 + reach / 2;
       int best = highestNear(near - around, near + around, lags, reach);
       double exact = top(best, reach) / multiple;
-      if (!(Math.abs(exact - period) <= MOST_CHANGE * period)) {
+      if (!(Math.abs(exact - period) <= MAX_CHANGE * period)) {
         // not a multiple: what repeats does not do so for long
         break;
       }

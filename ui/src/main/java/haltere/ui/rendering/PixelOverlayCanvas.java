@@ -17,7 +17,7 @@ public final class PixelOverlayCanvas implements OverlayCanvas {
   private static final double CORNERS_PER_ROOT = 7;
 
   /** Points of a path that are nearer to the one before, in pixels, are left out. */
-  private static final double LEAST_STEP = 1;
+  private static final double MIN_STEP = 1;
 
   /** Room around words, units of the view. */
   private static final double MARGIN = 3;
@@ -97,7 +97,7 @@ public final class PixelOverlayCanvas implements OverlayCanvas {
       double toX = pixelX(x[i]);
       double toY = pixelY(y[i]);
       // a path of something slow has many points in a pixel
-      if (i == points - 1 || Math.abs(toX - fromX) + Math.abs(toY - fromY) >= LEAST_STEP) {
+      if (i == points - 1 || Math.abs(toX - fromX) + Math.abs(toY - fromY) >= MIN_STEP) {
         segment(fromX, fromY, toX, toY, style);
         fromX = toX;
         fromY = toY;

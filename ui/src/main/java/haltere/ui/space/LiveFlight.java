@@ -29,7 +29,7 @@ public final class LiveFlight implements SliceSink {
   private static final long STEP_US = 10_000;
 
   /** Moments that are shown. */
-  private static final int MOST_MOMENTS = 400;
+  private static final int MAX_MOMENTS = 400;
 
   private final CameraRig rig;
   private final LiveOrientation orientation;
@@ -64,7 +64,7 @@ public final class LiveFlight implements SliceSink {
   }
 
   private void oriented(OrientationEstimate now, BodyOrientationEstimator body) {
-    if (moments.size() == MOST_MOMENTS) {
+    if (moments.size() == MAX_MOMENTS) {
       moments.removeFirst();
     }
     moments.addLast(BodyFlight.Moment.of(now, body, rig.cameras()));

@@ -6,12 +6,12 @@ package haltere.filters.wing.search;
  */
 final class CoarseStroke {
   private static final int EVENTS = 500;
-  private static final int LEAST_EVENTS = 40;
+  private static final int MIN_EVENTS = 40;
   private static final int PHASES = 24;
   private static final double[] CENTRES = {1.35, 1.57, 1.8};
   private static final double[] AMPLITUDES = {0.45, 0.65, 0.85, 1.05, 1.25, 1.45};
   private static final double NEAR_RAD = 0.15;
-  private static final double LEAST_SQUARE_PX = 9;
+  private static final double MIN_SQUARE_PX = 9;
 
   private final double[] angle = new double[2 * EVENTS + 2];
   private final double[] cos = new double[angle.length];
@@ -48,7 +48,7 @@ final class CoarseStroke {
         double dx = sample.x[i] - hingeX;
         double dy = sample.y[i] - hingeY;
         double rr = dx * dx + dy * dy;
-        if (rr >= LEAST_SQUARE_PX && rr <= outerPx * outerPx) {
+        if (rr >= MIN_SQUARE_PX && rr <= outerPx * outerPx) {
           double phase = omega * (sample.timeS[i] - middleS);
           angle[size] = StrokeFit.near(turn * (Math.atan2(dy, dx) - referenceRad), Math.PI / 2);
           cos[size] = Math.cos(phase);
@@ -56,7 +56,7 @@ final class CoarseStroke {
         }
       }
     }
-    if (size < LEAST_EVENTS) {
+    if (size < MIN_EVENTS) {
       return false;
     }
     double best = -1;

@@ -17,10 +17,10 @@ import java.util.function.Consumer;
  * from the body's line.
  */
 final class FlyFinder {
-  private static final int LEAST_SUPPORTED = 80;
+  private static final int MIN_SUPPORTED = 80;
   private static final int LOOKS = 3;
-  private static final double LEAST_EXPLAINED = 0.03;
-  private static final double LEAST_SHARE = 0.32;
+  private static final double MIN_EXPLAINED = 0.03;
+  private static final double MIN_SHARE = 0.32;
   private static final double OTHER_AXIS_RAD = 0.35;
 
   /** How far the hinge is from the middle of a lone wing's events, as a share of their reach. */
@@ -29,7 +29,7 @@ final class FlyFinder {
   private static final double ALONE_INLIERS = 0.45;
 
   /** Cosine of the most by which one wing may be behind the other. */
-  private static final double LEAST_TOGETHER = 0.5;
+  private static final double MIN_TOGETHER = 0.5;
 
   private static final double HEAD_SD_RAD = 0.03;
 
@@ -64,14 +64,14 @@ final class FlyFinder {
   /** Searches the last events for the fly up to the end of a window; null if there is none. */
   FoundFly find(RecentEvents events, long nowUs, WingSearchSettings settings) {
     sample.take(events, nowUs - settings.windowUs());
-    if (sample.supportedCount < LEAST_SUPPORTED) {
+    if (sample.supportedCount < MIN_SUPPORTED) {
       return null;
     }
     for (int look = 0; look < LOOKS; look++) {
       if (look > 0) {
         sample.requireBeat(2 * Math.PI * spectrum.frequencyHz);
       }
-      if (sample.supportedCount < LEAST_SUPPORTED / 2 || !look(settings)) {
+      if (sample.supportedCount < MIN_SUPPORTED / 2 || !look(settings)) {
         return null;
       }
     }
@@ -79,7 +79,7 @@ final class FlyFinder {
         Math.atan2(means.secondY - means.firstY, means.secondX - means.firstX) + Math.PI / 2;
     double size = Math.hypot(means.firstX - means.secondX, means.firstY - means.secondY);
     say(nowUs, Phase.TWO_MEANS, Double.NaN, Angles.wrapPi(byMeans), size);
-    if (spectrum.explained < LEAST_EXPLAINED) {
+    if (spectrum.explained < MIN_EXPLAINED) {
       return null;
     }
     say(nowUs, Phase.BEAT, spectrum.frequencyHz, spectrum.axisRad, size);
@@ -194,7 +194,7 @@ final class FlyFinder {
 
   private static boolean isWing(StrokeFit fit) {
     double amplitude = fit.amplitude();
-    return fit.inliers > LEAST_SHARE * fit.events
+    return fit.inliers > MIN_SHARE * fit.events
         && fit.inliers > 50
         && amplitude > 0.2
         && amplitude < 1.8;
@@ -234,7 +234,7 @@ final class FlyFinder {
   /** Two wings swing together; the two halves of one wing's stroke do not. */
   private boolean together() {
     double inPhase = fits[0].cosine(1) * fits[1].cosine(1) + fits[0].sine(1) * fits[1].sine(1);
-    return inPhase > LEAST_TOGETHER * fits[0].amplitude() * fits[1].amplitude();
+    return inPhase > MIN_TOGETHER * fits[0].amplitude() * fits[1].amplitude();
   }
 
   private boolean fitSide(int side, boolean first, double x, double y) {

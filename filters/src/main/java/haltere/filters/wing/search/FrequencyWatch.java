@@ -13,10 +13,10 @@ import haltere.filters.wing.WingSearchSettings;
  */
 public final class FrequencyWatch {
   private static final int WINDOW_US = 30_000;
-  private static final int MOST_EVENTS = 1000;
+  private static final int MAX_EVENTS = 1000;
 
   /** Share of the swing that a frequency has to explain to be the beat. */
-  private static final double LEAST_EXPLAINED = 0.25;
+  private static final double MIN_EXPLAINED = 0.25;
 
   private static final int LOOKS = 2;
 
@@ -48,7 +48,7 @@ public final class FrequencyWatch {
     spectrum.clear();
     long fromUs = nowUs - WINDOW_US;
     int first = recent.indexAtOrAfter(fromUs);
-    int step = 1 + (recent.size() - first) / MOST_EVENTS;
+    int step = 1 + (recent.size() - first) / MAX_EVENTS;
     double square = fly.sizePx() * fly.sizePx();
     for (int i = first; i < recent.size(); i += step) {
       double dx = recent.x(i) - fly.centreX();
@@ -74,7 +74,7 @@ public final class FrequencyWatch {
               Math.min(settings.leastFrequencyHz(), settings.mostFrequencyHz()),
               Math.max(settings.leastFrequencyHz(), settings.mostFrequencyHz()));
     }
-    if (most < LEAST_EXPLAINED) {
+    if (most < MIN_EXPLAINED) {
       wrong = 0;
       return;
     }

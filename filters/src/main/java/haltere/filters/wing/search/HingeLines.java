@@ -9,10 +9,10 @@ import haltere.filters.estimation.NormalEquations;
  * narrow down from round to round.
  */
 final class HingeLines {
-  private static final double MOST_APART_S = 100e-6;
-  private static final double LEAST_BASE_PX = 5;
+  private static final double MAX_APART_S = 100e-6;
+  private static final double MIN_BASE_PX = 5;
   private static final double[] SCALES_PX = {16, 12, 8, 6, 4, 3, 2, 2};
-  private static final int MOST_PARTNERS = 4;
+  private static final int MAX_PARTNERS = 4;
 
   /** How freely the point may move from its start, standard deviation. */
   private static final double SLACK_PX = 15;
@@ -41,11 +41,11 @@ final class HingeLines {
         if (!sample.supported[i] || !split.isOn(side, i)) {
           continue;
         }
-        while (sample.timeS[i] - sample.timeS[from] > MOST_APART_S) {
+        while (sample.timeS[i] - sample.timeS[from] > MAX_APART_S) {
           from++;
         }
         int partners = 0;
-        for (int j = i - 1; j >= from && partners < MOST_PARTNERS; j--) {
+        for (int j = i - 1; j >= from && partners < MAX_PARTNERS; j--) {
           if (sample.supported[j] && split.isOn(side, j) && sample.sign[j] == sample.sign[i]) {
             partners++;
             lines += add(sample, i, j, scale, startX, startY) ? 1 : 0;
@@ -67,7 +67,7 @@ final class HingeLines {
     double dx = sample.x[i] - sample.x[j];
     double dy = sample.y[i] - sample.y[j];
     double base = Math.sqrt(dx * dx + dy * dy);
-    if (base < LEAST_BASE_PX) {
+    if (base < MIN_BASE_PX) {
       return false;
     }
     row[0] = -dy / base;

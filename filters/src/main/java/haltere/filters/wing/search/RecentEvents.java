@@ -4,13 +4,13 @@ import haltere.core.event.EventAddress;
 
 /**
  * The events of the last few beats, thinned evenly where they come faster than one in {@link
- * #LEAST_GAP_US}, so that a fixed store always reaches back far enough.
+ * #MIN_GAP_US}, so that a fixed store always reaches back far enough.
  *
  * <p>Thread rule: one thread at a time.
  */
 public final class RecentEvents {
   /** Events that follow another one sooner are not kept. */
-  static final int LEAST_GAP_US = 5;
+  static final int MIN_GAP_US = 5;
 
   private final long[] timesUs;
   private final int[] addresses;
@@ -37,7 +37,7 @@ public final class RecentEvents {
    * @param address as in an event packet
    */
   public void add(long timeUs, int address) {
-    if (size > 0 && timeUs - lastUs < LEAST_GAP_US) {
+    if (size > 0 && timeUs - lastUs < MIN_GAP_US) {
       return;
     }
     lastUs = timeUs;

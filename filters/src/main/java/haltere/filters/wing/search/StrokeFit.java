@@ -39,7 +39,7 @@ final class StrokeFit {
 
   private static final int QUICK_ROUNDS = 10;
   private static final int QUICK_EVENTS = 800;
-  private static final int MOST_EVENTS = 3000;
+  private static final int MAX_EVENTS = 3000;
   private static final double PIXEL = 0.7;
   private static final double BLADE = 0.01;
   private static final double TIMING_S = 40e-6;
@@ -186,7 +186,7 @@ final class StrokeFit {
       return false;
     }
     int rounds = quick ? QUICK_ROUNDS : ROUNDS;
-    stride = Math.max(1, split.count(side) / (quick ? QUICK_EVENTS : MOST_EVENTS));
+    stride = Math.max(1, split.count(side) / (quick ? QUICK_EVENTS : MAX_EVENTS));
     for (int round = 0; round < rounds; round++) {
       int unknowns = round < WITH_HARMONICS ? SERIES + 2 : SIZE;
       if (!accumulate(round) || !normal.solve(unknowns, step)) {

@@ -22,7 +22,7 @@ final class StrokeSample {
   private static final int HARMONICS = 4;
 
   /** The power of chance is 4 on average and above this in two cells of a thousand. */
-  private static final double LEAST_POWER = 12;
+  private static final double MIN_POWER = 12;
 
   private final int width;
   private final int height;
@@ -136,7 +136,7 @@ final class StrokeSample {
       for (double sum : sums[cell]) {
         power += sum * sum;
       }
-      beats[cell] = counts[cell] > 0 && power / counts[cell] > LEAST_POWER;
+      beats[cell] = counts[cell] > 0 && power / counts[cell] > MIN_POWER;
     }
     supportedCount = 0;
     for (int i = 0; i < size; i++) {

@@ -8,7 +8,7 @@ package haltere.filters.wing.search;
  * <p>Thread rule: one thread at a time.
  */
 public final class TwoMeans {
-  private static final int MOST_ROUNDS = 20;
+  private static final int MAX_ROUNDS = 20;
 
   private double[] x;
   private double[] y;
@@ -100,7 +100,7 @@ public final class TwoMeans {
   /** Moves the two means until nothing changes; gives back the scatter. */
   private double converge(double[] means) {
     double before = Double.POSITIVE_INFINITY;
-    for (int round = 0; round < MOST_ROUNDS; round++) {
+    for (int round = 0; round < MAX_ROUNDS; round++) {
       double now = improve(means);
       if (!(now < before)) {
         break;

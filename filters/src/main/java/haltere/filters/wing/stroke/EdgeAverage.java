@@ -12,7 +12,7 @@ import haltere.filters.wing.WingTrackerSettings;
  */
 final class EdgeAverage extends EdgeEstimator {
   private static final double LONGEST_SILENCE_US = 30_000;
-  private static final double MOST_PERIODS = 5;
+  private static final double MAX_PERIODS = 5;
   private static final double LONGEST_PERIOD_US = 20_000;
 
   private RunningAverageSettings settings;
@@ -134,6 +134,6 @@ final class EdgeAverage extends EdgeEstimator {
   boolean isLost(long timeUs) {
     double since = timeUs - (Double.isNaN(lastPassedUs) ? launchedUs : lastPassedUs);
     return since
-        > Math.max(LONGEST_SILENCE_US, MOST_PERIODS * Math.min(periodUs, LONGEST_PERIOD_US));
+        > Math.max(LONGEST_SILENCE_US, MAX_PERIODS * Math.min(periodUs, LONGEST_PERIOD_US));
   }
 }

@@ -1,12 +1,12 @@
 package haltere.filters.wing.stroke;
 
 /**
- * What an event's angle is worth, learnt from the residuals: the variance of an event is that of
- * the blade, of the pixel's size as seen from the hinge, and of the times at the wing's present
- * speed; and there are strays, which lie anywhere. An event that may be a stray counts for less.
+ * Variance of an event's angle, estimated from the residuals. It is the sum of the wing's variance,
+ * of the pixel's size as seen from the hinge, and of the times at the wing's present speed.
+ * Outliers lie anywhere; an event counts by its probability to be none.
  *
- * <p>Near the reversals the wing is slow, and residuals tell the blade's part; in the middle of the
- * stroke they tell the part of the times. Residuals far from the wing tell the density of strays.
+ * <p>Near the reversals the wing is slow, and residuals tell the wing's variance; in the middle of
+ * the stroke they tell that of the times. Residuals far from the wing tell the outliers' density.
  * Thread rule: one thread at a time.
  */
 final class EventNoise {
@@ -16,8 +16,8 @@ final class EventNoise {
   private static final double LEARN = 0.004;
   private static final double FOLLOW = 0.002;
   private static final double SCALE_SHARE = 0.3;
-  private static final double LEAST_SCALE = 0.02;
-  private static final double MOST_SCALE = 4;
+  private static final double MIN_SCALE = 0.02;
+  private static final double MAX_SCALE = 4;
 
   /** Of the mean NIS, slow enough that a beat of few or of many events is one of many. */
   private static final double NIS_SHARE = 0.125;
@@ -29,7 +29,7 @@ final class EventNoise {
 
   private double gateSquare;
   private double fixed;
-  private double blade = 4e-4;
+  private double wingVariance = 4e-4;
   private double timing = 9e-10;
   private double strays = 0.05;
   private double near = 1;
@@ -55,7 +55,7 @@ final class EventNoise {
     varianceNow =
         fixed > 0
             ? fixed
-            : scale * (blade + PIXEL_VARIANCE / radiusSquare + timing * speed * speed);
+            : scale * (wingVariance + PIXEL_VARIANCE / radiusSquare + timing * speed * speed);
     return varianceNow;
   }
 
@@ -84,14 +84,14 @@ final class EventNoise {
     double step = LEARN * belief;
     nis += NIS_SHARE * step * (normalised - nis);
     double changed = scale + SCALE_SHARE * step * (normalised - 1);
-    scale = Math.max(LEAST_SCALE, Math.min(MOST_SCALE, changed));
+    scale = Math.max(MIN_SCALE, Math.min(MAX_SCALE, changed));
     double share = speed * speed / (fullSpeed * fullSpeed);
     if (share > 0.4) {
       timing += step * (square - variance) / (speed * speed);
       timing = Math.max(1e-11, Math.min(1e-7, timing));
     } else if (share < 0.12) {
-      blade += step * (square - variance);
-      blade = Math.max(1e-6, Math.min(0.02, blade));
+      wingVariance += step * (square - variance);
+      wingVariance = Math.max(1e-6, Math.min(0.02, wingVariance));
     }
     return belief;
   }

@@ -20,7 +20,7 @@ final class FrequencyChange {
   private static final double FIRST_SHARE = 0.2;
 
   private static final double FIRST_WEIGHT = 30;
-  private static final double MOST_WEIGHT = 400;
+  private static final double MAX_WEIGHT = 400;
 
   private double change;
   private double usual;
@@ -41,7 +41,7 @@ final class FrequencyChange {
     double clearly = USUAL_TIMES * usual;
     excess = Math.max(0, mean * mean - clearly);
     if (calm && change != 0) {
-      weight = Math.min(MOST_WEIGHT, weight + 1);
+      weight = Math.min(MAX_WEIGHT, weight + 1);
       usual += (Math.min(mean * mean, clearly) - usual) / weight;
     }
   }

@@ -22,7 +22,7 @@ final class FrequencyHindsight {
   private static final double FIRST_SHARE = 0.2;
 
   private static final double FIRST_WEIGHT = 30;
-  private static final double MOST_WEIGHT = 120;
+  private static final double MAX_WEIGHT = 120;
 
   /** Looks since the last one that tells nothing. */
   private int steady;
@@ -57,7 +57,7 @@ final class FrequencyHindsight {
       products += t * (phase[i] - phase[middle] - meanPhase);
     }
     double off = history.omega[middle] - products / squares;
-    weight = Math.min(MOST_WEIGHT, weight + 1);
+    weight = Math.min(MAX_WEIGHT, weight + 1);
     share += (off * off / history.variance[middle] - share) / weight;
   }
 

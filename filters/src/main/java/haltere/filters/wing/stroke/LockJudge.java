@@ -6,14 +6,14 @@ package haltere.filters.wing.stroke;
  */
 final class LockJudge {
   private static final int PATIENCE = 25;
-  private static final double LEAST_EXCESS = 0.1;
+  private static final double MIN_EXCESS = 0.1;
   private static final double SILENT_SHARE = 0.12;
   private static final double USUAL_S = 0.5;
   private static final double QUICK_BEATS = 3;
-  private static final double LEAST_OMEGA = 2 * Math.PI * 30;
-  private static final double MOST_OMEGA = 2 * Math.PI * 1000;
-  private static final double LEAST_AMPLITUDE = 0.12;
-  private static final double MOST_AMPLITUDE = 2.2;
+  private static final double MIN_OMEGA = 2 * Math.PI * 30;
+  private static final double MAX_OMEGA = 2 * Math.PI * 1000;
+  private static final double MIN_AMPLITUDE = 0.12;
+  private static final double MAX_AMPLITUDE = 2.2;
 
   private long counted;
   private double quickRate;
@@ -33,16 +33,16 @@ final class LockJudge {
   void look(double dtS, long taken, double omega, double amplitude, double excess) {
     double rate = (taken - counted) / dtS;
     counted = taken;
-    double quickS = QUICK_BEATS * 2 * Math.PI / Math.max(LEAST_OMEGA, omega);
+    double quickS = QUICK_BEATS * 2 * Math.PI / Math.max(MIN_OMEGA, omega);
     quickRate += dtS / (dtS + quickS) * (rate - quickRate);
     sinceLaunchS += dtS;
     usualRate += dtS / Math.min(sinceLaunchS, USUAL_S) * (rate - usualRate);
     boolean possible =
-        omega > LEAST_OMEGA
-            && omega < MOST_OMEGA
-            && amplitude > LEAST_AMPLITUDE
-            && amplitude < MOST_AMPLITUDE;
-    boolean good = quickRate >= SILENT_SHARE * usualRate && excess >= LEAST_EXCESS;
+        omega > MIN_OMEGA
+            && omega < MAX_OMEGA
+            && amplitude > MIN_AMPLITUDE
+            && amplitude < MAX_AMPLITUDE;
+    boolean good = quickRate >= SILENT_SHARE * usualRate && excess >= MIN_EXCESS;
     poor = !possible ? poor + PATIENCE : good ? 0 : poor + 1;
   }
 

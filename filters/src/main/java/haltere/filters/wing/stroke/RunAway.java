@@ -14,7 +14,7 @@ final class RunAway {
   private static final double DENSITY = 4e8;
 
   private static final double HOLD_S = 0.03;
-  private static final double LEAST_DENSITY = 1;
+  private static final double MIN_DENSITY = 1;
 
   private final UsualPhase together = new UsualPhase(20, 1.5, 6);
   private final UsualPhase alone = new UsualPhase(26, 6, 12);
@@ -42,7 +42,7 @@ final class RunAway {
     if (w > 0) {
       double excess = excess(other);
       density = Math.max(density * Math.exp(-dtS / HOLD_S), Math.min(most, DENSITY * excess));
-      if (density < LEAST_DENSITY) {
+      if (density < MIN_DENSITY) {
         density = 0;
       }
     }

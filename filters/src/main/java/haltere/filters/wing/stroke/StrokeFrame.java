@@ -8,7 +8,7 @@ import haltere.filters.wing.WingPart;
  * <p>Thread rule: one thread at a time.
  */
 public final class StrokeFrame {
-  private static final double LEAST_RADIUS_PX = 1;
+  private static final double MIN_RADIUS_PX = 1;
 
   private final WingPart side;
   private final double turn;
@@ -17,7 +17,7 @@ public final class StrokeFrame {
   private double headingRad;
   private double headingCos = 1;
   private double headingSin;
-  private double innerSquare = LEAST_RADIUS_PX;
+  private double innerSquare = MIN_RADIUS_PX;
   private double outerSquare;
   private boolean byHand;
 
@@ -59,7 +59,7 @@ public final class StrokeFrame {
     hingeX = x;
     hingeY = y;
     setHeading(heading);
-    double inner = Math.max(LEAST_RADIUS_PX, innerPx);
+    double inner = Math.max(MIN_RADIUS_PX, innerPx);
     innerSquare = inner * inner;
     outerSquare = outerPx * outerPx;
   }

@@ -10,7 +10,7 @@ final class UsualPhase {
 
   private static final double FIRST = 0.25;
   private static final double FIRST_WEIGHT = 60;
-  private static final double MOST_WEIGHT = 400;
+  private static final double MAX_WEIGHT = 400;
 
   private final double times;
   private final double least;
@@ -44,7 +44,7 @@ final class UsualPhase {
     double variance = REPEATING / w;
     double clearly = Math.max(least, Math.min(most, times * usual));
     if (calm) {
-      weight = Math.min(MOST_WEIGHT, weight + 1);
+      weight = Math.min(MAX_WEIGHT, weight + 1);
       usual += (Math.min(square / variance, clearly) - usual) / weight;
     }
     return Math.max(0, square - clearly * variance);

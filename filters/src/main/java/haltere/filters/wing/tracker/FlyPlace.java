@@ -12,7 +12,7 @@ import haltere.filters.wing.stroke.StrokeFrame;
  * left from right: through the middle of the hinges, along the heading.
  */
 final class FlyPlace {
-  private static final double LEAST_REGION_PX = 3;
+  private static final double MIN_REGION_PX = 3;
 
   final StrokeFrame[] frames = {new StrokeFrame(WingPart.LEFT), new StrokeFrame(WingPart.RIGHT)};
   private double axisCos = 1;
@@ -32,7 +32,7 @@ final class FlyPlace {
     sizePx = found.sizePx();
     confidence = found.headTailConfidence();
     initialisedAtUs = timeUs;
-    regionPx = Math.max(LEAST_REGION_PX, fly.regionPx() + place.regionOffsetPx());
+    regionPx = Math.max(MIN_REGION_PX, fly.regionPx() + place.regionOffsetPx());
     for (int side = 0; side < 2; side++) {
       boolean left = side == 0 != flip;
       frames[side].place(
@@ -61,8 +61,7 @@ final class FlyPlace {
   /** Moves by what a person says differently; returns by how much the heading turns, radians. */
   double move(WingPlaceSettings before, WingPlaceSettings after) {
     double turn = Angles.wrapPi(after.headingOffsetRad() - before.headingOffsetRad());
-    regionPx =
-        Math.max(LEAST_REGION_PX, regionPx + after.regionOffsetPx() - before.regionOffsetPx());
+    regionPx = Math.max(MIN_REGION_PX, regionPx + after.regionOffsetPx() - before.regionOffsetPx());
     for (StrokeFrame frame : frames) {
       frame.place(
           frame.hingeX() + after.bodyOffsetXPx() - before.bodyOffsetXPx(),
@@ -91,7 +90,7 @@ final class FlyPlace {
   /** Takes a size of the fly for the radius of the region of interest. */
   void resize(double size, WingPlaceSettings said) {
     sizePx = size;
-    regionPx = Math.max(LEAST_REGION_PX, size + said.regionOffsetPx());
+    regionPx = Math.max(MIN_REGION_PX, size + said.regionOffsetPx());
     for (StrokeFrame frame : frames) {
       frame.place(
           frame.hingeX(), frame.hingeY(), frame.headingRad(), said.innerRadiusPx(), regionPx);

@@ -14,7 +14,7 @@ import java.util.function.LongSupplier;
  */
 public final class LiveStatus implements AutoCloseable {
   /** What does not fit onto one line of a terminal would stay there. */
-  private static final int MOST_LETTERS = 79;
+  private static final int MAX_LETTERS = 79;
 
   private final TerminalLine line;
   private final LongSupplier nanoTime;
@@ -56,7 +56,7 @@ public final class LiveStatus implements AutoCloseable {
       text.append(words(statistics, (statistics.events() - eventsBefore[i]) / sinceS));
       eventsBefore[i] = statistics.events();
     }
-    line.draw(text.substring(0, Math.min(text.length(), MOST_LETTERS)));
+    line.draw(text.substring(0, Math.min(text.length(), MAX_LETTERS)));
   }
 
   private String words(CameraStatistics statistics, double rate) {

@@ -13,7 +13,7 @@ import java.util.regex.Pattern;
 
 /** Numbers and problems as a person reads them. */
 public final class Texts {
-  private static final double MOST_SLOWDOWN = 1e6;
+  private static final double MAX_SLOWDOWN = 1e6;
   private static final Pattern TIME_WITH_UNIT =
       Pattern.compile("(\\d+(?:\\.\\d*)?)\\s*(us|\u00b5s|ms|s)");
   private static final Pattern CLOCK_TIME = Pattern.compile("(?:\\d+:){0,2}\\d+(?:\\.\\d*)?");
@@ -141,7 +141,7 @@ public final class Texts {
       return (speed == Math.rint(speed) ? Long.toString((long) speed) : digits(speed)) + "\u00d7";
     }
     double slowdown = 1 / speed;
-    if (slowdown > MOST_SLOWDOWN) {
+    if (slowdown > MAX_SLOWDOWN) {
       return "0\u00d7"; // as good as standing still
     }
     return "1/" + (slowdown < 9.5 ? trim(digits(slowdown)) : Math.round(slowdown)) + "\u00d7";

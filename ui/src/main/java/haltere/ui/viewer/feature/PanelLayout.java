@@ -24,7 +24,7 @@ final class PanelLayout {
   private static final double BESIDE_SHARE = 0.55;
 
   /** Of the events, where much stands beside them. */
-  private static final double LEAST_SHARE = 0.34;
+  private static final double MIN_SHARE = 0.34;
 
   private final Node events;
   private final Node chain;
@@ -181,7 +181,7 @@ final class PanelLayout {
 
   /** Where the dividers go when several panels stand beside the events: all of them get alike. */
   private static double[] shares(int panels) {
-    double first = Math.max(LEAST_SHARE, BESIDE_SHARE - 0.1 * (panels - 1));
+    double first = Math.max(MIN_SHARE, BESIDE_SHARE - 0.1 * (panels - 1));
     double[] places = new double[panels];
     for (int i = 0; i < panels; i++) {
       places[i] = first + (1 - first) * i / panels;

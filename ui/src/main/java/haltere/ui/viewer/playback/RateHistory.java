@@ -13,7 +13,7 @@ final class RateHistory {
   /** Rates are no nearer to each other than this share of what is drawn. */
   private static final double STEPS = 600;
 
-  private static final long LEAST_STEP_US = 10_000;
+  private static final long MIN_STEP_US = 10_000;
 
   private final long[] placesUs = new long[CAPACITY];
   private final double[] ratesEps = new double[CAPACITY];
@@ -35,7 +35,7 @@ final class RateHistory {
    * @return whether there is something new to draw
    */
   boolean add(long elapsedUs, double rateEps, long spanUs) {
-    if (count > 0 && elapsedUs - lastUs() < Math.max(LEAST_STEP_US, spanUs / STEPS)) {
+    if (count > 0 && elapsedUs - lastUs() < Math.max(MIN_STEP_US, spanUs / STEPS)) {
       return false;
     }
     placesUs[slot(count)] = elapsedUs;

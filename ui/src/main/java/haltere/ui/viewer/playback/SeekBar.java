@@ -76,7 +76,7 @@ public final class SeekBar extends Region {
   private static final double TICK_HEIGHT = 5;
 
   /** At least so much of a camera or a scene is drawn, the right end of it empty at first. */
-  private static final long LEAST_SPAN_US = 5_000_000;
+  private static final long MIN_SPAN_US = 5_000_000;
 
   private static final long GROW_NANOS = 100_000_000;
 
@@ -270,7 +270,7 @@ public final class SeekBar extends Region {
 
   /** Goes along with what can be gone to. */
   private void follow(Reach all) {
-    long newSpanUs = Math.max(all.grows() ? LEAST_SPAN_US : 1, all.toUs() - all.fromUs());
+    long newSpanUs = Math.max(all.grows() ? MIN_SPAN_US : 1, all.toUs() - all.fromUs());
     if (!all.grows()) {
       showWhole(all.fromUs(), newSpanUs);
       return;

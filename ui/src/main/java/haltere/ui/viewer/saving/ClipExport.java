@@ -25,7 +25,7 @@ final class ClipExport implements StreamHandler {
   private static final long RUN_UP_US = 500_000;
 
   /** Films longer than this are asked for by mistake. */
-  static final long MOST_PICTURES = 20_000;
+  static final long MAX_PICTURES = 20_000;
 
   private final Playable playable;
   private final FilterChain chain;
@@ -62,7 +62,7 @@ final class ClipExport implements StreamHandler {
       double pictureUs)
       throws IOException {
     long wanted = Math.round((toUs - fromUs) / pictureUs);
-    if (wanted > MOST_PICTURES) {
+    if (wanted > MAX_PICTURES) {
       throw new IOException(
           "that would be "
               + wanted

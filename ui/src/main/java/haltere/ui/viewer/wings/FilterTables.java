@@ -38,13 +38,13 @@ import javafx.scene.layout.VBox;
 final class FilterTables extends VBox {
   private static final MathContext FOUR_DIGITS = new MathContext(4);
   private static final MathContext TWO_DIGITS = new MathContext(2);
-  private static final double LEAST_PLAIN = 1e-3;
+  private static final double MIN_PLAIN = 1e-3;
 
   /** Room for "-0.001234" and "-1.23e-05". */
   private static final double NUMBER_WIDTH = 74;
 
   private static final double NAME_WIDTH = 80;
-  private static final double MOST_PLAIN = 1e6;
+  private static final double MAX_PLAIN = 1e6;
 
   private static final Map<Source, String> SOURCES =
       Map.of(Source.SETTINGS, "", Source.ESTIMATOR, "adaptive", Source.BY_HAND, "by hand");
@@ -235,7 +235,7 @@ final class FilterTables extends VBox {
       return String.valueOf(value);
     }
     double size = Math.abs(value);
-    return size > 0 && size < LEAST_PLAIN || size >= MOST_PLAIN
+    return size > 0 && size < MIN_PLAIN || size >= MAX_PLAIN
         ? String.format(Locale.ROOT, "%." + digits.getPrecision() / 2 + "e", value)
         : new BigDecimal(value).round(digits).stripTrailingZeros().toPlainString();
   }

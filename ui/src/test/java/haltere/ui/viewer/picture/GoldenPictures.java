@@ -21,7 +21,7 @@ import javax.imageio.ImageIO;
 final class GoldenPictures {
   private static final int REACH = 2;
   private static final int LIKE = 60;
-  private static final double MOST_UNLIKE = 0.004;
+  private static final double MAX_UNLIKE = 0.004;
 
   private GoldenPictures() {}
 
@@ -41,7 +41,7 @@ final class GoldenPictures {
           name + " has another size");
       double unlike = Math.max(unlike(golden, image), unlike(image, golden));
       assertTrue(
-          unlike <= MOST_UNLIKE,
+          unlike <= MAX_UNLIKE,
           name + ": " + Math.round(1e4 * unlike) / 100.0 + " % of the pixels are not as they were");
     }
   }
