@@ -75,8 +75,10 @@ class CompareTest {
     viewer.waitFor(
         "pictures of the same height",
         () ->
-            viewer.node("event-view", Region.class).getHeight()
-                == viewer.node("second-event-view", Region.class).getHeight());
+            viewer.isThere("event-view")
+                && viewer.isThere("second-event-view")
+                && viewer.node("event-view", Region.class).getHeight()
+                    == viewer.node("second-event-view", Region.class).getHeight());
     for (int i = 0; i < 3; i++) {
       Set<String> before = tableTexts();
       viewer.waitFor(
