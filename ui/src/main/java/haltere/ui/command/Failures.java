@@ -22,12 +22,7 @@ final class Failures {
 
   private Failures() {}
 
-  /**
-   * The line for a failure.
-   *
-   * @param failure what was thrown
-   * @return one line, without the program's name
-   */
+  /** The one line for a failure, without the program's name. */
   static String describe(Throwable failure) {
     return oneLine(sentence(failure));
   }

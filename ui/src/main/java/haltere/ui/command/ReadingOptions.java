@@ -32,12 +32,7 @@ final class ReadingOptions extends SourceOptions {
               + " next time.")
   boolean index;
 
-  /**
-   * The options as the readers take them.
-   *
-   * @return what the user said about the recording
-   * @throws ParameterException if there is no such format
-   */
+  /** What the user said about the recording; refuses a format that there is not. */
   ReadOptions readOptions() {
     if (format != null && !Recordings.formats().containsKey(format)) {
       throw new ParameterException(
@@ -97,11 +92,7 @@ final class ReadingOptions extends SourceOptions {
   }
 
   /**
-   * What {@code --strict} objects to in a recording that has been read.
-   *
-   * @param file the recording
-   * @param violations what its reader counted
-   * @return a problem to report, or empty if there is none or nobody is strict
+   * What {@code --strict} objects to in a recording that has been read, by what its reader counted.
    */
   Optional<RecordingProblem> objection(Path file, ViolationCounts violations) {
     return strict ? RecordingJob.damage(file, violations) : Optional.empty();

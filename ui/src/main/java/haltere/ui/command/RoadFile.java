@@ -68,14 +68,7 @@ record RoadFile(
   private static final String LINES = "countingLines";
   private static final String VEHICLES = "vehicles";
 
-  /**
-   * Reads a road.
-   *
-   * @param file JSON
-   * @return the road
-   * @throws JsonProblem if the file is not a road; the message names it
-   * @throws IOException if it cannot be read
-   */
+  /** Reads a road from a JSON file; a {@link JsonProblem} names a file that is none. */
   static RoadFile read(Path file) throws IOException {
     Object value = Json.read(file);
     if (!(value instanceof Map<?, ?> object)) {

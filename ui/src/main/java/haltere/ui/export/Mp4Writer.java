@@ -36,24 +36,14 @@ public final class Mp4Writer implements FilmWriter {
   private ProcessFeed feed;
 
   /**
-   * Begins a film.
-   *
-   * @param target where; a file that is there is replaced
-   * @param framesPerSecond pictures a second
-   * @throws IOException with one line for a person if there is no ffmpeg
+   * Begins a film, which replaces a file that is there; fails with one line for a person if there
+   * is no ffmpeg.
    */
   public Mp4Writer(Path target, double framesPerSecond) throws IOException {
     this(target, framesPerSecond, PATIENCE);
   }
 
-  /**
-   * Begins a film.
-   *
-   * @param target where; a file that is there is replaced
-   * @param framesPerSecond pictures a second
-   * @param patience the program is ended when it takes or does nothing for so long
-   * @throws IOException with one line for a person if there is no ffmpeg
-   */
+  /** Begins a film; the program is ended when it takes or does nothing for so long. */
   public Mp4Writer(Path target, double framesPerSecond, Duration patience) throws IOException {
     this.patience = patience;
     this.target = target;
@@ -69,11 +59,7 @@ public final class Mp4Writer implements FilmWriter {
     said = Files.createTempFile("haltere-ffmpeg", ".txt");
   }
 
-  /**
-   * Looks for ffmpeg.
-   *
-   * @return the program that {@value #PROPERTY} names, or the first on the path
-   */
+  /** The program that {@value #PROPERTY} names, or the first ffmpeg on the path. */
   public static Optional<Path> findProgram() {
     String named = System.getProperty(PROPERTY, "");
     if (!named.isEmpty()) {

@@ -37,21 +37,12 @@ public final class RegionMeter implements StreamHandler {
   private long firstBin = NONE;
   private long newestBin = NONE;
 
-  /**
-   * A meter that has seen nothing.
-   *
-   * @param region the pixels
-   */
+  /** A meter that has seen nothing. */
   public RegionMeter(PixelRegion region) {
     this(region, BINS);
   }
 
-  /**
-   * A meter that has seen nothing.
-   *
-   * @param region the pixels
-   * @param bins how many bins are remembered, at least 2
-   */
+  /** A meter that has seen nothing and remembers so many bins, at least 2. */
   public RegionMeter(PixelRegion region, int bins) {
     this.region = region;
     this.bins = bins;
@@ -59,11 +50,7 @@ public final class RegionMeter implements StreamHandler {
     off = new int[bins];
   }
 
-  /**
-   * The pixels.
-   *
-   * @return as given
-   */
+  /** The pixels. */
   public PixelRegion region() {
     return region;
   }
@@ -111,11 +98,7 @@ public final class RegionMeter implements StreamHandler {
     }
   }
 
-  /**
-   * Lets time go on without events.
-   *
-   * @param timeUs time on the source's clock; one that has passed changes nothing
-   */
+  /** Lets time go on without events; one that has passed changes nothing. */
   public void advanceTo(long timeUs) {
     if (newestBin == NONE) {
       return;
@@ -138,10 +121,8 @@ public final class RegionMeter implements StreamHandler {
   }
 
   /**
-   * What the region has been doing.
-   *
-   * @param withFrequency whether the frequency is looked for, which takes about a millisecond
-   * @return a reading of the last moments
+   * What the region has been doing in the last moments; the frequency is looked for on request,
+   * which takes about a millisecond.
    */
   public RegionReading reading(boolean withFrequency) {
     if (newestBin == NONE) {

@@ -14,13 +14,8 @@ public final class Curve {
   /** Takes the parts of a curve that fall into a window, oldest first. */
   public interface Painter {
     /**
-     * Takes a stretch: a sample, or several that are too many to be told apart.
-     *
-     * @param fromUs time of its first sample
-     * @param toUs time of its last sample
-     * @param lowest its lowest value
-     * @param highest its highest value
-     * @param joined whether a line leads to it from the stretch before
+     * Takes a sample, or several that are too many to be told apart: first and last time, lowest
+     * and highest value, and whether a line leads to it from the stretch before.
      */
     void stretch(long fromUs, long toUs, double lowest, double highest, boolean joined);
   }
@@ -49,10 +44,7 @@ public final class Curve {
   private double intervalUs;
 
   /**
-   * An empty curve.
-   *
-   * @param key what tells it from others, in words
-   * @param number how many curves there were before it in its lane, which gives it its colour
+   * An empty curve, with a key that tells it from others and the number that gives it its colour.
    */
   public Curve(String key, int number) {
     this.key = key;
@@ -62,57 +54,35 @@ public final class Curve {
     }
   }
 
-  /**
-   * What tells the curve from others.
-   *
-   * @return words, may be empty
-   */
+  /** What tells the curve from others, in words; may be empty. */
   public String key() {
     return key;
   }
 
-  /**
-   * Which curve of its lane it was when it began.
-   *
-   * @return 0 for the first
-   */
+  /** How many curves of its lane began before it. */
   public int number() {
     return number;
   }
 
-  /**
-   * Time of the newest sample.
-   *
-   * @return microseconds, {@link Long#MIN_VALUE} before the first
-   */
+  /** Time of the newest sample, microseconds; {@link Long#MIN_VALUE} before the first. */
   public long lastUs() {
     return lastUs;
   }
 
   /**
-   * End of the transient with which an estimate begins: the first tenth of the curve.
-   *
-   * @return microseconds; what is before it does not matter to the range of a plot
+   * End of the transient with which an estimate begins, microseconds: the first tenth of the curve,
+   * which does not matter to the range of a plot.
    */
   public long settledUs() {
     return firstUs + (lastUs - firstUs) / 10;
   }
 
-  /**
-   * The newest value.
-   *
-   * @return NaN before the first
-   */
+  /** The newest value, NaN before the first. */
   public double last() {
     return last;
   }
 
-  /**
-   * Takes a sample; one that is not a number is left out.
-   *
-   * @param timeUs microseconds
-   * @param value the number
-   */
+  /** Takes a sample at a time in microseconds; one that is not a number is left out. */
   public void add(long timeUs, double value) {
     if (Double.isNaN(value) || Double.isInfinite(value)) {
       return;
@@ -158,9 +128,7 @@ public final class Curve {
   }
 
   /**
-   * Playback went back: what lies before a time stays, the rest comes anew.
-   *
-   * @param timeUs microseconds; has no effect where nothing lies there or later
+   * Playback went back to a time in microseconds: what lies before it stays, the rest comes anew.
    */
   void forgetFrom(long timeUs) {
     if (lastUs < timeUs) {
@@ -205,13 +173,8 @@ public final class Curve {
   }
 
   /**
-   * Hands over what falls into a window, as finely as there is use for. One stretch on either side
-   * comes along, so that lines lead to the edges.
-   *
-   * @param fromUs start of the window
-   * @param toUs end of the window
-   * @param columns pixels that the window is wide; some dozens of stretches may come for each
-   * @param painter takes them
+   * Hands over what falls into a window of so many columns of pixels: some dozens of stretches at
+   * most for each. One stretch on either side comes along, so that lines lead to the edges.
    */
   public void paint(long fromUs, long toUs, int columns, Painter painter) {
     int level = level(fromUs, toUs, columns);
@@ -264,11 +227,8 @@ public final class Curve {
   }
 
   /**
-   * The value at a time.
-   *
-   * @param timeUs microseconds
-   * @return that of the sample nearest to it, or the middle of the stretch it lies in; NaN where
-   *     the curve has nothing near
+   * The value at a time in microseconds: that of the nearest sample, or the middle of the stretch
+   * it lies in; NaN where the curve has nothing near.
    */
   public double valueAt(long timeUs) {
     for (SummaryRing ring : levels) {
@@ -286,11 +246,7 @@ public final class Curve {
     return Double.NaN;
   }
 
-  /**
-   * Memory that the samples take.
-   *
-   * @return bytes
-   */
+  /** Memory that the samples take, bytes. */
   public long bytes() {
     long bytes = 0;
     for (SummaryRing ring : levels) {

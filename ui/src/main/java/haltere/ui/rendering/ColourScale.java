@@ -31,12 +31,8 @@ public record ColourScale(Gradient gradient, String first, String last) {
   }
 
   /**
-   * The scale of a way to show events.
-   *
-   * @param mode what the colours stand for
-   * @param gradient the colours
-   * @param farEnd the highest count or the highest age in words, or empty if not known
-   * @return empty where colours stand for neither ages nor counts
+   * The scale of a mode whose colours stand for ages or counts, by the highest of them in words;
+   * empty for other modes, and where that is not known.
    */
   public static Optional<ColourScale> of(DisplayMode mode, Gradient gradient, String farEnd) {
     if (farEnd.isEmpty()) {
@@ -52,9 +48,6 @@ public record ColourScale(Gradient gradient, String first, String last) {
 
   /**
    * Draws the scale into the lower right corner of a picture; not at all where that has no room.
-   *
-   * @param image a picture
-   * @param dark whether the picture is dark
    */
   public void draw(BufferedImage image, boolean dark) {
     int firstWidth = PixelFont.width(first, DOT);

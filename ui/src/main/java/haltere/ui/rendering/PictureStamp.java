@@ -22,23 +22,14 @@ public final class PictureStamp {
 
   private PictureStamp() {}
 
-  /**
-   * Writes words into the upper left corner.
-   *
-   * @param image a picture
-   * @param words such as a time
-   * @param dark whether the picture is dark
-   */
+  /** Writes words such as a time into the upper left corner. */
   public static void words(BufferedImage image, String words, boolean dark) {
     stamp(image, words, 0, 0, dark);
   }
 
   /**
-   * Draws a bar as long as a round number of the sensor's pixels into the lower left corner.
-   *
-   * @param image a picture
-   * @param scale pixels of the picture per pixel of the sensor
-   * @param dark whether the picture is dark
+   * Draws a bar as long as a round number of the sensor's pixels into the lower left corner; the
+   * scale is pixels of the picture per pixel of the sensor.
    */
   public static void scaleBar(BufferedImage image, int scale, boolean dark) {
     int length = 1;

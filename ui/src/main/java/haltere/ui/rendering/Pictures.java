@@ -26,10 +26,8 @@ public final class Pictures {
   private Pictures() {}
 
   /**
-   * The whole number by which a sensor is scaled up for a picture of usual size.
-   *
-   * @param geometry the sensor
-   * @return at least 1: 6 for 128x128
+   * The whole number by which a sensor is scaled up for a picture of usual size, at least 1: 6 for
+   * 128x128.
    */
   public static int usualScale(SensorGeometry geometry) {
     return Math.max(1, USUAL_SIDE / geometry.longerSide());
@@ -79,12 +77,7 @@ public final class Pictures {
     return image;
   }
 
-  /**
-   * A picture as a PNG file in memory.
-   *
-   * @param image a picture
-   * @return the file's bytes
-   */
+  /** A picture as a PNG file in memory. */
   public static byte[] png(BufferedImage image) {
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     // a stream of its own, because ImageIO's would make a file in the temporary folder
@@ -99,11 +92,7 @@ public final class Pictures {
   }
 
   /**
-   * Writes a picture as a PNG file, which appears whole or not at all.
-   *
-   * @param file where; one that exists is replaced
-   * @param image a picture
-   * @throws IOException if the file cannot be written
+   * Writes a picture as a PNG file, which appears whole or not at all and replaces one that exists.
    */
   public static void write(Path file, BufferedImage image) throws IOException {
     try (AtomicFile output = AtomicFile.create(file, true)) {

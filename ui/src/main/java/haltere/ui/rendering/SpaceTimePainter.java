@@ -32,17 +32,7 @@ public final class SpaceTimePainter {
   private double middleX;
   private double middleY;
 
-  /**
-   * Paints.
-   *
-   * @param points the events
-   * @param sensor whose events they are
-   * @param view from where they are looked at
-   * @param newColours of the polarities
-   * @param width of the picture
-   * @param height of the picture
-   * @param argb receives the picture, row by row from the top
-   */
+  /** Paints the events of a sensor, seen from a view, into a picture, row by row from the top. */
   public void paint(
       SpaceTimeCloud.Points points,
       SensorGeometry sensor,

@@ -77,15 +77,8 @@ public final class WingLog implements Closeable {
   }
 
   /**
-   * Starts a log and listens from now on.
-   *
-   * @param path where it will be
-   * @param source what a person calls the recording
-   * @param filter whose results are written
-   * @param format rows and layout
-   * @param overwrite whether a file that is there may be replaced
-   * @return an open log
-   * @throws IOException if the file is there and may not be replaced, or cannot be written
+   * Starts a log of a filter's results and listens from now on; the source is what a person calls
+   * the recording.
    */
   public static WingLog open(
       Path path, String source, WingTrackerFilter filter, WingLogFormat format, boolean overwrite)
@@ -239,20 +232,12 @@ public final class WingLog implements Closeable {
     text.write("# " + words + "\n");
   }
 
-  /**
-   * Rows written so far.
-   *
-   * @return a count, without the lines that begin with #
-   */
+  /** How many rows were written so far, without the lines that begin with #. */
   public long rows() {
     return rows.getAsLong();
   }
 
-  /**
-   * Ends the log and puts the file in its place.
-   *
-   * @throws IOException if that fails; there is no file then
-   */
+  /** Ends the log and puts the file in its place. */
   public void finish() throws IOException {
     leave();
     if (table != null) {

@@ -45,13 +45,7 @@ public final class FolderReport {
   private final RecordingJob.ChainMaker chains;
   private final ReadOptions reading;
 
-  /**
-   * A report of a folder.
-   *
-   * @param folder of the results
-   * @param chains makes the chain of each recording
-   * @param reading how recordings are read
-   */
+  /** A report of a folder of results, whose recordings are read and chained as for the results. */
   public FolderReport(Path folder, RecordingJob.ChainMaker chains, ReadOptions reading) {
     this.folder = folder;
     this.chains = chains;
@@ -59,13 +53,8 @@ public final class FolderReport {
   }
 
   /**
-   * Adds all to a page.
-   *
-   * @param page takes the sections
-   * @param items the recordings, in the order of their names
-   * @param failures those without a result
-   * @param summary lines for a person
-   * @throws IOException if a result or a recording cannot be read
+   * Adds all to a page: the recordings in the order of their names, those that failed, and lines
+   * for a person.
    */
   public void addTo(
       ReportPage page, List<BatchItem> items, List<BatchFailure> failures, List<String> summary)

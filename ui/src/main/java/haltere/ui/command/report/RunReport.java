@@ -50,12 +50,7 @@ public final class RunReport implements JobResults {
   private List<List<String>> stages = List.of();
   private String chainText = "";
 
-  /**
-   * The same job, watched for the report.
-   *
-   * @param job not run yet
-   * @return another job
-   */
+  /** Another job that does the same and is watched for the report. */
   public RecordingJob watching(RecordingJob job) {
     return job.with((reader, filters) -> open(filters)).paced(this::watched);
   }
@@ -118,13 +113,8 @@ public final class RunReport implements JobResults {
   }
 
   /**
-   * Adds what was gathered to a page.
-   *
-   * @param page takes the sections
-   * @param job what the job did
-   * @param sha256 checksum of the recording, hexadecimal
-   * @param summary lines for a person
-   * @throws IOException if the page cannot be made
+   * Adds what was gathered to a page, with the recording's SHA-256 (hexadecimal) and lines for a
+   * person.
    */
   public void addTo(ReportPage page, JobReport job, String sha256, List<String> summary)
       throws IOException {

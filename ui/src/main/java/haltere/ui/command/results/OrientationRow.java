@@ -35,13 +35,7 @@ public record OrientationRow(
     double rRadS,
     int used,
     int rejected) {
-  /**
-   * The row of an estimate.
-   *
-   * @param object name of the body
-   * @param now its estimate
-   * @return a row
-   */
+  /** The row of a body's estimate. */
   public static OrientationRow of(String object, OrientationEstimate now) {
     return new OrientationRow(
         now.timeUs(),

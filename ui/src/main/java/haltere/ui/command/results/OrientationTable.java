@@ -30,13 +30,8 @@ public final class OrientationTable implements BiConsumer<String, OrientationEst
   private Hdf5TableWriter estimates;
 
   /**
-   * Starts a file beside its place, where it appears when it is {@link #finish finished}.
-   *
-   * @param out where it will be; HDF5 by the end of its name
-   * @param observations whose frames are written
-   * @param overwrite whether a file that is there may be replaced
-   * @param metadata kept in a table whose format can hold it
-   * @throws IOException if the file cannot be written
+   * Starts a file beside its place, where it appears when it is {@link #finish finished}: HDF5 by
+   * the end of its name, with frames where the observations have them.
    */
   public OrientationTable(
       Path out, ObservationFile observations, boolean overwrite, TableMetadata metadata)
@@ -51,12 +46,7 @@ public final class OrientationTable implements BiConsumer<String, OrientationEst
     }
   }
 
-  /**
-   * Whether a file will be HDF5.
-   *
-   * @param out where it will be
-   * @return true for .h5, .hdf5 and .hdf
-   */
+  /** Whether a file will be HDF5: true for .h5, .hdf5 and .hdf. */
   public static boolean isHdf5(Path out) {
     return out.toString().toLowerCase(java.util.Locale.ROOT).matches(".*\\.(h5|hdf5?)");
   }
@@ -121,11 +111,7 @@ public final class OrientationTable implements BiConsumer<String, OrientationEst
     return Integer.parseInt(object);
   }
 
-  /**
-   * Completes the file and puts it in its place.
-   *
-   * @throws IOException if that fails
-   */
+  /** Completes the file and puts it in its place. */
   public void finish() throws IOException {
     if (rows != null) {
       rows.finish();

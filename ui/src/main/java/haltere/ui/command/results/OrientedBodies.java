@@ -34,12 +34,8 @@ public final class OrientedBodies {
   private long estimates;
 
   /**
-   * No bodies yet.
-   *
-   * @param cameras the cameras that {@link LineObservation#camera} counts
-   * @param settings of each body's estimator
-   * @param smooth whether rows wait for what is seen later
-   * @param output gets each body's name and its estimates, in order of time
+   * No bodies yet. The output gets each body's name and its estimates in order of time; with
+   * smoothing, rows wait for what is seen later.
    */
   public OrientedBodies(
       List<CameraModel> cameras,
@@ -62,11 +58,7 @@ public final class OrientedBodies {
     together.computeIfAbsent(object, name -> new ArrayList<>()).add(line);
   }
 
-  /**
-   * How much was seen.
-   *
-   * @return observations so far
-   */
+  /** Observations so far. */
   public long observations() {
     return observations;
   }
@@ -106,11 +98,7 @@ public final class OrientedBodies {
     output.accept(object, estimate);
   }
 
-  /**
-   * How much was written.
-   *
-   * @return estimates so far
-   */
+  /** Estimates that were written so far. */
   public long estimates() {
     return estimates;
   }

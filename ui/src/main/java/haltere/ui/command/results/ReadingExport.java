@@ -36,14 +36,8 @@ public final class ReadingExport {
   private final TableMetadata metadata;
 
   /**
-   * An export that has not begun.
-   *
-   * @param stream what is written
-   * @param out the table, or the folder of the pictures
-   * @param overwrite whether what is there may be replaced
-   * @param fromUs first time, microseconds
-   * @param toUs first time that is left out, microseconds
-   * @param metadata kept in a table whose format can hold it
+   * An export that has not begun, from the first time to before the last, microseconds, into a
+   * table or a folder of pictures.
    */
   public ReadingExport(
       ReadingStream stream,
@@ -61,12 +55,8 @@ public final class ReadingExport {
   }
 
   /**
-   * Reads a recording to its end.
-   *
-   * @param reader at its start, with readings
-   * @param progress hears how far it is
-   * @param check is asked before anything is put in its place
-   * @return how many readings were written
+   * Reads a recording from its start to its end, with readings, and returns how many were written;
+   * the check is asked before anything is put in its place.
    */
   public long run(RecordingReader reader, ProgressBar progress, Check check) throws IOException {
     return switch (stream) {

@@ -46,15 +46,7 @@ public final class ResultFiles implements JobResults {
     this.metadata = metadata;
   }
 
-  /**
-   * Opens files.
-   *
-   * @param overwrite whether files that are there may be replaced
-   * @param metadata kept in tables whose format can hold it
-   * @param filling opens each; what it opened is closed if it throws
-   * @return open files
-   * @throws IOException if one cannot be written
-   */
+  /** Opens files, each by the filling; what it opened is closed if it throws. */
   public static ResultFiles open(boolean overwrite, TableMetadata metadata, Filling filling)
       throws IOException {
     ResultFiles files = new ResultFiles(overwrite, metadata);
@@ -67,15 +59,7 @@ public final class ResultFiles implements JobResults {
     }
   }
 
-  /**
-   * Starts a table.
-   *
-   * @param file where it will be
-   * @param type class of the rows
-   * @param <R> type of the rows
-   * @return takes the rows
-   * @throws IOException if it cannot be written
-   */
+  /** Starts a table of rows. */
   public <R extends Record> TableSink<R> table(Path file, Class<R> type) throws IOException {
     TableSink<R> table = Tables.create(file, type, overwrite, metadata);
     add(table, table::finish);

@@ -9,14 +9,7 @@ import java.nio.file.Path;
 public final class TextFile {
   private TextFile() {}
 
-  /**
-   * Writes.
-   *
-   * @param file where it will be
-   * @param text what it will hold
-   * @param overwrite whether a file that is there may be replaced
-   * @throws IOException if it is there and may not be replaced, or cannot be written
-   */
+  /** Writes a file; one that is there may have to be replaced. */
   public static void write(Path file, String text, boolean overwrite) throws IOException {
     try (AtomicFile atomic = AtomicFile.create(file, overwrite)) {
       atomic.stream().write(text.getBytes(StandardCharsets.UTF_8));

@@ -44,22 +44,13 @@ public final class WingsSummary implements StreamHandler {
   private final double[] sums = new double[8];
   private String condition = "waiting for wings";
 
-  /**
-   * Nothing seen yet.
-   *
-   * @param filter whose wings they are
-   * @param rateHz estimates per second of recording time
-   */
+  /** Nothing seen yet, of a filter that gives so many estimates a second of recording time. */
   public WingsSummary(WingTrackerFilter filter, double rateHz) {
     this.filter = filter;
     this.rateHz = rateHz;
   }
 
-  /**
-   * Listens to what the tracker of a chain publishes from now on.
-   *
-   * @param chain with one wing tracker; its processing thread calls
-   */
+  /** Listens to what the wing tracker of a chain publishes from now on. */
   public void listenTo(FilterChain chain) {
     chain.outlet("beats", WingBeat.class).subscribe(this::beat);
     chain.outlet("snapshot", WingSnapshot.class).subscribe(this::snapshot);
@@ -142,9 +133,8 @@ public final class WingsSummary implements StreamHandler {
   }
 
   /**
-   * Where the fly was, on average since it was last found.
-   *
-   * @return the keys of the contract; all values null if no fly was found
+   * Where the fly was, on average since it was last found, by the keys of {@code --geometry}; all
+   * values are null if no fly was found.
    */
   public Map<String, Object> geometry() {
     Map<String, Object> map = new LinkedHashMap<>();
@@ -163,11 +153,7 @@ public final class WingsSummary implements StreamHandler {
     return map;
   }
 
-  /**
-   * The summary.
-   *
-   * @return lines for a person
-   */
+  /** The summary, as lines for a person. */
   public List<String> lines() {
     List<String> lines = new ArrayList<>();
     lines.add(

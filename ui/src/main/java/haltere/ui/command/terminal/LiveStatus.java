@@ -23,13 +23,7 @@ public final class LiveStatus implements AutoCloseable {
   private final long[] eventsBefore;
   private long nanosBefore;
 
-  /**
-   * A status that has not been shown yet.
-   *
-   * @param line where it is shown
-   * @param nanoTime clock
-   * @param cameras open cameras
-   */
+  /** A status of open cameras that has not been shown yet. */
   public LiveStatus(TerminalLine line, LongSupplier nanoTime, List<Camera> cameras) {
     this.line = line;
     this.nanoTime = nanoTime;

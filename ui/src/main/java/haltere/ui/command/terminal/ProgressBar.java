@@ -25,14 +25,7 @@ public final class ProgressBar implements ProgressListener, AutoCloseable {
   private final long startNanos;
   private long events = -1;
 
-  /**
-   * A bar that has not been drawn yet.
-   *
-   * @param err the terminal
-   * @param shown false for no bar at all
-   * @param label what is being done
-   * @param nanoTime clock
-   */
+  /** A bar that has not been drawn yet; one that is not shown stays silent. */
   public ProgressBar(PrintStream err, boolean shown, String label, LongSupplier nanoTime) {
     line = new TerminalLine(err, shown, nanoTime);
     this.label = shortened(label);
@@ -50,11 +43,7 @@ public final class ProgressBar implements ProgressListener, AutoCloseable {
         : label.substring(0, most - tail - 1) + "\u2026" + label.substring(label.length() - tail);
   }
 
-  /**
-   * States how many events have gone through, so that the rate is in events rather than bytes.
-   *
-   * @param count events since the start
-   */
+  /** States how many events have gone through, so that the rate is in events rather than bytes. */
   public void events(long count) {
     events = count;
   }

@@ -67,12 +67,7 @@ public final class PlotPanel extends BorderPane {
   private long valuesNanos;
   private boolean dirty = true;
 
-  /**
-   * A panel without lanes.
-   *
-   * @param editor of the chain whose numbers are plotted
-   * @param playback goes to a time that was chosen in a plot
-   */
+  /** A panel without lanes. Playback goes to a time that was chosen in a plot. */
   public PlotPanel(ChainEditor editor, PlaybackController playback) {
     this.playback = playback;
     feeds = new PlotFeeds(editor, this::offer);
@@ -138,11 +133,7 @@ public final class PlotPanel extends BorderPane {
     feeds.follow(lanes());
   }
 
-  /**
-   * Another recording: what was plotted is of no more use.
-   *
-   * @param newInertial its inertial samples
-   */
+  /** Another recording with its inertial samples: what was plotted is of no more use. */
   public void startAnew(InertialFeed newInertial) {
     inertial = newInertial;
     offersInertial = false;
@@ -201,9 +192,8 @@ public final class PlotPanel extends BorderPane {
   }
 
   /**
-   * Opens plots for a user who has none: of 0.1 s, in which single wing beats are seen.
-   *
-   * @return whether there is something to show
+   * Opens plots for a user who has none, of 0.1 s, in which single wing beats are seen; false if
+   * there is nothing to show.
    */
   public boolean beginWith(List<PlotField> fields) {
     if (fields.isEmpty() || !lanes.isEmpty()) {
@@ -217,9 +207,7 @@ public final class PlotPanel extends BorderPane {
 
   /**
    * Takes away the plots that were begun with, where nobody has changed them and another chain
-   * publishes nothing for them.
-   *
-   * @return whether they were taken away
+   * publishes nothing for them; false otherwise.
    */
   public boolean dropFirst(FilterChain chain) {
     boolean asBegun =
