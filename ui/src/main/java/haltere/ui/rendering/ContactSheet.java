@@ -139,7 +139,7 @@ public final class ContactSheet implements StreamHandler {
     // the font has capitals only, so no unit
     String words =
         String.format(Locale.ROOT, "%d:%06.3f", minutes, panel.elapsedUs * 1e-6 - 60 * minutes);
-    PictureStamp.words(panel.picture, words, true);
+    new PictureStamp(panel.picture, true).words(words);
     return panel.picture;
   }
 

@@ -64,17 +64,24 @@ public final class Pictures {
     int width = geometry.width() * scale;
     BufferedImage image =
         new BufferedImage(width, geometry.height() * scale, BufferedImage.TYPE_INT_RGB);
-    int[] pixels = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
+    int[] pixels = pixels(image);
     for (int y = 0; y < image.getHeight(); y++) {
       int row = y / scale * geometry.width();
       for (int x = 0; x < width; x++) {
         pixels[y * width + x] = argb[row + x / scale];
       }
     }
-    try (PictureOverlayCanvas canvas = new PictureOverlayCanvas(image, geometry, scale, dark)) {
-      marks.accept(canvas);
-    }
+    PixelOverlayCanvas canvas = new PixelOverlayCanvas(PixelFont.LETTERS);
+    canvas.setTarget(pixels, width, image.getHeight());
+    canvas.setView(scale, 0, image.getHeight(), 1);
+    canvas.setDark(dark);
+    marks.accept(canvas);
     return image;
+  }
+
+  /** The pixels of a picture of the type INT_RGB, to be drawn into. */
+  static int[] pixels(BufferedImage image) {
+    return ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
   }
 
   /** A picture as a PNG file in memory. */

@@ -255,12 +255,12 @@ final class PictureMaker {
               overlays.tape().ifPresent(line -> line.draw(canvas));
             });
     PictureStyle style = events.style();
-    ColourScale.of(style.mode(), style.gradient(), scale())
-        .ifPresent(legend -> legend.draw(picture, dark));
+    PictureStamp stamp = new PictureStamp(picture, dark);
+    ColourScale.of(style.mode(), style.gradient(), scale()).ifPresent(stamp::colours);
     if (events.frame().nowUs() != StreamNotification.NO_TIME_US) {
-      PictureStamp.words(picture, events.frame().nowUs() + " \u00b5s", dark);
+      stamp.words(events.frame().nowUs() + " \u00b5s");
     }
-    PictureStamp.scaleBar(picture, Pictures.usualScale(geometry), dark);
+    stamp.scaleBar(Pictures.usualScale(geometry));
     return picture;
   }
 
