@@ -23,7 +23,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.function.Supplier;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -130,20 +129,12 @@ final class BenchCommand extends Subcommand {
     if (held.events == 0) {
       throw new CommandProblem(recording + ": there are no events in it to measure with");
     }
-    result(
-        (file == null ? "the built-in fly scene" : recording.toString())
-            + ": "
-            + Quantities.events(decoded)
-            + ", sensor "
-            + geometry);
+    String name = file == null ? "the built-in fly scene" : recording.toString();
+    result("%s: %s, sensor %s", name, Quantities.events(decoded), geometry);
     message(
-        String.format(
-            Locale.ROOT,
-            "each stage warms up for %s s, then the median of %d or more rounds in %s s",
-            seconds,
-            FEWEST_ROUNDS,
-            seconds));
-    result(String.format(Locale.ROOT, "%-24s %10s %10s", "stage", "Mev/s", "ns/event"));
+        "each stage warms up for %s s, then the median of %d or more rounds in %s s",
+        seconds, FEWEST_ROUNDS, seconds);
+    result("%-24s %10s %10s", "stage", "Mev/s", "ns/event");
     stage("decode " + format, decoded, () -> decode(recording));
     for (FilterProvider<?> provider : Filters.all().values()) {
       stage(provider.name(), held.events, () -> filter(held, () -> provider.create(geometry)));
@@ -169,14 +160,12 @@ final class BenchCommand extends Subcommand {
       double perEvent = nanos[rounds / 2] / (double) events;
       bar.erase();
       result(
-          String.format(
-              Locale.ROOT,
-              "%-24s %10s %10.2f",
-              name,
-              perEvent < MIN_NANOS
-                  ? "no work" // a filter that passes everything as it is
-                  : String.format(Locale.ROOT, "%.1f", 1e3 / perEvent),
-              perEvent));
+          "%-24s %10s %10.2f",
+          name,
+          perEvent < MIN_NANOS
+              ? "no work" // a filter that passes everything as it is
+              : Quantities.text("%.1f", 1e3 / perEvent),
+          perEvent);
       surroundings().out().flush();
     }
   }

@@ -86,12 +86,7 @@ final class Failures {
     return file + (problem.getReason() == null ? "cannot be used" : problem.getReason());
   }
 
-  /**
-   * The line for a text file that is not text.
-   *
-   * @param file what to call it
-   * @return one line
-   */
+  /** The problem of a text file that is no text. */
   static CommandProblem notText(Object file, CharacterCodingException cause) {
     return new CommandProblem(file + ": this is not UTF-8 text", cause);
   }

@@ -179,22 +179,15 @@ final class LiveRun {
     CameraStatistics statistics = camera.statistics();
     String id = camera.info().id();
     command.message(
-        id
-            + ": "
-            + Quantities.events(statistics.events())
-            + ", with this program within "
-            + statistics.medianLatencyUs()
-            + " us (half of the transfers), "
-            + statistics.latency999Us()
-            + " us (999 of 1,000)");
+        "%s: %s, with this program within %d us (half of the transfers), %d us (999 of 1,000)",
+        id,
+        Quantities.events(statistics.events()),
+        statistics.medianLatencyUs(),
+        statistics.latency999Us());
     if (whenStopped.lostEvents() > 0) {
       command.warning(
-          id
-              + ": lost "
-              + Quantities.events(whenStopped.lostEvents())
-              + " in "
-              + Quantities.count(whenStopped.lostTransfers())
-              + " transfers because this computer did not keep up");
+          "%s: lost %s in %,d transfers because this computer did not keep up",
+          id, Quantities.events(whenStopped.lostEvents()), whenStopped.lostTransfers());
     }
     if (whenStopped.brokenTransfers() > 0) {
       command.warning(

@@ -59,11 +59,12 @@ final class MeasurementFile {
       take();
     }
     if (measurements.size() < MeasurementSeries.MIN_SIZE) {
+      int least = MeasurementSeries.MIN_SIZE;
       throw problem(
           "the table ends after "
               + measurements.size()
               + " rows; at least "
-              + MeasurementSeries.MIN_SIZE
+              + least
               + " are needed");
     }
     return new MeasurementSeries(measurements);

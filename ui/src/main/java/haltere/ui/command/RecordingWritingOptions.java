@@ -128,12 +128,9 @@ final class RecordingWritingOptions extends WritingOptions {
         .endedEarly()
         .map(
             line ->
-                line
-                    + " ("
-                    + Quantities.events(session.received())
-                    + " came, "
-                    + Quantities.count(session.written())
-                    + " were written)");
+                Quantities.text(
+                    "%s (%s came, %,d were written)",
+                    line, Quantities.events(session.received()), session.written()));
   }
 
   private RecordingWriter create(

@@ -148,11 +148,8 @@ record RoadFile(
       return schema.defaults();
     }
     if (!(value instanceof Map<?, ?> object)) {
-      throw new SettingsProblem(
-          "\""
-              + name
-              + "\" is an object with "
-              + schema.parameters().stream().map(Parameter::name).toList());
+      List<String> keys = schema.parameters().stream().map(Parameter::name).toList();
+      throw new SettingsProblem("\"" + name + "\" is an object with " + keys);
     }
     return SettingsJson.fromMap(object, schema);
   }

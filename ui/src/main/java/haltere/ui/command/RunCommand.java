@@ -23,12 +23,10 @@ import haltere.core.playback.Sleeper;
 import haltere.core.sink.Tables;
 import haltere.core.stream.EventSource;
 import java.io.IOException;
-import java.nio.charset.CharacterCodingException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import picocli.CommandLine.Command;
@@ -148,11 +146,7 @@ final class RunCommand extends Subcommand {
   }
 
   private FilterChain chain(SensorGeometry geometry) throws IOException {
-    try {
-      return ChainFile.read(chainFile, geometry, this::warning);
-    } catch (CharacterCodingException notText) {
-      throw Failures.notText(chainFile, notText);
-    }
+    return ChainFile.read(chainFile, geometry, this::warning);
   }
 
   private JobResults results(RecordingReader reader, FilterChain chain) throws IOException {
@@ -208,20 +202,16 @@ final class RunCommand extends Subcommand {
   }
 
   private void summary(List<JobReport.Stage> stages) {
-    result(
-        String.format(
-            Locale.ROOT, "%-24s %14s %14s %8s %12s", "stage", "in", "out", "kept", "ns/event"));
+    result("%-24s %14s %14s %8s %12s", "stage", "in", "out", "kept", "ns/event");
     for (JobReport.Stage stage : stages) {
       FilterTiming timing = stage.timing();
       result(
-          String.format(
-              Locale.ROOT,
-              "%-24s %,14d %,14d %6.1f %% %12.1f",
-              stage.name() + (stage.enabled() ? "" : " (off)"),
-              timing.eventsIn(),
-              timing.eventsOut(),
-              timing.eventsIn() == 0 ? 0 : 100.0 * timing.eventsOut() / timing.eventsIn(),
-              timing.microsPerThousandEvents()));
+          "%-24s %,14d %,14d %6.1f %% %12.1f",
+          stage.name() + (stage.enabled() ? "" : " (off)"),
+          timing.eventsIn(),
+          timing.eventsOut(),
+          timing.eventsIn() == 0 ? 0 : 100.0 * timing.eventsOut() / timing.eventsIn(),
+          timing.microsPerThousandEvents());
     }
   }
 }

@@ -77,6 +77,10 @@ abstract class Subcommand implements Callable<Integer> {
     surroundings.out().print(line + "\n");
   }
 
+  void result(String form, Object... values) {
+    result(Quantities.text(form, values));
+  }
+
   /** The standard output for bytes; it fails where a print stream would pass over it. */
   OutputStream standardOutput() {
     return new FilterOutputStream(surroundings.out()) {
@@ -104,6 +108,14 @@ abstract class Subcommand implements Callable<Integer> {
     if (!isQuiet()) {
       surroundings.err().print(line + "\n");
     }
+  }
+
+  void message(String form, Object... values) {
+    message(Quantities.text(form, values));
+  }
+
+  void warning(String form, Object... values) {
+    warning(Quantities.text(form, values));
   }
 
   void warning(String line) {
@@ -215,11 +227,8 @@ abstract class Subcommand implements Callable<Integer> {
   <S extends Record> S preset(FilterProvider<S> provider, String name) {
     S found = provider.presets().get(name);
     if (found == null) {
-      throw wrongArguments(
-          "there is no preset "
-              + name
-              + "; there is: "
-              + String.join(", ", provider.presets().keySet()));
+      String known = String.join(", ", provider.presets().keySet());
+      throw wrongArguments("there is no preset " + name + "; there is: " + known);
     }
     return found;
   }

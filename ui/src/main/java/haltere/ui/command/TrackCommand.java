@@ -27,7 +27,6 @@ import haltere.ui.command.results.ResultFiles;
 import haltere.ui.command.results.RoadObjectRow;
 import haltere.ui.command.results.RoadTrackRow;
 import java.io.IOException;
-import java.nio.charset.CharacterCodingException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
@@ -185,11 +184,7 @@ final class TrackCommand extends Subcommand {
           .forEach(name -> chain.add(Filters.named(name)));
       return chain;
     }
-    try {
-      return ChainFile.read(chainFile, geometry, this::warning);
-    } catch (CharacterCodingException notText) {
-      throw Failures.notText(chainFile, notText);
-    }
+    return ChainFile.read(chainFile, geometry, this::warning);
   }
 
   /** The road, or null if there is none. */
@@ -197,15 +192,11 @@ final class TrackCommand extends Subcommand {
     if (roadFile == null) {
       return null;
     }
-    try {
-      RoadFile road = RoadFile.read(roadFile);
-      if (crossings != null && road.lines().lines() == 0) {
-        throw wrongArguments("--crossings needs counting lines, and " + roadFile + " has none");
-      }
-      return road;
-    } catch (CharacterCodingException notText) {
-      throw Failures.notText(roadFile, notText);
+    RoadFile road = RoadFile.read(roadFile);
+    if (crossings != null && road.lines().lines() == 0) {
+      throw wrongArguments("--crossings needs counting lines, and " + roadFile + " has none");
     }
+    return road;
   }
 
   private static <F extends ConfigurableFilter<?>> F last(FilterChain chain, Class<F> type) {

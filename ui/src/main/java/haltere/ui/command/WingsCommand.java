@@ -84,13 +84,13 @@ final class WingsCommand extends Subcommand {
       names = "--log-rows",
       paramLabel = "event|tick|beat",
       description = "A row of the log for each event taken in, each tick (the default) or beat.")
-  String logRows = "tick";
+  WingLogFormat.Rows logRows = WingLogFormat.Rows.TICK;
 
   @Option(
       names = "--log-layout",
       paramLabel = "table|original",
       description = "A table with commas (the default), or the original wing tracker's layout.")
-  String logLayout = "table";
+  WingLogFormat.Layout logLayout = WingLogFormat.Layout.TABLE;
 
   @Option(
       names = "--method",
@@ -243,23 +243,8 @@ final class WingsCommand extends Subcommand {
   }
 
   private WingLogFormat logFormat() {
-    WingLogFormat.Rows rows =
-        switch (logRows.toLowerCase(Locale.ROOT)) {
-          case "event" -> WingLogFormat.Rows.EVENT;
-          case "tick" -> WingLogFormat.Rows.TICK;
-          case "beat" -> WingLogFormat.Rows.BEAT;
-          default ->
-              throw wrongArguments("--log-rows is " + logRows + "; there are event, tick and beat");
-        };
-    WingLogFormat.Layout layout =
-        switch (logLayout.toLowerCase(Locale.ROOT)) {
-          case "table" -> WingLogFormat.Layout.TABLE;
-          case "original" -> WingLogFormat.Layout.ORIGINAL;
-          default ->
-              throw wrongArguments("--log-layout is " + logLayout + "; there are table, original");
-        };
     try {
-      return new WingLogFormat(rows, layout);
+      return new WingLogFormat(logRows, logLayout);
     } catch (IllegalArgumentException problem) {
       throw wrongArguments("--log-rows: " + problem.getMessage());
     }

@@ -28,7 +28,6 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.stream.IntStream;
 
@@ -129,7 +128,7 @@ public final class RunReport implements JobResults {
     if (events > 0) {
       double durationS = rate.elapsedUs() * 1e-6;
       read.put("Time", Quantities.seconds(firstUs) + " to " + Quantities.seconds(lastUs));
-      read.put("Duration", text("%.6f s", durationS));
+      read.put("Duration", Quantities.text("%.6f s", durationS));
       read.put("Mean rate", Quantities.rate(durationS > 0 ? events / durationS : 0));
     }
     if (!job.readings().isEmpty()) {
@@ -171,10 +170,6 @@ public final class RunReport implements JobResults {
               .line("", ReportPage.colour("", 0), timesS, kevS)
               .draw("Event rate of the recording", "time (s)", "event rate (kev/s)"));
     }
-  }
-
-  private static String text(String format, Object... values) {
-    return String.format(Locale.ROOT, format, values);
   }
 
   /** Notes rate and times of what goes into the chain. */

@@ -11,6 +11,7 @@ import haltere.core.sink.TableSink;
 import haltere.core.sink.Tables;
 import haltere.core.stream.StreamHandler;
 import haltere.ui.command.terminal.ProgressBar;
+import haltere.ui.command.terminal.Quantities;
 import haltere.ui.rendering.FramePictures;
 import haltere.ui.rendering.Pictures;
 import java.io.IOException;
@@ -20,7 +21,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Locale;
 import java.util.stream.Stream;
 
 /**
@@ -114,7 +114,7 @@ public final class ReadingExport {
             progress,
             Frame.class,
             frame -> {
-              String name = String.format(Locale.ROOT, "frame-%06d.png", table.rows());
+              String name = Quantities.text("frame-%06d.png", table.rows());
               Pictures.write(folder.resolve(name), FramePictures.draw(frame));
               table.accept(ReadingTables.FrameRow.of(frame, name));
             });

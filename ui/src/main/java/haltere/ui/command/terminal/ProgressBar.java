@@ -2,7 +2,6 @@ package haltere.ui.command.terminal;
 
 import haltere.core.format.ProgressListener;
 import java.io.PrintStream;
-import java.util.Locale;
 import java.util.function.LongSupplier;
 
 /**
@@ -63,14 +62,14 @@ public final class ProgressBar implements ProgressListener, AutoCloseable {
     for (int i = 0; i < barWidth; i++) {
       bar.append(i < filled ? '=' : i == filled ? '>' : ' ');
     }
-    bar.append(String.format(Locale.ROOT, "] %3d %%", (int) (share * 100)));
+    bar.append(Quantities.text("] %3d %%", (int) (share * 100)));
     bar.append(
         events >= 0
-            ? String.format(Locale.ROOT, "  %.1f Mev/s", events / seconds / 1e6)
-            : String.format(Locale.ROOT, "  %.0f MB/s", done / seconds / 1e6));
+            ? Quantities.text("  %.1f Mev/s", events / seconds / 1e6)
+            : Quantities.text("  %.0f MB/s", done / seconds / 1e6));
     if (share > 0) {
       long left = Math.round(seconds * (1 - share) / share);
-      bar.append(String.format(Locale.ROOT, "  %d:%02d left", left / 60, left % 60));
+      bar.append(Quantities.text("  %d:%02d left", left / 60, left % 60));
     }
     return bar.toString();
   }
