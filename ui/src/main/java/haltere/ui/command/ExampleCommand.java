@@ -1,5 +1,6 @@
 package haltere.ui.command;
 
+import haltere.core.format.AtomicFile;
 import haltere.filters.estimation.Gate;
 import haltere.filters.estimation.example.ExampleTable;
 import haltere.filters.estimation.example.FallingWeight;
@@ -7,7 +8,6 @@ import haltere.filters.estimation.example.MeasurementSeries;
 import haltere.filters.estimation.example.Oscillator;
 import haltere.filters.estimation.example.SimulatedVideo;
 import haltere.ui.command.results.ExamplePlots;
-import haltere.ui.command.results.TextFile;
 import haltere.ui.command.terminal.Quantities;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -105,9 +105,9 @@ final class ExampleCommand extends Subcommand {
       WritingOptions.checkDifferent(out, file);
     }
     for (Map.Entry<Path, String> file : files.entrySet()) {
-      TextFile.write(file.getKey(), file.getValue(), writing.overwrite);
+      AtomicFile.write(file.getKey(), file.getValue(), writing.overwrite);
     }
-    TextFile.write(out, table.csv(), writing.overwrite);
+    AtomicFile.write(out, table.csv(), writing.overwrite);
     files.keySet().forEach(file -> message("wrote " + file));
     message("wrote " + out + " (" + Quantities.count(table.column("t_s").length) + " rows)");
     tell(table, series.noiseM(), falls);

@@ -54,11 +54,6 @@ final class Publishing implements JobResults {
   }
 
   @Override
-  public List<ResultFile> files() {
-    return List.of();
-  }
-
-  @Override
   public void close() {
     for (LiveResults results : open) {
       results.close();

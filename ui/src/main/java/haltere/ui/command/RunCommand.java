@@ -7,7 +7,6 @@ import haltere.core.chain.FilterChain;
 import haltere.core.chain.FilterTiming;
 import haltere.core.chain.Outlet;
 import haltere.core.event.SensorGeometry;
-import haltere.core.format.AtomicFile;
 import haltere.core.format.RecordingFormat;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.Recordings;
@@ -163,11 +162,7 @@ final class RunCommand extends Subcommand {
 
   private JobResults tables(FilterChain chain) throws IOException {
     checkTables(chain);
-    return OutletTables.open(
-        chain,
-        this::table,
-        table -> AtomicFile.create(table, writing.overwrite),
-        provenance(file).chain(chain));
+    return OutletTables.open(chain, this::table, writing::begin, provenance(file).chain(chain));
   }
 
   private void checkTables(FilterChain chain) throws IOException {

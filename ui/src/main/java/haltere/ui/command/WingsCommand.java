@@ -3,10 +3,12 @@ package haltere.ui.command;
 import haltere.core.camera.Camera;
 import haltere.core.chain.FilterChain;
 import haltere.core.event.SensorGeometry;
+import haltere.core.format.AtomicFile;
 import haltere.core.json.Json;
 import haltere.core.pipeline.JobReport;
 import haltere.core.pipeline.JobResults;
 import haltere.core.pipeline.RecordingJob;
+import haltere.core.pipeline.ResultFiles;
 import haltere.core.settings.SettingsProblem;
 import haltere.core.stream.StreamHandler;
 import haltere.filters.wing.WingBeat;
@@ -15,8 +17,6 @@ import haltere.filters.wing.WingMethod;
 import haltere.filters.wing.WingPair;
 import haltere.filters.wing.WingTrackerSettings;
 import haltere.filters.wing.tracker.WingTrackerFilter;
-import haltere.ui.command.results.ResultFiles;
-import haltere.ui.command.results.TextFile;
 import haltere.ui.command.results.WingsSummary;
 import haltere.ui.wing.WingLog;
 import haltere.ui.wing.WingLogFormat;
@@ -175,7 +175,7 @@ final class WingsCommand extends Subcommand {
     WingTrackerFilter filter = (WingTrackerFilter) chain.stage(TRACKER).filter();
     summary = new WingsSummary(filter, filter.settings().output().rateHz());
     return ResultFiles.open(
-        writing.overwrite,
+        writing::begin,
         provenance(file).chain(chain),
         files -> {
           table(chain, files, "estimates", WingEstimate.class, out);
@@ -187,21 +187,21 @@ final class WingsCommand extends Subcommand {
             files.add(wingLog, wingLog::finish);
           }
           summary.listenTo(chain);
-          files.add((StreamHandler) summary);
-          if (geometry != null) {
-            files.add(
-                () ->
-                    TextFile.write(
-                        geometry, Json.write(summary.geometry()) + "\n", writing.overwrite));
-          }
+          files.add((StreamHandler) summary, this::writeGeometry);
         });
+  }
+
+  private void writeGeometry() throws IOException {
+    if (geometry != null) {
+      AtomicFile.write(geometry, Json.write(summary.geometry()) + "\n", writing.overwrite);
+    }
   }
 
   private static <R extends Record> void table(
       FilterChain chain, ResultFiles files, String outlet, Class<R> type, Path file)
       throws IOException {
     if (file != null) {
-      files.subscribe(chain.outlet(outlet, type), files.table(file, type));
+      files.write(chain.outlet(outlet, type), file);
     }
   }
 

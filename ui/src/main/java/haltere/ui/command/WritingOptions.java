@@ -1,5 +1,6 @@
 package haltere.ui.command;
 
+import haltere.core.format.AtomicFile;
 import haltere.core.sink.Tables;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -64,6 +65,11 @@ class WritingOptions {
         throw new ParameterException(command.commandLine(), output + " is named for two outputs");
       }
     }
+  }
+
+  /** Begins a table's file. */
+  AtomicFile begin(Path file) throws IOException {
+    return AtomicFile.create(file, overwrite);
   }
 
   /** Refuses, by a {@link CommandProblem}, an output that would replace an input. */

@@ -71,11 +71,6 @@ final class WrittenRecording implements JobResults, StreamHandler {
   }
 
   @Override
-  public List<ResultFile> files() {
-    return List.of();
-  }
-
-  @Override
   public void close() throws IOException {
     recorder.close();
   }

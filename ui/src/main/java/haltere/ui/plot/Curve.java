@@ -32,12 +32,11 @@ public final class Curve {
   private final int number;
   private final SummaryRing[] levels = new SummaryRing[LEVELS];
 
-  /** What is being merged into the next stretch of each level. */
-  private final int[] pending = new int[LEVELS];
+  /**
+   * Stretches of the finer level in the last one of each level, 0 where the next begins another.
+   */
+  private final int[] merged = new int[LEVELS];
 
-  private final long[] pendingFromUs = new long[LEVELS];
-  private final double[] pendingLowest = new double[LEVELS];
-  private final double[] pendingHighest = new double[LEVELS];
   private long firstUs = Long.MIN_VALUE;
   private long lastUs = Long.MIN_VALUE;
   private double last = Double.NaN;
@@ -100,31 +99,23 @@ public final class Curve {
     lastUs = timeUs;
     last = value;
     levels[0].add(timeUs, timeUs, value, value);
-    merge(1, timeUs, timeUs, value, value);
-  }
-
-  private void merge(int level, long fromUs, long toUs, double lowest, double highest) {
-    if (level == LEVELS) {
-      return;
-    }
-    hold(level, fromUs, lowest, highest);
-    if (pending[level] == MERGED) {
-      pending[level] = 0;
-      levels[level].add(pendingFromUs[level], toUs, pendingLowest[level], pendingHighest[level]);
-      merge(level + 1, pendingFromUs[level], toUs, pendingLowest[level], pendingHighest[level]);
+    boolean begins = true;
+    for (int level = 1; level < LEVELS; level++) {
+      begins = merge(level, begins, timeUs, timeUs, value, value);
     }
   }
 
-  private void hold(int level, long fromUs, double lowest, double highest) {
-    if (pending[level] == 0) {
-      pendingFromUs[level] = fromUs;
-      pendingLowest[level] = lowest;
-      pendingHighest[level] = highest;
+  /** Merges into the last stretch of a level, or begins another one; true if it did. */
+  private boolean merge(
+      int level, boolean counts, long fromUs, long toUs, double lowest, double highest) {
+    boolean begins = counts && merged[level] == 0;
+    if (begins) {
+      levels[level].add(fromUs, toUs, lowest, highest);
     } else {
-      pendingLowest[level] = Math.min(pendingLowest[level], lowest);
-      pendingHighest[level] = Math.max(pendingHighest[level], highest);
+      levels[level].extend(toUs, lowest, highest);
     }
-    pending[level]++;
+    merged[level] = counts ? (merged[level] + 1) % MERGED : merged[level];
+    return begins;
   }
 
   /**
@@ -149,15 +140,15 @@ public final class Curve {
     }
   }
 
-  /** Begins the next stretch of a level with what the finer one has behind the last. */
+  /** Begins the last stretch of a level with what the finer one has behind the last. */
   private void mergeAnew(int level) {
     SummaryRing finer = levels[level - 1];
     SummaryRing ring = levels[level];
-    pending[level] = 0;
+    merged[level] = 0;
     int from = ring.size() == 0 ? 0 : finer.firstEndingFrom(ring.toUs(ring.size() - 1) + 1);
-    // at most as many as make a stretch less one, but where a ring has forgotten its oldest
-    for (int i = Math.max(from, finer.size() - MERGED + 1); i < finer.size(); i++) {
-      hold(level, finer.fromUs(i), finer.lowest(i), finer.highest(i));
+    // at most as many as make a stretch, but where a ring has forgotten its oldest
+    for (int i = Math.max(from, finer.size() - MERGED); i < finer.size(); i++) {
+      merge(level, true, finer.fromUs(i), finer.toUs(i), finer.lowest(i), finer.highest(i));
     }
   }
 
@@ -165,7 +156,7 @@ public final class Curve {
   public void clear() {
     for (int level = 0; level < LEVELS; level++) {
       levels[level].clear();
-      pending[level] = 0;
+      merged[level] = 0;
     }
     lastUs = Long.MIN_VALUE;
     last = Double.NaN;
@@ -189,17 +180,6 @@ public final class Curve {
         return;
       }
     }
-    // what a coarse level has not merged yet the finest one knows
-    if (level > 0) {
-      SummaryRing samples = levels[0];
-      int from = samples.firstEndingFrom(Math.max(fromUs, beforeUs + 1));
-      for (int i = from; i < samples.size() && samples.fromUs(i) <= toUs; i++) {
-        boolean joined = beforeUs != Long.MIN_VALUE && samples.fromUs(i) - beforeUs <= gapUs;
-        painter.stretch(
-            samples.fromUs(i), samples.toUs(i), samples.lowest(i), samples.highest(i), joined);
-        beforeUs = samples.toUs(i);
-      }
-    }
   }
 
   private double gapUs() {
@@ -211,19 +191,15 @@ public final class Curve {
     for (int level = 0; level < LEVELS - 1; level++) {
       SummaryRing ring = levels[level];
       boolean reachesBack =
-          levels[level + 1].size() == 0
-              || ring.size() > 0 && ring.fromUs(0) <= fromUs
-              || ring.size() > 0 && ring.fromUs(0) <= levels[level + 1].fromUs(0);
+          ring.size() == 0
+              || ring.fromUs(0) <= fromUs
+              || ring.fromUs(0) <= levels[level + 1].fromUs(0);
       int within = ring.firstEndingFrom(toUs) - ring.firstEndingFrom(fromUs);
       if (reachesBack && within <= FINEST_PER_COLUMN * Math.max(1, columns)) {
         return level;
       }
     }
-    int coarsest = LEVELS - 1;
-    while (coarsest > 0 && levels[coarsest].size() == 0) {
-      coarsest--;
-    }
-    return coarsest;
+    return LEVELS - 1;
   }
 
   /**

@@ -36,12 +36,7 @@ public final class FramePainter {
 
   /** A painter; events fade to 1/e within 1 us to {@link #LONGEST_TIME_CONSTANT_US}. */
   public FramePainter(ColourMap colours, long timeConstantUs) {
-    configure(colours, timeConstantUs);
-  }
-
-  /** Changes what the next picture looks like, within the same limits. */
-  public void configure(ColourMap newColours, long newTimeConstantUs) {
-    configure(PictureStyle.fading(newColours, newTimeConstantUs));
+    configure(PictureStyle.fading(colours, timeConstantUs));
   }
 
   /**
@@ -70,19 +65,9 @@ public final class FramePainter {
     rankedTable = Ranks.ranked(table, style.background());
   }
 
-  /** Age at which nothing is left of an event, microseconds. */
-  public static double oldestUs(PictureStyle style) {
-    return style.longestUs();
-  }
-
   /** The colours in use. */
   public ColourMap colours() {
     return style.colours();
-  }
-
-  /** The time constant in use, microseconds. */
-  public long timeConstantUs() {
-    return style.timeConstantUs();
   }
 
   /**

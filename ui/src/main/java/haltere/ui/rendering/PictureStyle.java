@@ -54,8 +54,8 @@ public record PictureStyle(
     return 0.299 * red + 0.587 * green + 0.114 * blue < 150;
   }
 
-  /** Time after which nothing is left of an event. */
-  double longestUs() {
+  /** Time after which nothing is left of an event, microseconds. */
+  public double longestUs() {
     return sharp ? timeConstantUs : timeConstantUs * FramePainter.TIME_CONSTANTS;
   }
 

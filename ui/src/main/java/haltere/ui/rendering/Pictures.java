@@ -102,9 +102,6 @@ public final class Pictures {
    * Writes a picture as a PNG file, which appears whole or not at all and replaces one that exists.
    */
   public static void write(Path file, BufferedImage image) throws IOException {
-    try (AtomicFile output = AtomicFile.create(file, true)) {
-      output.stream().write(png(image));
-      output.commit();
-    }
+    AtomicFile.write(file, png(image), true);
   }
 }

@@ -31,19 +31,7 @@ public final class BodyFlightDrawing {
   /** Draws a flight. */
   public BodyFlightDrawing(BodyFlight flight) {
     this.flight = flight;
-    double[] least = {1e300, 1e300, 1e300};
-    double[] most = {-1e300, -1e300, -1e300};
-    for (double[] point : points()) {
-      for (int k = 0; k < 3; k++) {
-        least[k] = Math.min(least[k], point[k]);
-        most[k] = Math.max(most[k], point[k]);
-      }
-    }
-    double square = 0;
-    for (int k = 0; k < 3; k++) {
-      square += Math.max(0, most[k] - least[k]) * Math.max(0, most[k] - least[k]);
-    }
-    sizeM = Math.max(1e-6, Math.sqrt(square));
+    sizeM = SpaceView.sizeM(points(), new double[3]);
   }
 
   /** All that should be in sight: the cameras and the whole way, metres. */

@@ -1,5 +1,7 @@
 package haltere.ui.space;
 
+import java.util.DoubleSummaryStatistics;
+
 /**
  * From where a person looks at space: around a point, from an azimuth and an elevation, without
  * perspective, z up. Points become pixels to the right and up.
@@ -20,21 +22,22 @@ public final class SpaceView {
   public void fit(Iterable<double[]> points, double newWidthPx, double newHeightPx) {
     widthPx = newWidthPx;
     heightPx = newHeightPx;
-    double[] least = {1e300, 1e300, 1e300};
-    double[] most = {-1e300, -1e300, -1e300};
-    for (double[] point : points) {
-      for (int k = 0; k < 3; k++) {
-        least[k] = Math.min(least[k], point[k]);
-        most[k] = Math.max(most[k], point[k]);
-      }
-    }
+    pixelsPerM = 0.95 * Math.min(widthPx, heightPx) / sizeM(points, middle);
+  }
+
+  /** Diagonal of the box around points, metres, at least a micrometre; tells the box's middle. */
+  static double sizeM(Iterable<double[]> points, double[] middle) {
     double square = 0;
     for (int k = 0; k < 3; k++) {
-      boolean any = most[k] >= least[k];
-      middle[k] = any ? 0.5 * (least[k] + most[k]) : 0;
-      square += any ? (most[k] - least[k]) * (most[k] - least[k]) : 0;
+      DoubleSummaryStatistics along = new DoubleSummaryStatistics();
+      for (double[] point : points) {
+        along.accept(point[k]);
+      }
+      boolean any = along.getCount() > 0;
+      middle[k] = any ? 0.5 * (along.getMin() + along.getMax()) : 0;
+      square += any ? Math.pow(along.getMax() - along.getMin(), 2) : 0;
     }
-    pixelsPerM = 0.95 * Math.min(widthPx, heightPx) / Math.max(1e-6, Math.sqrt(square));
+    return Math.max(1e-6, Math.sqrt(square));
   }
 
   /** Turns to the left and upwards, as far as straight above. */

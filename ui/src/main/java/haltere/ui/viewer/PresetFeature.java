@@ -9,7 +9,6 @@ import haltere.ui.viewer.controls.Questions;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -81,10 +80,7 @@ public final class PresetFeature implements ViewerFeature, ChainPresets {
 
   private static Path write(Path file, String json) throws IOException {
     Files.createDirectories(file.getParent());
-    try (AtomicFile output = AtomicFile.create(file, true)) {
-      output.stream().write(json.getBytes(StandardCharsets.UTF_8));
-      output.commit();
-    }
+    AtomicFile.write(file, json, true);
     return file;
   }
 

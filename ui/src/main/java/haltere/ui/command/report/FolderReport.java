@@ -4,16 +4,16 @@ import haltere.core.batch.BatchFailure;
 import haltere.core.batch.BatchItem;
 import haltere.core.chain.ChainFile;
 import haltere.core.chain.FilterChain;
-import haltere.core.event.EventPacket;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.Recordings;
 import haltere.core.json.Json;
+import haltere.core.pipeline.ChainRunner;
+import haltere.core.pipeline.OnFailure;
+import haltere.core.pipeline.PipelineCounters;
 import haltere.core.pipeline.RecordingJob;
 import haltere.core.sink.SvgPlot;
 import haltere.core.stream.EventSource;
-import haltere.core.stream.StreamHandler;
-import haltere.core.stream.StreamNotification;
 import haltere.ui.command.results.LatestSnapshots;
 import haltere.ui.command.terminal.Quantities;
 import haltere.ui.plot.EventRate;
@@ -146,29 +146,14 @@ public final class FolderReport {
       ContactSheet sheet = new ContactSheet(reader.geometry(), new LatestSnapshots(chain));
       EventRate seen = new EventRate(2);
       EventSource source = RunReport.inShortPackets(reader);
-      StreamHandler through = new Through(chain, sheet, seen);
-      while (seen.elapsedUs() < PICTURED_US && source.next(through)) {
+      ChainRunner runner =
+          new ChainRunner(chain, new PipelineCounters(), OnFailure.STOP, failure -> {});
+      runner.addSink(seen, true);
+      runner.addSink(sheet, false);
+      while (seen.elapsedUs() < PICTURED_US && source.next(runner)) {
         // up to a second of events
       }
       return sheet.draw();
-    }
-  }
-
-  /** Through a chain to a sheet. */
-  private record Through(FilterChain chain, ContactSheet sheet, EventRate seen)
-      implements StreamHandler {
-    @Override
-    public void packet(EventPacket packet) {
-      seen.packet(packet);
-      chain.packet(packet);
-      sheet.packet(packet);
-    }
-
-    @Override
-    public void notified(StreamNotification notification) {
-      seen.notified(notification);
-      chain.notified(notification);
-      sheet.notified(notification);
     }
   }
 

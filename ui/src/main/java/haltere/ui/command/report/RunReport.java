@@ -102,11 +102,6 @@ public final class RunReport implements JobResults {
   }
 
   @Override
-  public List<ResultFile> files() {
-    return List.of();
-  }
-
-  @Override
   public void close() {
     // nothing is open
   }

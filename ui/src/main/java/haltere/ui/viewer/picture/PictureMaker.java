@@ -266,7 +266,7 @@ final class PictureMaker {
 
   /** How far back events of a slice matter to its picture and to what is said of places. */
   long memoryUs(long ofSliceUs) {
-    long fadingUs = Math.round(FramePainter.oldestUs(style(ofSliceUs, ofSliceUs)));
+    long fadingUs = Math.round(style(ofSliceUs, ofSliceUs).longestUs());
     return Math.max(Math.max(fadingUs, events.memoryUs()), probes.memoryUs());
   }
 
@@ -294,7 +294,7 @@ final class PictureMaker {
     PictureStyle style = events.style();
     return switch (style.mode()) {
       case COUNTS -> Texts.digits(events.fullCount()) + " events";
-      case TIME_SURFACE -> Texts.duration(FramePainter.oldestUs(style)) + " ago";
+      case TIME_SURFACE -> Texts.duration(style.longestUs()) + " ago";
       case FREQUENCY -> "1 kHz";
       default -> "";
     };

@@ -44,7 +44,6 @@ public final class PlotPanel extends BorderPane {
   private final TimeWindow window = new TimeWindow();
   private final PlotFeeds feeds;
   private final List<PlotLane> lanes = new ArrayList<>();
-  private final Hands hands = new Hands();
   private List<PlotField> first = List.of();
   private final VBox laneBox = new VBox();
   private final PlotTimeAxis axis = new PlotTimeAxis(window);
@@ -175,7 +174,7 @@ public final class PlotPanel extends BorderPane {
     PlotLane lane = new PlotLane(new Lane(field), window, List.of(another, remove));
     made[0] = lane;
     VBox.setVgrow(lane, Priority.ALWAYS);
-    PlotHands.on(lane.plot(), hands);
+    PlotHands.on(lane.plot(), this);
     lanes.add(lane);
     laneBox.getChildren().add(lane);
     changed();
@@ -249,44 +248,32 @@ public final class PlotPanel extends BorderPane {
     dirty = true;
   }
 
-  /** What mouse and keys do on any of the lanes. */
-  private final class Hands implements PlotHands.Plots {
-    @Override
-    public void point(double place) {
-      pointed = place;
-      valuesNanos = 0;
-      dirty = true;
-    }
-
-    @Override
-    public double pointed() {
-      return pointed;
-    }
-
-    @Override
-    public void scroll(double share) {
-      window.scroll(Math.round(share * window.spanUs()));
-      follow.setSelected(window.isFollowing());
-      dirty = true;
-    }
-
-    @Override
-    public void zoom(double factor, double place) {
-      PlotPanel.this.zoom(factor, place);
-    }
-
-    @Override
-    public void follow() {
-      setFollowing(true);
-    }
-
-    @Override
-    public void goTo(double place) {
-      playback.seek(Math.max(0, window.timeAt(place) - startUs));
-    }
+  /** Points at a place; NaN for none. */
+  void point(double place) {
+    pointed = place;
+    valuesNanos = 0;
+    dirty = true;
   }
 
-  private void zoom(double factor, double place) {
+  /** The place that is pointed at; NaN if there is none. */
+  double pointed() {
+    return pointed;
+  }
+
+  /** Shows so much later times. */
+  void scroll(double share) {
+    window.scroll(Math.round(share * window.spanUs()));
+    follow.setSelected(window.isFollowing());
+    dirty = true;
+  }
+
+  /** Takes playback to a place. */
+  void goTo(double place) {
+    playback.seek(Math.max(0, window.timeAt(place) - startUs));
+  }
+
+  /** Shows so many times the time, around a place. */
+  void zoom(double factor, double place) {
     window.zoom(factor, place);
     showSpan();
     dirty = true;
@@ -296,7 +283,8 @@ public final class PlotPanel extends BorderPane {
     span.setText(Texts.duration(window.spanUs()));
   }
 
-  private void setFollowing(boolean on) {
+  /** Follows the newest values, or not. */
+  void setFollowing(boolean on) {
     window.setFollowing(on);
     follow.setSelected(on);
     dirty = true;
