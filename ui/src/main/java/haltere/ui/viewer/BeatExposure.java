@@ -32,9 +32,7 @@ final class BeatExposure implements ViewerFeature {
     window.editor().onChange(this::follow);
     window.playback().beatsProperty().addListener((property, was, is) -> follow());
     window.panels().onPulse(this::pulse);
-    window
-        .actions()
-        .add(
+    window.add(
             ViewerAction.toggle(
                     "slices-beat",
                     "Slices of one wing beat",

@@ -10,9 +10,7 @@ final class EditFeature implements ViewerFeature {
   @Override
   public void install(ViewerContext window) {
     EditHistory history = window.editor().history();
-    window
-        .actions()
-        .add(
+    window.add(
             ViewerAction.of("undo", "Undo", "Edit", () -> say(window, "Undone: ", history.undo()))
                 .withKey("Shortcut+Z")
                 .unless(() -> history.canUndo() ? "" : "nothing was changed")

@@ -18,9 +18,7 @@ final class FileFeature implements ViewerFeature {
 
   @Override
   public void install(ViewerContext window) {
-    window
-        .actions()
-        .add(
+    window.add(
             ViewerAction.of(
                     "open",
                     "Open recording\u2026",
@@ -42,9 +40,7 @@ final class FileFeature implements ViewerFeature {
     scenes.sort(Comparator.comparing(scene -> !scene.name().equals("fly")));
     for (SceneProvider<?> scene : scenes) {
       String title = Texts.title(scene.name()) + " scene";
-      window
-          .actions()
-          .add(
+      window.add(
               ViewerAction.of(
                       "scene-" + scene.name(),
                       title,

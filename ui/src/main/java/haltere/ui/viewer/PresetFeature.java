@@ -31,9 +31,7 @@ public final class PresetFeature implements ViewerFeature, ChainPresets {
   @Override
   public void install(ViewerContext installed) {
     window = installed;
-    window
-        .actions()
-        .add(
+    window.add(
             ViewerAction.of(
                     "save-preset",
                     "Save the chain as preset\u2026",
@@ -70,12 +68,9 @@ public final class PresetFeature implements ViewerFeature, ChainPresets {
     chain.read(
         ChainFile::write,
         json ->
-            window
-                .background()
-                .file(
+            window.file(
                     () -> write(folder.resolve(name + ENDING), json),
-                    written -> list(),
-                    window.status()::showProblem));
+                    written -> list()));
   }
 
   private static Path write(Path file, String json) throws IOException {
@@ -85,7 +80,7 @@ public final class PresetFeature implements ViewerFeature, ChainPresets {
   }
 
   private void list() {
-    window.background().file(() -> files(folder), this::offer, window.status()::showProblem);
+    window.file(() -> files(folder), this::offer);
   }
 
   private static List<Path> files(Path folder) throws IOException {
@@ -101,9 +96,7 @@ public final class PresetFeature implements ViewerFeature, ChainPresets {
     window.actions().removeAll(names.stream().map(PresetFeature::id).toList());
     names = files.stream().map(PresetFeature::name).toList();
     for (String name : names) {
-      window
-          .actions()
-          .add(ViewerAction.of(id(name), name, MENU, () -> load(name, window.editor())));
+      window.add(ViewerAction.of(id(name), name, MENU, () -> load(name, window.editor())));
     }
   }
 

@@ -39,7 +39,7 @@ public final class SeeingFeature implements ViewerFeature {
     EventView view = window.panels().view();
     view.setPointerListener(
         (x, y, over) ->
-            window.sessions().session().ifPresent(open -> open.display().point(x, y, over)));
+            window.ifOpen(open -> open.display().point(x, y, over)));
     view.addLayer(layer::draw);
     view.onFrame(frame -> frame.region().ifPresent(layer::setReading));
     followLegend(view);
@@ -48,9 +48,7 @@ public final class SeeingFeature implements ViewerFeature {
     window.bindTool(measuring, tape);
     window.bindTool(drawingRegion, regionTool);
     window.bindTool(pointing, new PointTool());
-    window
-        .actions()
-        .add(
+    window.add(
             ViewerAction.toggle("measure", "Measuring tape", MENU, measuring)
                 .withKey("T")
                 .withHelp(tape.hint()),
@@ -87,9 +85,7 @@ public final class SeeingFeature implements ViewerFeature {
   }
 
   private void addZoom(EventView view) {
-    window
-        .actions()
-        .add(
+    window.add(
             ViewerAction.of("zoom-in", "Zoom in", "View", () -> view.zoomBy(ZOOM_STEP))
                 .withKey("Shortcut+Plus"),
             ViewerAction.of("zoom-out", "Zoom out", "View", () -> view.zoomBy(1 / ZOOM_STEP))
@@ -127,10 +123,7 @@ public final class SeeingFeature implements ViewerFeature {
   public void setRegion(Optional<PixelRegion> region) {
     layer.setRegion(region);
     window.display().regionProperty().set(region);
-    window
-        .sessions()
-        .session()
-        .ifPresent(
+    window.ifOpen(
             open -> {
               open.display().setRegion(region);
               open.player().refresh();

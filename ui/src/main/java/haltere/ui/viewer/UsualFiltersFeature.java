@@ -41,9 +41,7 @@ final class UsualFiltersFeature implements ViewerFeature {
       BooleanProperty property = new SimpleBooleanProperty();
       on.put(filter, property);
       property.addListener((observed, was, is) -> strip.show(filter, is));
-      window
-          .actions()
-          .add(
+      window.add(
               ViewerAction.toggle(
                       FilterStrip.id(filter),
                       filter.words(),
@@ -52,9 +50,7 @@ final class UsualFiltersFeature implements ViewerFeature {
                       wanted -> window.editor().setUsual(filter, wanted))
                   .withHelp(filter.help()));
     }
-    window
-        .actions()
-        .add(
+    window.add(
             ViewerAction.of("usual-chain", "Usual chain", MENU, this::usualChain)
                 .withHelp("Puts the filters back that suit what is open."),
             ViewerAction.toggle("all-events", "Show hidden events", "View", all)
@@ -79,17 +75,14 @@ final class UsualFiltersFeature implements ViewerFeature {
   }
 
   private void usualChain() {
-    window
-        .sessions()
-        .session()
-        .ifPresent(
+    window.ifOpen(
             open -> window.editor().replaceAll(open.start().usualChain(open.chain().geometry())));
   }
 
   private void pulse() {
     // a card switches its filter without another word
     on.forEach((filter, property) -> property.set(filter.isOn(stages)));
-    window.sessions().session().ifPresent(this::measure);
+    window.ifOpen(this::measure);
   }
 
   private void measure(ViewerSession open) {

@@ -76,9 +76,7 @@ public final class CameraFeature implements ViewerFeature {
     comingSoon.setOnFinished(over -> list());
     BooleanProperty shown =
         window.addPanel("camera", "Camera", "Shortcut+Shift+C", PanelPlace.SIDE, () -> panel);
-    window
-        .actions()
-        .add(
+    window.add(
             ViewerAction.of("list-cameras", "Look for cameras", MENU, this::list)
                 .withHelp("Lists the cameras that are plugged in now, and the simulated ones."),
             ViewerAction.of("camera-reset-time", "Reset time stamps", MENU, this::resetTime)
@@ -163,9 +161,7 @@ public final class CameraFeature implements ViewerFeature {
       String id = ID + info.id().replace(':', '-');
       if (!ids.contains(id)) {
         ids.add(id);
-        window
-            .actions()
-            .add(
+        window.add(
                 ViewerAction.of(id, words(info), menu(info), () -> choose(info))
                     .withHelp(info.note()));
       }

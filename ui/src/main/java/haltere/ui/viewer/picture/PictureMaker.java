@@ -64,9 +64,7 @@ final class PictureMaker {
   private boolean exposed;
 
   /**
-   * A maker without events.
-   *
-   * @param betweenSlices whether it may also paint in the midst of a slice, see the class comment
+   * A maker without events, which may also paint in the midst of a slice, see the class comment.
    */
   PictureMaker(SensorGeometry geometry, DisplayOptions options, boolean betweenSlices) {
     this.options = options;

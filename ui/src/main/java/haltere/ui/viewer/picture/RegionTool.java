@@ -19,10 +19,8 @@ public final class RegionTool implements ViewTool {
   private boolean drawn;
 
   /**
-   * A tool for a picture.
-   *
-   * @param sensor its size, asked whenever a region is drawn
-   * @param taker takes a region that was drawn; empty where a click took it away
+   * A tool for a picture of a sensor, whose size is asked whenever a region is drawn; a click takes
+   * the region away.
    */
   public RegionTool(Supplier<SensorGeometry> sensor, Consumer<Optional<PixelRegion>> taker) {
     this.sensor = sensor;

@@ -94,9 +94,7 @@ public final class ExportFeature implements ViewerFeature {
   public void install(ViewerContext installed) {
     window = installed;
     FileDialogs dialogs = window.dialogs();
-    window
-        .actions()
-        .add(
+    window.add(
             ViewerAction.of(
                     "export-film",
                     "Export the marked part as film\u2026",

@@ -31,9 +31,7 @@ public final class PublishFeature implements ViewerFeature {
   public void install(ViewerContext installed) {
     window = installed;
     window.sessions().sessionProperty().addListener((property, was, is) -> stop());
-    window
-        .actions()
-        .add(
+    window.add(
             ViewerAction.toggle(
                     "publish",
                     "Send results to other programs\u2026",
@@ -60,7 +58,7 @@ public final class PublishFeature implements ViewerFeature {
   public void start(String where) {
     stop();
     address = where;
-    window.sessions().session().ifPresent(session -> start(where, session));
+    window.ifOpen(session -> start(where, session));
   }
 
   private void start(String where, ViewerSession session) {

@@ -30,9 +30,7 @@ public final class SavingFeature implements ViewerFeature {
     // what is open is about to be closed, or is closed with the window
     window.sessions().sessionProperty().addListener((property, was, is) -> recording.stop());
     FileDialogs dialogs = window.dialogs();
-    window
-        .actions()
-        .add(
+    window.add(
             ViewerAction.of(
                     "load-chain",
                     "Load chain\u2026",
@@ -85,7 +83,7 @@ public final class SavingFeature implements ViewerFeature {
   /** Saves what is shown as a picture. */
   public void savePicture(Path file) {
     Overlays overlays = window.display().overlays();
-    window.sessions().session().ifPresent(open -> saving.picture(file, open, overlays));
+    window.ifOpen(open -> saving.picture(file, open, overlays));
   }
 
   /** Stops the recording that is under way, or asks where the next one goes. */
@@ -99,7 +97,7 @@ public final class SavingFeature implements ViewerFeature {
 
   /** Records what comes out of the chain. */
   public void record(Path file) {
-    window.sessions().session().ifPresent(open -> recording.start(file, open));
+    window.ifOpen(open -> recording.start(file, open));
   }
 
   /** Whether a recording is under way. */

@@ -46,9 +46,7 @@ public final class LiveFlightFeature implements ViewerFeature {
     shown =
         window.addPanel(
             "live-flight", "Orientation in space, live", "", PanelPlace.BESIDE, () -> pane);
-    window
-        .actions()
-        .add(
+    window.add(
             ViewerAction.of("open-flight", "Flight before several cameras", "File", this::openScene)
                 .withHelp("A simulated insect in free flight; its axis is found from all cameras."),
             ViewerAction.of(
@@ -101,12 +99,9 @@ public final class LiveFlightFeature implements ViewerFeature {
         .cameras()
         .ifPresent(
             file ->
-                window
-                    .background()
-                    .file(
+                window.file(
                         () -> CameraFile.read(file).cameras(),
-                        chosen,
-                        window.status()::showProblem));
+                        chosen));
   }
 
   private void chooseRecordings(List<CameraModel> cameras) {
@@ -139,16 +134,13 @@ public final class LiveFlightFeature implements ViewerFeature {
 
   /** Opens several cameras in place of what is open. */
   void open(Callable<CameraRig> cameras, String name) {
-    window
-        .background()
-        .file(
+    window.file(
             cameras,
             made -> {
               rig.ifPresent(window.background()::close);
               rig = Optional.of(made);
               window.sessions().open(made::first, name);
-            },
-            window.status()::showProblem);
+            });
   }
 
   private void follow(Optional<ViewerSession> was, Optional<ViewerSession> is) {

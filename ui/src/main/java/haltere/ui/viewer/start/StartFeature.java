@@ -24,9 +24,7 @@ public final class StartFeature implements ViewerFeature {
   @Override
   public void install(ViewerContext installed) {
     window = installed;
-    window
-        .actions()
-        .add(
+    window.add(
             ViewerAction.of("start-page", "Start page", "File", () -> show(""))
                 .withHelp("Recent recordings, scenes and cameras."));
     window.actions().onChange(() -> page.ifPresent(this::offer));
