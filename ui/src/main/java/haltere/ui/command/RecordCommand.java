@@ -124,9 +124,13 @@ final class RecordCommand extends Subcommand {
   /** What a recording that failed has left. */
   private void tellFiles(Recorded recorded) {
     for (SessionRecorder.Part part : recorded.recorder().parts()) {
+      long came = part.report().received();
       if (Files.exists(part.file())) {
         String written = Quantities.events(part.report().written());
-        message("%s holds %s of %,d that came", part.file(), written, part.report().received());
+        message("%s holds at least %s of %,d that came", part.file(), written, came);
+      } else {
+        String advice = ".aedat4 keeps what was written";
+        message("%s was not kept: none of %,d that came; %s", part.file(), came, advice);
       }
     }
   }
