@@ -17,7 +17,6 @@ import haltere.filters.DefaultChain;
 import haltere.ui.command.terminal.ProgressBar;
 import haltere.ui.command.terminal.Quantities;
 import java.io.IOException;
-import java.io.InterruptedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -101,7 +100,7 @@ final class BenchCommand extends Subcommand {
                 .orElseThrow()) {
       Held events = new Held(SCENE_EVENTS);
       while (!events.full() && scene.next(events)) {
-        checkInterrupted();
+        checkInterrupted("measuring");
       }
       for (EventPacket packet : events.packets) {
         writer.write(packet);
@@ -120,7 +119,7 @@ final class BenchCommand extends Subcommand {
       format = reader.formatName();
       Count count = new Count();
       while (reader.next(held.full() ? count : held)) {
-        checkInterrupted();
+        checkInterrupted("measuring");
       }
       reading.requireWhole(reader);
       warnings(reader);
@@ -149,7 +148,7 @@ final class BenchCommand extends Subcommand {
       int rounds = 0;
       double spent = 0;
       while (rounds < nanos.length && (rounds < FEWEST_ROUNDS || spent < seconds)) {
-        checkInterrupted();
+        checkInterrupted("measuring");
         nanos[rounds] = round.run();
         spent += nanos[rounds] / 1e9;
         rounds++;
@@ -173,7 +172,7 @@ final class BenchCommand extends Subcommand {
   private void warmUp(Round round) throws IOException {
     double spent = 0;
     do {
-      checkInterrupted();
+      checkInterrupted("measuring");
       spent += round.run() / 1e9;
     } while (spent < seconds);
   }
@@ -199,12 +198,6 @@ final class BenchCommand extends Subcommand {
     }
     filter.close();
     return nanos;
-  }
-
-  private static void checkInterrupted() throws InterruptedIOException {
-    if (Thread.currentThread().isInterrupted()) {
-      throw new InterruptedIOException("interrupted while measuring");
-    }
   }
 
   /** Keeps packets, up to a number of events and to the first break of time. */

@@ -109,7 +109,7 @@ final class ExampleCommand extends Subcommand {
     }
     AtomicFile.write(out, table.csv(), writing.overwrite);
     files.keySet().forEach(file -> message("wrote " + file));
-    message("wrote " + out + " (" + Quantities.count(table.column("t_s").length) + " rows)");
+    wrote(out, table.column("t_s").length);
     tell(table, series.noiseM(), falls);
     return OK;
   }

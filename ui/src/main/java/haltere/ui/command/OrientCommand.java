@@ -146,7 +146,7 @@ final class OrientCommand extends Subcommand {
             file + ": none of its " + badRows + " rows can be used; see the warnings above");
       }
       table.finish();
-      message("wrote " + out + " (" + Quantities.count(bodies.estimates()) + " rows)");
+      wrote(out, bodies.estimates());
       bodies.summary().forEach(this::result);
       report(report, settings, cameras, bodies.summary());
       if (bodies.estimates() == 0) {

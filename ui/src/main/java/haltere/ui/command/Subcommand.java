@@ -16,6 +16,7 @@ import haltere.ui.command.terminal.StandardOutput;
 import haltere.ui.command.terminal.TerminalLine;
 import java.io.FilterOutputStream;
 import java.io.IOException;
+import java.io.InterruptedIOException;
 import java.io.OutputStream;
 import java.nio.file.Path;
 import java.util.List;
@@ -205,10 +206,22 @@ abstract class Subcommand implements Callable<Integer> {
     return new Provenance(new Version().getVersion()[0], Optional.ofNullable(source));
   }
 
+  /** Says that a table was written. */
+  void wrote(Path file, long rows) {
+    message("wrote %s (%,d rows)", file, rows);
+  }
+
+  /** Ends the work where the process has been told to stop. */
+  static void checkInterrupted(String doing) throws InterruptedIOException {
+    if (Thread.currentThread().isInterrupted()) {
+      throw new InterruptedIOException("interrupted while " + doing);
+    }
+  }
+
   /** Says which tables were written. */
   void wrote(List<JobResults.ResultFile> files) {
     for (JobResults.ResultFile written : files) {
-      message("wrote " + written.path() + " (" + Quantities.count(written.rows()) + " rows)");
+      wrote(written.path(), written.rows());
     }
   }
 

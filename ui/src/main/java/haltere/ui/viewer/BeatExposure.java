@@ -33,12 +33,12 @@ final class BeatExposure implements ViewerFeature {
     window.playback().beatsProperty().addListener((property, was, is) -> follow());
     window.panels().onPulse(this::pulse);
     window.add(
-            ViewerAction.toggle(
-                    "slices-beat",
-                    "Slices of one wing beat",
-                    "Playback",
-                    window.playback().beatsProperty())
-                .withHelp("One step or exposure holds one beat, as the wing tracker finds it."));
+        ViewerAction.toggle(
+                "slices-beat",
+                "Slices of one wing beat",
+                "Playback",
+                window.playback().beatsProperty())
+            .withHelp("One step or exposure holds one beat, as the wing tracker finds it."));
   }
 
   private void follow() {

@@ -32,12 +32,12 @@ public final class PresetFeature implements ViewerFeature, ChainPresets {
   public void install(ViewerContext installed) {
     window = installed;
     window.add(
-            ViewerAction.of(
-                    "save-preset",
-                    "Save the chain as preset\u2026",
-                    "Chain",
-                    () -> keep(window.editor()))
-                .withHelp("Presets are chain files in the folder of the settings."));
+        ViewerAction.of(
+                "save-preset",
+                "Save the chain as preset\u2026",
+                "Chain",
+                () -> keep(window.editor()))
+            .withHelp("Presets are chain files in the folder of the settings."));
     window.editor().setPresets(this);
     window
         .settings()
@@ -67,10 +67,7 @@ public final class PresetFeature implements ViewerFeature, ChainPresets {
     }
     chain.read(
         ChainFile::write,
-        json ->
-            window.file(
-                    () -> write(folder.resolve(name + ENDING), json),
-                    written -> list()));
+        json -> window.file(() -> write(folder.resolve(name + ENDING), json), written -> list()));
   }
 
   private static Path write(Path file, String json) throws IOException {

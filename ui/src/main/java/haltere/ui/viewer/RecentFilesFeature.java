@@ -32,8 +32,8 @@ final class RecentFilesFeature implements ViewerFeature {
         .ifPresent(kept -> kept.forEach(file -> files.add(Path.of(file.toString()))));
     window.onSession(made -> made.file().ifPresent(this::opened));
     window.add(
-            ViewerAction.of("open-last", "Open the last recording again", "File", this::openLast)
-                .withKey("Shortcut+Shift+O"));
+        ViewerAction.of("open-last", "Open the last recording again", "File", this::openLast)
+            .withKey("Shortcut+Shift+O"));
     offer();
   }
 

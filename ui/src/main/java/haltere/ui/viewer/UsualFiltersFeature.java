@@ -42,19 +42,19 @@ final class UsualFiltersFeature implements ViewerFeature {
       on.put(filter, property);
       property.addListener((observed, was, is) -> strip.show(filter, is));
       window.add(
-              ViewerAction.toggle(
-                      FilterStrip.id(filter),
-                      filter.words(),
-                      MENU,
-                      property,
-                      wanted -> window.editor().setUsual(filter, wanted))
-                  .withHelp(filter.help()));
+          ViewerAction.toggle(
+                  FilterStrip.id(filter),
+                  filter.words(),
+                  MENU,
+                  property,
+                  wanted -> window.editor().setUsual(filter, wanted))
+              .withHelp(filter.help()));
     }
     window.add(
-            ViewerAction.of("usual-chain", "Usual chain", MENU, this::usualChain)
-                .withHelp("Puts the filters back that suit what is open."),
-            ViewerAction.toggle("all-events", "Show hidden events", "View", all)
-                .withHelp("Shows the events as they come, before the filters."));
+        ViewerAction.of("usual-chain", "Usual chain", MENU, this::usualChain)
+            .withHelp("Puts the filters back that suit what is open."),
+        ViewerAction.toggle("all-events", "Show hidden events", "View", all)
+            .withHelp("Shows the events as they come, before the filters."));
     window.editor().onChange(() -> window.editor().read(StageState::of, this::follow));
     window.onSession(
         made -> {
@@ -76,7 +76,7 @@ final class UsualFiltersFeature implements ViewerFeature {
 
   private void usualChain() {
     window.ifOpen(
-            open -> window.editor().replaceAll(open.start().usualChain(open.chain().geometry())));
+        open -> window.editor().replaceAll(open.start().usualChain(open.chain().geometry())));
   }
 
   private void pulse() {

@@ -56,8 +56,8 @@ public final class SamplesFeature implements ViewerFeature {
             value -> value.doubleValue(),
             kept -> Math.max(0.1, Math.min(1, ((Number) kept).doubleValue())));
     window.add(
-            ViewerAction.toggle("show-frames", "Frames", "View", display.framesProperty())
-                .withHelp("Draws the camera's frames below the events."));
+        ViewerAction.toggle("show-frames", "Frames", "View", display.framesProperty())
+            .withHelp("Draws the camera's frames below the events."));
     display.framesProperty().addListener((property, was, is) -> follow());
     display.frameOpacityProperty().addListener((property, was, is) -> follow());
     trigger.setId("trigger-mark");

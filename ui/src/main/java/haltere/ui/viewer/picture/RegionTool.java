@@ -1,7 +1,7 @@
 package haltere.ui.viewer.picture;
 
 import haltere.core.event.SensorGeometry;
-import haltere.ui.measure.PixelRegion;
+import haltere.filters.frequency.PixelRegion;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;

@@ -71,8 +71,8 @@ public final class VanishingPointFeature implements ViewerFeature {
     boolean offered = window.actions().find(ID).isPresent();
     if (tracks.isPresent() && !offered) {
       window.add(
-              ViewerAction.toggle(ID, "Set the vanishing point", "Tools", marking)
-                  .withHelp("A click marks where the road vanishes; tracks are on the road then."));
+          ViewerAction.toggle(ID, "Set the vanishing point", "Tools", marking)
+              .withHelp("A click marks where the road vanishes; tracks are on the road then."));
     } else if (tracks.isEmpty() && offered) {
       marking.set(false);
       window.actions().removeAll(List.of(ID));

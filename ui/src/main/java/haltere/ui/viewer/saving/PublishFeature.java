@@ -32,13 +32,13 @@ public final class PublishFeature implements ViewerFeature {
     window = installed;
     window.sessions().sessionProperty().addListener((property, was, is) -> stop());
     window.add(
-            ViewerAction.toggle(
-                    "publish",
-                    "Send results to other programs\u2026",
-                    "Tools",
-                    publishing.getReadOnlyProperty(),
-                    on -> toggle())
-                .withHelp("A line of JSON for each result, over TCP, UDP or ZeroMQ."));
+        ViewerAction.toggle(
+                "publish",
+                "Send results to other programs\u2026",
+                "Tools",
+                publishing.getReadOnlyProperty(),
+                on -> toggle())
+            .withHelp("A line of JSON for each result, over TCP, UDP or ZeroMQ."));
   }
 
   private void toggle() {

@@ -31,35 +31,35 @@ public final class SavingFeature implements ViewerFeature {
     window.sessions().sessionProperty().addListener((property, was, is) -> recording.stop());
     FileDialogs dialogs = window.dialogs();
     window.add(
-            ViewerAction.of(
-                    "load-chain",
-                    "Load chain\u2026",
-                    MENU,
-                    () -> dialogs.chainToLoad().ifPresent(this::loadChain))
-                .withKey("Shortcut+L"),
-            ViewerAction.of(
-                    "save-chain",
-                    "Save chain\u2026",
-                    MENU,
-                    () -> dialogs.chainToSave().ifPresent(this::saveChain))
-                .withKey("Shortcut+S")
-                .unless(this::obstacle),
-            ViewerAction.toggle(
-                    "record",
-                    "Record\u2026",
-                    MENU,
-                    recording.recordingProperty(),
-                    on -> toggleRecording())
-                .withKey("Shortcut+E")
-                .unless(this::obstacle)
-                .withHelp("Writes what comes out of the chain to a file while it plays."),
-            ViewerAction.of(
-                    "save-picture",
-                    "Save picture\u2026",
-                    MENU,
-                    () -> dialogs.picture().ifPresent(this::savePicture))
-                .withKey("Shortcut+P")
-                .unless(this::obstacle));
+        ViewerAction.of(
+                "load-chain",
+                "Load chain\u2026",
+                MENU,
+                () -> dialogs.chainToLoad().ifPresent(this::loadChain))
+            .withKey("Shortcut+L"),
+        ViewerAction.of(
+                "save-chain",
+                "Save chain\u2026",
+                MENU,
+                () -> dialogs.chainToSave().ifPresent(this::saveChain))
+            .withKey("Shortcut+S")
+            .unless(this::obstacle),
+        ViewerAction.toggle(
+                "record",
+                "Record\u2026",
+                MENU,
+                recording.recordingProperty(),
+                on -> toggleRecording())
+            .withKey("Shortcut+E")
+            .unless(this::obstacle)
+            .withHelp("Writes what comes out of the chain to a file while it plays."),
+        ViewerAction.of(
+                "save-picture",
+                "Save picture\u2026",
+                MENU,
+                () -> dialogs.picture().ifPresent(this::savePicture))
+            .withKey("Shortcut+P")
+            .unless(this::obstacle));
     RecordButton button = new RecordButton(this::toggleRecording, window.background());
     recording.recordingProperty().addListener((property, was, is) -> button.setOn(is));
     window.panels().transport().addTool(button);

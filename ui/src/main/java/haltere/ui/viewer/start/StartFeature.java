@@ -25,8 +25,8 @@ public final class StartFeature implements ViewerFeature {
   public void install(ViewerContext installed) {
     window = installed;
     window.add(
-            ViewerAction.of("start-page", "Start page", "File", () -> show(""))
-                .withHelp("Recent recordings, scenes and cameras."));
+        ViewerAction.of("start-page", "Start page", "File", () -> show(""))
+            .withHelp("Recent recordings, scenes and cameras."));
     window.actions().onChange(() -> page.ifPresent(this::offer));
     window.sessions().sessionProperty().addListener((property, was, is) -> hide());
     window

@@ -1,4 +1,4 @@
-package haltere.ui.measure;
+package haltere.filters.frequency;
 
 import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
@@ -37,12 +37,21 @@ public final class RegionMeter implements StreamHandler {
   private long firstBin = NONE;
   private long newestBin = NONE;
 
-  /** A meter that has seen nothing. */
+  /**
+   * A meter that has seen nothing.
+   *
+   * @param region the pixels
+   */
   public RegionMeter(PixelRegion region) {
     this(region, BINS);
   }
 
-  /** A meter that has seen nothing and remembers so many bins, at least 2. */
+  /**
+   * A meter that has seen nothing.
+   *
+   * @param region the pixels
+   * @param bins how many bins are remembered, at least 2
+   */
   public RegionMeter(PixelRegion region, int bins) {
     this.region = region;
     this.bins = bins;
@@ -50,7 +59,11 @@ public final class RegionMeter implements StreamHandler {
     off = new int[bins];
   }
 
-  /** The pixels. */
+  /**
+   * The pixels.
+   *
+   * @return as given
+   */
   public PixelRegion region() {
     return region;
   }
@@ -98,7 +111,11 @@ public final class RegionMeter implements StreamHandler {
     }
   }
 
-  /** Lets time go on without events; one that has passed changes nothing. */
+  /**
+   * Lets time go on without events.
+   *
+   * @param timeUs time on the source's clock; one that has passed changes nothing
+   */
   public void advanceTo(long timeUs) {
     if (newestBin == NONE) {
       return;
@@ -121,8 +138,10 @@ public final class RegionMeter implements StreamHandler {
   }
 
   /**
-   * What the region has been doing in the last moments; the frequency is looked for on request,
-   * which takes about a millisecond.
+   * What the region has been doing.
+   *
+   * @param withFrequency whether the frequency is looked for, which takes about a millisecond
+   * @return a reading of the last moments
    */
   public RegionReading reading(boolean withFrequency) {
     if (newestBin == NONE) {

@@ -1,4 +1,4 @@
-package haltere.ui.measure;
+package haltere.filters.frequency;
 
 /**
  * Finds how often a series of counts repeats: the shortest lag at which the autocorrelation is
