@@ -1,7 +1,5 @@
 package haltere.ui.space;
 
-import java.util.DoubleSummaryStatistics;
-
 /**
  * From where a person looks at space: around a point, from an azimuth and an elevation, without
  * perspective, z up. Points become pixels to the right and up.
@@ -22,22 +20,11 @@ public final class SpaceView {
   public void fit(Iterable<double[]> points, double newWidthPx, double newHeightPx) {
     widthPx = newWidthPx;
     heightPx = newHeightPx;
-    pixelsPerM = 0.95 * Math.min(widthPx, heightPx) / sizeM(points, middle);
-  }
-
-  /** Diagonal of the box around points, metres, at least a micrometre; tells the box's middle. */
-  static double sizeM(Iterable<double[]> points, double[] middle) {
-    double square = 0;
+    SpaceBounds bounds = SpaceBounds.of(points);
     for (int k = 0; k < 3; k++) {
-      DoubleSummaryStatistics along = new DoubleSummaryStatistics();
-      for (double[] point : points) {
-        along.accept(point[k]);
-      }
-      boolean any = along.getCount() > 0;
-      middle[k] = any ? 0.5 * (along.getMin() + along.getMax()) : 0;
-      square += any ? Math.pow(along.getMax() - along.getMin(), 2) : 0;
+      middle[k] = bounds.middle(k);
     }
-    return Math.max(1e-6, Math.sqrt(square));
+    pixelsPerM = 0.95 * Math.min(widthPx, heightPx) / bounds.diagonalM();
   }
 
   /** Turns to the left and upwards, as far as straight above. */
