@@ -23,6 +23,8 @@ import java.util.Map;
  * or none.
  *
  * <p>Thread rule: the processing thread.
+ *
+ * @since 0.1
  */
 public final class OutletTables implements JobResults {
   /** Says where the table of an outlet goes. */

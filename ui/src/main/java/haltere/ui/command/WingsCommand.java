@@ -3,7 +3,7 @@ package haltere.ui.command;
 import haltere.core.camera.Camera;
 import haltere.core.chain.FilterChain;
 import haltere.core.event.SensorGeometry;
-import haltere.core.json.Json;
+import haltere.core.json.internal.Json;
 import haltere.core.pipeline.JobReport;
 import haltere.core.pipeline.JobResults;
 import haltere.core.pipeline.RecordingJob;

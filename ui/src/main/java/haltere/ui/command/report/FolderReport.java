@@ -8,7 +8,7 @@ import haltere.core.event.EventPacket;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.Recordings;
-import haltere.core.json.Json;
+import haltere.core.json.internal.Json;
 import haltere.core.pipeline.RecordingJob;
 import haltere.core.sink.internal.SvgPlot;
 import haltere.core.stream.EventSource;
