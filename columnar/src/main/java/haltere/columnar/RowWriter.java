@@ -1,6 +1,6 @@
 package haltere.columnar;
 
-import haltere.core.json.Json;
+import haltere.core.json.internal.Json;
 import haltere.core.sink.ColumnUnit;
 import haltere.core.sink.RowFields;
 import haltere.core.sink.TableMetadata;

@@ -7,7 +7,11 @@ import haltere.core.event.SensorGeometry;
 import haltere.filters.noise.BackgroundActivitySettings;
 import haltere.filters.wing.WingTrackerSettings;
 
-/** The chains that a new user starts with. */
+/**
+ * The chains that a new user starts with.
+ *
+ * @since 0.1
+ */
 public final class DefaultChain {
   /** A wing's edge passes neighbouring pixels within a millisecond; blurred ones within ten. */
   private static final int WING_CORRELATION_US = 10_000;

@@ -5,7 +5,7 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.Recordings;
-import haltere.core.json.Json;
+import haltere.core.json.internal.Json;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;

@@ -8,7 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.DynamicContainer.dynamicContainer;
 import static org.junit.jupiter.api.DynamicTest.dynamicTest;
 
-import haltere.core.json.Json;
+import haltere.core.json.internal.Json;
 import haltere.core.settings.Parameter;
 import haltere.core.settings.SettingsJson;
 import haltere.core.settings.SettingsProblem;

@@ -3,7 +3,7 @@ package haltere.core.batch;
 import haltere.core.chain.FilterChain;
 import haltere.core.format.AtomicFile;
 import haltere.core.format.RecordingProblem;
-import haltere.core.json.Json;
+import haltere.core.json.internal.Json;
 import haltere.core.pipeline.JobReport;
 import haltere.core.pipeline.JobResults;
 import haltere.core.pipeline.OutletTables;
@@ -36,6 +36,8 @@ import java.util.function.Function;
  *
  * <p>Thread rule: {@link #run} waits for its workers; listeners are called on theirs, one at a
  * time.
+ *
+ * @since 0.1
  */
 public final class Batch {
   /** Hears how far a batch has come. */

@@ -19,6 +19,8 @@ import java.util.TreeMap;
  * Hidden files and folders, what no format knows and the batch's own results are left out.
  *
  * <p>Thread rule: one thread.
+ *
+ * @since 0.1
  */
 public final class BatchInputs {
   private final Path results;

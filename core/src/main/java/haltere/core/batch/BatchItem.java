@@ -11,6 +11,7 @@ import java.util.Objects;
  * @param recording a file, or the folder of a bag in parts
  * @param name relative path that names the recording and its result, with / between its parts
  * @param bytes size of the recording
+ * @since 0.1
  */
 public record BatchItem(Path recording, String name, long bytes) {
   /** Checks the values. */

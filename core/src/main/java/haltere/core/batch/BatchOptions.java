@@ -16,6 +16,7 @@ import java.util.Objects;
  * @param strict whether a recording that is cut off or damaged is a failure
  * @param program name and version of the program, a part of what makes a result valid
  * @param tables ending of the tables, one of {@link haltere.core.sink.Tables#endings}
+ * @since 0.1
  */
 public record BatchOptions(
     Path folder,

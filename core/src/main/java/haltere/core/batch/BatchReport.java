@@ -12,6 +12,7 @@ import java.util.List;
  * @param events events of the recordings that were done
  * @param bytes size of the recordings that were done
  * @param rows rows of the tables that were written
+ * @since 0.1
  */
 public record BatchReport(
     int done,

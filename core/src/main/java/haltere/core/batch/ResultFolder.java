@@ -2,7 +2,7 @@ package haltere.core.batch;
 
 import haltere.core.format.AtomicFile;
 import haltere.core.format.RecordingProblem;
-import haltere.core.json.Json;
+import haltere.core.json.internal.Json;
 import haltere.core.pipeline.internal.Checksums;
 import java.io.Closeable;
 import java.io.IOException;

@@ -4,6 +4,8 @@ package haltere.core.camera;
  * A camera all of whose pixels can be reset at once.
  *
  * <p>Thread rule: all methods may be called from any thread.
+ *
+ * @since 0.1
  */
 public interface ArrayReset {
   /**

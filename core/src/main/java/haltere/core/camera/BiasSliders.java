@@ -6,6 +6,8 @@ package haltere.core.camera;
  *
  * <p>Thread rule: all methods may be called from any thread; a change is in effect when the method
  * returns.
+ *
+ * @since 0.1
  */
 public interface BiasSliders {
   /** What can be slid. */

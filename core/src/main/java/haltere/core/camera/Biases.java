@@ -8,6 +8,8 @@ import java.util.List;
  *
  * <p>Thread rule: all methods may be called from any thread; a change is in effect when the method
  * returns.
+ *
+ * @since 0.1
  */
 public interface Biases {
   /**

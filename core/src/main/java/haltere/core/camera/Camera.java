@@ -19,6 +19,8 @@ import java.util.Optional;
  *
  * <p>Thread rule: one consumer thread calls {@link #next} and {@link #await}; everything else,
  * facets too, may be called from any thread.
+ *
+ * @since 0.1
  */
 public interface Camera extends EventSource {
   /**

@@ -12,6 +12,7 @@ import java.util.Objects;
  * @param geometry its sensor, as far as it is known before the camera is opened
  * @param canOpen whether nothing is known that would forbid to open it
  * @param note why it cannot be opened and what to do about it, or a remark, or empty
+ * @since 0.1
  */
 public record CameraInfo(
     String id, String model, String serial, SensorGeometry geometry, boolean canOpen, String note) {

@@ -13,6 +13,7 @@ import java.util.Objects;
  * @param whenFull which events are lost then
  * @param readings whether frames, inertial samples and triggers are wanted too
  * @param reconnect whether the camera goes on with a new stream when it is plugged in again
+ * @since 0.1
  */
 public record CameraOptions(
     int transfers,

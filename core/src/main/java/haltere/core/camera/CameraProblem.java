@@ -3,7 +3,11 @@ package haltere.core.camera;
 import java.io.IOException;
 import java.util.Objects;
 
-/** Something that cannot be done with a camera; the message says why and what to do. */
+/**
+ * Something that cannot be done with a camera; the message says why and what to do.
+ *
+ * @since 0.1
+ */
 public final class CameraProblem extends IOException {
   private static final long serialVersionUID = 1L;
 

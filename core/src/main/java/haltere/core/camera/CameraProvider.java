@@ -9,6 +9,8 @@ import java.util.Optional;
  * give it a constructor without parameters.
  *
  * <p>Thread rule: all methods may be called from any thread.
+ *
+ * @since 0.1
  */
 public interface CameraProvider {
   /**

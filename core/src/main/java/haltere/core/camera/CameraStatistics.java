@@ -17,6 +17,7 @@ package haltere.core.camera;
  *     microseconds of their arrival, until it was done with them; 0 before the first
  * @param latency999Us the same for 999 of 1,000
  * @param longestLatencyUs the longest ever
+ * @since 0.1
  */
 public record CameraStatistics(
     long transfers,

@@ -9,6 +9,8 @@ import java.util.stream.Collectors;
  * The cameras of several providers under one roof.
  *
  * <p>Thread rule: all methods may be called from any thread.
+ *
+ * @since 0.1
  */
 public final class Cameras {
   private final List<CameraProvider> providers;

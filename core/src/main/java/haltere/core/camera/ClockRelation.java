@@ -6,6 +6,7 @@ package haltere.core.camera;
  *
  * @param cameraUs the moment on the camera's clock, microseconds
  * @param hostNanos the moment by {@link System#nanoTime}, or a little after it
+ * @since 0.1
  */
 public record ClockRelation(long cameraUs, long hostNanos) {
   private static final long NANOS_PER_US = 1000;

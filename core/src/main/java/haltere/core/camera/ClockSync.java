@@ -4,6 +4,8 @@ package haltere.core.camera;
  * A camera whose clock can follow that of another one over a wire.
  *
  * <p>Thread rule: all methods may be called from any thread.
+ *
+ * @since 0.1
  */
 public interface ClockSync {
   /**

@@ -7,6 +7,8 @@ import java.util.List;
  * All settings of a camera.
  *
  * <p>Thread rule: all methods may be called from any thread.
+ *
+ * @since 0.1
  */
 public interface Configuration {
   /**

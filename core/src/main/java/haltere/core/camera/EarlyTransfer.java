@@ -5,6 +5,8 @@ package haltere.core.camera;
  * they are.
  *
  * <p>Thread rule: all methods may be called from any thread.
+ *
+ * @since 0.1
  */
 public interface EarlyTransfer {
   /**

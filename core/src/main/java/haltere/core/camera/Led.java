@@ -4,6 +4,8 @@ package haltere.core.camera;
  * A camera with a light that says which one it is.
  *
  * <p>Thread rule: all methods may be called from any thread.
+ *
+ * @since 0.1
  */
 public interface Led {
   /** What the light does. */

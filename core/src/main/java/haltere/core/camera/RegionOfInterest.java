@@ -6,6 +6,8 @@ import java.util.Optional;
  * A camera that can be told to send the events of a part of its sensor only.
  *
  * <p>Thread rule: all methods may be called from any thread.
+ *
+ * @since 0.1
  */
 public interface RegionOfInterest {
   /**

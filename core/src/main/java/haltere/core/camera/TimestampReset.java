@@ -1,6 +1,10 @@
 package haltere.core.camera;
 
-/** A camera whose clock can be set to 0. */
+/**
+ * A camera whose clock can be set to 0.
+ *
+ * @since 0.1
+ */
 public interface TimestampReset {
   /**
    * Sets the clock to 0; in the stream a {@link haltere.core.stream.Reset} stands where it was.

@@ -1,8 +1,8 @@
 package haltere.core.chain;
 
 import haltere.core.event.SensorGeometry;
-import haltere.core.json.Json;
 import haltere.core.json.JsonProblem;
+import haltere.core.json.internal.Json;
 import haltere.core.settings.SettingsJson;
 import haltere.core.settings.SettingsProblem;
 import haltere.core.settings.SettingsSchema;
@@ -29,6 +29,8 @@ import java.util.function.Consumer;
  * Where settings have got other names since, or are no more, a note says what takes their place.
  *
  * <p>Thread rule: all methods may be called from any thread.
+ *
+ * @since 0.1
  */
 public final class ChainFile {
   private ChainFile() {}

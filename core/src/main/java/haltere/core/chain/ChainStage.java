@@ -11,6 +11,8 @@ import java.util.Objects;
  *
  * <p>Thread rule: as the chain, but {@link #timing()}, {@link #isEnabled()} and the names may be
  * read from any thread.
+ *
+ * @since 0.1
  */
 public final class ChainStage {
   private final String name;

@@ -5,6 +5,7 @@ package haltere.core.chain;
  * never sees a half-changed set.
  *
  * @param <S> its settings record
+ * @since 0.1
  */
 public interface ConfigurableFilter<S extends Record> extends EventFilter {
   /**

@@ -26,6 +26,8 @@ import java.util.List;
  * </ul>
  *
  * <p>Thread rule: all methods are called on the processing thread.
+ *
+ * @since 0.1
  */
 public interface EventFilter {
   /** Memory of a filter that does not state its own, microseconds: that of a tracker. */

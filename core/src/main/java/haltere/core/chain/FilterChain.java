@@ -26,6 +26,8 @@ import java.util.concurrent.CopyOnWriteArrayList;
  *
  * <p>Thread rule: all changes and all processing on one thread; {@link #stages()} and the numbers
  * in it may be read from any thread.
+ *
+ * @since 0.1
  */
 public final class FilterChain implements EventFilter, StreamHandler, AutoCloseable {
   private final SensorGeometry geometry;

@@ -2,7 +2,11 @@ package haltere.core.chain;
 
 import java.io.UncheckedIOException;
 
-/** A filter threw while it worked on a packet: a fault in the filter, named so that it is found. */
+/**
+ * A filter threw while it worked on a packet: a fault in the filter, named so that it is found.
+ *
+ * @since 0.1
+ */
 public final class FilterFailure extends RuntimeException {
   private static final long serialVersionUID = 1L;
 

@@ -10,6 +10,7 @@ import java.util.Map;
  * Filters}.
  *
  * @param <S> the settings record
+ * @since 0.1
  */
 public interface FilterProvider<S extends Record> {
   /**

@@ -7,6 +7,7 @@ package haltere.core.chain;
  * @param eventsIn events that came in
  * @param eventsOut events that it let through
  * @param busyNanos time spent in the filter
+ * @since 0.1
  */
 public record FilterTiming(long packets, long eventsIn, long eventsOut, long busyNanos) {
   /** A stage that has done nothing. */

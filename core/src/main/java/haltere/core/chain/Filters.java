@@ -11,6 +11,8 @@ import java.util.stream.Collectors;
  * The filters that there are, found as services on the class path and the module path.
  *
  * <p>Thread rule: all methods may be called from any thread.
+ *
+ * @since 0.1
  */
 public final class Filters {
   private Filters() {}

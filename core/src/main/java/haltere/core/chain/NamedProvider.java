@@ -7,6 +7,7 @@ import java.util.function.BiFunction;
  * A provider of one kind of filter by its name, a sentence and its constructor.
  *
  * @param <S> the settings record
+ * @since 0.1
  */
 public abstract class NamedProvider<S extends Record> implements FilterProvider<S> {
   private final String name;

@@ -13,6 +13,7 @@ import java.util.function.Consumer;
  * so they must be quick; subscribing is allowed from any thread.
  *
  * @param <T> type of the results
+ * @since 0.1
  */
 public final class Outlet<T> {
   /** Ends a subscription. */

@@ -17,6 +17,7 @@ import java.util.Optional;
  * <p>Thread rule: as {@link EventFilter}.
  *
  * @param <S> its settings record
+ * @since 0.1
  */
 public abstract class PublishingFilter<S extends Record> implements ConfigurableFilter<S> {
   private final List<Outlet<?>> outlets = new ArrayList<>();

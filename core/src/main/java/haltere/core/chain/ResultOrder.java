@@ -14,6 +14,7 @@ import java.util.function.ToLongFunction;
  * @param timeUs the time of a result
  * @param ties the order of results with the same time
  * @param <T> type of the results
+ * @since 0.1
  */
 public record ResultOrder<T>(
     long lateUs, ToLongFunction<? super T> timeUs, Comparator<? super T> ties) {

@@ -3,6 +3,8 @@ package haltere.core.event;
 /**
  * The bit layout of a packed event address: bit 31 is 0, bits 30 to 16 are y, bits 15 to 1 are x,
  * bit 0 is 1 for ON and 0 for OFF. Addresses of one sensor therefore order by row, then column.
+ *
+ * @since 0.1
  */
 public final class EventAddress {
   /** The largest coordinate an address can hold. */

@@ -33,6 +33,8 @@ import java.util.Objects;
  * }</pre>
  *
  * <p>Thread rule: not safe for use by two threads at a time.
+ *
+ * @since 0.1
  */
 public final class EventPacket {
   private static final int MAX_CAPACITY = 1 << 28;

@@ -10,6 +10,8 @@ import java.util.Objects;
  * right, y up, {@code (left(), bottom())} is the sensor's pixel at the picture's lower left corner.
  *
  * <p>Thread rule: immutable.
+ *
+ * @since 0.1
  */
 public final class Frame implements SensorReading {
   /** How a value of a pixel is stored. */

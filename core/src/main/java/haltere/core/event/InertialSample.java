@@ -16,6 +16,7 @@ package haltere.core.event;
  * @param magneticXMicrotesla magnetic field along x, in microteslas
  * @param magneticYMicrotesla magnetic field along y, in microteslas
  * @param magneticZMicrotesla magnetic field along z, in microteslas
+ * @since 0.1
  */
 public record InertialSample(
     long timeUs,

@@ -1,6 +1,10 @@
 package haltere.core.event;
 
-/** What a camera tells beside its polarity events. */
+/**
+ * What a camera tells beside its polarity events.
+ *
+ * @since 0.1
+ */
 public enum ReadingKind {
   /** A picture of the whole sensor or of a part of it. */
   FRAME("frame", "frames"),

@@ -10,6 +10,7 @@ package haltere.core.event;
  * @param width columns, 1 to {@link EventAddress#MAX_COORDINATE} + 1
  * @param height rows, 1 to {@link EventAddress#MAX_COORDINATE} + 1
  * @param origin the corner where the source's own coordinates start
+ * @since 0.1
  */
 public record SensorGeometry(int width, int height, Origin origin) {
   /** Checks the size. */

@@ -5,6 +5,8 @@ package haltere.core.event;
  * the packets, in order of time; see {@link haltere.core.stream.StreamHandler#reading}.
  *
  * <p>Thread rule: immutable; they may be kept and handed to other threads.
+ *
+ * @since 0.1
  */
 public sealed interface SensorReading permits Frame, InertialSample, Trigger {
   /**

@@ -9,6 +9,7 @@ import java.util.Objects;
  * @param source what was marked
  * @param edge which way it went
  * @param channel number of the input, 0 where there is one only
+ * @since 0.1
  */
 public record Trigger(long timeUs, Source source, Edge edge, int channel) implements SensorReading {
   /** What a trigger marks. */

@@ -26,6 +26,8 @@ import java.util.stream.Stream;
  * #problems() named}; the others work.
  *
  * <p>Thread rule: all methods may be called from any thread.
+ *
+ * @since 0.1
  */
 public final class Extensions {
   private static final ClassLoader OWN = Extensions.class.getClassLoader();

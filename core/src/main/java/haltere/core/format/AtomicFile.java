@@ -23,6 +23,8 @@ import java.util.UUID;
  * and moved there by {@link #commit()}. Closed before that, it leaves nothing.
  *
  * <p>Thread rule: one thread at a time.
+ *
+ * @since 0.1
  */
 public final class AtomicFile implements Closeable, WritableByteChannel {
   /** Ending of a file that is being written. */

@@ -13,6 +13,7 @@ import java.util.Locale;
  * @param head its first bytes, at most {@link #HEAD_BYTES}
  * @param tail its last bytes, at most {@link #TAIL_BYTES}
  * @param size bytes in the file
+ * @since 0.1
  */
 public record FileHead(Path path, byte[] head, byte[] tail, long size) {
   /** How much of the start is read. */

@@ -7,6 +7,7 @@ import java.util.Objects;
  *
  * @param support how sure it is
  * @param reason why, in a few words for a person
+ * @since 0.1
  */
 public record ProbeResult(Support support, String reason) {
   /** Checks that nothing is missing. */

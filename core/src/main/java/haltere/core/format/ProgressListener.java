@@ -5,6 +5,8 @@ package haltere.core.format;
  * thread, not from here.
  *
  * <p>Thread rule: called on the thread that does the work.
+ *
+ * @since 0.1
  */
 @FunctionalInterface
 public interface ProgressListener {

@@ -17,6 +17,7 @@ import java.util.Optional;
  * @param readings whether frames, inertial samples and triggers are wanted too
  * @param keepIndex whether the index that seeking needs is kept in a file beside the recording; one
  *     that is there is used in any case
+ * @since 0.1
  */
 public record ReadOptions(
     Optional<SensorGeometry> sensor,

@@ -10,6 +10,7 @@ import java.util.List;
  * @param frames pictures
  * @param inertialSamples samples of an inertial sensor
  * @param triggers edges and other marks
+ * @since 0.1
  */
 public record ReadingCounts(long frames, long inertialSamples, long triggers) {
   /** None of any kind. */

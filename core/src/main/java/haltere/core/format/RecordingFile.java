@@ -22,6 +22,8 @@ import java.util.Objects;
  * {@value #KEPT_BYTES} bytes, and its size is unknown until its end.
  *
  * <p>Thread rule: one thread.
+ *
+ * @since 0.1
  */
 public final class RecordingFile implements Closeable {
   private static final int KEPT_BYTES = 1 << 20;

@@ -12,6 +12,8 @@ import java.util.Set;
  * Recordings}.
  *
  * <p>Thread rule: all methods may be called from any thread.
+ *
+ * @since 0.1
  */
 public interface RecordingFormat {
   /**

@@ -11,6 +11,7 @@ package haltere.core.format;
  * @param firstUs time of the first event in microseconds, 0 without events
  * @param lastUs time of the last event in microseconds, 0 without events; before {@code firstUs} if
  *     the clock was set back
+ * @since 0.1
  */
 public record RecordingOutline(long events, long firstUs, long lastUs) {
   /** Of a recording without events. */

@@ -11,6 +11,8 @@ import java.util.Objects;
 /**
  * A recording that cannot be read or written. The message is one line for a person: the file, the
  * byte offset where there is one, what is wrong and what to do.
+ *
+ * @since 0.1
  */
 public final class RecordingProblem extends IOException {
   private static final long serialVersionUID = 1L;

@@ -16,6 +16,8 @@ import java.util.Optional;
  * the stretches between such jumps are the recording's segments.
  *
  * <p>Thread rule: one thread at a time.
+ *
+ * @since 0.1
  */
 public interface RecordingReader extends EventSource {
   /**

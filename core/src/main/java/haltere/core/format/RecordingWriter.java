@@ -11,6 +11,8 @@ import java.util.List;
  * when it is {@link #finish() finished}; closed before that, it leaves nothing.
  *
  * <p>Thread rule: one thread at a time.
+ *
+ * @since 0.1
  */
 public interface RecordingWriter extends Closeable {
   /**

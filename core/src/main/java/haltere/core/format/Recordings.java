@@ -18,6 +18,8 @@ import java.util.stream.Collectors;
  * The way into every recording: the content decides which format reads it.
  *
  * <p>Thread rule: all methods may be called from any thread.
+ *
+ * @since 0.1
  */
 public final class Recordings {
   private Recordings() {}

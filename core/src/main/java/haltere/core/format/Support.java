@@ -1,6 +1,10 @@
 package haltere.core.format;
 
-/** How sure a format is that a file is its own, from not at all to certain. */
+/**
+ * How sure a format is that a file is its own, from not at all to certain.
+ *
+ * @since 0.1
+ */
 public enum Support {
   /** The content speaks against it. */
   NONE,

@@ -5,6 +5,7 @@ package haltere.core.format;
  *
  * @param firstUs time of its first event
  * @param lastUs time of its last event, not before the first
+ * @since 0.1
  */
 public record TimeSegment(long firstUs, long lastUs) {
   /** Checks the order. */

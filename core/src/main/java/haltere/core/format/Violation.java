@@ -1,6 +1,10 @@
 package haltere.core.format;
 
-/** What can be wrong in the bytes of a recording. Decoders count these and go on where they can. */
+/**
+ * What can be wrong in the bytes of a recording. Decoders count these and go on where they can.
+ *
+ * @since 0.1
+ */
 public enum Violation {
   /** An event's pixel is not on the sensor; the event is left out. */
   OUTSIDE_SENSOR("events outside of the sensor were left out"),

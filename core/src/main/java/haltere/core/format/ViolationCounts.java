@@ -9,6 +9,8 @@ import java.util.Set;
  * Counts violations by kind and remembers where each kind was first seen.
  *
  * <p>Thread rule: one thread.
+ *
+ * @since 0.1
  */
 public final class ViolationCounts {
   private static final Violation[] KINDS = Violation.values();

@@ -21,6 +21,7 @@ import java.util.Set;
  * @param readings what will be written beside events, for formats whose header says so
  * @param stream where a recording of a {@linkplain RecordingFormat#isStreamed() streamed} format
  *     goes instead of to a file
+ * @since 0.1
  */
 public record WriteOptions(
     SensorGeometry geometry,

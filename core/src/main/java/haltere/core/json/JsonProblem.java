@@ -2,7 +2,11 @@ package haltere.core.json;
 
 import java.io.IOException;
 
-/** A text that is not the JSON it should be; the message names the file and the line. */
+/**
+ * A text that is not the JSON it should be; the message names the file and the line.
+ *
+ * @since 0.1
+ */
 public final class JsonProblem extends IOException {
   private static final long serialVersionUID = 1L;
 

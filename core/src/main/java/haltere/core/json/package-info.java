@@ -1,2 +1,2 @@
-/** The one place that knows a JSON library: text to plain Java maps and lists, and back. */
+/** What is wrong with a JSON text. */
 package haltere.core.json;

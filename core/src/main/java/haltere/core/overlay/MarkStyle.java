@@ -7,6 +7,7 @@ import java.util.Objects;
  *
  * @param role what the mark stands for
  * @param identity marks of the same identity look alike; -1 for marks without one
+ * @since 0.1
  */
 public record MarkStyle(Role role, int identity) {
   /** What a mark stands for. */

@@ -7,6 +7,7 @@ package haltere.core.overlay;
  * itself has no state.
  *
  * @param <T> type of the snapshot
+ * @since 0.1
  */
 @FunctionalInterface
 public interface Overlay<T> {

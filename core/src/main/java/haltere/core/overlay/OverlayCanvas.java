@@ -4,6 +4,8 @@ package haltere.core.overlay;
  * Takes marks in sensor coordinates: x to the right, y up, (0, 0) at the centre of the bottom left
  * pixel, one unit per pixel, angles in radians counterclockwise from x. All marks but texts are
  * lines from point to point where a canvas has nothing better.
+ *
+ * @since 0.1
  */
 public interface OverlayCanvas {
   /** Corners of an ellipse that is drawn as lines. */

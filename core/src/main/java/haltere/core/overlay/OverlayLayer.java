@@ -11,6 +11,7 @@ import java.util.function.Function;
  * @param subscribe registers a taker of snapshots and returns what ends the registration
  * @param overlay draws a snapshot
  * @param <T> type of the snapshots
+ * @since 0.1
  */
 public record OverlayLayer<T>(
     String name, Function<Consumer<? super T>, AutoCloseable> subscribe, Overlay<T> overlay) {

@@ -26,6 +26,8 @@ import java.util.function.Supplier;
  * </ul>
  *
  * <p>Thread rule: asked on the thread that hands over the camera's stream.
+ *
+ * @since 0.1
  */
 public final class CameraHeader implements Supplier<Map<String, String>> {
   private final Camera camera;

@@ -25,6 +25,8 @@ import java.util.function.Predicate;
  * before or will not be counted as played, only sinks that follow run-ups get the stream.
  *
  * <p>Thread rule: the processing thread only, but for {@link #edit}.
+ *
+ * @since 0.1
  */
 public final class ChainRunner implements StreamHandler {
   private final FilterChain chain;

@@ -23,6 +23,8 @@ import java.util.Set;
  * chain of filters if wanted. The file that is written appears when all of it is there.
  *
  * <p>Thread rule: everything happens on the calling thread.
+ *
+ * @since 0.1
  */
 public final class Conversion {
   private final long fromUs;

@@ -23,6 +23,7 @@ import java.util.Map;
  * @param stages each stage of the chain in order
  * @param files what was written
  * @param elapsedS time of the job, in seconds
+ * @since 0.1
  */
 public record JobReport(
     Path recording,

@@ -12,6 +12,8 @@ import java.util.List;
  * nothing.
  *
  * <p>Thread rule: the processing thread.
+ *
+ * @since 0.1
  */
 public interface JobResults extends Closeable {
   /**

@@ -26,6 +26,8 @@ import java.util.concurrent.locks.ReentrantLock;
  *
  * <p>Thread rule: one producer uses it as a {@link StreamHandler}, one consumer as an {@link
  * EventSource}; the counts may be read from any thread.
+ *
+ * @since 0.1
  */
 public final class LiveBuffer implements StreamHandler, EventSource {
   private final SensorGeometry geometry;

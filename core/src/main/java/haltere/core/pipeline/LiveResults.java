@@ -33,6 +33,8 @@ import java.util.function.Predicate;
  *
  * <p>Thread rule: opened before the chain runs or on its thread, used as a handler on the
  * processing thread; the counts and {@link #close()} from any thread.
+ *
+ * @since 0.1
  */
 public final class LiveResults implements StreamHandler, Closeable {
   private static final int ROOM = 16_384;

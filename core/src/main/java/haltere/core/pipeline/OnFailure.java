@@ -1,6 +1,10 @@
 package haltere.core.pipeline;
 
-/** What happens when a filter or a sink throws. */
+/**
+ * What happens when a filter or a sink throws.
+ *
+ * @since 0.1
+ */
 public enum OnFailure {
   /** The run stops and the caller gets what was thrown. */
   STOP,

@@ -16,6 +16,8 @@ import java.util.List;
  * or none.
  *
  * <p>Thread rule: the processing thread.
+ *
+ * @since 0.1
  */
 public final class OutletTables {
   /** Says where the table of an outlet goes. */

@@ -1,6 +1,10 @@
 package haltere.core.pipeline;
 
-/** What happens to a packet for which there is no room. */
+/**
+ * What happens to a packet for which there is no room.
+ *
+ * @since 0.1
+ */
 public enum OverflowPolicy {
   /** The producer waits: nothing is lost. For recordings. */
   BLOCK,

@@ -13,6 +13,8 @@ import java.util.concurrent.TimeUnit;
  * <p>Thread rule: one producer ({@link #take}, {@link #poll}, {@link #hand}) and one consumer
  * ({@link #receive}, {@link #tryReceive}, {@link #release}); each owns a packet between getting it
  * and giving it away.
+ *
+ * @since 0.1
  */
 public final class PacketPool {
   /** The first {@link #freeCount} of these are free; also the lock of both. */

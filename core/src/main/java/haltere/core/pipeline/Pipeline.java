@@ -11,6 +11,8 @@ import java.util.List;
  * works on those that the source lends.
  *
  * <p>Thread rule: everything runs on the caller's thread.
+ *
+ * @since 0.1
  */
 public final class Pipeline {
   private Pipeline() {}

@@ -9,6 +9,8 @@ import java.util.concurrent.atomic.AtomicLongArray;
  * between two packets.
  *
  * <p>Thread rule: one thread counts, any thread reads.
+ *
+ * @since 0.1
  */
 public final class PipelineCounters {
   /** A counter, with what it counts in a sentence. */

@@ -41,6 +41,8 @@ import java.util.Optional;
  * {@link #finish()} and {@link #close()}.
  *
  * <p>Thread rule: one thread hands over the stream; everything else may be called from any thread.
+ *
+ * @since 0.1
  */
 public final class Recorder implements StreamHandler, Closeable {
   /** Events of a packet that waits for the disk. */

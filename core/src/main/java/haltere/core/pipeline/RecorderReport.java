@@ -21,6 +21,7 @@ import java.util.Optional;
  *     first hundred
  * @param stoppedBy the jump or the end that the recording was over with, if it was
  * @param failure why it failed, in one line, if it did
+ * @since 0.1
  */
 public record RecorderReport(
     long received,

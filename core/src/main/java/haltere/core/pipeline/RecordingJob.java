@@ -32,6 +32,8 @@ import java.util.function.UnaryOperator;
  *
  * <p>Thread rule: immutable. {@link #run} does everything on the calling thread; a job may run
  * several times, also at once if its results go to different places.
+ *
+ * @since 0.1
  */
 public final class RecordingJob {
   /** Opens the recording of a job. */

@@ -10,6 +10,8 @@ import java.util.function.Consumer;
  * the chain, where the filters have done with the packet.
  *
  * <p>Thread rule: the processing thread.
+ *
+ * @since 0.1
  */
 final class ResultFailure implements Consumer<RuntimeException>, StreamHandler {
   private RuntimeException first;

@@ -36,6 +36,8 @@ import java.util.function.Supplier;
  * {@link Recorder}.
  *
  * <p>Thread rule: one thread hands over the stream and ends it; the rest may be called from any.
+ *
+ * @since 0.1
  */
 public final class SessionRecorder implements StreamHandler, Closeable {
   /** Makes the writer of a part. */

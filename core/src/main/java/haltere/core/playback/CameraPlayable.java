@@ -24,6 +24,8 @@ import java.util.OptionalLong;
  * the camera sees nothing.
  *
  * <p>Thread rule: as {@link Playable}; {@link #isUnplugged} from any thread.
+ *
+ * @since 0.1
  */
 public final class CameraPlayable implements Playable {
   private static final long PATIENCE_NANOS = 5_000_000;

@@ -21,6 +21,8 @@ import java.util.OptionalLong;
  *
  * <p>Thread rule: as {@link Playable}; {@link #isLive()}, {@link #keptFromUs()} and {@link
  * #keptToUs()} from any thread.
+ *
+ * @since 0.1
  */
 public final class KeptPlayable implements Playable {
   private final Playable source;

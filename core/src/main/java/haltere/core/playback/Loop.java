@@ -10,6 +10,7 @@ import java.util.OptionalLong;
  * @param on whether playback starts again; if not, the points mean nothing
  * @param inUs elapsed time of the first event of the loop in microseconds, empty for the start
  * @param outUs elapsed time in microseconds that ends the loop and is not played, empty for the end
+ * @since 0.1
  */
 public record Loop(boolean on, OptionalLong inUs, OptionalLong outUs) {
   /** Plays once. */

@@ -8,6 +8,7 @@ import java.util.Objects;
  *
  * @param name for a person
  * @param elapsedUs elapsed time, microseconds, at least 0
+ * @since 0.1
  */
 public record Mark(String name, long elapsedUs) implements Comparable<Mark> {
   /** Checks that there is a name. */

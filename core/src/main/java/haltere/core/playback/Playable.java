@@ -12,6 +12,8 @@ import java.util.OptionalLong;
  *
  * <p>Thread rule: as its source, one thread at a time; {@link #name()}, {@link #geometry()}, {@link
  * #durationUs()} and {@link #seekable()} may be called from any thread.
+ *
+ * @since 0.1
  */
 public interface Playable extends EventSource {
   /**

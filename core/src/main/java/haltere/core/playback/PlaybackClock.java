@@ -8,6 +8,8 @@ import java.util.function.LongSupplier;
  * from the last change, never added up, so they do not drift.
  *
  * <p>Thread rule: one thread at a time.
+ *
+ * @since 0.1
  */
 public final class PlaybackClock {
   /** The slowest speed: one ten-thousandth of real time. */

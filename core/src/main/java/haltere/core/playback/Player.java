@@ -46,6 +46,8 @@ import java.util.function.Consumer;
  * processing thread, and futures are completed there. The player owns its playable and closes it,
  * the chain stays the caller's, but nobody else may work with it between {@link #start()} and
  * {@link #close()}.
+ *
+ * @since 0.1
  */
 public final class Player implements AutoCloseable {
   private final PlaybackThread thread;

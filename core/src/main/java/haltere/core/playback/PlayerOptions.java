@@ -12,6 +12,7 @@ import java.util.function.LongSupplier;
  * @param paused whether it shows its first slice and waits
  * @param nanoTime the clock, nanoseconds
  * @param sleeper how to wait for it; used by one player only
+ * @since 0.1
  */
 public record PlayerOptions(
     Slicing slicing,

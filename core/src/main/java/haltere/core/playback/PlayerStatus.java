@@ -28,6 +28,7 @@ package haltere.core.playback;
  * @param runUpUs recording time that has still to go through the chain before the moment that was
  *     asked for is shown, microseconds; 0 where nothing is waited for
  * @param message the last failure in one line, or empty
+ * @since 0.1
  */
 public record PlayerStatus(
     State state,

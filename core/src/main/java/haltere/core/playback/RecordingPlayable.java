@@ -18,6 +18,8 @@ import java.util.OptionalLong;
  * behind its last.
  *
  * <p>Thread rule: as {@link Playable}.
+ *
+ * @since 0.1
  */
 public final class RecordingPlayable implements Playable {
   private final RecordingReader reader;

@@ -16,6 +16,8 @@ import java.util.function.Supplier;
  * behind the last event.
  *
  * <p>Thread rule: as {@link Playable}.
+ *
+ * @since 0.1
  */
 public final class ScenePlayable implements Playable {
   private final Supplier<? extends EventSource> scenes;

@@ -7,6 +7,8 @@ import java.util.concurrent.TimeUnit;
  * How a processing thread waits for its clock. A test has one that moves a manual clock instead.
  *
  * <p>Thread rule: {@link #sleep} on one thread, {@link #wake} from any.
+ *
+ * @since 0.1
  */
 public interface Sleeper {
   /**

@@ -13,6 +13,8 @@ import haltere.core.stream.StreamHandler;
  * such as files, get events once, as they are played.
  *
  * <p>Thread rule: called on the player's processing thread.
+ *
+ * @since 0.1
  */
 public interface SliceSink extends StreamHandler {
   /**

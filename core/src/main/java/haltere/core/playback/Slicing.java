@@ -3,6 +3,8 @@ package haltere.core.playback;
 /**
  * How a stream is cut into the slices that are shown one after the other. A slice does not depend
  * on the packets of the source. What ends the continuity of the stream ends a slice too.
+ *
+ * @since 0.1
  */
 public sealed interface Slicing {
   /**

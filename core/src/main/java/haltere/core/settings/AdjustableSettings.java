@@ -6,6 +6,7 @@ import java.util.List;
  * A settings record of which a copy with some other values can be asked for.
  *
  * @param <S> the record itself
+ * @since 0.1
  */
 public interface AdjustableSettings<S extends Record & AdjustableSettings<S>> {
   /**

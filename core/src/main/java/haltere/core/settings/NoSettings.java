@@ -1,6 +1,10 @@
 package haltere.core.settings;
 
-/** The settings of something that has none. */
+/**
+ * The settings of something that has none.
+ *
+ * @since 0.1
+ */
 public record NoSettings() {
   /**
    * The only value.

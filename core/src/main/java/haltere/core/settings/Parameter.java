@@ -16,6 +16,7 @@ import java.util.List;
  * @param defaultValue value in the record's defaults
  * @param choices names that an enum can take, else empty
  * @param label what it is called, empty for its name in words
+ * @since 0.1
  */
 public record Parameter(
     String name,

@@ -10,6 +10,8 @@ import java.util.stream.Collectors;
 /**
  * Settings as the plain values of a JSON object, and back. Nested records are nested objects; an
  * enum is its name in lower case; what a text leaves out keeps its default.
+ *
+ * @since 0.1
  */
 public final class SettingsJson {
   private SettingsJson() {}

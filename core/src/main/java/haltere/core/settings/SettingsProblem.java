@@ -1,6 +1,10 @@
 package haltere.core.settings;
 
-/** A setting that does not exist or a value that it cannot take; the message says which can. */
+/**
+ * A setting that does not exist or a value that it cannot take; the message says which can.
+ *
+ * @since 0.1
+ */
 public final class SettingsProblem extends IllegalArgumentException {
   private static final long serialVersionUID = 1L;
 

@@ -28,6 +28,7 @@ import java.util.stream.Stream;
  * <p>Thread rule: immutable, may be used from any thread.
  *
  * @param <S> the settings record
+ * @since 0.1
  */
 public final class SettingsSchema<S extends Record> {
   private static final Map<Class<?>, SettingsSchema<?>> CACHE = new ConcurrentHashMap<>();

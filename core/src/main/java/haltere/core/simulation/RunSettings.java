@@ -13,6 +13,7 @@ import java.util.OptionalLong;
  * @param startUs time of the beginning, microseconds
  * @param durationS length, seconds, 0 for endless
  * @param truthRateHz rows of ground truth a second
+ * @since 0.1
  */
 public record RunSettings(
     @Help("The same seed makes the same events.")

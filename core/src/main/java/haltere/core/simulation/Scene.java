@@ -12,6 +12,7 @@ import java.util.OptionalLong;
  * thread at the same time.
  *
  * @param <T> the record of one row of ground truth; its component names are the columns
+ * @since 0.1
  */
 public interface Scene<T extends Record> extends EventSource {
   /**

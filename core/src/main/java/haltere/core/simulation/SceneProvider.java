@@ -8,6 +8,7 @@ import haltere.core.settings.SettingsSchema;
  * Scenes}.
  *
  * @param <S> the settings record
+ * @since 0.1
  */
 public interface SceneProvider<S extends Record> {
   /**

@@ -9,6 +9,8 @@ import java.util.TreeMap;
  * The scenes that there are, found as services on the class path and the module path.
  *
  * <p>Thread rule: all methods may be called from any thread.
+ *
+ * @since 0.1
  */
 public final class Scenes {
   private Scenes() {}

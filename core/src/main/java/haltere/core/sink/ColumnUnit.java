@@ -8,6 +8,7 @@ import java.util.Optional;
  *
  * @param ending of the name, such as {@code _px_s}
  * @param symbol as it is shown, such as px/s
+ * @since 0.1
  */
 public record ColumnUnit(String ending, String symbol) {
   /** The longer ones first. */

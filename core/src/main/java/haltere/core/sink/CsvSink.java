@@ -17,6 +17,7 @@ import java.util.Objects;
  * <p>Thread rule: one thread at a time.
  *
  * @param <R> type of the rows, a {@link #isFlat flat} record
+ * @since 0.1
  */
 public final class CsvSink<R extends Record> implements TableSink<R> {
   private final AtomicFile file;

@@ -10,6 +10,7 @@ import java.util.regex.Pattern;
  * @param scheme the way of transport
  * @param host a name or a number, {@code *} for all of this machine, without the brackets of IPv6
  * @param port 0 to 65535; 0 has one chosen where the transport listens
+ * @since 0.1
  */
 public record LineAddress(String scheme, String host, int port) {
   private static final Pattern FORM =

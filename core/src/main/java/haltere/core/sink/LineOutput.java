@@ -9,6 +9,8 @@ import java.util.Optional;
  * soon as there is room again, if the way of transport allows that.
  *
  * <p>Thread rule: lines are handed over by one thread; everything else may be called by any.
+ *
+ * @since 0.1
  */
 public interface LineOutput extends Closeable {
   /**

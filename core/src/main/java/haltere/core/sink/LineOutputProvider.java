@@ -8,6 +8,8 @@ import java.io.IOException;
  * come in a jar of its own.
  *
  * <p>Thread rule: all methods may be called from any thread.
+ *
+ * @since 0.1
  */
 public interface LineOutputProvider {
   /**

@@ -9,6 +9,8 @@ import java.util.TreeMap;
  * The ways of transport that there are, found as services.
  *
  * <p>Thread rule: all methods may be called from any thread.
+ *
+ * @since 0.1
  */
 public final class LineOutputs {
   private LineOutputs() {}

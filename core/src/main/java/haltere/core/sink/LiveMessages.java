@@ -32,6 +32,8 @@ import java.util.Objects;
  * them, or {@code refused}: there are too many receivers; those two have no number.
  *
  * <p>Thread rule: one thread at a time.
+ *
+ * @since 0.1
  */
 public final class LiveMessages {
   private final Clock clock;

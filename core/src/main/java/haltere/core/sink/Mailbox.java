@@ -11,6 +11,7 @@ import java.util.concurrent.atomic.AtomicReference;
  * <p>Thread rule: one thread puts, another takes; the counts may be read from any thread.
  *
  * @param <T> type of the values, immutable or handed over for good
+ * @since 0.1
  */
 public final class Mailbox<T> {
   private final AtomicReference<T> latest = new AtomicReference<>();

@@ -21,6 +21,8 @@ import java.util.regex.Pattern;
  * without boxes. A {@link TableFormat} reads rows with it.
  *
  * <p>Thread rule: immutable.
+ *
+ * @since 0.1
  */
 public final class RowFields {
   /** Takes the value of a component. */

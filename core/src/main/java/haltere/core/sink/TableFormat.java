@@ -9,6 +9,8 @@ import java.io.IOException;
  * jar of its own.
  *
  * <p>Thread rule: all methods may be called from any thread.
+ *
+ * @since 0.1
  */
 public interface TableFormat {
   /**

@@ -6,6 +6,8 @@ import java.util.Map;
 /**
  * What a table says of itself: program, chain and recording that it was made with. CSV has no place
  * for it.
+ *
+ * @since 0.1
  */
 @FunctionalInterface
 public interface TableMetadata {

@@ -11,6 +11,7 @@ import java.util.function.Consumer;
  * <p>Thread rule: one thread at a time.
  *
  * @param <R> type of the rows, a {@link CsvSink#isFlat flat} record
+ * @since 0.1
  */
 public interface TableSink<R extends Record> extends Consumer<R>, Closeable {
   /**

@@ -16,6 +16,8 @@ import java.util.TreeMap;
  * TableFormat}.
  *
  * <p>Thread rule: all methods may be called from any thread.
+ *
+ * @since 0.1
  */
 public final class Tables {
   /** Ending of comma separated text. */

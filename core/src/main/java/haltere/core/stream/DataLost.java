@@ -10,6 +10,7 @@ import java.util.Objects;
  * @param fromUs time of the last event before the gap, or {@link StreamNotification#NO_TIME_US}
  * @param toUs time of the first event after the gap, or {@link StreamNotification#NO_TIME_US}
  * @param place who lost them, in words for a person
+ * @since 0.1
  */
 public record DataLost(long bytes, long estimatedEvents, long fromUs, long toUs, String place)
     implements StreamNotification {

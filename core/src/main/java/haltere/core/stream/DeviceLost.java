@@ -7,6 +7,7 @@ import java.util.Objects;
  *
  * @param device which camera, in words for a person
  * @param lastUs time of the last event that arrived, or {@link StreamNotification#NO_TIME_US}
+ * @since 0.1
  */
 public record DeviceLost(String device, long lastUs) implements StreamNotification {
   /** Checks that the device is named. */

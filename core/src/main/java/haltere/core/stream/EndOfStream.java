@@ -4,6 +4,7 @@ package haltere.core.stream;
  * The last notification of every stream: give out what you still hold.
  *
  * @param lastUs time of the last event, or {@link StreamNotification#NO_TIME_US} if there was none
+ * @since 0.1
  */
 public record EndOfStream(long lastUs) implements StreamNotification {
   @Override

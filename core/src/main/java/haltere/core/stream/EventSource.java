@@ -9,6 +9,8 @@ import java.io.IOException;
  * keeps the grammar of {@link StreamNotification}.
  *
  * <p>Thread rule: one thread at a time.
+ *
+ * @since 0.1
  */
 public interface EventSource extends Closeable {
   /**

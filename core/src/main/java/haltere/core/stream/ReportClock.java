@@ -6,6 +6,8 @@ package haltere.core.stream;
  * the same wherever a stream begins and however it is cut.
  *
  * <p>Thread rule: that of its owner.
+ *
+ * @since 0.1
  */
 public final class ReportClock {
   private static final long BLOCK_US = 1_000_000_000;

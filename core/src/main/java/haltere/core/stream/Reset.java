@@ -8,6 +8,7 @@ import java.util.Objects;
  * @param cause why
  * @param lastUs time of the last event before, or {@link StreamNotification#NO_TIME_US}
  * @param nextUs time of the first event after, or {@link StreamNotification#NO_TIME_US}
+ * @since 0.1
  */
 public record Reset(Cause cause, long lastUs, long nextUs) implements StreamNotification {
   /** Why continuity ended. */

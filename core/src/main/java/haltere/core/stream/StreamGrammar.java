@@ -8,6 +8,8 @@ import java.util.Objects;
 /**
  * Stands before another handler and checks that the stream keeps the grammar of {@link
  * StreamNotification}, that times do not descend and that pixels lie on the sensor.
+ *
+ * @since 0.1
  */
 public final class StreamGrammar implements StreamHandler {
   private enum State {

@@ -7,6 +7,8 @@ import java.util.function.Consumer;
 /**
  * Takes a stream: packets, readings and notifications, one at a time, in order, on the processing
  * thread.
+ *
+ * @since 0.1
  */
 public interface StreamHandler {
   /**

@@ -21,6 +21,8 @@ package haltere.core.stream;
  * forget it.
  *
  * <p>Thread rule: immutable; delivered on the processing thread.
+ *
+ * @since 0.1
  */
 public sealed interface StreamNotification
     permits StreamStarted, Reset, DataLost, DeviceLost, EndOfStream {

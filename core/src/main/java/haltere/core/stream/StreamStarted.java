@@ -8,6 +8,7 @@ import java.util.Objects;
  *
  * @param geometry the sensor that the events come from
  * @param source what a person would call the source: a file's name, a camera's, a scene's
+ * @since 0.1
  */
 public record StreamStarted(SensorGeometry geometry, String source) implements StreamNotification {
   /** Checks that nothing is missing. */

@@ -27,10 +27,4 @@ class SensorGeometryTest {
     assertThrows(IllegalArgumentException.class, () -> new SensorGeometry(32_769, 5));
     assertEquals(1 << 30, new SensorGeometry(32_768, 32_768).pixels());
   }
-
-  @Test
-  void aPolarityIsOnOrOff() {
-    assertEquals(Polarity.ON, Polarity.of(true));
-    assertEquals(Polarity.OFF, Polarity.of(false));
-  }
 }

@@ -10,7 +10,7 @@ import haltere.core.chain.FilterChain;
 import haltere.core.chain.Outlet;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.core.json.Json;
+import haltere.core.json.internal.Json;
 import haltere.core.sink.Column;
 import haltere.core.sink.LineOutput;
 import haltere.core.stream.EndOfStream;

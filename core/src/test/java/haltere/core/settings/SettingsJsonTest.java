@@ -3,7 +3,7 @@ package haltere.core.settings;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
-import haltere.core.json.Json;
+import haltere.core.json.internal.Json;
 import haltere.core.settings.SettingsSchemaTest.Band;
 import haltere.core.settings.SettingsSchemaTest.Mood;
 import haltere.core.settings.SettingsSchemaTest.Whole;

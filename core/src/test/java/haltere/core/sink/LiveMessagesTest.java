@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import haltere.core.event.SensorGeometry;
-import haltere.core.json.Json;
+import haltere.core.json.internal.Json;
 import haltere.core.stream.DataLost;
 import haltere.core.stream.DeviceLost;
 import haltere.core.stream.EndOfStream;

@@ -18,5 +18,7 @@
  * a spectral density, so that tuning does not depend on the event rate. Symbols are those of the
  * literature: x state, P its covariance, F transition, Q process noise, z measurement, H its
  * Jacobian, R its noise, y innovation, S its covariance, K gain.
+ *
+ * @since 0.1
  */
 package haltere.filters.estimation;

@@ -19,6 +19,8 @@ import java.util.Objects;
  * the cell had that frequency.
  *
  * <p>Thread rule: not safe for use by two threads at a time.
+ *
+ * @since 0.1
  */
 public final class FrequencyMap {
   /** Periods after which a frequency that is not found again is not told any more. */

@@ -14,7 +14,7 @@ import haltere.core.stream.ReportClock;
  *
  * <p>Thread rule: as {@link haltere.core.chain.EventFilter}.
  */
-public final class FrequencyMapFilter extends PublishingFilter<FrequencyMapSettings> {
+final class FrequencyMapFilter extends PublishingFilter<FrequencyMapSettings> {
   private final Outlet<PixelFrequency> frequencies = outlet("frequencies", PixelFrequency.class);
   private final SensorGeometry geometry;
   private final FrequencyMap map;

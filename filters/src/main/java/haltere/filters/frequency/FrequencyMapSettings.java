@@ -12,6 +12,7 @@ import haltere.core.settings.Unit;
  * @param maxFrequencyHz highest frequency that is told
  * @param tolerance relative difference up to which two periods count as equal
  * @param reportRateHz reports a second of event time
+ * @since 0.1
  */
 public record FrequencyMapSettings(
     @Help("A lower value finds slower flicker and keeps a frequency for longer.")

@@ -9,6 +9,7 @@ import haltere.core.sink.Column;
  * @param frequencyHz reciprocal of the period of its events, hertz
  * @param x column of the pixel
  * @param y row of the pixel, upwards
+ * @since 0.1
  */
 public record PixelFrequency(
     @Column("t_us") long timeUs, @Column(decimals = 3) double frequencyHz, int x, int y) {}

@@ -27,6 +27,8 @@ import java.util.function.Consumer;
  * lost by that, because what is older than the longest correlation time supports nobody.
  *
  * <p>Thread rule: not safe for use by two threads at a time.
+ *
+ * @since 0.1
  */
 public final class BackgroundActivity {
   /**

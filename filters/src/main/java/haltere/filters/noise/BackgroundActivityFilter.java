@@ -12,7 +12,7 @@ import haltere.core.event.SensorGeometry;
  *
  * <p>Thread rule: as {@link haltere.core.chain.EventFilter}.
  */
-public final class BackgroundActivityFilter extends PublishingFilter<BackgroundActivitySettings> {
+final class BackgroundActivityFilter extends PublishingFilter<BackgroundActivitySettings> {
   private final Outlet<BackgroundActivityShare> shares =
       outlet("shares", BackgroundActivityShare.class);
   private final BackgroundActivity activity;

@@ -10,6 +10,7 @@ import haltere.core.sink.Column;
  * @param events how many came in
  * @param passedShare share of them that passed, 0 to 1
  * @param removedShare share of them that were removed, 0 to 1
+ * @since 0.1
  */
 public record BackgroundActivityShare(
     @Column("t_us") long timeUs,

@@ -28,6 +28,8 @@ import java.util.Objects;
  * <p>What counts are the events that come in, so a blocked pixel is still watched.
  *
  * <p>Thread rule: not safe for use by two threads at a time.
+ *
+ * @since 0.1
  */
 public final class HotPixels {
   /** Bit of a cell that says that its pixel is blocked; the other bits count the events. */

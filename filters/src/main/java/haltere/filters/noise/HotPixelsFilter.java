@@ -6,7 +6,7 @@ import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 
 /** {@link HotPixels} as a stage of a chain. */
-public final class HotPixelsFilter implements ConfigurableFilter<HotPixelsSettings> {
+final class HotPixelsFilter implements ConfigurableFilter<HotPixelsSettings> {
   private final HotPixels hotPixels;
 
   /**

@@ -13,6 +13,7 @@ import haltere.core.settings.Unit;
  * @param ratio multiple of its neighbours' mean rate above which it is
  * @param calmPeriods learning periods after which a pixel that is no longer hot passes again
  * @param mostBlocked how many pixels may be blocked
+ * @since 0.1
  */
 public record HotPixelsSettings(
     @Help("After each period of this length it is decided anew which pixels are hot.")

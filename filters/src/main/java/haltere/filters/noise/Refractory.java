@@ -11,6 +11,8 @@ import java.util.Objects;
  * first event of a pixel passes.
  *
  * <p>Thread rule: not safe for use by two threads at a time.
+ *
+ * @since 0.1
  */
 public final class Refractory {
   /**

@@ -8,6 +8,8 @@ import haltere.core.event.SensorGeometry;
 /**
  * {@link Refractory} as a stage of a chain, and the template of a filter: settings in {@link
  * RefractorySettings}, algorithm in {@link Refractory}, and here what makes a filter of them.
+ *
+ * @since 0.1
  */
 public final class RefractoryFilter implements ConfigurableFilter<RefractorySettings> {
   private final Refractory refractory;

@@ -10,6 +10,7 @@ import haltere.core.settings.Unit;
  *
  * @param periodUs how long a pixel must have been silent
  * @param silence from which event on silence counts
+ * @since 0.1
  */
 public record RefractorySettings(
     @Help("An event passes if its pixel was silent for longer than this.")

@@ -10,23 +10,16 @@ import haltere.core.event.SensorGeometry;
  * {@link BodyLineTracker} as a stage of a chain. Lets all events through; publishes a {@link
  * BodyLine} at each report, which {@link BodyOrientationEstimator} takes from two cameras and more.
  */
-public final class BodyLineFilter extends PublishingFilter<BodyLineSettings> {
+final class BodyLineFilter extends PublishingFilter<BodyLineSettings> {
   private final Outlet<BodyLine> lines =
       drawnOutlet("lines", BodyLine.class, "body line", new BodyLineOverlay());
   private final BodyLineTracker tracker;
 
-  /**
-   * A filter in its initial state.
-   *
-   * @param geometry the sensor whose events it will see
-   * @param settings what to do
-   */
-  public BodyLineFilter(SensorGeometry geometry, BodyLineSettings settings) {
+  BodyLineFilter(SensorGeometry geometry, BodyLineSettings settings) {
     tracker = new BodyLineTracker(geometry, settings, lines::publish);
   }
 
-  /** {@return the outlet of the lines, one at each report} */
-  public Outlet<BodyLine> lines() {
+  Outlet<BodyLine> lines() {
     return lines;
   }
 

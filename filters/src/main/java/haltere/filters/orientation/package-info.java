@@ -13,5 +13,7 @@
  * <p>World units are metres, image units pixels in the camera's own coordinates (whatever its
  * matrix maps to), angles radians unless a name says otherwise. Nothing here knows of the chain
  * except what is called a filter.
+ *
+ * @since 0.1
  */
 package haltere.filters.orientation;

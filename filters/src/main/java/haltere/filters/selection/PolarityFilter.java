@@ -5,7 +5,7 @@ import haltere.core.chain.NamedProvider;
 import haltere.core.event.EventPacket;
 
 /** {@link PolaritySelection} as a stage of a chain. */
-public final class PolarityFilter implements ConfigurableFilter<PolaritySettings> {
+final class PolarityFilter implements ConfigurableFilter<PolaritySettings> {
   private final PolaritySelection polarity;
 
   /**

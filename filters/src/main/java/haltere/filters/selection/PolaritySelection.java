@@ -8,6 +8,8 @@ import java.util.Objects;
  * Passes the events of one polarity, or of both.
  *
  * <p>Thread rule: not safe for use by two threads at a time.
+ *
+ * @since 0.1
  */
 public final class PolaritySelection {
   private PolaritySettings settings;

@@ -7,6 +7,7 @@ import haltere.core.settings.SettingsSchema;
  * Settings of {@link PolarityFilter}.
  *
  * @param keep which events pass
+ * @since 0.1
  */
 public record PolaritySettings(
     @Help("Which events pass: all, those where it got brighter, or those where it got darker.")

@@ -8,6 +8,8 @@ import java.util.Objects;
  * Passes the events inside, or those outside, of a rectangle of pixels.
  *
  * <p>Thread rule: not safe for use by two threads at a time.
+ *
+ * @since 0.1
  */
 public final class Region {
   private RegionSettings settings;

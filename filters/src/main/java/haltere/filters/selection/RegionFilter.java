@@ -5,7 +5,7 @@ import haltere.core.chain.NamedProvider;
 import haltere.core.event.EventPacket;
 
 /** {@link Region} as a stage of a chain. */
-public final class RegionFilter implements ConfigurableFilter<RegionSettings> {
+final class RegionFilter implements ConfigurableFilter<RegionSettings> {
   private final Region region;
 
   /**

@@ -13,6 +13,7 @@ import haltere.core.settings.Unit;
  * @param widthPx columns of the rectangle
  * @param heightPx rows of the rectangle
  * @param keep which events pass
+ * @since 0.1
  */
 public record RegionSettings(
     @Help("First column of the rectangle, 0 at the left.")

@@ -27,7 +27,7 @@ import java.util.function.LongConsumer;
  *
  * <p>Thread rule: not safe for use by two threads at a time.
  */
-public final class KalmanTracks {
+final class KalmanTracks {
   private final SensorGeometry geometry;
   private final LongConsumer atReport;
   private final ClusterTracker clusters;

@@ -36,7 +36,7 @@ import haltere.core.sink.Column;
  * @param pYvy entry of P
  * @param pVyvy entry of P
  */
-public record TrackUpdate(
+record TrackUpdate(
     @Column("t_us") long timeUs,
     int id,
     double measuredX,

@@ -1,6 +1,10 @@
 package haltere.filters.trail;
 
-/** A row of a tracker: where an object is in the picture at one time, and how fast it moves. */
+/**
+ * A row of a tracker: where an object is in the picture at one time, and how fast it moves.
+ *
+ * @since 0.1
+ */
 public interface TrailPoint {
   /** {@return time on the clock of the events, microseconds} */
   long timeUs();

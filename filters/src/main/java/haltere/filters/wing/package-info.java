@@ -1,6 +1,7 @@
 /**
  * The wings of a tethered fly: the settings of their tracker and what it says. The tracker itself
- * is in {@code wing.tracker}, the search for the fly in {@code wing.search}, and what follows the
- * stroke of one wing in {@code wing.stroke}; nothing here knows those.
+ * is in {@code wing.tracker}; nothing here knows it.
+ *
+ * @since 0.1
  */
 package haltere.filters.wing;

@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import haltere.core.format.internal.hdf5.Hdf5TableWriter;
 import haltere.core.format.internal.hdf5.Hdf5TableWriter.Column;
 import haltere.core.format.internal.hdf5.Hdf5TableWriter.Kind;
-import haltere.core.json.Json;
+import haltere.core.json.internal.Json;
 import haltere.core.simulation.internal.flight.FlightScene;
 import haltere.filters.orientation.camera.LineObservation;
 import haltere.filters.orientation.camera.ObservationFile;

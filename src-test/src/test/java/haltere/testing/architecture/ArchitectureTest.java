@@ -89,7 +89,7 @@ class ArchitectureTest {
             .resideInAPackage("haltere.core..")
             .and()
             .resideOutsideOfPackages(
-                "haltere.core.json",
+                "haltere.core.json.internal",
                 "haltere.core.format.internal.aedat4",
                 "haltere.core.format.internal.packed")
             .should()
@@ -98,10 +98,11 @@ class ArchitectureTest {
     check(
         classes()
             .that()
-            .resideInAPackage("haltere.core.json")
+            .resideInAPackage("haltere.core.json.internal")
             .should()
             .onlyDependOnClassesThat(
-                resideInAnyPackage("java..", "haltere.core.json", "com.fasterxml.jackson.core..")));
+                resideInAnyPackage(
+                    "java..", "haltere.core.json..", "com.fasterxml.jackson.core..")));
     check(
         classes()
             .that()
@@ -140,7 +141,10 @@ class ArchitectureTest {
             .should()
             .onlyDependOnClassesThat(
                 resideInAnyPackage(
-                    "java..", "haltere.core.settings", "haltere.core.event", "haltere.core.json")));
+                    "java..",
+                    "haltere.core.settings",
+                    "haltere.core.event",
+                    "haltere.core.json..")));
   }
 
   @Test

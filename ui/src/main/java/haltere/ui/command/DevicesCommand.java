@@ -2,7 +2,7 @@ package haltere.ui.command;
 
 import haltere.core.camera.CameraInfo;
 import haltere.core.camera.Cameras;
-import haltere.core.json.Json;
+import haltere.core.json.internal.Json;
 import haltere.ui.command.terminal.Quantities;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;

@@ -7,7 +7,7 @@ import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.summary.Gap;
 import haltere.core.format.summary.RecordingSummary;
-import haltere.core.json.Json;
+import haltere.core.json.internal.Json;
 import haltere.core.stream.StreamNotification;
 import haltere.ui.command.terminal.ProgressBar;
 import haltere.ui.command.terminal.Quantities;

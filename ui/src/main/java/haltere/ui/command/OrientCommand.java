@@ -1,6 +1,6 @@
 package haltere.ui.command;
 
-import haltere.core.json.Json;
+import haltere.core.json.internal.Json;
 import haltere.core.settings.SettingsJson;
 import haltere.core.settings.SettingsProblem;
 import haltere.core.settings.SettingsSchema;

@@ -1,8 +1,8 @@
 package haltere.ui.command;
 
 import haltere.core.event.SensorGeometry;
-import haltere.core.json.Json;
 import haltere.core.json.JsonProblem;
+import haltere.core.json.internal.Json;
 import haltere.core.settings.Parameter;
 import haltere.core.settings.SettingsJson;
 import haltere.core.settings.SettingsProblem;

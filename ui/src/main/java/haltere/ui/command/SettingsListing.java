@@ -1,6 +1,6 @@
 package haltere.ui.command;
 
-import haltere.core.json.Json;
+import haltere.core.json.internal.Json;
 import haltere.core.settings.Parameter;
 import java.util.LinkedHashMap;
 import java.util.List;

@@ -4,7 +4,7 @@ import haltere.core.camera.Camera;
 import haltere.core.chain.FilterChain;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.AtomicFile;
-import haltere.core.json.Json;
+import haltere.core.json.internal.Json;
 import haltere.core.pipeline.JobReport;
 import haltere.core.pipeline.JobResults;
 import haltere.core.pipeline.RecordingJob;

@@ -2,8 +2,8 @@ package haltere.ui.viewer;
 
 import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
-import haltere.core.json.Json;
 import haltere.core.json.JsonProblem;
+import haltere.core.json.internal.Json;
 import haltere.ui.viewer.feature.UserSettings;
 import haltere.ui.viewer.session.SessionRequest;
 import java.util.LinkedHashMap;

@@ -6,8 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.chain.FilterProvider;
 import haltere.core.chain.Filters;
-import haltere.core.json.Json;
 import haltere.core.json.JsonProblem;
+import haltere.core.json.internal.Json;
 import haltere.core.settings.Parameter;
 import java.util.List;
 import java.util.Map;

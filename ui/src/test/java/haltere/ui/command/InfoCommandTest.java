@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import haltere.core.json.Json;
+import haltere.core.json.internal.Json;
 import haltere.testing.Recorded;
 import java.awt.image.BufferedImage;
 import java.io.IOException;

@@ -1,6 +1,6 @@
 package haltere.ui.space;
 
-import haltere.core.json.Json;
+import haltere.core.json.internal.Json;
 import haltere.core.simulation.internal.flight.FlightDetection;
 import haltere.core.simulation.internal.flight.FlightScene;
 import haltere.core.simulation.internal.flight.FlightSettings;

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.chain.ChainStage;
 import haltere.core.format.ReadOptions;
-import haltere.core.json.Json;
+import haltere.core.json.internal.Json;
 import haltere.ui.rendering.DisplayMode;
 import haltere.ui.viewer.controls.Theme;
 import haltere.ui.viewer.feature.UserSettings;

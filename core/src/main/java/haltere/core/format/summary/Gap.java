@@ -9,5 +9,6 @@ package haltere.core.format.summary;
  * @param toUs time of the first event after it, or {@link
  *     haltere.core.stream.StreamNotification#NO_TIME_US}
  * @param told whether the source itself says that data were lost there
+ * @since 0.1
  */
 public record Gap(long fromUs, long toUs, boolean told) {}

@@ -15,6 +15,8 @@ import java.util.List;
  * of equal length.
  *
  * <p>Thread rule: immutable.
+ *
+ * @since 0.1
  */
 public final class RateProfile {
   private final long durationUs;

@@ -41,6 +41,7 @@ import java.util.Set;
  * @param segments stretches between which the clock goes back; the first {@link #MAX_LISTED}
  * @param readings frames, inertial samples and triggers that it holds beside the events
  * @param warnings what a user should know: assumptions of the reader and what was wrong or left out
+ * @since 0.1
  */
 public record RecordingSummary(
     String format,

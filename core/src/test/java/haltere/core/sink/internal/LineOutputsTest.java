@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import haltere.core.json.Json;
+import haltere.core.json.internal.Json;
 import haltere.core.sink.LineAddress;
 import haltere.core.sink.LineOutput;
 import haltere.core.sink.LineOutputProvider;

@@ -1,8 +1,8 @@
 package haltere.filters.orientation.camera;
 
 import haltere.core.format.RecordingFile;
-import haltere.core.json.Json;
 import haltere.core.json.JsonProblem;
+import haltere.core.json.internal.Json;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;

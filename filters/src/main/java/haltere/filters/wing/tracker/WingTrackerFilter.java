@@ -13,7 +13,6 @@ import haltere.filters.wing.WingDifference;
 import haltere.filters.wing.WingEstimate;
 import haltere.filters.wing.WingListener;
 import haltere.filters.wing.WingMeasurement;
-import haltere.filters.wing.WingOverlay;
 import haltere.filters.wing.WingPair;
 import haltere.filters.wing.WingResult;
 import haltere.filters.wing.WingSnapshot;

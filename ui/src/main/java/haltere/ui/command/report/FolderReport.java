@@ -7,7 +7,7 @@ import haltere.core.chain.FilterChain;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.Recordings;
-import haltere.core.json.Json;
+import haltere.core.json.internal.Json;
 import haltere.core.pipeline.ChainRunner;
 import haltere.core.pipeline.OnFailure;
 import haltere.core.pipeline.PipelineCounters;

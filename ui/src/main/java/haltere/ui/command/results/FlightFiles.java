@@ -1,7 +1,7 @@
 package haltere.ui.command.results;
 
 import haltere.core.format.AtomicFile;
-import haltere.core.json.Json;
+import haltere.core.json.internal.Json;
 import haltere.core.simulation.internal.flight.FlightCamera;
 import haltere.core.simulation.internal.flight.FlightDetection;
 import haltere.core.simulation.internal.flight.FlightScene;

@@ -1,7 +1,7 @@
 package haltere.ui.viewer.feature;
 
 import haltere.core.format.AtomicFile;
-import haltere.core.json.Json;
+import haltere.core.json.internal.Json;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;

@@ -8,7 +8,7 @@ import haltere.core.camera.BiasSliders.Slider;
 import haltere.core.camera.Biases;
 import haltere.core.camera.Camera;
 import haltere.core.camera.RegionOfInterest;
-import haltere.core.json.Json;
+import haltere.core.json.internal.Json;
 import haltere.core.sink.LineAddress;
 import haltere.device.simulated.Plug;
 import haltere.filters.frequency.PixelRegion;

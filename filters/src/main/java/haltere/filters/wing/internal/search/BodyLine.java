@@ -1,6 +1,5 @@
 package haltere.filters.wing.internal.search;
 
-import haltere.filters.estimation.NormalEquations;
 import java.util.Arrays;
 
 /**

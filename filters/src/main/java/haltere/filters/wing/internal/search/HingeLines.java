@@ -1,7 +1,5 @@
 package haltere.filters.wing.internal.search;
 
-import haltere.filters.estimation.NormalEquations;
-
 /**
  * The point where a wing is hinged: at any instant the events of one wing lie on a line through it.
  * Lines go through pairs of events that came shortly after each other; the point is the one nearest

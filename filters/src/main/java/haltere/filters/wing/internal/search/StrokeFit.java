@@ -1,7 +1,6 @@
 package haltere.filters.wing.internal.search;
 
 import haltere.filters.estimation.Angles;
-import haltere.filters.estimation.NormalEquations;
 import haltere.filters.wing.internal.stroke.StrokeSeed;
 import java.util.Arrays;
 

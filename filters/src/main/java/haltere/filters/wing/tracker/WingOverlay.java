@@ -1,16 +1,19 @@
-package haltere.filters.wing;
+package haltere.filters.wing.tracker;
 
 import haltere.core.overlay.MarkStyle;
 import haltere.core.overlay.MarkStyle.Role;
 import haltere.core.overlay.Overlay;
 import haltere.core.overlay.OverlayCanvas;
+import haltere.filters.wing.FlyGeometry;
+import haltere.filters.wing.WingSnapshot;
+import haltere.filters.wing.WingTrackerState;
 import java.util.Locale;
 
 /**
  * Draws the body with its heading, the hinges, the region of interest, the four edges and how sure
  * they are.
  */
-public final class WingOverlay implements Overlay<WingSnapshot> {
+final class WingOverlay implements Overlay<WingSnapshot> {
   private static final double BODY_SHARE = 0.45;
   private static final double BODY_WIDTH_SHARE = 0.15;
   private static final double LETTER_SHARE = 1.05;

@@ -1,4 +1,4 @@
-package haltere.filters.wing;
+package haltere.filters.wing.tracker;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -16,6 +16,9 @@ import haltere.core.stream.StreamNotification;
 import haltere.filters.DefaultChain;
 import haltere.filters.estimation.Angles;
 import haltere.filters.estimation.ConstMatrix;
+import haltere.filters.wing.FlyGeometry;
+import haltere.filters.wing.WingSnapshot;
+import haltere.filters.wing.WingTrackerState;
 import haltere.testing.EventPackets;
 import java.io.IOException;
 import java.util.ArrayList;

@@ -1,5 +1,6 @@
-package haltere.filters.estimation;
+package haltere.filters.wing.internal.search;
 
+import haltere.filters.estimation.Require;
 import java.util.Arrays;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
@@ -13,7 +14,7 @@ import org.ejml.interfaces.linsol.LinearSolverDense;
  *
  * <p>Nothing is allocated by gathering. Thread rule: not safe for use by two threads at a time.
  */
-public final class NormalEquations {
+final class NormalEquations {
   private final int n;
   private final DMatrixRMaj a;
   private final double[] b;
@@ -22,19 +23,15 @@ public final class NormalEquations {
   private final DMatrixRMaj solution = new DMatrixRMaj(1, 1);
   private final LinearSolverDense<DMatrixRMaj> solver = LinearSolverFactory_DDRM.chol(1);
 
-  /**
-   * Equations without any information.
-   *
-   * @param unknowns how many, at least 1
-   */
-  public NormalEquations(int unknowns) {
+  /** Equations without any information. */
+  NormalEquations(int unknowns) {
     n = Require.atLeast("unknowns", 1, unknowns);
     a = new DMatrixRMaj(n, n);
     b = new double[n];
   }
 
   /** Forgets everything. */
-  public void clear() {
+  void clear() {
     Arrays.fill(a.data, 0);
     Arrays.fill(b, 0);
   }
@@ -47,7 +44,7 @@ public final class NormalEquations {
    * @param length how many entries of the row count
    * @param residual measured minus expected
    */
-  public void add(double weight, double[] row, int length, double residual) {
+  void add(double weight, double[] row, int length, double residual) {
     double[] d = a.data;
     for (int i = 0; i < length; i++) {
       double scaled = weight * row[i];
@@ -68,7 +65,7 @@ public final class NormalEquations {
    * @param difference believed value minus present value
    * @param sd standard deviation of the belief, positive
    */
-  public void believe(int index, double difference, double sd) {
+  void believe(int index, double difference, double sd) {
     double weight = 1 / (sd * sd);
     a.data[index * n + index] += weight;
     b[index] += weight * difference;
@@ -81,7 +78,7 @@ public final class NormalEquations {
    * @param from the unknown here that is the first one there
    * @param scale factor of their information
    */
-  public void addInformation(NormalEquations other, int from, double scale) {
+  void addInformation(NormalEquations other, int from, double scale) {
     for (int i = 0; i < other.n; i++) {
       for (int j = 0; j <= i; j++) {
         a.data[(from + i) * n + from + j] += scale * other.a.data[i * other.n + j];
@@ -96,7 +93,7 @@ public final class NormalEquations {
    * @param out gets the step, {@code unknowns} entries
    * @return false where A is not positive definite
    */
-  public boolean solve(int unknowns, double[] out) {
+  boolean solve(int unknowns, double[] out) {
     CommonOps_DDRM.extract(a, 0, unknowns, 0, unknowns, leading);
     CommonOps_DDRM.symmLowerToFull(leading);
     right.reshape(unknowns, 1);
