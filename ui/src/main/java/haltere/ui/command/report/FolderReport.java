@@ -12,7 +12,7 @@ import haltere.core.pipeline.ChainRunner;
 import haltere.core.pipeline.OnFailure;
 import haltere.core.pipeline.PipelineCounters;
 import haltere.core.pipeline.RecordingJob;
-import haltere.core.sink.SvgPlot;
+import haltere.core.sink.internal.SvgPlot;
 import haltere.core.stream.EventSource;
 import haltere.ui.command.results.LatestSnapshots;
 import haltere.ui.command.terminal.Quantities;
