@@ -2,7 +2,6 @@ package haltere.ui.command;
 
 import haltere.core.json.internal.Json;
 import haltere.core.settings.SettingsJson;
-import haltere.core.settings.SettingsProblem;
 import haltere.core.settings.SettingsSchema;
 import haltere.filters.orientation.OrientationSettings;
 import haltere.filters.orientation.camera.CameraFile;
@@ -17,11 +16,11 @@ import haltere.ui.command.terminal.Quantities;
 import java.io.IOException;
 import java.nio.charset.CharacterCodingException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
@@ -246,21 +245,11 @@ final class OrientCommand extends Subcommand {
           case "original" -> OrientationSettings.original();
           default -> throw wrongArguments("there is no preset " + preset + "; there is: original");
         };
-    List<String> all = new ArrayList<>();
-    if (gateAngleDeg != null) {
-      all.add("gate.angleDeg=" + gateAngleDeg);
-    }
-    if (minAreaPx != null) {
-      all.add("gate.minAreaPx=" + minAreaPx);
-    }
-    if (minEccentricity != null) {
-      all.add("gate.minEccentricity=" + minEccentricity);
-    }
-    all.addAll(assignments);
-    try {
-      return start.with(all.toArray(new String[0]));
-    } catch (SettingsProblem problem) {
-      throw wrongArguments(problem.getMessage());
-    }
+    Map<String, Object> options = new LinkedHashMap<>();
+    options.put("gate.angleDeg", gateAngleDeg);
+    options.put("gate.minAreaPx", minAreaPx);
+    options.put("gate.minEccentricity", minEccentricity);
+    options.values().removeIf(Objects::isNull);
+    return assigned(OrientationSettings.class, start, options, assignments);
   }
 }

@@ -8,6 +8,8 @@ import haltere.core.pipeline.JobReport;
 import haltere.core.pipeline.JobResults;
 import haltere.core.pipeline.RecordingJob;
 import haltere.core.pipeline.internal.Provenance;
+import haltere.core.settings.SettingsProblem;
+import haltere.core.settings.SettingsSchema;
 import haltere.core.sink.Tables;
 import haltere.ui.command.terminal.LiveStatus;
 import haltere.ui.command.terminal.ProgressBar;
@@ -19,7 +21,9 @@ import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.io.OutputStream;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
@@ -244,6 +248,19 @@ abstract class Subcommand implements Callable<Integer> {
       throw wrongArguments("there is no preset " + name + "; there is: " + known);
     }
     return found;
+  }
+
+  /** Settings with those that options, by the settings' names, and assignments say. */
+  <S extends Record> S assigned(
+      Class<S> type, S settings, Map<String, Object> options, List<String> assignments) {
+    List<String> all = new ArrayList<>();
+    options.forEach((name, value) -> all.add(name + "=" + value));
+    all.addAll(assignments);
+    try {
+      return SettingsSchema.of(type).withAssignments(settings, all);
+    } catch (SettingsProblem problem) {
+      throw wrongArguments(problem.getMessage());
+    }
   }
 
   ParameterException wrongArguments(String message) {

@@ -10,8 +10,6 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.pipeline.JobResults;
 import haltere.core.pipeline.RecordingJob;
 import haltere.core.pipeline.ResultFiles;
-import haltere.core.settings.SettingsProblem;
-import haltere.core.settings.SettingsSchema;
 import haltere.core.sink.TableMetadata;
 import haltere.core.sink.TableSink;
 import haltere.filters.object.ObjectTrack;
@@ -29,6 +27,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -281,12 +280,7 @@ final class TrackCommand extends Subcommand {
   }
 
   private <S extends Record> S assigned(Class<S> type, S settings, String rate) {
-    try {
-      List<String> all =
-          Stream.concat(assignments.stream(), Stream.of(rate + "=" + rateHz)).toList();
-      return SettingsSchema.of(type).withAssignments(settings, all);
-    } catch (SettingsProblem problem) {
-      throw wrongArguments(problem.getMessage());
-    }
+    Stream<String> all = Stream.concat(assignments.stream(), Stream.of(rate + "=" + rateHz));
+    return assigned(type, settings, Map.of(), all.toList());
   }
 }

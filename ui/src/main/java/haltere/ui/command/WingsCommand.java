@@ -9,7 +9,6 @@ import haltere.core.pipeline.JobReport;
 import haltere.core.pipeline.JobResults;
 import haltere.core.pipeline.RecordingJob;
 import haltere.core.pipeline.ResultFiles;
-import haltere.core.settings.SettingsProblem;
 import haltere.core.stream.StreamHandler;
 import haltere.filters.wing.WingBeat;
 import haltere.filters.wing.WingEstimate;
@@ -22,10 +21,12 @@ import haltere.ui.wing.WingLog;
 import haltere.ui.wing.WingLogFormat;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.Objects;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -210,28 +211,16 @@ final class WingsCommand extends Subcommand {
         preset == null
             ? WingTrackerSettings.defaults()
             : preset(new WingTrackerFilter.Provider(), preset);
-    List<String> all = new ArrayList<>();
-    if (method != null) {
-      all.add("filter.method=" + method(method));
+    if (initialHz != null && !(initialHz > 0)) {
+      throw wrongArguments("--initial-frequency is " + initialHz + ", it must be above 0 Hz");
     }
-    if (rateHz != null) {
-      all.add("output.rateHz=" + rateHz);
-    }
-    if (initialHz != null) {
-      if (!(initialHz > 0)) {
-        throw wrongArguments("--initial-frequency is " + initialHz + ", it must be above 0 Hz");
-      }
-      all.add("search.startFrequencyHz=" + initialHz);
-    }
-    if (flipHeading) {
-      all.add("place.flipHeading=true");
-    }
-    all.addAll(assignments);
-    try {
-      return start.with(all.toArray(new String[0]));
-    } catch (SettingsProblem problem) {
-      throw wrongArguments(problem.getMessage());
-    }
+    Map<String, Object> options = new LinkedHashMap<>();
+    options.put("filter.method", method == null ? null : method(method));
+    options.put("output.rateHz", rateHz);
+    options.put("search.startFrequencyHz", initialHz);
+    options.put("place.flipHeading", flipHeading ? true : null);
+    options.values().removeIf(Objects::isNull);
+    return assigned(WingTrackerSettings.class, start, options, assignments);
   }
 
   private WingMethod method(String name) {

@@ -130,10 +130,8 @@ public final class Lane {
   }
 
   /**
-   * Time of the newest sample of a field.
-   *
-   * @param field one that is plotted here
-   * @return microseconds, {@link Long#MIN_VALUE} where there is none
+   * Time of the newest sample of a field that is plotted here, microseconds; {@link Long#MIN_VALUE}
+   * where there is none.
    */
   public long lastUs(PlotField field) {
     long lastUs = Long.MIN_VALUE;

@@ -32,13 +32,8 @@ public record SpaceTimeProjection(
   private static final double MARGIN = 0.88;
 
   /**
-   * A projection in which the whole box fits at zoom 1.
-   *
-   * @param view from where it is looked at
-   * @param sensor columns and rows
-   * @param width of the picture without the room for names, pixels
-   * @param height of the picture without the room for names, pixels
-   * @return the projection
+   * A projection of a sensor, seen from a view, in which the whole box fits at zoom 1 into a
+   * picture of a size in pixels without the room for names.
    */
   public static SpaceTimeProjection of(
       SpaceTimeView view, SensorGeometry sensor, double width, double height) {
@@ -62,25 +57,12 @@ public record SpaceTimeProjection(
         depth / view.spanUs());
   }
 
-  /**
-   * Place to the right of the middle.
-   *
-   * @param x column
-   * @param ageUs age, microseconds
-   * @return pixels
-   */
+  /** Place of a column at an age in microseconds to the right of the middle, pixels. */
   public double across(double x, double ageUs) {
     return ((x - halfWidth) * cosTurn + depth(ageUs) * sinTurn) * scale;
   }
 
-  /**
-   * Place above the middle.
-   *
-   * @param x column
-   * @param y row, upwards
-   * @param ageUs age, microseconds
-   * @return pixels
-   */
+  /** Place of a column and row, upwards, at an age in microseconds above the middle, pixels. */
   public double up(double x, double y, double ageUs) {
     return ((y - halfHeight) * cosTilt - away(x, ageUs) * sinTilt) * scale;
   }

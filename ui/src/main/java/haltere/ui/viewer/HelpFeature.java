@@ -23,19 +23,17 @@ final class HelpFeature implements ViewerFeature {
   @Override
   public void install(ViewerContext window) {
     CommandPalette palette = new CommandPalette(window.stage(), window.actions());
-    window
-        .actions()
-        .add(
-            ViewerAction.of("palette", "Find a command\u2026", "Help", palette::show)
-                .withKey("Shortcut+K")
-                .withHelp("Searches all commands by their words and does the one chosen."),
-            ViewerAction.of(
-                    "keys", "Keys", "Help", () -> KeysDialog.show(window.stage(), window.actions()))
-                .withKey("F1"),
-            ViewerAction.of("manual", "Manual", "Help", () -> Manual.show(window.stage()))
-                .withHelp("What the viewer can do, to be read beside it."),
-            ViewerAction.of("about", "About Haltere", "Help", () -> about(window.stage()))
-                .withHelp("Version, Java and licences."));
+    window.add(
+        ViewerAction.of("palette", "Find a command\u2026", "Help", palette::show)
+            .withKey("Shortcut+K")
+            .withHelp("Searches all commands by their words and does the one chosen."),
+        ViewerAction.of(
+                "keys", "Keys", "Help", () -> KeysDialog.show(window.stage(), window.actions()))
+            .withKey("F1"),
+        ViewerAction.of("manual", "Manual", "Help", () -> Manual.show(window.stage()))
+            .withHelp("What the viewer can do, to be read beside it."),
+        ViewerAction.of("about", "About Haltere", "Help", () -> about(window.stage()))
+            .withHelp("Version, Java and licences."));
   }
 
   private static void about(Stage owner) {

@@ -31,12 +31,10 @@ final class LayoutFeature implements ViewerFeature {
         .filter(Map.class::isInstance)
         .map(kept -> (Map<?, ?>) kept)
         .ifPresent(kept -> kept.forEach((name, layout) -> layouts.put(name.toString(), layout)));
-    window
-        .actions()
-        .add(
-            ViewerAction.of("keep-layout", "Keep this layout\u2026", MENU, this::ask)
-                .withHelp("Keeps under a name which panels are shown and how large they are."),
-            ViewerAction.of("layout-picture", "Picture alone", MENU, this::hidePanels));
+    window.add(
+        ViewerAction.of("keep-layout", "Keep this layout\u2026", MENU, this::ask)
+            .withHelp("Keeps under a name which panels are shown and how large they are."),
+        ViewerAction.of("layout-picture", "Picture alone", MENU, this::hidePanels));
     offer();
   }
 
@@ -79,11 +77,9 @@ final class LayoutFeature implements ViewerFeature {
   private void offer() {
     window.settings().put(NAME, Map.copyOf(layouts));
     for (String name : List.copyOf(layouts.keySet())) {
-      window
-          .actions()
-          .add(
-              ViewerAction.of("layout-" + name, name, MENU, () -> choose(name)),
-              ViewerAction.of("remove-layout-" + name, name, MENU + "/Remove", () -> remove(name)));
+      window.add(
+          ViewerAction.of("layout-" + name, name, MENU, () -> choose(name)),
+          ViewerAction.of("remove-layout-" + name, name, MENU + "/Remove", () -> remove(name)));
     }
   }
 

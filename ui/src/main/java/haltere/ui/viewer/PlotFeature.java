@@ -36,26 +36,23 @@ final class PlotFeature implements ViewerFeature {
         });
     BooleanProperty apart = new SimpleBooleanProperty();
     followPlace(window, plots, shown, apart);
-    window
-        .actions()
-        .add(
-            ViewerAction.toggle("plots-apart", "Plots in a window of their own", "View", apart)
-                .withHelp("Takes the plots out of this window, such as to another screen."),
-            ViewerAction.of(
-                "save-plot-table",
-                "Save plots as table\u2026",
-                "File",
-                () ->
-                    window.dialogs().table().ifPresent(file -> saving.plots(file, plots.table()))),
-            ViewerAction.of(
-                "save-plot-picture",
-                "Save plots as picture\u2026",
-                "File",
-                () ->
-                    window
-                        .dialogs()
-                        .picture()
-                        .ifPresent(file -> saving.plots(file, plots.snapshot(null, null)))));
+    window.add(
+        ViewerAction.toggle("plots-apart", "Plots in a window of their own", "View", apart)
+            .withHelp("Takes the plots out of this window, such as to another screen."),
+        ViewerAction.of(
+            "save-plot-table",
+            "Save plots as table\u2026",
+            "File",
+            () -> window.dialogs().table().ifPresent(file -> saving.plots(file, plots.table()))),
+        ViewerAction.of(
+            "save-plot-picture",
+            "Save plots as picture\u2026",
+            "File",
+            () ->
+                window
+                    .dialogs()
+                    .picture()
+                    .ifPresent(file -> saving.plots(file, plots.snapshot(null, null)))));
   }
 
   /** Plots are at one place at a time: closing their window puts them below the events again. */

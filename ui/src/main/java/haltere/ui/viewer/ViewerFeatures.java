@@ -56,8 +56,7 @@ final class ViewerFeatures {
   }
 
   private static void quit(ViewerContext window) {
-    window
-        .actions()
-        .add(ViewerAction.of("quit", "Quit", "File", window.stage()::close).withKey("Shortcut+Q"));
+    window.add(
+        ViewerAction.of("quit", "Quit", "File", window.stage()::close).withKey("Shortcut+Q"));
   }
 }

@@ -16,12 +16,7 @@ import javafx.stage.Window;
 public final class KeysDialog {
   private KeysDialog() {}
 
-  /**
-   * Opens the list and returns at once.
-   *
-   * @param owner the window that it belongs to
-   * @param actions whose keys are listed
-   */
+  /** Opens the list of the keys of actions over a window and returns at once. */
   public static void show(Window owner, ViewerActions actions) {
     GridPane grid = new GridPane();
     grid.setHgap(18);

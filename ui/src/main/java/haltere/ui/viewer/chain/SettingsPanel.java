@@ -73,12 +73,8 @@ final class SettingsPanel<S extends Record> extends VBox {
   }
 
   /**
-   * A panel for a record of any type.
-   *
-   * @param stage the stage whose filter takes the settings
-   * @param settings the settings in force
-   * @param editor sends new ones
-   * @return a panel
+   * A panel for a record of any type: the settings in force of a stage's filter, of which the
+   * editor sends new ones.
    */
   @SuppressWarnings("unchecked")
   static <S extends Record> SettingsPanel<S> of(ChainStage stage, S settings, ChainEditor editor) {

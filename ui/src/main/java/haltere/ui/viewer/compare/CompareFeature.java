@@ -101,12 +101,10 @@ public final class CompareFeature implements ViewerFeature {
     shown = window.panels().offer("compare", "Compare", PanelPlace.BESIDE, () -> named);
     firstName.visibleProperty().bind(shown);
     firstName.managedProperty().bind(shown);
-    window
-        .actions()
-        .add(
-            ViewerAction.toggle("compare", "Compare with a second chain", "Chain", shown)
-                .withKey("Shortcut+D")
-                .withHelp("Both work on the same events; their numbers stand side by side."));
+    window.add(
+        ViewerAction.toggle("compare", "Compare with a second chain", "Chain", shown)
+            .withKey("Shortcut+D")
+            .withHelp("Both work on the same events; their numbers stand side by side."));
     window
         .panels()
         .viewBar()
@@ -152,16 +150,13 @@ public final class CompareFeature implements ViewerFeature {
 
   private void begin(int start, ViewerSession session, String json) {
     DisplayOptions options = window.display().options();
-    window
-        .background()
-        .file(
-            () -> new SecondChain(Sources.chain(session.chain().geometry(), json), options),
-            made -> {
-              if (start == starts) {
-                begin(session, made);
-              }
-            },
-            window.status()::showProblem);
+    window.file(
+        () -> new SecondChain(Sources.chain(session.chain().geometry(), json), options),
+        made -> {
+          if (start == starts) {
+            begin(session, made);
+          }
+        });
   }
 
   private void begin(ViewerSession session, SecondChain made) {

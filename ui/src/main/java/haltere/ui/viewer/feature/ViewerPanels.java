@@ -65,15 +65,7 @@ public final class ViewerPanels extends BorderPane {
   private boolean repaintAsked;
   private long numbersNanos;
 
-  /**
-   * Panels without anything to show.
-   *
-   * @param menu what stands above them
-   * @param playback the transport, which bars and plots ask
-   * @param editor changes the chain that is shown
-   * @param statusLine what stands below them
-   * @param display how events are shown
-   */
+  /** Panels without anything to show, between the menu above and the status line below. */
   public ViewerPanels(
       MenuBar menu,
       PlaybackController playback,

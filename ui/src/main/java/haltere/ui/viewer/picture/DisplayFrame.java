@@ -57,10 +57,8 @@ public final class DisplayFrame {
   }
 
   /**
-   * End of what is shown.
-   *
-   * @return microseconds of the stream; {@link StreamNotification#NO_TIME_US} before the first
-   *     events
+   * End of what is shown, microseconds of the stream; {@link StreamNotification#NO_TIME_US} before
+   * the first events.
    */
   public long timeUs() {
     return timeUs;

@@ -42,11 +42,7 @@ final class SensorPicture {
   private boolean marksVisible = true;
   private int drawn;
 
-  /**
-   * An empty picture.
-   *
-   * @param scaleHere whether there is no graphics card to do it
-   */
+  /** An empty picture; without a graphics card it is scaled here. */
   SensorPicture(boolean scaleHere) {
     this.scaleHere = scaleHere;
     image.setVisible(false);
@@ -157,11 +153,7 @@ final class SensorPicture {
     place = place.map(now -> now.withMarks(visible));
   }
 
-  /**
-   * Draws all anew.
-   *
-   * @param layers draws what lies over the frame and its marks
-   */
+  /** Draws all anew, with what lies over the frame and its marks. */
   void draw(Consumer<OverlayCanvas> layers) {
     if (!image.isVisible()) {
       return;

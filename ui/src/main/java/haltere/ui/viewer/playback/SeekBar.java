@@ -198,11 +198,7 @@ public final class SeekBar extends Region {
     return logarithmic;
   }
 
-  /**
-   * Marks moments, such as triggers, by ticks.
-   *
-   * @param elapsedUs in ascending order, microseconds
-   */
+  /** Marks moments in ascending order, such as triggers, by ticks. */
   public void setTicks(long[] elapsedUs) {
     ticks = elapsedUs.clone();
     dirty = true;

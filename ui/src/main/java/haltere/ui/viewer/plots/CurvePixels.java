@@ -1,12 +1,9 @@
 package haltere.ui.viewer.plots;
 
 import haltere.ui.rendering.LinePainter;
-import java.nio.IntBuffer;
+import haltere.ui.viewer.controls.PixelImage;
 import java.util.Arrays;
 import javafx.scene.image.ImageView;
-import javafx.scene.image.PixelBuffer;
-import javafx.scene.image.PixelFormat;
-import javafx.scene.image.WritableImage;
 
 /**
  * Pixels that the curves of a lane are drawn into, transparent but for the curves. JavaFX's own
@@ -16,13 +13,11 @@ import javafx.scene.image.WritableImage;
  * <p>Thread rule: JavaFX thread only.
  */
 final class CurvePixels {
-  private final ImageView view = new ImageView();
+  private final PixelImage view = new PixelImage();
   private final LinePainter painter = new LinePainter();
-  private PixelBuffer<IntBuffer> pixels;
   private double density;
 
   CurvePixels() {
-    view.setManaged(false);
     view.setMouseTransparent(true);
   }
 
@@ -39,18 +34,9 @@ final class CurvePixels {
     density = newDensity;
     int columns = Math.max(1, (int) Math.ceil(width * density));
     int rows = Math.max(1, (int) Math.ceil(height * density));
-    if (pixels == null || pixels.getWidth() != columns || pixels.getHeight() != rows) {
-      pixels =
-          new PixelBuffer<>(
-              columns,
-              rows,
-              IntBuffer.allocate(columns * rows),
-              PixelFormat.getIntArgbPreInstance());
-      view.setImage(new WritableImage(pixels));
-      painter.setTarget(pixels.getBuffer().array(), columns, rows);
-    } else {
-      Arrays.fill(pixels.getBuffer().array(), 0);
-    }
+    view.allocate(columns, rows);
+    Arrays.fill(view.pixels(), 0);
+    painter.setTarget(view.pixels(), columns, rows);
     view.setX(left);
     view.setFitWidth(columns / density);
     view.setFitHeight(rows / density);
@@ -70,6 +56,6 @@ final class CurvePixels {
 
   /** Shows what was drawn. */
   void end() {
-    pixels.updateBuffer(all -> null);
+    view.repaint();
   }
 }

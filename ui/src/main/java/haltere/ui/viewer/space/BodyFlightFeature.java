@@ -21,14 +21,12 @@ public final class BodyFlightFeature implements ViewerFeature {
   @Override
   public void install(ViewerContext installed) {
     window = installed;
-    window
-        .actions()
-        .add(
-            ViewerAction.of("body-flight", "Orientation in space\u2026", "File", this::choose)
-                .withHelp(
-                    "Shows a body's axis in space, how sure it is, and the cameras; from a table"
-                        + " of observations (CSV, or HDF5 of Flydra) and a file of cameras, or a"
-                        + " .braidz file."));
+    window.add(
+        ViewerAction.of("body-flight", "Orientation in space\u2026", "File", this::choose)
+            .withHelp(
+                "Shows a body's axis in space, how sure it is, and the cameras; from a table"
+                    + " of observations (CSV, or HDF5 of Flydra) and a file of cameras, or a"
+                    + " .braidz file."));
   }
 
   private void choose() {

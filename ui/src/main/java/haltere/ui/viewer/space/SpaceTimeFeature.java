@@ -47,7 +47,7 @@ public final class SpaceTimeFeature implements ViewerFeature {
 
   private void setSpan(double spanUs) {
     sink.ifPresent(open -> open.setSpan((long) spanUs));
-    window.sessions().session().ifPresent(open -> open.player().refresh());
+    window.ifOpen(open -> open.player().refresh());
   }
 
   private void follow(Optional<ViewerSession> session) {

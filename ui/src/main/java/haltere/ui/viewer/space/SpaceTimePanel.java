@@ -59,11 +59,7 @@ final class SpaceTimePanel extends BorderPane {
   private double dragY;
   private boolean dirty = true;
 
-  /**
-   * A panel that shows no events yet.
-   *
-   * @param marksShown whether marks of filters are drawn
-   */
+  /** A panel that shows no events yet, and marks of filters while they are shown. */
   SpaceTimePanel(ReadOnlyBooleanProperty marksShown) {
     this.marksShown = marksShown;
     marksShown.addListener(changed -> dirty = true);

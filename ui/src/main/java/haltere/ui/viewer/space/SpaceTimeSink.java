@@ -36,11 +36,7 @@ final class SpaceTimeSink implements SliceSink {
   private long nowUs;
   private long tracedUs;
 
-  /**
-   * A sink that has no events yet.
-   *
-   * @param chain whose marks are shown
-   */
+  /** A sink that has no events yet, and shows the marks of a chain. */
   SpaceTimeSink(FilterChain chain) {
     taps = new LayerTaps(chain);
   }
