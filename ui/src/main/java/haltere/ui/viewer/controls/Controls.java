@@ -8,6 +8,7 @@ import javafx.scene.control.ToggleButton;
 import javafx.scene.control.Tooltip;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.Region;
+import javafx.scene.layout.StackPane;
 import javafx.scene.shape.Rectangle;
 import javafx.util.Duration;
 
@@ -52,8 +53,13 @@ public final class Controls {
     }
   }
 
+  /** The words that appear when the mouse rests on a node; empty where there are none. */
+  public static String help(Node node) {
+    return (String) node.getProperties().getOrDefault(HELP, "");
+  }
+
   private static void showHelp(Node node) {
-    String text = (String) node.getProperties().get(HELP);
+    String text = help(node);
     if (node.getProperties().get(TOOLTIP) instanceof Tooltip tooltip) {
       if (text.isEmpty()) {
         Tooltip.uninstall(node, tooltip);
@@ -76,6 +82,28 @@ public final class Controls {
     button.getStyleClass().addAll(Styles.BUTTON_ICON, Styles.FLAT);
     help(button, help);
     button.setAccessibleText(help);
+  }
+
+  /**
+   * A place for a control that cannot always work, where the reason appears when the mouse rests on
+   * it: a control that is off hears of no mouse.
+   */
+  public static Node place(Node control) {
+    StackPane place = new StackPane(control);
+    place.setPickOnBounds(true);
+    return place;
+  }
+
+  /**
+   * Switches a control off that has a {@link #place}.
+   *
+   * @param obstacle why it cannot work; on if that is empty
+   */
+  public static void unless(String obstacle, Node... controls) {
+    for (Node control : controls) {
+      control.setDisable(!obstacle.isEmpty());
+      help(control.getParent(), obstacle);
+    }
   }
 
   /** Shows of a region what lies within its bounds and nothing else. */
