@@ -1,6 +1,6 @@
 package haltere.ui.viewer.playback;
 
-import haltere.core.format.RateProfile;
+import haltere.core.format.summary.RateProfile;
 import haltere.core.playback.Loop;
 import haltere.core.playback.Mark;
 import haltere.core.playback.PlayerStatus;
