@@ -97,19 +97,6 @@ public final class JavaFxOverlayCanvas implements OverlayCanvas {
   }
 
   @Override
-  public void circle(double x, double y, double radius, MarkStyle style) {
-    stroke(style);
-    double side = 2 * radius * scale;
-    graphics.strokeOval(screenX(x) - side / 2, screenY(y) - side / 2, side, side);
-  }
-
-  @Override
-  public void line(double x1, double y1, double x2, double y2, MarkStyle style) {
-    stroke(style);
-    graphics.strokeLine(screenX(x1), screenY(y1), screenX(x2), screenY(y2));
-  }
-
-  @Override
   public void polyline(double[] x, double[] y, int points, MarkStyle style) {
     if (points < 2) {
       return;
@@ -134,12 +121,6 @@ public final class JavaFxOverlayCanvas implements OverlayCanvas {
     graphics.rotate(-Math.toDegrees(angleRad));
     graphics.strokeOval(-a, -b, 2 * a, 2 * b);
     graphics.restore();
-  }
-
-  @Override
-  public void rectangle(double x, double y, double width, double height, MarkStyle style) {
-    stroke(style);
-    graphics.strokeRect(screenX(x), screenY(y + height), width * scale, height * scale);
   }
 
   @Override

@@ -10,7 +10,6 @@ import java.awt.RenderingHints;
 import java.awt.Shape;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Ellipse2D;
-import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
@@ -55,11 +54,6 @@ public final class PictureOverlayCanvas implements OverlayCanvas, AutoCloseable 
   }
 
   @Override
-  public void line(double x1, double y1, double x2, double y2, MarkStyle style) {
-    draw(new Line2D.Double(pictureX(x1), pictureY(y1), pictureX(x2), pictureY(y2)), style);
-  }
-
-  @Override
   public void polyline(double[] x, double[] y, int points, MarkStyle style) {
     if (points < 2) {
       return;
@@ -80,13 +74,6 @@ public final class PictureOverlayCanvas implements OverlayCanvas, AutoCloseable 
     AffineTransform place = AffineTransform.getTranslateInstance(pictureX(x), pictureY(y));
     place.rotate(-angleRad);
     draw(place.createTransformedShape(new Ellipse2D.Double(-a, -b, 2 * a, 2 * b)), style);
-  }
-
-  @Override
-  public void rectangle(double x, double y, double width, double height, MarkStyle style) {
-    draw(
-        new Rectangle2D.Double(pictureX(x), pictureY(y + height), width * scale, height * scale),
-        style);
   }
 
   @Override
