@@ -119,6 +119,11 @@ public final class TransportBar extends HBox {
             space,
             elapsed,
             remaining);
+    setObstacle("Nothing is open.");
+  }
+
+  private void setObstacle(String words) {
+    Controls.unless(words, back, backwards, loop, markIn, markOut);
   }
 
   /** Adds a control behind those of playback. */
@@ -142,7 +147,7 @@ public final class TransportBar extends HBox {
     long behindUs = reach.map(all -> all.toUs() - status.elapsedUs()).orElse(0L);
     boolean newest = reach.isEmpty() || reach.get().grows() && behindUs < status.sliceUs() + NOW_US;
     remaining.setText(newest ? "" : "/ " + Texts.time(-behindUs, fine));
-    Controls.unless(reach.isEmpty() ? NO_WAY_BACK : "", back, backwards, loop, markIn, markOut);
+    setObstacle(reach.isEmpty() ? NO_WAY_BACK : "");
   }
 
   private void showSpeed(double value) {
