@@ -321,6 +321,11 @@ final class PartsReader implements RecordingReader {
   }
 
   @Override
+  public Optional<String> compression() {
+    return parts.get(0).compression();
+  }
+
+  @Override
   public Optional<RecordingOutline> outline() throws IOException {
     RecordingOutline whole = RecordingOutline.NOTHING;
     for (RecordingReader part : parts) {

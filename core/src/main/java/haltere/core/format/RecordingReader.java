@@ -91,6 +91,15 @@ public interface RecordingReader extends EventSource {
   }
 
   /**
+   * How the events are compressed.
+   *
+   * @return name of the method, such as "lz4", or "none"; empty where the format does not say
+   */
+  default Optional<String> compression() {
+    return Optional.empty();
+  }
+
+  /**
    * How many frames, inertial samples and triggers the recording holds, whether or not they are
    * wanted as a part of the stream. It may read through the file, but does not move this reader.
    *

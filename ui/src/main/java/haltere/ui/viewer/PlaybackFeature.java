@@ -33,7 +33,8 @@ final class PlaybackFeature implements ViewerFeature {
                 MENU,
                 playback.reverseProperty(),
                 on -> playback.toggleReverse())
-            .withKey("Shift+Space"));
+            .withKey("Shift+Space")
+            .unless(this::noWayBack));
     add("step-on", "One slice on", "Period", () -> playback.step(1));
     add("step-off", "One slice back", "Comma", () -> playback.step(-1));
     add("jog-on", "20 slices on", "Shift+Period", () -> playback.step(JOG_SLICES));
@@ -76,13 +77,22 @@ final class PlaybackFeature implements ViewerFeature {
         "Set a mark with a name\u2026",
         "Shift+M",
         () -> Questions.ask(window.stage(), "Mark", "Name of the mark here", "", playback::mark));
-    add("jump-to-time", "Jump to a time\u2026", "Shortcut+J", () -> askForTime(window));
+    add(
+        "jump-to-time",
+        "Jump to a time\u2026",
+        "Shortcut+J",
+        () -> askForTime(window),
+        this::noWayBack);
     add("mark-before", "To the mark before", "J", () -> playback.toMark(false), this::noMarks);
     add("mark-after", "To the mark after", "K", () -> playback.toMark(true), this::noMarks);
     add("clear-marks", "Clear all marks", "", playback::clearMarks, this::noMarks);
     actions.beginGroup();
     add("forget", "Let all filters forget", "Z", playback::reset);
     add("menu-reset", "Reset all filters", "Shortcut+R", playback::reset);
+  }
+
+  private String noWayBack() {
+    return playback.reach().isEmpty() ? "nothing to go back to is open" : "";
   }
 
   private String noMarks() {

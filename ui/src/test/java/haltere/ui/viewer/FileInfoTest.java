@@ -83,6 +83,8 @@ class FileInfoTest {
     Path cut = folder.resolve("cut.aedat4");
     Files.write(cut, Arrays.copyOf(bytes, bytes.length * 2 / 3));
     viewer.openRecording(cut);
+    viewer.run(() -> viewer.window.actions().run("show-file-information"));
+    viewer.waitFor("the compression", () -> line("Compression").equals(Optional.of("lz4")));
     viewer.waitFor("the banner", this::seesBanner);
     viewer.waitFor("the words", () -> viewer.text("warning-first").contains("ends in the middle"));
     viewer.click("warnings-more");

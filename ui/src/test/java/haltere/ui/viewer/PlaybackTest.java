@@ -9,16 +9,19 @@ import haltere.core.playback.Loop;
 import haltere.core.playback.Mark;
 import haltere.core.playback.PlayerStatus;
 import haltere.core.playback.PlayerStatus.State;
+import haltere.core.playback.ScenePlayable;
 import haltere.core.playback.Slicing;
 import haltere.core.stream.Reset;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
+import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.playback.PlaybackController;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.OptionalLong;
 import java.util.concurrent.CopyOnWriteArrayList;
+import javafx.scene.Node;
 import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
@@ -175,6 +178,36 @@ class PlaybackTest {
         });
     assertEquals(
         OptionalLong.of(1_999_999), viewer.onFx(() -> playback.loopProperty().get()).inUs());
+  }
+
+  @Test
+  void anEndOfTheMarkedPartIsDraggedInTheTimeBar() throws IOException {
+    viewer = ViewerHarness.withRecording(folder, LENGTH_US);
+    viewer.pause();
+    ViewerHarness.join(viewer.session().player().seek(3_000_000));
+    PlaybackController playback = viewer.window.playback();
+    viewer.run(
+        () -> {
+          playback.moveLoopEnd(true, 1_000_000);
+          playback.moveLoopEnd(false, 2_000_000);
+        });
+    viewer.waitFor("the bar", () -> viewer.window.seekBar().getWidth() > 100);
+    viewer.drag("seek-bar", 0.25, 0.125);
+    assertEquals(500_000, playback.loopProperty().get().inUs().getAsLong(), 0.01 * LENGTH_US);
+    viewer.drag("seek-bar", 0.5, 0.625);
+    assertEquals(2_500_000, playback.loopProperty().get().outUs().getAsLong(), 0.01 * LENGTH_US);
+    assertEquals(3_000_000, viewer.status().elapsedUs(), "a handle does not seek");
+  }
+
+  @Test
+  void buttonsThatCannotWorkSayWhy() {
+    viewer = new ViewerHarness();
+    Node loop = viewer.node("loop", Node.class);
+    assertTrue(loop.isDisabled());
+    assertEquals("Nothing is open.", viewer.onFx(() -> Controls.help(loop.getParent())));
+    viewer.open(() -> new ScenePlayable(() -> new BlobSource(Long.MAX_VALUE), "blob"));
+    viewer.waitFor("a button that works", () -> !loop.isDisabled());
+    assertEquals("", viewer.onFx(() -> Controls.help(loop.getParent())));
   }
 
   @Test

@@ -32,6 +32,7 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import javafx.application.Platform;
+import javafx.event.EventType;
 import javafx.geometry.Bounds;
 import javafx.geometry.Point2D;
 import javafx.scene.Node;
@@ -42,6 +43,7 @@ import javafx.scene.image.WritableImage;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyCodeCombination;
 import javafx.scene.input.MouseButton;
+import javafx.scene.input.MouseEvent;
 import javafx.scene.input.ScrollEvent;
 import javafx.scene.robot.Robot;
 import javafx.stage.Stage;
@@ -292,6 +294,42 @@ public final class ViewerHarness extends JavaFxHarness implements AutoCloseable 
           robot.mouseMove(onFx(place));
           robot.mouseClick(MouseButton.PRIMARY);
         });
+  }
+
+  /** Presses at a share of a node's width, at half its height, and lets go at another. */
+  void drag(String id, double fromShare, double toShare) {
+    Node node = node(id, Node.class);
+    run(
+        () -> {
+          node.fireEvent(mouse(MouseEvent.MOUSE_PRESSED, node, fromShare));
+          node.fireEvent(mouse(MouseEvent.MOUSE_DRAGGED, node, toShare));
+          node.fireEvent(mouse(MouseEvent.MOUSE_RELEASED, node, toShare));
+        });
+  }
+
+  private static MouseEvent mouse(EventType<MouseEvent> type, Node node, double share) {
+    double x = share * node.getLayoutBounds().getWidth();
+    double y = node.getLayoutBounds().getHeight() / 2;
+    boolean down = type != MouseEvent.MOUSE_RELEASED;
+    return new MouseEvent(
+        type,
+        x,
+        y,
+        x,
+        y,
+        MouseButton.PRIMARY,
+        1,
+        false,
+        false,
+        false,
+        false,
+        down,
+        false,
+        false,
+        false,
+        false,
+        false,
+        null);
   }
 
   private static boolean isSeen(Node node) {

@@ -1,6 +1,7 @@
 package haltere.ui.viewer.chain;
 
 import atlantafx.base.theme.Styles;
+import haltere.ui.viewer.controls.Controls;
 import java.util.List;
 import java.util.concurrent.Executor;
 import javafx.geometry.Pos;
@@ -52,8 +53,7 @@ public final class ChainPanel extends VBox {
 
   private void narrow(SettingsSearch search) {
     boolean any = cards.narrow(search) || !search.isActive();
-    nothing.setVisible(!any);
-    nothing.setManaged(!any);
+    Controls.show(!any, nothing);
   }
 
   /** Lets stages that come together be shown one after the other, each in a step. */

@@ -136,8 +136,7 @@ final class SettingsPanel<S extends Record> extends VBox {
     for (SettingField field : fields) {
       boolean matches =
           search.matches(field.parameter(), changed.contains(field.parameter().name()));
-      field.setVisible(matches);
-      field.setManaged(matches);
+      Controls.show(matches, field);
       if (matches) {
         shown++;
         shownGroups.add(field.parameter().group());
@@ -145,8 +144,7 @@ final class SettingsPanel<S extends Record> extends VBox {
     }
     headings.forEach(
         (group, heading) -> {
-          heading.setVisible(shownGroups.contains(group));
-          heading.setManaged(shownGroups.contains(group));
+          Controls.show(shownGroups.contains(group), heading);
         });
     return shown;
   }

@@ -234,8 +234,7 @@ final class StageCard extends VBox {
 
   private void showInside(boolean show) {
     Node box = inside.orElseThrow().getParent();
-    box.setVisible(show);
-    box.setManaged(show);
+    Controls.show(show, box);
     expand.setRotate(show ? 90 : 0);
   }
 
@@ -250,8 +249,7 @@ final class StageCard extends VBox {
     }
     settings.ifPresent(
         panel -> {
-          panel.setVisible(show);
-          panel.setManaged(show);
+          Controls.show(show, panel);
         });
     expand.setRotate(show ? 90 : 0);
   }
@@ -282,8 +280,7 @@ final class StageCard extends VBox {
       settings.ifPresent(panel -> panel.narrow(search));
       showSettings(false);
     }
-    setVisible(any);
-    setManaged(any);
+    Controls.show(any, this);
     return any;
   }
 

@@ -33,11 +33,11 @@ final class ComparisonTable extends ScrollPane {
     setAccessibleText("Published numbers of both chains");
     setFitToWidth(true);
     getStyleClass().add("comparison");
-    grid.setHgap(10);
+    grid.setHgap(6);
     ColumnConstraints names = new ColumnConstraints();
     names.setHgrow(Priority.ALWAYS);
-    names.setMinWidth(70);
-    ColumnConstraints numbers = new ColumnConstraints(62);
+    names.setMinWidth(60);
+    ColumnConstraints numbers = new ColumnConstraints(46, 62, 62);
     numbers.setHalignment(HPos.RIGHT);
     grid.getColumnConstraints().addAll(names, numbers, numbers, numbers);
     setContent(grid);

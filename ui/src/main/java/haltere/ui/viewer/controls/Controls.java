@@ -1,15 +1,20 @@
 package haltere.ui.viewer.controls;
 
 import atlantafx.base.theme.Styles;
+import java.util.Map;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.ButtonBase;
+import javafx.scene.control.ChoiceBox;
+import javafx.scene.control.TextField;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.control.Tooltip;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.Region;
+import javafx.scene.layout.StackPane;
 import javafx.scene.shape.Rectangle;
 import javafx.util.Duration;
+import javafx.util.StringConverter;
 
 /** Makes the buttons of the window, all alike: an icon, a tooltip and a name for screen readers. */
 public final class Controls {
@@ -52,8 +57,13 @@ public final class Controls {
     }
   }
 
+  /** The words that appear when the mouse rests on a node; empty where there are none. */
+  public static String help(Node node) {
+    return (String) node.getProperties().getOrDefault(HELP, "");
+  }
+
   private static void showHelp(Node node) {
-    String text = (String) node.getProperties().get(HELP);
+    String text = help(node);
     if (node.getProperties().get(TOOLTIP) instanceof Tooltip tooltip) {
       if (text.isEmpty()) {
         Tooltip.uninstall(node, tooltip);
@@ -76,6 +86,76 @@ public final class Controls {
     button.getStyleClass().addAll(Styles.BUTTON_ICON, Styles.FLAT);
     help(button, help);
     button.setAccessibleText(help);
+  }
+
+  /**
+   * A place for a control that cannot always work, where the reason appears when the mouse rests on
+   * it: a control that is off hears of no mouse.
+   */
+  public static Node place(Node control) {
+    StackPane place = new StackPane(control);
+    place.setPickOnBounds(true);
+    return place;
+  }
+
+  /**
+   * Switches a control off that has a {@link #place}.
+   *
+   * @param obstacle why it cannot work; on if that is empty
+   */
+  public static void unless(String obstacle, Node... controls) {
+    for (Node control : controls) {
+      control.setDisable(!obstacle.isEmpty());
+      help(control.getParent(), obstacle);
+    }
+  }
+
+  /** Shows nodes, or hides them without leaving room for them. */
+  public static void show(boolean shown, Node... nodes) {
+    for (Node node : nodes) {
+      node.setVisible(shown);
+      node.setManaged(shown);
+    }
+  }
+
+  /** Calls something when an entry is finished: by Enter, or because another control is used. */
+  public static void onEntered(TextField entry, Runnable taken) {
+    entry.setOnAction(event -> taken.run());
+    entry
+        .focusedProperty()
+        .addListener(
+            (property, was, is) -> {
+              if (!is) {
+                taken.run();
+              }
+            });
+  }
+
+  /**
+   * A list of values to choose from.
+   *
+   * @param help its tooltip, and its name for screen readers
+   * @param words what each value is called, in order
+   */
+  public static <T> ChoiceBox<T> choice(String id, String help, Map<T, String> words) {
+    ChoiceBox<T> box = new ChoiceBox<>();
+    box.setId(id);
+    box.setAccessibleText(help);
+    help(box, help);
+    box.getItems().setAll(words.keySet());
+    box.setConverter(
+        new StringConverter<>() {
+          @Override
+          public String toString(T value) {
+            return words.getOrDefault(value, "");
+          }
+
+          @Override
+          public T fromString(String wanted) {
+            throw new UnsupportedOperationException("a choice box shows words only");
+          }
+        });
+    return box;
   }
 
   /** Shows of a region what lies within its bounds and nothing else. */

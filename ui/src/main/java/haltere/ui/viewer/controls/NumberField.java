@@ -42,15 +42,7 @@ final class NumberField extends SettingField {
     entry.setPrefColumnCount(6);
     entry.setAlignment(Pos.CENTER_RIGHT);
     entry.getStyleClass().add(Styles.SMALL);
-    entry.setOnAction(event -> set(entry.getText()));
-    entry
-        .focusedProperty()
-        .addListener(
-            (property, was, is) -> {
-              if (!is) {
-                set(entry.getText());
-              }
-            });
+    Controls.onEntered(entry, () -> set(entry.getText()));
     entry.setOnKeyPressed(
         event -> {
           if (event.getCode() == KeyCode.UP || event.getCode() == KeyCode.DOWN) {

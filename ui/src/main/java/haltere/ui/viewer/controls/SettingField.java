@@ -124,8 +124,7 @@ public abstract class SettingField extends VBox {
 
   private void showProblem(String line) {
     problem.setText(line);
-    problem.setVisible(!line.isEmpty());
-    problem.setManaged(!line.isEmpty());
+    Controls.show(!line.isEmpty(), problem);
   }
 
   private static boolean isPlain(double size) {

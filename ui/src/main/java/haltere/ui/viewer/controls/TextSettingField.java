@@ -19,15 +19,7 @@ final class TextSettingField extends SettingField {
     Controls.help(entry, help());
     entry.setPrefColumnCount(12);
     entry.getStyleClass().add(Styles.SMALL);
-    entry.setOnAction(event -> set(entry.getText()));
-    entry
-        .focusedProperty()
-        .addListener(
-            (property, was, is) -> {
-              if (!is) {
-                set(entry.getText());
-              }
-            });
+    Controls.onEntered(entry, () -> set(entry.getText()));
     layOutBelow(entry);
   }
 

@@ -173,10 +173,8 @@ public final class StatusLine extends HBox {
     message.setText(text);
     Controls.help(message, text);
     message.pseudoClassStateChanged(ERROR, isError);
-    dismiss.setVisible(isError);
-    dismiss.setManaged(isError);
-    more.setVisible(isError && !details.isEmpty());
-    more.setManaged(isError && !details.isEmpty());
+    Controls.show(isError, dismiss);
+    Controls.show(isError && !details.isEmpty(), more);
   }
 
   private void showDetails() {

@@ -23,7 +23,6 @@ import javafx.scene.control.ToggleButton;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
-import javafx.util.StringConverter;
 
 /**
  * Above the events: what their colours say, how they fade, and the tools.
@@ -105,29 +104,9 @@ public final class ViewBar extends HBox {
 
   private static <T> Node choice(
       String id, String help, Property<T> property, Map<T, String> words) {
-    ChoiceBox<T> box = new ChoiceBox<>();
-    box.setId(id);
-    box.setAccessibleText(help);
-    Controls.help(box, help);
+    ChoiceBox<T> box = Controls.choice(id, help, words);
     box.getStyleClass().add(Styles.SMALL);
     box.setMinWidth(90);
-    box.getItems().setAll(words.keySet());
-    box.setConverter(
-        new StringConverter<>() {
-          @Override
-          public String toString(T value) {
-            return words.getOrDefault(value, "");
-          }
-
-          @Override
-          public T fromString(String wanted) {
-            return words.entrySet().stream()
-                .filter(entry -> entry.getValue().equals(wanted))
-                .map(Map.Entry::getKey)
-                .findFirst()
-                .orElseThrow();
-          }
-        });
     box.valueProperty().bindBidirectional(property);
     return box;
   }

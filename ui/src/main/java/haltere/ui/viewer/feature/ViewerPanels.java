@@ -8,6 +8,7 @@ import haltere.ui.rendering.ColourMap;
 import haltere.ui.viewer.chain.ChainEditor;
 import haltere.ui.viewer.chain.ChainPanel;
 import haltere.ui.viewer.chain.StageState;
+import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Texts;
 import haltere.ui.viewer.picture.DisplayFrame;
 import haltere.ui.viewer.picture.DisplayOptions;
@@ -102,8 +103,7 @@ public final class ViewerPanels extends BorderPane {
     StackPane center = (StackPane) getCenter();
     center.getChildren().setAll(page.orElse(layout.node()));
     for (Node bar : List.of(seekBar, transport)) {
-      bar.setVisible(page.isEmpty());
-      bar.setManaged(page.isEmpty());
+      Controls.show(page.isEmpty(), bar);
     }
   }
 

@@ -57,6 +57,7 @@ final class FileInfoPanel extends ScrollPane {
     line("Folder", String.valueOf(facts.file().toAbsolutePath().getParent()));
     line("Size", Quantities.count(facts.sizeBytes()) + " bytes");
     line("Format", summary.format());
+    facts.compression().ifPresent(method -> line("Compression", method));
     line(
         "Sensor",
         sensor.width()

@@ -83,8 +83,7 @@ final class WarningBanner extends VBox {
 
   /** Says nothing. */
   void hide() {
-    setVisible(false);
-    setManaged(false);
+    Controls.show(false, this);
   }
 
   /**
@@ -94,11 +93,9 @@ final class WarningBanner extends VBox {
   void show(List<String> newWarnings, Optional<SensorGeometry> guess) {
     // options of the command line mean nothing here
     warnings = newWarnings.stream().map(line -> line.replaceAll(" \\(--[^)]*\\)", "")).toList();
-    setVisible(!warnings.isEmpty());
-    setManaged(!warnings.isEmpty());
+    Controls.show(!warnings.isEmpty(), this);
     all.getChildren().setAll(warnings.stream().map(WarningBanner::line).toList());
-    question.setVisible(guess.isPresent());
-    question.setManaged(guess.isPresent());
+    Controls.show(guess.isPresent(), question);
     guess.ifPresent(this::offer);
     open(false);
   }
@@ -115,8 +112,7 @@ final class WarningBanner extends VBox {
   }
 
   private void open(boolean opened) {
-    all.setVisible(opened);
-    all.setManaged(opened);
+    Controls.show(opened, all);
     more.setText(opened ? "Less" : "More");
     int count = warnings.size();
     first.setText(

@@ -3,13 +3,14 @@ package haltere.ui.viewer.playback;
 import atlantafx.base.theme.Styles;
 import haltere.core.playback.Slicing;
 import haltere.ui.viewer.controls.Controls;
-import java.util.List;
+import java.util.Arrays;
+import java.util.EnumMap;
+import java.util.Map;
 import javafx.geometry.Pos;
 import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.Label;
 import javafx.scene.control.TextField;
 import javafx.scene.layout.HBox;
-import javafx.util.StringConverter;
 
 /**
  * How the stream is cut into slices: finer than the screen's pictures, or by time, or by number of
@@ -33,10 +34,21 @@ final class SlicingField extends HBox {
       this.unit = unit;
       this.usual = usual;
     }
+
+    static Map<Mode, String> words() {
+      Map<Mode, String> words = new EnumMap<>(Mode.class);
+      Arrays.stream(values()).forEach(mode -> words.put(mode, mode.words));
+      return words;
+    }
   }
 
   private final PlaybackController playback;
-  private final ChoiceBox<Mode> mode = new ChoiceBox<>();
+  private final ChoiceBox<Mode> mode =
+      Controls.choice(
+          "slicing",
+          "What one step holds: what passes in 1/120 s at the present speed, a fixed time, a fixed"
+              + " number of events, or one beat of the wings that are tracked.",
+          Mode.words());
   private final TextField size = new TextField();
   private final Label unit = new Label();
 
@@ -61,28 +73,7 @@ final class SlicingField extends HBox {
   }
 
   private void setUpMode() {
-    mode.setId("slicing");
-    mode.getItems().setAll(Mode.values());
     mode.setAccessibleText("Slices");
-    Controls.help(
-        mode,
-        "What one step holds: what passes in 1/120 s at the present speed, a fixed time, a fixed"
-            + " number of events, or one beat of the wings that are tracked.");
-    mode.setConverter(
-        new StringConverter<>() {
-          @Override
-          public String toString(Mode value) {
-            return value == null ? "" : value.words;
-          }
-
-          @Override
-          public Mode fromString(String words) {
-            return List.of(Mode.values()).stream()
-                .filter(value -> value.words.equals(words))
-                .findFirst()
-                .orElseThrow();
-          }
-        });
     mode.setValue(Mode.SMOOTH);
     mode.valueProperty()
         .addListener(
@@ -103,22 +94,12 @@ final class SlicingField extends HBox {
     size.setAccessibleText("Size of a slice");
     size.getStyleClass().add(Styles.SMALL);
     unit.getStyleClass().add(Styles.TEXT_MUTED);
-    size.setOnAction(event -> commit());
-    size.focusedProperty()
-        .addListener(
-            (property, was, is) -> {
-              if (!is) {
-                commit();
-              }
-            });
+    Controls.onEntered(size, this::commit);
   }
 
   private void showSize() {
     boolean sized = mode.getValue().usual > 0;
-    size.setVisible(sized);
-    size.setManaged(sized);
-    unit.setVisible(sized);
-    unit.setManaged(sized);
+    Controls.show(sized, size, unit);
     unit.setText(mode.getValue().unit);
   }
 

@@ -31,12 +31,15 @@ public final class TransportBar extends HBox {
   /** What is nearer to the newest events than this is shown as it comes. */
   private static final long NOW_US = 100_000;
 
+  private static final String NO_WAY_BACK = "What is open goes on only: nothing of it is kept.";
+
   private final PlaybackController playback;
   private final Button play;
   private final Node playIcon = Icons.PLAY.node();
   private final Node pauseIcon = Icons.PAUSE.node();
   private final MenuButton speed = new MenuButton();
   private final ToggleButton loop = Controls.toggle("loop", Icons.LOOP, "Repeat at the end (L)");
+  private final Button back;
   private final Button markIn;
   private final Button markOut;
   private final ToggleButton backwards =
@@ -52,6 +55,9 @@ public final class TransportBar extends HBox {
     setAlignment(Pos.CENTER_LEFT);
     play = Controls.button("play", Icons.PAUSE, "Pause (Space)", playback::togglePause);
     play.setGraphic(pauseIcon);
+    back =
+        Controls.button(
+            "step-back", Icons.STEP_BACK, "One slice back (,)", () -> playback.step(-1));
     markIn = Controls.button("mark-in", Icons.MARK_IN, "Start the loop here (I)", playback::markIn);
     markOut =
         Controls.button("mark-out", Icons.MARK_OUT, "End the loop here (O)", playback::markOut);
@@ -87,9 +93,8 @@ public final class TransportBar extends HBox {
     getChildren()
         .addAll(
             Controls.button("rewind", Icons.REWIND, "Back to the start (R)", playback::rewind),
-            Controls.button(
-                "step-back", Icons.STEP_BACK, "One slice back (,)", () -> playback.step(-1)),
-            backwards,
+            Controls.place(back),
+            Controls.place(backwards),
             play,
             Controls.button(
                 "step-forward", Icons.STEP_FORWARD, "One slice on (.)", () -> playback.step(1)),
@@ -100,9 +105,9 @@ public final class TransportBar extends HBox {
             separator(),
             new SlicingField(playback),
             separator(),
-            loop,
-            markIn,
-            markOut,
+            Controls.place(loop),
+            Controls.place(markIn),
+            Controls.place(markOut),
             Controls.button("mark", Icons.MARK, "Set a mark here (M)", playback::mark),
             separator(),
             Controls.button(
@@ -114,6 +119,11 @@ public final class TransportBar extends HBox {
             space,
             elapsed,
             remaining);
+    setObstacle("Nothing is open.");
+  }
+
+  private void setObstacle(String words) {
+    Controls.unless(words, back, backwards, loop, markIn, markOut);
   }
 
   /** Adds a control behind those of playback. */
@@ -137,10 +147,7 @@ public final class TransportBar extends HBox {
     long behindUs = reach.map(all -> all.toUs() - status.elapsedUs()).orElse(0L);
     boolean newest = reach.isEmpty() || reach.get().grows() && behindUs < status.sliceUs() + NOW_US;
     remaining.setText(newest ? "" : "/ " + Texts.time(-behindUs, fine));
-    markIn.setDisable(reach.isEmpty());
-    markOut.setDisable(reach.isEmpty());
-    loop.setDisable(reach.isEmpty());
-    backwards.setDisable(reach.isEmpty());
+    setObstacle(reach.isEmpty() ? NO_WAY_BACK : "");
   }
 
   private void showSpeed(double value) {

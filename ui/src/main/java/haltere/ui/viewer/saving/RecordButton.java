@@ -52,8 +52,7 @@ final class RecordButton extends HBox {
     startNanos = System.nanoTime();
     shownNanos = 0;
     numbers.setText("");
-    numbers.setVisible(on);
-    numbers.setManaged(on);
+    Controls.show(on, numbers);
   }
 
   /** Shows how long the recording has gone on, and the size of its file. */

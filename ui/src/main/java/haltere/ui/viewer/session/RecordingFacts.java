@@ -28,6 +28,7 @@ import java.util.Optional;
  * @param summary counts, times, gaps and warnings
  * @param profile event rate over the elapsed timeline
  * @param clock what its times count from
+ * @param compression how its events are compressed; empty where the format does not say
  * @param header what it says of camera and chain, by name
  * @param triggers in their order, the first {@link #MAX_LISTED}
  * @param frames times of frames in their order, the first {@link #MAX_LISTED}
@@ -39,6 +40,7 @@ public record RecordingFacts(
     RecordingSummary summary,
     RateProfile profile,
     RecordingClock clock,
+    Optional<String> compression,
     Map<String, String> header,
     List<Moment> triggers,
     List<Moment> frames,
@@ -75,6 +77,7 @@ public record RecordingFacts(
           summary,
           moments.rates.profile(),
           reader.clock(),
+          reader.compression(),
           reader.metadata(),
           moments.triggers,
           moments.frames,

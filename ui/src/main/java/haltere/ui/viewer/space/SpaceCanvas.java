@@ -5,23 +5,19 @@ import haltere.ui.rendering.ColourMap;
 import haltere.ui.space.BodyFlight;
 import haltere.ui.space.BodyFlightDrawing;
 import haltere.ui.space.SpaceView;
-import haltere.ui.viewer.controls.KeyPane;
 import haltere.ui.viewer.controls.Theme;
+import haltere.ui.viewer.controls.TurnPane;
 import java.util.Locale;
 import javafx.scene.canvas.Canvas;
-import javafx.scene.input.KeyEvent;
 import javafx.scene.paint.Color;
 
 /**
- * A body in space and the cameras that see it, at one time. Dragging or arrow keys turn the view,
- * the wheel, plus and minus come nearer.
+ * A body in space and the cameras that see it, at one time.
  *
  * <p>Thread rule: JavaFX thread only.
  */
-final class SpaceCanvas extends KeyPane {
-  private static final double RADIANS_PER_PIXEL = 0.01;
-  private static final double RADIANS_PER_KEY = Math.toRadians(5);
-  private static final double ZOOM_PER_KEY = 1.2;
+final class SpaceCanvas extends TurnPane {
+  private static final double ZOOM_PER_NOTCH = 1.2;
 
   private final SpaceView view = new SpaceView();
   private final Canvas canvas = new Canvas();
@@ -29,8 +25,6 @@ final class SpaceCanvas extends KeyPane {
   private Color background = JavaFxOverlayCanvas.colour(ColourMap.DARK.background());
   private BodyFlightDrawing drawing;
   private int index;
-  private double pressedX;
-  private double pressedY;
   private boolean fitted;
 
   SpaceCanvas() {
@@ -41,44 +35,23 @@ final class SpaceCanvas extends KeyPane {
     canvas.heightProperty().addListener((property, was, is) -> redraw());
     setAccessibleText("The body and the cameras in space");
     setMinSize(0, 0);
-    canvas.setOnMousePressed(
-        event -> {
-          requestFocus();
-          pressedX = event.getX();
-          pressedY = event.getY();
-        });
-    setOnKeyPressed(this::keyPressed);
-    canvas.setOnMouseDragged(
-        event -> {
-          view.turn(
-              RADIANS_PER_PIXEL * (pressedX - event.getX()),
-              RADIANS_PER_PIXEL * (event.getY() - pressedY));
-          pressedX = event.getX();
-          pressedY = event.getY();
-          redraw();
-        });
-    canvas.setOnScroll(
-        event -> {
-          view.zoom(Math.exp(event.getDeltaY() * 0.002));
-          redraw();
-        });
   }
 
-  private void keyPressed(KeyEvent event) {
-    switch (event.getCode()) {
-      case LEFT, KP_LEFT -> view.turn(RADIANS_PER_KEY, 0);
-      case RIGHT, KP_RIGHT -> view.turn(-RADIANS_PER_KEY, 0);
-      case UP, KP_UP -> view.turn(0, -RADIANS_PER_KEY);
-      case DOWN, KP_DOWN -> view.turn(0, RADIANS_PER_KEY);
-      case PLUS, ADD, EQUALS -> view.zoom(ZOOM_PER_KEY);
-      case MINUS, SUBTRACT -> view.zoom(1 / ZOOM_PER_KEY);
-      case HOME -> fitted = false;
-      default -> {
-        return;
-      }
-    }
+  @Override
+  protected void turn(double rightDegrees, double downDegrees) {
+    view.turn(-Math.toRadians(rightDegrees), Math.toRadians(downDegrees));
     redraw();
-    event.consume();
+  }
+
+  @Override
+  protected void zoom(double notches) {
+    view.zoom(Math.pow(ZOOM_PER_NOTCH, notches));
+    redraw();
+  }
+
+  @Override
+  protected void goBack() {
+    lookAnew();
   }
 
   /** Shows a moment of a flight; the view stays as it was turned. */

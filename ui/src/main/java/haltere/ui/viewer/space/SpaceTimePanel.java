@@ -10,17 +10,15 @@ import haltere.ui.rendering.SpaceTimePainter;
 import haltere.ui.rendering.SpaceTimeProjection;
 import haltere.ui.rendering.SpaceTimeView;
 import haltere.ui.viewer.controls.Controls;
-import haltere.ui.viewer.controls.KeyPane;
 import haltere.ui.viewer.controls.PixelImage;
 import haltere.ui.viewer.controls.Texts;
+import haltere.ui.viewer.controls.TurnPane;
 import java.util.function.DoubleConsumer;
 import javafx.beans.property.ReadOnlyBooleanProperty;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.Label;
 import javafx.scene.control.Slider;
-import javafx.scene.input.KeyEvent;
-import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.FlowPane;
 import javafx.scene.layout.HBox;
@@ -34,13 +32,11 @@ import javafx.scene.text.Font;
  * <p>Thread rule: JavaFX thread only.
  */
 final class SpaceTimePanel extends BorderPane {
-  private static final double RAD_PER_UNIT = 0.008;
   private static final double DOUBLINGS_PER_NOTCH = 0.2;
-  private static final double DEGREES_PER_KEY = 5;
 
   private final SpaceTimePainter painter = new SpaceTimePainter();
   private final PixelImage image = new PixelImage();
-  private final KeyPane picture = new KeyPane(image);
+  private final TurnPane picture = new Picture();
   private final Slider turn = slider("space-time-turn", "Turn, degrees", -180, 180);
   private final Slider tilt = slider("space-time-tilt", "Tilt, degrees", -90, 90);
   private final Slider size = slider("space-time-size", "Size, in doublings", -2, 4.5);
@@ -55,8 +51,6 @@ final class SpaceTimePanel extends BorderPane {
   private SpaceTimeFrame frame = new SpaceTimeFrame(1);
   private SensorGeometry sensor = new SensorGeometry(128, 128);
   private ColourMap colours = ColourMap.DARK;
-  private double dragX;
-  private double dragY;
   private boolean dirty = true;
 
   /** A panel that shows no events yet, and marks of filters while they are shown. */
@@ -71,14 +65,6 @@ final class SpaceTimePanel extends BorderPane {
     Controls.clip(picture);
     picture.widthProperty().addListener((property, was, is) -> dirty = true);
     picture.heightProperty().addListener((property, was, is) -> dirty = true);
-    picture.setOnMousePressed(this::pressed);
-    picture.setOnMouseDragged(this::dragged);
-    picture.setOnScroll(
-        event -> {
-          enlarge(Math.signum(event.getDeltaY()));
-          event.consume();
-        });
-    picture.setOnKeyPressed(this::keyPressed);
     setCenter(picture);
     words.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
     FlowPane controls =
@@ -184,46 +170,28 @@ final class SpaceTimePanel extends BorderPane {
     dirty = true;
   }
 
-  private void enlarge(double notches) {
-    size.setValue(size.getValue() + notches * DOUBLINGS_PER_NOTCH);
-  }
-
-  private void keyPressed(KeyEvent event) {
-    switch (event.getCode()) {
-      case LEFT, KP_LEFT -> turnBy(-DEGREES_PER_KEY, 0);
-      case RIGHT, KP_RIGHT -> turnBy(DEGREES_PER_KEY, 0);
-      case UP, KP_UP -> turnBy(0, -DEGREES_PER_KEY);
-      case DOWN, KP_DOWN -> turnBy(0, DEGREES_PER_KEY);
-      case PLUS, ADD, EQUALS -> enlarge(1);
-      case MINUS, SUBTRACT -> enlarge(-1);
-      case HOME -> goBack();
-      default -> {
-        return;
-      }
+  /** The picture, by which hands turn it. */
+  private final class Picture extends TurnPane {
+    Picture() {
+      super(image);
     }
-    event.consume();
-  }
 
-  private void turnBy(double turnDegrees, double tiltDegrees) {
-    double turned = turn.getValue() + turnDegrees;
-    turn.setValue(turned > 180 ? turned - 360 : turned < -180 ? turned + 360 : turned);
-    tilt.setValue(tilt.getValue() + tiltDegrees);
-  }
-
-  private void pressed(MouseEvent event) {
-    picture.requestFocus();
-    dragX = event.getX();
-    dragY = event.getY();
-    if (event.getClickCount() == 2) {
-      goBack();
+    @Override
+    protected void turn(double rightDegrees, double downDegrees) {
+      double turned = turn.getValue() + rightDegrees;
+      turn.setValue(turned > 180 ? turned - 360 : turned < -180 ? turned + 360 : turned);
+      tilt.setValue(tilt.getValue() + downDegrees);
     }
-  }
 
-  private void dragged(MouseEvent event) {
-    double degrees = Math.toDegrees(RAD_PER_UNIT);
-    turnBy((event.getX() - dragX) * degrees, (event.getY() - dragY) * degrees);
-    dragX = event.getX();
-    dragY = event.getY();
+    @Override
+    protected void zoom(double notches) {
+      size.setValue(size.getValue() + notches * DOUBLINGS_PER_NOTCH);
+    }
+
+    @Override
+    protected void goBack() {
+      SpaceTimePanel.this.goBack();
+    }
   }
 
   private Slider slider(String id, String help, double least, double most) {

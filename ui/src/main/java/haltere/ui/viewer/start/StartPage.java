@@ -85,15 +85,13 @@ final class StartPage extends ScrollPane {
   /** Says why something could not be opened; nothing if the words are empty. */
   void setProblem(String words) {
     problem.setText(words);
-    problem.setVisible(!words.isEmpty());
-    problem.setManaged(!words.isEmpty());
+    Controls.show(!words.isEmpty(), problem);
   }
 
   /** Offers to go back to what is open, or not. */
   void setBack(Optional<String> name) {
     name.ifPresent(open -> back.setText("Back to " + open));
-    back.setVisible(name.isPresent());
-    back.setManaged(name.isPresent());
+    Controls.show(name.isPresent(), back);
   }
 
   /** Offers recordings that were open before, the last one first. */

@@ -1,5 +1,7 @@
 package haltere.core.format.internal.aedat4;
 
+import java.util.Locale;
+
 /** How the packets of an AEDAT-4 file are packed. */
 public enum Aedat4Compression {
   /** As they are: fastest, 16 bytes an event. */
@@ -18,6 +20,11 @@ public enum Aedat4Compression {
 
   static final int LZ4_MAGIC = 0x184D2204;
   static final int ZSTD_MAGIC = 0xFD2FB528;
+
+  /** Name of the method, such as "lz4 (high)". */
+  String words() {
+    return name().toLowerCase(Locale.ROOT).replaceFirst("_(.*)", " ($1)");
+  }
 
   boolean isLz4() {
     return this == LZ4 || this == LZ4_HIGH;

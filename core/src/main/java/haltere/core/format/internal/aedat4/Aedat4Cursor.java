@@ -54,7 +54,6 @@ final class Aedat4Cursor implements EventCursor {
   private final ViolationCounts violations;
   private final Unpacker unpacker;
   private final PacketWalk walk;
-  private final Map<String, String> metadata;
 
   private DecodeAhead ahead;
   private DecodeAhead.Slot slot;
@@ -83,7 +82,6 @@ final class Aedat4Cursor implements EventCursor {
     this.violations = violations;
     unpacker = new Unpacker(file);
     walk = layout.walk(unpacker.window(), violations);
-    metadata = layout.metadata();
   }
 
   /**
@@ -94,9 +92,15 @@ final class Aedat4Cursor implements EventCursor {
    * @param end where they end
    * @param cutOff whether the file should go on there
    * @param metadata what the file says beside
+   * @param compression how its packets are said to be packed
    */
   record Layout(
-      Set<Integer> known, long start, long end, boolean cutOff, Map<String, String> metadata) {
+      Set<Integer> known,
+      long start,
+      long end,
+      boolean cutOff,
+      Map<String, String> metadata,
+      Optional<Aedat4Compression> compression) {
     PacketWalk walk(FileWindow window, ViolationCounts violations) {
       return new PacketWalk(window, known, start, end, cutOff, violations);
     }
@@ -295,7 +299,12 @@ final class Aedat4Cursor implements EventCursor {
 
   @Override
   public Map<String, String> metadata() {
-    return metadata;
+    return layout.metadata();
+  }
+
+  @Override
+  public Optional<String> compression() {
+    return layout.compression().map(Aedat4Compression::words);
   }
 
   @Override

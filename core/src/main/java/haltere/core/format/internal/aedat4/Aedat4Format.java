@@ -136,7 +136,8 @@ public final class Aedat4Format implements RecordingFormat {
       }
       Map<String, String> metadata = new TreeMap<>();
       header.streams().forEach(stream -> metadata.putAll(stream.metadata()));
-      return new Aedat4Cursor.Layout(known, header.dataOffset(), end, cutOff, metadata);
+      return new Aedat4Cursor.Layout(
+          known, header.dataOffset(), end, cutOff, metadata, header.compression());
     }
 
     RecordingReader open(OptionalInt wanted) throws IOException {

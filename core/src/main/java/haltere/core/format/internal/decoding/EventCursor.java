@@ -103,6 +103,15 @@ public interface EventCursor extends Closeable {
   }
 
   /**
+   * How the events are compressed.
+   *
+   * @return as {@link RecordingReader#compression()}
+   */
+  default Optional<String> compression() {
+    return Optional.empty();
+  }
+
+  /**
    * Appends events to a packet. Times within the packet do not descend.
    *
    * @param out events are appended

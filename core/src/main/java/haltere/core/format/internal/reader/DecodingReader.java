@@ -236,6 +236,11 @@ public final class DecodingReader implements RecordingReader {
   }
 
   @Override
+  public Optional<String> compression() {
+    return cursor.compression();
+  }
+
+  @Override
   public Optional<RecordingOutline> outline() throws IOException {
     try (EventCursor other = cursors.open(new ViolationCounts())) {
       return other.outline();

@@ -72,7 +72,8 @@ class PacketTableTest {
               header.dataOffset(),
               header.tablePosition() < 0 ? file.size() : header.tablePosition(),
               false,
-              Map.of());
+              Map.of(),
+              header.compression());
       int stream =
           header.streams().stream().filter(Aedat4Stream::isEvents).findFirst().orElseThrow().id();
       return PacketTable.believed(file, layout, stream).isPresent();
