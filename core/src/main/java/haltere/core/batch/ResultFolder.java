@@ -3,7 +3,7 @@ package haltere.core.batch;
 import haltere.core.format.AtomicFile;
 import haltere.core.format.RecordingProblem;
 import haltere.core.json.Json;
-import haltere.core.pipeline.Checksums;
+import haltere.core.pipeline.internal.Checksums;
 import java.io.Closeable;
 import java.io.IOException;
 import java.nio.ByteBuffer;
