@@ -4,7 +4,7 @@ import haltere.core.event.EventPacket;
 import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.RecordingWriter;
-import haltere.core.pipeline.Provenance;
+import haltere.core.pipeline.internal.Provenance;
 import haltere.core.sink.Column;
 import haltere.core.sink.TableSink;
 import haltere.core.sink.Tables;
