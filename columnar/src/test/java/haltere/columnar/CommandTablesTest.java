@@ -109,6 +109,21 @@ class CommandTablesTest {
   }
 
   @Test
+  void eventsAreThoseOfCsv() throws Exception {
+    for (String ending : List.of(".csv", ".parquet")) {
+      Path out = folder.resolve("events" + ending);
+      haltere("convert", folder.resolve("in/dots.aedat"), out, "--origin", "top", "--to", 200_000);
+    }
+    assertSame(folder.resolve("events.csv"), folder.resolve("events.parquet"));
+    Map<String, String> metadata = ParquetTables.read(folder.resolve("events.parquet")).metadata();
+    assertEquals("dots.aedat", metadata.get("haltere.recording"));
+    assertEquals("top", metadata.get("haltere.rows"));
+    assertTrue(metadata.get("haltere.sensor").matches("\\d+x\\d+"), metadata.toString());
+    Path again = folder.resolve("events.parquet");
+    assertTrue(said(1, "convert", folder.resolve("in/dots.aedat"), again).contains("--overwrite"));
+  }
+
+  @Test
   void whatASavedChainPublishesIsThatOfCsv() throws Exception {
     Path chain = folder.resolve("chain.json");
     Files.writeString(chain, "{\"filters\": [{\"filter\": \"object-tracker\"}]}");

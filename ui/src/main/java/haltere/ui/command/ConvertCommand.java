@@ -15,6 +15,7 @@ import haltere.core.format.RecordingWriter;
 import haltere.core.format.Recordings;
 import haltere.core.format.Violation;
 import haltere.core.pipeline.Conversion;
+import haltere.ui.command.results.EventTable;
 import haltere.ui.command.results.ReadingExport;
 import haltere.ui.command.results.ReadingStream;
 import haltere.ui.command.terminal.ProgressBar;
@@ -57,7 +58,9 @@ final class ConvertCommand extends Subcommand {
   @Parameters(
       index = "1",
       paramLabel = "OUT",
-      description = "The new recording; - is standard output, for the same formats.")
+      description =
+          "The new recording; - is standard output, for the same formats. OUT.parquet is a table of"
+              + " its events.")
   Path out;
 
   @Option(
@@ -119,7 +122,10 @@ final class ConvertCommand extends Subcommand {
       convertStream();
       return OK;
     }
-    if (!ReadingOptions.isStandard(out)) {
+    if (isEventTable(out)) {
+      writing.check(out);
+      WritingOptions.checkDifferent(in, out);
+    } else if (!ReadingOptions.isStandard(out)) {
       writing.checkRecording(out);
       WritingOptions.checkDifferent(in, out);
     }
@@ -189,6 +195,22 @@ final class ConvertCommand extends Subcommand {
     return Stream.of(".csv", ".parquet").anyMatch(file.toString()::endsWith);
   }
 
+  /** Events in Parquet are a table; nothing reads them as a recording. */
+  private static boolean isEventTable(Path file) {
+    return file.toString().endsWith(".parquet");
+  }
+
+  private RecordingWriter writer(RecordingReader reader) throws IOException {
+    return isEventTable(out)
+        ? new EventTable(
+            out,
+            writing.overwrite,
+            reader.geometry(),
+            Optional.ofNullable(writing.origin),
+            provenance(in))
+        : writing.create(out, format(reader), reader);
+  }
+
   private void convertStream() throws IOException {
     long rows;
     List<String> warnings = new ArrayList<>();
@@ -224,8 +246,7 @@ final class ConvertCommand extends Subcommand {
   private void convert() throws IOException {
     Conversion.Result done;
     try (RecordingReader reader = reading.openWithReadings(in);
-        RecordingWriter writer =
-            new StrictWriter(writing.create(out, format(reader), reader), reader);
+        RecordingWriter writer = new StrictWriter(writer(reader), reader);
         ProgressBar bar = progressBar("converting", in)) {
       FilterChain chain = chain(reader.geometry());
       Conversion conversion =
