@@ -8,13 +8,13 @@ import haltere.core.event.EventPacket;
 import haltere.core.event.ReadingKind;
 import haltere.core.event.SensorGeometry;
 import haltere.core.event.SensorReading;
-import haltere.core.format.Conversion;
 import haltere.core.format.RecordingFormat;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.Recordings;
 import haltere.core.format.Violation;
+import haltere.core.pipeline.Conversion;
 import haltere.ui.command.results.ReadingExport;
 import haltere.ui.command.results.ReadingStream;
 import haltere.ui.command.terminal.ProgressBar;
@@ -244,13 +244,11 @@ final class ConvertCommand extends Subcommand {
       warning(in + ": there are no events" + (isPart() ? " in this stretch of time" : ""));
     }
     message(
-        "wrote "
-            + out
-            + " ("
-            + Quantities.events(done.eventsWritten())
-            + (filters.isEmpty() ? "" : " of " + Quantities.count(done.eventsRead()))
-            + (done.readingsWritten().isEmpty() ? "" : ", " + done.readingsWritten())
-            + ")");
+        "wrote %s (%s%s%s)",
+        out,
+        Quantities.events(done.eventsWritten()),
+        filters.isEmpty() ? "" : " of " + Quantities.count(done.eventsRead()),
+        done.readingsWritten().isEmpty() ? "" : ", " + done.readingsWritten());
   }
 
   private boolean isPart() {

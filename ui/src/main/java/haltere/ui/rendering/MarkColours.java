@@ -17,13 +17,7 @@ public final class MarkColours {
 
   private MarkColours() {}
 
-  /**
-   * Colour of a mark.
-   *
-   * @param style its meaning
-   * @param dark whether it lies on a dark picture
-   * @return ARGB, not always opaque
-   */
+  /** Colour of a mark on a dark or a light picture: ARGB, not always opaque. */
   public static int argb(MarkStyle style, boolean dark) {
     int[] palette = dark ? ON_DARK : ON_LIGHT;
     int own =
@@ -35,6 +29,7 @@ public final class MarkColours {
       case PATH -> withAlpha(own, 0xA0);
       case MEASUREMENT -> withAlpha(own, 0xC0);
       case UNCERTAINTY -> withAlpha(own, 0x80);
+      case SCALE -> withAlpha(own, 0x60);
       case REGION -> dark ? 0xFF8BE9FD : 0xFF006C85;
       case LEFT -> dark ? 0xFFF08CCB : 0xFF9C2F77;
       case RIGHT -> dark ? 0xFF2ED3A5 : 0xFF00785A;
@@ -42,26 +37,17 @@ public final class MarkColours {
     };
   }
 
-  /**
-   * Width of a mark's line.
-   *
-   * @param style its meaning
-   * @return pixels of the screen
-   */
+  /** Width of a mark's line, pixels of the screen. */
   public static double width(MarkStyle style) {
     return switch (style.role()) {
       case OBJECT, ESTIMATE, LEFT, RIGHT, WARNING -> 2;
       case VELOCITY -> 2.5;
       case PATH, MEASUREMENT, UNCERTAINTY, REGION, LABEL -> 1.5;
+      case SCALE -> 1;
     };
   }
 
-  /**
-   * Colour of what lies behind words, so that they can be read over events.
-   *
-   * @param dark whether the picture is dark
-   * @return ARGB, not opaque
-   */
+  /** Colour of what lies behind words, so that they can be read over events: ARGB, not opaque. */
   public static int plate(boolean dark) {
     return dark ? 0xB80D1117 : 0xC8FFFFFF;
   }

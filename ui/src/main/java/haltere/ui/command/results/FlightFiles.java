@@ -1,9 +1,10 @@
 package haltere.ui.command.results;
 
+import haltere.core.format.AtomicFile;
 import haltere.core.json.Json;
-import haltere.core.simulation.flight.FlightCamera;
-import haltere.core.simulation.flight.FlightDetection;
-import haltere.core.simulation.flight.FlightScene;
+import haltere.core.simulation.internal.flight.FlightCamera;
+import haltere.core.simulation.internal.flight.FlightDetection;
+import haltere.core.simulation.internal.flight.FlightScene;
 import haltere.core.sink.TableMetadata;
 import haltere.core.sink.TableSink;
 import haltere.core.sink.Tables;
@@ -48,7 +49,7 @@ public record FlightFiles(FlightScene scene, Path observations, Path cameras) {
         object.put("height", camera.heightPx());
         list.add(object);
       }
-      TextFile.write(cameras, Json.write(Map.of("cameras", list)) + "\n", overwrite);
+      AtomicFile.write(cameras, Json.write(Map.of("cameras", list)) + "\n", overwrite);
       told.add("wrote " + cameras + " (" + scene.cameras().size() + " cameras)");
     }
     return told;

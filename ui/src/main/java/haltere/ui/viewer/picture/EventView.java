@@ -2,9 +2,10 @@ package haltere.ui.viewer.picture;
 
 import haltere.core.event.SensorGeometry;
 import haltere.core.overlay.OverlayCanvas;
-import haltere.ui.measure.PixelRegion;
+import haltere.filters.frequency.PixelRegion;
 import haltere.ui.rendering.ColourMap;
 import haltere.ui.viewer.controls.ArrowKeys;
+import haltere.ui.viewer.controls.Controls;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -74,10 +75,7 @@ public final class EventView extends Region implements ArrowKeys {
     getChildren().addAll(frame, readout, legend);
     widthProperty().addListener(changed -> viewpoint.setSize(getWidth(), getHeight()));
     heightProperty().addListener(changed -> viewpoint.setSize(getWidth(), getHeight()));
-    Rectangle clip = new Rectangle();
-    clip.widthProperty().bind(widthProperty());
-    clip.heightProperty().bind(heightProperty());
-    setClip(clip);
+    Controls.clip(this);
     setOnScroll(this::scrolled);
     setOnMousePressed(this::pressed);
     setOnMouseDragged(this::dragged);

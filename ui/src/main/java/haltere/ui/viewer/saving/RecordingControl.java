@@ -5,8 +5,8 @@ import haltere.core.chain.ChainFile;
 import haltere.core.chain.FilterChain;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.WriteOptions;
-import haltere.core.format.aedat4.Aedat4Compression;
-import haltere.core.format.aedat4.Aedat4Writer;
+import haltere.core.format.internal.aedat4.Aedat4Compression;
+import haltere.core.format.internal.aedat4.Aedat4Writer;
 import haltere.core.pipeline.CameraHeader;
 import haltere.core.pipeline.OverflowPolicy;
 import haltere.core.pipeline.Recorder;
@@ -57,10 +57,8 @@ final class RecordingControl {
   private int starts;
 
   /**
-   * Records nothing yet.
-   *
-   * @param problems takes what went wrong, in one line
-   * @param said takes what is going on, in one line, empty when there is nothing more to say
+   * Records nothing yet; tells in one line what went wrong and what is going on, empty when there
+   * is nothing more to say.
    */
   RecordingControl(BackgroundWork background, Consumer<String> problems, Consumer<String> said) {
     this.background = background;

@@ -5,12 +5,12 @@ import haltere.core.event.Frame;
 import haltere.core.event.SensorGeometry;
 import haltere.core.event.SensorReading;
 import haltere.core.event.Trigger;
-import haltere.core.format.RateProfile;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingClock;
 import haltere.core.format.RecordingReader;
-import haltere.core.format.RecordingSummary;
 import haltere.core.format.Recordings;
+import haltere.core.format.summary.RateProfile;
+import haltere.core.format.summary.RecordingSummary;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import java.io.IOException;
@@ -62,11 +62,7 @@ public record RecordingFacts(
     frames = List.copyOf(frames);
   }
 
-  /**
-   * Reads a recording from its start to its end; background thread.
-   *
-   * @throws IOException if it cannot be read
-   */
+  /** Reads a recording from its start to its end; background thread. */
   public static RecordingFacts scan(Path file, ReadOptions options) throws IOException {
     try (RecordingReader reader = Recordings.open(file, options.withReadings(true))) {
       Moments moments = new Moments(new RateProfile.Collector(reader.segments(), PROFILE_BINS));

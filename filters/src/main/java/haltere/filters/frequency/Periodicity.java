@@ -1,0 +1,155 @@
+package haltere.filters.frequency;
+
+/**
+ * Finds how often a series of counts repeats: the shortest lag at which the autocorrelation is
+ * nearly as high as anywhere, made more exact by the multiples of that lag.
+ *
+ * <p>Thread rule: one thread at a time.
+ */
+final class Periodicity {
+  /** A period has at least so many values. */
+  private static final int SHORTEST = 2;
+
+  /** Four periods at least are asked for. */
+  private static final int PERIODS = 4;
+
+  /** A peak at least this high, as a share of the variance, is a repetition. */
+  private static final double LEAST = 0.12;
+
+  /** The shortest lag whose peak has this share of the highest one is the period. */
+  private static final double NEARLY = 0.8;
+
+  /** The correlation has to fall to this share before it can rise for the next period. */
+  private static final double FALLEN = 0.5;
+
+  /** Means over so small a part of the period take the noise out of long ones. */
+  private static final int SMOOTHING = 16;
+
+  /** A multiple says the period more exactly than the one before: it changes it by no more. */
+  private static final double MAX_CHANGE = 0.1;
+
+  private final double[] correlation;
+  private final float[] centred;
+
+  Periodicity(int longest) {
+    correlation = new double[longest / PERIODS + 2];
+    centred = new float[longest];
+  }
+
+  /** The period of so many counts at even distances, in such distances; NaN if nothing repeats. */
+  double periodOf(float[] values, int count) {
+    int lags = count / PERIODS;
+    if (lags <= SHORTEST + 1) {
+      return Double.NaN;
+    }
+    double mean = 0;
+    for (int i = 0; i < count; i++) {
+      mean += values[i];
+    }
+    mean /= count;
+    for (int i = 0; i < count; i++) {
+      centred[i] = (float) (values[i] - mean);
+    }
+    // all lags over the same number of products, so that long ones are not worth less
+    int used = count - lags - 1;
+    for (int lag = 0; lag <= lags + 1 && lag < correlation.length; lag++) {
+      correlation[lag] = product(centred, lag, used);
+    }
+    int first = firstFall(lags);
+    double highest = 0;
+    for (int lag = first; lag <= lags; lag++) {
+      highest = Math.max(highest, correlation[lag]);
+    }
+    if (first > lags || !(highest > LEAST * correlation[0])) {
+      return Double.NaN;
+    }
+    for (int lag = first; lag <= lags; lag++) {
+      if (correlation[lag] >= NEARLY * highest) {
+        return refined(highestNear(lag, lag + lag / 4 + 1, lags, lag / SMOOTHING), lags);
+      }
+    }
+    return Double.NaN;
+  }
+
+  /** The lag from which on a rise is one of another period and not of the same one. */
+  private int firstFall(int lags) {
+    int lag = SHORTEST;
+    while (lag <= lags && correlation[lag] > FALLEN * Math.max(correlation[1], 0)) {
+      lag++;
+    }
+    // what still falls is no peak, however high it is
+    while (lag <= lags && correlation[lag] <= correlation[lag - 1]) {
+      lag++;
+    }
+    return lag;
+  }
+
+  private static double product(float[] values, int lag, int used) {
+    // four sums at a time: one alone would wait for itself at each step
+    double a = 0;
+    double b = 0;
+    double c = 0;
+    double d = 0;
+    int i = 0;
+    for (; i + 3 < used; i += 4) {
+      a += values[i] * values[i + lag];
+      b += values[i + 1] * values[i + 1 + lag];
+      c += values[i + 2] * values[i + 2 + lag];
+      d += values[i + 3] * values[i + 3 + lag];
+    }
+    for (; i < used; i++) {
+      a += values[i] * values[i + lag];
+    }
+    return a + b + c + d;
+  }
+
+  /** The lag of the highest mean in a range. */
+  private int highestNear(int from, int to, int lags, int reach) {
+    int best = Math.min(from, lags);
+    for (int lag = best; lag <= Math.min(to, lags); lag++) {
+      if (mean(lag, reach) > mean(best, reach)) {
+        best = lag;
+      }
+    }
+    return best;
+  }
+
+  private double mean(int lag, int reach) {
+    int from = Math.max(0, lag - reach);
+    int to = Math.min(correlation.length - 1, lag + reach);
+    double sum = 0;
+    for (int i = from; i <= to; i++) {
+      sum += correlation[i];
+    }
+    return sum / (to - from + 1);
+  }
+
+  /** Follows the peak through its multiples, each of which says the period more exactly. */
+  private double refined(int lag, int lags) {
+    int reach = lag / SMOOTHING;
+    double period = top(lag, reach);
+    for (int multiple = 2; multiple * period + reach + 2 <= lags; multiple++) {
+      int near = (int) Math.rint(multiple * period);
+      int around = 1 + reach / 2;
+      int best = highestNear(near - around, near + around, lags, reach);
+      double exact = top(best, reach) / multiple;
+      if (!(Math.abs(exact - period) <= MAX_CHANGE * period)) {
+        // not a multiple: what repeats does not do so for long
+        break;
+      }
+      period = exact;
+    }
+    return period;
+  }
+
+  /** Top of the parabola through a peak and its neighbours. */
+  private double top(int lag, int reach) {
+    int step = 1 + reach;
+    double before = mean(lag - step, reach);
+    double here = mean(lag, reach);
+    double after = mean(lag + step, reach);
+    double bend = before - 2 * here + after;
+    double off = bend < 0 ? 0.5 * step * (before - after) / bend : 0;
+    return lag + Math.max(-step, Math.min(step, off));
+  }
+}

@@ -1,0 +1,178 @@
+package haltere.filters.frequency;
+
+import haltere.core.event.EventAddress;
+import haltere.core.event.EventPacket;
+import haltere.core.stream.DataLost;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import java.util.Arrays;
+
+/**
+ * Counts the events of a region in short bins and says how many they are and how often they repeat.
+ * Remembers the last so many bins of {@value #BIN_US} microseconds.
+ *
+ * <p>Thread rule: one thread at a time.
+ */
+public final class RegionMeter implements StreamHandler {
+  /** Length of a bin, so that frequencies up to 2.5 kHz are seen. */
+  public static final int BIN_US = 200;
+
+  /** Bins that frequencies down to 5 Hz need: 0.8 s. */
+  public static final int BINS = 4096;
+
+  /** The rate is that of so many bins, 0.1 s. */
+  private static final int RATE_BINS = 500;
+
+  private static final long NONE = Long.MIN_VALUE;
+
+  private final PixelRegion region;
+  private final int bins;
+  private final int[] on;
+  private final int[] off;
+
+  /** Made when the first frequency is asked for. */
+  private Periodicity periodicity;
+
+  private float[] ordered;
+  private long firstBin = NONE;
+  private long newestBin = NONE;
+
+  /**
+   * A meter that has seen nothing.
+   *
+   * @param region the pixels
+   */
+  public RegionMeter(PixelRegion region) {
+    this(region, BINS);
+  }
+
+  /**
+   * A meter that has seen nothing.
+   *
+   * @param region the pixels
+   * @param bins how many bins are remembered, at least 2
+   */
+  public RegionMeter(PixelRegion region, int bins) {
+    this.region = region;
+    this.bins = bins;
+    on = new int[bins];
+    off = new int[bins];
+  }
+
+  /**
+   * The pixels.
+   *
+   * @return as given
+   */
+  public PixelRegion region() {
+    return region;
+  }
+
+  @Override
+  public void packet(EventPacket packet) {
+    int size = packet.size();
+    if (size == 0) {
+      return;
+    }
+    long[] times = packet.timesUs();
+    int[] addresses = packet.addresses();
+    int left = region.left();
+    int bottom = region.bottom();
+    int width = region.width();
+    int height = region.height();
+    if (firstBin == NONE) {
+      firstBin = Math.floorDiv(times[0], BIN_US);
+      newestBin = firstBin;
+    }
+    for (int i = 0; i < size; i++) {
+      int address = addresses[i];
+      int x = EventAddress.x(address) - left;
+      int y = EventAddress.y(address) - bottom;
+      if (x >= 0 && x < width && y >= 0 && y < height) {
+        advanceTo(times[i]);
+        int place = place(newestBin);
+        if (EventAddress.isOn(address)) {
+          on[place]++;
+        } else {
+          off[place]++;
+        }
+      }
+    }
+    advanceTo(times[size - 1]);
+  }
+
+  @Override
+  public void notified(StreamNotification notification) {
+    if (notification.endsContinuity() && !(notification instanceof DataLost)) {
+      Arrays.fill(on, 0);
+      Arrays.fill(off, 0);
+      firstBin = NONE;
+      newestBin = NONE;
+    }
+  }
+
+  /**
+   * Lets time go on without events.
+   *
+   * @param timeUs time on the source's clock; one that has passed changes nothing
+   */
+  public void advanceTo(long timeUs) {
+    if (newestBin == NONE) {
+      return;
+    }
+    long bin = Math.floorDiv(timeUs, BIN_US);
+    if (bin - newestBin >= bins) {
+      Arrays.fill(on, 0);
+      Arrays.fill(off, 0);
+      newestBin = bin;
+    }
+    while (newestBin < bin) {
+      int place = place(++newestBin);
+      on[place] = 0;
+      off[place] = 0;
+    }
+  }
+
+  private int place(long bin) {
+    return (int) Math.floorMod(bin, (long) bins);
+  }
+
+  /**
+   * What the region has been doing.
+   *
+   * @param withFrequency whether the frequency is looked for, which takes about a millisecond
+   * @return a reading of the last moments
+   */
+  public RegionReading reading(boolean withFrequency) {
+    if (newestBin == NONE) {
+      return RegionReading.NOTHING;
+    }
+    // the newest bin is not over yet
+    int known = (int) Math.min(bins - 1, newestBin - firstBin);
+    int counted = Math.max(1, Math.min(RATE_BINS, known));
+    long onEvents = 0;
+    long all = 0;
+    for (long bin = newestBin - counted; bin < newestBin; bin++) {
+      int place = place(bin);
+      onEvents += on[place];
+      all += on[place] + off[place];
+    }
+    double rateEps = all * 1e6 / ((double) counted * BIN_US);
+    double onShare = all == 0 ? Double.NaN : (double) onEvents / all;
+    return new RegionReading(
+        rateEps, onShare, withFrequency ? frequencyHz(known) : Double.NaN, (long) known * BIN_US);
+  }
+
+  private double frequencyHz(int known) {
+    if (periodicity == null) {
+      periodicity = new Periodicity(bins);
+      ordered = new float[bins];
+    }
+    for (int i = 0; i < known; i++) {
+      int place = place(newestBin - known + i);
+      ordered[i] = on[place] + off[place];
+    }
+    double periodBins = periodicity.periodOf(ordered, known);
+    return 1e6 / (periodBins * BIN_US);
+  }
+}
