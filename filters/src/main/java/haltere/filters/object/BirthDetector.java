@@ -29,62 +29,32 @@ final class BirthDetector {
   private final int[] ringTile = new int[RING];
   private final int[] ringPixels = new int[RING];
   private final int[] ringTick = new int[RING];
+
+  /** Which tiles of the same cell were kept before. */
+  private final long[] ringBefore = new long[RING];
+
+  /** For each cell how many tiles had been kept when one of its own was kept last. */
+  private final long[] latest;
+
   private final int[] stack;
   private final boolean[] seen;
-  private final boolean[] mine;
   private final List<int[]> found = new ArrayList<>();
+
+  /** Events of a birth: positions, and times in seconds before now, at most 0. */
+  private double[] eventX = new double[1024];
+
+  private double[] eventY = new double[1024];
+  private double[] eventS = new double[1024];
+  private int events;
   private long remembered;
   private int tick;
-
-  /** Takes an event; its time in seconds before now, at most 0. */
-  private interface Visitor {
-    void event(double x, double y, double s);
-  }
-
-  /** Sums of one coordinate z of the events of a birth, and of their times t. */
-  private static final class Axis {
-    double n;
-    double z;
-    double t;
-    double zz;
-    double tt;
-    double zt;
-
-    void add(double place, double s) {
-      n++;
-      z += place;
-      t += s;
-      zz += place * place;
-      tt += s * s;
-      zt += place * s;
-    }
-
-    double variance() {
-      return (zz - z * z / n) / n;
-    }
-
-    /** Linear regression of places of a variance r on time, with a prior of the velocity. */
-    void start(GaussianState state, int at, double r, double priorSd) {
-      double prior = priorSd * priorSd;
-      double vtt = Math.max((tt - t * t / n) / n, ObjectTracker.TICK_S * ObjectTracker.TICK_S / 12);
-      double keep = prior / (prior + r / (n * vtt));
-      double v = keep * (zt - z * t / n) / (n * vtt);
-      double pv = (1 - keep) * prior + 1;
-      double meanT = t / n;
-      state.setMean(at, z / n - v * meanT);
-      state.setMean(at + 1, v);
-      state.addNoise(at, r / n + pv * meanT * meanT);
-      state.addNoise(at + 1, pv);
-      state.addNoise(at, at + 1, -pv * meanT);
-    }
-  }
 
   BirthDetector(ActivityGrid grid, ClutterMap clutter) {
     this.grid = grid;
     this.clutter = clutter;
     stack = new int[clutter.cells()];
     seen = new boolean[clutter.cells()];
-    mine = new boolean[clutter.cells()];
+    latest = new long[clutter.cells()];
   }
 
   void begin(int passed) {
@@ -93,11 +63,14 @@ final class BirthDetector {
 
   void reset() {
     remembered = 0;
+    Arrays.fill(latest, 0);
   }
 
   /** Keeps the pixels of a tile that nothing explains. */
-  void remember(int tile, int pixels) {
+  void remember(int tile, int cell, int pixels) {
     int i = (int) (remembered++ & RING - 1);
+    ringBefore[i] = latest[cell];
+    latest[cell] = remembered;
     ringTile[i] = tile;
     ringPixels[i] = pixels;
     ringTick[i] = tick;
@@ -108,7 +81,7 @@ final class BirthDetector {
     found.clear();
     Arrays.fill(seen, false);
     for (int cell = 0; cell < seen.length; cell++) {
-      if (isSurprising(cell) && !seen[cell]) {
+      if (!seen[cell] && clutter.isSurprising(cell, CELL_NAT)) {
         int size = connect(cell);
         double total = 0;
         for (int i = 0; i < size; i++) {
@@ -123,10 +96,6 @@ final class BirthDetector {
     return found;
   }
 
-  private boolean isSurprising(int cell) {
-    return clutter.maySurprise(cell, CELL_NAT) && clutter.surprise(cell) >= CELL_NAT;
-  }
-
   private int connect(int start) {
     int size = 0;
     stack[size++] = start;
@@ -137,7 +106,7 @@ final class BirthDetector {
       for (int r = Math.max(0, row - 1); r <= Math.min(clutter.rows - 1, row + 1); r++) {
         for (int c = Math.max(0, column - 1); c <= Math.min(clutter.columns - 1, column + 1); c++) {
           int next = r * clutter.columns + c;
-          if (!seen[next] && isSurprising(next)) {
+          if (!seen[next] && clutter.isSurprising(next, CELL_NAT)) {
             seen[next] = true;
             stack[size++] = next;
           }
@@ -149,62 +118,92 @@ final class BirthDetector {
 
   /** Makes a component of the events in cells, or says that there are none. */
   boolean begin(int[] cells, Component component) {
-    Arrays.fill(mine, false);
-    for (int cell : cells) {
-      mine[cell] = true;
-      clutter.clear(cell);
-    }
-    Axis alongX = new Axis();
-    Axis alongY = new Axis();
-    visit(
-        (px, py, t) -> {
-          alongX.add(px, t);
-          alongY.add(py, t);
-        },
-        false);
-    if (alongX.n == 0) {
+    collect(cells);
+    if (events == 0) {
       return false;
     }
-    double xx = alongX.variance();
-    double yy = alongY.variance();
+    double xx = covariance(eventX, eventX);
+    double yy = covariance(eventY, eventY);
     double size = Math.max(4, 4 * Math.sqrt(Math.max(xx, yy)));
     double r = Math.max(0.25 * (xx + yy), 1);
     component.state.setVariances(0, 0, 0, 0);
-    alongX.start(component.state, 0, r, SPEED_SIZES_S * size);
-    alongY.start(component.state, 2, r, SPEED_SIZES_S * size);
+    start(component.state, 0, eventX, r, SPEED_SIZES_S * size);
+    start(component.state, 2, eventY, r, SPEED_SIZES_S * size);
     component.shape.clear(Math.max(ShapeTemplate.MIN_CELL_PX, size / (0.5 * ShapeTemplate.SIDE)));
-    double x = component.x();
-    double y = component.y();
-    double vx = component.vx();
-    double vy = component.vy();
-    visit((px, py, s) -> component.shape.spread(px - x - vx * s, py - y - vy * s, 1, 1), true);
-    component.rate = alongX.n / WINDOW;
+    for (int i = 0; i < events; i++) {
+      double dx = eventX[i] - component.x() - component.vx() * eventS[i];
+      double dy = eventY[i] - component.y() - component.vy() * eventS[i];
+      component.shape.spread(dx, dy, 1, 1);
+    }
+    component.rate = (double) events / WINDOW;
     component.shape.refresh();
     return true;
   }
 
-  /** Visits the events that are kept of the birth, and forgets them the last time. */
-  private void visit(Visitor visitor, boolean last) {
-    long first = Math.max(0, remembered - RING);
-    for (long i = remembered - 1; i >= first; i--) {
-      int at = (int) (i & RING - 1);
-      if (tick - ringTick[at] > WINDOW) {
-        return;
-      }
-      int tile = ringTile[at];
-      int x = grid.x(tile);
-      int y = grid.y(tile);
-      if (!mine[clutter.cellAt(x, y)]) {
-        continue;
-      }
-      double s = (ringTick[at] - tick) * ObjectTracker.TICK_S;
-      for (int left = ringPixels[at]; left != 0; left &= left - 1) {
-        int pixel = Integer.numberOfTrailingZeros(left);
-        visitor.event(x + ActivityGrid.pixelX(pixel), y + ActivityGrid.pixelY(pixel), s);
-      }
-      if (last) {
-        ringPixels[at] = 0;
-      }
+  private double mean(double[] values) {
+    double sum = 0;
+    for (int i = 0; i < events; i++) {
+      sum += values[i];
     }
+    return sum / events;
+  }
+
+  private double covariance(double[] a, double[] b) {
+    double meanA = mean(a);
+    double meanB = mean(b);
+    double sum = 0;
+    for (int i = 0; i < events; i++) {
+      sum += (a[i] - meanA) * (b[i] - meanB);
+    }
+    return sum / events;
+  }
+
+  /** Linear regression of positions of a variance r on time, with a prior of the velocity. */
+  private void start(GaussianState state, int at, double[] z, double r, double priorSd) {
+    double prior = priorSd * priorSd;
+    double tick = ObjectTracker.TICK_S;
+    double variance = Math.max(covariance(eventS, eventS), tick * tick / 12);
+    double keep = prior / (prior + r / (events * variance));
+    double v = keep * covariance(z, eventS) / variance;
+    double pv = (1 - keep) * prior + 1;
+    double meanS = mean(eventS);
+    state.setMean(at, mean(z) - v * meanS);
+    state.setMean(at + 1, v);
+    state.addNoise(at, r / events + pv * meanS * meanS);
+    state.addNoise(at + 1, pv);
+    state.addNoise(at, at + 1, -pv * meanS);
+  }
+
+  /** Takes the events that are kept of some cells. */
+  private void collect(int[] cells) {
+    events = 0;
+    long last = Math.max(0, remembered - RING);
+    for (int cell : cells) {
+      for (long i = latest[cell]; i > last; i = ringBefore[(int) (i - 1 & RING - 1)]) {
+        int at = (int) (i - 1 & RING - 1);
+        if (tick - ringTick[at] > WINDOW) {
+          break;
+        }
+        int x = grid.x(ringTile[at]);
+        int y = grid.y(ringTile[at]);
+        for (int left = ringPixels[at]; left != 0; left &= left - 1) {
+          int pixel = Integer.numberOfTrailingZeros(left);
+          add(x + ActivityGrid.pixelX(pixel), y + ActivityGrid.pixelY(pixel), ringTick[at] - tick);
+        }
+      }
+      latest[cell] = 0;
+      clutter.clear(cell);
+    }
+  }
+
+  private void add(int x, int y, int ticks) {
+    if (events == eventX.length) {
+      eventX = Arrays.copyOf(eventX, 2 * events);
+      eventY = Arrays.copyOf(eventY, 2 * events);
+      eventS = Arrays.copyOf(eventS, 2 * events);
+    }
+    eventX[events] = x;
+    eventY[events] = y;
+    eventS[events++] = ticks * ObjectTracker.TICK_S;
   }
 }

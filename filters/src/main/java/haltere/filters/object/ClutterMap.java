@@ -2,7 +2,6 @@ package haltere.filters.object;
 
 import haltere.core.event.SensorGeometry;
 import java.util.Arrays;
-import java.util.List;
 
 /**
  * Rates of the events that no object explains. Each pixel's rate has an exponential prior around
@@ -43,19 +42,30 @@ final class ClutterMap {
   private static final double FALSE_ALARM_HZ = 1e-6;
 
   private static final double CELL_PIXELS = 1 << 2 * CELL_SHIFT;
-  private static final int TABLE = 1024;
+
+  /** Factor by which weights of pixels grow before all are scaled down: half a float's decades. */
+  private static final double MAX_GAIN = 1e19;
+
+  private static final int HALF = (1 << Short.SIZE) - 1;
 
   final int columns;
   final int rows;
-  private final float[] clutter;
-  private final float[] recent;
-  private final int[] touched;
+
+  /**
+   * Of each pixel what was clutter, times its gain, in the upper half, and all its events, times
+   * theirs, in the lower: two floats of 16 bits, which round a count by less than 0.4 %.
+   */
+  private final int[] pixels;
+
   private final float[] excess;
   private final float[] background;
   private final float[] cellRecent;
-  private final float[] keepTable = new float[TABLE];
-  private final float[] keepRecentTable = new float[TABLE];
-  private int tick;
+  private double gain;
+  private double perGain;
+  private double recentGain;
+  private double perRecentGain;
+  private double usual;
+  private double present;
   private double level;
   private double perTick;
   private double ticks;
@@ -63,27 +73,22 @@ final class ClutterMap {
   private double cellFactor;
 
   ClutterMap(SensorGeometry geometry, ActivityGrid grid) {
-    columns = (grid.columns + 1) >> 1;
-    rows = (grid.rows + 1) >> 1;
-    clutter = new float[grid.columns * grid.rows * ActivityGrid.TILE_PIXELS];
-    recent = new float[clutter.length];
-    touched = new int[grid.columns * grid.rows];
+    columns = (geometry.width() - 1 >> CELL_SHIFT) + 1;
+    rows = (geometry.height() - 1 >> CELL_SHIFT) + 1;
+    pixels = new int[grid.tiles() * ActivityGrid.TILE_PIXELS];
     excess = new float[columns * rows];
     background = new float[columns * rows];
     cellRecent = new float[columns * rows];
-    for (int i = 0; i < TABLE; i++) {
-      keepTable[i] = (float) Math.exp(-i * ObjectTracker.TICK_S / MEMORY_S);
-      keepRecentTable[i] = (float) Math.exp(-i * ObjectTracker.TICK_S / RECENT_S);
-    }
     reset();
   }
 
   void reset() {
-    for (float[] values : List.of(clutter, recent, excess, background, cellRecent)) {
-      Arrays.fill(values, 0);
-    }
-    Arrays.fill(touched, 0);
-    tick = 0;
+    Arrays.fill(pixels, 0);
+    Arrays.fill(excess, 0);
+    Arrays.fill(background, 0);
+    Arrays.fill(cellRecent, 0);
+    gain = 1;
+    recentGain = 1;
     ticks = 0;
     level = 1;
     perTick = PRIOR_HZ * ObjectTracker.TICK_S;
@@ -108,39 +113,44 @@ final class ClutterMap {
 
   /** Begins a tick; several have passed since the last if nothing happened. */
   void begin(int passed) {
-    tick += passed;
-    double keep = Math.exp(-passed * ObjectTracker.TICK_S / MEMORY_S);
-    ticks = ticks * keep + (1 - keep) / (1 - keepTable[1]);
+    double keep = keep(passed, MEMORY_S);
+    ticks = ticks * keep + (1 - keep) / (1 - keep(1, MEMORY_S));
     float keepBackground = (float) keep;
-    float keepExcess = (float) Math.exp(-passed * ObjectTracker.TICK_S / BIRTH_S);
-    float keepRecent = (float) Math.exp(-passed * ObjectTracker.TICK_S / RECENT_S);
+    float keepExcess = (float) keep(passed, BIRTH_S);
+    float keepRecent = (float) keep(passed, RECENT_S);
     for (int i = 0; i < excess.length; i++) {
       excess[i] *= keepExcess;
       background[i] *= keepBackground;
       cellRecent[i] *= keepRecent;
     }
+    grow(keep, keepRecent);
     pixelFactor = level / (ticks + 1 / perTick);
   }
 
-  /** Brings a tile's pixels to the present tick. */
-  void touch(int tile) {
-    int since = tick - touched[tile];
-    if (since == 0) {
-      return;
-    }
-    touched[tile] = tick;
-    float keep = since < TABLE ? keepTable[since] : keepTable[TABLE - 1];
-    float keepRecent = since < TABLE ? keepRecentTable[since] : 0;
-    int first = tile * ActivityGrid.TILE_PIXELS;
-    for (int i = first; i < first + ActivityGrid.TILE_PIXELS; i++) {
-      clutter[i] *= keep;
-      recent[i] *= keepRecent;
-    }
+  private static double keep(int passed, double memoryS) {
+    return Math.exp(-passed * ObjectTracker.TICK_S / memoryS);
   }
 
-  /** Expected clutter of a pixel in this tick; its tile has been touched. */
+  /** Lets new events weigh more instead of all old ones less. */
+  private void grow(double keep, double keepRecent) {
+    gain /= keep;
+    recentGain /= keepRecent;
+    if (Math.max(gain, recentGain) > MAX_GAIN) {
+      float scale = (float) (1 / gain);
+      float recentScale = (float) (1 / recentGain);
+      for (int i = 0; i < pixels.length; i++) {
+        pixels[i] = pack(clutter(pixels[i]) * scale, recent(pixels[i]) * recentScale);
+      }
+      gain = 1;
+      recentGain = 1;
+    }
+    perGain = 1 / gain;
+    perRecentGain = 1 / recentGain;
+  }
+
+  /** Expected clutter of a pixel in this tick. */
   double rate(int tile, int pixel) {
-    return pixelFactor * (clutter[tile * ActivityGrid.TILE_PIXELS + pixel] + 1);
+    return pixelFactor * (clutter(pixels[tile * ActivityGrid.TILE_PIXELS + pixel]) * perGain + 1);
   }
 
   /**
@@ -148,16 +158,33 @@ final class ClutterMap {
    * place that flickers, or of noise, this is what comes; of something that moves it is not.
    */
   double repeatRate(int tile, int pixel, int cell) {
-    double own = recent[tile * ActivityGrid.TILE_PIXELS + pixel];
+    double own = recent(pixels[tile * ActivityGrid.TILE_PIXELS + pixel]) * perRecentGain;
     double around = cellRecent[cell] / CELL_PIXELS;
     return (0.5 * (own + around) + QUIET_EVENTS) * ObjectTracker.TICK_S / RECENT_S;
+  }
+
+  private static float clutter(int pixel) {
+    return Float.intBitsToFloat(pixel & ~HALF);
+  }
+
+  private static float recent(int pixel) {
+    return Float.intBitsToFloat(pixel << Short.SIZE);
+  }
+
+  private static int pack(float clutter, float recent) {
+    return upperHalf(clutter) | upperHalf(recent) >>> Short.SIZE;
+  }
+
+  /** Bits of a float, rounded to the upper half of them. */
+  private static int upperHalf(float value) {
+    return Float.floatToRawIntBits(value) + (HALF + 1 >> 1) & ~HALF;
   }
 
   /** Adds an event of which a share is clutter. */
   void add(int tile, int pixel, int cell, double share) {
     int i = tile * ActivityGrid.TILE_PIXELS + pixel;
-    recent[i]++;
-    clutter[i] += (float) share;
+    int known = pixels[i];
+    pixels[i] = pack(clutter(known) + (float) (share * gain), recent(known) + (float) recentGain);
     cellRecent[cell]++;
     excess[cell] += (float) share;
     background[cell] += (float) share;
@@ -165,8 +192,8 @@ final class ClutterMap {
 
   /** Estimates the picture's usual rate and its present factor. */
   void end() {
-    double usual = winsorisedMean(background);
-    double present = winsorisedMean(excess);
+    winsorisedMeans(Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY);
+    winsorisedMeans((float) (MAX_OF_MEAN * usual), (float) (MAX_OF_MEAN * present));
     double expected = usual / ticks * BIRTH_S / ObjectTracker.TICK_S;
     boolean isNew = ticks < BirthDetector.WINDOW;
     level = isNew ? 1 : Math.max(1, present / Math.max(expected, 1e-9));
@@ -176,18 +203,16 @@ final class ClutterMap {
     cellFactor = level / (ticks + 1 / (CELL_PIXELS * perTick)) * BIRTH_S / ObjectTracker.TICK_S;
   }
 
-  private static double winsorisedMean(float[] values) {
-    double mean = 0;
-    for (float value : values) {
-      mean += value;
+  /** Means over the cells, each at most so much; at once, for each sum waits for its last term. */
+  private void winsorisedMeans(float mostUsual, float mostPresent) {
+    double first = 0;
+    double second = 0;
+    for (int i = 0; i < excess.length; i++) {
+      first += background[i] < mostUsual ? background[i] : mostUsual;
+      second += excess[i] < mostPresent ? excess[i] : mostPresent;
     }
-    mean /= values.length;
-    float most = (float) (MAX_OF_MEAN * mean);
-    double sum = 0;
-    for (float value : values) {
-      sum += Math.min(value, most);
-    }
-    return sum / values.length;
+    usual = first / excess.length;
+    present = second / excess.length;
   }
 
   /**
@@ -200,11 +225,12 @@ final class ClutterMap {
     return n > mean ? n * Math.log(n / mean) - (n - mean) : 0;
   }
 
-  /** Whether a cell's {@link #surprise} may reach a value, by its bound (n − μ)² / μ. */
-  boolean maySurprise(int cell, double nat) {
+  /** Whether a cell's {@link #surprise} reaches a value; its bound (n − μ)² / μ costs less. */
+  boolean isSurprising(int cell, double nat) {
     double mean = cellFactor * (background[cell] + 1);
     double over = excess[cell] - mean;
-    return over > 0 && over * over >= nat * mean;
+    // the rarer one first: most cells fail it, and half of them are over the mean
+    return over * over >= nat * mean && over > 0 && surprise(cell) >= nat;
   }
 
   /** Forgets the excess of a cell: a component takes it. */

@@ -1,6 +1,5 @@
 package haltere.filters.object;
 
-import haltere.core.event.SensorGeometry;
 import java.util.Arrays;
 import java.util.List;
 
@@ -13,47 +12,42 @@ import java.util.List;
  * <p>Thread rule: one thread at a time.
  */
 final class EventAssociation {
-  private static final int BLOCK_SHIFT = 4;
-
   /** Components that share a block of 16 × 16 pixels; more do not count there. */
   private static final int MAX_NEAR = 16;
 
   private final ActivityGrid grid;
   private final ClutterMap clutter;
   private final BirthDetector births;
-  private final int columns;
-  private final int rows;
-  private final int[] head;
-  private int[] next = new int[1024];
-  private Component[] entry = new Component[1024];
-  private int entries;
-  private final Component[] near = new Component[MAX_NEAR];
+
+  /** How many components share each block, and which, by their places in the list. */
+  private final int[] counts;
+
+  private final int[] near;
+  private List<Component> components = List.of();
   private final double[] nearX = new double[MAX_NEAR];
   private final double[] nearY = new double[MAX_NEAR];
   private final double[] intensity = new double[MAX_NEAR];
   private final int[] cells = new int[MAX_NEAR];
 
-  EventAssociation(
-      SensorGeometry geometry, ActivityGrid grid, ClutterMap clutter, BirthDetector births) {
+  EventAssociation(ActivityGrid grid, ClutterMap clutter, BirthDetector births) {
     this.grid = grid;
     this.clutter = clutter;
     this.births = births;
-    columns = (geometry.width() >> BLOCK_SHIFT) + 1;
-    rows = (geometry.height() >> BLOCK_SHIFT) + 1;
-    head = new int[columns * rows];
+    counts = new int[grid.columns * grid.rows];
+    near = new int[MAX_NEAR * counts.length];
   }
 
-  void associate(List<Component> components) {
-    index(components);
-    for (int i = 0; i < grid.count(); i++) {
-      associate(grid.tile(i));
+  void associate(List<Component> all) {
+    components = all;
+    index();
+    for (int tile = grid.nextTile(0); tile >= 0; tile = grid.nextTile(tile + 1)) {
+      associate(tile);
     }
   }
 
   /** Lists for each block the components whose template may reach it. */
-  private void index(List<Component> components) {
-    Arrays.fill(head, -1);
-    entries = 0;
+  private void index() {
+    Arrays.fill(counts, 0);
     for (int i = 0; i < components.size(); i++) {
       Component component = components.get(i);
       component.beginTick();
@@ -61,65 +55,57 @@ final class EventAssociation {
       double reachX = reach + Math.abs(component.vx()) * ObjectTracker.TICK_S;
       double reachY = reach + Math.abs(component.vy()) * ObjectTracker.TICK_S;
       int firstColumn = Math.max(0, block(component.x() - reachX));
-      int lastColumn = Math.min(columns - 1, block(component.x() + reachX));
+      int lastColumn = Math.min(grid.columns - 1, block(component.x() + reachX));
       int firstRow = Math.max(0, block(component.y() - reachY));
-      int lastRow = Math.min(rows - 1, block(component.y() + reachY));
+      int lastRow = Math.min(grid.rows - 1, block(component.y() + reachY));
       for (int row = firstRow; row <= lastRow; row++) {
         for (int column = firstColumn; column <= lastColumn; column++) {
-          add(row * columns + column, component);
+          int block = row * grid.columns + column;
+          if (counts[block] < MAX_NEAR) {
+            near[block * MAX_NEAR + counts[block]++] = i;
+          }
         }
       }
     }
   }
 
   private static int block(double px) {
-    return (int) Math.floor(px) >> BLOCK_SHIFT;
-  }
-
-  private void add(int block, Component component) {
-    if (entries == next.length) {
-      next = Arrays.copyOf(next, 2 * entries);
-      entry = Arrays.copyOf(entry, 2 * entries);
-    }
-    entry[entries] = component;
-    next[entries] = head[block];
-    head[block] = entries++;
+    return (int) Math.floor(px) >> ActivityGrid.BLOCK_SHIFT;
   }
 
   private void associate(int tile) {
     int x = grid.x(tile);
     int y = grid.y(tile);
-    double timeS = grid.meanS(tile);
-    int count = 0;
-    int block = (y >> BLOCK_SHIFT) * columns + (x >> BLOCK_SHIFT);
-    for (int e = head[block]; e >= 0 && count < MAX_NEAR; e = next[e]) {
-      Component component = entry[e];
-      near[count] = component;
-      nearX[count] = x - (component.x() + component.vx() * timeS);
-      nearY[count++] = y - (component.y() + component.vy() * timeS);
+    int block = tile >> ActivityGrid.BLOCK_SHIFT;
+    int first = block * MAX_NEAR;
+    int count = counts[block];
+    double timeS = count == 0 ? 0 : grid.meanS(tile);
+    for (int k = 0; k < count; k++) {
+      Component component = components.get(near[first + k]);
+      nearX[k] = x - (component.x() + component.vx() * timeS);
+      nearY[k] = y - (component.y() + component.vy() * timeS);
     }
-    clutter.touch(tile);
     int cell = clutter.cellAt(x, y);
     int unexplained = 0;
     for (int left = grid.pixels(tile); left != 0; left &= left - 1) {
       int pixel = Integer.numberOfTrailingZeros(left);
-      double share = associate(tile, pixel, cell, count);
+      double share = count == 0 ? 1 : associate(tile, pixel, cell, first, count);
       clutter.add(tile, pixel, cell, share);
       unexplained |= share > 0.5 ? 1 << pixel : 0;
     }
     if (unexplained != 0) {
-      births.remember(tile, unexplained);
+      births.remember(tile, cell, unexplained);
     }
   }
 
   /** Shares one event; returns the share that is clutter. */
-  private double associate(int tile, int pixel, int cell, int count) {
+  private double associate(int tile, int pixel, int cell, int first, int count) {
     double noise = clutter.rate(tile, pixel);
     double sum = noise;
     int dx = ActivityGrid.pixelX(pixel);
     int dy = ActivityGrid.pixelY(pixel);
     for (int k = 0; k < count; k++) {
-      Component component = near[k];
+      Component component = components.get(near[first + k]);
       int at = component.shape.cell(nearX[k] + dx, nearY[k] + dy);
       cells[k] = at;
       intensity[k] = at < 0 ? 0 : component.intensity * component.shape.density[at];
@@ -133,7 +119,7 @@ final class EventAssociation {
       if (intensity[k] == 0) {
         continue;
       }
-      Component component = near[k];
+      Component component = components.get(near[first + k]);
       double mine = component.active * intensity[k];
       component.addLikelihood(intensity[k] / (sum - mine));
       double share = mine / sum;

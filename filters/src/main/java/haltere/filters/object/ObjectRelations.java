@@ -50,8 +50,10 @@ final class ObjectRelations {
   /** Of pairs that are too far from one another to be compared. */
   private static final double FAR = Double.NEGATIVE_INFINITY;
 
-  private final double[][] gap = new double[ObjectTracker.MAX_COMPONENTS][];
-  private final double[][] evidence = new double[ObjectTracker.MAX_COMPONENTS][];
+  private static final int SLOTS = ObjectTracker.MAX_COMPONENTS;
+
+  private final double[][] gap = new double[SLOTS][SLOTS];
+  private final double[][] evidence = new double[SLOTS][SLOTS];
 
   /** {@link ClutterMap#alarmNat}; half of it tells a component from a flicker. */
   private final double alarmNat;
@@ -61,10 +63,6 @@ final class ObjectRelations {
 
   ObjectRelations(double alarmNat) {
     this.alarmNat = alarmNat;
-    for (int i = 0; i < ObjectTracker.MAX_COMPONENTS; i++) {
-      gap[i] = new double[ObjectTracker.MAX_COMPONENTS];
-      evidence[i] = new double[ObjectTracker.MAX_COMPONENTS];
-    }
   }
 
   void apply(ObjectTrackerSettings settings) {
@@ -77,7 +75,7 @@ final class ObjectRelations {
 
   /** Forgets what is known of a slot, or gives it what is known of another. */
   void begin(int slot, Component like) {
-    for (int i = 0; i < ObjectTracker.MAX_COMPONENTS; i++) {
+    for (int i = 0; i < SLOTS; i++) {
       double known = like == null || like.slot == i ? 0 : evidence[like.slot][i];
       evidence[slot][i] = known;
       evidence[i][slot] = known;

@@ -85,7 +85,7 @@ final class ObjectTracker {
     clutter = new ClutterMap(geometry, grid);
     births = new BirthDetector(grid, clutter);
     relations = new ObjectRelations(clutter.alarmNat());
-    association = new EventAssociation(geometry, grid, clutter, births);
+    association = new EventAssociation(grid, clutter, births);
     apply(settings);
     apply(motion);
     reset();
@@ -181,9 +181,8 @@ final class ObjectTracker {
       component.endTick(nowUs, inside(component));
       component.object.events += component.weight;
     }
-    List<int[]> born = births.find();
-    for (int i = 0; i < born.size(); i++) {
-      begin(born.get(i), nowUs);
+    for (int[] cells : births.find()) {
+      begin(cells, nowUs);
     }
     if (++ticks % RegionFinder.LOOK_TICKS == 0) {
       splitComponents();
@@ -432,7 +431,7 @@ final class ObjectTracker {
         goAlong(object, nowUs);
       } else if (!object.isDecided()
           || object.isLost && silentS > settings.rememberS()
-          || motion.coasts() && hasLeft(object)) {
+          || motion.coasts() && object.components.stream().allMatch(c -> inside(c) == 0)) {
         object.components.forEach(this::end);
         objects.remove(i);
       } else if (object.isLost && motion.coasts()) {
@@ -455,11 +454,6 @@ final class ObjectTracker {
         decide(object);
       }
     }
-  }
-
-  /** Whether nothing of an object is in the picture any more. */
-  private boolean hasLeft(TrackedObject object) {
-    return object.components.stream().allMatch(component -> inside(component) == 0);
   }
 
   /** Components without events go along with the others, and end after a while. */

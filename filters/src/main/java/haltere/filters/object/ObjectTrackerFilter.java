@@ -61,7 +61,7 @@ public final class ObjectTrackerFilter extends PublishingFilter<ObjectTrackerSet
             geometry,
             settings,
             this::accept,
-            timeUs -> snapshots.publish(trails.at(timeUs)),
+            this::reported,
             () -> tracks.hasSubscribers() || snapshots.hasSubscribers());
   }
 
@@ -119,6 +119,12 @@ public final class ObjectTrackerFilter extends PublishingFilter<ObjectTrackerSet
    */
   public void apply(MotionModel model) {
     tracker.apply(model);
+  }
+
+  private void reported(long timeUs) {
+    if (snapshots.hasSubscribers()) {
+      snapshots.publish(trails.at(timeUs));
+    }
   }
 
   private void accept(ObjectTrack track) {

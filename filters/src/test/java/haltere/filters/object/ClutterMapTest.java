@@ -17,10 +17,9 @@ class ClutterMapTest {
   /** A tick in which each pixel fires with its probability. */
   private void tick(double usual, int hotTile, double hot) {
     clutter.begin(1);
-    for (int tile = 0; tile < grid.columns * grid.rows; tile++) {
+    for (int tile = 0; tile < grid.tiles(); tile++) {
       for (int pixel = 0; pixel < ActivityGrid.TILE_PIXELS; pixel++) {
         if (random.nextDouble() < (tile == hotTile && pixel == 0 ? hot : usual)) {
-          clutter.touch(tile);
           clutter.add(tile, pixel, clutter.cellAt(grid.x(tile), grid.y(tile)), 1);
         }
       }
@@ -34,8 +33,6 @@ class ClutterMapTest {
       tick(0.01, 5, 0.5);
     }
     clutter.begin(1);
-    clutter.touch(5);
-    clutter.touch(100);
     assertEquals(0.5, clutter.rate(5, 0), 0.1);
     double sum = 0;
     for (int pixel = 1; pixel < ActivityGrid.TILE_PIXELS; pixel++) {
@@ -52,7 +49,7 @@ class ClutterMapTest {
     int surprised = 0;
     for (int cell = 0; cell < clutter.cells(); cell++) {
       surprised += clutter.surprise(cell) > 6 ? 1 : 0;
-      assertTrue(clutter.maySurprise(cell, 2) || clutter.surprise(cell) < 2);
+      assertEquals(clutter.surprise(cell) >= 2, clutter.isSurprising(cell, 2));
     }
     assertTrue(surprised <= 1, surprised + " cells");
     for (int i = 0; i < 30; i++) {
@@ -66,13 +63,11 @@ class ClutterMapTest {
     for (int i = 0; i < 500; i++) {
       tick(0.01, -1, 0);
     }
-    clutter.touch(7);
     double before = clutter.rate(7, 3);
     for (int i = 0; i < 5; i++) {
       tick(0.2, -1, 0);
     }
     clutter.begin(1);
-    clutter.touch(7);
     assertTrue(clutter.rate(7, 3) > 5 * before);
     for (int cell = 0; cell < clutter.cells(); cell++) {
       assertTrue(clutter.surprise(cell) < 12, clutter.surprise(cell) + " nat");
@@ -84,12 +79,10 @@ class ClutterMapTest {
     for (int i = 0; i < 500; i++) {
       tick(0.05, -1, 0);
     }
-    clutter.touch(7);
     double before = clutter.rate(7, 3);
     clutter.begin(2000);
     clutter.end();
     clutter.begin(1);
-    clutter.touch(7);
     assertTrue(clutter.rate(7, 3) < 0.2 * before);
   }
 }

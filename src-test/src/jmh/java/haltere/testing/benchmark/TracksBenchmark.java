@@ -19,7 +19,8 @@ import org.openjdk.jmh.annotations.Warmup;
 
 /**
  * What the object tracker costs, clusters, and Kalman tracks with the clusters that they stand on:
- * time of an event with 20 dots on circles before 640x480 pixels.
+ * time of an event with 20 dots on circles before 640x480 pixels, and the object tracker with 200
+ * of them before 1280x720.
  *
  * <p>Run: {@code ./gradlew :src-test:jmh -Pbench=TracksBenchmark}
  */
@@ -30,11 +31,11 @@ import org.openjdk.jmh.annotations.Warmup;
 @Warmup(iterations = 3, time = 1)
 @Measurement(iterations = 5, time = 1)
 public class TracksBenchmark {
-  /** Objects; clusters alone; or tracks with clusters of their own. */
-  @Param({"objects", "clusters", "tracks"})
+  /** Objects; 200 of them; clusters alone; or tracks with clusters of their own. */
+  @Param({"objects", "200-objects", "clusters", "tracks"})
   public String filter;
 
-  /** Share of the 0.67 million events a second that are noise. */
+  /** Share of the events that are noise. */
   @Param({"0", "0.5"})
   public double noiseShare;
 
@@ -48,10 +49,11 @@ public class TracksBenchmark {
    */
   @Setup
   public void setUp() throws IOException {
-    workload = TwentyDots.events(noiseShare);
+    boolean isCrowd = filter.equals("200-objects");
+    workload = isCrowd ? TwentyDots.tenTimes(noiseShare) : TwentyDots.events(noiseShare);
     tested =
         switch (filter) {
-          case "objects" -> TwentyDots.objects();
+          case "objects", "200-objects" -> TwentyDots.objects(workload.geometry);
           case "clusters" -> TwentyDots.clusters();
           default -> TwentyDots.tracks();
         };

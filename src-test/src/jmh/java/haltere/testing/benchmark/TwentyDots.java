@@ -4,6 +4,7 @@ import haltere.core.chain.EventFilter;
 import haltere.core.event.SensorGeometry;
 import haltere.core.simulation.internal.dots.MovingDotsScene;
 import haltere.core.simulation.internal.dots.MovingDotsSettings;
+import haltere.core.stream.EventSource;
 import haltere.filters.cluster.ClusterTrackerFilter;
 import haltere.filters.cluster.ClusterTrackerSettings;
 import haltere.filters.object.ObjectTrackerFilter;
@@ -29,20 +30,33 @@ final class TwentyDots {
    * @param noiseShare which share of them is noise, 0 to 1
    */
   static Workload events(double noiseShare) throws IOException {
-    return Workload.of(
-        new MovingDotsScene(
-            MovingDotsSettings.defaults()
-                .with(
-                    "sensor.widthPx=" + SENSOR.width(),
-                    "sensor.heightPx=" + SENSOR.height(),
-                    "dots.path=circles",
-                    "dots.count=20",
-                    "dots.speedPxS=300",
-                    "noise.leakHz=0",
-                    "dots.eventsPerPixel=" + EVENTS_PER_PIXEL * (1 - noiseShare),
-                    "noise.shotHz=" + noiseShare * RATE_HZ / SENSOR.pixels(),
-                    "noise.hotPixels=0",
-                    "run.durationS=1.6")));
+    return Workload.of(dots(SENSOR, 20, noiseShare, RATE_HZ));
+  }
+
+  /**
+   * Ten times as many dots and events before 1280 × 720 pixels: 50 in each quarter.
+   *
+   * @param noiseShare which share of them is noise, 0 to 1
+   */
+  static Workload tenTimes(double noiseShare) throws IOException {
+    return Workload.of(dots(new SensorGeometry(640, 360), 50, noiseShare, 2.5 * RATE_HZ)).tiled();
+  }
+
+  private static EventSource dots(
+      SensorGeometry sensor, int count, double noiseShare, double rateHz) {
+    return new MovingDotsScene(
+        MovingDotsSettings.defaults()
+            .with(
+                "sensor.widthPx=" + sensor.width(),
+                "sensor.heightPx=" + sensor.height(),
+                "dots.path=circles",
+                "dots.count=" + count,
+                "dots.speedPxS=300",
+                "noise.leakHz=0",
+                "dots.eventsPerPixel=" + EVENTS_PER_PIXEL * (1 - noiseShare),
+                "noise.shotHz=" + noiseShare * rateHz / sensor.pixels(),
+                "noise.hotPixels=0",
+                "run.durationS=1.6"));
   }
 
   /** Clusters alone. */
@@ -56,9 +70,9 @@ final class TwentyDots {
         SENSOR, KalmanTracksSettings.defaults().withClusters(clusterSettings()));
   }
 
-  /** Objects. */
-  static EventFilter objects() {
-    return new ObjectTrackerFilter(SENSOR, ObjectTrackerSettings.defaults());
+  /** Objects, of which no row is asked for. */
+  static EventFilter objects(SensorGeometry sensor) {
+    return new ObjectTrackerFilter(sensor, ObjectTrackerSettings.defaults());
   }
 
   private static ClusterTrackerSettings clusterSettings() {

@@ -1,5 +1,6 @@
 package haltere.testing.benchmark;
 
+import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.Recordings;
@@ -76,6 +77,23 @@ final class Workload {
   /** The same events once more, from their beginning. */
   Workload again() {
     return new Workload(geometry, stream);
+  }
+
+  /** These events in each quarter of a picture that is twice as wide and high. */
+  Workload tiled() {
+    SensorGeometry large = new SensorGeometry(2 * geometry.width(), 2 * geometry.height());
+    EventPacket events = new EventPacket(4 * stream.size());
+    for (int i = 0; i < stream.size(); i++) {
+      int address = stream.address(i);
+      for (int quarter = 0; quarter < 4; quarter++) {
+        events.append(
+            stream.timeUs(i),
+            EventAddress.x(address) + quarter % 2 * geometry.width(),
+            EventAddress.y(address) + quarter / 2 * geometry.height(),
+            EventAddress.isOn(address));
+      }
+    }
+    return new Workload(large, events);
   }
 
   private static SensorGeometry size(String name) {

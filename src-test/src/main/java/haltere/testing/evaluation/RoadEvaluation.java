@@ -30,7 +30,7 @@ import java.util.function.ToDoubleFunction;
  * Counts and speeds of vehicles that cross lines at 20 m and 40 m of simulated roads, as {@code
  * haltere track --road} finds them, against those of the simulator. A crossing that was found is
  * that of a vehicle if both have one direction, lanes that differ by at most one, and times that
- * differ by less than a second; the nearest pairs first.
+ * differ by less than a second; those in one lane first, then the nearest in time.
  */
 public final class RoadEvaluation {
   private static final CountingLineSettings LINES = new CountingLineSettings(2, 20, 20);
@@ -49,6 +49,10 @@ public final class RoadEvaluation {
   record Pair(Crossing found, Crossing truth) {
     double apartS() {
       return Math.abs(found.s - truth.s);
+    }
+
+    int lanesApart() {
+      return Math.abs(found.lane - truth.lane);
     }
 
     double error() {
@@ -149,13 +153,13 @@ public final class RoadEvaluation {
         Pair pair = new Pair(one, other);
         if (one.lineM == other.lineM
             && one.away == other.away
-            && Math.abs(one.lane - other.lane) <= 1
+            && pair.lanesApart() <= 1
             && pair.apartS() < MATCH_S) {
           possible.add(pair);
         }
       }
     }
-    possible.sort(Comparator.comparingDouble(Pair::apartS));
+    possible.sort(Comparator.comparingInt(Pair::lanesApart).thenComparingDouble(Pair::apartS));
     while (!possible.isEmpty()) {
       Pair nearest = possible.get(0);
       pairs.add(nearest);
