@@ -23,6 +23,7 @@ final class RadialResiduals {
   private final double[][] moment = new double[2][RINGS];
   private final double[][] weight = new double[2][RINGS];
   private final double ringsPerSquarePx;
+  private double wideTime = 0.5;
 
   /**
    * Degree, 0 to 1, to which the distance of the edges varies over the radius as a chord's does.
@@ -96,7 +97,8 @@ final class RadialResiduals {
     double most = Math.max(sum[0], sum[1]);
     answeredShare = most == 0 ? 0 : Math.max(0, 2 * Math.min(sum[0], sum[1]) / most - 1);
     double kept = Math.exp(-dtS / MEMORY_S);
-    wideShare += (1 - kept) * ((isSpread || variation > 0 ? 1 : 0) - wideShare);
+    wideTime += (1 - kept) * ((isSpread || variation > 0 ? 1 : 0) - wideTime);
+    wideShare = Math.max(0, 2 * wideTime - 1);
     for (int ring = 0; ring < RINGS; ring++) {
       for (int edge = 0; edge < 2; edge++) {
         moment[edge][ring] *= kept;

@@ -378,12 +378,10 @@ public final class WingEstimator implements SideEstimator {
   private double ahead() {
     double lagS = lagS();
     double fast = passageShare(lagS);
-    double slowLagS = (1 - fast) * lagS;
-    double otherShare = other == null ? 1 : other.radial.wideShare;
-    double wide = Math.max(0, 2 * Math.min(radial.wideShare, otherShare) - 1);
-    double latencyS =
-        CameraLatency.seconds(options.latencyUs(), (1 - wide) * slowLagS, fullSpeed());
-    return (latencyS + wide * slowLagS / 4 - fast * lagS / 2) * filter.x[StrokeEkf.OMEGA];
+    double slowS = (1 - fast) * lagS;
+    double wide = Math.min(radial.wideShare, other == null ? 1 : other.radial.wideShare);
+    double lateS = CameraLatency.seconds(options.latencyUs(), (1 - wide) * slowS, fullSpeed());
+    return (lateS + wide * slowS / 4 - fast * lagS / 2) * filter.x[StrokeEkf.OMEGA];
   }
 
   /** Half of the mean time between the edges in mid stroke, for a lag of ON events. */
