@@ -94,7 +94,8 @@ class CommandTablesTest {
     Map<String, String> metadata = ParquetTables.read(folder.resolve("wings.parquet")).metadata();
     assertTrue(metadata.get("haltere.program").startsWith("haltere "));
     assertEquals("fly.aedat", metadata.get("haltere.recording"));
-    assertEquals(haltere.core.pipeline.Checksums.of(fly), metadata.get("haltere.recordingSha256"));
+    assertEquals(
+        haltere.core.pipeline.internal.Checksums.of(fly), metadata.get("haltere.recordingSha256"));
     assertTrue(metadata.get("haltere.chain").contains("wing-tracker"));
     assertTrue(metadata.get("haltere.units").contains("\"frequency_hz\" : \"Hz\""));
   }

@@ -5,14 +5,14 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertSame;
 
 import haltere.core.event.EventPacket;
-import haltere.core.format.Conversion;
 import haltere.core.format.ProgressListener;
 import haltere.core.format.RecordingReader;
-import haltere.core.format.RecordingSummary;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.TimeSegment;
 import haltere.core.format.Violation;
 import haltere.core.format.WriteOptions;
+import haltere.core.format.summary.RecordingSummary;
+import haltere.core.pipeline.Conversion;
 import haltere.core.stream.Reset;
 import haltere.core.stream.StreamNotification;
 import haltere.core.stream.StreamStarted;

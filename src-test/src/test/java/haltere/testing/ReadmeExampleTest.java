@@ -53,16 +53,15 @@ class ReadmeExampleTest {
     assertTrue(lines.stream().allMatch(line -> line.contains("ObjectTrack[")), printed);
   }
 
-  private static String example() throws IOException {
+  /** The imports and statements of the README. */
+  static String example() throws IOException {
     Matcher block = EXAMPLE.matcher(Files.readString(README));
     assertTrue(block.find(), "there is no Java in " + README);
     return block.group(1);
   }
 
-  /**
-   * Compiles imports and statements as the body of a main method, and gives back what it prints.
-   */
-  private String run(String example) throws Exception {
+  /** Imports, and statements as the body of a main method. */
+  static String program(String example) {
     StringBuilder source = new StringBuilder();
     example
         .lines()
@@ -74,8 +73,12 @@ class ReadmeExampleTest {
         .lines()
         .filter(line -> !line.startsWith("import "))
         .forEach(line -> source.append("    ").append(line).append('\n'));
-    source.append("  }\n}\n");
-    Path file = Files.writeString(folder.resolve("Example.java"), source);
+    return source.append("  }\n}\n").toString();
+  }
+
+  /** Compiles and runs an example, and gives back what it prints. */
+  private String run(String example) throws Exception {
+    Path file = Files.writeString(folder.resolve("Example.java"), program(example));
     compile(file);
     try (URLClassLoader loader =
         new URLClassLoader(new URL[] {folder.toUri().toURL()}, getClass().getClassLoader())) {
@@ -124,7 +127,7 @@ class ReadmeExampleTest {
   }
 
   /** A spot of 5 pixels radius that goes from left to right in a second, with 40 kev/s. */
-  private static void writeMovingSpot(Path file) throws IOException {
+  static void writeMovingSpot(Path file) throws IOException {
     SensorGeometry geometry = new SensorGeometry(128, 128);
     Random random = new Random(1);
     List<EventPacket> packets = new ArrayList<>();

@@ -2,7 +2,7 @@ package haltere.core.batch;
 
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.Recordings;
-import haltere.core.pipeline.Checksums;
+import haltere.core.pipeline.internal.Checksums;
 import java.io.IOException;
 import java.nio.file.FileVisitResult;
 import java.nio.file.Files;

@@ -1,6 +1,6 @@
 package haltere.core.batch;
 
-import haltere.core.pipeline.Checksums;
+import haltere.core.pipeline.internal.Checksums;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Objects;

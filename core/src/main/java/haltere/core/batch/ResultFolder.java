@@ -1,8 +1,9 @@
 package haltere.core.batch;
 
 import haltere.core.format.AtomicFile;
+import haltere.core.format.RecordingProblem;
 import haltere.core.json.Json;
-import haltere.core.pipeline.Checksums;
+import haltere.core.pipeline.internal.Checksums;
 import java.io.Closeable;
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -154,7 +155,11 @@ final class ResultFolder implements Closeable {
   void begin(List<Path> files) throws IOException {
     List<Object> outputs = new ArrayList<>();
     files.forEach(file -> outputs.add(Map.of("file", folder.relativize(file).toString())));
-    write(Map.of(OUTPUTS, outputs));
+    try {
+      write(Map.of(OUTPUTS, outputs));
+    } catch (IOException e) {
+      throw RecordingProblem.writing(part, e);
+    }
   }
 
   /**
@@ -176,16 +181,20 @@ final class ResultFolder implements Closeable {
    * @param done with the files under {@code outputs}
    */
   void complete(Map<String, Object> done) throws IOException {
-    write(done);
-    journal.force(true);
-    completed = true;
-    journal.close();
-    Files.move(
-        part,
-        folder.resolve(DONE),
-        StandardCopyOption.ATOMIC_MOVE,
-        StandardCopyOption.REPLACE_EXISTING);
-    forceNames();
+    try {
+      write(done);
+      journal.force(true);
+      Files.move(
+          part,
+          folder.resolve(DONE),
+          StandardCopyOption.ATOMIC_MOVE,
+          StandardCopyOption.REPLACE_EXISTING);
+      completed = true;
+      journal.close();
+      forceNames();
+    } catch (IOException e) {
+      throw RecordingProblem.writing(folder.resolve(DONE), e);
+    }
   }
 
   /** Names of files are on the disk once their folder is, where the system can do that. */

@@ -1,5 +1,6 @@
 package haltere.core.format;
 
+import haltere.core.format.summary.RecordingSummary;
 import haltere.core.stream.EventSource;
 import java.io.IOException;
 import java.nio.file.Path;

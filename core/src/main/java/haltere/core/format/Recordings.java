@@ -122,14 +122,14 @@ public final class Recordings {
    * the folder of a bag in parts.
    *
    * @param path any path
-   * @return false for a path that cannot be read, too
+   * @return for a file that cannot be read, whether a format's files have its ending
    */
   public static boolean isRecording(Path path) {
     try {
       if (Files.isDirectory(path)) {
         return RecordingFolder.isBag(path);
       }
-      if (!Files.isRegularFile(path) || !Files.isReadable(path)) {
+      if (!Files.isRegularFile(path)) {
         return false;
       }
       FileHead head = FileHead.read(path);
@@ -139,7 +139,9 @@ public final class Recordings {
                   !format.sharesExtensions() && format.extensions().contains(head.extension())
                       || format.probe(head).support() != Support.NONE);
     } catch (IOException unreadable) {
-      return false;
+      String extension = FileHead.extension(path);
+      return formats().values().stream()
+          .anyMatch(format -> format.extensions().contains(extension));
     }
   }
 

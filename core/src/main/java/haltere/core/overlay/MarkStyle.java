@@ -29,6 +29,8 @@ public record MarkStyle(Role role, int identity) {
     LEFT,
     /** Something on the right of a body. */
     RIGHT,
+    /** A grid, an axis or another scale that lengths are read from. */
+    SCALE,
     /** Words. */
     LABEL,
     /** Something that needs attention. */

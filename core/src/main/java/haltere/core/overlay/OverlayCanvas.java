@@ -2,9 +2,13 @@ package haltere.core.overlay;
 
 /**
  * Takes marks in sensor coordinates: x to the right, y up, (0, 0) at the centre of the bottom left
- * pixel, one unit per pixel, angles in radians counterclockwise from x.
+ * pixel, one unit per pixel, angles in radians counterclockwise from x. All marks but texts are
+ * lines from point to point where a canvas has nothing better.
  */
 public interface OverlayCanvas {
+  /** Corners of an ellipse that is drawn as lines. */
+  int ELLIPSE_CORNERS = 32;
+
   /**
    * A circle's outline.
    *
@@ -13,7 +17,9 @@ public interface OverlayCanvas {
    * @param radius in pixels of the sensor
    * @param style meaning
    */
-  void circle(double x, double y, double radius, MarkStyle style);
+  default void circle(double x, double y, double radius, MarkStyle style) {
+    ellipse(x, y, radius, radius, 0, style);
+  }
 
   /**
    * A straight line.
@@ -24,7 +30,9 @@ public interface OverlayCanvas {
    * @param y2 end
    * @param style meaning
    */
-  void line(double x1, double y1, double x2, double y2, MarkStyle style);
+  default void line(double x1, double y1, double x2, double y2, MarkStyle style) {
+    polyline(new double[] {x1, x2}, new double[] {y1, y2}, 2, style);
+  }
 
   /**
    * Lines from point to point.
@@ -46,8 +54,20 @@ public interface OverlayCanvas {
    * @param angleRad direction of the first axis
    * @param style meaning
    */
-  void ellipse(
-      double x, double y, double radiusA, double radiusB, double angleRad, MarkStyle style);
+  default void ellipse(
+      double x, double y, double radiusA, double radiusB, double angleRad, MarkStyle style) {
+    double cos = Math.cos(angleRad);
+    double sin = Math.sin(angleRad);
+    double[] pointsX = new double[ELLIPSE_CORNERS + 1];
+    double[] pointsY = new double[ELLIPSE_CORNERS + 1];
+    for (int i = 0; i <= ELLIPSE_CORNERS; i++) {
+      double a = radiusA * Math.cos(2 * Math.PI * i / ELLIPSE_CORNERS);
+      double b = radiusB * Math.sin(2 * Math.PI * i / ELLIPSE_CORNERS);
+      pointsX[i] = x + a * cos - b * sin;
+      pointsY[i] = y + a * sin + b * cos;
+    }
+    polyline(pointsX, pointsY, pointsX.length, style);
+  }
 
   /**
    * A rectangle's outline.
@@ -58,7 +78,13 @@ public interface OverlayCanvas {
    * @param height upwards
    * @param style meaning
    */
-  void rectangle(double x, double y, double width, double height, MarkStyle style);
+  default void rectangle(double x, double y, double width, double height, MarkStyle style) {
+    polyline(
+        new double[] {x, x + width, x + width, x, x},
+        new double[] {y, y, y + height, y + height, y},
+        5,
+        style);
+  }
 
   /**
    * A short text.

@@ -7,7 +7,7 @@ import haltere.core.event.EventPacket;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.Recordings;
 import haltere.core.format.Violation;
-import haltere.core.format.aedat4.Aedat4Compression;
+import haltere.core.format.internal.aedat4.Aedat4Compression;
 import haltere.testing.StreamRecorder;
 import java.io.DataInputStream;
 import java.io.EOFException;

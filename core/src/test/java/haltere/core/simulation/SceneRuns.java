@@ -1,9 +1,9 @@
 package haltere.core.simulation;
 
 import haltere.core.event.EventPacket;
-import haltere.core.simulation.fly.FlyScene;
-import haltere.core.simulation.fly.FlySceneSettings;
-import haltere.core.simulation.fly.FlyTruth;
+import haltere.core.simulation.internal.fly.FlyScene;
+import haltere.core.simulation.internal.fly.FlySceneSettings;
+import haltere.core.simulation.internal.fly.FlyTruth;
 import haltere.core.stream.StreamGrammar;
 import haltere.testing.StreamRecorder;
 import java.io.IOException;

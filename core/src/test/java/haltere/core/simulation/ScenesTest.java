@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.settings.SettingsProblem;
-import haltere.core.simulation.fly.FlyTruth;
+import haltere.core.simulation.internal.fly.FlyTruth;
 import haltere.testing.ServiceFiles;
 import java.util.List;
 import java.util.OptionalLong;

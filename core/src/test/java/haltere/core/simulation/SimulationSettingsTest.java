@@ -1,10 +1,10 @@
 package haltere.core.simulation;
 
-import haltere.core.simulation.dots.MovingDotsSettings;
-import haltere.core.simulation.flight.FlightSettings;
-import haltere.core.simulation.fly.FlySceneSettings;
-import haltere.core.simulation.fly.RenderedFlySceneSettings;
-import haltere.core.simulation.road.RoadSceneSettings;
+import haltere.core.simulation.internal.dots.MovingDotsSettings;
+import haltere.core.simulation.internal.flight.FlightSettings;
+import haltere.core.simulation.internal.fly.FlySceneSettings;
+import haltere.core.simulation.internal.fly.RenderedFlySceneSettings;
+import haltere.core.simulation.internal.road.RoadSceneSettings;
 import haltere.testing.SettingsContract;
 import java.util.Collection;
 import java.util.List;

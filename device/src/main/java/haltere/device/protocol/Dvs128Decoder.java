@@ -3,7 +3,7 @@ package haltere.device.protocol;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorReading;
 import haltere.core.event.Trigger;
-import haltere.core.format.aedat2.Dvs128AddressDecoder;
+import haltere.core.format.internal.aedat2.Dvs128AddressDecoder;
 import haltere.core.stream.StreamNotification;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;

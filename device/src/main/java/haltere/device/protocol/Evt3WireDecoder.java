@@ -6,7 +6,7 @@ import haltere.core.event.SensorReading;
 import haltere.core.event.Trigger;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
-import haltere.core.format.evt.Evt3Decoder;
+import haltere.core.format.internal.evt.Evt3Decoder;
 import haltere.core.stream.StreamNotification;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;

@@ -16,7 +16,7 @@ import haltere.core.event.SensorReading;
 import haltere.core.pipeline.LiveBuffer;
 import haltere.core.playback.Sleeper;
 import haltere.core.simulation.Scene;
-import haltere.core.simulation.TunableScene;
+import haltere.core.simulation.internal.sensor.TunableScene;
 import haltere.core.stream.EndOfStream;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.core.format.aedat2.Dvs128AddressDecoder;
+import haltere.core.format.internal.aedat2.Dvs128AddressDecoder;
 import haltere.device.protocol.WireDecoder.Stop;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;

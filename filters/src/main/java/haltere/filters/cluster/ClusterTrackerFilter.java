@@ -6,10 +6,10 @@ import haltere.core.chain.PublishingFilter;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.overlay.MarkStyle.Role;
-import haltere.filters.trail.TrailMark;
-import haltere.filters.trail.TrailOverlay;
-import haltere.filters.trail.TrailSnapshot;
-import haltere.filters.trail.Trails;
+import haltere.filters.trail.internal.TrailMark;
+import haltere.filters.trail.internal.TrailOverlay;
+import haltere.filters.trail.internal.TrailSnapshot;
+import haltere.filters.trail.internal.Trails;
 import java.util.List;
 import java.util.Map;
 

@@ -10,10 +10,10 @@ import haltere.core.overlay.MarkStyle.Role;
 import haltere.core.stream.EndOfStream;
 import haltere.core.stream.StreamNotification;
 import haltere.filters.trail.Ellipse;
-import haltere.filters.trail.TrailMark;
-import haltere.filters.trail.TrailOverlay;
-import haltere.filters.trail.TrailSnapshot;
-import haltere.filters.trail.Trails;
+import haltere.filters.trail.internal.TrailMark;
+import haltere.filters.trail.internal.TrailOverlay;
+import haltere.filters.trail.internal.TrailSnapshot;
+import haltere.filters.trail.internal.Trails;
 import java.util.Comparator;
 
 /**

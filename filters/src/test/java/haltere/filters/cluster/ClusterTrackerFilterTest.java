@@ -9,7 +9,7 @@ import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.stream.DataLost;
 import haltere.filters.trail.TrailPoint;
-import haltere.filters.trail.TrailSnapshot;
+import haltere.filters.trail.internal.TrailSnapshot;
 import haltere.testing.EventFilterContract;
 import haltere.testing.EventPackets;
 import haltere.testing.EventPackets.BlobPath;

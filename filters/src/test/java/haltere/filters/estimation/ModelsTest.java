@@ -5,7 +5,7 @@ import static haltere.filters.estimation.Matrices.column;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import haltere.filters.estimation.example.Oscillations;
+import haltere.filters.estimation.internal.example.Oscillations;
 import haltere.filters.estimation.motion.AxisMotion;
 import haltere.filters.estimation.motion.DampedOscillator;
 import java.util.List;

@@ -2,7 +2,7 @@ package haltere.filters.estimation;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import haltere.core.sink.SvgPlot;
+import haltere.core.sink.internal.SvgPlot;
 import haltere.filters.estimation.FilterStep.Correction;
 import haltere.filters.estimation.motion.AxisMotion;
 import java.io.IOException;

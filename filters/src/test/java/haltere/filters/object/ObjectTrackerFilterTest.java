@@ -12,7 +12,7 @@ import haltere.core.settings.SettingsProblem;
 import haltere.core.stream.EndOfStream;
 import haltere.core.stream.Reset;
 import haltere.filters.object.MovingShapes.Place;
-import haltere.filters.trail.TrailSnapshot;
+import haltere.filters.trail.internal.TrailSnapshot;
 import haltere.testing.EventFilterContract;
 import haltere.testing.EventPackets;
 import java.util.ArrayList;

@@ -4,8 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import haltere.core.simulation.flight.FlightScene;
-import haltere.core.simulation.flight.FlightTruth;
+import haltere.core.simulation.internal.flight.FlightScene;
+import haltere.core.simulation.internal.flight.FlightTruth;
 import haltere.filters.orientation.camera.CameraModel;
 import haltere.filters.orientation.camera.LineObservation;
 import haltere.filters.orientation.camera.Vectors;

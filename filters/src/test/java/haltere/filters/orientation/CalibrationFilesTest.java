@@ -5,8 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assertions.fail;
 
-import haltere.core.simulation.flight.FlightDetection;
-import haltere.core.simulation.flight.FlightScene;
+import haltere.core.simulation.internal.flight.FlightDetection;
+import haltere.core.simulation.internal.flight.FlightScene;
 import haltere.filters.orientation.camera.CameraFile;
 import haltere.filters.orientation.camera.CameraModel;
 import haltere.filters.orientation.camera.LineObservation;

@@ -1,7 +1,7 @@
 package haltere.filters.orientation;
 
-import haltere.core.simulation.flight.FlightScene;
-import haltere.core.simulation.flight.FlightTruth;
+import haltere.core.simulation.internal.flight.FlightScene;
+import haltere.core.simulation.internal.flight.FlightTruth;
 import haltere.filters.orientation.camera.LineObservation;
 import haltere.filters.orientation.camera.Vectors;
 import haltere.testing.SceneEvents;

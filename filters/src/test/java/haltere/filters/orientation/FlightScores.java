@@ -1,8 +1,8 @@
 package haltere.filters.orientation;
 
-import haltere.core.simulation.flight.FlightDetection;
-import haltere.core.simulation.flight.FlightScene;
-import haltere.core.simulation.flight.FlightTruth;
+import haltere.core.simulation.internal.flight.FlightDetection;
+import haltere.core.simulation.internal.flight.FlightScene;
+import haltere.core.simulation.internal.flight.FlightTruth;
 import haltere.filters.orientation.camera.LineObservation;
 import haltere.filters.orientation.camera.Vectors;
 import java.util.ArrayList;

@@ -1,9 +1,9 @@
 package haltere.filters.orientation;
 
-import haltere.core.simulation.flight.FlightCamera;
-import haltere.core.simulation.flight.FlightDetection;
-import haltere.core.simulation.flight.FlightScene;
-import haltere.core.simulation.flight.FlightSettings;
+import haltere.core.simulation.internal.flight.FlightCamera;
+import haltere.core.simulation.internal.flight.FlightDetection;
+import haltere.core.simulation.internal.flight.FlightScene;
+import haltere.core.simulation.internal.flight.FlightSettings;
 import haltere.filters.orientation.camera.CameraModel;
 import haltere.filters.orientation.camera.LineObservation;
 import java.util.ArrayList;

@@ -4,11 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import haltere.core.format.hdf5.Hdf5TableWriter;
-import haltere.core.format.hdf5.Hdf5TableWriter.Column;
-import haltere.core.format.hdf5.Hdf5TableWriter.Kind;
+import haltere.core.format.internal.hdf5.Hdf5TableWriter;
+import haltere.core.format.internal.hdf5.Hdf5TableWriter.Column;
+import haltere.core.format.internal.hdf5.Hdf5TableWriter.Kind;
 import haltere.core.json.Json;
-import haltere.core.simulation.flight.FlightScene;
+import haltere.core.simulation.internal.flight.FlightScene;
 import haltere.filters.orientation.camera.LineObservation;
 import haltere.filters.orientation.camera.ObservationFile;
 import haltere.filters.orientation.camera.Vectors;

@@ -1,6 +1,6 @@
 package haltere.filters.orientation;
 
-import haltere.core.simulation.flight.FlightScene;
+import haltere.core.simulation.internal.flight.FlightScene;
 import haltere.filters.orientation.camera.LineObservation;
 import java.util.ArrayList;
 import java.util.List;

@@ -2,9 +2,9 @@ package haltere.filters.orientation;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import haltere.core.simulation.flight.FlightScene;
-import haltere.core.simulation.flight.FlightTruth;
-import haltere.core.sink.SvgPlot;
+import haltere.core.simulation.internal.flight.FlightScene;
+import haltere.core.simulation.internal.flight.FlightTruth;
+import haltere.core.sink.internal.SvgPlot;
 import haltere.filters.orientation.camera.Vectors;
 import java.io.IOException;
 import java.nio.file.Files;

@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import haltere.core.simulation.flight.FlightScene;
+import haltere.core.simulation.internal.flight.FlightScene;
 import haltere.filters.orientation.camera.LineObservation;
 import haltere.filters.orientation.camera.RandomCameras;
 import haltere.filters.orientation.camera.Vectors;

@@ -8,7 +8,7 @@ import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.overlay.MarkStyle.Role;
 import haltere.filters.plane.PlanePoint;
-import haltere.filters.trail.TrailSnapshot;
+import haltere.filters.trail.internal.TrailSnapshot;
 import haltere.testing.EventFilterContract;
 import haltere.testing.EventPackets;
 import haltere.testing.EventPackets.BlobPath;

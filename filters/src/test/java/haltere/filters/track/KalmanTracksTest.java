@@ -5,9 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.core.simulation.dots.DotTruth;
-import haltere.core.simulation.dots.MovingDotsScene;
-import haltere.core.simulation.dots.MovingDotsSettings;
+import haltere.core.simulation.internal.dots.DotTruth;
+import haltere.core.simulation.internal.dots.MovingDotsScene;
+import haltere.core.simulation.internal.dots.MovingDotsSettings;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import haltere.filters.plane.RoadMapping;

@@ -3,7 +3,7 @@ package haltere.filters.track;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.SensorGeometry;
-import haltere.core.sink.SvgPlot;
+import haltere.core.sink.internal.SvgPlot;
 import haltere.testing.EventPackets;
 import haltere.testing.EventPackets.BlobPath;
 import java.io.IOException;

@@ -2,8 +2,8 @@ package haltere.testing.benchmark;
 
 import haltere.core.chain.EventFilter;
 import haltere.core.event.SensorGeometry;
-import haltere.core.simulation.dots.MovingDotsScene;
-import haltere.core.simulation.dots.MovingDotsSettings;
+import haltere.core.simulation.internal.dots.MovingDotsScene;
+import haltere.core.simulation.internal.dots.MovingDotsSettings;
 import haltere.filters.cluster.ClusterTrackerFilter;
 import haltere.filters.cluster.ClusterTrackerSettings;
 import haltere.filters.object.ObjectTrackerFilter;

@@ -1,8 +1,8 @@
 package haltere.testing.benchmark;
 
 import haltere.core.event.EventPacket;
-import haltere.core.simulation.fly.FlyScene;
-import haltere.core.simulation.fly.FlySceneSettings;
+import haltere.core.simulation.internal.fly.FlyScene;
+import haltere.core.simulation.internal.fly.FlySceneSettings;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import haltere.filters.wing.WingListener;

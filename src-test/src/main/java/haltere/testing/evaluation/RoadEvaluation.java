@@ -1,9 +1,9 @@
 package haltere.testing.evaluation;
 
 import haltere.core.chain.FilterChain;
-import haltere.core.simulation.road.RoadScene;
-import haltere.core.simulation.road.RoadSceneSettings;
-import haltere.core.simulation.road.RoadTruth;
+import haltere.core.simulation.internal.road.RoadScene;
+import haltere.core.simulation.internal.road.RoadSceneSettings;
+import haltere.core.simulation.internal.road.RoadTruth;
 import haltere.filters.object.ObjectTrack;
 import haltere.filters.object.ObjectTrackerFilter;
 import haltere.filters.object.ObjectTrackerSettings;

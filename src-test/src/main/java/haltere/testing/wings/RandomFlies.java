@@ -1,8 +1,8 @@
 package haltere.testing.wings;
 
-import haltere.core.simulation.NoiseSettings;
-import haltere.core.simulation.SensorSettings;
-import haltere.core.simulation.fly.FlySceneSettings;
+import haltere.core.simulation.internal.fly.FlySceneSettings;
+import haltere.core.simulation.internal.sensor.NoiseSettings;
+import haltere.core.simulation.internal.sensor.SensorSettings;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;

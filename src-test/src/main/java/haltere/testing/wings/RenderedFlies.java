@@ -1,6 +1,6 @@
 package haltere.testing.wings;
 
-import haltere.core.simulation.fly.RenderedFlySceneSettings;
+import haltere.core.simulation.internal.fly.RenderedFlySceneSettings;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;

@@ -1,7 +1,7 @@
 package haltere.testing.wings;
 
-import haltere.core.simulation.fly.RenderedFlyScene;
-import haltere.core.simulation.fly.RenderedFlySceneSettings;
+import haltere.core.simulation.internal.fly.RenderedFlyScene;
+import haltere.core.simulation.internal.fly.RenderedFlySceneSettings;
 import haltere.core.sink.CsvSink;
 import haltere.filters.wing.WingPart;
 import haltere.filters.wing.WingTrackerSettings;

@@ -1,8 +1,8 @@
 package haltere.testing.wings;
 
-import haltere.core.simulation.fly.FlyScene;
-import haltere.core.simulation.fly.FlySceneSettings;
-import haltere.core.sink.SvgPlot;
+import haltere.core.simulation.internal.fly.FlyScene;
+import haltere.core.simulation.internal.fly.FlySceneSettings;
+import haltere.core.sink.internal.SvgPlot;
 import haltere.filters.wing.WingTrackerSettings;
 import java.io.IOException;
 import java.nio.file.Files;

@@ -1,8 +1,8 @@
 package haltere.testing.wings;
 
 import haltere.core.event.EventPacket;
-import haltere.core.simulation.SensorScene;
-import haltere.core.simulation.fly.FlyTruth;
+import haltere.core.simulation.internal.fly.FlyTruth;
+import haltere.core.simulation.internal.sensor.SensorScene;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import haltere.filters.estimation.Angles;

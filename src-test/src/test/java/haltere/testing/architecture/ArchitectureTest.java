@@ -8,24 +8,38 @@ import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.fields;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.tngtech.archunit.base.DescribedPredicate;
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.domain.JavaCodeUnit;
+import com.tngtech.archunit.core.domain.JavaField;
+import com.tngtech.archunit.core.domain.JavaMember;
 import com.tngtech.archunit.core.domain.JavaModifier;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
+import com.tngtech.archunit.lang.ArchCondition;
 import com.tngtech.archunit.lang.ArchRule;
+import com.tngtech.archunit.lang.ConditionEvents;
+import com.tngtech.archunit.lang.SimpleConditionEvent;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
 /** The arrows of docs/architecture.md. A rule that stands in the way is discussed, not deleted. */
 class ArchitectureTest {
+  private static final String INTERNAL = "haltere..internal..";
+
   private static JavaClasses product;
 
   @BeforeAll
@@ -75,7 +89,9 @@ class ArchitectureTest {
             .resideInAPackage("haltere.core..")
             .and()
             .resideOutsideOfPackages(
-                "haltere.core.json", "haltere.core.format.aedat4", "haltere.core.format.packed")
+                "haltere.core.json",
+                "haltere.core.format.internal.aedat4",
+                "haltere.core.format.internal.packed")
             .should()
             .onlyDependOnClassesThat(resideInAnyPackage("java..", "haltere.core.."))
             .because("a library is a promise to every embedder"));
@@ -89,7 +105,8 @@ class ArchitectureTest {
     check(
         classes()
             .that()
-            .resideInAnyPackage("haltere.core.format.aedat4", "haltere.core.format.packed")
+            .resideInAnyPackage(
+                "haltere.core.format.internal.aedat4", "haltere.core.format.internal.packed")
             .should()
             .onlyDependOnClassesThat(
                 resideInAnyPackage(
@@ -154,7 +171,7 @@ class ArchitectureTest {
 
   @Test
   void scenesDoNotKnowEachOtherAndWhatTheyShareKnowsNone() {
-    String simulation = "haltere.core.simulation";
+    String simulation = "haltere.core.simulation.internal";
     String[] scenes = {"fly", "road", "dots", "flight"};
     for (String scene : scenes) {
       check(
@@ -163,7 +180,7 @@ class ArchitectureTest {
               .resideInAPackage(simulation + "." + scene + "..")
               .should()
               .onlyHaveDependentClassesThat()
-              .resideOutsideOfPackage(simulation)
+              .resideOutsideOfPackages("haltere.core.simulation", simulation + ".sensor")
               .because("a scene is found as a service"));
       for (String other : scenes) {
         if (!scene.equals(other)) {
@@ -214,11 +231,11 @@ class ArchitectureTest {
   void whatStandsBelowAPackageDoesNotKnowIt() {
     knowsNoneOf(
         "haltere.filters.estimation",
-        Set.of("haltere.filters.estimation.motion", "haltere.filters.estimation.example"),
+        Set.of("haltere.filters.estimation.motion", "haltere.filters.estimation.internal.example"),
         "an estimator takes whatever model there is");
     knowsNoneOf(
         "haltere.filters.estimation.motion",
-        Set.of("haltere.filters.estimation.example"),
+        Set.of("haltere.filters.estimation.internal.example"),
         "a motion is one without an example");
     knowsNoneOf(
         "haltere.filters.orientation.camera",
@@ -227,26 +244,26 @@ class ArchitectureTest {
     knowsNoneOf(
         "haltere.filters.wing",
         Set.of(
-            "haltere.filters.wing.stroke",
-            "haltere.filters.wing.search",
-            "haltere.filters.wing.original",
+            "haltere.filters.wing.internal.stroke",
+            "haltere.filters.wing.internal.search",
+            "haltere.filters.wing.internal.original",
             "haltere.filters.wing.tracker"),
         "results and settings are read without a tracker");
     knowsNoneOf(
-        "haltere.filters.wing.stroke",
-        Set.of("haltere.filters.wing.search", "haltere.filters.wing.tracker"),
+        "haltere.filters.wing.internal.stroke",
+        Set.of("haltere.filters.wing.internal.search", "haltere.filters.wing.tracker"),
         "a stroke is followed whoever found the fly");
     knowsNoneOf(
-        "haltere.filters.wing.search",
+        "haltere.filters.wing.internal.search",
         Set.of("haltere.filters.wing.tracker"),
         "a fly is found whoever wants it");
     check(
         classes()
             .that()
-            .resideInAPackage("haltere.filters.wing.original")
+            .resideInAPackage("haltere.filters.wing.internal.original")
             .should()
             .onlyHaveDependentClassesThat(
-                resideInAPackage("haltere.filters.wing.original")
+                resideInAPackage("haltere.filters.wing.internal.original")
                     .or(
                         DescribedPredicate.describe(
                             "make the parts of a tracker",
@@ -398,10 +415,80 @@ class ArchitectureTest {
 
   @Test
   void packagesFormNoCycle() {
-    check(slices().matching("haltere.core.(*)..").should().beFreeOfCycles());
-    check(slices().matching("haltere.filters.(*)..").should().beFreeOfCycles());
+    check(slices().matching("haltere.core.(**)").should().beFreeOfCycles());
+    check(slices().matching("haltere.filters.(**)").should().beFreeOfCycles());
     check(slices().matching("haltere.device.(*)..").should().beFreeOfCycles());
     check(slices().matching("haltere.ui.(*)..").should().beFreeOfCycles());
+  }
+
+  @Test
+  void whatIsPublicShowsNothingInternal() {
+    check(
+        classes()
+            .that()
+            .resideInAnyPackage("haltere.core..", "haltere.filters..")
+            .and()
+            .resideOutsideOfPackage(INTERNAL)
+            .and()
+            .arePublic()
+            .should(
+                new ArchCondition<>("have no internal type in what an embedder sees of them") {
+                  @Override
+                  public void check(JavaClass type, ConditionEvents events) {
+                    internalTypesShownBy(type)
+                        .forEach(
+                            shown ->
+                                events.add(
+                                    SimpleConditionEvent.violated(
+                                        type, type.getName() + " shows " + shown.getName())));
+                  }
+                })
+            .because("nobody can call it without what is internal"));
+  }
+
+  private static Stream<JavaClass> internalTypesShownBy(JavaClass type) {
+    Stream<JavaClass> parents =
+        Stream.concat(type.getRawSuperclass().stream(), type.getRawInterfaces().stream());
+    Stream<JavaClass> members =
+        type.getMembers().stream()
+            .filter(
+                member ->
+                    member.getModifiers().contains(JavaModifier.PUBLIC)
+                        || member.getModifiers().contains(JavaModifier.PROTECTED))
+            .filter(member -> !member.getModifiers().contains(JavaModifier.SYNTHETIC))
+            .flatMap(ArchitectureTest::signature);
+    return Stream.concat(parents, members).filter(shown -> resideInAPackage(INTERNAL).test(shown));
+  }
+
+  private static Stream<JavaClass> signature(JavaMember member) {
+    return member instanceof JavaCodeUnit method
+        ? Stream.of(
+                method.getReturnType().getAllInvolvedRawTypes().stream(),
+                method.getParameterTypes().stream()
+                    .flatMap(parameter -> parameter.getAllInvolvedRawTypes().stream()))
+            .flatMap(types -> types)
+        : member instanceof JavaField field
+            ? field.getType().getAllInvolvedRawTypes().stream()
+            : Stream.empty();
+  }
+
+  @Test
+  void whoIsNoModuleOfHaltereUsesNothingInternal() throws IOException {
+    Path root = Path.of("").toAbsolutePath().getParent();
+    List<Path> texts = new ArrayList<>(List.of(root.resolve("README.md")));
+    for (String folder : List.of("docs", "examples", "spark/src")) {
+      try (Stream<Path> files = Files.walk(root.resolve(folder))) {
+        files
+            .filter(file -> file.toString().matches(".*\\.(md|java|kt|py|gradle)"))
+            .forEach(texts::add);
+      }
+    }
+    assertTrue(texts.size() > 20, texts::toString);
+    for (Path text : texts) {
+      assertFalse(
+          Files.readString(text).matches("(?s).*haltere\\.[a-z.]*\\binternal\\.\\w.*"),
+          text + " names an internal package");
+    }
   }
 
   @Test

@@ -2,7 +2,7 @@ package haltere.testing.evaluation;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import haltere.core.simulation.road.RoadSceneSettings;
+import haltere.core.simulation.internal.road.RoadSceneSettings;
 import java.io.IOException;
 import org.junit.jupiter.api.Test;
 

@@ -10,7 +10,7 @@ import haltere.core.format.RecordingReader;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.Recordings;
 import haltere.core.format.WriteOptions;
-import haltere.core.format.hdf5.Hdf5Writer;
+import haltere.core.format.internal.hdf5.Hdf5Writer;
 import haltere.testing.EventPackets;
 import haltere.testing.StreamRecorder;
 import java.io.IOException;

@@ -3,7 +3,7 @@ package haltere.testing.wings;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import haltere.core.simulation.fly.RenderedFlySceneSettings;
+import haltere.core.simulation.internal.fly.RenderedFlySceneSettings;
 import org.junit.jupiter.api.Test;
 
 /** The flies that the wing tracker is evaluated on. */

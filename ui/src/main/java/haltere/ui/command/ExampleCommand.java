@@ -1,11 +1,11 @@
 package haltere.ui.command;
 
 import haltere.filters.estimation.Gate;
-import haltere.filters.estimation.example.ExampleTable;
-import haltere.filters.estimation.example.FallingWeight;
-import haltere.filters.estimation.example.MeasurementSeries;
-import haltere.filters.estimation.example.Oscillator;
-import haltere.filters.estimation.example.SimulatedVideo;
+import haltere.filters.estimation.internal.example.ExampleTable;
+import haltere.filters.estimation.internal.example.FallingWeight;
+import haltere.filters.estimation.internal.example.MeasurementSeries;
+import haltere.filters.estimation.internal.example.Oscillator;
+import haltere.filters.estimation.internal.example.SimulatedVideo;
 import haltere.ui.command.results.ExamplePlots;
 import haltere.ui.command.results.TextFile;
 import haltere.ui.command.terminal.Quantities;

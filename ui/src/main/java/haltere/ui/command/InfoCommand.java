@@ -1,12 +1,12 @@
 package haltere.ui.command;
 
 import haltere.core.event.SensorGeometry;
-import haltere.core.format.Gap;
 import haltere.core.format.RecordingClock;
 import haltere.core.format.RecordingOutline;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingReader;
-import haltere.core.format.RecordingSummary;
+import haltere.core.format.summary.Gap;
+import haltere.core.format.summary.RecordingSummary;
 import haltere.core.json.Json;
 import haltere.core.stream.StreamNotification;
 import haltere.ui.command.terminal.ProgressBar;

@@ -1,9 +1,9 @@
 package haltere.ui.command;
 
 import haltere.core.format.RecordingFile;
-import haltere.core.format.csv.CsvTable;
-import haltere.filters.estimation.example.Measurement;
-import haltere.filters.estimation.example.MeasurementSeries;
+import haltere.core.format.internal.csv.CsvTable;
+import haltere.filters.estimation.internal.example.Measurement;
+import haltere.filters.estimation.internal.example.MeasurementSeries;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.nio.charset.CharacterCodingException;

@@ -126,15 +126,18 @@ final class RecordCommand extends Subcommand {
   /** What a recording that failed has left. */
   private void tellFiles(Recorded recorded) {
     for (SessionRecorder.Part part : recorded.recorder().parts()) {
-      if (Files.exists(part.file())) {
-        message(
-            part.file()
-                + " holds "
-                + Quantities.events(part.report().written())
-                + " of "
-                + Quantities.count(part.report().received())
-                + " that came");
-      }
+      String came = Quantities.count(part.report().received()) + " that came";
+      message(
+          Files.exists(part.file())
+              ? part.file()
+                  + " holds at least "
+                  + Quantities.events(part.report().written())
+                  + " of "
+                  + came
+              : part.file()
+                  + " was not kept: none of "
+                  + came
+                  + "; .aedat4 keeps what was written");
     }
   }
 

@@ -1,8 +1,8 @@
 package haltere.ui.command;
 
-import haltere.core.pipeline.Checksums;
 import haltere.core.pipeline.JobReport;
 import haltere.core.pipeline.RecordingJob;
+import haltere.core.pipeline.internal.Checksums;
 import haltere.ui.command.report.ReportPage;
 import haltere.ui.command.report.RunReport;
 import haltere.ui.command.results.TextFile;

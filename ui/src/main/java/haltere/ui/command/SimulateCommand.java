@@ -4,7 +4,7 @@ import haltere.core.event.EventPacket;
 import haltere.core.format.RecordingWriter;
 import haltere.core.simulation.Scene;
 import haltere.core.simulation.Scenes;
-import haltere.core.simulation.flight.FlightScene;
+import haltere.core.simulation.internal.flight.FlightScene;
 import haltere.core.sink.TableMetadata;
 import haltere.core.sink.TableSink;
 import haltere.core.sink.Tables;

@@ -169,6 +169,20 @@ public final class Lane {
         .forEach(ofField -> ofField.values().removeIf(curve -> curve.lastUs() == Long.MIN_VALUE));
   }
 
+  /**
+   * Time of the newest sample of a field.
+   *
+   * @param field one that is plotted here
+   * @return microseconds, {@link Long#MIN_VALUE} where there is none
+   */
+  public long lastUs(PlotField field) {
+    long lastUs = Long.MIN_VALUE;
+    for (Curve curve : curves.get(field).values()) {
+      lastUs = Math.max(lastUs, curve.lastUs());
+    }
+    return lastUs;
+  }
+
   /** Forgets all curves. */
   public void clear() {
     curves.values().forEach(Map::clear);

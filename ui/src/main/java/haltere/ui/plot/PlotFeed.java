@@ -5,7 +5,8 @@ import haltere.core.chain.Outlet;
 import java.util.Optional;
 
 /**
- * Listens to a field of a running chain and keeps its samples until the window takes them.
+ * Listens to a field of a running chain, during run-ups too, and keeps its samples until the window
+ * takes them.
  *
  * <p>Thread rule: samples come on the processing thread; all else is for one other thread.
  */
@@ -19,7 +20,7 @@ public final class PlotFeed implements AutoCloseable {
   private PlotFeed(PlotField field, Outlet<?> outlet, RowFields row, int column) {
     this.field = field;
     subscription =
-        outlet.subscribe(
+        outlet.follow(
             result -> queue.put(row.timeUs(result), row.key(result), row.value(result, column)));
   }
 

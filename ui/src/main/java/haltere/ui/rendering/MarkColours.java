@@ -35,6 +35,7 @@ public final class MarkColours {
       case PATH -> withAlpha(own, 0xA0);
       case MEASUREMENT -> withAlpha(own, 0xC0);
       case UNCERTAINTY -> withAlpha(own, 0x80);
+      case SCALE -> withAlpha(own, 0x60);
       case REGION -> dark ? 0xFF8BE9FD : 0xFF006C85;
       case LEFT -> dark ? 0xFFF08CCB : 0xFF9C2F77;
       case RIGHT -> dark ? 0xFF2ED3A5 : 0xFF00785A;
@@ -53,6 +54,7 @@ public final class MarkColours {
       case OBJECT, ESTIMATE, LEFT, RIGHT, WARNING -> 2;
       case VELOCITY -> 2.5;
       case PATH, MEASUREMENT, UNCERTAINTY, REGION, LABEL -> 1.5;
+      case SCALE -> 1;
     };
   }
 

@@ -55,11 +55,6 @@ public final class PictureOverlayCanvas implements OverlayCanvas, AutoCloseable 
   }
 
   @Override
-  public void circle(double x, double y, double radius, MarkStyle style) {
-    ellipse(x, y, radius, radius, 0, style);
-  }
-
-  @Override
   public void line(double x1, double y1, double x2, double y2, MarkStyle style) {
     draw(new Line2D.Double(pictureX(x1), pictureY(y1), pictureX(x2), pictureY(y2)), style);
   }

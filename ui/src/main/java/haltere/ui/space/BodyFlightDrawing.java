@@ -5,6 +5,7 @@ import haltere.core.overlay.MarkStyle.Role;
 import haltere.core.overlay.OverlayCanvas;
 import haltere.filters.orientation.OrientationEstimate;
 import haltere.filters.orientation.camera.CameraModel;
+import haltere.ui.plot.Ticks;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -25,7 +26,16 @@ public final class BodyFlightDrawing {
   private static final double AXIS_SHARE = 0.12;
   private static final double FRUSTUM_SHARE = 0.15;
 
+  /** Lines of the floor along the longest way through the picture. */
+  private static final int FLOOR_LINES = 12;
+
+  /** Shortest scale bar, pixels. */
+  private static final double MIN_BAR_PX = 60;
+
+  private static final MarkStyle FLOOR = MarkStyle.of(Role.SCALE);
+
   private final BodyFlight flight;
+  private final SpaceBounds bounds;
   private final double sizeM;
 
   /**
@@ -35,19 +45,8 @@ public final class BodyFlightDrawing {
    */
   public BodyFlightDrawing(BodyFlight flight) {
     this.flight = flight;
-    double[] least = {1e300, 1e300, 1e300};
-    double[] most = {-1e300, -1e300, -1e300};
-    for (double[] point : points()) {
-      for (int k = 0; k < 3; k++) {
-        least[k] = Math.min(least[k], point[k]);
-        most[k] = Math.max(most[k], point[k]);
-      }
-    }
-    double square = 0;
-    for (int k = 0; k < 3; k++) {
-      square += Math.max(0, most[k] - least[k]) * Math.max(0, most[k] - least[k]);
-    }
-    sizeM = Math.max(1e-6, Math.sqrt(square));
+    bounds = SpaceBounds.of(points());
+    sizeM = bounds.diagonalM();
   }
 
   /**
@@ -81,6 +80,8 @@ public final class BodyFlightDrawing {
    */
   public void draw(int index, SpaceView view, OverlayCanvas canvas) {
     BodyFlight.Moment moment = index < flight.moments().size() ? flight.moments().get(index) : null;
+    drawFloor(view, canvas);
+    drawScale(view, canvas);
     for (int i = 0; i < flight.cameras().size(); i++) {
       if (flight.cameras().get(i).problem().isEmpty()) {
         drawCamera(i, moment, view, canvas);
@@ -97,7 +98,65 @@ public final class BodyFlightDrawing {
       y[k] = at[1];
     }
     canvas.polyline(x, y, x.length, MarkStyle.of(Role.PATH, 0));
+    double[] position = place(moment.estimate());
+    line(position, new double[] {position[0], position[1], bounds.least()[2]}, view, canvas);
     drawBody(moment.estimate(), view, canvas);
+  }
+
+  /** A grid of squares at the height of what is lowest, with the names of its directions. */
+  private void drawFloor(SpaceView view, OverlayCanvas canvas) {
+    double step = Ticks.of(0, sizeM, FLOOR_LINES).step();
+    double height = bounds.least()[2];
+    double[] from = new double[2];
+    double[] to = new double[2];
+    for (int k = 0; k < 2; k++) {
+      from[k] = step * Math.floor(bounds.least()[k] / step);
+      to[k] = step * Math.max(Math.ceil(bounds.most()[k] / step), from[k] / step + 1);
+    }
+    for (long i = Math.round(from[0] / step); i * step <= to[0] + step / 2; i++) {
+      line(
+          new double[] {i * step, from[1], height},
+          new double[] {i * step, to[1], height},
+          view,
+          canvas);
+    }
+    for (long i = Math.round(from[1] / step); i * step <= to[1] + step / 2; i++) {
+      line(
+          new double[] {from[0], i * step, height},
+          new double[] {to[0], i * step, height},
+          view,
+          canvas);
+    }
+    double[] endX = view.project(to[0], from[1], height);
+    double[] endY = view.project(from[0], to[1], height);
+    canvas.text(endX[0], endX[1], "x, squares of " + words(step), MarkStyle.of(Role.LABEL));
+    canvas.text(endY[0], endY[1], "y", MarkStyle.of(Role.LABEL));
+  }
+
+  private static void line(double[] from, double[] to, SpaceView view, OverlayCanvas canvas) {
+    double[] a = view.project(from);
+    double[] b = view.project(to);
+    canvas.line(a[0], a[1], b[0], b[1], FLOOR);
+  }
+
+  /** A bar of a round length at the lower left, for lengths that lie in the picture's plane. */
+  private static void drawScale(SpaceView view, OverlayCanvas canvas) {
+    double lengthM = Ticks.of(0, MIN_BAR_PX / view.pixelsPerM(), 1).step();
+    double lengthPx = lengthM * view.pixelsPerM();
+    canvas.line(12, 14, 12 + lengthPx, 14, MarkStyle.of(Role.LABEL));
+    for (double end : new double[] {12, 12 + lengthPx}) {
+      canvas.line(end, 10, end, 18, MarkStyle.of(Role.LABEL));
+    }
+    canvas.text(18 + lengthPx, 10, words(lengthM), MarkStyle.of(Role.LABEL));
+  }
+
+  private static String words(double lengthM) {
+    if (lengthM < 0.01) {
+      return String.format(Locale.ROOT, "%.1g mm", lengthM * 1000);
+    }
+    return lengthM < 1
+        ? String.format(Locale.ROOT, "%.0f cm", lengthM * 100)
+        : String.format(Locale.ROOT, "%.0f m", lengthM);
   }
 
   private void drawBody(OrientationEstimate now, SpaceView view, OverlayCanvas canvas) {

@@ -26,21 +26,11 @@ public final class SpaceView {
   public void fit(Iterable<double[]> points, double newWidthPx, double newHeightPx) {
     widthPx = newWidthPx;
     heightPx = newHeightPx;
-    double[] least = {1e300, 1e300, 1e300};
-    double[] most = {-1e300, -1e300, -1e300};
-    for (double[] point : points) {
-      for (int k = 0; k < 3; k++) {
-        least[k] = Math.min(least[k], point[k]);
-        most[k] = Math.max(most[k], point[k]);
-      }
-    }
-    double square = 0;
+    SpaceBounds bounds = SpaceBounds.of(points);
     for (int k = 0; k < 3; k++) {
-      boolean any = most[k] >= least[k];
-      middle[k] = any ? 0.5 * (least[k] + most[k]) : 0;
-      square += any ? (most[k] - least[k]) * (most[k] - least[k]) : 0;
+      middle[k] = bounds.middle(k);
     }
-    pixelsPerM = 0.95 * Math.min(widthPx, heightPx) / Math.max(1e-6, Math.sqrt(square));
+    pixelsPerM = 0.95 * Math.min(widthPx, heightPx) / bounds.diagonalM();
   }
 
   /**

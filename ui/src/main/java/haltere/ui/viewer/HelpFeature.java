@@ -3,10 +3,9 @@ package haltere.ui.viewer;
 import haltere.ui.viewer.action.CommandPalette;
 import haltere.ui.viewer.action.KeysDialog;
 import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.controls.Windows;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
-import javafx.scene.control.Alert;
-import javafx.scene.control.ButtonType;
 import javafx.scene.control.Label;
 import javafx.stage.Stage;
 
@@ -58,10 +57,6 @@ final class HelpFeature implements ViewerFeature {
                 + "\n\nLibraries and their licences:\n"
                 + LIBRARIES);
     facts.setId("about");
-    Alert alert = new Alert(Alert.AlertType.NONE, "", ButtonType.CLOSE);
-    alert.setTitle("About Haltere");
-    alert.getDialogPane().setContent(facts);
-    alert.initOwner(owner);
-    alert.show();
+    Windows.tell(owner, "About Haltere", facts);
   }
 }

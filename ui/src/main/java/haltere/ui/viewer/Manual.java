@@ -1,6 +1,7 @@
 package haltere.ui.viewer;
 
 import atlantafx.base.theme.Styles;
+import haltere.ui.viewer.controls.Windows;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
@@ -10,7 +11,6 @@ import java.util.List;
 import javafx.geometry.Insets;
 import javafx.geometry.VPos;
 import javafx.scene.Node;
-import javafx.scene.Scene;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.layout.GridPane;
@@ -41,15 +41,7 @@ final class Manual {
     scroll.setFitToWidth(true);
     scroll.setFocusTraversable(true);
     scroll.setAccessibleText("Manual");
-    Stage stage = new Stage();
-    stage.initOwner(owner);
-    stage.setTitle("Manual \u2013 Haltere");
-    Scene scene = new Scene(scroll, WIDTH, 640);
-    scene.getStylesheets().setAll(owner.getScene().getStylesheets());
-    stage.setScene(scene);
-    stage.setMinWidth(480);
-    stage.setMinHeight(320);
-    stage.show();
+    Windows.beside(owner, "Manual \u2013 Haltere", scroll, WIDTH, 640).show();
   }
 
   private static String read() {

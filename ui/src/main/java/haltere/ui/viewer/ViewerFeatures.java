@@ -41,6 +41,7 @@ final class ViewerFeatures {
         new SpaceTimeFeature(),
         new PlotFeature(),
         new PanelFeature(),
+        new LayoutFeature(),
         new WingsFeature(),
         new FlyStartFeature(),
         new PlaybackFeature(),

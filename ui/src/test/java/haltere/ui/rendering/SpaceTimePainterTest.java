@@ -29,7 +29,8 @@ class SpaceTimePainterTest {
 
   private void paint(SpaceTimeView view) {
     cloud.copyTo(view.spanUs(), points);
-    new SpaceTimePainter().paint(points, SENSOR, view, ColourMap.DARK, SIDE, SIDE, argb);
+    SpaceTimeProjection projection = SpaceTimeProjection.of(view, SENSOR, SIDE, SIDE);
+    new SpaceTimePainter().paint(points, projection, view, ColourMap.DARK, SIDE, SIDE, argb);
   }
 
   /** Middle of all pixels of a colour, or NaN. */

@@ -1,9 +1,9 @@
 package haltere.ui.space;
 
 import haltere.core.json.Json;
-import haltere.core.simulation.flight.FlightDetection;
-import haltere.core.simulation.flight.FlightScene;
-import haltere.core.simulation.flight.FlightSettings;
+import haltere.core.simulation.internal.flight.FlightDetection;
+import haltere.core.simulation.internal.flight.FlightScene;
+import haltere.core.simulation.internal.flight.FlightSettings;
 import haltere.core.sink.CsvSink;
 import java.io.IOException;
 import java.nio.file.Files;

@@ -4,8 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.EventPacket;
-import haltere.core.simulation.fly.FlyScene;
-import haltere.core.simulation.fly.FlySceneSettings;
+import haltere.core.simulation.internal.fly.FlyScene;
+import haltere.core.simulation.internal.fly.FlySceneSettings;
 import haltere.filters.wing.WingFilterEdit;
 import haltere.filters.wing.WingFilterEdit.Table;
 import haltere.filters.wing.WingPart;

@@ -52,10 +52,7 @@ public final class DecimateFilter implements ConfigurableFilter<DecimateSettings
     /** Found by its name in the list of services. */
     public Provider() {
       super(
-          "decimate",
-          "Keeps one of so many events.",
-          DecimateSettings.class,
-          DecimateFilter::new);
+          "decimate", "Keeps one of so many events.", DecimateSettings.class, DecimateFilter::new);
     }
   }
 }

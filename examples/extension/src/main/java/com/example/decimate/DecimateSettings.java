@@ -11,9 +11,7 @@ import haltere.core.settings.Unit;
  * @param keepEvery one of so many events is kept, from 1 to 1000
  */
 public record DecimateSettings(
-    @Range(min = 1, max = 1000)
-        @Unit("events")
-        @Help("One of so many events is kept; 1 keeps all.")
+    @Range(min = 1, max = 1000) @Unit("events") @Help("One of so many events is kept; 1 keeps all.")
         int keepEvery) {
   /** Checks the values. */
   public DecimateSettings {

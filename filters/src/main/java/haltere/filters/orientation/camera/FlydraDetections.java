@@ -1,7 +1,7 @@
 package haltere.filters.orientation.camera;
 
 import haltere.core.format.RecordingProblem;
-import haltere.core.format.RecordingTables;
+import haltere.core.format.internal.table.RecordingTables;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;

@@ -1,9 +1,9 @@
 package haltere.filters.orientation.camera;
 
 import haltere.core.format.RecordingProblem;
-import haltere.core.format.RecordingTables;
-import haltere.core.format.braidz.BraidzTables;
-import haltere.core.format.hdf5.Hdf5Tables;
+import haltere.core.format.internal.braidz.BraidzTables;
+import haltere.core.format.internal.hdf5.Hdf5Tables;
+import haltere.core.format.internal.table.RecordingTables;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Map;

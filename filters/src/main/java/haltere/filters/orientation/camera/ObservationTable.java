@@ -2,7 +2,7 @@ package haltere.filters.orientation.camera;
 
 import haltere.core.format.RecordingFile;
 import haltere.core.format.RecordingProblem;
-import haltere.core.format.csv.CsvTable;
+import haltere.core.format.internal.csv.CsvTable;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;

@@ -4,8 +4,8 @@ import haltere.filters.estimation.Angles;
 import haltere.filters.wing.FlyGeometry;
 import haltere.filters.wing.WingPart;
 import haltere.filters.wing.WingPlaceSettings;
-import haltere.filters.wing.search.FoundFly;
-import haltere.filters.wing.stroke.StrokeFrame;
+import haltere.filters.wing.internal.search.FoundFly;
+import haltere.filters.wing.internal.stroke.StrokeFrame;
 
 /**
  * Where the tracked fly is on the sensor: a frame for each wing, and the body's line, which divides

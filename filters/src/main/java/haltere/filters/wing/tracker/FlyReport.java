@@ -15,7 +15,7 @@ import haltere.filters.wing.WingPart;
 import haltere.filters.wing.WingSnapshot;
 import haltere.filters.wing.WingTrackerState.Phase;
 import haltere.filters.wing.WingVariances;
-import haltere.filters.wing.stroke.SideEstimator;
+import haltere.filters.wing.internal.stroke.SideEstimator;
 import org.ejml.data.DMatrixRMaj;
 
 /** Tells a listener what the estimators of both wings say. */

@@ -1,6 +1,6 @@
 package haltere.filters.wing.tracker;
 
-import haltere.filters.wing.stroke.StrokeFrame;
+import haltere.filters.wing.internal.stroke.StrokeFrame;
 import java.util.Arrays;
 
 /**

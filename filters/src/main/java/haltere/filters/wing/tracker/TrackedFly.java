@@ -9,11 +9,11 @@ import haltere.filters.wing.WingPlaceSettings;
 import haltere.filters.wing.WingSnapshot;
 import haltere.filters.wing.WingTrackerSettings;
 import haltere.filters.wing.WingTrackerState.Phase;
-import haltere.filters.wing.search.FoundFly;
-import haltere.filters.wing.stroke.SideEstimator;
-import haltere.filters.wing.stroke.StrokeFrame;
-import haltere.filters.wing.stroke.StrokeSeed;
-import haltere.filters.wing.stroke.WingEstimator;
+import haltere.filters.wing.internal.search.FoundFly;
+import haltere.filters.wing.internal.stroke.SideEstimator;
+import haltere.filters.wing.internal.stroke.StrokeFrame;
+import haltere.filters.wing.internal.stroke.StrokeSeed;
+import haltere.filters.wing.internal.stroke.WingEstimator;
 import java.util.List;
 import java.util.Optional;
 

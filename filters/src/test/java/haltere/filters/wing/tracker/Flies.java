@@ -1,8 +1,8 @@
 package haltere.filters.wing.tracker;
 
 import haltere.core.event.EventPacket;
-import haltere.core.simulation.fly.FlyScene;
-import haltere.core.simulation.fly.FlySceneSettings;
+import haltere.core.simulation.internal.fly.FlyScene;
+import haltere.core.simulation.internal.fly.FlySceneSettings;
 import haltere.testing.SceneEvents;
 
 /** Simulated flies that differ from the usual one by assignments. */

@@ -6,9 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import haltere.filters.estimation.Angles;
 import haltere.filters.wing.FlyGeometry;
 import haltere.filters.wing.WingTrackerSettings;
-import haltere.filters.wing.search.FoundFly;
-import haltere.filters.wing.stroke.StrokeFrame;
-import haltere.filters.wing.stroke.StrokeSeed;
+import haltere.filters.wing.internal.search.FoundFly;
+import haltere.filters.wing.internal.stroke.StrokeFrame;
+import haltere.filters.wing.internal.stroke.StrokeSeed;
 import org.junit.jupiter.api.Test;
 
 class PixelAnglesTest {

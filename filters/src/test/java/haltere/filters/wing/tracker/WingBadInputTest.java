@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import haltere.core.event.EventPacket;
 import haltere.core.settings.Parameter;
 import haltere.core.settings.SettingsSchema;
-import haltere.core.simulation.fly.FlyTruth;
+import haltere.core.simulation.internal.fly.FlyTruth;
 import haltere.core.stream.Reset;
 import haltere.filters.wing.FlyGeometry;
 import haltere.filters.wing.WingEstimate;

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.EventPacket;
-import haltere.core.simulation.fly.FlyScene;
+import haltere.core.simulation.internal.fly.FlyScene;
 import haltere.filters.estimation.Angles;
 import haltere.filters.wing.WingBeat;
 import haltere.filters.wing.WingEstimate;

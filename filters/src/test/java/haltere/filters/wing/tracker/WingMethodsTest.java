@@ -5,8 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.EventPacket;
-import haltere.core.simulation.fly.FlyScene;
-import haltere.core.simulation.fly.FlyTruth;
+import haltere.core.simulation.internal.fly.FlyScene;
+import haltere.core.simulation.internal.fly.FlyTruth;
 import haltere.filters.estimation.Angles;
 import haltere.filters.wing.FlyGeometry;
 import haltere.filters.wing.WingBeat;

@@ -1,10 +1,10 @@
 package haltere.filters.wing.tracker;
 
 import haltere.core.event.EventPacket;
-import haltere.core.simulation.fly.FlyScene;
-import haltere.core.simulation.fly.FlySceneSettings;
-import haltere.core.simulation.fly.FlyTruth;
-import haltere.core.sink.SvgPlot;
+import haltere.core.simulation.internal.fly.FlyScene;
+import haltere.core.simulation.internal.fly.FlySceneSettings;
+import haltere.core.simulation.internal.fly.FlyTruth;
+import haltere.core.sink.internal.SvgPlot;
 import haltere.filters.wing.WingAverage;
 import haltere.filters.wing.WingEstimate;
 import haltere.filters.wing.WingPart;

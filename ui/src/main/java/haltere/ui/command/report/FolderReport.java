@@ -10,7 +10,7 @@ import haltere.core.format.RecordingReader;
 import haltere.core.format.Recordings;
 import haltere.core.json.Json;
 import haltere.core.pipeline.RecordingJob;
-import haltere.core.sink.SvgPlot;
+import haltere.core.sink.internal.SvgPlot;
 import haltere.core.stream.EventSource;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;

@@ -1,6 +1,6 @@
 package haltere.ui.command.report;
 
-import haltere.core.sink.SvgPlot;
+import haltere.core.sink.internal.SvgPlot;
 import haltere.ui.plot.PlotField;
 import haltere.ui.plot.TimeBins;
 import java.util.ArrayDeque;

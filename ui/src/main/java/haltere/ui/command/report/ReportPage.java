@@ -1,7 +1,7 @@
 package haltere.ui.command.report;
 
 import haltere.core.overlay.MarkStyle;
-import haltere.core.sink.SvgPlot;
+import haltere.core.sink.internal.SvgPlot;
 import haltere.ui.rendering.MarkColours;
 import haltere.ui.rendering.Pictures;
 import java.awt.image.BufferedImage;

@@ -1,8 +1,8 @@
 package haltere.ui.command.results;
 
-import haltere.core.sink.SvgPlot;
-import haltere.filters.estimation.example.ExampleTable;
-import haltere.filters.estimation.example.Oscillations;
+import haltere.core.sink.internal.SvgPlot;
+import haltere.filters.estimation.internal.example.ExampleTable;
+import haltere.filters.estimation.internal.example.Oscillations;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Map;

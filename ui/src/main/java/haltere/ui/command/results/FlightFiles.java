@@ -1,9 +1,9 @@
 package haltere.ui.command.results;
 
 import haltere.core.json.Json;
-import haltere.core.simulation.flight.FlightCamera;
-import haltere.core.simulation.flight.FlightDetection;
-import haltere.core.simulation.flight.FlightScene;
+import haltere.core.simulation.internal.flight.FlightCamera;
+import haltere.core.simulation.internal.flight.FlightDetection;
+import haltere.core.simulation.internal.flight.FlightScene;
 import haltere.core.sink.TableMetadata;
 import haltere.core.sink.TableSink;
 import haltere.core.sink.Tables;

@@ -1,8 +1,8 @@
 package haltere.ui.command.results;
 
-import haltere.core.format.hdf5.Hdf5TableWriter;
-import haltere.core.format.hdf5.Hdf5TableWriter.Column;
-import haltere.core.format.hdf5.Hdf5TableWriter.Kind;
+import haltere.core.format.internal.hdf5.Hdf5TableWriter;
+import haltere.core.format.internal.hdf5.Hdf5TableWriter.Column;
+import haltere.core.format.internal.hdf5.Hdf5TableWriter.Kind;
 import haltere.core.sink.TableMetadata;
 import haltere.core.sink.TableSink;
 import haltere.core.sink.Tables;

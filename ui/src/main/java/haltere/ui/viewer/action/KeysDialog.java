@@ -1,9 +1,8 @@
 package haltere.ui.viewer.action;
 
 import atlantafx.base.theme.Styles;
+import haltere.ui.viewer.controls.Windows;
 import javafx.geometry.Insets;
-import javafx.scene.control.Alert;
-import javafx.scene.control.ButtonType;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.layout.GridPane;
@@ -64,11 +63,7 @@ public final class KeysDialog {
     scroll.setFitToWidth(true);
     scroll.setFocusTraversable(true);
     scroll.setAccessibleText("Keys and what they do");
-    Alert alert = new Alert(Alert.AlertType.NONE, "", ButtonType.CLOSE);
-    alert.setTitle("Keys");
-    alert.getDialogPane().setContent(scroll);
-    alert.initOwner(owner);
-    alert.show();
+    Windows.tell(owner, "Keys", scroll);
   }
 
   private static int add(GridPane grid, int row, String key, String words) {

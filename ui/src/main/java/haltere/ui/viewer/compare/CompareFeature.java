@@ -1,6 +1,7 @@
 package haltere.ui.viewer.compare;
 
 import haltere.core.chain.ChainFile;
+import haltere.core.chain.ChainStage;
 import haltere.core.chain.FilterChain;
 import haltere.core.playback.Player;
 import haltere.ui.plot.PlotField;
@@ -10,7 +11,9 @@ import haltere.ui.viewer.chain.ChainAccess;
 import haltere.ui.viewer.chain.ChainEditor;
 import haltere.ui.viewer.chain.ChainPanel;
 import haltere.ui.viewer.chain.StageState;
+import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Icons;
+import haltere.ui.viewer.controls.Texts;
 import haltere.ui.viewer.feature.PanelPlace;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
@@ -22,13 +25,14 @@ import haltere.ui.viewer.session.ViewerSession;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import javafx.beans.property.BooleanProperty;
 import javafx.geometry.Orientation;
-import javafx.geometry.Pos;
 import javafx.scene.control.Label;
 import javafx.scene.control.SplitPane;
 import javafx.scene.layout.BorderPane;
-import javafx.scene.layout.HBox;
+import javafx.scene.layout.Region;
+import javafx.scene.layout.VBox;
 
 /**
  * Two chains side by side on the same events: the second one begins as a copy of the first, has its
@@ -43,11 +47,17 @@ public final class CompareFeature implements ViewerFeature {
   /** What is compared. */
   private record Running(Player player, SecondChain second) {}
 
-  /** Both chains' means of the last while. */
-  private record Means(Map<PlotField, Double> first, Map<PlotField, Double> second) {}
+  /** What both chains consist of, and their means of the last while. */
+  private record Means(
+      String firstName,
+      String secondName,
+      Map<PlotField, Double> first,
+      Map<PlotField, Double> second) {}
 
   private final EventView view = new EventView();
   private final ComparisonTable table = new ComparisonTable();
+  private final Label firstName = new Label();
+  private final Label secondName = new Label();
   private ViewerContext window;
   private ChainEditor editor;
   private ChainPanel chainPanel;
@@ -72,17 +82,25 @@ public final class CompareFeature implements ViewerFeature {
     view.setAccessibleText("Events behind the second chain");
     SplitPane settings = new SplitPane(chainPanel, table);
     settings.setOrientation(Orientation.VERTICAL);
-    Label name = new Label("Second chain");
-    HBox bar = new HBox(name);
-    bar.setAlignment(Pos.CENTER_LEFT);
+    firstName.setId("first-chain-name");
+    secondName.setId("second-chain-name");
+    Region bar = new Region();
     bar.getStyleClass().add("view-bar");
     // as high as the first picture's bar, so that both pictures have the same height
     bar.minHeightProperty().bind(window.panels().viewBar().heightProperty());
     BorderPane named = new BorderPane(view);
-    named.setTop(bar);
+    named.setTop(new VBox(bar, secondName));
+    for (Label name : List.of(firstName, secondName)) {
+      name.getStyleClass().add("chain-name");
+    }
+    window.panels().addAbovePicture(firstName);
+    firstName.setMinWidth(0);
+    secondName.setMinWidth(0);
     settingsShown =
         window.panels().offer("second-chain", "Second chain", PanelPlace.SIDE, () -> settings);
     shown = window.panels().offer("compare", "Compare", PanelPlace.BESIDE, () -> named);
+    firstName.visibleProperty().bind(shown);
+    firstName.managedProperty().bind(shown);
     window
         .actions()
         .add(
@@ -170,6 +188,21 @@ public final class CompareFeature implements ViewerFeature {
             });
   }
 
+  /** The filters that are on, in their order; processing thread. */
+  private static String name(FilterChain chain) {
+    String filters =
+        chain.stages().stream()
+            .filter(ChainStage::isEnabled)
+            .map(stage -> Texts.title(stage.name()))
+            .collect(Collectors.joining(", "));
+    return filters.isEmpty() ? "no filters" : filters;
+  }
+
+  private static void show(Label label, String words) {
+    label.setText(words);
+    Controls.help(label, words);
+  }
+
   private void showStages(List<StageState> stages) {
     chainPanel.show(stages);
   }
@@ -214,9 +247,13 @@ public final class CompareFeature implements ViewerFeature {
           .read(
               first ->
                   new Means(
+                      name(first),
+                      name(now.second().chain()),
                       firstMeans == null ? Map.of() : firstMeans.take(),
                       secondMeans == null ? Map.of() : secondMeans.take()),
               means -> {
+                show(firstName, "First chain: " + means.firstName());
+                show(secondName, "Second chain: " + means.secondName());
                 List<ComparisonTable.Line> lines =
                     ComparisonTable.lines(means.first(), means.second());
                 if (!lines.isEmpty()) {

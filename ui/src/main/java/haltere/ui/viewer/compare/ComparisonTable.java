@@ -78,7 +78,7 @@ final class ComparisonTable extends ScrollPane {
   void show(List<Line> lines) {
     grid.getChildren().clear();
     grid.addRow(
-        0, heading("Mean of a second"), heading("chain"), heading("second"), heading("differs"));
+        0, heading("Mean of a second"), heading("First"), heading("Second"), heading("Differs"));
     String group = "";
     int row = 1;
     for (Line line : lines) {

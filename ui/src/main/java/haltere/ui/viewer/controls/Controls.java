@@ -7,6 +7,8 @@ import javafx.scene.control.ButtonBase;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.control.Tooltip;
 import javafx.scene.input.MouseEvent;
+import javafx.scene.layout.Region;
+import javafx.scene.shape.Rectangle;
 import javafx.util.Duration;
 
 /** Makes the buttons of the window, all alike: an icon, a tooltip and a name for screen readers. */
@@ -74,5 +76,13 @@ public final class Controls {
     button.getStyleClass().addAll(Styles.BUTTON_ICON, Styles.FLAT);
     help(button, help);
     button.setAccessibleText(help);
+  }
+
+  /** Shows of a region what lies within its bounds and nothing else. */
+  public static void clip(Region region) {
+    Rectangle clip = new Rectangle();
+    clip.widthProperty().bind(region.widthProperty());
+    clip.heightProperty().bind(region.heightProperty());
+    region.setClip(clip);
   }
 }

@@ -5,7 +5,9 @@ import java.util.List;
 import java.util.function.Supplier;
 import javafx.beans.InvalidationListener;
 import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.DoubleProperty;
 import javafx.beans.property.SimpleBooleanProperty;
+import javafx.beans.property.SimpleDoubleProperty;
 import javafx.collections.ListChangeListener;
 import javafx.geometry.Orientation;
 import javafx.scene.Node;
@@ -66,22 +68,34 @@ final class PanelLayout {
   }
 
   private static void keep(UserSettings settings, String name, SplitPane pane) {
+    DoubleProperty share = new SimpleDoubleProperty(-1);
+    settings.keep(name, share, value -> value, value -> ((Number) value).doubleValue());
     InvalidationListener keeper =
         observed -> {
           if (!pane.getDividers().isEmpty() && pane.getWidth() > 0) {
-            settings.put(name, Math.rint(pane.getDividerPositions()[0] * 1000) / 1000);
+            share.set(Math.rint(pane.getDividerPositions()[0] * 1000) / 1000);
+          }
+        };
+    Runnable place =
+        () -> {
+          if (!pane.getDividers().isEmpty() && share.get() >= 0) {
+            pane.setDividerPosition(0, share.get());
           }
         };
     Runnable follow =
         () -> {
-          if (!pane.getDividers().isEmpty()) {
-            settings
-                .get(name)
-                .filter(Double.class::isInstance)
-                .ifPresent(share -> pane.setDividerPosition(0, (Double) share));
-            pane.getDividers().get(0).positionProperty().addListener(keeper);
-          }
+          place.run();
+          pane.getDividers().forEach(divider -> divider.positionProperty().addListener(keeper));
         };
+    share.addListener(
+        (property, was, is) -> {
+          boolean isThere =
+              !pane.getDividers().isEmpty()
+                  && Math.abs(pane.getDividerPositions()[0] - is.doubleValue()) < 0.001;
+          if (!isThere) {
+            place.run();
+          }
+        });
     pane.getDividers().addListener((ListChangeListener<SplitPane.Divider>) change -> follow.run());
     follow.run();
   }

@@ -7,17 +7,15 @@ import haltere.core.stream.StreamNotification;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Icons;
 import haltere.ui.viewer.controls.Texts;
+import haltere.ui.viewer.controls.Windows;
 import javafx.css.PseudoClass;
 import javafx.geometry.Pos;
 import javafx.scene.AccessibleRole;
-import javafx.scene.control.Alert;
 import javafx.scene.control.Button;
-import javafx.scene.control.ButtonType;
 import javafx.scene.control.Label;
 import javafx.scene.control.TextArea;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
-import javafx.stage.Modality;
 
 /**
  * The bottom line: what is wrong or late, or what is open, at the left; time, rate, speed, frames
@@ -187,12 +185,7 @@ public final class StatusLine extends HBox {
     text.setAccessibleText("Details of the problem");
     text.setEditable(false);
     text.setPrefSize(640, 300);
-    Alert alert = new Alert(Alert.AlertType.NONE, "", ButtonType.CLOSE);
-    alert.setTitle("Details");
-    alert.getDialogPane().setContent(text);
-    alert.initOwner(getScene().getWindow());
-    alert.initModality(Modality.NONE);
-    alert.show();
+    Windows.tell(getScene().getWindow(), "Details", text);
   }
 
   private static Label number(String id, double width, String help) {

@@ -6,10 +6,15 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
+import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.Supplier;
 import javafx.beans.property.Property;
 
 /**
@@ -20,8 +25,12 @@ import javafx.beans.property.Property;
  * JavaFX thread. Saving sees a consistent copy.
  */
 public final class UserSettings {
+  /** A property that is kept, by its value for JSON. */
+  private record Kept(Supplier<Object> value, Consumer<Object> taker) {}
+
   private final Optional<Path> file;
   private final Map<String, Object> values;
+  private final Map<String, Kept> properties = new HashMap<>();
 
   /** What is to be written; empty if the file has it all. */
   private volatile Optional<Map<String, Object>> unsaved = Optional.empty();
@@ -76,17 +85,45 @@ public final class UserSettings {
    */
   public <T> void keep(
       String name, Property<T> property, Function<T, Object> write, Function<Object, T> read) {
-    get(name)
-        .ifPresent(
-            kept -> {
-              try {
-                property.setValue(read.apply(kept));
-              } catch (RuntimeException ofNoUse) {
-                // written by a person or by another version: the usual value stays
-                values.remove(name);
-              }
-            });
+    Kept made =
+        new Kept(
+            () -> write.apply(property.getValue()), value -> property.setValue(read.apply(value)));
+    properties.put(name, made);
+    get(name).ifPresent(value -> choose(Map.of(name, value)));
     property.addListener((observed, was, is) -> put(name, write.apply(is)));
+  }
+
+  /**
+   * What is chosen now of some kinds.
+   *
+   * @param kinds how the names begin
+   * @return values by name, as {@link #get} has them
+   */
+  public Map<String, Object> chosen(String... kinds) {
+    Map<String, Object> chosen = new TreeMap<>();
+    properties.forEach(
+        (name, property) -> {
+          if (Arrays.stream(kinds).anyMatch(name::startsWith)) {
+            chosen.put(name, property.value().get());
+          }
+        });
+    return chosen;
+  }
+
+  /** Gives kept properties other values; what is unknown or of no use is left out. */
+  public void choose(Map<?, ?> wanted) {
+    wanted.forEach(
+        (name, value) -> {
+          Kept property = properties.get(name);
+          try {
+            if (property != null) {
+              property.taker().accept(value);
+            }
+          } catch (RuntimeException ofNoUse) {
+            // written by a person or by another version: the usual value stays
+            values.remove(name);
+          }
+        });
   }
 
   /** Keeps a flag. */

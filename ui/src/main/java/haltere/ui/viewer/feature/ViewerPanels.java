@@ -1,7 +1,7 @@
 package haltere.ui.viewer.feature;
 
 import haltere.core.event.SensorGeometry;
-import haltere.core.format.RateProfile;
+import haltere.core.format.summary.RateProfile;
 import haltere.core.playback.PlayerStatus;
 import haltere.core.playback.PlayerStatus.State;
 import haltere.ui.rendering.ColourMap;

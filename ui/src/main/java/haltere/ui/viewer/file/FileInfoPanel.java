@@ -2,7 +2,7 @@ package haltere.ui.viewer.file;
 
 import atlantafx.base.theme.Styles;
 import haltere.core.event.SensorGeometry;
-import haltere.core.format.RecordingSummary;
+import haltere.core.format.summary.RecordingSummary;
 import haltere.ui.command.terminal.Quantities;
 import haltere.ui.viewer.session.RecordingFacts;
 import java.util.List;

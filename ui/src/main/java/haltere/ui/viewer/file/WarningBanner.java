@@ -2,7 +2,7 @@ package haltere.ui.viewer.file;
 
 import atlantafx.base.theme.Styles;
 import haltere.core.event.SensorGeometry;
-import haltere.core.format.SensorGuess;
+import haltere.core.format.internal.decoding.SensorGuess;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Icons;
 import java.util.ArrayList;

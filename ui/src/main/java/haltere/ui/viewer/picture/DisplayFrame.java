@@ -14,9 +14,9 @@ import java.util.Optional;
  */
 public final class DisplayFrame {
   /** A snapshot of results with what draws it. */
-  record Marks<T>(T snapshot, Overlay<T> overlay) {
+  public record Marks<T>(T snapshot, Overlay<T> overlay) {
     /** Draws it as it is at the time that is shown. */
-    void draw(long timeUs, OverlayCanvas canvas) {
+    public void draw(long timeUs, OverlayCanvas canvas) {
       overlay.drawAt(snapshot, timeUs, canvas);
     }
   }

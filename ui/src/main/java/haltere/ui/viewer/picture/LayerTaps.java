@@ -10,16 +10,17 @@ import java.util.List;
  *
  * <p>Thread rule: the processing thread only.
  */
-final class LayerTaps {
+public final class LayerTaps {
   private final FilterChain chain;
   private final List<LayerTap<?>> taps = new ArrayList<>();
 
-  LayerTaps(FilterChain chain) {
+  /** Taps of the filters of a chain, from the next call on. */
+  public LayerTaps(FilterChain chain) {
     this.chain = chain;
   }
 
   /** The newest snapshots, of filters that are on now, whoever switched them. */
-  List<DisplayFrame.Marks<?>> marks() {
+  public List<DisplayFrame.Marks<?>> marks() {
     followChain();
     List<DisplayFrame.Marks<?>> marks = new ArrayList<>(taps.size());
     for (LayerTap<?> tap : taps) {
@@ -32,7 +33,7 @@ final class LayerTaps {
   }
 
   /** Listens to the filters that are on now, so that nothing of what comes next is missed. */
-  void followChain() {
+  public void followChain() {
     List<OverlayLayer<?>> layers = chain.overlays();
     taps.removeIf(
         tap -> {
@@ -50,12 +51,12 @@ final class LayerTaps {
   }
 
   /** Forgets all snapshots. */
-  void clear() {
+  public void clear() {
     taps.forEach(LayerTap::clear);
   }
 
   /** Ends all subscriptions; the processing thread has ended or calls this. */
-  void close() {
+  public void close() {
     taps.forEach(LayerTap::close);
     taps.clear();
   }

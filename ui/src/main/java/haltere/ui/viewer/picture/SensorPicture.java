@@ -6,7 +6,7 @@ import haltere.ui.overlay.FontLetters;
 import haltere.ui.overlay.JavaFxOverlayCanvas;
 import haltere.ui.rendering.ColourMap;
 import haltere.ui.rendering.PictureScaler;
-import java.nio.IntBuffer;
+import haltere.ui.viewer.controls.PixelImage;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -14,10 +14,6 @@ import java.util.function.Consumer;
 import javafx.geometry.Rectangle2D;
 import javafx.scene.Node;
 import javafx.scene.canvas.Canvas;
-import javafx.scene.image.ImageView;
-import javafx.scene.image.PixelBuffer;
-import javafx.scene.image.PixelFormat;
-import javafx.scene.image.WritableImage;
 import javafx.scene.text.Font;
 
 /**
@@ -32,7 +28,7 @@ final class SensorPicture {
   /** So many pictures are not kept waiting by the loading of letters that they may not need. */
   private static final int FIRST_PICTURES = 10;
 
-  private final ImageView image = new ImageView();
+  private final PixelImage image = new PixelImage();
   private final boolean scaleHere;
   private final ScreenPainter painter = new ScreenPainter();
   private final Canvas canvas = new Canvas();
@@ -42,7 +38,6 @@ final class SensorPicture {
   private double density;
   private SensorGeometry geometry = new SensorGeometry(1, 1);
   private DisplayFrame newest = new DisplayFrame(geometry);
-  private PixelBuffer<IntBuffer> pixels;
   private Optional<ScreenPlace> place = Optional.empty();
   private boolean marksVisible = true;
   private int drawn;
@@ -54,7 +49,7 @@ final class SensorPicture {
    */
   SensorPicture(boolean scaleHere) {
     this.scaleHere = scaleHere;
-    image.setManaged(false);
+    image.setVisible(false);
     canvas.setManaged(false);
     canvas.setMouseTransparent(true);
     canvas.setVisible(false);
@@ -71,8 +66,8 @@ final class SensorPicture {
     newest = new DisplayFrame(geometry);
     newest.dark = colours.dark();
     Arrays.fill(newest.pixels, colours.background() & 0xFFFFFF);
-    pixels = null;
     place = Optional.empty();
+    image.setVisible(false);
   }
 
   /**
@@ -109,7 +104,7 @@ final class SensorPicture {
       }
       int columns = Math.max(1, (int) Math.ceil((toX - fromX) * scale * density - 1e-6));
       int rows = Math.max(1, (int) Math.ceil((toY - fromY) * scale * density - 1e-6));
-      allocate(columns, rows);
+      image.allocate(columns, rows);
       image.setSmooth(false);
       image.setFitWidth(columns / density);
       image.setFitHeight(rows / density);
@@ -127,7 +122,7 @@ final class SensorPicture {
                   letters,
                   marksVisible));
     } else {
-      allocate(geometry.width(), geometry.height());
+      image.allocate(geometry.width(), geometry.height());
       image.setSmooth(scale * newDensity < 1);
       image.setViewport(new Rectangle2D(fromX, fromY, toX - fromX, toY - fromY));
       image.setFitWidth((toX - fromX) * scale);
@@ -162,35 +157,23 @@ final class SensorPicture {
     place = place.map(now -> now.withMarks(visible));
   }
 
-  private void allocate(int width, int height) {
-    if (pixels == null || pixels.getWidth() != width || pixels.getHeight() != height) {
-      pixels =
-          new PixelBuffer<>(
-              width,
-              height,
-              IntBuffer.allocate(width * height),
-              PixelFormat.getIntArgbPreInstance());
-      image.setImage(new WritableImage(pixels));
-    }
-  }
-
   /**
    * Draws all anew.
    *
    * @param layers draws what lies over the frame and its marks
    */
   void draw(Consumer<OverlayCanvas> layers) {
-    if (pixels == null || !image.isVisible()) {
+    if (!image.isVisible()) {
       return;
     }
-    int[] shown = pixels.getBuffer().array();
+    int[] shown = image.pixels();
     if (scaleHere) {
       drawPixels(place.orElseThrow(), shown, layers);
     } else {
       PictureScaler.makeOpaque(newest.pixels, shown);
       drawOnCanvas(layers);
     }
-    pixels.updateBuffer(all -> null);
+    image.repaint();
   }
 
   private void drawPixels(ScreenPlace there, int[] shown, Consumer<OverlayCanvas> layers) {

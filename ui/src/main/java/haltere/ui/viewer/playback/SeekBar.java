@@ -1,10 +1,11 @@
 package haltere.ui.viewer.playback;
 
-import haltere.core.format.RateProfile;
+import haltere.core.format.summary.RateProfile;
 import haltere.core.playback.Loop;
 import haltere.core.playback.Mark;
 import haltere.core.playback.PlayerStatus;
 import haltere.ui.plot.Ticks;
+import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Texts;
 import java.util.List;
 import java.util.Optional;
@@ -134,10 +135,7 @@ public final class SeekBar extends Region {
     canvas.setManaged(false);
     played.setManaged(false);
     played.setClip(playedClip);
-    Rectangle clip = new Rectangle();
-    clip.widthProperty().bind(widthProperty());
-    clip.heightProperty().bind(heightProperty());
-    setClip(clip);
+    Controls.clip(this);
     getChildren().addAll(canvas, played, needle, hover);
     setOnMousePressed(
         event -> {

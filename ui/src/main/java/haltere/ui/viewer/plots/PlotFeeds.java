@@ -21,6 +21,9 @@ final class PlotFeeds {
   /** What a chain offers, and what of it is listened to. */
   private record Opened(List<PlotField> offered, List<PlotFeed> feeds) {}
 
+  /** A sample that is older than the newest by more than this begins a run-up, microseconds. */
+  private static final long MAX_DISORDER_US = 100_000;
+
   private final ChainEditor editor;
   private final Consumer<List<PlotField>> offered;
   private List<PlotFeed> feeds = List.of();
@@ -65,13 +68,17 @@ final class PlotFeeds {
   boolean drainTo(List<Lane> lanes) {
     boolean[] any = new boolean[1];
     for (PlotFeed feed : feeds) {
+      PlotField field = feed.field();
+      List<Lane> takers = lanes.stream().filter(lane -> lane.has(field)).toList();
       feed.drainTo(
           (timeUs, key, value) -> {
             any[0] = true;
-            for (Lane lane : lanes) {
-              if (lane.has(feed.field())) {
-                lane.take(feed.field(), timeUs, key, value);
+            for (Lane lane : takers) {
+              if (timeUs < lane.lastUs(field) - MAX_DISORDER_US) {
+                // tracks of before would stand beside those that are found anew
+                lane.forgetFrom(timeUs);
               }
+              lane.take(field, timeUs, key, value);
             }
           });
     }

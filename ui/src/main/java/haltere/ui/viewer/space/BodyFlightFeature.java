@@ -3,12 +3,11 @@ package haltere.ui.viewer.space;
 import haltere.filters.orientation.camera.ObservationFile;
 import haltere.ui.space.BodyFlight;
 import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.controls.Windows;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import java.nio.file.Path;
 import java.util.Optional;
-import javafx.scene.Scene;
-import javafx.stage.Stage;
 
 /**
  * A window that shows a body in space from what several cameras saw of it: the observations of
@@ -52,15 +51,9 @@ public final class BodyFlightFeature implements ViewerFeature {
   }
 
   private void show(BodyFlight flight) {
-    Stage stage = new Stage();
-    stage.initOwner(window.stage());
-    stage.setTitle("Orientation in space");
     BodyFlightPane pane = new BodyFlightPane(flight);
     pane.setTheme(window.display().themeProperty().get());
-    Scene scene = new Scene(pane, 800, 600);
-    scene.getStylesheets().setAll(window.stage().getScene().getStylesheets());
-    stage.setScene(scene);
-    stage.show();
+    Windows.beside(window.stage(), "Orientation in space", pane, 800, 600).show();
   }
 
   private void failed(Exception problem) {

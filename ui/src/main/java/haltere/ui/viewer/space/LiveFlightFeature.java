@@ -3,7 +3,7 @@ package haltere.ui.viewer.space;
 import haltere.core.camera.Cameras;
 import haltere.core.format.ReadOptions;
 import haltere.core.overlay.OverlayCanvas;
-import haltere.core.simulation.flight.FlightSettings;
+import haltere.core.simulation.internal.flight.FlightSettings;
 import haltere.filters.orientation.camera.CameraFile;
 import haltere.filters.orientation.camera.CameraModel;
 import haltere.ui.space.CameraLineOverlay;

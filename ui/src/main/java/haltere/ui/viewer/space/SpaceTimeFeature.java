@@ -15,7 +15,7 @@ import javafx.beans.property.BooleanProperty;
  * <p>Thread rule: JavaFX thread only.
  */
 public final class SpaceTimeFeature implements ViewerFeature {
-  private final SpaceTimePanel panel = new SpaceTimePanel();
+  private SpaceTimePanel panel;
   private ViewerContext window;
   private BooleanProperty shown;
   private Optional<SpaceTimeSink> sink = Optional.empty();
@@ -23,6 +23,7 @@ public final class SpaceTimeFeature implements ViewerFeature {
   @Override
   public void install(ViewerContext installed) {
     window = installed;
+    panel = new SpaceTimePanel(window.display().marksProperty());
     shown =
         window.addPanel(
             "space-time", "Space and time", "Shortcut+T", PanelPlace.BESIDE, () -> panel);
@@ -52,7 +53,7 @@ public final class SpaceTimeFeature implements ViewerFeature {
   private void follow(Optional<ViewerSession> session) {
     session.ifPresent(this::leave);
     if (shown.get() && session.isPresent()) {
-      SpaceTimeSink made = new SpaceTimeSink();
+      SpaceTimeSink made = new SpaceTimeSink(session.get().chain());
       made.setSpan(panel.view().spanUs());
       panel.setSensor(session.get().player().playable().geometry());
       session.get().player().addSink(made);
@@ -61,7 +62,8 @@ public final class SpaceTimeFeature implements ViewerFeature {
   }
 
   private void leave(ViewerSession session) {
-    sink.ifPresent(session.player()::removeSink);
+    sink.ifPresent(
+        left -> session.player().removeSink(left).whenComplete((done, closed) -> left.close()));
     sink = Optional.empty();
   }
 }

@@ -2,29 +2,29 @@ package haltere.ui.viewer.space;
 
 import atlantafx.base.theme.Styles;
 import haltere.core.event.SensorGeometry;
+import haltere.ui.overlay.FontLetters;
+import haltere.ui.overlay.JavaFxOverlayCanvas;
 import haltere.ui.rendering.ColourMap;
-import haltere.ui.rendering.SpaceTimeCloud;
+import haltere.ui.rendering.PixelOverlayCanvas;
 import haltere.ui.rendering.SpaceTimePainter;
+import haltere.ui.rendering.SpaceTimeProjection;
 import haltere.ui.rendering.SpaceTimeView;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.KeyPane;
+import haltere.ui.viewer.controls.PixelImage;
 import haltere.ui.viewer.controls.Texts;
-import java.nio.IntBuffer;
 import java.util.function.DoubleConsumer;
+import javafx.beans.property.ReadOnlyBooleanProperty;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.Label;
 import javafx.scene.control.Slider;
-import javafx.scene.image.ImageView;
-import javafx.scene.image.PixelBuffer;
-import javafx.scene.image.PixelFormat;
-import javafx.scene.image.WritableImage;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.FlowPane;
 import javafx.scene.layout.HBox;
-import javafx.scene.shape.Rectangle;
+import javafx.scene.text.Font;
 
 /**
  * Events in space and time. A drag turns, the wheel enlarges, a double click goes back to the first
@@ -39,7 +39,7 @@ final class SpaceTimePanel extends BorderPane {
   private static final double DEGREES_PER_KEY = 5;
 
   private final SpaceTimePainter painter = new SpaceTimePainter();
-  private final ImageView image = new ImageView();
+  private final PixelImage image = new PixelImage();
   private final KeyPane picture = new KeyPane(image);
   private final Slider turn = slider("space-time-turn", "Turn, degrees", -180, 180);
   private final Slider tilt = slider("space-time-tilt", "Tilt, degrees", -90, 90);
@@ -48,25 +48,31 @@ final class SpaceTimePanel extends BorderPane {
   private final Slider slice = slider("space-time-slice", "Where the slice begins", 0, 1);
   private final Slider thickness = slider("space-time-thickness", "How thick the slice is", 0, 1);
   private final Label words = new Label();
-  private PixelBuffer<IntBuffer> pixels;
-  private SpaceTimeCloud.Points points = new SpaceTimeCloud.Points(1);
+  private final ReadOnlyBooleanProperty marksShown;
+  private FontLetters letters;
+  private PixelOverlayCanvas canvas;
+  private double density;
+  private SpaceTimeFrame frame = new SpaceTimeFrame(1);
   private SensorGeometry sensor = new SensorGeometry(128, 128);
   private ColourMap colours = ColourMap.DARK;
   private double dragX;
   private double dragY;
   private boolean dirty = true;
 
-  SpaceTimePanel() {
+  /**
+   * A panel that shows no events yet.
+   *
+   * @param marksShown whether marks of filters are drawn
+   */
+  SpaceTimePanel(ReadOnlyBooleanProperty marksShown) {
+    this.marksShown = marksShown;
+    marksShown.addListener(changed -> dirty = true);
     setId("space-time");
     getStyleClass().add("space-time");
     picture.setId("space-time-picture");
     picture.setAccessibleText("Events in space and time");
     picture.setMinSize(120, 120);
-    image.setManaged(false);
-    Rectangle clip = new Rectangle();
-    clip.widthProperty().bind(picture.widthProperty());
-    clip.heightProperty().bind(picture.heightProperty());
-    picture.setClip(clip);
+    Controls.clip(picture);
     picture.widthProperty().addListener((property, was, is) -> dirty = true);
     picture.heightProperty().addListener((property, was, is) -> dirty = true);
     picture.setOnMousePressed(this::pressed);
@@ -98,7 +104,7 @@ final class SpaceTimePanel extends BorderPane {
   /** Another sensor. */
   void setSensor(SensorGeometry newSensor) {
     sensor = newSensor;
-    points = new SpaceTimeCloud.Points(1);
+    frame = new SpaceTimeFrame(1);
     dirty = true;
   }
 
@@ -125,33 +131,50 @@ final class SpaceTimePanel extends BorderPane {
   }
 
   /** Shows newer events, or the same ones from elsewhere; null if there are no newer ones. */
-  void update(SpaceTimeCloud.Points newer) {
+  void update(SpaceTimeFrame newer) {
     if (newer != null) {
-      points = newer;
+      frame = newer;
       dirty = true;
     }
-    int width = (int) picture.getWidth();
-    int height = (int) picture.getHeight();
-    if (!dirty || width < 2 || height < 2) {
-      return;
+    double newDensity = getScene() == null ? 1 : getScene().getWindow().getRenderScaleX();
+    int width = (int) (picture.getWidth() * newDensity);
+    int height = (int) (picture.getHeight() * newDensity);
+    if (dirty && width >= 2 && height >= 2) {
+      dirty = false;
+      setDensity(newDensity);
+      paint(width, height);
     }
-    dirty = false;
-    if (pixels == null || pixels.getWidth() != width || pixels.getHeight() != height) {
-      pixels =
-          new PixelBuffer<>(
-              width,
-              height,
-              IntBuffer.allocate(width * height),
-              PixelFormat.getIntArgbPreInstance());
-      image.setImage(new WritableImage(pixels));
+  }
+
+  private void setDensity(double newDensity) {
+    if (newDensity != density) {
+      density = newDensity;
+      letters = new FontLetters(Font.font(JavaFxOverlayCanvas.FONT_SIZE), density);
+      canvas = new PixelOverlayCanvas(letters);
     }
+  }
+
+  private void paint(int width, int height) {
+    image.allocate(width, height);
+    image.setFitWidth(width / density);
+    image.setFitHeight(height / density);
     SpaceTimeView view = view();
-    pixels.updateBuffer(
-        buffer -> {
-          painter.paint(points, sensor, view, colours, width, height, buffer.getBuffer().array());
-          return null;
-        });
-    words.setText(Texts.duration(view.spanUs()) + ", " + Texts.count(points.count()) + " events");
+    double room = 2 * SpaceTimeMarks.room() * density;
+    SpaceTimeProjection projection =
+        SpaceTimeProjection.of(view, sensor, Math.max(1, width - room), Math.max(1, height - room));
+    painter.paint(frame.points, projection, view, colours, width, height, image.pixels());
+    canvas.setTarget(image.pixels(), width, height);
+    canvas.setDark(colours.dark());
+    canvas.setView(1 / density, (width - 1) / 2.0 / density, (height + 1) / 2.0 / density, density);
+    SpaceTimeMarks marks =
+        new SpaceTimeMarks(projection, sensor, view.spanUs(), letters, density, canvas);
+    marks.drawAxes();
+    if (marksShown.get()) {
+      marks.draw(frame);
+    }
+    image.repaint();
+    words.setText(
+        Texts.duration(view.spanUs()) + ", " + Texts.count(frame.points.count()) + " events");
   }
 
   private void goBack() {

@@ -1,11 +1,16 @@
 package haltere.ui.viewer.space;
 
+import haltere.core.chain.FilterChain;
 import haltere.core.event.EventPacket;
 import haltere.core.playback.SliceSink;
+import haltere.core.stream.DataLost;
 import haltere.core.stream.StreamNotification;
 import haltere.ui.rendering.FrameExchange;
 import haltere.ui.rendering.SpaceTimeCloud;
 import haltere.ui.rendering.SpaceTimeView;
+import haltere.ui.viewer.picture.DisplayFrame;
+import haltere.ui.viewer.picture.LayerTaps;
+import java.util.List;
 
 /**
  * Gathers the newest events for the view in space and time and hands over a copy whenever the last
@@ -18,28 +23,67 @@ final class SpaceTimeSink implements SliceSink {
   /** Events that are shown at most. */
   static final int MOST = 150_000;
 
+  /** Moments of traces in the time that is shown: ten for each of 40 wing beats. */
+  private static final int MOMENTS = 400;
+
   private final SpaceTimeCloud cloud = new SpaceTimeCloud(MOST);
-  private final FrameExchange<SpaceTimeCloud.Points> exchange =
-      new FrameExchange<>(() -> new SpaceTimeCloud.Points(MOST));
+  private final LayerTaps taps;
+  private final MarkTraces traces = new MarkTraces();
+  private final FrameExchange<SpaceTimeFrame> exchange =
+      new FrameExchange<>(() -> new SpaceTimeFrame(MOST));
   private volatile long spanUs = SpaceTimeView.DEFAULT.spanUs();
+  private List<DisplayFrame.Marks<?>> marks = List.of();
+  private long nowUs;
+  private long tracedUs;
+
+  /**
+   * A sink that has no events yet.
+   *
+   * @param chain whose marks are shown
+   */
+  SpaceTimeSink(FilterChain chain) {
+    taps = new LayerTaps(chain);
+  }
 
   /** How far back events are shown. */
   void setSpan(long newSpanUs) {
     spanUs = newSpanUs;
   }
 
-  FrameExchange<SpaceTimeCloud.Points> exchange() {
+  FrameExchange<SpaceTimeFrame> exchange() {
     return exchange;
   }
 
   @Override
   public void packet(EventPacket packet) {
     cloud.packet(packet);
+    if (!packet.isEmpty()) {
+      advanceTo(packet.lastTimeUs());
+    }
+  }
+
+  /** Follows the marks, which move on from what was known of them before. */
+  private void advanceTo(long timeUs) {
+    long stepUs = Math.max(1, spanUs / MOMENTS);
+    tracedUs = Math.max(tracedUs, timeUs - spanUs);
+    while (tracedUs + stepUs <= timeUs) {
+      tracedUs += stepUs;
+      traces.add(tracedUs, marks);
+    }
+    nowUs = timeUs;
+    traces.forgetBefore(nowUs - spanUs);
+    marks = taps.marks();
   }
 
   @Override
   public void notified(StreamNotification notification) {
     cloud.notified(notification);
+    if (notification.endsContinuity() && !(notification instanceof DataLost)) {
+      taps.clear();
+      traces.clear();
+      marks = List.of();
+      tracedUs = 0;
+    }
   }
 
   @Override
@@ -48,8 +92,14 @@ final class SpaceTimeSink implements SliceSink {
   }
 
   @Override
+  public void runUpBegins(long sliceUs) {
+    taps.followChain();
+  }
+
+  @Override
   public void sliceEnd(long fromUs, long toUs) {
     cloud.advanceTo(toUs);
+    advanceTo(toUs);
     if (!exchange.isPending()) {
       sliceHeld();
     }
@@ -57,7 +107,16 @@ final class SpaceTimeSink implements SliceSink {
 
   @Override
   public void sliceHeld() {
-    cloud.copyTo(spanUs, exchange.back());
+    SpaceTimeFrame frame = exchange.back();
+    cloud.copyTo(spanUs, frame.points);
+    frame.nowUs = nowUs;
+    frame.marks = marks;
+    frame.traces = traces.copy();
     exchange.publish();
+  }
+
+  /** Ends all subscriptions; processing thread. */
+  void close() {
+    taps.close();
   }
 }

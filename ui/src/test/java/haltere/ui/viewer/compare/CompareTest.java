@@ -58,7 +58,16 @@ class CompareTest {
     viewer.waitFor("events through it", () -> tracker.timing().eventsIn() > 0);
     viewer.waitFor("its own settings", () -> viewer.isThere("second-chain-panel"));
     viewer.waitFor("numbers", () -> viewer.isThere("comparison"));
+    viewer.waitFor(
+        "the name of the first",
+        () ->
+            viewer
+                .text("first-chain-name")
+                .equals("First chain: Background activity, Hot pixels, Object tracker"));
     viewer.run(() -> compare().editor().remove(second.stages().get(0)));
+    viewer.waitFor(
+        "the name of the second",
+        () -> viewer.text("second-chain-name").equals("Second chain: Hot pixels, Object tracker"));
     viewer.waitFor("the second is shorter", () -> second.stages().size() == 2);
     assertEquals(3, first.stages().size());
     viewer.run(() -> viewer.window.actions().run("compare"));

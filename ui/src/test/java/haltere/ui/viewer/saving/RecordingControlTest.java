@@ -6,8 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.format.ProgressListener;
 import haltere.core.format.RecordingReader;
-import haltere.core.format.RecordingSummary;
 import haltere.core.format.Recordings;
+import haltere.core.format.summary.RecordingSummary;
 import haltere.core.playback.ScenePlayable;
 import haltere.ui.viewer.BlobSource;
 import haltere.ui.viewer.ViewerHarness;

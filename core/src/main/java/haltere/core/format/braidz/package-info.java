@@ -1,2 +1,0 @@
-/** Braid: the tables and the calibration in a {@code .braidz} file. */
-package haltere.core.format.braidz;

@@ -1,0 +1,85 @@
+package haltere.core.format.internal.aedat2;
+
+import haltere.core.format.FileHead;
+import haltere.core.format.ProbeResult;
+import haltere.core.format.ReadOptions;
+import haltere.core.format.RecordingFile;
+import haltere.core.format.RecordingFormat;
+import haltere.core.format.RecordingProblem;
+import haltere.core.format.RecordingReader;
+import haltere.core.format.RecordingWriter;
+import haltere.core.format.Support;
+import haltere.core.format.WriteOptions;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+
+/** AEDAT-2.0, what jAER recorded from 2008 until AEDAT-4: read and written. */
+public final class Aedat2Format implements RecordingFormat {
+  /** For the service loader. */
+  public Aedat2Format() {}
+
+  @Override
+  public String name() {
+    return "aedat2";
+  }
+
+  @Override
+  public String description() {
+    return "AEDAT-2.0 (jAER): DVS128 and DAVIS";
+  }
+
+  @Override
+  public Set<String> extensions() {
+    return new LinkedHashSet<>(List.of("aedat", "aedat2"));
+  }
+
+  @Override
+  public ProbeResult probe(FileHead head) {
+    AedatHeader header = Aedat1Format.headerOf(head);
+    if (header.version().orElse(-1) == 2) {
+      return new ProbeResult(Support.CERTAIN, "its header says AEDAT-" + header.versionText());
+    }
+    return new ProbeResult(
+        Support.NONE,
+        header.version().isPresent()
+            ? "its header says AEDAT-" + header.versionText()
+            : "it has no line #!AER-DAT2.0");
+  }
+
+  @Override
+  public RecordingReader open(Path file, ReadOptions options) throws IOException {
+    return RecordingFile.reading(file, bytes -> openStream(bytes, options));
+  }
+
+  @Override
+  public boolean isStreamed() {
+    return true;
+  }
+
+  @Override
+  public RecordingReader openStream(RecordingFile bytes, ReadOptions options) throws IOException {
+    AedatHeader header = AedatReader.header(bytes);
+    List<String> remarks = new ArrayList<>();
+    if (header.version().isEmpty()) {
+      remarks.add("there is no line #!AER-DAT2.0; it is read as AEDAT-2.0 all the same");
+    } else if (header.version().getAsInt() != 2) {
+      throw new RecordingProblem(
+          bytes.path(),
+          "the header says AEDAT-" + header.versionText() + ", not 2.0; leave out --format");
+    }
+    AedatSensor sensor = AedatSensor.of(header, options, bytes);
+    remarks.addAll(sensor.remarks());
+    return AedatReader.open(
+        name(), bytes, header, sensor, remarks, RecordDecoder.AEDAT2_BYTES, options);
+  }
+
+  @Override
+  public Optional<RecordingWriter> create(Path file, WriteOptions options) throws IOException {
+    return Optional.of(Aedat2Writer.create(file, options));
+  }
+}

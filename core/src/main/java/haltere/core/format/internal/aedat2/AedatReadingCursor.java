@@ -1,0 +1,131 @@
+package haltere.core.format.internal.aedat2;
+
+import haltere.core.event.SensorReading;
+import haltere.core.format.RecordingFile;
+import haltere.core.format.ViolationCounts;
+import haltere.core.format.internal.clock.WrappingClock;
+import haltere.core.format.internal.decoding.ReadingCursor;
+import haltere.core.stream.StreamNotification;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+
+/**
+ * Goes through the records of an AEDAT-1.0 or AEDAT-2.0 file for those that are no events. The
+ * events move its clock, as they do that of {@link RecordDecoder}.
+ *
+ * <p>Thread rule: one thread.
+ */
+final class AedatReadingCursor implements ReadingCursor {
+  private static final int BUFFER_BYTES = 256 * 1024;
+
+  private final RecordingFile file;
+  private final int recordBytes;
+  private final AddressDecoder addresses;
+  private final ReadingAssembly assembly;
+  private final WrappingClock clock;
+  private final ByteBuffer buffer =
+      ByteBuffer.allocateDirect(BUFFER_BYTES / 24 * 24).order(ByteOrder.BIG_ENDIAN).limit(0);
+  private long offset;
+  private SensorReading reading;
+
+  /** Makes readings of the words that are no events. */
+  interface ReadingAssembly {
+    /**
+     * Takes the next word.
+     *
+     * @param word address word of a record
+     * @param timeUs its time
+     * @param offset where in the file the record is
+     * @return a reading that is whole with it, or null
+     */
+    SensorReading take(int word, long timeUs, long offset);
+
+    /** Forgets what is not whole. */
+    void reset();
+  }
+
+  AedatReadingCursor(
+      RecordingFile file,
+      long dataOffset,
+      int recordBytes,
+      AedatSensor sensor,
+      long firstTurnUs,
+      InertialRange range,
+      ViolationCounts violations) {
+    this.file = file;
+    this.recordBytes = recordBytes;
+    addresses = sensor.decoder();
+    assembly =
+        sensor.layout() == AedatSensor.Layout.DVS128
+            ? new Dvs128Readings()
+            : new DavisReadings(sensor.geometry(), range, violations);
+    clock = new WrappingClock(1L << 32, firstTurnUs);
+    offset = dataOffset;
+  }
+
+  @Override
+  public Step next(long untilOffset) throws IOException {
+    while (true) {
+      while (buffer.remaining() >= recordBytes) {
+        int at = buffer.position();
+        int word = recordBytes == 8 ? buffer.getInt(at) : buffer.getShort(at) & 0xffff;
+        int time = buffer.getInt(at + recordBytes - 4);
+        buffer.position(at + recordBytes);
+        offset += recordBytes;
+        int address = addresses.address(word);
+        if (address >= 0) {
+          tick(time);
+        } else if (address == AddressDecoder.OTHER) {
+          reading = assembly.take(word, clock.read(time), offset - recordBytes);
+          if (reading != null) {
+            return Step.READING;
+          }
+        }
+      }
+      if (offset >= untilOffset) {
+        return Step.NOTHING_YET;
+      }
+      file.read(buffer, offset);
+      if (buffer.remaining() < recordBytes) {
+        return Step.END;
+      }
+    }
+  }
+
+  private void tick(int time) {
+    long timeUs = clock.read(time);
+    boolean back = clock.goesBack(timeUs);
+    clock.take(timeUs);
+    if (back) {
+      assembly.reset();
+    }
+  }
+
+  @Override
+  public SensorReading reading() {
+    return reading;
+  }
+
+  @Override
+  public long offset() {
+    return offset;
+  }
+
+  @Override
+  public void restore(long[] state, int at) {
+    offset = state[at];
+    buffer.limit(0);
+    assembly.reset();
+    if (state[at + 2] == StreamNotification.NO_TIME_US) {
+      clock.reset(state[at + 1]);
+    } else {
+      clock.resume(state[at + 1], state[at + 2]);
+    }
+  }
+
+  @Override
+  public void close() {
+    buffer.limit(0);
+  }
+}

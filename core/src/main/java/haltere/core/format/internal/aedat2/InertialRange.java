@@ -1,0 +1,40 @@
+package haltere.core.format.internal.aedat2;
+
+import java.nio.charset.StandardCharsets;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * What the largest 16-bit number of a DAVIS camera's inertial sensor means. jAER notes its settings
+ * in the header; without them those are taken with which it starts.
+ *
+ * @param accelerationG acceleration of 32,768 steps, in standard gravities
+ * @param rotationDegS rate of rotation of 32,768 steps, in degrees per second
+ * @param stated whether the header says both
+ */
+record InertialRange(int accelerationG, int rotationDegS, boolean stated) {
+  private static final Pattern ACCELERATION = Pattern.compile("\"ImuAccelScaleG(2|4|8|16)\"");
+  private static final Pattern ROTATION =
+      Pattern.compile("\"GyroFullScaleDegPerSec(250|500|1000|2000)\"");
+  private static final int USUAL_G = 4;
+  private static final int USUAL_DEG_S = 500;
+
+  /** From the text of a header. */
+  static InertialRange of(byte[] header) {
+    String text = new String(header, StandardCharsets.ISO_8859_1);
+    int acceleration = last(ACCELERATION, text);
+    int rotation = last(ROTATION, text);
+    return new InertialRange(
+        acceleration == 0 ? USUAL_G : acceleration,
+        rotation == 0 ? USUAL_DEG_S : rotation,
+        acceleration != 0 && rotation != 0);
+  }
+
+  private static int last(Pattern pattern, String text) {
+    int found = 0;
+    for (Matcher matcher = pattern.matcher(text); matcher.find(); ) {
+      found = Integer.parseInt(matcher.group(1));
+    }
+    return found;
+  }
+}

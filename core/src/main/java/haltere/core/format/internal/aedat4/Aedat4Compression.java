@@ -1,0 +1,29 @@
+package haltere.core.format.internal.aedat4;
+
+/** How the packets of an AEDAT-4 file are packed. */
+public enum Aedat4Compression {
+  /** As they are: fastest, 16 bytes an event. */
+  NONE,
+  /** LZ4 frames, what most programs write: about half the size. */
+  LZ4,
+  /** LZ4 frames by a slow packer that makes them a quarter smaller; read as fast as others. */
+  LZ4_HIGH,
+  /** Zstandard frames: about a third of the size, at half of the speed of LZ4. */
+  ZSTD,
+  /**
+   * Zstandard frames of the highest level, as DV does it: a fifth smaller, and so slow that it is
+   * for archives, not for recording.
+   */
+  ZSTD_HIGH;
+
+  static final int LZ4_MAGIC = 0x184D2204;
+  static final int ZSTD_MAGIC = 0xFD2FB528;
+
+  boolean isLz4() {
+    return this == LZ4 || this == LZ4_HIGH;
+  }
+
+  boolean isZstd() {
+    return this == ZSTD || this == ZSTD_HIGH;
+  }
+}

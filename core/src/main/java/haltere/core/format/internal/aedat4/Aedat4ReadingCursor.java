@@ -1,0 +1,107 @@
+package haltere.core.format.internal.aedat4;
+
+import haltere.core.event.SensorReading;
+import haltere.core.format.RecordingFile;
+import haltere.core.format.Violation;
+import haltere.core.format.ViolationCounts;
+import haltere.core.format.internal.decoding.ReadingCursor;
+import haltere.core.format.internal.packed.DamagedPacketException;
+import java.io.IOException;
+import java.util.ArrayDeque;
+import java.util.Queue;
+import java.util.Set;
+
+/**
+ * Goes from packet to packet of an AEDAT-4 file and reads those of frames, inertial samples and
+ * triggers. Packets of events are passed over without being unpacked.
+ *
+ * <p>Thread rule: one thread.
+ */
+final class Aedat4ReadingCursor implements ReadingCursor {
+  private static final int TYPE_BYTES = 16;
+  private static final int MAX_PAYLOAD = 32 * 1024 * 1024;
+
+  private final Set<Integer> passed;
+  private final ReadingPayload payload;
+  private final ViolationCounts violations;
+  private final Unpacker unpacker;
+  private final PacketWalk walk;
+  private final Queue<SensorReading> found = new ArrayDeque<>();
+  private SensorReading reading;
+
+  /**
+   * A cursor at the start.
+   *
+   * @param file the file
+   * @param layout where its packets lie
+   * @param passed numbers of the streams that are not read
+   * @param payload makes readings of packets
+   * @param violations where packets are counted that are not whole
+   */
+  Aedat4ReadingCursor(
+      RecordingFile file,
+      Aedat4Cursor.Layout layout,
+      Set<Integer> passed,
+      ReadingPayload payload,
+      ViolationCounts violations) {
+    this.passed = passed;
+    this.payload = payload;
+    this.violations = violations;
+    unpacker = new Unpacker(file);
+    walk = layout.walk(unpacker.window(), new ViolationCounts());
+  }
+
+  @Override
+  public Step next(long untilOffset) throws IOException {
+    while ((reading = found.poll()) == null) {
+      if (walk.position() >= untilOffset) {
+        return Step.NOTHING_YET;
+      }
+      if (!walk.find()) {
+        return Step.END;
+      }
+      try {
+        if (!passed.contains(walk.stream())) {
+          readPacket();
+        }
+        walk.pass();
+      } catch (DamagedPacketException e) {
+        violations.add(Violation.INCOMPLETE_READING, walk.position());
+        walk.passDamaged();
+      }
+    }
+    return Step.READING;
+  }
+
+  private void readPacket() throws IOException, DamagedPacketException {
+    unpacker.open(walk.payload(), walk.size());
+    unpacker.gather(TYPE_BYTES);
+    String type = FlatTable.identifier(unpacker.data(), unpacker.from(), unpacker.to());
+    if (!ReadingPayload.isKnown(type)) {
+      return;
+    }
+    unpacker.gather(MAX_PAYLOAD);
+    payload.read(type, unpacker.data(), unpacker.from(), unpacker.to(), found);
+  }
+
+  @Override
+  public SensorReading reading() {
+    return reading;
+  }
+
+  @Override
+  public long offset() {
+    return walk.position();
+  }
+
+  @Override
+  public void restore(long[] state, int at) {
+    walk.moveTo(state[at]);
+    found.clear();
+  }
+
+  @Override
+  public void close() {
+    unpacker.close();
+  }
+}

@@ -1,0 +1,45 @@
+package haltere.core.format.internal.aedat4;
+
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * A stream that an AEDAT-4 file says it holds.
+ *
+ * @param id number by which its packets name it
+ * @param type four letters: {@code EVTS}, {@code FRME}, {@code IMUS}, {@code TRIG} and others
+ * @param width of the sensor, 0 if it is not stated
+ * @param height of the sensor, 0 if it is not stated
+ * @param module the program's part that made it, such as {@code capture} or {@code jAER}
+ * @param source the camera
+ * @param metadata what this program's recordings say of the camera and the chain, by key
+ */
+public record Aedat4Stream(
+    int id,
+    String type,
+    int width,
+    int height,
+    Optional<String> module,
+    Optional<String> source,
+    Map<String, String> metadata) {
+  static final String EVENTS = "EVTS";
+
+  /** Copies. */
+  public Aedat4Stream {
+    metadata = Map.copyOf(metadata);
+  }
+
+  /**
+   * Whether it holds polarity events.
+   *
+   * @return true for {@code EVTS}
+   */
+  public boolean isEvents() {
+    return type.equals(EVENTS);
+  }
+
+  /** JAER counts rows from the bottom and says that it was jAER. */
+  boolean countsRowsFromBottom() {
+    return module.isPresent() && module.get().equalsIgnoreCase("jAER");
+  }
+}

@@ -1,0 +1,249 @@
+package haltere.core.format.internal.aedat4;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.event.SensorReading;
+import haltere.core.format.AtomicFile;
+import haltere.core.format.RecordingWriter;
+import haltere.core.format.WriteOptions;
+import haltere.core.format.internal.packed.LittleEndian;
+import java.io.Closeable;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.TreeMap;
+
+/**
+ * Writes AEDAT-4.0 as DV does: a stream of events and those of readings that the options name, rows
+ * counted from the top, a table of packets at the end. The header is complete from the start and
+ * packets are written whole, so the file can be read up to its last whole packet whenever its
+ * writer dies.
+ *
+ * <p>Thread rule: one thread at a time.
+ */
+public final class Aedat4Writer implements RecordingWriter {
+  private static final String SOURCE = "source";
+
+  private final SensorGeometry geometry;
+  private final FileChannel channel;
+  private final Closeable owner;
+  private final Commit commit;
+  private final boolean inPlace;
+  private final Aedat4Compression compression;
+  private final PacketPacker packer;
+  private final DataTable table = new DataTable();
+  private final EventPayload payload;
+  private final byte[] packed;
+  private final BlockOutput output;
+  private final byte[] packetHeader = new byte[PacketWalk.HEADER_BYTES];
+  private long packetsEnd;
+  private final ReadingPackets readings;
+  private boolean finished;
+
+  @FunctionalInterface
+  private interface Commit {
+    void run() throws IOException;
+  }
+
+  private Aedat4Writer(
+      Path path,
+      FileChannel channel,
+      Closeable owner,
+      Commit commit,
+      WriteOptions options,
+      Aedat4Compression compression,
+      boolean inPlace)
+      throws IOException {
+    this.channel = channel;
+    this.owner = owner;
+    this.commit = commit;
+    this.inPlace = inPlace;
+    this.compression = compression;
+    geometry = options.geometry();
+    packer = new PacketPacker(compression);
+    payload = new EventPayload(geometry);
+    packed = new byte[packer.bound(payload.bytes().length)];
+    output = new BlockOutput(path, channel);
+    packetsEnd = output.position();
+    readings = new ReadingPackets(geometry.height(), options.readings(), this::writeReadings);
+  }
+
+  /**
+   * Starts a file that appears when it is finished, or not at all.
+   *
+   * @param path where it will be
+   * @param options about the events; of the metadata, {@code source} names the camera
+   * @param compression how packets are packed
+   * @return a writer
+   * @throws IOException if the file cannot be written
+   */
+  public static Aedat4Writer create(Path path, WriteOptions options, Aedat4Compression compression)
+      throws IOException {
+    AtomicFile file = AtomicFile.create(path, options.overwrite());
+    try {
+      file.write(ByteBuffer.wrap(header(options, compression)));
+      return new Aedat4Writer(
+          path, file.channel(), file, file::commit, options, compression, false);
+    } catch (IOException | RuntimeException e) {
+      file.close();
+      throw e;
+    }
+  }
+
+  /**
+   * Starts a file in its place, for a recording that is to survive the death of the program: from
+   * the moment that the file is there it can be read, up to its last packet. Closed without being
+   * finished it stays so.
+   *
+   * @param path where it is
+   * @param options about the events; of the metadata, {@code source} names the camera
+   * @param compression how packets are packed
+   * @return a writer
+   * @throws IOException if the file cannot be written
+   */
+  public static Aedat4Writer createInPlace(
+      Path path, WriteOptions options, Aedat4Compression compression) throws IOException {
+    try (AtomicFile head = AtomicFile.create(path, options.overwrite())) {
+      head.write(ByteBuffer.wrap(header(options, compression)));
+      head.commit();
+    }
+    FileChannel channel = FileChannel.open(path, StandardOpenOption.WRITE);
+    try {
+      return new Aedat4Writer(path, channel, channel, channel::close, options, compression, true);
+    } catch (IOException | RuntimeException e) {
+      channel.close();
+      throw e;
+    }
+  }
+
+  private static byte[] header(WriteOptions options, Aedat4Compression compression) {
+    Map<String, String> rest = new TreeMap<>(options.metadata());
+    String source = Objects.requireNonNullElse(rest.remove(SOURCE), "haltere");
+    SensorGeometry sensor = options.geometry();
+    return Aedat4Header.write(
+        compression, InfoNode.of(compression.name(), sensor, source, rest, options.readings()));
+  }
+
+  @Override
+  public void write(EventPacket packet) throws IOException {
+    int size = packet.size();
+    int from = 0;
+    if (size > 0 && payload.events() > 0 && packet.firstTimeUs() < payload.lastUs()) {
+      writeEvents();
+    }
+    if (size > 0) {
+      readings.reached(packet.lastTimeUs());
+    }
+    while (from < size) {
+      from = payload.append(packet, from, size);
+      if (payload.events() == EventPayload.MAX_EVENTS) {
+        writeEvents();
+      }
+    }
+  }
+
+  /**
+   * Writes a frame, an inertial sample or a trigger, if the options named its kind.
+   *
+   * @return false for a kind that they did not name, and for what the format has no number for
+   */
+  @Override
+  public boolean write(SensorReading reading) throws IOException {
+    return readings.add(reading);
+  }
+
+  private void writeReadings(int stream, byte[] reading, int elements, long firstUs, long lastUs)
+      throws IOException {
+    byte[] bytes = packer.pack(reading);
+    long start = output.position() + PacketWalk.HEADER_BYTES;
+    table.add(stream, start, bytes.length, elements, firstUs, lastUs);
+    writePacket(stream, bytes, bytes.length);
+  }
+
+  /**
+   * Writes events and readings up to now as packets, so that a reader finds them.
+   *
+   * @throws IOException if they cannot be written
+   */
+  @Override
+  public void writeThrough() throws IOException {
+    writeEvents();
+    readings.flush();
+    output.flush();
+  }
+
+  private void writeEvents() throws IOException {
+    if (payload.events() == 0) {
+      return;
+    }
+    int size = payload.complete();
+    boolean asItIs = compression == Aedat4Compression.NONE;
+    if (!asItIs) {
+      size = packer.pack(payload.bytes(), size, EventPayload.HEADER_BYTES, packed, 0);
+    }
+    long start = output.position() + PacketWalk.HEADER_BYTES;
+    table.add(0, start, size, payload.events(), payload.firstUs(), payload.lastUs());
+    payload.clear();
+    writePacket(0, asItIs ? payload.bytes() : packed, size);
+  }
+
+  private void writePacket(int stream, byte[] bytes, int size) throws IOException {
+    LittleEndian.putInt(packetHeader, 0, stream);
+    LittleEndian.putInt(packetHeader, 4, size);
+    output.write(packetHeader, 0, packetHeader.length);
+    output.write(bytes, 0, size);
+    if (inPlace) {
+      output.flush();
+      packetsEnd = output.position();
+    }
+  }
+
+  @Override
+  public List<String> losses() {
+    List<String> lines = new ArrayList<>();
+    if (payload.outside() > 0) {
+      lines.add(payload.outside() + " events outside of " + geometry + " were left out");
+    }
+    if (readings.channelsLost() > 0) {
+      lines.add(
+          readings.channelsLost()
+              + " triggers are of other inputs than the first, which the format does not tell");
+    }
+    return lines;
+  }
+
+  @Override
+  public void finish() throws IOException {
+    if (finished) {
+      throw new IllegalStateException("it is finished already");
+    }
+    writeEvents();
+    readings.flush();
+    long tablePosition = output.position();
+    byte[] packedTable = packer.pack(table.toBytes());
+    output.write(packedTable, 0, packedTable.length);
+    output.flush();
+    byte[] patch = new byte[8];
+    LittleEndian.putLong(patch, 0, tablePosition);
+    output.writeAt(ByteBuffer.wrap(patch), Aedat4Header.TABLE_POSITION_OFFSET);
+    commit.run();
+    finished = true;
+  }
+
+  @Override
+  public void close() throws IOException {
+    packer.close();
+    try (owner) {
+      if (inPlace && !finished && channel.isOpen()) {
+        // What failed may have left a part of a packet.
+        channel.truncate(packetsEnd);
+      }
+    }
+  }
+}

@@ -1,0 +1,271 @@
+package haltere.core.format.internal.aedat4;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.RecordingFile;
+import haltere.core.format.ViolationCounts;
+import haltere.core.format.internal.packed.DamagedPacketException;
+import haltere.core.format.internal.packed.FileWindow;
+import haltere.core.format.internal.packed.LittleEndian;
+import java.io.Closeable;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.ReentrantLock;
+
+/**
+ * Unpacks and decodes the next packets of a stream on two threads: one of its own, and the reader's
+ * where it would have to wait. Whoever has nothing to do takes the next packet that nobody has
+ * taken yet, so that both are busy however the work is spread. A few packets of bounded size are
+ * decoded ahead; one that is too large, or about which anything is odd, is left to the reader.
+ *
+ * <p>What goes from one thread to the other is events, not bytes: an unpacker reads again what it
+ * wrote just now, and is slow where that lies in the other processor's cache.
+ *
+ * <p>Thread rule: all methods are for the reader's thread.
+ */
+final class DecodeAhead implements Closeable {
+  /** Packets must be so large, on average, that handing them over is worth it. */
+  static final int WORTH_BYTES = 4096;
+
+  /** Bytes to read for the header of a packet that somebody else unpacks. */
+  static final int HEADER_WINDOW = 512;
+
+  private static final int SLOTS = 6;
+  private static final int MAX_PACKED = 512 * 1024;
+  private static final int MAX_EVENTS = 64 * 1024;
+
+  /** A packet that is decoded. */
+  static final class Slot {
+    private final EventPacket events = new EventPacket(0);
+    private long position;
+    private long payload;
+    private long size;
+    private boolean done;
+    private boolean decoded;
+
+    /** Where the packet is in the file. */
+    long position() {
+      return position;
+    }
+
+    /** Whether its events are here. */
+    boolean isDecoded() {
+      return decoded;
+    }
+
+    EventPacket events() {
+      return events;
+    }
+  }
+
+  private final int stream;
+  private final EventRun runs;
+  private final RecordingFile headers;
+  private final PacketWalk walk;
+  private final RecordingFile readersFile;
+  private final Unpacker readers;
+  private final Thread thread;
+
+  private final ReentrantLock lock = new ReentrantLock();
+  private final Condition changed = lock.newCondition();
+  private final Slot[] ring = new Slot[SLOTS];
+  private long claimed;
+  private long taken;
+  private long released;
+  private boolean ended;
+
+  /**
+   * Starts to work.
+   *
+   * @param path the file
+   * @param layout of the file
+   * @param geometry sensor of the events
+   * @param stream whose packets are decoded
+   * @param start position of the first packet
+   * @throws IOException if the file cannot be opened once more
+   */
+  DecodeAhead(
+      Path path, Aedat4Cursor.Layout layout, SensorGeometry geometry, int stream, long start)
+      throws IOException {
+    this.stream = stream;
+    runs = new EventRun(geometry);
+    for (int i = 0; i < SLOTS; i++) {
+      ring[i] = new Slot();
+    }
+    headers = new RecordingFile(path);
+    try {
+      readersFile = new RecordingFile(path);
+    } catch (IOException e) {
+      headers.close();
+      throw e;
+    }
+    walk = layout.walk(new FileWindow(headers, HEADER_WINDOW), new ViolationCounts());
+    walk.moveTo(start);
+    readers = new Unpacker(readersFile);
+    thread = new Thread(() -> work(path), "haltere-decode");
+    thread.setDaemon(true);
+    thread.start();
+  }
+
+  private void work(Path path) {
+    try (RecordingFile file = new RecordingFile(path)) {
+      Unpacker own = new Unpacker(file);
+      try {
+        for (Slot slot = waitAndClaim(); slot != null; slot = waitAndClaim()) {
+          decode(own, slot);
+        }
+      } finally {
+        own.close();
+      }
+    } catch (IOException | InterruptedException e) {
+      // The reader is closed, went elsewhere, or comes to the same place and says what is wrong.
+      end();
+    }
+  }
+
+  private void end() {
+    lock.lock();
+    try {
+      ended = true;
+      changed.signalAll();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private Slot waitAndClaim() throws IOException, InterruptedException {
+    lock.lock();
+    try {
+      while (!ended && claimed - released == SLOTS) {
+        changed.await();
+      }
+      return claim();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** The next packet that nobody has taken, or null if there is none. */
+  private Slot claim() throws IOException {
+    while (!ended && walk.find()) {
+      if (walk.stream() == stream) {
+        Slot slot = ring[(int) (claimed++ % SLOTS)];
+        slot.position = walk.position();
+        slot.payload = walk.payload();
+        slot.size = walk.size();
+        slot.done = false;
+        walk.pass();
+        return slot;
+      }
+      walk.pass();
+    }
+    ended = true;
+    return null;
+  }
+
+  private void decode(Unpacker unpacker, Slot slot) {
+    boolean decoded = false;
+    try {
+      decoded = slot.size <= MAX_PACKED && decodeWhole(unpacker, slot);
+    } catch (IOException | DamagedPacketException e) {
+      // The reader does the same and says what is wrong.
+    } finally {
+      lock.lock();
+      try {
+        slot.decoded = decoded;
+        slot.done = true;
+        changed.signalAll();
+      } finally {
+        lock.unlock();
+      }
+    }
+  }
+
+  private boolean decodeWhole(Unpacker unpacker, Slot slot)
+      throws IOException, DamagedPacketException {
+    if (unpacker.window().require(slot.payload, (int) slot.size) < 0) {
+      return false;
+    }
+    unpacker.open(slot.payload, slot.size);
+    long count = unpacker.events();
+    slot.events.clear();
+    if (count == 0 || count > MAX_EVENTS) {
+      return count == 0;
+    }
+    int events = (int) count;
+    slot.events.ensureCapacity(events);
+    if (!unpacker.gather(events * Aedat4Cursor.EVENT_BYTES)) {
+      return false;
+    }
+    long lastUs = LittleEndian.getLong(unpacker.data(), unpacker.from());
+    for (int from = 0; from < events; from += Aedat4Cursor.RUN) {
+      int run = Math.min(events - from, Aedat4Cursor.RUN);
+      if (!runs.decode(unpacker.data(), unpacker.from(), run, lastUs, slot.events)) {
+        return false;
+      }
+      unpacker.use(run * Aedat4Cursor.EVENT_BYTES);
+      lastUs = slot.events.lastTimeUs();
+    }
+    return true;
+  }
+
+  /**
+   * The next packet. Decodes some itself until that is there.
+   *
+   * @return a packet until it is released, or null if there is none or the thread is interrupted
+   */
+  Slot take() {
+    try {
+      while (true) {
+        Slot own;
+        lock.lock();
+        try {
+          Slot next = ring[(int) (taken % SLOTS)];
+          if (taken < claimed && next.done) {
+            taken++;
+            return next;
+          }
+          own = claimed - released < SLOTS ? claim() : null;
+          if (own == null && taken == claimed) {
+            return null;
+          }
+          if (own == null) {
+            changed.await();
+          }
+        } finally {
+          lock.unlock();
+        }
+        if (own != null) {
+          decode(readers, own);
+        }
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return null;
+    } catch (IOException e) {
+      return null;
+    }
+  }
+
+  /** Gives the packet back that was taken last. */
+  void release() {
+    lock.lock();
+    try {
+      released++;
+      changed.signalAll();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public void close() throws IOException {
+    end();
+    thread.interrupt();
+    readers.close();
+    try (headers) {
+      readersFile.close();
+    }
+  }
+}

@@ -1,0 +1,266 @@
+package haltere.core.format.internal.aedat4;
+
+import haltere.core.event.Frame;
+import haltere.core.event.InertialSample;
+import haltere.core.event.ReadingKind;
+import haltere.core.event.SensorReading;
+import haltere.core.event.Trigger;
+import haltere.core.format.internal.packed.LittleEndian;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+/**
+ * Gathers readings for the packets of their streams and lays those out as DV does. A frame is a
+ * packet; samples and triggers share one as long as they lie within {@value #SPAN_US} us.
+ *
+ * <p>Thread rule: one thread.
+ */
+final class ReadingPackets {
+  private static final long SPAN_US = 50_000;
+  private static final int MAX_ELEMENTS = 1024;
+  private static final int LONGEST_SIDE = Short.MAX_VALUE;
+
+  /** Numbers of the streams; 0 is that of events. */
+  private static final Map<ReadingKind, Integer> STREAMS =
+      Map.of(ReadingKind.FRAME, 1, ReadingKind.INERTIAL_SAMPLE, 2, ReadingKind.TRIGGER, 3);
+
+  /** Takes whole packets. */
+  @FunctionalInterface
+  interface Target {
+    /**
+     * Writes a packet.
+     *
+     * @param stream number of its stream
+     * @param payload not packed
+     * @param elements what it holds
+     * @param firstUs time of the first
+     * @param lastUs time of the last
+     */
+    void write(int stream, byte[] payload, int elements, long firstUs, long lastUs)
+        throws IOException;
+  }
+
+  private final int sensorHeight;
+  private final Set<ReadingKind> kinds;
+  private final Target target;
+  private final Map<ReadingKind, List<SensorReading>> gathered = new EnumMap<>(ReadingKind.class);
+  private long channelsLost;
+
+  ReadingPackets(int sensorHeight, Set<ReadingKind> kinds, Target target) {
+    this.sensorHeight = sensorHeight;
+    this.kinds = kinds;
+    this.target = target;
+    for (ReadingKind kind : ReadingKind.values()) {
+      gathered.put(kind, new ArrayList<>());
+    }
+  }
+
+  /** Number of the stream of a kind. */
+  static int stream(ReadingKind kind) {
+    return STREAMS.get(kind);
+  }
+
+  /** Four letters that say what a stream holds. */
+  static String type(ReadingKind kind) {
+    return switch (kind) {
+      case FRAME -> ReadingPayload.FRAME;
+      case INERTIAL_SAMPLE -> ReadingPayload.INERTIAL;
+      case TRIGGER -> ReadingPayload.TRIGGERS;
+    };
+  }
+
+  /** Takes a reading; false if the file has no stream of its kind, or none that could hold it. */
+  boolean add(SensorReading reading) throws IOException {
+    if (!kinds.contains(reading.kind())) {
+      return false;
+    }
+    if (reading instanceof Frame frame) {
+      return write(frame);
+    }
+    if (reading instanceof Trigger trigger) {
+      if (ReadingPayload.triggerNumber(trigger) < 0) {
+        return false;
+      }
+      channelsLost += trigger.channel() == 0 ? 0 : 1;
+    }
+    List<SensorReading> waiting = gathered.get(reading.kind());
+    boolean falls =
+        !waiting.isEmpty() && reading.timeUs() < waiting.get(waiting.size() - 1).timeUs();
+    if (falls || waiting.size() == MAX_ELEMENTS) {
+      flush(reading.kind());
+    }
+    waiting.add(reading);
+    reached(reading.timeUs());
+    return true;
+  }
+
+  /** Writes packets that have waited long enough at a time. */
+  void reached(long timeUs) throws IOException {
+    for (ReadingKind kind : kinds) {
+      List<SensorReading> waiting = gathered.get(kind);
+      if (!waiting.isEmpty() && Math.abs(timeUs - waiting.get(0).timeUs()) > SPAN_US) {
+        flush(kind);
+      }
+    }
+  }
+
+  /** Writes what has been gathered. */
+  void flush() throws IOException {
+    for (ReadingKind kind : kinds) {
+      flush(kind);
+    }
+  }
+
+  /** Triggers whose number of the input could not be written. */
+  long channelsLost() {
+    return channelsLost;
+  }
+
+  private void flush(ReadingKind kind) throws IOException {
+    List<SensorReading> waiting = gathered.get(kind);
+    if (waiting.isEmpty()) {
+      return;
+    }
+    byte[] payload = kind == ReadingKind.TRIGGER ? triggers(waiting) : samples(waiting);
+    target.write(
+        STREAMS.get(kind),
+        payload,
+        waiting.size(),
+        waiting.get(0).timeUs(),
+        waiting.get(waiting.size() - 1).timeUs());
+    waiting.clear();
+  }
+
+  private static byte[] triggers(List<SensorReading> triggers) {
+    VectorPayload vector =
+        new VectorPayload(ReadingPayload.TRIGGERS, triggers.size(), 16, 13, 4, 12);
+    for (int i = 0; i < triggers.size(); i++) {
+      Trigger trigger = (Trigger) triggers.get(i);
+      int at = vector.element(i);
+      LittleEndian.putLong(vector.bytes(), at + 4, trigger.timeUs());
+      vector.bytes()[at + 12] = (byte) ReadingPayload.triggerNumber(trigger);
+    }
+    return vector.bytes();
+  }
+
+  private static byte[] samples(List<SensorReading> samples) {
+    VectorPayload vector =
+        new VectorPayload(
+            ReadingPayload.INERTIAL,
+            samples.size(),
+            56,
+            52,
+            4,
+            12,
+            16,
+            20,
+            24,
+            28,
+            32,
+            36,
+            40,
+            44,
+            48);
+    for (int i = 0; i < samples.size(); i++) {
+      InertialSample sample = (InertialSample) samples.get(i);
+      int at = vector.element(i);
+      LittleEndian.putLong(vector.bytes(), at + 4, sample.timeUs());
+      float[] values = {
+        sample.temperatureC(),
+        sample.accelerationXG(),
+        sample.accelerationYG(),
+        sample.accelerationZG(),
+        sample.rotationXDegS(),
+        sample.rotationYDegS(),
+        sample.rotationZDegS(),
+        sample.magneticXMicrotesla(),
+        sample.magneticYMicrotesla(),
+        sample.magneticZMicrotesla()
+      };
+      for (int value = 0; value < values.length; value++) {
+        LittleEndian.putInt(
+            vector.bytes(), at + 12 + 4 * value, Float.floatToRawIntBits(values[value]));
+      }
+    }
+    return vector.bytes();
+  }
+
+  /** A vector of tables that all have the same layout. */
+  private static final class VectorPayload {
+    private final byte[] bytes;
+    private final int first;
+    private final int stride;
+
+    /** The offsets are those of the fields in a table of a size; the first one has 8 bytes. */
+    VectorPayload(String type, int elements, int stride, int size, int... offsets) {
+      this.stride = stride;
+      int layout = 28;
+      int vector = (layout + 4 + 2 * offsets.length + 3) & -4;
+      first = ((vector + 4 + 4 * elements + 7) & -8) + 4;
+      bytes = FlatPayload.start(type, first + stride * elements);
+      FlatPayload.putLayout(bytes, 14, 8, 4);
+      LittleEndian.putInt(bytes, 4, 16);
+      LittleEndian.putInt(bytes, 20, 6);
+      LittleEndian.putInt(bytes, 24, vector - 24);
+      FlatPayload.putLayout(bytes, layout, size, offsets);
+      LittleEndian.putInt(bytes, vector, elements);
+      for (int i = 0; i < elements; i++) {
+        int slot = vector + 4 + 4 * i;
+        LittleEndian.putInt(bytes, slot, element(i) - slot);
+        LittleEndian.putInt(bytes, element(i), element(i) - layout);
+      }
+    }
+
+    byte[] bytes() {
+      return bytes;
+    }
+
+    int element(int index) {
+      return first + stride * index;
+    }
+  }
+
+  private boolean write(Frame frame) throws IOException {
+    int top = sensorHeight - frame.bottom() - frame.height();
+    if (frame.width() > LONGEST_SIDE
+        || frame.height() > LONGEST_SIDE
+        || (short) frame.left() != frame.left()
+        || (short) top != top) {
+      return false;
+    }
+    int table = 44;
+    int vector = 112;
+    int length = frame.rows().limit();
+    byte[] bytes = FlatPayload.start(ReadingPayload.FRAME, vector + 4 + length);
+    LittleEndian.putInt(bytes, 4, table - 4);
+    FlatPayload.putLayout(bytes, 14, 68, 20, 28, 36, 44, 52, 16, 8, 10, 12, 14, 4, 60, 17);
+    LittleEndian.putInt(bytes, table, table - 14);
+    LittleEndian.putInt(bytes, table + 4, vector - table - 4);
+    LittleEndian.putShort(bytes, table + 8, frame.width());
+    LittleEndian.putShort(bytes, table + 10, frame.height());
+    LittleEndian.putShort(bytes, table + 12, frame.left());
+    LittleEndian.putShort(bytes, table + 14, top);
+    int depth = List.of(ReadingPayload.DEPTHS).indexOf(frame.depth());
+    bytes[table + 16] = (byte) (depth | frame.channels() - 1 << 3);
+    Frame.Times times = frame.times();
+    LittleEndian.putLong(bytes, table + 20, times.exposureStartUs());
+    LittleEndian.putLong(bytes, table + 28, times.readoutStartUs());
+    LittleEndian.putLong(bytes, table + 36, times.readoutEndUs());
+    LittleEndian.putLong(bytes, table + 44, times.exposureStartUs());
+    LittleEndian.putLong(bytes, table + 52, times.exposureEndUs());
+    LittleEndian.putLong(bytes, table + 60, times.exposureEndUs() - times.exposureStartUs());
+    LittleEndian.putInt(bytes, vector, length);
+    byte[] rows = new byte[length];
+    frame.rows().get(rows);
+    if (frame.channels() >= 3) {
+      ReadingPayload.swapRedAndBlue(rows, frame.channels(), frame.depth().bytes());
+    }
+    System.arraycopy(rows, 0, bytes, vector + 4, length);
+    target.write(STREAMS.get(ReadingKind.FRAME), bytes, 1, frame.timeUs(), frame.timeUs());
+    return true;
+  }
+}

@@ -1,0 +1,29 @@
+package haltere.core.format.internal.bag;
+
+/**
+ * A topic of a bag: its messages are all of one type.
+ *
+ * @param name such as {@code /dvs/events}
+ * @param type such as {@code dvs_msgs/EventArray}; ROS 2 has {@code /msg} in between
+ * @param cdr whether messages are serialised as in ROS 2, else as in ROS 1
+ */
+record BagTopic(String name, String type, boolean cdr) {
+  /** What is read of it. */
+  enum Kind {
+    /** Events one by one: {@code dvs_msgs/EventArray} and its likes. */
+    ARRAY,
+    /** Bytes that encode events: {@code event_camera_msgs/EventPacket} and its predecessor. */
+    PACKET,
+    /** No events. */
+    OTHER
+  }
+
+  /** What is read of the topic, by its type. */
+  Kind kind() {
+    return switch (type.replace("/msg/", "/")) {
+      case "dvs_msgs/EventArray", "prophesee_event_msgs/EventArray" -> Kind.ARRAY;
+      case "event_camera_msgs/EventPacket", "event_array_msgs/EventArray" -> Kind.PACKET;
+      default -> Kind.OTHER;
+    };
+  }
+}

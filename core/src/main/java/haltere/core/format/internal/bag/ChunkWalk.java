@@ -1,0 +1,259 @@
+package haltere.core.format.internal.bag;
+
+import haltere.core.format.RecordingFile;
+import haltere.core.format.Violation;
+import haltere.core.format.ViolationCounts;
+import haltere.core.format.internal.packed.DamagedPacketException;
+import haltere.core.format.internal.packed.FileWindow;
+import haltere.core.format.internal.packed.Lz4Payload;
+import haltere.core.format.internal.packed.Payload;
+import haltere.core.format.internal.packed.StoredPayload;
+import haltere.core.format.internal.packed.ZstdPayload;
+import java.io.IOException;
+
+/** What the walks through bags have in common whose messages lie in chunks, packed or not. */
+abstract class ChunkWalk implements MessageWalk {
+  final RecordingFile file;
+  final BagTopics topics;
+  final Wanted wanted;
+  final ViolationCounts violations;
+
+  /** For what lies between chunks. */
+  final StoredPayload records;
+
+  /** Where the next chunk, or what is before it, starts in the file. */
+  long next;
+
+  /** Unpacked bytes of the chunk before the record at hand. */
+  long recordAt;
+
+  /** Unpacked bytes of the chunk before the message that was found. */
+  long messageAt;
+
+  long messageBytes;
+  long recordedNs;
+  BagTopic topic;
+
+  private final FileWindow window;
+  private final StoredPayload stored;
+  private Lz4Payload lz4;
+  private Bzip2Payload bzip2;
+  private ZstdPayload zstd;
+  private Payload payload;
+  private boolean inChunk;
+  private long chunk;
+  private long packedAt;
+  private long packedBytes;
+  private long chunkBytes;
+  private boolean cut;
+
+  ChunkWalk(
+      RecordingFile file,
+      long firstRecord,
+      BagTopics topics,
+      Wanted wanted,
+      ViolationCounts violations) {
+    this.file = file;
+    this.topics = topics;
+    this.wanted = wanted;
+    this.violations = violations;
+    window = new FileWindow(file);
+    records = new StoredPayload(window);
+    stored = new StoredPayload(window);
+    payload = stored;
+    next = firstRecord;
+  }
+
+  /** Where the first chunk after a place begins, as far as it is known; else the end of chunks. */
+  abstract long chunkAfter(long position);
+
+  /** Where chunks end. */
+  abstract long end();
+
+  /** Whether the bag was not closed, or has lost its end. */
+  abstract boolean cutOff();
+
+  /** Opens the next chunk of the file; false at its end. */
+  abstract boolean nextChunk() throws IOException;
+
+  /**
+   * Goes on in the chunk up to the next message that is wanted, and fills the fields that say what
+   * it is; false at the chunk's end.
+   */
+  abstract boolean nextMessage() throws IOException, DamagedPacketException;
+
+  @Override
+  public final boolean find() throws IOException {
+    while (inChunk || nextChunk()) {
+      try {
+        if (nextMessage()) {
+          return true;
+        }
+        if (cut) {
+          throw new DamagedPacketException("a chunk that ends too early");
+        }
+        inChunk = false;
+      } catch (DamagedPacketException e) {
+        damaged(e);
+      }
+    }
+    return false;
+  }
+
+  /**
+   * Opens the chunk at {@link #next}.
+   *
+   * @param packing its name in the file
+   * @param data where its bytes start
+   * @param bytes how many there are, as it says
+   * @param unpackedBytes how many they will be, as it says
+   * @return false if it is damaged from the first byte on
+   */
+  final boolean openChunk(String packing, long data, long bytes, long unpackedBytes)
+      throws IOException {
+    long rest = file.size() - data;
+    chunk = next;
+    packedAt = data;
+    cut = bytes < 0 || bytes > rest;
+    packedBytes = cut ? rest : bytes;
+    chunkBytes = Math.max(1, unpackedBytes);
+    recordAt = 0;
+    messageAt = 0;
+    next = cut ? Math.min(chunkAfter(chunk), file.size()) : data + packedBytes;
+    inChunk = true;
+    try {
+      payload = unpacking(packing);
+      payload.open(packedAt, packedBytes);
+    } catch (DamagedPacketException e) {
+      damaged(e);
+    }
+    return inChunk;
+  }
+
+  private Payload unpacking(String packing) throws DamagedPacketException {
+    switch (packing) {
+      case "none", "" -> {
+        return stored;
+      }
+      case "lz4" -> {
+        lz4 = lz4 == null ? new Lz4Payload(window) : lz4;
+        return lz4;
+      }
+      case "bz2" -> {
+        bzip2 = bzip2 == null ? new Bzip2Payload(window) : bzip2;
+        return bzip2;
+      }
+      case "zstd" -> {
+        zstd = zstd == null ? new ZstdPayload(window) : zstd;
+        return zstd;
+      }
+      default -> throw new DamagedPacketException("a chunk of no known packing");
+    }
+  }
+
+  /** Passes over damage between chunks. */
+  final void damagedBetweenChunks() {
+    long at = next;
+    next = chunkAfter(at);
+    if (next >= end() && cutOff()) {
+      violations.addOnce(Violation.CUT_OFF, at);
+    } else {
+      violations.add(Violation.LYING_LENGTH, at);
+    }
+    violations.reached(Math.min(next, file.size()));
+  }
+
+  @Override
+  public final BagTopic topic() {
+    return topic;
+  }
+
+  @Override
+  public final Payload payload() {
+    return payload;
+  }
+
+  @Override
+  public final long size() {
+    return messageBytes;
+  }
+
+  @Override
+  public final long recordedNs() {
+    return recordedNs;
+  }
+
+  @Override
+  public final long offset(long done) {
+    return place(messageAt + done);
+  }
+
+  /** Where a byte of the chunk is in the file, or would be if it were not packed. */
+  private long place(long at) {
+    if (payload == stored) {
+      return packedAt + Math.min(at, packedBytes);
+    }
+    double part = Math.min(1.0, (double) at / chunkBytes);
+    return packedAt + (long) (part * packedBytes);
+  }
+
+  @Override
+  public final long position() {
+    if (inChunk) {
+      return place(recordAt);
+    }
+    return next < end() ? next : file.size();
+  }
+
+  @Override
+  public final void pass(long unused) throws IOException {
+    recordAt = messageAt + messageBytes;
+    try {
+      payload.skip(unused);
+    } catch (DamagedPacketException e) {
+      damaged(e);
+    }
+  }
+
+  @Override
+  public final void damaged(DamagedPacketException damage) {
+    long at = place(Math.max(recordAt, messageAt));
+    if (cut && next >= file.size()) {
+      violations.addOnce(Violation.CUT_OFF, at);
+    } else {
+      violations.add(cut ? Violation.LYING_LENGTH : Violation.DAMAGED_PACKET, at);
+    }
+    inChunk = false;
+    // A length that was too large leads past chunks that the index knows.
+    next = Math.min(next, chunkAfter(chunk));
+  }
+
+  @Override
+  public final void save(long[] state, int at) {
+    state[at] = inChunk ? chunk : next;
+    state[at + 1] = inChunk ? recordAt : 0;
+  }
+
+  @Override
+  public final void restore(long[] state, int at) throws IOException {
+    inChunk = false;
+    next = state[at];
+    long skipped = state[at + 1];
+    if (skipped == 0 || !nextChunk()) {
+      return;
+    }
+    try {
+      payload.skip(skipped);
+      recordAt = skipped;
+    } catch (DamagedPacketException e) {
+      damaged(e);
+    }
+  }
+
+  @Override
+  public final void close() {
+    if (zstd != null) {
+      zstd.close();
+    }
+  }
+}

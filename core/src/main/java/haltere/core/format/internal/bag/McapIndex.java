@@ -1,0 +1,128 @@
+package haltere.core.format.internal.bag;
+
+import haltere.core.format.RecordingFile;
+import haltere.core.format.RecordingProblem;
+import haltere.core.format.Violation;
+import haltere.core.format.ViolationCounts;
+import haltere.core.format.internal.packed.DamagedPacketException;
+import haltere.core.format.internal.packed.FileWindow;
+import haltere.core.format.internal.packed.StoredPayload;
+import java.io.IOException;
+import java.util.Arrays;
+
+/**
+ * What the summary at the end of an MCAP file says: its channels, and where its chunks are. Chunks
+ * are read in the order of the file whatever it says; it is needed to know all topics, and to find
+ * the next chunk behind a damaged one.
+ */
+final class McapIndex {
+  private static final byte[] MAGIC = {(byte) 0x89, 'M', 'C', 'A', 'P', '0', '\r', '\n'};
+
+  /** Where the first record starts. */
+  static final int FIRST_RECORD = MAGIC.length;
+
+  /** The footer with kind and length. */
+  static final int FOOTER_BYTES = McapRecord.HEAD_BYTES + 20;
+
+  private final ChunkPlaces chunks = new ChunkPlaces();
+  private final McapSchemas schemas;
+  private final long end;
+  private boolean closed;
+
+  private McapIndex(long fileBytes, BagTopics topics) {
+    end = fileBytes;
+    schemas = new McapSchemas(topics);
+  }
+
+  /** The bytes that an MCAP file begins and ends with. */
+  static byte[] magic() {
+    return MAGIC.clone();
+  }
+
+  /** Whether a file begins as MCAP files do. */
+  static boolean isMcap(byte[] head) {
+    return head.length >= MAGIC.length
+        && Arrays.equals(head, 0, MAGIC.length, MAGIC, 0, MAGIC.length);
+  }
+
+  /**
+   * Reads the summary, if there is one.
+   *
+   * @param file the bag
+   * @param topics receives its topics
+   * @param violations where damage of the summary is counted
+   */
+  static McapIndex read(RecordingFile file, BagTopics topics, ViolationCounts violations)
+      throws IOException {
+    if (!isMcap(file.read(0, MAGIC.length))) {
+      throw new RecordingProblem(
+          file.path(), "it does not begin as MCAP files do; leave out --format");
+    }
+    McapIndex index = new McapIndex(file.size(), topics);
+    long footerAt = file.size() - MAGIC.length - FOOTER_BYTES;
+    if (footerAt < FIRST_RECORD || !isMcap(file.read(file.size() - MAGIC.length, MAGIC.length))) {
+      return index;
+    }
+    index.closed = true;
+    StoredPayload payload = new StoredPayload(new FileWindow(file));
+    payload.open(footerAt, FOOTER_BYTES);
+    try {
+      McapRecord footer = new McapRecord(payload);
+      if (!footer.next() || footer.kind() != McapRecord.FOOTER) {
+        throw new DamagedPacketException("no footer");
+      }
+      long summaryAt = footer.takeLong();
+      if (summaryAt == 0) {
+        return index;
+      }
+      if (summaryAt < FIRST_RECORD || summaryAt > footerAt) {
+        throw new DamagedPacketException("a summary outside of the file");
+      }
+      payload.open(summaryAt, footerAt - summaryAt);
+      index.readSummary(new McapRecord(payload), summaryAt);
+    } catch (DamagedPacketException e) {
+      violations.add(Violation.LYING_LENGTH, footerAt);
+    }
+    return index;
+  }
+
+  private void readSummary(McapRecord record, long summaryAt)
+      throws IOException, DamagedPacketException {
+    while (record.next()) {
+      switch (record.kind()) {
+        case McapRecord.SCHEMA, McapRecord.CHANNEL -> schemas.read(record);
+        case McapRecord.CHUNK_INDEX -> {
+          record.takeLong();
+          record.takeLong();
+          long place = record.takeLong();
+          if (place < FIRST_RECORD || place >= summaryAt) {
+            throw new DamagedPacketException("a chunk outside of the file");
+          }
+          chunks.add(place);
+          record.pass();
+        }
+        default -> record.pass();
+      }
+    }
+  }
+
+  /** Schemas and channels that are known. */
+  McapSchemas schemas() {
+    return schemas;
+  }
+
+  /** Whether the file ends as one that was closed. */
+  boolean closed() {
+    return closed;
+  }
+
+  /** Where the file ends. */
+  long end() {
+    return end;
+  }
+
+  /** Where the first chunk after a place begins, as far as it is known; else the end. */
+  long chunkAfter(long position) {
+    return chunks.after(position, end);
+  }
+}

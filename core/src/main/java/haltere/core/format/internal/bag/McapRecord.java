@@ -1,0 +1,122 @@
+package haltere.core.format.internal.bag;
+
+import haltere.core.format.internal.packed.DamagedPacketException;
+import haltere.core.format.internal.packed.LittleEndian;
+import haltere.core.format.internal.packed.Payload;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+
+/**
+ * Reads the records of an MCAP file: a byte for the kind, 64 bits of length, content.
+ *
+ * <p>Thread rule: one thread.
+ */
+final class McapRecord {
+  static final int HEADER = 1;
+  static final int FOOTER = 2;
+  static final int SCHEMA = 3;
+  static final int CHANNEL = 4;
+  static final int MESSAGE = 5;
+  static final int CHUNK = 6;
+  static final int MESSAGE_INDEX = 7;
+  static final int CHUNK_INDEX = 8;
+  static final int STATISTICS = 11;
+  static final int METADATA = 12;
+  static final int METADATA_INDEX = 13;
+  static final int SUMMARY_OFFSET = 14;
+  static final int DATA_END = 15;
+
+  /** From here on kinds are other programs' own. */
+  static final int PRIVATE = 0x80;
+
+  /** Kind and length. */
+  static final int HEAD_BYTES = 9;
+
+  private static final int LONGEST_TEXT = 64 * 1024;
+
+  private final Payload payload;
+  private int kind;
+  private long left;
+  private long bytes;
+
+  /** Reads records from a payload that is opened. */
+  McapRecord(Payload payload) {
+    this.payload = payload;
+  }
+
+  /**
+   * Reads kind and length of the next record.
+   *
+   * @return false where there are no more bytes
+   */
+  boolean next() throws IOException, DamagedPacketException {
+    if (!payload.gather(HEAD_BYTES)) {
+      if (payload.from() == payload.to()) {
+        return false;
+      }
+      throw new DamagedPacketException("a record that ends too early");
+    }
+    kind = payload.data()[payload.from()] & 0xff;
+    bytes = LittleEndian.getLong(payload.data(), payload.from() + 1);
+    left = bytes;
+    payload.use(HEAD_BYTES);
+    if (kind == 0 || bytes < 0) {
+      throw new DamagedPacketException("a record of no known kind");
+    }
+    return true;
+  }
+
+  int kind() {
+    return kind;
+  }
+
+  /** Bytes of its content. */
+  long bytes() {
+    return bytes;
+  }
+
+  /** Bytes of its content that are not used. */
+  long left() {
+    return left;
+  }
+
+  private int take(int count) throws IOException, DamagedPacketException {
+    if (count > left || !payload.gather(count)) {
+      throw new DamagedPacketException("a record that ends too early");
+    }
+    left -= count;
+    int at = payload.from();
+    payload.use(count);
+    return at;
+  }
+
+  int takeUnsignedShort() throws IOException, DamagedPacketException {
+    int at = take(2);
+    return LittleEndian.getUnsignedShort(payload.data(), at);
+  }
+
+  long takeUnsignedInt() throws IOException, DamagedPacketException {
+    int at = take(4);
+    return LittleEndian.getInt(payload.data(), at) & 0xffff_ffffL;
+  }
+
+  long takeLong() throws IOException, DamagedPacketException {
+    int at = take(8);
+    return LittleEndian.getLong(payload.data(), at);
+  }
+
+  String takeText() throws IOException, DamagedPacketException {
+    long length = takeUnsignedInt();
+    if (length > LONGEST_TEXT) {
+      throw new DamagedPacketException("a text that is too long");
+    }
+    int at = take((int) length);
+    return new String(payload.data(), at, (int) length, StandardCharsets.UTF_8);
+  }
+
+  /** Passes over the rest. */
+  void pass() throws IOException, DamagedPacketException {
+    payload.skip(left);
+    left = 0;
+  }
+}

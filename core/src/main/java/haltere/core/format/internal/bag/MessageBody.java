@@ -1,0 +1,138 @@
+package haltere.core.format.internal.bag;
+
+import haltere.core.format.internal.packed.ByteSource;
+import haltere.core.format.internal.packed.DamagedPacketException;
+import haltere.core.format.internal.packed.LittleEndian;
+import haltere.core.format.internal.packed.Payload;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+
+/**
+ * The bytes of one message, read from its start; also as a source of packed ones.
+ *
+ * <p>Thread rule: one thread.
+ */
+final class MessageBody implements ByteSource {
+  private static final int LONGEST_TEXT = 4096;
+
+  private Payload payload;
+  private long size;
+  private long used;
+
+  /** Starts with a message. */
+  void open(Payload bytes, long messageBytes) {
+    payload = bytes;
+    size = messageBytes;
+    used = 0;
+  }
+
+  /** Bytes that are used already. */
+  long used() {
+    return used;
+  }
+
+  /** Bytes that are not used yet. */
+  long left() {
+    return size - used;
+  }
+
+  /** Declares that the message ends earlier than it says. */
+  void shorten(long bytesLeft) {
+    size = used + Math.min(left(), bytesLeft);
+  }
+
+  @Override
+  public byte[] bytes() {
+    return payload.data();
+  }
+
+  int from() {
+    return payload.from();
+  }
+
+  /** Where the bytes end that are there and belong to the message. */
+  int to() {
+    return (int) Math.min(payload.to(), payload.from() + left());
+  }
+
+  void use(int bytes) {
+    payload.use(bytes);
+    used += bytes;
+  }
+
+  /** Gets more bytes; false if the message has no more. */
+  boolean more() throws IOException, DamagedPacketException {
+    if (left() <= payload.to() - payload.from()) {
+      return false;
+    }
+    if (!payload.more()) {
+      throw new DamagedPacketException("a message that ends too early");
+    }
+    return true;
+  }
+
+  @Override
+  public int require(long offset, int count) throws IOException, DamagedPacketException {
+    long passed = offset - used;
+    if (passed + count > left()) {
+      return -1;
+    }
+    skip(passed);
+    return payload.gather(count) ? from() : -1;
+  }
+
+  void skip(long bytes) throws IOException, DamagedPacketException {
+    if (bytes > left()) {
+      throw new DamagedPacketException("a message that ends too early");
+    }
+    payload.skip(bytes);
+    used += bytes;
+  }
+
+  /** Passes over what makes the place in the message a multiple of a number of bytes. */
+  void align(int bytes, long start) throws IOException, DamagedPacketException {
+    skip(-(used - start) & bytes - 1);
+  }
+
+  private int take(int bytes) throws IOException, DamagedPacketException {
+    if (bytes > left() || !payload.gather(bytes)) {
+      throw new DamagedPacketException("a message that ends too early");
+    }
+    int at = payload.from();
+    use(bytes);
+    return at;
+  }
+
+  int takeByte() throws IOException, DamagedPacketException {
+    int at = take(1);
+    return bytes()[at];
+  }
+
+  int takeInt() throws IOException, DamagedPacketException {
+    int at = take(4);
+    return LittleEndian.getInt(bytes(), at);
+  }
+
+  long takeUnsignedInt() throws IOException, DamagedPacketException {
+    return takeInt() & 0xffff_ffffL;
+  }
+
+  long takeLong() throws IOException, DamagedPacketException {
+    int at = take(8);
+    return LittleEndian.getLong(bytes(), at);
+  }
+
+  /** A text with its length before it. */
+  String takeText() throws IOException, DamagedPacketException {
+    long length = takeUnsignedInt();
+    if (length > LONGEST_TEXT) {
+      throw new DamagedPacketException("a text that is too long");
+    }
+    int at = take((int) length);
+    int end = at + (int) length;
+    if (end > at && bytes()[end - 1] == 0) {
+      end--;
+    }
+    return new String(bytes(), at, end - at, StandardCharsets.UTF_8);
+  }
+}

@@ -1,0 +1,119 @@
+package haltere.core.format.internal.bag;
+
+import haltere.core.format.RecordingFile;
+import haltere.core.format.RecordingProblem;
+import haltere.core.format.Violation;
+import haltere.core.format.ViolationCounts;
+import haltere.core.format.internal.packed.DamagedPacketException;
+import haltere.core.format.internal.packed.FileWindow;
+import haltere.core.format.internal.packed.Payload;
+import haltere.core.format.internal.packed.StoredPayload;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+
+/**
+ * What the end of a ROS 1 bag says that was closed: its connections, and where its chunks are.
+ * Chunks are read in the order of the file whatever it says; it is needed to know all topics, and
+ * to find the next chunk behind a damaged one.
+ *
+ * <p>Thread rule: immutable once read.
+ */
+final class RosbagIndex {
+  /** The line that a bag begins with. */
+  static final String MAGIC = "#ROSBAG V2.0\n";
+
+  /** Where the first record starts. */
+  static final int FIRST_RECORD = MAGIC.length();
+
+  private final long fileBytes;
+  private long end;
+  private boolean cutOff;
+  private final ChunkPlaces chunks = new ChunkPlaces();
+
+  private RosbagIndex(long fileBytes) {
+    this.fileBytes = fileBytes;
+    end = fileBytes;
+  }
+
+  /**
+   * Reads the first record and, where it says where, the index.
+   *
+   * @param file the bag
+   * @param topics receives its connections
+   * @param violations where damage of the index is counted
+   */
+  static RosbagIndex read(RecordingFile file, BagTopics topics, ViolationCounts violations)
+      throws IOException {
+    byte[] start = file.read(0, FIRST_RECORD);
+    if (!new String(start, StandardCharsets.ISO_8859_1).equals(MAGIC)) {
+      throw new RecordingProblem(
+          file.path(), "it does not begin with #ROSBAG V2.0; leave out --format");
+    }
+    RosbagIndex index = new RosbagIndex(file.size());
+    StoredPayload payload = new StoredPayload(new FileWindow(file));
+    payload.open(FIRST_RECORD, file.size() - FIRST_RECORD);
+    long place = -1;
+    try {
+      RosbagRecord bag = RosbagRecord.read(payload);
+      if (bag != null && bag.kind() == RosbagRecord.BAG) {
+        place = bag.fields().getLong("index_pos");
+      }
+    } catch (DamagedPacketException e) {
+      // Counted when the records are walked through.
+    }
+    if (place > FIRST_RECORD && place <= file.size()) {
+      index.readRecords(payload, place, topics, violations);
+    } else {
+      // 0: the recorder had no time to write an index.
+      if (place > 0) {
+        violations.add(Violation.LYING_LENGTH, FIRST_RECORD);
+      }
+      index.cutOff = true;
+    }
+    return index;
+  }
+
+  private void readRecords(
+      Payload payload, long place, BagTopics topics, ViolationCounts violations)
+      throws IOException {
+    try {
+      payload.open(place, fileBytes - place);
+      long at = place;
+      for (RosbagRecord record; (record = RosbagRecord.read(payload)) != null; ) {
+        at += record.headerBytes() + record.dataBytes();
+        if (record.kind() == RosbagRecord.CONNECTION) {
+          record.readConnection(payload, topics);
+          continue;
+        }
+        if (record.kind() != RosbagRecord.CHUNK_INFO) {
+          throw new DamagedPacketException("no record of an index");
+        }
+        long chunk = record.fields().getLong("chunk_pos");
+        if (chunk < FIRST_RECORD || chunk >= place) {
+          throw new DamagedPacketException("a chunk outside of the file");
+        }
+        chunks.add(chunk);
+        payload.skip(record.dataBytes());
+      }
+      end = place;
+    } catch (DamagedPacketException e) {
+      violations.add(Violation.LYING_LENGTH, place);
+      cutOff = place >= fileBytes;
+    }
+  }
+
+  /** Where chunks end and the index begins, or the file ends. */
+  long end() {
+    return end;
+  }
+
+  /** Whether the bag was not closed, or has lost its end. */
+  boolean cutOff() {
+    return cutOff;
+  }
+
+  /** Where the first chunk after a place begins, as far as it is known; else the end. */
+  long chunkAfter(long position) {
+    return chunks.after(position, end);
+  }
+}

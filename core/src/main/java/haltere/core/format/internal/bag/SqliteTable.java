@@ -1,0 +1,180 @@
+package haltere.core.format.internal.bag;
+
+import haltere.core.format.internal.packed.DamagedPacketException;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+
+/**
+ * Goes through the rows of an SQLite table in ascending order of their numbers: a tree of pages,
+ * whose leaves hold the rows. Every leaf is looked for from the root, so that a place is no more
+ * than a number, and a tree that leads in a circle comes to an end.
+ *
+ * <p>Thread rule: one thread.
+ */
+final class SqliteTable {
+  private static final int LEAF = 13;
+  private static final int INNER = 5;
+  private static final int LEAF_HEAD = 8;
+  private static final int INNER_HEAD = 12;
+  private static final int MAX_DEPTH = 24;
+  private static final int FIRST_PAGE_HEADER = 100;
+
+  private final SqliteFile file;
+  private final long root;
+  private final ByteBuffer leaf;
+  private final SqliteRow row;
+
+  private boolean inLeaf;
+  private boolean ended;
+  private int head;
+  private int cell;
+  private int cells;
+  private long leafPage;
+  private long lastOfLeaf;
+  private long wanted = Long.MIN_VALUE;
+  private long number;
+  private long rowBytes;
+  private int at;
+
+  SqliteTable(SqliteFile file, long root) {
+    this.file = file;
+    this.root = root;
+    leaf = file.page();
+    row = new SqliteRow(file);
+  }
+
+  /** Goes on at the first row of at least this number. */
+  void seek(long rowNumber) {
+    wanted = rowNumber;
+    inLeaf = false;
+    ended = false;
+  }
+
+  /** The next row's number would be at least this. */
+  long wanted() {
+    return wanted;
+  }
+
+  /** Number of the row that was found. */
+  long number() {
+    return number;
+  }
+
+  /** Page on which the row that was found begins. */
+  long page() {
+    return leafPage;
+  }
+
+  SqliteRow row() {
+    return row;
+  }
+
+  /**
+   * Finds the next row.
+   *
+   * @return false at the end
+   * @throws DamagedPacketException if a page or row is damaged; the next call goes on behind it
+   */
+  boolean next() throws IOException, DamagedPacketException {
+    while (!ended) {
+      if (!inLeaf) {
+        findLeaf();
+      }
+      while (cell < cells) {
+        readCell(cell++);
+        if (number >= wanted) {
+          pass(number);
+          row.open(leaf, at, rowBytes);
+          return true;
+        }
+      }
+      pass(lastOfLeaf);
+      inLeaf = false;
+    }
+    return false;
+  }
+
+  /** Counts rows up to a number as done. */
+  private void pass(long done) {
+    ended = done == Long.MAX_VALUE;
+    wanted = Math.max(wanted, ended ? done : done + 1);
+  }
+
+  private void readCell(int index) throws DamagedPacketException {
+    at = unsignedShort(head + LEAF_HEAD + 2 * index);
+    rowBytes = takeVarint();
+    number = takeVarint();
+  }
+
+  /** Goes down from the root to the leaf that has the row that is wanted. */
+  private void findLeaf() throws IOException, DamagedPacketException {
+    long page = root;
+    lastOfLeaf = Long.MAX_VALUE;
+    cell = 0;
+    cells = 0;
+    inLeaf = true;
+    for (int depth = 0; depth < MAX_DEPTH; depth++) {
+      leafPage = page;
+      file.read(leaf, page);
+      head = page == 1 ? FIRST_PAGE_HEADER : 0;
+      int kind = leaf.get(head);
+      int count = unsignedShort(head + 3);
+      if (kind == LEAF) {
+        cells = count;
+        return;
+      }
+      if (kind != INNER) {
+        throw new DamagedPacketException("a page of no table");
+      }
+      page = child(count);
+    }
+    throw new DamagedPacketException("pages that lead in a circle");
+  }
+
+  /** The page below an inner one that has the row that is wanted. */
+  private long child(int count) throws DamagedPacketException {
+    for (int i = 0; i < count; i++) {
+      at = unsignedShort(head + INNER_HEAD + 2 * i);
+      long page = unsignedInt(at);
+      at += 4;
+      long last = takeVarint();
+      if (last >= wanted) {
+        lastOfLeaf = Math.min(lastOfLeaf, last);
+        return page;
+      }
+    }
+    return unsignedInt(head + 8);
+  }
+
+  private int unsignedShort(int index) throws DamagedPacketException {
+    check(index, 2);
+    return leaf.getShort(index) & 0xffff;
+  }
+
+  private long unsignedInt(int index) throws DamagedPacketException {
+    check(index, 4);
+    return leaf.getInt(index) & 0xffff_ffffL;
+  }
+
+  private void check(int index, int bytes) throws DamagedPacketException {
+    if (index + bytes > file.usableBytes()) {
+      throw new DamagedPacketException("a cell outside of its page");
+    }
+  }
+
+  private long takeVarint() throws DamagedPacketException {
+    long value = 0;
+    for (int i = 0; i < 9; i++) {
+      check(at, 1);
+      int next = leaf.get(at++);
+      if (i == 8) {
+        return value << 8 | next & 0xff;
+      }
+      value = value << 7 | next & 0x7f;
+      if (next >= 0) {
+        break;
+      }
+    }
+    return value;
+  }
+}

@@ -1,0 +1,90 @@
+package haltere.core.format.internal.clock;
+
+/**
+ * Where a decoder is in time. Times ascend within a segment; where the clock goes back, the event
+ * that is earlier is held back until the new segment is accepted.
+ *
+ * <p>Thread rule: one thread.
+ */
+public abstract sealed class EventTimes permits AscendingTimes, WrappingTimes {
+  private boolean restarted;
+  private long restartUs;
+
+  EventTimes() {}
+
+  /**
+   * Time of the last event.
+   *
+   * @return microseconds, or {@link haltere.core.stream.StreamNotification#NO_TIME_US} before the
+   *     first of a segment
+   */
+  public abstract long lastUs();
+
+  /**
+   * How many numbers {@link #save} needs.
+   *
+   * @return at least 1
+   */
+  public abstract int stateLongs();
+
+  /**
+   * Notes the place in time.
+   *
+   * @param state receives {@link #stateLongs()} numbers
+   * @param at index of the first of them
+   */
+  public abstract void save(long[] state, int at);
+
+  /**
+   * Goes to a place that was noted.
+   *
+   * @param state has the numbers
+   * @param at index of the first of them
+   */
+  public abstract void restore(long[] state, int at);
+
+  /** Forgets the last time, where the next segment begins. */
+  abstract void forget();
+
+  /**
+   * Whether the clock goes back with the next event.
+   *
+   * @return true until that is {@link #acceptRestart() accepted}
+   */
+  public final boolean restarted() {
+    return restarted;
+  }
+
+  /**
+   * Time of the first event of the new segment, where the clock goes back.
+   *
+   * @return microseconds
+   */
+  public final long restartUs() {
+    return restartUs;
+  }
+
+  /**
+   * Goes on after the clock went back, without memory of the last time.
+   *
+   * @throws IllegalStateException if it did not
+   */
+  public final void acceptRestart() {
+    if (!restarted) {
+      throw new IllegalStateException("the clock did not go back");
+    }
+    restarted = false;
+    forget();
+  }
+
+  /** Holds back an event with which the clock goes back. */
+  final void holdBack(long timeUs) {
+    restarted = true;
+    restartUs = timeUs;
+  }
+
+  /** No event is held back where decoding goes on from a place that was noted. */
+  final void holdNothingBack() {
+    restarted = false;
+  }
+}

@@ -1,0 +1,145 @@
+package haltere.core.format.internal.clock;
+
+/**
+ * Continues a narrow clock of microseconds as 64 bits. With W the length of a turn of the clock
+ * (2<sup>32</sup> for a clock of 32 bits, signed or not) and D the difference of two successive
+ * values of the file:
+ *
+ * <ul>
+ *   <li>D at least 0: time goes on by D;
+ *   <li>D below -W/2: the clock has wrapped, time goes on by D + W;
+ *   <li>any other D: the clock went back. By a second at the most, that is disorder within the same
+ *       turn of the clock; by more, the camera's clock was set anew and the first turn begins
+ *       again;
+ *   <li>one exception: shortly after a wrap, a D so large that it leads back to at most a second
+ *       before it is an event from before the wrap that comes late, not a leap of almost W.
+ * </ul>
+ *
+ * <p>A restart to zero of a signed clock that stood below zero looks like time going on, and a
+ * silence of more than W/2 across a wrap like a restart: the bits do not say.
+ *
+ * <p>Thread rule: one thread.
+ */
+public final class WrappingClock {
+  private static final long DISORDER_US = 1_000_000;
+
+  private final long wrapUs;
+  private final long firstTurnUs;
+  private long turnUs;
+  private long lastUs;
+  private boolean started;
+  private long nextTurnUs;
+
+  /**
+   * A clock before its first value.
+   *
+   * @param wrapUs length of a turn
+   * @param firstTurnUs what to add to values before the first wrap
+   */
+  public WrappingClock(long wrapUs, long firstTurnUs) {
+    this.wrapUs = wrapUs;
+    this.firstTurnUs = firstTurnUs;
+    reset(firstTurnUs);
+  }
+
+  /**
+   * Forgets the last value.
+   *
+   * @param turn what to add to the values from now on
+   */
+  public void reset(long turn) {
+    turnUs = turn;
+    started = false;
+  }
+
+  /**
+   * Goes on as after a value.
+   *
+   * @param turn what was added to it
+   * @param last its time
+   */
+  public void resume(long turn, long last) {
+    turnUs = turn;
+    lastUs = last;
+    started = true;
+  }
+
+  /**
+   * What the next value means. If it is {@link #goesBack before} the last one, the clock went back.
+   *
+   * @param value from the file
+   * @return its time
+   */
+  public long read(long value) {
+    nextTurnUs = turnUs;
+    if (!started) {
+      return turnUs + value;
+    }
+    long step = value - (lastUs - turnUs);
+    if (step < -wrapUs / 2) {
+      nextTurnUs = turnUs + wrapUs;
+    } else if (step < -DISORDER_US) {
+      nextTurnUs = firstTurnUs;
+    } else if (step > wrapUs / 2 && turnUs > firstTurnUs && wrapUs - step <= DISORDER_US) {
+      nextTurnUs = turnUs - wrapUs;
+    }
+    return nextTurnUs + value;
+  }
+
+  /**
+   * Whether a time that {@link #read} gave is before the last one.
+   *
+   * @param timeUs what it gave
+   * @return true if the clock went back
+   */
+  public boolean goesBack(long timeUs) {
+    return started && timeUs < lastUs;
+  }
+
+  /**
+   * Takes the time that {@link #read} gave last as the newest, wherever it leads.
+   *
+   * @param timeUs what it gave
+   */
+  public void take(long timeUs) {
+    turnUs = nextTurnUs;
+    lastUs = timeUs;
+    started = true;
+  }
+
+  /**
+   * Moves on within a turn.
+   *
+   * @param timeUs the newest time
+   */
+  public void advance(long timeUs) {
+    lastUs = timeUs;
+  }
+
+  /**
+   * Whether there was a value since the start or the last reset.
+   *
+   * @return true if {@link #lastUs()} means anything
+   */
+  public boolean started() {
+    return started;
+  }
+
+  /**
+   * What is being added to values.
+   *
+   * @return microseconds
+   */
+  public long turnUs() {
+    return turnUs;
+  }
+
+  /**
+   * The newest time.
+   *
+   * @return microseconds
+   */
+  public long lastUs() {
+    return lastUs;
+  }
+}

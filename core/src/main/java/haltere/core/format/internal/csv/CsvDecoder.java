@@ -1,0 +1,170 @@
+package haltere.core.format.internal.csv;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.RecordingClock;
+import haltere.core.format.Violation;
+import haltere.core.format.ViolationCounts;
+import haltere.core.format.internal.clock.AscendingTimes;
+import haltere.core.format.internal.clock.EventTimes;
+import haltere.core.format.internal.decoding.StreamDecoder;
+import java.nio.ByteBuffer;
+
+/**
+ * Turns rows of numbers into packets. Numbers are taken exactly as they are written; a time between
+ * two microseconds goes to the nearer one. Rows count from where the geometry says.
+ *
+ * <p>Thread rule: one thread.
+ */
+final class CsvDecoder implements StreamDecoder {
+  /** Longer rows are none. */
+  private static final int MAX_ROW = 4096;
+
+  private static final int PIECE = 16 * 1024;
+
+  /** Bytes that may be looked at behind the piece. */
+  private static final int PADDING = 16;
+
+  private final ViolationCounts violations;
+  private final PlainRows plainRows;
+  private final CsvRow exactRow;
+
+  private final byte[] piece = new byte[PIECE + PADDING];
+  private final AscendingTimes times = new AscendingTimes();
+  private boolean inLongRow;
+
+  CsvDecoder(CsvLayout layout, SensorGeometry geometry, ViolationCounts violations) {
+    this.violations = violations;
+    plainRows = new PlainRows(layout, geometry);
+    exactRow = new CsvRow(layout, geometry);
+  }
+
+  @Override
+  public boolean decode(ByteBuffer in, long offset, EventPacket out, int maxEvents) {
+    out.ensureCapacity(maxEvents);
+    int start = in.position();
+    int position = start;
+    while (position < in.limit() && out.size() < maxEvents && !times.restarted()) {
+      int length = Math.min(PIECE, in.limit() - position);
+      in.get(position, piece, 0, length);
+      int used = decodePiece(length, offset + (position - start), out, maxEvents);
+      if (used == 0 && !times.restarted()) {
+        used = length >= MAX_ROW ? skipLongRow(length, offset + (position - start)) : 0;
+        if (used == 0) {
+          break;
+        }
+      }
+      position += used;
+    }
+    in.position(position);
+    return times.restarted();
+  }
+
+  /** A row without an end in sight is passed over up to its end. */
+  private int skipLongRow(int length, long offset) {
+    if (!inLongRow) {
+      inLongRow = true;
+      violations.add(Violation.UNKNOWN_WORD, offset);
+    }
+    return length;
+  }
+
+  /** Decodes whole rows; returns the bytes of them. */
+  private int decodePiece(int length, long offset, EventPacket out, int maxEvents) {
+    int last = length - 1;
+    while (last >= 0 && piece[last] != '\n') {
+      last--;
+    }
+    int row = 0;
+    while (row <= last && out.size() < maxEvents) {
+      if (inLongRow) {
+        while (piece[row] != '\n') {
+          row++;
+        }
+        row++;
+        inLongRow = false;
+        continue;
+      }
+      int before = out.size();
+      row = plainRows.decode(piece, row, last, out, maxEvents, times.lastUs());
+      if (out.size() > before) {
+        times.advance(out.lastTimeUs());
+      }
+      if (row > last || out.size() == maxEvents) {
+        break;
+      }
+      if (!decodeRow(row, offset + row, out)) {
+        return row;
+      }
+      row = exactRow.end();
+    }
+    return row;
+  }
+
+  /** Decodes the row that starts somewhere and ends in a line feed; false if time goes back. */
+  private boolean decodeRow(int row, long offset, EventPacket out) {
+    if (!exactRow.parse(piece, row)) {
+      if (!exactRow.isRemark()) {
+        violations.add(Violation.UNKNOWN_WORD, offset);
+      }
+      return true;
+    }
+    if (exactRow.address() < 0) {
+      violations.add(Violation.OUTSIDE_SENSOR, offset);
+      return true;
+    }
+    if (times.goesBack(exactRow.timeUs())) {
+      violations.add(Violation.CLOCK_WENT_BACK, offset);
+      return false;
+    }
+    times.advance(exactRow.timeUs());
+    out.append(exactRow.timeUs(), exactRow.address());
+    return true;
+  }
+
+  /** A last row without a line feed is one if it has all columns and time does not go back. */
+  @Override
+  public boolean decodeLast(ByteBuffer in, long offset, EventPacket out, int maxEvents) {
+    int length = in.remaining();
+    if (length >= MAX_ROW || inLongRow) {
+      return false;
+    }
+    in.get(in.position(), piece, 0, length);
+    piece[length] = '\n';
+    boolean whole =
+        exactRow.parse(piece, 0) && exactRow.address() >= 0 && exactRow.timeUs() >= times.lastUs();
+    if (whole) {
+      times.advance(exactRow.timeUs());
+      out.append(exactRow.timeUs(), exactRow.address());
+      in.position(in.limit());
+    }
+    return whole;
+  }
+
+  @Override
+  public RecordingClock clock() {
+    return RecordingClock.wide(RecordingClock.Zero.WRITERS_CHOICE);
+  }
+
+  @Override
+  public EventTimes times() {
+    return times;
+  }
+
+  @Override
+  public int stateLongs() {
+    return 2;
+  }
+
+  @Override
+  public void save(long[] state, int at) {
+    times.save(state, at);
+    state[at + 1] = inLongRow ? 1 : 0;
+  }
+
+  @Override
+  public void restore(long[] state, int at) {
+    times.restore(state, at);
+    inLongRow = state[at + 1] != 0;
+  }
+}

@@ -1,0 +1,272 @@
+package haltere.core.format.internal.csv;
+
+import haltere.core.format.internal.decoding.EventColumn;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+
+/**
+ * Which column of a text is what: told by a row of names, else found out from the numbers.
+ *
+ * @param roles of the columns, in order
+ * @param timeScale power of ten of the times' unit in microseconds: 0 for microseconds, 6 for
+ *     seconds, -3 for nanoseconds
+ * @param dataOffset where the rows of events start
+ * @param named whether names told the columns
+ * @param marked whether commas or semicolons stand between the columns, not only spaces
+ * @param width columns of the sensor if a first row of two numbers tells them, else 0
+ * @param height rows of the sensor likewise
+ */
+record CsvLayout(
+    List<EventColumn> roles,
+    int timeScale,
+    int dataOffset,
+    boolean named,
+    boolean marked,
+    int width,
+    int height) {
+  private static final int LOOK_ROWS = 2000;
+  private static final int MAX_COLUMNS = 32;
+  private static final double SMALLEST_NS = 1e17;
+  private static final String BLANKS = " \t\n\u000b\f\r";
+
+  CsvLayout {
+    roles = List.copyOf(roles);
+  }
+
+  /** Looks at the start of a text; empty if it is none of events. */
+  static Optional<CsvLayout> of(byte[] head) {
+    String text = new String(head, StandardCharsets.ISO_8859_1);
+    if (text.startsWith("\u00ef\u00bb\u00bf")) {
+      text = text.substring(3);
+      return of(text, 3);
+    }
+    return of(text, 0);
+  }
+
+  private static Optional<CsvLayout> of(String text, int skipped) {
+    if (text.chars().limit(4096).anyMatch(c -> c < ' ' && c != '\n' && c != '\r' && c != '\t')) {
+      return Optional.empty();
+    }
+    Start start = new Start();
+    int offset = 0;
+    while (offset < text.length() && start.rows.size() < LOOK_ROWS) {
+      int end = text.indexOf('\n', offset);
+      boolean whole = end >= 0;
+      String line = text.substring(offset, whole ? end : text.length()).strip();
+      if (!line.isEmpty() && !start.take(line, offset + skipped, whole)) {
+        return Optional.empty();
+      }
+      offset = whole ? end + 1 : text.length();
+    }
+    if (start.dataOffset < 0) {
+      start.dataOffset = offset + skipped;
+    }
+    return start.names == null ? bySight(start) : Optional.of(byNames(start));
+  }
+
+  /** What the first lines of a text hold. */
+  private static final class Start {
+    final List<String[]> rows = new ArrayList<>();
+    String[] names;
+    int width;
+    int height;
+    int dataOffset = -1;
+    boolean marked;
+
+    /**
+     * Takes a line.
+     *
+     * @param at where it begins in the file
+     * @param whole false for the last one if it has no end
+     * @return false if this is no text of events
+     */
+    boolean take(String line, int at, boolean whole) {
+      boolean comment = line.startsWith("#") || line.startsWith("%");
+      String[] fields = fields(comment ? line.substring(1) : line);
+      if (comment || !isNumber(fields[0])) {
+        return !rows.isEmpty() || takeNames(fields) || comment;
+      }
+      if (fields.length == 2 && rows.isEmpty() && width == 0) {
+        width = size(fields[0]);
+        height = size(fields[1]);
+        return width != 0 && height != 0;
+      }
+      if (rows.isEmpty()) {
+        dataOffset = at;
+        marked = line.indexOf(',') >= 0 || line.indexOf(';') >= 0;
+      }
+      if (whole || rows.isEmpty()) {
+        rows.add(fields);
+      }
+      return true;
+    }
+
+    private boolean takeNames(String[] fields) {
+      boolean all = roles(fields).isPresent();
+      names = all ? fields : names;
+      return all;
+    }
+  }
+
+  private static CsvLayout byNames(Start start) {
+    return new CsvLayout(
+        roles(start.names).orElseThrow(),
+        timeScale(start.names, start.rows),
+        start.dataOffset,
+        true,
+        start.marked,
+        start.width,
+        start.height);
+  }
+
+  private static String[] fields(String line) {
+    boolean marked = line.chars().anyMatch(c -> c == ',' || c == ';');
+    String[] fields = line.strip().split(marked ? "[,;]" : "\\s+", MAX_COLUMNS + 1);
+    for (int i = 0; i < fields.length; i++) {
+      fields[i] = withoutBlanks(fields[i]);
+    }
+    return fields;
+  }
+
+  private static String withoutBlanks(String field) {
+    int from = 0;
+    int to = field.length();
+    while (from < to && BLANKS.indexOf(field.charAt(from)) >= 0) {
+      from++;
+    }
+    while (to > from && BLANKS.indexOf(field.charAt(to - 1)) >= 0) {
+      to--;
+    }
+    return field.substring(from, to);
+  }
+
+  private static int size(String field) {
+    try {
+      int size = Integer.parseInt(field);
+      return size >= 1 && size <= 32768 ? size : 0;
+    } catch (NumberFormatException noNumber) {
+      return 0;
+    }
+  }
+
+  private static boolean isNumber(String field) {
+    try {
+      Double.parseDouble(field);
+      return true;
+    } catch (NumberFormatException noNumber) {
+      return false;
+    }
+  }
+
+  /** By names; empty unless time, column and row are among them. */
+  private static Optional<List<EventColumn>> roles(String[] names) {
+    if (names.length > MAX_COLUMNS) {
+      return Optional.empty();
+    }
+    List<EventColumn> roles = new ArrayList<>();
+    for (String name : names) {
+      EventColumn role = EventColumn.named(name);
+      roles.add(role != EventColumn.OTHER && roles.contains(role) ? EventColumn.OTHER : role);
+    }
+    boolean enough =
+        roles.contains(EventColumn.TIME)
+            && roles.contains(EventColumn.X)
+            && roles.contains(EventColumn.Y);
+    return enough ? Optional.of(roles) : Optional.empty();
+  }
+
+  private static int timeScale(String[] names, List<String[]> rows) {
+    for (String name : names) {
+      if (EventColumn.named(name) == EventColumn.TIME) {
+        OptionalInt stated = EventColumn.timeScale(name);
+        if (stated.isPresent()) {
+          return stated.getAsInt();
+        }
+        int column = List.of(names).indexOf(name);
+        return timeScale(rows, column);
+      }
+    }
+    return 0;
+  }
+
+  /** Times with decimals are seconds, whole ones microseconds, or nanoseconds since 1970. */
+  private static int timeScale(List<String[]> rows, int column) {
+    boolean fraction = false;
+    double largest = 0;
+    for (String[] row : rows) {
+      if (column < row.length && isNumber(row[column])) {
+        double value = Double.parseDouble(row[column]);
+        fraction |= value != Math.rint(value);
+        largest = Math.max(largest, Math.abs(value));
+      }
+    }
+    return fraction ? 6 : largest >= SMALLEST_NS ? -3 : 0;
+  }
+
+  /** By the numbers: the polarity has two values, the time never falls, column comes before row. */
+  private static Optional<CsvLayout> bySight(Start start) {
+    List<String[]> rows = start.rows;
+    if (rows.isEmpty() || rows.get(0).length != 4) {
+      return Optional.empty();
+    }
+    boolean[] polarity = {true, true, true, true};
+    boolean[] ascends = {true, true, true, true};
+    boolean[] pixel = {true, true, true, true};
+    double[] last = new double[4];
+    double[] largest = new double[4];
+    java.util.Arrays.fill(last, Double.NEGATIVE_INFINITY);
+    for (String[] row : rows) {
+      if (row.length != 4) {
+        return Optional.empty();
+      }
+      for (int i = 0; i < 4; i++) {
+        if (!isNumber(row[i])) {
+          return Optional.empty();
+        }
+        double value = Double.parseDouble(row[i]);
+        polarity[i] &= value == 0 || value == 1 || value == -1;
+        ascends[i] &= value >= last[i];
+        pixel[i] &= value >= 0 && value <= 32767 && value == Math.rint(value);
+        last[i] = value;
+        largest[i] = Math.max(largest[i], Math.abs(value));
+      }
+    }
+    int time = -1;
+    int sign = -1;
+    for (int i = 0; i < 4; i++) {
+      boolean likelier =
+          time < 0
+              || pixel[time] && !pixel[i]
+              || pixel[time] == pixel[i] && largest[i] > largest[time];
+      if (ascends[i] && likelier) {
+        time = i;
+      }
+    }
+    for (int i = 0; i < 4; i++) {
+      sign = polarity[i] && i != time ? i : sign;
+    }
+    if (time < 0 || sign < 0) {
+      return Optional.empty();
+    }
+    List<EventColumn> roles = new ArrayList<>();
+    for (int i = 0; i < 4; i++) {
+      EventColumn rest = roles.contains(EventColumn.X) ? EventColumn.Y : EventColumn.X;
+      roles.add(i == time ? EventColumn.TIME : i == sign ? EventColumn.POLARITY : rest);
+      if (i != time && i != sign && !pixel[i]) {
+        return Optional.empty();
+      }
+    }
+    return Optional.of(
+        new CsvLayout(
+            roles,
+            timeScale(rows, time),
+            start.dataOffset,
+            false,
+            start.marked,
+            start.width,
+            start.height));
+  }
+}

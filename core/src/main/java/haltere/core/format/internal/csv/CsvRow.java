@@ -1,0 +1,239 @@
+package haltere.core.format.internal.csv;
+
+import haltere.core.event.EventAddress;
+import haltere.core.event.Origin;
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.internal.decoding.EventColumn;
+import java.math.BigDecimal;
+import java.math.RoundingMode;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+
+/**
+ * A row of text, read exactly whatever its numbers look like: signs, decimals, exponents, words for
+ * polarities, more columns than are asked for.
+ *
+ * <p>Thread rule: one thread.
+ */
+final class CsvRow {
+  private static final int MAX_EXPONENT = 40;
+  private static final int MAX_SCALE = 4096;
+
+  private final EventColumn[] roles;
+  private final int timeScale;
+  private final boolean polarity;
+  private final boolean marked;
+  private final int width;
+  private final int top;
+  private final boolean fromTop;
+  private byte[] piece;
+
+  /** Whether the number that was read last is none. */
+  private boolean invalid;
+
+  /** Where in the piece the parser is. */
+  private int cursor;
+
+  private int address;
+  private long timeUs;
+  private boolean remark;
+
+  CsvRow(CsvLayout layout, SensorGeometry geometry) {
+    List<EventColumn> columns = layout.roles();
+    roles = columns.toArray(EventColumn[]::new);
+    timeScale = layout.timeScale();
+    polarity = columns.contains(EventColumn.POLARITY);
+    marked = layout.marked();
+    width = geometry.width();
+    top = geometry.height() - 1;
+    fromTop = geometry.origin() == Origin.TOP;
+  }
+
+  /** Reads the row that starts somewhere and ends in a line feed; false if it is none of events. */
+  boolean parse(byte[] bytes, int row) {
+    piece = bytes;
+    cursor = row;
+    if (parseColumns()) {
+      return true;
+    }
+    cursor = row;
+    while (piece[cursor] == ' ' || piece[cursor] == '\t' || piece[cursor] == '\r') {
+      cursor++;
+    }
+    remark = piece[cursor] == '\n' || piece[cursor] == '#' || piece[cursor] == '%';
+    while (piece[cursor] != '\n') {
+      cursor++;
+    }
+    cursor++;
+    return false;
+  }
+
+  /** Whether a row that is none of events is empty or a remark. */
+  boolean isRemark() {
+    return remark;
+  }
+
+  /** Index behind the row. */
+  int end() {
+    return cursor;
+  }
+
+  /** Time of the row's event. */
+  long timeUs() {
+    return timeUs;
+  }
+
+  /** Address of the row's event; negative if it is not on the sensor. */
+  int address() {
+    return address;
+  }
+
+  /** Reads the columns of a row and goes behind its end; false if they are not what they should. */
+  private boolean parseColumns() {
+    long x = 0;
+    long y = 0;
+    int on = polarity ? 0 : EventAddress.ON_BIT;
+    int columns = roles.length;
+    for (int i = 0; i < columns; i++) {
+      if (i > 0 && !separator()) {
+        return false;
+      }
+      EventColumn role = roles[i];
+      int scale = role == EventColumn.TIME ? timeScale : 0;
+      long value = number(scale);
+      if (value == Long.MIN_VALUE && role != EventColumn.OTHER && invalid) {
+        return false;
+      }
+      switch (role) {
+        case TIME -> timeUs = value;
+        case X -> x = value;
+        case Y -> y = value;
+        case POLARITY -> on = value > 0 ? EventAddress.ON_BIT : 0;
+        default -> {
+          // Not of interest.
+        }
+      }
+    }
+    if (!separatorOrEnd()) {
+      return false;
+    }
+    while (piece[cursor] != '\n') {
+      cursor++;
+    }
+    cursor++;
+    long up = fromTop ? top - y : y;
+    address =
+        x < 0 || x >= width || y < 0 || y > top
+            ? -1
+            : (int) up << EventAddress.Y_SHIFT | (int) x << EventAddress.X_SHIFT | on;
+    return true;
+  }
+
+  /** Whether the columns end here, or there are more that nobody asked for. */
+  private boolean separatorOrEnd() {
+    boolean separated = separator();
+    byte at = piece[cursor];
+    return separated || at == '\n' || at == '\r';
+  }
+
+  private boolean separator() {
+    boolean spaces = false;
+    while (piece[cursor] == ' ' || piece[cursor] == '\t') {
+      cursor++;
+      spaces = true;
+    }
+    if (piece[cursor] == ',' || piece[cursor] == ';') {
+      cursor++;
+      return true;
+    }
+    return spaces && (!marked || piece[cursor] <= ' ');
+  }
+
+  /**
+   * The number at the cursor times a power of ten, rounded to a whole one; {@link Long#MIN_VALUE}
+   * and {@link #invalid} if there is none.
+   */
+  private long number(int scale) {
+    invalid = false;
+    while (piece[cursor] == ' ' || piece[cursor] == '\t') {
+      cursor++;
+    }
+    int start = cursor;
+    boolean negative = piece[start] == '-';
+    int at = negative || piece[start] == '+' ? start + 1 : start;
+    int first = at;
+    long value = 0;
+    int digit;
+    while ((digit = piece[at] - '0') >= 0 && digit <= 9) {
+      value = value * 10 + digit;
+      at++;
+    }
+    int end = piece[at];
+    if (scale == 0
+        && at > first
+        && at - first <= Digits.MOST
+        && (end == ',' || end <= ' ' || end == ';')) {
+      cursor = at;
+      return negative ? -value : value;
+    }
+    int fraction = 0;
+    int point = at;
+    if (end == '.') {
+      at++;
+      while ((digit = piece[at] - '0') >= 0 && digit <= 9) {
+        value = value * 10 + digit;
+        at++;
+      }
+      fraction = at - point - 1;
+      end = piece[at];
+    }
+    int digits = point - first + fraction;
+    int power = scale - fraction;
+    if (digits > 0
+        && digits <= Digits.MOST
+        && (end == ',' || end <= ' ' || end == ';')
+        && power <= 0
+        && power >= -Digits.MOST) {
+      cursor = at;
+      long unit = Digits.power(-power);
+      long whole = (value + unit / 2) / unit;
+      return negative ? -whole : whole;
+    }
+    if (digits > 0
+        && power > 0
+        && power < Digits.MOST
+        && digits + power <= Digits.MOST
+        && (end == ',' || end <= ' ' || end == ';')) {
+      cursor = at;
+      return negative ? -value * Digits.power(power) : value * Digits.power(power);
+    }
+    return rareNumber(start, scale);
+  }
+
+  /** Exponents, words for polarities, numbers with more digits than a long has. */
+  private long rareNumber(int start, int scale) {
+    int end = start;
+    while (piece[end] > ' ' && piece[end] != ',' && piece[end] != ';') {
+      end++;
+    }
+    cursor = end;
+    String text = new String(piece, start, end - start, StandardCharsets.ISO_8859_1);
+    if (text.equalsIgnoreCase("true") || text.equalsIgnoreCase("on")) {
+      return 1;
+    }
+    if (text.equalsIgnoreCase("false") || text.equalsIgnoreCase("off")) {
+      return 0;
+    }
+    try {
+      BigDecimal exact = new BigDecimal(text);
+      if (Math.abs((long) exact.precision() - exact.scale()) <= MAX_EXPONENT
+          && Math.abs((long) exact.scale()) <= MAX_SCALE) {
+        return exact.scaleByPowerOfTen(scale).setScale(0, RoundingMode.HALF_UP).longValueExact();
+      }
+    } catch (ArithmeticException | NumberFormatException noNumber) {
+      // Told below.
+    }
+    invalid = true;
+    return Long.MIN_VALUE;
+  }
+}

@@ -1,0 +1,149 @@
+package haltere.core.format.internal.decoding;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.Origin;
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.ReadOptions;
+import java.io.IOException;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * How large a sensor must be for the events of a recording that does not say it. All events are
+ * read for it, so that none is left out because of a guess.
+ */
+public final class SensorGuess {
+  private static final int PACKET_EVENTS = 8192;
+
+  /** Sizes that sensors of the field have, the smallest first. Rows count from the top. */
+  public static final List<SensorGeometry> USUAL_SIZES =
+      List.of(
+          top(128, 128),
+          top(240, 180),
+          top(304, 240),
+          top(320, 240),
+          top(346, 260),
+          top(640, 480),
+          top(1280, 720));
+
+  /** What a user does whose stream does not say how large its sensor is. */
+  public static final String ADVICE = "say how large the sensor is with --sensor WxH";
+
+  private SensorGuess() {}
+
+  /** The pixels that the events need: right - 1 is the rightmost column, and so on. */
+  private record Extent(int right, int lowest, int highest) {}
+
+  private static Extent extent(EventCursor cursor) throws IOException {
+    EventPacket packet = new EventPacket(PACKET_EVENTS);
+    int right = 0;
+    int lowest = Integer.MAX_VALUE;
+    int highest = 0;
+    EventCursor.Stop stop = EventCursor.Stop.MORE;
+    while (stop != EventCursor.Stop.END) {
+      packet.clear();
+      stop = cursor.read(packet, PACKET_EVENTS);
+      if (stop == EventCursor.Stop.CLOCK_WENT_BACK) {
+        cursor.times().acceptRestart();
+      }
+      for (int i = 0; i < packet.size(); i++) {
+        right = Math.max(right, packet.x(i) + 1);
+        lowest = Math.min(lowest, packet.y(i));
+        highest = Math.max(highest, packet.y(i) + 1);
+      }
+    }
+    return new Extent(right, lowest, highest);
+  }
+
+  /**
+   * Reads all events.
+   *
+   * @param cursor at the start of the recording, with rows as the file counts them
+   * @param origin where the file counts rows from
+   * @return the smallest sensor that has all of their pixels
+   * @throws IOException if the file cannot be read
+   */
+  public static SensorGeometry of(EventCursor cursor, Origin origin) throws IOException {
+    Extent extent = extent(cursor);
+    return new SensorGeometry(Math.max(1, extent.right()), Math.max(1, extent.highest()), origin);
+  }
+
+  /**
+   * Where rows count from in a plain table of events: as it says itself, else as the user says,
+   * else from the top.
+   *
+   * @param stated what the file says
+   * @param options what the user says
+   * @param remarks gets what the user should know if nobody says it
+   * @return one of the two
+   */
+  public static Origin origin(Optional<Origin> stated, ReadOptions options, List<String> remarks) {
+    Optional<Origin> known = stated.or(options::origin);
+    if (known.isEmpty()) {
+      remarks.add("rows are taken to count from the top (--rows bottom says otherwise)");
+    }
+    return known.orElse(Origin.TOP);
+  }
+
+  /**
+   * Chooses a sensor by the events of a recording whose rows count from the top.
+   *
+   * @param cursor at the first event, opened for {@link #square} of the same side; closed
+   *     afterwards
+   * @param side of that square
+   * @param sizes to choose from, the smallest first
+   * @return the first that holds the events, or just their extent if none does; empty without
+   *     events
+   * @throws IOException if the file cannot be read
+   */
+  public static Optional<SensorGeometry> smallest(
+      EventCursor cursor, int side, List<SensorGeometry> sizes) throws IOException {
+    Extent extent;
+    try (cursor) {
+      extent = extent(cursor);
+    }
+    if (extent.right() == 0) {
+      return Optional.empty();
+    }
+    int width = extent.right();
+    int height = side - extent.lowest();
+    return Optional.of(
+        sizes.stream()
+            .filter(size -> width <= size.width() && height <= size.height())
+            .findFirst()
+            .orElse(top(width, height)));
+  }
+
+  /**
+   * The largest sensor of a format, to look for events of any smaller one.
+   *
+   * @param side columns and rows, at most what an address holds
+   * @return a sensor whose rows count from the top
+   */
+  public static SensorGeometry square(int side) {
+    return top(side, side);
+  }
+
+  /**
+   * A sensor whose rows count from the top.
+   *
+   * @param width columns
+   * @param height rows
+   * @return the geometry
+   */
+  public static SensorGeometry top(int width, int height) {
+    return new SensorGeometry(width, height, Origin.TOP);
+  }
+
+  /**
+   * What to tell the user of a choice.
+   *
+   * @param guess what {@link #smallest} gave
+   * @return one line
+   */
+  public static String remark(SensorGeometry guess) {
+    return "no size is stated; "
+        + guess
+        + " is the smallest usual one that holds the events (--sensor WxH tells it sooner)";
+  }
+}

@@ -1,0 +1,53 @@
+package haltere.core.format.internal.evt;
+
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.RecordingWriter;
+import haltere.core.format.ViolationCounts;
+import haltere.core.format.WriteOptions;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+
+/** Prophesee RAW in the encoding EVT3, what is written to files that end in {@code .raw}. */
+public final class Evt3Format extends EvtFormat {
+  /** For the service loader. */
+  public Evt3Format() {}
+
+  @Override
+  public String name() {
+    return "evt3";
+  }
+
+  @Override
+  public String description() {
+    return "Prophesee RAW, EVT3";
+  }
+
+  @Override
+  public Set<String> extensions() {
+    return new LinkedHashSet<>(List.of("raw", "evt3"));
+  }
+
+  @Override
+  String encoding() {
+    return "EVT3";
+  }
+
+  @Override
+  EvtReadingCursor.Words words() {
+    return EvtReadingCursor.Words.EVT3;
+  }
+
+  @Override
+  EvtDecoder decoder(SensorGeometry geometry, long firstTurnUs, ViolationCounts violations) {
+    return new Evt3Decoder(geometry, firstTurnUs, violations);
+  }
+
+  @Override
+  public Optional<RecordingWriter> create(Path file, WriteOptions options) throws IOException {
+    return Optional.of(new Evt3Writer(file, options));
+  }
+}

@@ -1,0 +1,160 @@
+package haltere.core.format.internal.evt;
+
+import haltere.core.event.ReadingKind;
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.FileHead;
+import haltere.core.format.ProbeResult;
+import haltere.core.format.ReadOptions;
+import haltere.core.format.RecordingFile;
+import haltere.core.format.RecordingFormat;
+import haltere.core.format.RecordingProblem;
+import haltere.core.format.RecordingReader;
+import haltere.core.format.Support;
+import haltere.core.format.Violation;
+import haltere.core.format.ViolationCounts;
+import haltere.core.format.internal.decoding.EventCursor;
+import haltere.core.format.internal.decoding.FileCursor;
+import haltere.core.format.internal.decoding.SensorGuess;
+import haltere.core.format.internal.reader.DecodingReader;
+import java.io.IOException;
+import java.nio.ByteOrder;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+
+/** What the three encodings of Prophesee's RAW files have in common. */
+abstract sealed class EvtFormat implements RecordingFormat
+    permits Evt2Format, Evt21Format, Evt3Format {
+  /** Key of our own header line: time at which the first turn of the clock begins. */
+  static final String TIME_BASE = "haltere_time_base_us";
+
+  static final long MAX_BASE_US = 1L << 61;
+
+  /** The encoding as the header line {@code format} names it. */
+  abstract String encoding();
+
+  /** A decoder before the first word. */
+  abstract EvtDecoder decoder(
+      SensorGeometry geometry, long firstTurnUs, ViolationCounts violations);
+
+  /** The words of the encoding. */
+  abstract EvtReadingCursor.Words words();
+
+  /** Lets an encoding look for what it needs to know; gives what it decides with. */
+  EvtFormat fitted(RecordingFile file, PropheseeHeader header, List<String> remarks)
+      throws IOException {
+    return this;
+  }
+
+  /** The encoding that a header states. */
+  static Optional<String> stated(PropheseeHeader header) {
+    Optional<String> format = header.value("format");
+    if (format.isPresent()) {
+      String name = format.get().split(";", 2)[0].strip().toUpperCase(Locale.ROOT);
+      return Optional.of(name.replace("EVT2.1", "EVT21").replaceFirst("^(EVT[23])\\.0$", "$1"));
+    }
+    return header
+        .value("evt")
+        .map(version -> "EVT" + version.replace(".0", "").replace(".", "").strip());
+  }
+
+  /** Edges on inputs; the words have no room for other triggers. */
+  @Override
+  public Set<ReadingKind> writableReadings() {
+    return Set.of(ReadingKind.TRIGGER);
+  }
+
+  @Override
+  public ProbeResult probe(FileHead head) {
+    PropheseeHeader header = PropheseeHeader.parse(head.head(), head.head().length >= head.size());
+    Optional<String> stated = stated(header);
+    if (stated.isEmpty()) {
+      return new ProbeResult(Support.NONE, "no line % format or % evt names " + encoding());
+    }
+    boolean own = stated.get().equals(encoding());
+    return new ProbeResult(own ? Support.CERTAIN : Support.NONE, "its header says " + stated.get());
+  }
+
+  @Override
+  public RecordingReader open(Path file, ReadOptions options) throws IOException {
+    return RecordingFile.reading(file, bytes -> openStream(bytes, options));
+  }
+
+  @Override
+  public boolean isStreamed() {
+    return true;
+  }
+
+  @Override
+  public RecordingReader openStream(RecordingFile file, ReadOptions options) throws IOException {
+    PropheseeHeader header = PropheseeHeader.of(file);
+    List<String> remarks = new ArrayList<>();
+    Optional<String> stated = stated(header);
+    if (stated.isEmpty()) {
+      remarks.add("no header line names the encoding; it is read as " + encoding());
+    } else if (!stated.get().equals(encoding())) {
+      throw new RecordingProblem(
+          file.path(),
+          "the header says " + stated.get() + ", not " + encoding() + "; leave out --format");
+    }
+    EvtFormat fitted = fitted(file, header, remarks);
+    long firstTurnUs = firstTurnUs(header, remarks);
+    ViolationCounts found = new ViolationCounts();
+    if (header.cutOff()) {
+      found.add(Violation.CUT_OFF, header.dataOffset());
+    }
+    PropheseeSensor sensor =
+        PropheseeSensor.decide(
+            header,
+            options,
+            EvtDecoder.MAX_SIDE,
+            PropheseeSensor.RAW_SIZES,
+            any -> {
+              file.requireFile(SensorGuess.ADVICE);
+              return fitted.cursor(file, header, any, firstTurnUs, new ViolationCounts());
+            });
+    sensor.remark().ifPresent(remarks::add);
+    return new DecodingReader(
+        name(),
+        file,
+        sensor.geometry(),
+        remarks,
+        options,
+        found,
+        violations -> fitted.cursor(file, header, sensor.geometry(), firstTurnUs, violations),
+        Optional.of(
+            violations ->
+                new EvtReadingCursor(file, header.dataOffset(), fitted.words(), firstTurnUs)));
+  }
+
+  private EventCursor cursor(
+      RecordingFile file,
+      PropheseeHeader header,
+      SensorGeometry geometry,
+      long firstTurnUs,
+      ViolationCounts violations) {
+    return new FileCursor(
+        file,
+        header.dataOffset(),
+        ByteOrder.LITTLE_ENDIAN,
+        decoder(geometry, firstTurnUs, violations),
+        violations);
+  }
+
+  private static long firstTurnUs(PropheseeHeader header, List<String> remarks) {
+    String text = header.value(TIME_BASE).orElse("0");
+    try {
+      long baseUs = Long.parseLong(text);
+      if (Math.abs(baseUs) <= MAX_BASE_US) {
+        return baseUs;
+      }
+    } catch (NumberFormatException noNumber) {
+      // Told below.
+    }
+    remarks.add("the header line " + TIME_BASE + " cannot be true and is passed over");
+    return 0;
+  }
+}

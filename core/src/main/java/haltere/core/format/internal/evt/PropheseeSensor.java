@@ -1,0 +1,116 @@
+package haltere.core.format.internal.evt;
+
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.ReadOptions;
+import haltere.core.format.internal.decoding.EventCursor;
+import haltere.core.format.internal.decoding.SensorGuess;
+import java.io.IOException;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+
+/**
+ * Which size the sensor of a Prophesee file has: the header's word first, then the user's, then
+ * what the header says about the camera, then the smallest sensor that was ever built and holds the
+ * events. Rows count from the top.
+ *
+ * @param geometry the sensor
+ * @param remark how the size was found if the file does not state it; empty if it does
+ */
+public record PropheseeSensor(SensorGeometry geometry, Optional<String> remark) {
+  private static final SensorGeometry GEN3 = SensorGuess.top(640, 480);
+  private static final SensorGeometry GEN4 = SensorGuess.top(1280, 720);
+
+  /** Sizes of the sensors of RAW files. */
+  static final List<SensorGeometry> RAW_SIZES =
+      List.of(SensorGuess.top(320, 320), SensorGuess.top(480, 360), GEN3, GEN4);
+
+  /** Opens a cursor over the events that leaves out none of them. */
+  @FunctionalInterface
+  public interface AnySize {
+    /**
+     * Opens it.
+     *
+     * @param geometry the largest sensor that the format can address
+     * @return a cursor at the first event
+     * @throws IOException if the file cannot be read
+     */
+    EventCursor open(SensorGeometry geometry) throws IOException;
+  }
+
+  /**
+   * Decides.
+   *
+   * @param header of the file
+   * @param options what the user says
+   * @param maxSide most columns and rows that the format can address
+   * @param sizes sensors that there are, from the smallest to the usual one
+   * @param events the events, to look at some of them if nothing else helps
+   * @return the sensor
+   * @throws IOException if the file cannot be read
+   */
+  public static PropheseeSensor decide(
+      PropheseeHeader header,
+      ReadOptions options,
+      int maxSide,
+      List<SensorGeometry> sizes,
+      AnySize events)
+      throws IOException {
+    Optional<PropheseeHeader.Size> stated = header.size();
+    String lie = "";
+    if (stated.isPresent()) {
+      PropheseeHeader.Size size = stated.get();
+      if (size.width() >= 1
+          && size.height() >= 1
+          && size.width() <= maxSide
+          && size.height() <= maxSide) {
+        return new PropheseeSensor(SensorGuess.top(size.width(), size.height()), Optional.empty());
+      }
+      lie = "the header's size " + size.width() + "x" + size.height() + " cannot be true; ";
+    }
+    if (options.sensor().isPresent()) {
+      SensorGeometry asked = options.sensor().get();
+      return new PropheseeSensor(
+          SensorGuess.top(asked.width(), asked.height()),
+          lie.isEmpty() ? Optional.empty() : Optional.of(lie + asked + " is used as asked for"));
+    }
+    Optional<SensorGeometry> named = named(header);
+    if (named.isPresent()) {
+      return new PropheseeSensor(
+          named.get(),
+          Optional.of(lie + "no size is stated; the camera is one of " + named.get() + " pixels"));
+    }
+    return lookAt(events, maxSide, sizes, lie);
+  }
+
+  /** By what RAW headers say of the camera. */
+  private static Optional<SensorGeometry> named(PropheseeHeader header) {
+    String plugin = header.value("plugin_name").orElse("").toLowerCase(Locale.ROOT);
+    String generation = header.value("sensor_generation").orElse("");
+    if (plugin.contains("genx320") || header.value("sensor_name").orElse("").contains("320")) {
+      return Optional.of(RAW_SIZES.get(0));
+    }
+    if (plugin.contains("gen31") || generation.equals("3.1")) {
+      return Optional.of(GEN3);
+    }
+    if (plugin.contains("gen4") || plugin.contains("imx636") || generation.startsWith("4.")) {
+      return Optional.of(GEN4);
+    }
+    return Optional.empty();
+  }
+
+  private static PropheseeSensor lookAt(
+      AnySize events, int maxSide, List<SensorGeometry> sizes, String lie) throws IOException {
+    Optional<SensorGeometry> guess =
+        SensorGuess.smallest(events.open(SensorGuess.square(maxSide)), maxSide, sizes);
+    SensorGeometry usual = sizes.get(sizes.size() - 1);
+    return guess
+        .map(size -> new PropheseeSensor(size, Optional.of(lie + SensorGuess.remark(size))))
+        .orElseGet(
+            () ->
+                new PropheseeSensor(
+                    usual,
+                    Optional.of(
+                        lie + "no size is stated and no event is there; " + usual + " taken")));
+  }
+}

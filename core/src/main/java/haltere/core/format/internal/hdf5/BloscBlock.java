@@ -1,0 +1,110 @@
+package haltere.core.format.internal.hdf5;
+
+import haltere.core.format.internal.packed.DamagedPacketException;
+import haltere.core.format.internal.packed.LittleEndian;
+import haltere.core.format.internal.packed.Lz4Block;
+
+/**
+ * Unpacks what the Blosc filter (version 1) packed: blocks whose bytes are sorted by their place in
+ * the element and then packed in one of several ways.
+ *
+ * <p>Thread rule: one thread.
+ */
+final class BloscBlock {
+  private static final int HEADER = 16;
+  private static final int MAX_SPLITS = 16;
+  private static final int SMALLEST_SPLIT = 128;
+
+  private final ChunkUnpacker unpacker;
+  private byte[] sorted = {};
+
+  /** For an unpacker, of which it takes zlib and Zstandard. */
+  BloscBlock(ChunkUnpacker unpacker) {
+    this.unpacker = unpacker;
+  }
+
+  /** Unpacks a chunk from the start of an array to the start of another; returns its length. */
+  int unpack(byte[] in, int length, byte[] out, int most) throws DamagedPacketException {
+    check(length >= HEADER);
+    int flags = in[2] & 0xff;
+    int size = in[3] & 0xff;
+    int bytes = LittleEndian.getInt(in, 4);
+    int blockBytes = LittleEndian.getInt(in, 8);
+    check(bytes >= 0 && bytes <= most && (blockBytes > 0 || bytes == 0));
+    if ((flags & 2) != 0) {
+      check(bytes <= length - HEADER);
+      System.arraycopy(in, HEADER, out, 0, bytes);
+      return bytes;
+    }
+    int blocks = bytes == 0 ? 0 : (bytes - 1) / blockBytes + 1;
+    check(blocks <= (length - HEADER) / 4);
+    boolean byBytes = (flags & 1) != 0 && size > 1;
+    boolean byBits = (flags & 4) != 0 && blockBytes >= size;
+    int room = Math.min(bytes, blockBytes);
+    if ((byBytes || byBits) && sorted.length < room + Lz4Block.SLACK) {
+      sorted = new byte[room + Lz4Block.SLACK];
+    }
+    for (int block = 0; block < blocks; block++) {
+      int from = LittleEndian.getInt(in, HEADER + 4 * block);
+      int outFrom = block * blockBytes;
+      int count = Math.min(blockBytes, bytes - outFrom);
+      boolean leftOver = count < blockBytes;
+      boolean split =
+          (flags & 0x10) == 0
+              && size <= MAX_SPLITS
+              && size > 0
+              && blockBytes / size >= SMALLEST_SPLIT
+              && !leftOver;
+      check(from >= HEADER && from <= length);
+      if (byBytes || byBits) {
+        block(in, from, length, sorted, 0, count, flags >> 5, split ? size : 1);
+        if (byBytes) {
+          ByteShuffle.undo(sorted, 0, out, outFrom, count, size);
+        } else {
+          ByteShuffle.undoBits(sorted, 0, out, outFrom, count, size);
+        }
+      } else {
+        block(in, from, length, out, outFrom, count, flags >> 5, split ? size : 1);
+      }
+    }
+    return bytes;
+  }
+
+  private void block(
+      byte[] in, int from, int to, byte[] out, int outFrom, int count, int method, int splits)
+      throws DamagedPacketException {
+    int part = count / splits;
+    int at = from;
+    for (int i = 0; i < splits; i++) {
+      check(to - at >= 4);
+      int packed = LittleEndian.getInt(in, at);
+      at += 4;
+      check(packed >= 0 && packed <= to - at);
+      int start = outFrom + i * part;
+      if (packed == part) {
+        System.arraycopy(in, at, out, start, part);
+      } else {
+        check(unpack(method, in, at, at + packed, out, start, start + part) == start + part);
+      }
+      at += packed;
+    }
+    check(part * splits == count);
+  }
+
+  private int unpack(int method, byte[] in, int from, int to, byte[] out, int outFrom, int outTo)
+      throws DamagedPacketException {
+    return switch (method) {
+      case 0 -> LzfBlock.unpackBlosc(in, from, to, out, outFrom, outTo);
+      case 1 -> Lz4Block.unpack(in, from, to, out, outFrom, outTo, outFrom);
+      case 3 -> unpacker.inflate(in, from, to, out, outFrom, outTo);
+      case 4 -> unpacker.zstd(in, from, to, out, outFrom, outTo);
+      default -> throw new DamagedPacketException("Blosc with a method that is not read");
+    };
+  }
+
+  private static void check(boolean possible) throws DamagedPacketException {
+    if (!possible) {
+      throw new DamagedPacketException("a chunk that contradicts its packing");
+    }
+  }
+}

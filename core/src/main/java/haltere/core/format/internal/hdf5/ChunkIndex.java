@@ -1,0 +1,89 @@
+package haltere.core.format.internal.hdf5;
+
+import java.io.IOException;
+
+/**
+ * Says where the chunks of a dataset lie. Only what is needed for the next chunks is in memory.
+ *
+ * <p>Thread rule: one thread.
+ */
+abstract class ChunkIndex {
+  /** Where the chunk that was found starts in the file. */
+  protected long offset;
+
+  /** Bytes that it takes there. */
+  protected long bytes;
+
+  /** A bit for each filter that was not applied to it. */
+  protected long skippedFilters;
+
+  static ChunkIndex of(ContainerFile file, Dataset dataset) {
+    return switch (dataset.kind()) {
+      case TREE_OF_CHUNKS -> new ChunkTree(file, dataset);
+      case ARRAY_OF_CHUNKS -> new ChunkArray(file, dataset);
+      case GROWING_ARRAY_OF_CHUNKS -> new GrowingChunkArray(file, dataset);
+      default -> new PlainChunks(file, dataset);
+    };
+  }
+
+  /**
+   * Finds a chunk.
+   *
+   * @param chunk number of it, from 0
+   * @return false if there is none
+   * @throws IOException if the index is damaged or the file cannot be read
+   */
+  abstract boolean find(long chunk) throws IOException;
+
+  long offset() {
+    return offset;
+  }
+
+  long bytes() {
+    return bytes;
+  }
+
+  long skippedFilters() {
+    return skippedFilters;
+  }
+
+  /** Takes an element of an array of chunks; false if it says that there is no chunk. */
+  boolean element(ContainerFile file, Dataset dataset, Metadata at, int size) throws IOException {
+    long place = at.place();
+    bytes = dataset.chunkBytes();
+    skippedFilters = 0;
+    int packedSize = size - file.offsetBytes() - 4;
+    if (packedSize > 0) {
+      bytes = at.number(Math.min(8, packedSize));
+      skippedFilters = at.u4();
+    }
+    offset = file.offsetOf(place);
+    return place != ContainerFile.NOWHERE;
+  }
+
+  /** A single chunk, or chunks that follow each other. */
+  private static final class PlainChunks extends ChunkIndex {
+    private final ContainerFile file;
+    private final Dataset dataset;
+
+    PlainChunks(ContainerFile file, Dataset dataset) {
+      this.file = file;
+      this.dataset = dataset;
+    }
+
+    @Override
+    boolean find(long chunk) {
+      boolean single = dataset.kind() == Dataset.Kind.SINGLE_CHUNK;
+      if (dataset.place() == ContainerFile.NOWHERE
+          || single && chunk > 0
+          || chunk > file.bytes().size() / Math.max(1, dataset.chunkBytes())) {
+        return false;
+      }
+      boolean sized = single && dataset.index().size() > 0;
+      bytes = sized ? dataset.index().size() : dataset.chunkBytes();
+      skippedFilters = dataset.index().skipped();
+      offset = file.offsetOf(dataset.place()) + chunk * dataset.chunkBytes();
+      return true;
+    }
+  }
+}

@@ -1,0 +1,98 @@
+package haltere.core.format.internal.hdf5;
+
+import java.io.IOException;
+
+/** The index of most files: a tree whose leaves list chunks by their first row. */
+final class ChunkTree extends ChunkIndex {
+  private static final int MAX_DEPTH = 32;
+
+  private final ContainerFile file;
+  private final Dataset dataset;
+  private final int otherDimensions;
+
+  /** What the leaf lists that was read last: rows, places, sizes, filters, in order. */
+  private long[] leaf = {};
+
+  private int leafChunks;
+
+  ChunkTree(ContainerFile file, Dataset dataset) {
+    this.file = file;
+    this.dataset = dataset;
+    otherDimensions = dataset.dimensions().length;
+  }
+
+  @Override
+  boolean find(long chunk) throws IOException {
+    long row = chunk * dataset.chunkRows();
+    if (inLeaf(row)) {
+      return true;
+    }
+    long place = dataset.place();
+    int above = MAX_DEPTH;
+    while (place != ContainerFile.NOWHERE) {
+      Metadata head = file.at(place, 8 + 2L * file.offsetBytes());
+      head.expect("TREE");
+      int kind = head.u1();
+      int level = head.u1();
+      int used = head.u2();
+      if (kind != 1 || level >= above) {
+        throw head.problem("an index of chunks that does not end");
+      }
+      above = level;
+      int keyBytes = 8 + 8 * (otherDimensions + 1);
+      Metadata entries =
+          file.at(
+              place + 8 + 2L * file.offsetBytes(), (long) used * (keyBytes + file.offsetBytes()));
+      if (level == 0) {
+        readLeaf(entries, used);
+        return inLeaf(row);
+      }
+      place = child(entries, used, row);
+    }
+    return false;
+  }
+
+  /** The last child that starts at or before a row. */
+  private long child(Metadata entries, int used, long row) throws IOException {
+    long found = ContainerFile.NOWHERE;
+    for (int i = 0; i < used; i++) {
+      entries.skip(8);
+      long first = entries.number(8);
+      entries.skip(8L * otherDimensions);
+      long place = entries.place();
+      if (first > row) {
+        break;
+      }
+      found = place;
+    }
+    return found;
+  }
+
+  private void readLeaf(Metadata entries, int used) throws IOException {
+    leafChunks = 0;
+    leaf = leaf.length < 4 * used ? new long[4 * used] : leaf;
+    for (int i = 0; i < used; i++) {
+      long size = entries.u4();
+      long skipped = entries.u4();
+      long row = entries.number(8);
+      entries.skip(8L * otherDimensions);
+      leaf[4 * i] = row;
+      leaf[4 * i + 1] = entries.place();
+      leaf[4 * i + 2] = size;
+      leaf[4 * i + 3] = skipped;
+    }
+    leafChunks = used;
+  }
+
+  private boolean inLeaf(long row) {
+    for (int i = 0; i < leafChunks; i++) {
+      if (leaf[4 * i] == row && leaf[4 * i + 1] != ContainerFile.NOWHERE) {
+        offset = file.offsetOf(leaf[4 * i + 1]);
+        bytes = leaf[4 * i + 2];
+        skippedFilters = leaf[4 * i + 3];
+        return true;
+      }
+    }
+    return false;
+  }
+}

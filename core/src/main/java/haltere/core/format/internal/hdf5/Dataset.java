@@ -1,0 +1,268 @@
+package haltere.core.format.internal.hdf5;
+
+import haltere.core.format.RecordingProblem;
+import java.io.IOException;
+import java.util.Collection;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * A dataset that is a list of elements, or a table whose rows are read as elements: where its bytes
+ * lie and what they are.
+ *
+ * @param name its path in the file
+ * @param type of an element
+ * @param dimensions lengths as claimed; none for a single value
+ * @param kind how the bytes lie
+ * @param place of the bytes, or of the index of the chunks
+ * @param bytes in one run that were claimed
+ * @param inHeader bytes that lie in the header itself
+ * @param rowBytes size of a row of a chunk; that of an element, but for tables
+ * @param chunkRows rows in a chunk
+ * @param index parameters of the index of the chunks
+ * @param filters steps of the packing of chunks
+ */
+record Dataset(
+    String name,
+    ElementType type,
+    long[] dimensions,
+    Kind kind,
+    long place,
+    long bytes,
+    byte[] inHeader,
+    int rowBytes,
+    long chunkRows,
+    Index index,
+    List<FilterStep> filters) {
+  private static final long MAX_CHUNK_BYTES = 0xffffffffL;
+  private static final int MAX_TABLE_COLUMNS = 16;
+  private static final byte[] NONE = {};
+
+  /** Unpacked chunks, and what is needed to unpack the largest, must fit this. */
+  private static final long MEMORY_BYTES = 28L << 20;
+
+  private static final int UNPACKING = 3;
+
+  /** How the bytes of a dataset lie in the file. */
+  enum Kind {
+    /** In its header. */
+    IN_HEADER,
+    /** In one run. */
+    RUN,
+    /** In one chunk. */
+    SINGLE_CHUNK,
+    /** In chunks that follow each other. */
+    IMPLICIT_CHUNKS,
+    /** In chunks that are listed in an array. */
+    ARRAY_OF_CHUNKS,
+    /** In chunks that are listed in an array that can grow. */
+    GROWING_ARRAY_OF_CHUNKS,
+    /** In chunks that are listed in a tree. */
+    TREE_OF_CHUNKS
+  }
+
+  /**
+   * Of a single chunk, its packed size and the filters that it skips; else numbers of the index.
+   *
+   * @param size packed bytes of a single chunk
+   * @param skipped filters that a single chunk skips
+   */
+  record Index(long size, long skipped) {}
+
+  /** Reads what a header says about a dataset. */
+  static Dataset read(ContainerFile file, String name, ObjectHeader header) throws IOException {
+    Metadata typeBody = header.one(ObjectHeader.DATATYPE).orElseThrow(() -> lacks(file, name));
+    ElementType type = ElementType.read(typeBody);
+    long[] dimensions =
+        Dataspace.read(header.one(ObjectHeader.DATASPACE).orElseThrow(() -> lacks(file, name)));
+    Metadata layout = header.one(ObjectHeader.LAYOUT).orElseThrow(() -> lacks(file, name));
+    if (header.has(ObjectHeader.EXTERNAL_FILES)) {
+      throw layout.unknown("a dataset that lies in other files (" + name + ")");
+    }
+    List<FilterStep> filters =
+        header.has(ObjectHeader.FILTERS)
+            ? FilterStep.read(header.one(ObjectHeader.FILTERS).orElseThrow())
+            : List.of();
+    int version = layout.u1();
+    if (version < 3 || version > 5) {
+      throw layout.unknown("version " + version + " of the layout of " + name);
+    }
+    int kind = layout.u1();
+    Dataset dataset =
+        new Dataset(name, type, dimensions, null, 0, 0, NONE, 0, 0, new Index(0, 0), filters);
+    return switch (kind) {
+      case 0 -> dataset.inHeader(layout);
+      case 1 -> {
+        long place = layout.place();
+        yield dataset.with(Kind.RUN, place, layout.length(), NONE, dataset.elementsBytes(), 0);
+      }
+      case 2 -> version == 3 ? dataset.tree(layout) : dataset.chunks(layout, file);
+      default -> throw layout.unknown("a dataset that is put together from others (" + name + ")");
+    };
+  }
+
+  private static RecordingProblem lacks(ContainerFile file, String name) {
+    return new RecordingProblem(
+        file.bytes().path(), "damaged: " + name + " lacks what every dataset has");
+  }
+
+  private Dataset with(
+      Kind newKind, long newPlace, long newBytes, byte[] content, int row, long rowsInChunk) {
+    return new Dataset(
+        name,
+        type,
+        dimensions,
+        newKind,
+        newPlace,
+        newBytes,
+        content,
+        row,
+        rowsInChunk,
+        index,
+        filters);
+  }
+
+  /** Bytes of a row, whether it is one element or a few. */
+  private int elementsBytes() {
+    return dimensions.length == 2 && dimensions[1] > 0 && dimensions[1] <= MAX_TABLE_COLUMNS
+        ? (int) dimensions[1] * type.bytes()
+        : type.bytes();
+  }
+
+  private Dataset inHeader(Metadata layout) throws IOException {
+    byte[] content = layout.bytes(layout.u2());
+    return with(
+        Kind.IN_HEADER,
+        layout.offset() - content.length,
+        content.length,
+        content,
+        elementsBytes(),
+        0);
+  }
+
+  private Dataset tree(Metadata layout) throws IOException {
+    int rank = layout.u1();
+    long place = layout.place();
+    long[] lengths = new long[Math.max(1, rank)];
+    for (int i = 0; i < rank; i++) {
+      lengths[i] = layout.u4();
+    }
+    return chunked(layout, Kind.TREE_OF_CHUNKS, place, lengths, rank);
+  }
+
+  private Dataset chunked(Metadata layout, Kind newKind, long newPlace, long[] lengths, int rank)
+      throws IOException {
+    if (rank != dimensions.length + 1 || rank < 2) {
+      throw layout.problem("chunks of " + (rank - 1) + " dimensions in " + name);
+    }
+    long row = type.bytes();
+    if (rank == 3 && lengths[1] >= dimensions[1] && lengths[1] <= MAX_TABLE_COLUMNS) {
+      row = lengths[1] * type.bytes();
+    } else if (rank != 2) {
+      throw layout.unknown("a table whose chunks do not hold whole rows (" + name + ")");
+    }
+    if (lengths[0] < 1 || lengths[0] > MAX_CHUNK_BYTES / Math.max(1, row)) {
+      throw layout.problem("chunks of " + lengths[0] + " rows in " + name);
+    }
+    return with(newKind, newPlace, 0, NONE, (int) row, lengths[0]);
+  }
+
+  private Dataset chunks(Metadata layout, ContainerFile file) throws IOException {
+    int flags = layout.u1();
+    int rank = layout.u1();
+    int size = layout.u1();
+    if (size < 1 || size > 8) {
+      throw layout.problem("lengths of " + size + " bytes");
+    }
+    long[] lengths = new long[Math.max(1, rank)];
+    for (int i = 0; i < rank; i++) {
+      lengths[i] = layout.number(size);
+    }
+    int indexKind = layout.u1();
+    Index newIndex = index;
+    Kind newKind;
+    switch (indexKind) {
+      case 1 -> {
+        newKind = Kind.SINGLE_CHUNK;
+        if ((flags & 2) != 0) {
+          long packed = layout.length();
+          newIndex = new Index(packed, layout.u4());
+        }
+      }
+      case 2 -> newKind = Kind.IMPLICIT_CHUNKS;
+      case 3 -> {
+        newKind = Kind.ARRAY_OF_CHUNKS;
+        layout.skip(1);
+      }
+      case 4 -> {
+        newKind = Kind.GROWING_ARRAY_OF_CHUNKS;
+        layout.skip(5);
+      }
+      default -> throw layout.unknown("a table that can grow both ways (" + name + ")");
+    }
+    Dataset found = chunked(layout, newKind, layout.place(), lengths, rank);
+    return new Dataset(
+        name,
+        type,
+        dimensions,
+        newKind,
+        found.place,
+        0,
+        NONE,
+        found.rowBytes,
+        found.chunkRows,
+        newIndex,
+        filters);
+  }
+
+  /** Rows that are claimed. */
+  long rows() {
+    return dimensions.length == 0 ? 1 : dimensions[0];
+  }
+
+  /** Whether it is a list of elements. */
+  boolean isList() {
+    return dimensions.length == 1;
+  }
+
+  /** Columns of a table; 0 if it is none. */
+  int columns() {
+    return dimensions.length == 2 && dimensions[1] <= MAX_TABLE_COLUMNS ? (int) dimensions[1] : 0;
+  }
+
+  boolean isChunked() {
+    return kind != Kind.RUN && kind != Kind.IN_HEADER;
+  }
+
+  /** Bytes of an unpacked chunk. */
+  long chunkBytes() {
+    return chunkRows * rowBytes;
+  }
+
+  /** Refuses what cannot be read, or not within bounded memory. */
+  static void check(ContainerFile container, Collection<Dataset> datasets) throws RecordingProblem {
+    long unpacked = 0;
+    long largest = 0;
+    for (Dataset dataset : datasets) {
+      for (FilterStep step : dataset.filters) {
+        Optional<String> obstacle = step.obstacle();
+        if (obstacle.isPresent()) {
+          throw new RecordingProblem(
+              container.bytes().path(), dataset.name() + " is packed with " + obstacle.get());
+        }
+      }
+      if (dataset.isChunked() && !dataset.filters.isEmpty()) {
+        unpacked += dataset.chunkBytes();
+        largest = Math.max(largest, dataset.chunkBytes());
+      }
+    }
+    if (unpacked + UNPACKING * largest > MEMORY_BYTES) {
+      throw new RecordingProblem(
+          container.bytes().path(),
+          "its data are packed in chunks of up to "
+              + (largest >> 10)
+              + " KiB, more than a reader with bounded memory takes; rewrite it with smaller ones,"
+              + " such as h5repack -l CHUNK=65536");
+    }
+  }
+}

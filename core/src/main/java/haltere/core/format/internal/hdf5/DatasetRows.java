@@ -1,0 +1,159 @@
+package haltere.core.format.internal.hdf5;
+
+import haltere.core.format.RecordingFile;
+import haltere.core.format.internal.packed.DamagedPacketException;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+
+/**
+ * The rows of a dataset, a stretch of them in memory at a time: a chunk where chunks are packed,
+ * else a piece of the file.
+ *
+ * <p>Thread rule: one thread.
+ */
+final class DatasetRows {
+  private static final int PIECE_BYTES = 256 * 1024;
+
+  private final Dataset dataset;
+  private final RecordingFile file;
+  private final ContainerFile container;
+  private final ChunkUnpacker unpacker;
+  private final ChunkIndex index;
+  private final int rowBytes;
+  private byte[] data = {};
+  private byte[] packed = {};
+  private long start;
+  private long end;
+
+  /** Where the chunk is that was found last, so that pieces of it need no second search. */
+  private long chunk = -1;
+
+  private boolean chunkFound;
+
+  DatasetRows(ContainerFile container, Dataset dataset, ChunkUnpacker unpacker) {
+    this.container = container;
+    this.dataset = dataset;
+    this.unpacker = unpacker;
+    file = container.bytes();
+    index = dataset.isChunked() ? ChunkIndex.of(container, dataset) : null;
+    rowBytes = dataset.rowBytes();
+  }
+
+  /**
+   * Brings a row into memory, and as many behind it as come with it.
+   *
+   * @param row which
+   * @return how many rows are there from that one on; 0 if the file has no more
+   * @throws DamagedPacketException if they are there, but cannot be unpacked
+   * @throws IOException if the file can no longer be read, or the list of chunks is damaged
+   */
+  long load(long row) throws IOException, DamagedPacketException {
+    if (row >= start && row < end) {
+      return end - row;
+    }
+    start = row;
+    end = row;
+    if (row >= dataset.rows()) {
+      return 0;
+    }
+    switch (dataset.kind()) {
+      case IN_HEADER -> {
+        start = 0;
+        data = dataset.inHeader();
+        end = data.length / rowBytes;
+      }
+      case RUN -> {
+        if (dataset.place() != ContainerFile.NOWHERE) {
+          piece(row, container.offsetOf(dataset.place()) + row * rowBytes, Long.MAX_VALUE);
+        }
+      }
+      default -> loadChunk(row);
+    }
+    end = Math.max(start, Math.min(end, dataset.rows()));
+    return Math.max(0, end - row);
+  }
+
+  private void loadChunk(long row) throws IOException, DamagedPacketException {
+    long wanted = row / dataset.chunkRows();
+    if (wanted != chunk) {
+      chunkFound = index.find(wanted);
+      chunk = wanted;
+    }
+    if (!chunkFound || index.offset() >= file.size()) {
+      return;
+    }
+    long first = wanted * dataset.chunkRows();
+    if (dataset.filters().isEmpty()) {
+      long inChunk = row - first;
+      piece(row, index.offset() + inChunk * rowBytes, dataset.chunkRows() - inChunk);
+      return;
+    }
+    int bytes = (int) dataset.chunkBytes();
+    if (index.bytes() > bytes + bytes / 8 + 4096L) {
+      throw new DamagedPacketException("a chunk of " + index.bytes() + " packed bytes");
+    }
+    int length = (int) index.bytes();
+    if (packed.length < length + ChunkUnpacker.SLACK) {
+      packed = new byte[length + length / 4 + ChunkUnpacker.SLACK];
+    }
+    if (data.length < bytes + ChunkUnpacker.SLACK) {
+      data = new byte[bytes + ChunkUnpacker.SLACK];
+    }
+    if (read(packed, length, index.offset()) < length) {
+      return;
+    }
+    unpacker.unpack(dataset.filters(), index.skippedFilters(), packed, length, data, bytes);
+    start = first;
+    end = first + dataset.chunkRows();
+  }
+
+  /** Takes rows as they lie in the file, up to so many. */
+  private void piece(long row, long offset, long mostRows) throws IOException {
+    if (offset < 0 || rowBytes < 1) {
+      return;
+    }
+    int rows = (int) Math.min(mostRows, Math.max(1, PIECE_BYTES / rowBytes));
+    rows = (int) Math.min(rows, dataset.rows() - row);
+    if (data.length < rows * rowBytes) {
+      data = new byte[rows * rowBytes];
+    }
+    end = row + read(data, rows * rowBytes, offset) / rowBytes;
+  }
+
+  private int read(byte[] target, int length, long offset) throws IOException {
+    ByteBuffer buffer = ByteBuffer.wrap(target, 0, length).slice();
+    file.read(buffer, offset);
+    return buffer.limit();
+  }
+
+  /** The rows that are there; another array after each {@link #load}. */
+  byte[] data() {
+    return data;
+  }
+
+  /** Index in {@link #data()} of a row that is there. */
+  int at(long row) {
+    return (int) ((row - start) * rowBytes);
+  }
+
+  /** The row behind the chunk of a row, for going on behind damage. */
+  long behindChunk(long row) {
+    return dataset.isChunked()
+        ? (row / dataset.chunkRows() + 1) * dataset.chunkRows()
+        : dataset.rows();
+  }
+
+  /** Where a row is in the file; where its chunk is, if that is packed. */
+  long offset(long row) {
+    long offset =
+        switch (dataset.kind()) {
+          case IN_HEADER -> dataset.place() + row * rowBytes;
+          case RUN -> container.offsetOf(Math.max(0, dataset.place())) + row * rowBytes;
+          default ->
+              dataset.filters().isEmpty()
+                  ? index.offset() + row % dataset.chunkRows() * rowBytes
+                  : index.offset();
+        };
+    return Math.max(0, Math.min(file.size(), offset));
+  }
+}

@@ -1,0 +1,274 @@
+package haltere.core.format.internal.hdf5;
+
+import haltere.core.event.Origin;
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.RecordingProblem;
+import haltere.core.format.internal.decoding.EventColumn;
+import haltere.core.format.internal.decoding.SensorGuess;
+import haltere.core.format.internal.packed.DamagedPacketException;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalLong;
+
+/**
+ * Looks for the events of a file: datasets that are named as columns of events and lie in one
+ * group, or a dataset whose elements have such names, or a table of four columns.
+ */
+final class EventSearch {
+  private static final int LOOK_ROWS = 4096;
+  private static final int MAX_SIDE = 32768;
+  private static final double SMALLEST_NS = 1e17;
+  private static final double SMALLEST_EXACT = 1e-9;
+
+  private final ContainerFile file;
+  private final FileContents contents;
+  private final List<Dataset> datasets;
+
+  EventSearch(ContainerFile file) throws IOException {
+    this.file = file;
+    contents = FileContents.of(file);
+    datasets = new ArrayList<>(contents.datasets());
+  }
+
+  EventTable table() throws IOException {
+    datasets.sort(Comparator.comparingInt(EventSearch::rank));
+    Map<EventColumn, EventTable.Column> columns = columns();
+    long rows = Long.MAX_VALUE;
+    long most = 0;
+    for (EventTable.Column column : columns.values()) {
+      rows = Math.min(rows, column.dataset().rows());
+      most = Math.max(most, column.dataset().rows());
+    }
+    boolean ours = whole(EventTable.ROWS_UP).isPresent();
+    EventTable found =
+        new EventTable(
+            file,
+            columns,
+            rows,
+            rows != most,
+            0,
+            0,
+            sensor(),
+            ours
+                ? Optional.of(whole(EventTable.ROWS_UP).orElse(0) == 1 ? Origin.BOTTOM : Origin.TOP)
+                : Optional.empty(),
+            otherRows());
+    found.check();
+    int scale = ours ? 0 : timeScale(columns.get(EventColumn.TIME));
+    return new EventTable(
+        file,
+        columns,
+        rows,
+        rows != most,
+        scale,
+        timeOffset(scale),
+        found.sensor(),
+        found.origin(),
+        found.otherRows());
+  }
+
+  /** Well-known places first. */
+  private static int rank(Dataset dataset) {
+    return dataset.name().startsWith("events/") ? 0 : dataset.name().startsWith("CD/") ? 1 : 2;
+  }
+
+  private Map<EventColumn, EventTable.Column> columns() throws IOException {
+    for (Dataset dataset : datasets) {
+      Map<EventColumn, EventTable.Column> columns = EventTable.noColumns();
+      if (dataset.isList() && dataset.type().kind() == 'c') {
+        for (ElementType.Member member : dataset.type().members()) {
+          put(
+              columns,
+              member.name(),
+              new EventTable.Column(dataset, member.offset(), member.type()));
+        }
+      } else if (dataset.isList()) {
+        for (Dataset beside : datasets) {
+          if (folder(beside).equals(folder(dataset)) && beside.isList()) {
+            EventTable.Column column = new EventTable.Column(beside, 0, beside.type());
+            put(columns, column.name(), column);
+          }
+        }
+      } else if (dataset.columns() == 4 && dataset.type().isNumber()) {
+        columns = tableColumns(dataset);
+      }
+      if (columns.containsKey(EventColumn.TIME)
+          && columns.containsKey(EventColumn.X)
+          && columns.containsKey(EventColumn.Y)
+          && !isTriggers(dataset)) {
+        contents.check(name -> isColumnBeside(dataset, name));
+        return columns;
+      }
+    }
+    throw contents.lacks(
+        "are no events: t, x, y and p are wanted, as lists in one group or as fields of one list");
+  }
+
+  private static void put(
+      Map<EventColumn, EventTable.Column> columns, String name, EventTable.Column column) {
+    EventColumn kind = EventColumn.named(name);
+    if (kind != EventColumn.OTHER && column.type().isNumber()) {
+      columns.putIfAbsent(kind, column);
+    }
+  }
+
+  /** Whether a name is that of a column of events in the group of a dataset, or of its offset. */
+  private static boolean isColumnBeside(Dataset dataset, String name) {
+    String column = name.substring(name.lastIndexOf('/') + 1);
+    return name.equals(folder(dataset) + column) && EventColumn.named(column) != EventColumn.OTHER
+        || name.equals(EventTable.TIME_OFFSET);
+  }
+
+  private static String folder(Dataset dataset) {
+    return dataset.name().substring(0, dataset.name().lastIndexOf('/') + 1);
+  }
+
+  private static boolean isTriggers(Dataset dataset) {
+    return dataset.name().startsWith("EXT_TRIGGER/");
+  }
+
+  private long otherRows() {
+    return datasets.stream()
+        .filter(dataset -> dataset.name().equals("EXT_TRIGGER/events"))
+        .mapToLong(dataset -> Math.min(dataset.rows(), file.bytes().size()))
+        .sum();
+  }
+
+  /** Tables hold t, x, y, p, or x, y, t, p: times ascend, or are the larger numbers. */
+  private Map<EventColumn, EventTable.Column> tableColumns(Dataset dataset) throws IOException {
+    EventTable.Column first = new EventTable.Column(dataset, 0, dataset.type());
+    int step = dataset.type().bytes();
+    EventTable.Column third = new EventTable.Column(dataset, 2 * step, dataset.type());
+    Look one = look(first);
+    Look other = look(third);
+    requireWhole(one, "its columns");
+    boolean timesFirst =
+        one.isAscending() == other.isAscending()
+            ? one.largest() > other.largest()
+            : one.isAscending();
+    Map<EventColumn, EventTable.Column> columns = EventTable.noColumns();
+    EventColumn[] order =
+        timesFirst
+            ? new EventColumn[] {
+              EventColumn.TIME, EventColumn.X, EventColumn.Y, EventColumn.POLARITY
+            }
+            : new EventColumn[] {
+              EventColumn.X, EventColumn.Y, EventColumn.TIME, EventColumn.POLARITY
+            };
+    for (int i = 0; i < order.length; i++) {
+      columns.put(order[i], new EventTable.Column(dataset, i * step, dataset.type()));
+    }
+    return columns;
+  }
+
+  /** What the first numbers of a column look like; a cut look has met the end of the file. */
+  private record Look(
+      double largest, boolean hasFractions, boolean isAscending, boolean isCutOff) {}
+
+  private Look look(EventTable.Column column) throws IOException {
+    double largest = 0;
+    double last = Double.NEGATIVE_INFINITY;
+    boolean fractions = false;
+    boolean ascending = true;
+    try (ChunkUnpacker unpacker = new ChunkUnpacker()) {
+      NumberColumn numbers =
+          new NumberColumn(new DatasetRows(file, column.dataset(), unpacker), column);
+      long wanted = Math.min(LOOK_ROWS, column.dataset().rows());
+      for (long row = 0; row < wanted; ) {
+        int count = (int) Math.min(wanted - row, numbers.load(row));
+        if (count <= 0) {
+          return new Look(largest, fractions, ascending, true);
+        }
+        for (int i = 0; i < count; i++) {
+          double value = numbers.real(i);
+          fractions |= Math.abs(value - Math.rint(value)) > SMALLEST_EXACT;
+          largest = Math.max(largest, Math.abs(value));
+          ascending &= value >= last;
+          last = value;
+        }
+        row += count;
+      }
+    } catch (DamagedPacketException damaged) {
+      // What was read up to here is looked at.
+    }
+    return new Look(largest, fractions, ascending, false);
+  }
+
+  private void requireWhole(Look look, String what) throws RecordingProblem {
+    if (look.isCutOff() && file.isCutOff()) {
+      throw new RecordingProblem(
+          file.bytes().path(),
+          file.bytes().size(),
+          "the file ends before " + what + " can be told; copy it again");
+    }
+  }
+
+  /** Said by eventcv, or by the column's name; else as for other files of plain numbers. */
+  private int timeScale(EventTable.Column time) throws IOException {
+    for (Attributes some : contents.attributes()) {
+      OptionalDouble milliseconds = some.real("timestamp_scale_ms");
+      if (milliseconds.isPresent()) {
+        int power = (int) Math.round(Math.log10(milliseconds.getAsDouble())) + 3;
+        if (power == 0 || power == 3 || power == 6 || power == -3) {
+          return power;
+        }
+      }
+    }
+    if (EventColumn.timeScale(time.name()).isPresent()) {
+      return EventColumn.timeScale(time.name()).getAsInt();
+    }
+    Look look = look(time);
+    if (time.type().kind() == 'f' && !look.hasFractions()) {
+      requireWhole(look, "the unit of its times");
+    }
+    return look.hasFractions() ? 6 : look.largest() >= SMALLEST_NS ? -3 : 0;
+  }
+
+  private OptionalLong whole(String name) throws RecordingProblem {
+    for (Attributes some : contents.attributes()) {
+      if (some.whole(name).isPresent()) {
+        return some.whole(name);
+      }
+    }
+    return OptionalLong.empty();
+  }
+
+  private Optional<SensorGeometry> sensor() throws RecordingProblem {
+    long width = whole(EventTable.WIDTH).orElse(0);
+    long height = whole(EventTable.HEIGHT).orElse(0);
+    for (Attributes some : contents.attributes()) {
+      String[] sides = some.text("geometry").split("x", -1);
+      if (sides.length == 2 && sides[0].matches("\\d{1,5}") && sides[1].matches("\\d{1,5}")) {
+        width = Integer.parseInt(sides[0]);
+        height = Integer.parseInt(sides[1]);
+      }
+    }
+    boolean possible = width >= 1 && width <= MAX_SIDE && height >= 1 && height <= MAX_SIDE;
+    return possible ? Optional.of(SensorGuess.top((int) width, (int) height)) : Optional.empty();
+  }
+
+  private long timeOffset(int scale) throws IOException {
+    for (Dataset dataset : datasets) {
+      if (dataset.name().equals(EventTable.TIME_OFFSET)
+          && dataset.rows() == 1
+          && dataset.type().isNumber()
+          && dataset.filters().isEmpty()) {
+        try (ChunkUnpacker unpacker = new ChunkUnpacker()) {
+          EventTable.Column column = new EventTable.Column(dataset, 0, dataset.type());
+          NumberColumn number = new NumberColumn(new DatasetRows(file, dataset, unpacker), column);
+          if (number.load(0) > 0) {
+            return number.value(0, scale);
+          }
+        } catch (DamagedPacketException damaged) {
+          throw new RecordingProblem(file.bytes().path(), "damaged: t_offset cannot be read");
+        }
+      }
+    }
+    return whole(EventTable.TIME_OFFSET).orElse(0);
+  }
+}

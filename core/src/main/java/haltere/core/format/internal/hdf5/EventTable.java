@@ -1,0 +1,80 @@
+package haltere.core.format.internal.hdf5;
+
+import haltere.core.event.Origin;
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.RecordingFile;
+import haltere.core.format.RecordingProblem;
+import haltere.core.format.internal.decoding.EventColumn;
+import java.io.IOException;
+import java.util.EnumMap;
+import java.util.LinkedHashSet;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+
+/**
+ * Where the events of a file are, whoever laid them out.
+ *
+ * @param container the file
+ * @param columns by what they hold; there are times, columns and rows at least
+ * @param rows events that all columns promise
+ * @param lying whether columns promise different numbers
+ * @param timeScale power of ten that makes microseconds of the times
+ * @param timeOffsetUs what is added to the times
+ * @param sensor its size, if the file states it
+ * @param origin where rows count from, if the file says it
+ * @param otherRows rows of triggers, that are not read
+ */
+record EventTable(
+    ContainerFile container,
+    Map<EventColumn, Column> columns,
+    long rows,
+    boolean lying,
+    int timeScale,
+    long timeOffsetUs,
+    Optional<SensorGeometry> sensor,
+    Optional<Origin> origin,
+    long otherRows) {
+  /** Names of attributes of our own files, and of others. */
+  static final String WIDTH = "width";
+
+  static final String HEIGHT = "height";
+  static final String ROWS_UP = "rows_up";
+  static final String TIME_OFFSET = "t_offset";
+
+  /**
+   * A column.
+   *
+   * @param dataset in whose rows it is
+   * @param offset of it in a row
+   * @param type of its numbers
+   */
+  record Column(Dataset dataset, int offset, ElementType type) {
+    String name() {
+      String path = dataset.name();
+      return path.substring(path.lastIndexOf('/') + 1);
+    }
+  }
+
+  /** Finds the events of a file. */
+  static EventTable of(RecordingFile bytes) throws IOException {
+    ContainerFile container = ContainerFile.open(bytes);
+    return new EventSearch(container).table();
+  }
+
+  /** Datasets of the columns, each once. */
+  Set<Dataset> datasets() {
+    Set<Dataset> datasets = new LinkedHashSet<>();
+    columns.values().forEach(column -> datasets.add(column.dataset()));
+    return datasets;
+  }
+
+  /** Refuses what cannot be read, or not within bounded memory. */
+  void check() throws RecordingProblem {
+    Dataset.check(container, datasets());
+  }
+
+  static Map<EventColumn, Column> noColumns() {
+    return new EnumMap<>(EventColumn.class);
+  }
+}

@@ -1,0 +1,101 @@
+package haltere.core.format.internal.hdf5;
+
+import haltere.core.format.RecordingProblem;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Predicate;
+
+/** The datasets of a file, in all groups down to a depth, and the attributes of known groups. */
+final class FileContents {
+  private static final int MAX_DATASETS = 512;
+  private static final int MAX_DEPTH = 4;
+
+  private final ContainerFile file;
+  private final List<Dataset> datasets = new ArrayList<>();
+  private final List<Attributes> attributes = new ArrayList<>();
+  private final Set<Long> seen = new HashSet<>();
+  private final Map<String, RecordingProblem> problems = new LinkedHashMap<>();
+  private boolean hidden;
+
+  private FileContents(ContainerFile file) {
+    this.file = file;
+  }
+
+  static FileContents of(ContainerFile file) throws IOException {
+    FileContents contents = new FileContents(file);
+    contents.collect("", file.root(), MAX_DEPTH);
+    return contents;
+  }
+
+  private void collect(String path, long place, int depth) throws IOException {
+    if (!seen.add(place) || seen.size() > MAX_DATASETS) {
+      return;
+    }
+    ObjectHeader header = ObjectHeader.read(file, place);
+    if (!Group.isGroup(header)) {
+      if (header.has(ObjectHeader.LAYOUT)) {
+        datasets.add(Dataset.read(file, path, header));
+      }
+      return;
+    }
+    if (path.isEmpty() || path.equals("events")) {
+      attributes.add(Attributes.of(file, header));
+    }
+    Group group = Group.of(file, header);
+    hidden |= group.hasHidden();
+    if (depth > 0) {
+      for (Map.Entry<String, Long> member : group.members().entrySet()) {
+        String name = path.isEmpty() ? member.getKey() : path + "/" + member.getKey();
+        try {
+          collect(name, member.getValue(), depth - 1);
+        } catch (RecordingProblem problem) {
+          // What is not known may be something else than what is looked for.
+          problems.put(name, problem);
+        }
+      }
+    }
+  }
+
+  List<Dataset> datasets() {
+    return datasets;
+  }
+
+  /** Attributes of the root group and of the group of events. */
+  List<Attributes> attributes() {
+    return attributes;
+  }
+
+  /**
+   * Refuses a file that lists a dataset whose structure cannot be read, so that a damaged column is
+   * not taken for one that the file never had.
+   *
+   * @param isNeeded whether the dataset of a name, with its groups, matters
+   */
+  void check(Predicate<String> isNeeded) throws RecordingProblem {
+    for (Map.Entry<String, RecordingProblem> problem : problems.entrySet()) {
+      if (isNeeded.test(problem.getKey())) {
+        throw problem.getValue();
+      }
+    }
+  }
+
+  /** Why something was not found: what could not be read, or else what the datasets are not. */
+  RecordingProblem lacks(String words) {
+    return problems.isEmpty()
+        ? new RecordingProblem(
+            file.bytes().path(),
+            "its datasets "
+                + datasets.stream().map(Dataset::name).limit(20).toList()
+                + (hidden
+                    ? " (and some in a list that is not read here; h5repack rewrites it)"
+                    : "")
+                + " "
+                + words)
+        : problems.values().iterator().next();
+  }
+}

@@ -1,0 +1,97 @@
+package haltere.core.format.internal.hdf5;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * A step of the packing of chunks, by its registered number.
+ *
+ * @param number of the filter
+ * @param name that the file gives it, may be empty
+ * @param values that it was set up with
+ */
+record FilterStep(int number, String name, int[] values) {
+  static final int DEFLATE = 1;
+  static final int SHUFFLE = 2;
+  static final int FLETCHER32 = 3;
+  static final int LZF = 32000;
+  static final int BLOSC = 32001;
+  static final int LZ4 = 32004;
+  static final int ZSTD = 32015;
+
+  private static final int BLOSC_METHOD = 6;
+  private static final int BLOSC_SNAPPY = 3;
+  private static final int MAX_STEPS = 32;
+
+  static List<FilterStep> read(Metadata body) throws haltere.core.format.RecordingProblem {
+    int version = body.u1();
+    int count = body.u1();
+    if (version < 1 || version > 2 || count > MAX_STEPS) {
+      throw body.problem("a packing of " + count + " steps");
+    }
+    if (version == 1) {
+      body.skip(6);
+    }
+    List<FilterStep> steps = new ArrayList<>();
+    for (int i = 0; i < count; i++) {
+      int number = body.u2();
+      int nameSize = version == 1 || number >= 256 ? body.u2() : 0;
+      body.skip(2);
+      int values = body.u2();
+      String name = body.part(version == 1 ? (nameSize + 7) / 8 * 8 : nameSize).text(nameSize);
+      Metadata numbers = body.part(4L * values);
+      int[] read = new int[values];
+      for (int k = 0; k < values; k++) {
+        read[k] = (int) numbers.u4();
+      }
+      if (version == 1 && values % 2 == 1) {
+        body.skip(4);
+      }
+      steps.add(new FilterStep(number, name, read));
+    }
+    return steps;
+  }
+
+  int value(int index, int otherwise) {
+    return index < values.length ? values[index] : otherwise;
+  }
+
+  /** What to tell a user about a filter that is not read; empty for those that are. */
+  Optional<String> obstacle() {
+    if (number == BLOSC && value(BLOSC_METHOD, 0) == BLOSC_SNAPPY) {
+      return Optional.of(
+          "Snappy within Blosc, filter 32001, which is not read here; take it away with h5repack -f"
+              + " GZIP=1 (HDF5 tools) where it is installed");
+    }
+    return switch (number) {
+      case DEFLATE, SHUFFLE, FLETCHER32, LZF, BLOSC, LZ4, ZSTD -> Optional.empty();
+      case 0x8ecf ->
+          Optional.of(
+              "Prophesee's ECF, filter 36559, for which there is only a native plugin; convert the"
+                  + " recording to RAW or DAT with Metavision, or take the packing away with"
+                  + " h5repack -f NONE where the plugin is installed");
+      default ->
+          Optional.of(
+              known(number)
+                  + ", filter "
+                  + number
+                  + (name.isEmpty() ? "" : " (" + name + ")")
+                  + ", which is not read here; take it away with h5repack -f GZIP=1 (HDF5 tools)"
+                  + " where it is installed");
+    };
+  }
+
+  private static String known(int number) {
+    return switch (number) {
+      case 4 -> "SZIP";
+      case 5 -> "N-bit";
+      case 6 -> "scale and offset";
+      case 307 -> "bzip2";
+      case 32008 -> "bitshuffle";
+      case 32013 -> "ZFP";
+      case 32026 -> "Blosc2";
+      default -> "an unknown method";
+    };
+  }
+}

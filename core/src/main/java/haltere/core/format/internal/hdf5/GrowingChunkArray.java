@@ -1,0 +1,118 @@
+package haltere.core.format.internal.hdf5;
+
+import java.io.IOException;
+
+/**
+ * The index of datasets that can grow, in files of the newer kind: an array whose blocks double
+ * their size, the first of which are listed in an index block and the others in blocks of their
+ * own.
+ */
+final class GrowingChunkArray extends ChunkIndex {
+  private static final int CHECKSUM = 4;
+
+  private final ContainerFile file;
+  private final Dataset dataset;
+  private boolean opened;
+  private int elementBytes;
+  private int offsetBytes;
+  private int firstElements;
+  private int smallestBlock;
+  private int fewestBlocks;
+  private int pageBits;
+  private long indexBlock;
+
+  GrowingChunkArray(ContainerFile file, Dataset dataset) {
+    this.file = file;
+    this.dataset = dataset;
+  }
+
+  private void open() throws IOException {
+    Metadata head = file.at(dataset.place(), 12 + 6L * file.lengthBytes() + file.offsetBytes());
+    head.expect("EAHD");
+    head.skip(2);
+    elementBytes = head.u1();
+    int bits = head.u1();
+    firstElements = head.u1();
+    smallestBlock = head.u1();
+    fewestBlocks = head.u1();
+    pageBits = head.u1();
+    head.skip(6L * file.lengthBytes());
+    indexBlock = head.place();
+    offsetBytes = (bits + 7) / 8;
+    if (elementBytes < file.offsetBytes()
+        || Integer.bitCount(smallestBlock) != 1
+        || Integer.bitCount(fewestBlocks) != 1
+        || pageBits > 31) {
+      throw head.problem("an array of chunks that cannot be");
+    }
+    opened = true;
+  }
+
+  @Override
+  boolean find(long chunk) throws IOException {
+    if (dataset.place() == ContainerFile.NOWHERE) {
+      return false;
+    }
+    if (!opened) {
+      open();
+    }
+    if (indexBlock == ContainerFile.NOWHERE || chunk < 0) {
+      return false;
+    }
+    long prefix = indexBlock + 6 + file.offsetBytes();
+    if (chunk < firstElements) {
+      return element(
+          file, dataset, file.at(prefix + chunk * elementBytes, elementBytes), elementBytes);
+    }
+    return inBlocks(chunk - firstElements, prefix + (long) firstElements * elementBytes);
+  }
+
+  /**
+   * Blocks come in groups; that of number g has 2^(g/2) blocks of 2^((g+1)/2) times the smallest.
+   */
+  private boolean inBlocks(long element, long listed) throws IOException {
+    int group = 63 - Long.numberOfLeadingZeros(element / smallestBlock + 1);
+    long inGroup = element - ((1L << group) - 1) * smallestBlock;
+    long blockElements = (1L << (group + 1) / 2) * smallestBlock;
+    long blocksInGroup = 1L << group / 2;
+    int groupsListed = 2 * Integer.numberOfTrailingZeros(fewestBlocks);
+    long blockInGroup = inGroup / blockElements;
+    long pages = blockElements >>> pageBits;
+    boolean paged = pages > 1;
+    long listing;
+    if (group < groupsListed) {
+      long before = 0;
+      for (int g = 0; g < group; g++) {
+        before += 1L << g / 2;
+      }
+      listing = listed + (before + blockInGroup) * file.offsetBytes();
+    } else {
+      long blocksListed = 2L * (fewestBlocks - 1);
+      long places = listed + (blocksListed + group - groupsListed) * file.offsetBytes();
+      long groupBlock = file.at(places, file.offsetBytes()).place();
+      if (groupBlock == ContainerFile.NOWHERE) {
+        return false;
+      }
+      long bits = paged ? blocksInGroup * ((pages + 7) / 8) : 0;
+      listing =
+          groupBlock
+              + 6
+              + file.offsetBytes()
+              + offsetBytes
+              + bits
+              + blockInGroup * file.offsetBytes();
+    }
+    long block = file.at(listing, file.offsetBytes()).place();
+    if (block == ContainerFile.NOWHERE) {
+      return false;
+    }
+    long inBlock = inGroup % blockElements;
+    long start = block + 6 + file.offsetBytes() + offsetBytes + (paged ? CHECKSUM : 0);
+    long checksums = paged ? (inBlock >>> pageBits) * CHECKSUM : 0;
+    return element(
+        file,
+        dataset,
+        file.at(start + inBlock * elementBytes + checksums, elementBytes),
+        elementBytes);
+  }
+}

@@ -1,0 +1,111 @@
+package haltere.core.format.internal.hdf5;
+
+import haltere.core.event.Origin;
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.FileHead;
+import haltere.core.format.ProbeResult;
+import haltere.core.format.ReadOptions;
+import haltere.core.format.RecordingFile;
+import haltere.core.format.RecordingFormat;
+import haltere.core.format.RecordingReader;
+import haltere.core.format.RecordingWriter;
+import haltere.core.format.Support;
+import haltere.core.format.Violation;
+import haltere.core.format.ViolationCounts;
+import haltere.core.format.WriteOptions;
+import haltere.core.format.internal.decoding.SensorGuess;
+import haltere.core.format.internal.reader.DecodingReader;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+
+/** HDF5: events as DSEC, Prophesee and other programs lay them out; written as DSEC's. */
+public final class Hdf5Format implements RecordingFormat {
+  private static final int MAX_SIDE = 1 << 15;
+
+  /** For the service loader. */
+  public Hdf5Format() {}
+
+  @Override
+  public String name() {
+    return "hdf5";
+  }
+
+  @Override
+  public String description() {
+    return "HDF5 of the DSEC and the Prophesee kind";
+  }
+
+  @Override
+  public Set<String> extensions() {
+    return new LinkedHashSet<>(List.of("h5", "hdf5", "hdf"));
+  }
+
+  @Override
+  public boolean sharesExtensions() {
+    return true;
+  }
+
+  @Override
+  public boolean hasEitherOrigin() {
+    return true;
+  }
+
+  @Override
+  public ProbeResult probe(FileHead head) {
+    for (int at = 0; at < head.head().length; at = at == 0 ? 512 : 2 * at) {
+      if (ContainerFile.isSignature(head.head(), at)) {
+        return new ProbeResult(Support.CERTAIN, "it begins as an HDF5 file");
+      }
+    }
+    return new ProbeResult(Support.NONE, "it does not begin as an HDF5 file");
+  }
+
+  @Override
+  public RecordingReader open(Path file, ReadOptions options) throws IOException {
+    return RecordingFile.reading(file, bytes -> open(bytes, options));
+  }
+
+  private RecordingReader open(RecordingFile file, ReadOptions options) throws IOException {
+    EventTable table = EventTable.of(file);
+    List<String> remarks = new ArrayList<>();
+    Origin origin = SensorGuess.origin(table.origin(), options, remarks);
+    ViolationCounts found = new ViolationCounts();
+    if (table.lying()) {
+      found.add(Violation.LYING_LENGTH, 0);
+    }
+    if (table.container().isCutOff()) {
+      found.add(Violation.CUT_OFF, file.size());
+    }
+    found.add(Violation.OTHER_DATA, 0, table.otherRows());
+    SensorGeometry geometry = table.sensor().or(options::sensor).orElse(null);
+    if (geometry == null) {
+      SensorGeometry square = SensorGuess.square(MAX_SIDE);
+      geometry =
+          SensorGuess.smallest(
+                  new Hdf5Cursor(table, square, new ViolationCounts()),
+                  MAX_SIDE,
+                  SensorGuess.USUAL_SIZES)
+              .orElse(SensorGuess.top(1, 1));
+      remarks.add(SensorGuess.remark(geometry));
+    }
+    SensorGeometry sensor = new SensorGeometry(geometry.width(), geometry.height(), origin);
+    return new DecodingReader(
+        name(),
+        file,
+        sensor,
+        remarks,
+        options,
+        found,
+        violations -> new Hdf5Cursor(table, sensor, violations));
+  }
+
+  @Override
+  public Optional<RecordingWriter> create(Path file, WriteOptions options) throws IOException {
+    return Optional.of(Hdf5Writer.create(file, options, Hdf5Writer.USUAL_LEVEL));
+  }
+}

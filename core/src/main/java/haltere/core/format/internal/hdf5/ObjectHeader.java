@@ -1,0 +1,158 @@
+package haltere.core.format.internal.hdf5;
+
+import java.io.IOException;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.List;
+import java.util.Optional;
+
+/** What is said about a group or a dataset: a list of messages. */
+final class ObjectHeader {
+  static final int DATASPACE = 1;
+  static final int LINK_INFO = 2;
+  static final int DATATYPE = 3;
+  static final int LINK = 6;
+  static final int EXTERNAL_FILES = 7;
+  static final int LAYOUT = 8;
+  static final int FILTERS = 11;
+  static final int ATTRIBUTE = 12;
+  static final int SYMBOL_TABLE = 17;
+
+  private static final int CONTINUATION = 16;
+  private static final int MAX_MESSAGES = 4096;
+  private static final int MAX_BLOCKS = 256;
+  private static final int V1_PREFIX = 16;
+
+  /**
+   * A message.
+   *
+   * @param type what it is about
+   * @param shared whether its body only says where it really is
+   * @param body of it
+   */
+  record Message(int type, boolean shared, Metadata body) {}
+
+  private final List<Message> messages = new ArrayList<>();
+  private final Deque<Metadata> blocks = new ArrayDeque<>();
+  private final ContainerFile file;
+  private int blocksSeen;
+
+  private ObjectHeader(ContainerFile file) {
+    this.file = file;
+  }
+
+  static ObjectHeader read(ContainerFile file, long place) throws IOException {
+    ObjectHeader header = new ObjectHeader(file);
+    Metadata prefix = file.upTo(place, 64);
+    if (prefix.remaining() >= 4 && prefix.part(4).text(4).equals("OHDR")) {
+      header.readNew(place, prefix);
+    } else {
+      header.readOld(place);
+    }
+    return header;
+  }
+
+  private void readOld(long place) throws IOException {
+    Metadata prefix = file.at(place, V1_PREFIX);
+    if (prefix.u1() != 1) {
+      throw prefix.problem("no header of a group or dataset");
+    }
+    prefix.skip(1 + 2 + 4);
+    blocks.add(file.at(place + V1_PREFIX, prefix.u4()));
+    while (!blocks.isEmpty()) {
+      Metadata block = blocks.remove();
+      while (block.remaining() >= 8) {
+        int type = block.u2();
+        int size = block.u2();
+        int flags = block.u1();
+        block.skip(3);
+        add(type, flags, block.part(size), 0);
+      }
+    }
+  }
+
+  private void readNew(long place, Metadata prefix) throws IOException {
+    int version = prefix.u1();
+    if (version != 2) {
+      throw prefix.unknown("version " + version + " of an object's header");
+    }
+    int flags = prefix.u1();
+    int sizeBytes = 1 << (flags & 3);
+    int before = 6 + ((flags & 0x20) != 0 ? 16 : 0) + ((flags & 0x10) != 0 ? 4 : 0);
+    prefix.skip(before - 6);
+    long size = prefix.number(sizeBytes);
+    blocks.add(file.at(place + before + sizeBytes, size));
+    boolean ordered = (flags & 4) != 0;
+    while (!blocks.isEmpty()) {
+      Metadata block = blocks.remove();
+      while (block.remaining() >= (ordered ? 6 : 4)) {
+        int type = block.u1();
+        int bodySize = block.u2();
+        int messageFlags = block.u1();
+        block.skip(ordered ? 2 : 0);
+        add(type, messageFlags, block.part(bodySize), 8);
+      }
+    }
+  }
+
+  /** Takes a message; the blocks that go on elsewhere have a frame of so many bytes around them. */
+  private void add(int type, int flags, Metadata body, int frame) throws IOException {
+    if (type == CONTINUATION) {
+      long place = body.place();
+      long length = body.length();
+      if (++blocksSeen > MAX_BLOCKS || length < frame) {
+        throw body.problem("a header that does not end");
+      }
+      Metadata block = file.at(place, length);
+      if (frame > 0) {
+        block.expect("OCHK");
+        block = block.part(length - frame);
+      }
+      blocks.add(block);
+      return;
+    }
+    if (messages.size() == MAX_MESSAGES) {
+      throw body.problem("a header of more than " + MAX_MESSAGES + " messages");
+    }
+    messages.add(new Message(type, (flags & 2) != 0, body));
+  }
+
+  /** Messages of a kind. Each can be read once. */
+  List<Message> all(int type) {
+    return messages.stream().filter(message -> message.type() == type).toList();
+  }
+
+  /** The body of the only message of a kind. */
+  Optional<Metadata> one(int type) throws IOException {
+    for (Message message : messages) {
+      if (message.type() == type) {
+        return Optional.of(message.shared() ? elsewhere(message) : message.body());
+      }
+    }
+    return Optional.empty();
+  }
+
+  boolean has(int type) {
+    return messages.stream().anyMatch(message -> message.type() == type);
+  }
+
+  /** A shared message is, for instance, a type that has a name of its own. */
+  private Metadata elsewhere(Message message) throws IOException {
+    Metadata body = message.body();
+    int version = body.u1();
+    int kind = body.u1();
+    if (version == 1) {
+      body.skip(6);
+    } else if (kind != 2 && version == 3) {
+      throw body.unknown("a message in the heap of shared messages");
+    }
+    ObjectHeader other = read(file, body.place());
+    for (Message there : other.messages) {
+      if (there.type() == message.type() && !there.shared()) {
+        return there.body();
+      }
+    }
+    throw body.problem("what is shared is not where it should be");
+  }
+}

@@ -1,0 +1,128 @@
+package haltere.core.format.internal.index;
+
+import haltere.core.format.AtomicFile;
+import haltere.core.format.RecordingFile;
+import java.io.BufferedInputStream;
+import java.io.BufferedOutputStream;
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.Arrays;
+import java.util.Optional;
+import java.util.zip.CRC32;
+
+/**
+ * The index of a recording, kept in a file beside it: what {@link TimeIndex} found, with all that
+ * tells whether it is still true of the recording (its size, when it was changed, a digest of its
+ * start and end, how it is read). It ends in a checksum; nothing in it is believed without.
+ *
+ * <p>Thread rule: all methods may be called from any thread.
+ */
+final class IndexFile {
+  /** What the name of the recording is followed by. */
+  static final String ENDING = ".haltere-index";
+
+  /** Another number for each change of what is written, or of what a cursor notes as its state. */
+  private static final long MAGIC = 0x48616c_7465726501L;
+
+  private static final int LOOK_BYTES = 64 * 1024;
+  private static final long MAX_BYTES = 256 << 20;
+
+  private IndexFile() {}
+
+  /** Where the index of a recording is kept. */
+  static Path beside(Path recording) {
+    return recording.resolveSibling(recording.getFileName() + ENDING);
+  }
+
+  /**
+   * How a recording is read, and which one it is.
+   *
+   * @param file the recording
+   * @param reading how it is read: format, sensor, stream; as a text
+   */
+  static byte[] identity(RecordingFile file, String reading) throws IOException {
+    MessageDigest digest;
+    try {
+      digest = MessageDigest.getInstance("SHA-256");
+    } catch (NoSuchAlgorithmException impossible) {
+      throw new IllegalStateException(impossible);
+    }
+    long changedMs = Files.getLastModifiedTime(file.path()).toMillis();
+    digest.update(reading.getBytes(StandardCharsets.UTF_8));
+    digest.update(ByteBuffer.allocate(16).putLong(file.size()).putLong(changedMs).array());
+    digest.update(file.read(0, LOOK_BYTES));
+    digest.update(file.read(Math.max(0, file.size() - LOOK_BYTES), LOOK_BYTES));
+    return digest.digest();
+  }
+
+  /**
+   * Writes an index, in place of an older one.
+   *
+   * @throws IOException if it cannot be written
+   */
+  static void write(Path recording, byte[] identity, TimeIndex index) throws IOException {
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    try (DataOutputStream out = new DataOutputStream(bytes)) {
+      out.writeLong(MAGIC);
+      out.write(identity);
+      index.write(out);
+    }
+    CRC32 crc = new CRC32();
+    crc.update(bytes.toByteArray());
+    try (AtomicFile file = AtomicFile.create(beside(recording), true)) {
+      try (DataOutputStream out = new DataOutputStream(new BufferedOutputStream(file.stream()))) {
+        bytes.writeTo(out);
+        out.writeLong(crc.getValue());
+        out.flush();
+        file.commit();
+      }
+    }
+  }
+
+  /**
+   * Reads an index.
+   *
+   * @param stateLongs numbers that a cursor of the recording notes
+   * @return empty if it is damaged, or of another recording or another reading of it
+   * @throws IOException if there is none, or it cannot be read
+   */
+  static Optional<TimeIndex> read(Path recording, byte[] identity, int stateLongs)
+      throws IOException {
+    Path path = beside(recording);
+    if (Files.size(path) > MAX_BYTES) {
+      return Optional.empty();
+    }
+    byte[] bytes;
+    try (BufferedInputStream in = new BufferedInputStream(Files.newInputStream(path))) {
+      bytes = in.readAllBytes();
+    }
+    int end = bytes.length - Long.BYTES;
+    if (end < Long.BYTES + identity.length) {
+      return Optional.empty();
+    }
+    CRC32 crc = new CRC32();
+    crc.update(bytes, 0, end);
+    ByteBuffer numbers = ByteBuffer.wrap(bytes);
+    boolean fits =
+        numbers.getLong(end) == crc.getValue()
+            && numbers.getLong(0) == MAGIC
+            && Arrays.equals(bytes, 8, 8 + identity.length, identity, 0, identity.length);
+    if (!fits) {
+      return Optional.empty();
+    }
+    int start = Long.BYTES + identity.length;
+    try (DataInputStream in =
+        new DataInputStream(new ByteArrayInputStream(bytes, start, end - start))) {
+      return TimeIndex.read(in, stateLongs);
+    }
+  }
+}

@@ -1,0 +1,86 @@
+package haltere.core.format.internal.index;
+
+import haltere.core.format.RecordingFile;
+import haltere.core.format.ViolationCounts;
+import haltere.core.format.internal.decoding.EventCursor;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Where the index of a recording comes from: from the file beside it if that is of this recording,
+ * else from one pass over it, which is kept beside it if the user asked for that.
+ */
+public final class KeptIndex {
+  private final RecordingFile file;
+  private final String reading;
+  private final boolean keep;
+  private final EventCursor.Factory cursors;
+
+  /**
+   * For a recording.
+   *
+   * @param file the recording
+   * @param reading how it is read: what else makes an index useless if it changes
+   * @param keep whether an index that was built is kept beside the recording
+   * @param cursors decode the events in the pass
+   */
+  public KeptIndex(RecordingFile file, String reading, boolean keep, EventCursor.Factory cursors) {
+    this.file = file;
+    this.reading = reading;
+    this.keep = keep;
+    this.cursors = cursors;
+  }
+
+  /**
+   * The index.
+   *
+   * @param cursor reads the same stream of the recording
+   * @param remarks takes what a user should know
+   * @return the kept one, or one that was built
+   * @throws IOException if the file cannot be read
+   */
+  public TimeIndex find(EventCursor cursor, List<String> remarks) throws IOException {
+    byte[] identity = IndexFile.identity(file, reading + "|" + cursor.streamNumber());
+    Optional<TimeIndex> kept = besideRecording(identity, cursor.stateLongs(), remarks);
+    if (kept.isPresent()) {
+      return kept.get();
+    }
+    TimeIndex built;
+    try (EventCursor scanner = cursors.open(new ViolationCounts())) {
+      built = TimeIndex.scan(file.path(), scanner);
+    }
+    if (keep) {
+      keep(built, identity, remarks);
+    }
+    return built;
+  }
+
+  private Optional<TimeIndex> besideRecording(
+      byte[] identity, int stateLongs, List<String> remarks) {
+    Path beside = IndexFile.beside(file.path());
+    if (!Files.exists(beside)) {
+      return Optional.empty();
+    }
+    try {
+      Optional<TimeIndex> kept = IndexFile.read(file.path(), identity, stateLongs);
+      if (kept.isEmpty()) {
+        remarks.add(beside + " is not the index of this recording as it is now and is passed over");
+      }
+      return kept;
+    } catch (IOException e) {
+      remarks.add(beside + " cannot be read and is passed over: " + e.getMessage());
+      return Optional.empty();
+    }
+  }
+
+  private void keep(TimeIndex index, byte[] identity, List<String> remarks) {
+    try {
+      IndexFile.write(file.path(), identity, index);
+    } catch (IOException e) {
+      remarks.add("the index could not be kept beside the recording: " + e.getMessage());
+    }
+  }
+}

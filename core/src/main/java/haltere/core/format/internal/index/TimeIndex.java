@@ -1,0 +1,266 @@
+package haltere.core.format.internal.index;
+
+import haltere.core.event.EventPacket;
+import haltere.core.format.RecordingProblem;
+import haltere.core.format.TimeSegment;
+import haltere.core.format.internal.decoding.EventCursor;
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
+import java.io.EOFException;
+import java.io.IOException;
+import java.io.InterruptedIOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Where in a recording which time is: what the file itself says about its pieces, else one pass
+ * over its events that keeps a waypoint at least every {@value #SCAN_EVENTS} events and at the
+ * start of each segment. A few dozen bytes for each.
+ *
+ * <p>Thread rule: immutable once built.
+ */
+public final class TimeIndex {
+  /** More restarts of the clock than this are no recording any more. */
+  static final int MAX_SEGMENTS = 1 << 20;
+
+  private static final int SCAN_EVENTS = 32 * 1024;
+
+  private final int stateLongs;
+  private final List<TimeSegment> segments = new ArrayList<>();
+  private int[] firstWaypoint = new int[4];
+  private long[] startOffsets = new long[4];
+  private int waypoints;
+  private long[] lastsUs = new long[64];
+  private long[] states;
+
+  private TimeIndex(int stateLongs) {
+    this.stateLongs = stateLongs;
+    states = new long[64 * stateLongs];
+  }
+
+  /** Made with a cursor of its own, at its start. */
+  static TimeIndex scan(Path path, EventCursor cursor) throws IOException {
+    TimeIndex index = new TimeIndex(cursor.stateLongs());
+    if (index.fromPieces(path, cursor)) {
+      return index;
+    }
+    EventPacket packet = new EventPacket(SCAN_EVENTS);
+    long[] state = new long[cursor.stateLongs()];
+    long segmentFirstUs = 0;
+    boolean inSegment = false;
+    int eventsInARow = 0;
+    EventCursor.Stop stop;
+    do {
+      if (Thread.currentThread().isInterrupted()) {
+        throw new InterruptedIOException("interrupted while indexing " + path);
+      }
+      if (eventsInARow >= SCAN_EVENTS) {
+        // beside a window that is to answer meanwhile
+        Thread.yield();
+        eventsInARow = 0;
+      }
+      cursor.save(state, 0);
+      long lastUs = cursor.times().lastUs();
+      long offset = cursor.positionBytes();
+      packet.clear();
+      stop = cursor.read(packet, SCAN_EVENTS);
+      eventsInARow += packet.size();
+      if (!packet.isEmpty()) {
+        if (!inSegment) {
+          inSegment = true;
+          segmentFirstUs = packet.firstTimeUs();
+          index.startSegment(path, offset);
+        }
+        index.addWaypoint(state, lastUs);
+      }
+      if (stop == EventCursor.Stop.CLOCK_WENT_BACK) {
+        if (inSegment) {
+          index.segments.add(new TimeSegment(segmentFirstUs, cursor.times().lastUs()));
+        }
+        inSegment = false;
+        cursor.times().acceptRestart();
+      }
+    } while (stop != EventCursor.Stop.END);
+    if (inSegment) {
+      index.segments.add(new TimeSegment(segmentFirstUs, cursor.times().lastUs()));
+    }
+    return index;
+  }
+
+  /** Writes all of it. */
+  void write(DataOutputStream out) throws IOException {
+    out.writeInt(stateLongs);
+    out.writeInt(segments.size());
+    for (int i = 0; i < segments.size(); i++) {
+      out.writeLong(segments.get(i).firstUs());
+      out.writeLong(segments.get(i).lastUs());
+      out.writeInt(firstWaypoint[i]);
+      out.writeLong(startOffsets[i]);
+    }
+    out.writeInt(waypoints);
+    for (int i = 0; i < waypoints; i++) {
+      out.writeLong(lastsUs[i]);
+    }
+    for (int i = 0; i < waypoints * stateLongs; i++) {
+      out.writeLong(states[i]);
+    }
+  }
+
+  /** Reads what was written; empty if it cannot be true. */
+  static Optional<TimeIndex> read(DataInputStream in, int stateLongs) throws IOException {
+    try {
+      if (in.readInt() != stateLongs) {
+        return Optional.empty();
+      }
+      TimeIndex index = new TimeIndex(stateLongs);
+      int segments = in.readInt();
+      index.firstWaypoint = new int[Math.min(segments, MAX_SEGMENTS) + 1];
+      index.startOffsets = new long[index.firstWaypoint.length];
+      for (int i = 0; i < segments; i++) {
+        index.segments.add(new TimeSegment(in.readLong(), in.readLong()));
+        index.firstWaypoint[i] = in.readInt();
+        index.startOffsets[i] = in.readLong();
+      }
+      int waypoints = in.readInt();
+      if (waypoints < segments || (waypoints > 0) != (segments > 0)) {
+        return Optional.empty();
+      }
+      // At least as many bytes are there, so a count that lies takes no memory.
+      if (in.available() != 8L * waypoints * (1 + stateLongs)) {
+        return Optional.empty();
+      }
+      index.waypoints = waypoints;
+      index.lastsUs = longs(in, waypoints);
+      index.states = longs(in, waypoints * stateLongs);
+      int before = -1;
+      for (int i = 0; i < segments; i++) {
+        if (index.firstWaypoint[i] <= before || index.firstWaypoint[i] >= waypoints) {
+          return Optional.empty();
+        }
+        before = index.firstWaypoint[i];
+      }
+      return Optional.of(index);
+    } catch (EOFException | IllegalArgumentException | IndexOutOfBoundsException cannotBe) {
+      return Optional.empty();
+    }
+  }
+
+  private static long[] longs(DataInputStream in, int count) throws IOException {
+    long[] numbers = new long[count];
+    for (int i = 0; i < count; i++) {
+      numbers[i] = in.readLong();
+    }
+    return numbers;
+  }
+
+  private boolean fromPieces(Path path, EventCursor cursor) throws IOException {
+    // First and last time of the segment that is open.
+    long[] open = {0, Long.MIN_VALUE};
+    boolean told =
+        cursor.visitPieces(
+            (state, offset, firstUs, lastUs) -> {
+              boolean starts = waypoints == 0 || firstUs < open[1];
+              if (starts) {
+                if (waypoints > 0) {
+                  segments.add(new TimeSegment(open[0], open[1]));
+                }
+                startSegment(path, offset);
+                open[0] = firstUs;
+              }
+              addWaypoint(state, starts ? Long.MIN_VALUE : open[1]);
+              open[1] = lastUs;
+            });
+    if (told && waypoints > 0) {
+      segments.add(new TimeSegment(open[0], open[1]));
+    }
+    return told;
+  }
+
+  private void startSegment(Path path, long offset) throws RecordingProblem {
+    int segment = segments.size();
+    if (segment == MAX_SEGMENTS) {
+      throw new RecordingProblem(
+          path,
+          offset,
+          "the clock went back "
+              + MAX_SEGMENTS
+              + " times; this is no recording that one can seek in");
+    }
+    if (segment == firstWaypoint.length) {
+      firstWaypoint = Arrays.copyOf(firstWaypoint, segment * 2);
+      startOffsets = Arrays.copyOf(startOffsets, segment * 2);
+    }
+    firstWaypoint[segment] = waypoints;
+    startOffsets[segment] = offset;
+  }
+
+  private void addWaypoint(long[] state, long lastUs) {
+    if (waypoints == lastsUs.length) {
+      lastsUs = Arrays.copyOf(lastsUs, waypoints * 2);
+      states = Arrays.copyOf(states, waypoints * 2 * stateLongs);
+    }
+    System.arraycopy(state, 0, states, waypoints * stateLongs, stateLongs);
+    lastsUs[waypoints++] = lastUs;
+  }
+
+  /**
+   * The stretches of continuous time.
+   *
+   * @return in file order
+   */
+  public List<TimeSegment> segments() {
+    return Collections.unmodifiableList(segments);
+  }
+
+  /**
+   * Puts a cursor at the last waypoint of a segment before which all events are before a time.
+   *
+   * @param cursor of the same recording
+   * @param segment index of one of {@link #segments()}
+   * @param timeUs microseconds
+   * @throws IOException if the file cannot be read
+   */
+  public void seek(EventCursor cursor, int segment, long timeUs) throws IOException {
+    cursor.restore(states, waypoint(segment, timeUs) * stateLongs);
+  }
+
+  /**
+   * The state one waypoint earlier, for what stands somewhat before the events of its time.
+   *
+   * @param segment index of one of {@link #segments()}
+   * @param timeUs microseconds
+   * @return as a cursor saves it
+   */
+  public long[] stateBefore(int segment, long timeUs) {
+    int waypoint = Math.max(firstWaypoint[segment], waypoint(segment, timeUs) - 1);
+    return Arrays.copyOfRange(states, waypoint * stateLongs, (waypoint + 1) * stateLongs);
+  }
+
+  /**
+   * Where in the file a segment starts.
+   *
+   * @param segment index of one of {@link #segments()}
+   * @return bytes from the start
+   */
+  public long startOffset(int segment) {
+    return segment == 0 ? 0 : startOffsets[segment];
+  }
+
+  private int waypoint(int segment, long timeUs) {
+    int low = firstWaypoint[segment];
+    int high = (segment + 1 < segments.size() ? firstWaypoint[segment + 1] : waypoints) - 1;
+    while (low < high) {
+      int middle = (low + high + 1) >>> 1;
+      if (lastsUs[middle] < timeUs) {
+        low = middle;
+      } else {
+        high = middle - 1;
+      }
+    }
+    return low;
+  }
+}

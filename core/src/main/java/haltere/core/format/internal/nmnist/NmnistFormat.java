@@ -1,0 +1,133 @@
+package haltere.core.format.internal.nmnist;
+
+import haltere.core.event.Origin;
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.FileHead;
+import haltere.core.format.ProbeResult;
+import haltere.core.format.ReadOptions;
+import haltere.core.format.RecordingFile;
+import haltere.core.format.RecordingFormat;
+import haltere.core.format.RecordingReader;
+import haltere.core.format.RecordingWriter;
+import haltere.core.format.Support;
+import haltere.core.format.ViolationCounts;
+import haltere.core.format.WriteOptions;
+import haltere.core.format.internal.decoding.EventCursor;
+import haltere.core.format.internal.decoding.FileCursor;
+import haltere.core.format.internal.decoding.SensorGuess;
+import haltere.core.format.internal.reader.DecodingReader;
+import java.io.IOException;
+import java.nio.ByteOrder;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+
+/**
+ * The files of N-MNIST and N-Caltech101: read only. They have no mark; a file is taken for one if
+ * its bytes, as records, have times that ascend.
+ */
+public final class NmnistFormat implements RecordingFormat {
+  /** So many records make a clock, and one of them in a hundred may be out of order. */
+  private static final int FEWEST_RECORDS = 16;
+
+  private static final int LOOK_RECORDS = 4096;
+  private static final int MAX_SIDE = 256;
+
+  /** The two data sets' own sizes, and all that the records can address. */
+  private static final List<SensorGeometry> SIZES =
+      List.of(
+          new SensorGeometry(34, 34, Origin.TOP),
+          new SensorGeometry(240, 180, Origin.TOP),
+          new SensorGeometry(256, 256, Origin.TOP));
+
+  /** For the service loader. */
+  public NmnistFormat() {}
+
+  @Override
+  public String name() {
+    return "nmnist";
+  }
+
+  @Override
+  public String description() {
+    return "N-MNIST and N-Caltech101, 5 bytes an event";
+  }
+
+  @Override
+  public Set<String> extensions() {
+    return Set.of("bin");
+  }
+
+  @Override
+  public boolean sharesExtensions() {
+    return true;
+  }
+
+  @Override
+  public boolean writable() {
+    return false;
+  }
+
+  @Override
+  public ProbeResult probe(FileHead head) {
+    byte[] bytes = head.head();
+    int records = Math.min(LOOK_RECORDS, bytes.length / NmnistDecoder.RECORD_BYTES);
+    int forth = 0;
+    int back = 0;
+    long last = 0;
+    for (int i = 0; i < records; i++) {
+      int at = i * NmnistDecoder.RECORD_BYTES;
+      long time =
+          (bytes[at + 2] & 0x7fL) << 16 | (bytes[at + 3] & 0xffL) << 8 | bytes[at + 4] & 0xffL;
+      forth += time > last ? 1 : 0;
+      back += time < last ? 1 : 0;
+      last = time;
+    }
+    boolean ascends = records >= FEWEST_RECORDS && forth * 2 >= records && back * 100 <= records;
+    return new ProbeResult(
+        ascends ? Support.PLAUSIBLE : Support.NONE,
+        ascends
+            ? "its bytes have ascending times where N-MNIST has them"
+            : "it has no ascending times where N-MNIST has them");
+  }
+
+  @Override
+  public RecordingReader open(Path file, ReadOptions options) throws IOException {
+    return RecordingFile.reading(file, bytes -> open(bytes, options));
+  }
+
+  private RecordingReader open(RecordingFile bytes, ReadOptions options) throws IOException {
+    Optional<SensorGeometry> asked =
+        options
+            .sensor()
+            .map(sensor -> new SensorGeometry(sensor.width(), sensor.height(), Origin.TOP));
+    SensorGeometry geometry =
+        asked.isPresent()
+            ? asked.get()
+            : SensorGuess.smallest(
+                    cursor(bytes, SensorGuess.square(MAX_SIDE), new ViolationCounts()),
+                    MAX_SIDE,
+                    SIZES)
+                .orElse(SIZES.get(0));
+    return new DecodingReader(
+        name(),
+        bytes,
+        geometry,
+        asked.isPresent() ? List.of() : List.of(SensorGuess.remark(geometry)),
+        options,
+        new ViolationCounts(),
+        violations -> cursor(bytes, geometry, violations));
+  }
+
+  private static EventCursor cursor(
+      RecordingFile file, SensorGeometry geometry, ViolationCounts violations) {
+    return new FileCursor(
+        file, 0, ByteOrder.BIG_ENDIAN, new NmnistDecoder(geometry, violations), violations);
+  }
+
+  @Override
+  public Optional<RecordingWriter> create(Path file, WriteOptions options) {
+    return Optional.empty();
+  }
+}

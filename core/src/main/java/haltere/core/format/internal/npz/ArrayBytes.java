@@ -1,0 +1,111 @@
+package haltere.core.format.internal.npz;
+
+import haltere.core.format.RecordingFile;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.util.zip.DataFormatException;
+import java.util.zip.Inflater;
+
+/**
+ * The bytes of an array, wherever they lie: in a file as they are, so that any place can be gone
+ * to, or packed, so that going back means to start anew.
+ *
+ * <p>Thread rule: one thread.
+ */
+final class ArrayBytes {
+  private static final int PIECE = 64 * 1024;
+
+  private final RecordingFile file;
+  private final long start;
+  private final long packedBytes;
+  private final Inflater inflater;
+  private final ByteBuffer piece = ByteBuffer.allocate(PIECE).limit(0);
+  private long packedAt;
+  private long at;
+
+  /** Bytes as they are in a file. */
+  static ArrayBytes stored(RecordingFile file, long start, long bytes) {
+    return new ArrayBytes(file, start, bytes, null);
+  }
+
+  /** Bytes that are deflated. */
+  static ArrayBytes deflated(RecordingFile file, long start, long packedBytes) {
+    return new ArrayBytes(file, start, packedBytes, new Inflater(true));
+  }
+
+  private ArrayBytes(RecordingFile file, long start, long packedBytes, Inflater inflater) {
+    this.file = file;
+    this.start = start;
+    this.packedBytes = packedBytes;
+    this.inflater = inflater;
+  }
+
+  /** Reads from a place on; returns how many bytes there were. */
+  int read(long offset, byte[] target, int length) throws IOException {
+    if (inflater != null) {
+      return inflate(offset, target, length);
+    }
+    int there = (int) Math.max(0, Math.min(length, packedBytes - offset));
+    ByteBuffer buffer = ByteBuffer.wrap(target, 0, there).slice();
+    file.read(buffer, start + offset);
+    return buffer.limit();
+  }
+
+  private int inflate(long offset, byte[] target, int length) throws IOException {
+    if (offset < at) {
+      inflater.reset();
+      piece.limit(0);
+      packedAt = 0;
+      at = 0;
+    }
+    byte[] skipped = offset > at ? new byte[PIECE] : null;
+    while (at < offset) {
+      int count = inflate(skipped, 0, (int) Math.min(PIECE, offset - at));
+      if (count == 0) {
+        return 0;
+      }
+    }
+    int done = 0;
+    while (done < length) {
+      int count = inflate(target, done, length - done);
+      if (count == 0) {
+        break;
+      }
+      done += count;
+    }
+    return done;
+  }
+
+  /** Unpacks some bytes; none at the end, or where the packing is damaged. */
+  private int inflate(byte[] target, int from, int length) throws IOException {
+    try {
+      while (true) {
+        int count = inflater.inflate(target, from, length);
+        at += count;
+        if (count > 0 || inflater.finished() || inflater.needsDictionary()) {
+          return count;
+        }
+        int next = (int) Math.min(PIECE, packedBytes - packedAt);
+        if (next <= 0) {
+          return 0;
+        }
+        ByteBuffer buffer = ByteBuffer.wrap(piece.array(), 0, next).slice();
+        file.read(buffer, start + packedAt);
+        if (!buffer.hasRemaining()) {
+          return 0;
+        }
+        packedAt += buffer.limit();
+        inflater.setInput(piece.array(), 0, buffer.limit());
+      }
+    } catch (DataFormatException damaged) {
+      packedAt = packedBytes;
+      return 0;
+    }
+  }
+
+  void close() {
+    if (inflater != null) {
+      inflater.end();
+    }
+  }
+}

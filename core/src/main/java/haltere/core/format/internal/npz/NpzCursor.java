@@ -1,0 +1,251 @@
+package haltere.core.format.internal.npz;
+
+import haltere.core.event.EventAddress;
+import haltere.core.event.EventPacket;
+import haltere.core.event.Origin;
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.RecordingClock;
+import haltere.core.format.RecordingFile;
+import haltere.core.format.RecordingOutline;
+import haltere.core.format.Violation;
+import haltere.core.format.ViolationCounts;
+import haltere.core.format.internal.clock.AscendingTimes;
+import haltere.core.format.internal.clock.EventTimes;
+import haltere.core.format.internal.decoding.EventColumn;
+import haltere.core.format.internal.decoding.EventCursor;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** Reads the columns of events side by side, a piece at a time. */
+final class NpzCursor implements EventCursor {
+  private static final int PIECE_ROWS = 4096;
+  private static final int MAX_PIECE_BYTES = 1 << 20;
+
+  /** A column, its bytes and the piece of them that is being worked on. */
+  private static final class Part {
+    final NpyHeader.Field field;
+    final int itemBytes;
+    final int dataOffset;
+    final ArrayBytes bytes;
+    final byte[] piece;
+    final ByteBuffer values;
+    final long[] numbers;
+
+    Part(NpzLayout.Column column, RecordingFile file, int pieceRows) {
+      field = column.field();
+      itemBytes = column.array().header().itemBytes();
+      dataOffset = column.array().header().dataOffset();
+      bytes = column.array().open(file);
+      piece = new byte[pieceRows * itemBytes];
+      values = NpzLayout.order(ByteBuffer.wrap(piece), field);
+      numbers = new long[pieceRows];
+    }
+
+    /** Reads rows as whole numbers; returns how many there were. */
+    int read(long row, int rows, int scale) throws IOException {
+      int length = bytes.read(dataOffset + row * itemBytes, piece, rows * itemBytes);
+      int count = length / itemBytes;
+      if (field.kind() == 'f') {
+        double factor = Math.pow(10, Math.abs(scale));
+        for (int i = 0; i < count; i++) {
+          double value = real(values, i * itemBytes + field.offset(), field.bytes());
+          numbers[i] = Math.round(scale < 0 ? value / factor : value * factor);
+        }
+      } else {
+        for (int i = 0; i < count; i++) {
+          numbers[i] = scaled(whole(values, i * itemBytes + field.offset(), field), scale);
+        }
+      }
+      return count;
+    }
+  }
+
+  private final NpzLayout layout;
+  private final RecordingFile file;
+  private final ViolationCounts violations;
+  private final int width;
+  private final int height;
+  private final boolean fromTop;
+  private final int pieceRows;
+  private final Part time;
+  private final Part x;
+  private final Part y;
+  private final Part polarity;
+  private final List<Part> parts = new ArrayList<>();
+
+  /** Next row, first row of the piece and rows in it. */
+  private long row;
+
+  private long pieceStart;
+  private int pieceCount;
+  private final AscendingTimes times = new AscendingTimes();
+
+  NpzCursor(
+      NpzLayout layout, RecordingFile file, SensorGeometry geometry, ViolationCounts violations) {
+    this.layout = layout;
+    this.file = file;
+    this.violations = violations;
+    width = geometry.width();
+    height = geometry.height();
+    fromTop = geometry.origin() == Origin.TOP;
+    int largest =
+        layout.columns().values().stream()
+            .mapToInt(column -> column.array().header().itemBytes())
+            .max()
+            .orElse(1);
+    pieceRows = Math.max(1, Math.min(PIECE_ROWS, MAX_PIECE_BYTES / largest));
+    time = part(EventColumn.TIME);
+    x = part(EventColumn.X);
+    y = part(EventColumn.Y);
+    polarity =
+        layout.columns().containsKey(EventColumn.POLARITY) ? part(EventColumn.POLARITY) : null;
+  }
+
+  private Part part(EventColumn column) {
+    Part part = new Part(layout.columns().get(column), file, pieceRows);
+    parts.add(part);
+    return part;
+  }
+
+  static double real(ByteBuffer values, int at, int bytes) {
+    return bytes == 8 ? values.getDouble(at) : values.getFloat(at);
+  }
+
+  static long whole(ByteBuffer values, int at, NpyHeader.Field field) {
+    boolean signed = field.kind() == 'i';
+    return switch (field.bytes()) {
+      case 1 -> signed ? values.get(at) : values.get(at) & 0xff;
+      case 2 -> signed ? values.getShort(at) : values.getShort(at) & 0xffff;
+      case 4 -> signed ? values.getInt(at) : values.getInt(at) & 0xffffffffL;
+      default -> values.getLong(at);
+    };
+  }
+
+  private static long scaled(long value, int scale) {
+    return switch (scale) {
+      case 0 -> value;
+      case 3 -> value * 1000;
+      case 6 -> value * 1_000_000;
+      default -> Math.floorDiv(value + 500, 1000L);
+    };
+  }
+
+  @Override
+  public Optional<RecordingOutline> outline() throws IOException {
+    long rows = layout.rows();
+    if (rows == 0) {
+      return Optional.of(RecordingOutline.NOTHING);
+    }
+    // The end of a packed column is reached only through all of it.
+    if (layout.columns().values().stream().anyMatch(column -> column.array().method() != 0)
+        || time.read(0, 1, layout.timeScale()) < 1) {
+      return Optional.empty();
+    }
+    long firstUs = time.numbers[0];
+    for (Part part : parts) {
+      if (part.read(rows - 1, 1, part == time ? layout.timeScale() : 0) < 1) {
+        return Optional.empty();
+      }
+    }
+    return Optional.of(new RecordingOutline(rows, firstUs, time.numbers[0]));
+  }
+
+  @Override
+  public Stop read(EventPacket out, int maxEvents) throws IOException {
+    out.ensureCapacity(maxEvents);
+    if (row < pieceStart || row >= pieceStart + pieceCount) {
+      int wanted = (int) Math.min(pieceRows, layout.rows() - row);
+      pieceStart = row;
+      pieceCount = wanted <= 0 ? 0 : Math.max(0, fill(wanted));
+      if (pieceCount == 0) {
+        return end();
+      }
+    }
+    int from = (int) (row - pieceStart);
+    int to = (int) Math.min(pieceCount, from + (long) maxEvents - out.size());
+    for (int i = from; i < to; i++) {
+      long timeUs = time.numbers[i];
+      long column = x.numbers[i];
+      long down = y.numbers[i];
+      if (column < 0 || column >= width || down < 0 || down >= height) {
+        violations.add(Violation.OUTSIDE_SENSOR, offset(pieceStart + i));
+        continue;
+      }
+      if (times.goesBack(timeUs)) {
+        row = pieceStart + i;
+        violations.add(Violation.CLOCK_WENT_BACK, offset(row));
+        violations.reached(offset(row) + 1);
+        return Stop.CLOCK_WENT_BACK;
+      }
+      times.advance(timeUs);
+      int up = (int) (fromTop ? height - 1 - down : down);
+      int on = polarity == null || polarity.numbers[i] > 0 ? EventAddress.ON_BIT : 0;
+      out.append(timeUs, EventAddress.pack((int) column, up, on));
+    }
+    row = pieceStart + to;
+    violations.reached(offset(row));
+    return Stop.MORE;
+  }
+
+  private int fill(int rows) throws IOException {
+    int count = time.read(row, rows, layout.timeScale());
+    count = Math.min(count, x.read(row, rows, 0));
+    count = Math.min(count, y.read(row, rows, 0));
+    return polarity == null ? count : Math.min(count, polarity.read(row, rows, 0));
+  }
+
+  private Stop end() {
+    if (row < layout.rows()) {
+      violations.addOnce(Violation.CUT_OFF, offset(row));
+    }
+    return Stop.END;
+  }
+
+  /** Where a row's time is, as far as that can be said. */
+  private long offset(long ofRow) {
+    NpzLayout.Array array = layout.columns().get(EventColumn.TIME).array();
+    long bytes = array.header().dataOffset() + ofRow * array.header().itemBytes();
+    return array.method() == 0 ? array.offset() + bytes : bytes;
+  }
+
+  @Override
+  public RecordingClock clock() {
+    return RecordingClock.wide(RecordingClock.Zero.WRITERS_CHOICE);
+  }
+
+  @Override
+  public EventTimes times() {
+    return times;
+  }
+
+  @Override
+  public long positionBytes() {
+    long rows = Math.max(1, layout.rows());
+    return row >= rows ? file.size() : (long) (file.size() * ((double) row / rows));
+  }
+
+  @Override
+  public int stateLongs() {
+    return 2;
+  }
+
+  @Override
+  public void save(long[] state, int at) {
+    state[at] = row;
+    times.save(state, at + 1);
+  }
+
+  @Override
+  public void restore(long[] state, int at) {
+    row = state[at];
+    times.restore(state, at + 1);
+  }
+
+  @Override
+  public void close() {
+    parts.forEach(part -> part.bytes.close());
+  }
+}

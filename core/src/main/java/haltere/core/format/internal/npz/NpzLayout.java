@@ -1,0 +1,250 @@
+package haltere.core.format.internal.npz;
+
+import haltere.core.event.Origin;
+import haltere.core.event.SensorGeometry;
+import haltere.core.format.RecordingFile;
+import haltere.core.format.RecordingProblem;
+import haltere.core.format.internal.decoding.EventColumn;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Stream;
+
+/**
+ * Where the columns of the events are.
+ *
+ * @param columns by what they hold; there are times, columns and rows at least
+ * @param rows events that all columns promise
+ * @param lying whether columns promise different numbers, or more than their file can hold
+ * @param cutOff whether the file has lost its end
+ * @param timeScale power of ten that makes microseconds of the times
+ * @param sensor its size, if the file states it
+ * @param origin where rows count from, if the file says it
+ */
+record NpzLayout(
+    Map<EventColumn, Column> columns,
+    long rows,
+    boolean lying,
+    boolean cutOff,
+    int timeScale,
+    Optional<SensorGeometry> sensor,
+    Optional<Origin> origin) {
+  static final String WIDTH = "width";
+  static final String HEIGHT = "height";
+  static final String ROWS_UP = "rows_up";
+
+  private static final int LOOK_ROWS = 4096;
+  private static final int LOOK_BYTES = 1 << 20;
+  private static final double SMALLEST_NS = 1e17;
+
+  /**
+   * A column.
+   *
+   * @param array whose bytes it is in
+   * @param field its place in an element
+   */
+  record Column(Array array, NpyHeader.Field field) {}
+
+  /**
+   * An array of a file.
+   *
+   * @param name without its ending
+   * @param header of it
+   * @param method 0 stored, 8 deflated
+   * @param offset where its bytes, header included, start in the file
+   * @param bytes of them in the file
+   */
+  record Array(String name, NpyHeader header, int method, long offset, long bytes) {
+    ArrayBytes open(RecordingFile file) {
+      return method == 0
+          ? ArrayBytes.stored(file, offset, bytes)
+          : ArrayBytes.deflated(file, offset, bytes);
+    }
+
+    /** Elements that the file can hold. */
+    long roomForRows() {
+      return method == 0
+          ? Math.max(0, bytes - header.dataOffset()) / header.itemBytes()
+          : Long.MAX_VALUE;
+    }
+  }
+
+  /** Finds the columns of a file. */
+  static NpzLayout of(RecordingFile file) throws IOException {
+    boolean alone = NpyHeader.parse(file.read(0, NpyHeader.MAX_BYTES)).isPresent();
+    Optional<List<ZipDirectory.Entry>> listed =
+        alone ? Optional.of(List.of()) : ZipDirectory.of(file);
+    List<ZipDirectory.Entry> entries =
+        listed.isPresent() ? listed.get() : ZipDirectory.withoutDirectory(file);
+    List<Array> arrays = arrays(file, entries);
+    Map<EventColumn, Column> columns = new EnumMap<>(EventColumn.class);
+    for (Array array : arrays) {
+      for (NpyHeader.Field field : array.header().fields()) {
+        String name = field.name().isEmpty() ? array.name() : field.name();
+        EventColumn column = EventColumn.named(name);
+        if (column != EventColumn.OTHER && field.isNumber() && array.header().isList()) {
+          columns.putIfAbsent(column, new Column(array, field));
+        }
+      }
+    }
+    for (EventColumn needed : List.of(EventColumn.TIME, EventColumn.X, EventColumn.Y)) {
+      if (!columns.containsKey(needed)) {
+        throw new RecordingProblem(
+            file.path(),
+            "its arrays "
+                + arrays.stream().map(Array::name).toList()
+                + " are no lists of events: t, x, y and p are wanted, as arrays or as fields of one");
+      }
+    }
+    if (listed.isEmpty() && !columns.containsKey(EventColumn.POLARITY)) {
+      throw new RecordingProblem(
+          file.path(), file.size(), "the file ends before the polarities of its events");
+    }
+    checkPolarities(file, entries, arrays, columns);
+    long rows = Long.MAX_VALUE;
+    long most = 0;
+    boolean lying = false;
+    for (Column column : columns.values()) {
+      long promised = column.array().header().rows();
+      lying |= promised > column.array().roomForRows();
+      rows = Math.min(rows, promised);
+      most = Math.max(most, promised);
+    }
+    // Only our own files have this.
+    Optional<Long> rowsUp = single(file, arrays, ROWS_UP);
+    return new NpzLayout(
+        columns,
+        rows,
+        lying || rows != most,
+        listed.isEmpty(),
+        rowsUp.isPresent() ? 0 : timeScale(file, columns.get(EventColumn.TIME), listed.isEmpty()),
+        sensor(file, arrays),
+        rowsUp.map(up -> up == 1 ? Origin.BOTTOM : Origin.TOP));
+  }
+
+  /** Refuses polarities that are there but cannot be read: without them all events would be ON. */
+  private static void checkPolarities(
+      RecordingFile file,
+      List<ZipDirectory.Entry> entries,
+      List<Array> arrays,
+      Map<EventColumn, Column> columns)
+      throws RecordingProblem {
+    Stream<String> names =
+        Stream.concat(
+            entries.stream().map(NpzLayout::arrayName),
+            arrays.stream()
+                .flatMap(array -> array.header().fields().stream())
+                .map(NpyHeader.Field::name));
+    boolean named = names.anyMatch(name -> EventColumn.named(name) == EventColumn.POLARITY);
+    if (named && !columns.containsKey(EventColumn.POLARITY)) {
+      throw new RecordingProblem(
+          file.path(), "its polarities cannot be read; save them again as a list of numbers");
+    }
+  }
+
+  private static String arrayName(ZipDirectory.Entry entry) {
+    return entry.name().replaceFirst("^.*/", "").replaceFirst("\\.npy$", "");
+  }
+
+  private static List<Array> arrays(RecordingFile file, List<ZipDirectory.Entry> entries)
+      throws IOException {
+    Optional<NpyHeader> alone = NpyHeader.parse(file.read(0, NpyHeader.MAX_BYTES));
+    if (alone.isPresent()) {
+      return List.of(new Array("", alone.get(), 0, 0, file.size()));
+    }
+    List<Array> arrays = new ArrayList<>();
+    for (ZipDirectory.Entry entry : entries) {
+      if (entry.method() != 0 && entry.method() != 8) {
+        continue;
+      }
+      Array unknown =
+          new Array(arrayName(entry), null, entry.method(), entry.offset(), entry.packedBytes());
+      byte[] start = new byte[NpyHeader.MAX_BYTES];
+      ArrayBytes bytes = unknown.open(file);
+      int length = bytes.read(0, start, start.length);
+      bytes.close();
+      NpyHeader.parse(java.util.Arrays.copyOf(start, length))
+          .ifPresent(
+              header ->
+                  arrays.add(
+                      new Array(
+                          unknown.name(),
+                          header,
+                          unknown.method(),
+                          unknown.offset(),
+                          unknown.bytes())));
+    }
+    return arrays;
+  }
+
+  /** Times with decimals are seconds, whole ones microseconds, or nanoseconds since 1970. */
+  private static int timeScale(RecordingFile file, Column time, boolean cutOff) throws IOException {
+    String name = time.field().name().isEmpty() ? time.array().name() : time.field().name();
+    if (EventColumn.timeScale(name).isPresent()) {
+      return EventColumn.timeScale(name).getAsInt();
+    }
+    int itemBytes = time.array().header().itemBytes();
+    byte[] start = new byte[Math.max(1, Math.min(LOOK_ROWS, LOOK_BYTES / itemBytes)) * itemBytes];
+    ArrayBytes bytes = time.array().open(file);
+    int length = bytes.read(time.array().header().dataOffset(), start, start.length);
+    bytes.close();
+    double largest = 0;
+    boolean fraction = false;
+    ByteBuffer values = order(ByteBuffer.wrap(start), time.field());
+    for (int at = 0; at + itemBytes <= length; at += itemBytes) {
+      double value =
+          time.field().kind() == 'f'
+              ? NpzCursor.real(values, at + time.field().offset(), time.field().bytes())
+              : NpzCursor.whole(values, at + time.field().offset(), time.field());
+      fraction |= value != Math.rint(value);
+      largest = Math.max(largest, Math.abs(value));
+    }
+    long lookedAt = length / itemBytes;
+    long wanted = Math.min(start.length / itemBytes, time.array().header().rows());
+    if (cutOff && !fraction && time.field().kind() == 'f' && lookedAt < wanted) {
+      throw new RecordingProblem(
+          file.path(), file.size(), "the file ends before the unit of its times can be told");
+    }
+    return fraction ? 6 : largest >= SMALLEST_NS ? -3 : 0;
+  }
+
+  static ByteBuffer order(ByteBuffer buffer, NpyHeader.Field field) {
+    return buffer.order(field.bigEndian() ? ByteOrder.BIG_ENDIAN : ByteOrder.LITTLE_ENDIAN);
+  }
+
+  private static Optional<SensorGeometry> sensor(RecordingFile file, List<Array> arrays)
+      throws IOException {
+    long width = single(file, arrays, WIDTH).orElse(0L);
+    long height = single(file, arrays, HEIGHT).orElse(0L);
+    boolean possible = width >= 1 && width <= 32768 && height >= 1 && height <= 32768;
+    return possible
+        ? Optional.of(new SensorGeometry((int) width, (int) height, Origin.TOP))
+        : Optional.empty();
+  }
+
+  /** The value of an array without dimensions. */
+  private static Optional<Long> single(RecordingFile file, List<Array> arrays, String name)
+      throws IOException {
+    for (Array array : arrays) {
+      NpyHeader.Field field = array.header().fields().get(0);
+      if (array.name().equals(name)
+          && array.header().shape().isEmpty()
+          && field.isNumber()
+          && field.kind() != 'f') {
+        byte[] value = new byte[8];
+        ArrayBytes bytes = array.open(file);
+        int length = bytes.read(array.header().dataOffset(), value, field.bytes());
+        bytes.close();
+        if (length == field.bytes()) {
+          return Optional.of(NpzCursor.whole(order(ByteBuffer.wrap(value), field), 0, field));
+        }
+      }
+    }
+    return Optional.empty();
+  }
+}

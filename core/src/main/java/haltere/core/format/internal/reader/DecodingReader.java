@@ -1,0 +1,335 @@
+package haltere.core.format.internal.reader;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.event.SensorReading;
+import haltere.core.format.ReadOptions;
+import haltere.core.format.ReadingCounts;
+import haltere.core.format.RecordingClock;
+import haltere.core.format.RecordingFile;
+import haltere.core.format.RecordingOutline;
+import haltere.core.format.RecordingReader;
+import haltere.core.format.TimeSegment;
+import haltere.core.format.Violation;
+import haltere.core.format.ViolationCounts;
+import haltere.core.format.internal.decoding.EventCursor;
+import haltere.core.format.internal.decoding.ReadingCursor;
+import haltere.core.format.internal.index.KeptIndex;
+import haltere.core.format.internal.index.TimeIndex;
+import haltere.core.stream.EndOfStream;
+import haltere.core.stream.Reset;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import haltere.core.stream.StreamStarted;
+import java.io.IOException;
+import java.io.InterruptedIOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+
+/**
+ * The reader of every format whose events an {@link EventCursor} can decode: it makes the stream's
+ * notifications, finds segments, and seeks. What is skipped or wrong is counted the first time that
+ * it is read, however often the reader goes back.
+ *
+ * <p>Thread rule: one thread at a time.
+ */
+public final class DecodingReader implements RecordingReader {
+  private enum State {
+    BEFORE_START,
+    RUNNING,
+    ENDED
+  }
+
+  private final String formatName;
+  private final RecordingFile file;
+  private final SensorGeometry geometry;
+  private final List<String> remarks;
+  private final KeptIndex indexes;
+  private final EventCursor.Factory cursors;
+  private final ViolationCounts violations;
+  private final EventCursor cursor;
+  private final PacketBuffer buffer;
+  private final Optional<ReadingCursor.Factory> readings;
+  private final ViolationCounts readingViolations = new ViolationCounts();
+
+  private State state = State.BEFORE_START;
+  private long deliveredUs = StreamNotification.NO_TIME_US;
+  private boolean sought;
+  private TimeIndex index;
+
+  /** Null if only events are wanted. */
+  private ReadingOrder order;
+
+  /**
+   * A reader at the start of a recording.
+   *
+   * @param formatName the format's name
+   * @param file the file, closed with the reader
+   * @param geometry sensor of the events
+   * @param remarks what a user should know about how the file is read
+   * @param options how large packets are
+   * @param violations what was found wrong up to now, and where everything else is counted
+   * @param cursors decode the events
+   * @throws IOException if the file cannot be read
+   */
+  public DecodingReader(
+      String formatName,
+      RecordingFile file,
+      SensorGeometry geometry,
+      List<String> remarks,
+      ReadOptions options,
+      ViolationCounts violations,
+      EventCursor.Factory cursors)
+      throws IOException {
+    this(formatName, file, geometry, remarks, options, violations, cursors, Optional.empty());
+  }
+
+  /**
+   * A reader at the start of a recording of a format that may hold more than events.
+   *
+   * @param formatName the format's name
+   * @param file the file, closed with the reader
+   * @param geometry sensor of the events
+   * @param remarks what a user should know about how the file is read
+   * @param options how large packets are, and whether readings are wanted
+   * @param violations what was found wrong up to now, and where everything else is counted
+   * @param cursors decode the events
+   * @param readings read frames, inertial samples and triggers; asked only if those are wanted
+   * @throws IOException if the file cannot be read
+   */
+  public DecodingReader(
+      String formatName,
+      RecordingFile file,
+      SensorGeometry geometry,
+      List<String> remarks,
+      ReadOptions options,
+      ViolationCounts violations,
+      EventCursor.Factory cursors,
+      Optional<ReadingCursor.Factory> readings)
+      throws IOException {
+    this.formatName = Objects.requireNonNull(formatName, "formatName");
+    this.file = file;
+    this.geometry = Objects.requireNonNull(geometry, "geometry");
+    this.remarks = new ArrayList<>(remarks);
+    this.violations = violations;
+    this.cursors = cursors;
+    String reading = String.join("|", formatName, geometry.toString(), options.topic().orElse(""));
+    indexes = new KeptIndex(file, reading, options.keepIndex(), cursors);
+    this.readings = file.isStream() ? Optional.empty() : readings;
+    if (options.readings() && this.readings.isPresent()) {
+      order = new ReadingOrder(readings.get().open(readingViolations));
+    }
+    cursor = cursors.open(violations);
+    buffer = new PacketBuffer(cursor, options.packetEvents());
+  }
+
+  @Override
+  public SensorGeometry geometry() {
+    return geometry;
+  }
+
+  @Override
+  public String formatName() {
+    return formatName;
+  }
+
+  @Override
+  public Path path() {
+    return file.path();
+  }
+
+  @Override
+  public long positionBytes() {
+    return Math.min(cursor.positionBytes(), file.size());
+  }
+
+  @Override
+  public long sizeBytes() {
+    return file.size();
+  }
+
+  @Override
+  public ViolationCounts violations() {
+    return violations;
+  }
+
+  @Override
+  public List<String> remarks() {
+    return List.copyOf(remarks);
+  }
+
+  @Override
+  public boolean next(StreamHandler handler) throws IOException {
+    switch (state) {
+      case BEFORE_START:
+        state = State.RUNNING;
+        sought = false;
+        deliveredUs = StreamNotification.NO_TIME_US;
+        handler.notified(new StreamStarted(geometry, file.path().toString()));
+        return true;
+      case ENDED:
+        return false;
+      default:
+        break;
+    }
+    if (sought) {
+      sought = false;
+      handler.notified(
+          new Reset(
+              Reset.Cause.SEEK,
+              deliveredUs,
+              buffer.hasEvents() ? buffer.nextUs() : StreamNotification.NO_TIME_US));
+      return true;
+    }
+    if (!buffer.hasEvents()) {
+      buffer.fill();
+    }
+    if (order != null && isReadingDue()) {
+      SensorReading reading = order.take();
+      violations.take(Violation.INCOMPLETE_READING, readingViolations);
+      handler.reading(reading);
+    } else if (buffer.hasEvents()) {
+      EventPacket events = buffer.take(order == null ? Long.MAX_VALUE : order.nextUs());
+      deliveredUs = events.lastTimeUs();
+      handler.packet(events);
+    } else if (buffer.isBeforeRestart()) {
+      giveRestart(handler);
+    } else {
+      state = State.ENDED;
+      handler.notified(new EndOfStream(deliveredUs));
+    }
+    return true;
+  }
+
+  /** Whether a frame, an inertial sample or a trigger comes before the next events. */
+  private boolean isReadingDue() throws IOException {
+    if (buffer.hasEvents()) {
+      return order.isDueBefore(buffer.nextUs(), buffer.offset());
+    }
+    return buffer.isBeforeRestart()
+        ? order.isDueBeforeRestart(cursor.positionBytes())
+        : order.isDueBeforeEnd();
+  }
+
+  private void giveRestart(StreamHandler handler) {
+    Reset reset =
+        new Reset(Reset.Cause.CLOCK_RESTARTED, cursor.times().lastUs(), cursor.times().restartUs());
+    if (order != null) {
+      order.restarted();
+    }
+    buffer.acceptRestart();
+    handler.notified(reset);
+  }
+
+  @Override
+  public RecordingClock clock() {
+    return cursor.clock();
+  }
+
+  @Override
+  public Map<String, String> metadata() {
+    return cursor.metadata();
+  }
+
+  @Override
+  public Optional<RecordingOutline> outline() throws IOException {
+    try (EventCursor other = cursors.open(new ViolationCounts())) {
+      return other.outline();
+    }
+  }
+
+  @Override
+  public ReadingCounts countReadings() throws IOException {
+    if (readings.isEmpty()) {
+      return ReadingCounts.NONE;
+    }
+    ReadingCounts counts = ReadingCounts.NONE;
+    try (ReadingCursor counter = readings.get().open(new ViolationCounts())) {
+      while (counter.next(Long.MAX_VALUE) == ReadingCursor.Step.READING) {
+        if (Thread.currentThread().isInterrupted()) {
+          throw new InterruptedIOException("interrupted while reading " + file.path());
+        }
+        counts = counts.plus(counter.reading().kind());
+      }
+    }
+    return counts;
+  }
+
+  @Override
+  public boolean isSeekable() {
+    return !file.isStream();
+  }
+
+  @Override
+  public List<TimeSegment> segments() throws IOException {
+    return index().segments();
+  }
+
+  private TimeIndex index() throws IOException {
+    if (index == null) {
+      index = indexes.find(cursor, remarks);
+    }
+    return index;
+  }
+
+  @Override
+  public void seek(int segment, long timeUs) throws IOException {
+    List<TimeSegment> segments = index().segments();
+    int wanted = segments.isEmpty() ? 0 : Objects.checkIndex(segment, segments.size());
+    if (state == State.ENDED) {
+      state = State.BEFORE_START;
+    }
+    sought = true;
+    buffer.moved(false);
+    long fromUs = timeUs;
+    if (!segments.isEmpty() && segments.get(wanted).lastUs() < fromUs) {
+      wanted++;
+      fromUs = Long.MIN_VALUE;
+    }
+    if (wanted >= segments.size()) {
+      buffer.moved(true);
+      seekReadingsOutsideOfEvents(segments.isEmpty(), timeUs);
+      return;
+    }
+    if (order != null) {
+      order.seek(index.stateBefore(wanted, fromUs), fromUs, index.startOffset(wanted));
+    }
+    index.seek(cursor, wanted, fromUs);
+    buffer.fillFrom(fromUs);
+  }
+
+  /** A recording without events may hold readings; behind the last event there is nothing. */
+  private void seekReadingsOutsideOfEvents(boolean noEvents, long timeUs) throws IOException {
+    if (order == null) {
+      return;
+    }
+    order.close();
+    order = new ReadingOrder(readings.orElseThrow().open(readingViolations));
+    if (noEvents) {
+      order.dropBefore(timeUs);
+    } else {
+      order.seekEnd();
+    }
+  }
+
+  @Override
+  public void close() throws IOException {
+    try {
+      cursor.close();
+      if (order != null) {
+        order.close();
+      }
+    } finally {
+      file.close();
+    }
+  }
+
+  @Override
+  public String toString() {
+    return file.path().toString();
+  }
+}

@@ -1,0 +1,180 @@
+package haltere.core.format.internal.reader;
+
+import haltere.core.event.Frame;
+import haltere.core.event.SensorReading;
+import haltere.core.format.internal.decoding.ReadingCursor;
+import java.io.Closeable;
+import java.io.IOException;
+import java.util.Comparator;
+import java.util.List;
+import java.util.PriorityQueue;
+
+/**
+ * Puts the readings of a recording into the order of time among its events. In a file they may
+ * stand some way off: a frame behind the events of its readout, samples of a packet behind or
+ * before those of another. So it looks ahead, by time, and within bounded memory and a bounded part
+ * of the file; a reading whose time falls far back belongs behind the next restart of the clock.
+ *
+ * <p>Thread rule: one thread.
+ */
+final class ReadingOrder implements Closeable {
+  private static final long LOOK_AHEAD_US = 250_000;
+  private static final long FALL_US = 2_000_000;
+  private static final long ANY_TIME_US = Long.MAX_VALUE - LOOK_AHEAD_US;
+
+  /** Of a file without readings so much is looked through before the first events are given. */
+  private static final long LOOK_AHEAD_BYTES = 16 << 20;
+
+  private static final int MAX_WAITING = 4096;
+  private static final long MAX_WAITING_BYTES = 16 << 20;
+
+  private record Waiting(SensorReading reading, long offset, int era, long number) {}
+
+  private final ReadingCursor cursor;
+  private final PriorityQueue<Waiting> waiting =
+      new PriorityQueue<>(
+          Comparator.comparingInt(Waiting::era)
+              .thenComparingLong(one -> one.reading().timeUs())
+              .thenComparingLong(Waiting::number));
+  private long waitingBytes;
+  private boolean atEnd;
+  private int era;
+  private int newestEra;
+  private long newestUs = Long.MIN_VALUE;
+  private long newestOffset;
+  private long taken;
+  private long fromUs = Long.MIN_VALUE;
+  private long fromOffset;
+
+  ReadingOrder(ReadingCursor cursor) {
+    this.cursor = cursor;
+  }
+
+  /** Whether a reading comes before an event that stands at or behind a place of the file. */
+  boolean isDueBefore(long eventUs, long offset) throws IOException {
+    lookAhead(eventUs, Long.MAX_VALUE, offset + LOOK_AHEAD_BYTES);
+    Waiting first = waiting.peek();
+    if (first == null) {
+      return false;
+    }
+    if (first.era > era && first.offset <= offset) {
+      // The clock of the events has not gone back where that of the readings seemed to.
+      era = first.era;
+    }
+    return first.era < era || first.era == era && first.reading.timeUs() <= eventUs || isFull();
+  }
+
+  /** Whether a reading comes before the clock goes back at a place of the file. */
+  boolean isDueBeforeRestart(long offset) throws IOException {
+    lookAhead(ANY_TIME_US, offset, offset);
+    Waiting first = waiting.peek();
+    return first != null && first.era <= era && first.offset <= offset;
+  }
+
+  /** Whether there is any left. */
+  boolean isDueBeforeEnd() throws IOException {
+    era = newestEra;
+    lookAhead(ANY_TIME_US, Long.MAX_VALUE, Long.MAX_VALUE);
+    return !waiting.isEmpty();
+  }
+
+  /** Time of the next reading, {@link Long#MAX_VALUE} if it is not of this side of a restart. */
+  long nextUs() {
+    Waiting first = waiting.peek();
+    return first == null || first.era > era ? Long.MAX_VALUE : first.reading.timeUs();
+  }
+
+  SensorReading take() {
+    Waiting first = waiting.remove();
+    waitingBytes -= bytes(first.reading);
+    return first.reading;
+  }
+
+  /** The clock of the events went back, and all readings that are due before that are taken. */
+  void restarted() {
+    era++;
+    if (newestEra < era) {
+      newestEra = era;
+      newestUs = Long.MIN_VALUE;
+      List<Waiting> later = List.copyOf(waiting);
+      waiting.clear();
+      for (Waiting one : later) {
+        waiting.add(new Waiting(one.reading, one.offset, era, one.number));
+        newestUs = Math.max(newestUs, one.reading.timeUs());
+      }
+    }
+  }
+
+  /**
+   * Goes to another place.
+   *
+   * @param state place of the events' cursor at or before the wanted time
+   * @param from the first time that is wanted
+   * @param offset readings before it in the file are not wanted
+   */
+  void seek(long[] state, long from, long offset) throws IOException {
+    cursor.restore(state, 0);
+    waiting.clear();
+    waitingBytes = 0;
+    atEnd = false;
+    era = 0;
+    newestEra = 0;
+    newestUs = Long.MIN_VALUE;
+    newestOffset = 0;
+    fromUs = from;
+    fromOffset = offset;
+  }
+
+  /** Readings before a time are not wanted. */
+  void dropBefore(long from) {
+    fromUs = from;
+  }
+
+  /** Nothing is wanted any more. */
+  void seekEnd() {
+    waiting.clear();
+    waitingBytes = 0;
+    atEnd = true;
+  }
+
+  private boolean isFull() {
+    return waiting.size() >= MAX_WAITING || waitingBytes >= MAX_WAITING_BYTES;
+  }
+
+  private void lookAhead(long eventUs, long offset, long untilOffset) throws IOException {
+    long untilUs = Math.min(eventUs, ANY_TIME_US) + LOOK_AHEAD_US;
+    while (!atEnd
+        && newestEra <= era
+        && newestUs <= untilUs
+        && newestOffset <= offset
+        && !isFull()) {
+      ReadingCursor.Step step = cursor.next(untilOffset);
+      if (step != ReadingCursor.Step.READING) {
+        atEnd = step == ReadingCursor.Step.END;
+        return;
+      }
+      SensorReading reading = cursor.reading();
+      newestOffset = cursor.offset();
+      long timeUs = reading.timeUs();
+      if (newestUs != Long.MIN_VALUE && timeUs < newestUs - FALL_US) {
+        newestEra++;
+        newestUs = timeUs;
+      }
+      newestUs = Math.max(newestUs, timeUs);
+      if (newestEra == 0 && (timeUs < fromUs || cursor.offset() < fromOffset)) {
+        continue;
+      }
+      waiting.add(new Waiting(reading, cursor.offset(), newestEra, taken++));
+      waitingBytes += bytes(reading);
+    }
+  }
+
+  private static long bytes(SensorReading reading) {
+    return reading instanceof Frame frame ? frame.rows().capacity() : 64;
+  }
+
+  @Override
+  public void close() throws IOException {
+    cursor.close();
+  }
+}

@@ -1,0 +1,236 @@
+package haltere.core.format.summary;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.event.SensorReading;
+import haltere.core.format.ProgressListener;
+import haltere.core.format.ReadingCounts;
+import haltere.core.format.RecordingReader;
+import haltere.core.format.TimeSegment;
+import haltere.core.format.Violation;
+import haltere.core.stream.DataLost;
+import haltere.core.stream.Reset;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import java.io.IOException;
+import java.io.InterruptedIOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import java.util.Set;
+
+/**
+ * What a recording holds, found by reading it once from start to end.
+ *
+ * <p>Thread rule: immutable.
+ *
+ * @param format name of its format
+ * @param geometry its sensor
+ * @param events number of events
+ * @param on number of ON events
+ * @param off number of OFF events
+ * @param firstUs time of the first event in microseconds, 0 without events
+ * @param lastUs time of the last event in microseconds, 0 without events
+ * @param durationS length of all segments together in seconds
+ * @param meanRateEps events per second over that length, 0 where it is 0
+ * @param peakRateEps most events in a stretch of 10 ms, in events per second; the stretches lie end
+ *     to end from the first event of each segment
+ * @param timestampsMonotonic whether the clock never goes back
+ * @param gaps losses that the recording itself tells of, and silences of the whole sensor of at
+ *     least {@link #SILENCE_US}; the first {@link #MAX_LISTED}
+ * @param segments stretches between which the clock goes back; the first {@link #MAX_LISTED}
+ * @param readings frames, inertial samples and triggers that it holds beside the events
+ * @param warnings what a user should know: assumptions of the reader and what was wrong or left out
+ */
+public record RecordingSummary(
+    String format,
+    SensorGeometry geometry,
+    long events,
+    long on,
+    long off,
+    long firstUs,
+    long lastUs,
+    double durationS,
+    double meanRateEps,
+    double peakRateEps,
+    boolean timestampsMonotonic,
+    List<Gap> gaps,
+    List<TimeSegment> segments,
+    ReadingCounts readings,
+    List<String> warnings) {
+  /** Silence of a whole sensor that counts as a gap: any sensor's noise is denser than that. */
+  public static final long SILENCE_US = 1_000_000;
+
+  /** So many gaps and segments are listed at the most; the warnings tell of more. */
+  public static final int MAX_LISTED = 10_000;
+
+  private static final long PEAK_US = 10_000;
+
+  /** Checks and copies. */
+  public RecordingSummary {
+    Objects.requireNonNull(format, "format");
+    Objects.requireNonNull(geometry, "geometry");
+    Objects.requireNonNull(readings, "readings");
+    gaps = List.copyOf(gaps);
+    segments = List.copyOf(segments);
+    warnings = List.copyOf(warnings);
+  }
+
+  /**
+   * Reads a recording from its start to its end, in bounded memory.
+   *
+   * @param reader at its start; at its end afterwards
+   * @param progress hears how far it is
+   * @param also are handed all that is read; must not change packets
+   * @return what it holds
+   * @throws InterruptedIOException if the thread is interrupted
+   * @throws IOException if the file can no longer be read
+   */
+  public static RecordingSummary scan(
+      RecordingReader reader, ProgressListener progress, StreamHandler... also) throws IOException {
+    Scan scan = new Scan(List.of(also));
+    long reported = 0;
+    while (reader.next(scan)) {
+      if (Thread.currentThread().isInterrupted()) {
+        throw new InterruptedIOException("interrupted while reading " + reader.path());
+      }
+      if (reader.positionBytes() > reported) {
+        reported = reader.positionBytes();
+        progress.progress(reported, reader.sizeBytes());
+      }
+    }
+    boolean others = reader.violations().count(Violation.OTHER_DATA) > 0;
+    return scan.summary(reader, others ? reader.countReadings() : scan.handed);
+  }
+
+  private static final class Scan implements StreamHandler {
+    private final List<Gap> gaps = new ArrayList<>();
+    private final List<TimeSegment> segments = new ArrayList<>();
+    private long gapCount;
+    private long segmentCount;
+    private long events;
+    private long on;
+    private long firstUs;
+    private long segmentFirstUs;
+    private long lastUs;
+    private boolean inSegment;
+    private long durationUs;
+    private long peakStartUs;
+    private long peakEvents;
+    private long peak;
+    private boolean monotonic = true;
+    private boolean lossTold;
+    private final List<StreamHandler> also;
+    private ReadingCounts handed = ReadingCounts.NONE;
+
+    Scan(List<StreamHandler> also) {
+      this.also = also;
+    }
+
+    @Override
+    public void reading(SensorReading reading) {
+      handed = handed.plus(reading.kind());
+      also.forEach(handler -> handler.reading(reading));
+    }
+
+    @Override
+    public void packet(EventPacket packet) {
+      also.forEach(handler -> handler.packet(packet));
+      int size = packet.size();
+      if (size == 0) {
+        return;
+      }
+      if (!inSegment) {
+        inSegment = true;
+        segmentFirstUs = packet.firstTimeUs();
+        firstUs = events == 0 ? segmentFirstUs : firstUs;
+        lastUs = segmentFirstUs;
+        startPeak(segmentFirstUs);
+      }
+      for (int i = 0; i < size; i++) {
+        long timeUs = packet.timeUs(i);
+        if (timeUs - lastUs >= SILENCE_US && !lossTold) {
+          addGap(new Gap(lastUs, timeUs, false));
+        }
+        lossTold = false;
+        lastUs = timeUs;
+        if (timeUs - peakStartUs >= PEAK_US) {
+          long elapsedUs = timeUs - peakStartUs;
+          startPeak(peakStartUs + elapsedUs - elapsedUs % PEAK_US);
+        }
+        peakEvents++;
+        on += packet.isOn(i) ? 1 : 0;
+      }
+      events += size;
+    }
+
+    private void startPeak(long timeUs) {
+      peak = Math.max(peak, peakEvents);
+      peakEvents = 0;
+      peakStartUs = timeUs;
+    }
+
+    private void addGap(Gap gap) {
+      gapCount++;
+      if (gaps.size() < MAX_LISTED) {
+        gaps.add(gap);
+      }
+    }
+
+    private void endSegment() {
+      if (inSegment) {
+        inSegment = false;
+        durationUs += lastUs - segmentFirstUs;
+        segmentCount++;
+        if (segments.size() < MAX_LISTED) {
+          segments.add(new TimeSegment(segmentFirstUs, lastUs));
+        }
+      }
+    }
+
+    @Override
+    public void notified(StreamNotification notification) {
+      also.forEach(handler -> handler.notified(notification));
+      if (notification instanceof DataLost lost) {
+        addGap(new Gap(lost.fromUs(), lost.toUs(), true));
+        lossTold = true;
+      } else if (notification instanceof Reset) {
+        monotonic = false;
+        endSegment();
+      }
+    }
+
+    RecordingSummary summary(RecordingReader reader, ReadingCounts readings) {
+      startPeak(0);
+      endSegment();
+      List<String> warnings = new ArrayList<>(reader.remarks());
+      warnings.addAll(
+          reader
+              .violations()
+              .describe(readings.isEmpty() ? Set.of() : Set.of(Violation.OTHER_DATA)));
+      if (gapCount > MAX_LISTED) {
+        warnings.add(gapCount + " gaps, of which the first " + MAX_LISTED + " are listed");
+      }
+      if (segmentCount > MAX_LISTED) {
+        warnings.add(segmentCount + " segments, of which the first " + MAX_LISTED + " are listed");
+      }
+      double durationS = durationUs / 1e6;
+      return new RecordingSummary(
+          reader.formatName(),
+          reader.geometry(),
+          events,
+          on,
+          events - on,
+          events == 0 ? 0 : firstUs,
+          events == 0 ? 0 : lastUs,
+          durationS,
+          durationUs == 0 ? 0 : events / durationS,
+          peak * (1e6 / PEAK_US),
+          monotonic,
+          gaps,
+          segments,
+          readings,
+          warnings);
+    }
+  }
+}

@@ -1,0 +1,2 @@
+/** What one pass over a recording tells of it: counts, rates, gaps. */
+package haltere.core.format.summary;

@@ -1,0 +1,200 @@
+package haltere.core.pipeline;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorReading;
+import haltere.core.format.ProgressListener;
+import haltere.core.format.ReadingCounts;
+import haltere.core.format.RecordingReader;
+import haltere.core.format.RecordingWriter;
+import haltere.core.format.Violation;
+import haltere.core.stream.EndOfStream;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import java.io.IOException;
+import java.io.InterruptedIOException;
+import java.io.UncheckedIOException;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.Set;
+
+/**
+ * Copies a recording, or the part of it in a half-open stretch of time, into a writer, through a
+ * chain of filters if wanted. The file that is written appears when all of it is there.
+ *
+ * <p>Thread rule: everything happens on the calling thread.
+ */
+public final class Conversion {
+  private final long fromUs;
+  private final long toUs;
+  private final Optional<StreamHandler> stage;
+  private final ProgressListener progress;
+
+  /**
+   * A conversion.
+   *
+   * @param fromUs the first time to copy, on the recording's own clock; {@link Long#MIN_VALUE} for
+   *     all
+   * @param toUs the first time not to copy any more; {@link Long#MAX_VALUE} for all
+   * @param stage works on each packet in place before it is written and hears all notifications, as
+   *     a filter chain does; empty to copy as it is
+   * @param progress hears how far it is
+   */
+  public Conversion(
+      long fromUs, long toUs, Optional<StreamHandler> stage, ProgressListener progress) {
+    if (toUs < fromUs) {
+      throw new IllegalArgumentException("from " + fromUs + " us to " + toUs + " us is no time");
+    }
+    this.fromUs = fromUs;
+    this.toUs = toUs;
+    this.stage = Objects.requireNonNull(stage, "stage");
+    this.progress = Objects.requireNonNull(progress, "progress");
+  }
+
+  /**
+   * What was done.
+   *
+   * @param eventsRead events of the recording within the time
+   * @param eventsWritten events that the stage left of them
+   * @param readingsWritten frames, inertial samples and triggers that were written
+   * @param readingsLeftOut those that the written format cannot hold
+   * @param warnings what the reader assumed, what was wrong in the file and what the written format
+   *     could not hold
+   */
+  public record Result(
+      long eventsRead,
+      long eventsWritten,
+      ReadingCounts readingsWritten,
+      ReadingCounts readingsLeftOut,
+      List<String> warnings) {
+    /** Copies the warnings. */
+    public Result {
+      warnings = List.copyOf(warnings);
+    }
+  }
+
+  /**
+   * Copies everything.
+   *
+   * <p>In a recording of several segments the stretch of time is copied from each of them.
+   *
+   * @param reader at its start; at its end, or behind the stretch, afterwards
+   * @param writer empty; finished afterwards, not closed
+   * @return what was done
+   * @throws InterruptedIOException if the thread is interrupted; nothing is written then
+   * @throws IOException if reading or writing fails; nothing is written then
+   */
+  public Result run(RecordingReader reader, RecordingWriter writer) throws IOException {
+    boolean last = false;
+    if (reader.isSeekable() && (fromUs != Long.MIN_VALUE || toUs != Long.MAX_VALUE)) {
+      last = reader.segments().size() <= 1;
+    }
+    if (reader.isSeekable() && fromUs != Long.MIN_VALUE) {
+      reader.seek(fromUs);
+    }
+    Copy copy = new Copy(writer, last);
+    long reported = 0;
+    try {
+      while (!copy.past && reader.next(copy)) {
+        if (Thread.currentThread().isInterrupted()) {
+          throw new InterruptedIOException("interrupted while converting " + reader.path());
+        }
+        if (reader.positionBytes() > reported) {
+          reported = reader.positionBytes();
+          progress.progress(reported, reader.sizeBytes());
+        }
+      }
+    } catch (UncheckedIOException failure) {
+      throw failure.getCause();
+    }
+    copy.end();
+    writer.finish();
+    List<String> warnings = new java.util.ArrayList<>(reader.remarks());
+    boolean told = !copy.readingsWritten.isEmpty() || !copy.readingsLeftOut.isEmpty();
+    warnings.addAll(reader.violations().describe(told ? Set.of(Violation.OTHER_DATA) : Set.of()));
+    warnings.addAll(writer.losses());
+    if (!copy.readingsLeftOut.isEmpty()) {
+      warnings.add(
+          copy.readingsLeftOut + " were left out: the format that is written cannot hold them");
+    }
+    return new Result(
+        copy.eventsRead, copy.eventsWritten, copy.readingsWritten, copy.readingsLeftOut, warnings);
+  }
+
+  private final class Copy implements StreamHandler {
+    private final RecordingWriter writer;
+    private final boolean lastSegment;
+    private final EventPacket part = new EventPacket(0);
+    private long eventsRead;
+    private long eventsWritten;
+    private long lastUs = StreamNotification.NO_TIME_US;
+    private ReadingCounts readingsWritten = ReadingCounts.NONE;
+    private ReadingCounts readingsLeftOut = ReadingCounts.NONE;
+    private boolean past;
+    private boolean ended;
+
+    Copy(RecordingWriter writer, boolean lastSegment) {
+      this.writer = writer;
+      this.lastSegment = lastSegment;
+    }
+
+    @Override
+    public void packet(EventPacket packet) {
+      int from = packet.indexAtOrAfter(fromUs);
+      int to = toUs == Long.MAX_VALUE ? packet.size() : packet.indexAtOrAfter(toUs, from);
+      past = lastSegment && to < packet.size();
+      EventPacket wanted = packet;
+      if (from > 0 || to < packet.size()) {
+        part.clear();
+        part.append(packet, from, to);
+        wanted = part;
+      }
+      if (wanted.isEmpty()) {
+        return;
+      }
+      eventsRead += wanted.size();
+      lastUs = wanted.lastTimeUs();
+      if (stage.isPresent()) {
+        stage.get().packet(wanted);
+      }
+      eventsWritten += wanted.size();
+      try {
+        writer.write(wanted);
+      } catch (IOException failure) {
+        throw new UncheckedIOException(failure);
+      }
+    }
+
+    @Override
+    public void reading(SensorReading reading) {
+      if (reading.timeUs() < fromUs || reading.timeUs() >= toUs && toUs != Long.MAX_VALUE) {
+        return;
+      }
+      stage.ifPresent(handler -> handler.reading(reading));
+      try {
+        if (writer.write(reading)) {
+          readingsWritten = readingsWritten.plus(reading.kind());
+        } else {
+          readingsLeftOut = readingsLeftOut.plus(reading.kind());
+        }
+      } catch (IOException failure) {
+        throw new UncheckedIOException(failure);
+      }
+    }
+
+    @Override
+    public void notified(StreamNotification notification) {
+      ended |= notification instanceof EndOfStream;
+      stage.ifPresent(handler -> handler.notified(notification));
+    }
+
+    /**
+     * The stage hears the end of the stream even where the copy stops before the recording does.
+     */
+    void end() {
+      if (!ended) {
+        notified(new EndOfStream(lastUs));
+      }
+    }
+  }
+}

@@ -1,0 +1,118 @@
+package haltere.core.playback.internal;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.event.SensorReading;
+import haltere.core.playback.PlaybackClock;
+import haltere.core.stream.EndOfStream;
+import haltere.core.stream.EventSource;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import java.io.IOException;
+import java.io.InterruptedIOException;
+import java.util.Objects;
+
+/**
+ * Gives the stream of another source as a camera would: events come when their time has come, in
+ * packets of no more than some milliseconds, from the first event on. Whoever is slow gets them
+ * later; nothing is lost.
+ *
+ * <p>Thread rule: one thread at a time.
+ */
+public final class PacedSource implements EventSource {
+  private static final long PIECE_US = 2000;
+
+  private final EventSource source;
+  private final PlaybackClock clock;
+  private final EventPacket pending = new EventPacket(4096);
+  private final EventPacket piece = new EventPacket(4096);
+  private int index;
+  private boolean anchored;
+
+  /**
+   * A source that is paced.
+   *
+   * @param source gives the stream; closed with this
+   * @param clock says when a time is due, at its speed
+   */
+  public PacedSource(EventSource source, PlaybackClock clock) {
+    this.source = Objects.requireNonNull(source, "source");
+    this.clock = Objects.requireNonNull(clock, "clock");
+    clock.resume();
+  }
+
+  @Override
+  public SensorGeometry geometry() {
+    return source.geometry();
+  }
+
+  @Override
+  public boolean next(StreamHandler handler) throws IOException {
+    if (index == pending.size()) {
+      return source.next(new Taker(handler)) && (index == pending.size() || giveDue(handler));
+    }
+    return giveDue(handler);
+  }
+
+  /** Waits for the next events and gives them. */
+  private boolean giveDue(StreamHandler handler) throws InterruptedIOException {
+    int end = Math.max(index + 1, pending.indexAtOrAfter(pending.timeUs(index) + PIECE_US, index));
+    await(pending.timeUs(end - 1));
+    piece.clear();
+    piece.append(pending, index, end);
+    index = end;
+    handler.packet(piece);
+    return true;
+  }
+
+  private void await(long timeUs) throws InterruptedIOException {
+    if (!anchored) {
+      clock.setPosition(timeUs);
+      anchored = true;
+    }
+    try {
+      for (long nanos = clock.nanosUntil(timeUs); nanos > 0; nanos = clock.nanosUntil(timeUs)) {
+        clock.sleep(nanos);
+      }
+    } catch (InterruptedException interrupted) {
+      Thread.currentThread().interrupt();
+      throw new InterruptedIOException("interrupted while waiting for the time of an event");
+    }
+  }
+
+  /** Keeps a packet until it is due; the rest has no time of its own and goes on at once. */
+  private final class Taker implements StreamHandler {
+    private final StreamHandler handler;
+
+    Taker(StreamHandler handler) {
+      this.handler = handler;
+    }
+
+    @Override
+    public void packet(EventPacket packet) {
+      if (packet.isEmpty()) {
+        handler.packet(packet);
+        return;
+      }
+      pending.clear();
+      pending.append(packet, 0, packet.size());
+      index = 0;
+    }
+
+    @Override
+    public void reading(SensorReading reading) {
+      handler.reading(reading);
+    }
+
+    @Override
+    public void notified(StreamNotification notification) {
+      anchored &= !notification.endsContinuity() && !(notification instanceof EndOfStream);
+      handler.notified(notification);
+    }
+  }
+
+  @Override
+  public void close() throws IOException {
+    source.close();
+  }
+}

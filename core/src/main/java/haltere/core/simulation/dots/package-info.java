@@ -1,2 +1,0 @@
-/** Discs that move, meet and part, and their truth. */
-package haltere.core.simulation.dots;

@@ -1,2 +1,0 @@
-/** A fly in free flight before several cameras, and its truth. */
-package haltere.core.simulation.flight;

@@ -1,2 +1,0 @@
-/** A tethered fly that beats its wings before the camera, and its truth. */
-package haltere.core.simulation.fly;

@@ -1,0 +1,57 @@
+package haltere.core.simulation.internal.flight;
+
+import haltere.core.settings.Help;
+import haltere.core.settings.Range;
+import haltere.core.settings.SettingsSchema;
+import haltere.core.settings.Unit;
+
+/**
+ * What a detector makes of the pictures of {@link FlightScene}.
+ *
+ * @param rateHz how often the cameras look
+ * @param angleSdDeg noise of an angle
+ * @param placeSdPx noise of a place
+ * @param outlierShare share of angles that have nothing to do with the body
+ * @param outlierDeg how far off these are at least
+ * @param missingShare share of detections that there are not
+ */
+public record FlightDetectionSettings(
+    @Help("Pictures in a second.") @Range(min = 1, max = 100000, logarithmic = true) @Unit("Hz")
+        double rateHz,
+    @Help("Standard deviation of a detected angle.") @Range(min = 0, max = 90) @Unit("deg")
+        double angleSdDeg,
+    @Help("Standard deviation of a detected place, in each coordinate.")
+        @Range(min = 0, max = 100)
+        @Unit("px")
+        double placeSdPx,
+    @Help("Share of angles that have nothing to do with the body.")
+        @Range(min = 0, max = 1)
+        @Unit("1")
+        double outlierShare,
+    @Help("How far off these are at least; from there on, any angle.")
+        @Range(min = 0, max = 90)
+        @Unit("deg")
+        double outlierDeg,
+    @Help("Share of detections that are missing.") @Range(min = 0, max = 1) @Unit("1")
+        double missingShare) {
+  /** Checks the ranges. */
+  public FlightDetectionSettings {
+    SettingsSchema.validate(
+        FlightDetectionSettings.class,
+        rateHz,
+        angleSdDeg,
+        placeSdPx,
+        outlierShare,
+        outlierDeg,
+        missingShare);
+  }
+
+  /**
+   * The default settings.
+   *
+   * @return 100 Hz, 2 degrees, half a pixel, one outlier in ten, one missing in twenty
+   */
+  public static FlightDetectionSettings defaults() {
+    return new FlightDetectionSettings(100, 2, 0.5, 0.1, 20, 0.05);
+  }
+}

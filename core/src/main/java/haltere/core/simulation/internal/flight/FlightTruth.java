@@ -1,0 +1,27 @@
+package haltere.core.simulation.internal.flight;
+
+/**
+ * The truth about the body of {@link FlightScene} at one time.
+ *
+ * @param tUs time on the clock of the events, microseconds
+ * @param xM place, metres
+ * @param yM place, metres
+ * @param zM place, metres
+ * @param vxMS velocity, metres a second
+ * @param vyMS velocity, metres a second
+ * @param vzMS velocity, metres a second
+ * @param ux axis, a unit vector from tail to head
+ * @param uy axis
+ * @param uz axis
+ */
+public record FlightTruth(
+    long tUs,
+    double xM,
+    double yM,
+    double zM,
+    double vxMS,
+    double vyMS,
+    double vzMS,
+    double ux,
+    double uy,
+    double uz) {}

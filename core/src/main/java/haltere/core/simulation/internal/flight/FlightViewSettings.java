@@ -1,0 +1,41 @@
+package haltere.core.simulation.internal.flight;
+
+import haltere.core.settings.Help;
+import haltere.core.settings.Range;
+import haltere.core.settings.SettingsSchema;
+import haltere.core.settings.Unit;
+
+/**
+ * The cameras of {@link FlightScene}: in a ring around the place of flight, all looking at its
+ * middle.
+ *
+ * @param cameras how many
+ * @param camera which one's events are made
+ * @param distanceM how far away they are
+ * @param roomM radius of the room that they all see
+ */
+public record FlightViewSettings(
+    @Help("How many cameras there are.") @Range(min = 1, max = 16) @Unit("cameras") int cameras,
+    @Help("Whose events are made, from 0 on.") @Range(min = 0, max = 15) @Unit("1") int camera,
+    @Help("Distance of the cameras from the middle.")
+        @Range(min = 0.05, max = 100, logarithmic = true)
+        @Unit("m")
+        double distanceM,
+    @Help("Radius of the room that the cameras see and the body keeps to.")
+        @Range(min = 0.01, max = 10, logarithmic = true)
+        @Unit("m")
+        double roomM) {
+  /** Checks the ranges. */
+  public FlightViewSettings {
+    SettingsSchema.validate(FlightViewSettings.class, cameras, camera, distanceM, roomM);
+  }
+
+  /**
+   * The default settings.
+   *
+   * @return three cameras, 0.6 m away
+   */
+  public static FlightViewSettings defaults() {
+    return new FlightViewSettings(3, 0, 0.6, 0.15);
+  }
+}

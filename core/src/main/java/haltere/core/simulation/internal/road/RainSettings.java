@@ -1,0 +1,43 @@
+package haltere.core.simulation.internal.road;
+
+import haltere.core.settings.Help;
+import haltere.core.settings.Range;
+import haltere.core.settings.SettingsSchema;
+import haltere.core.settings.Unit;
+
+/**
+ * Rain before the camera: bright drops that fall through the picture, each a short streak of ON
+ * events with OFF events behind.
+ *
+ * @param streaksPerS streaks a second, 0 for dry weather
+ * @param lengthPx mean length of a streak, pixels
+ * @param speedPxS mean speed of a drop, pixels a second
+ * @param slant how far a drop moves to the right while it falls by 1
+ */
+public record RainSettings(
+    @Help("Streaks of rain in a second, 0 for dry weather.")
+        @Range(min = 0, max = 100000, logarithmic = true)
+        @Unit("streaks/s")
+        double streaksPerS,
+    @Help("Mean length of a streak.") @Range(min = 1, max = 200, logarithmic = true) @Unit("px")
+        double lengthPx,
+    @Help("Mean speed of a drop.") @Range(min = 500, max = 100000, logarithmic = true) @Unit("px/s")
+        double speedPxS,
+    @Help("How far a drop moves to the right while it falls by 1.")
+        @Range(min = -1, max = 1)
+        @Unit("1")
+        double slant) {
+  /** Checks the values. */
+  public RainSettings {
+    SettingsSchema.validate(RainSettings.class, streaksPerS, lengthPx, speedPxS, slant);
+  }
+
+  /**
+   * The default settings.
+   *
+   * @return valid settings
+   */
+  public static RainSettings defaults() {
+    return new RainSettings(0, 8, 1500, 0.15);
+  }
+}

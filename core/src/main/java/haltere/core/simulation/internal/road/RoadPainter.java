@@ -1,0 +1,352 @@
+package haltere.core.simulation.internal.road;
+
+import haltere.core.simulation.internal.road.PaintedBox.Ray;
+import haltere.core.simulation.internal.sensor.PixelArray;
+import haltere.core.simulation.internal.sensor.SeededRandom;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Paints the traffic on the pixels. Time goes in intervals; in each, a vehicle is looked at as
+ * often as it takes that it moves by no more than half a pixel between two looks, or a 24th of its
+ * size, which is less than anything that is painted on it. A look goes over the pixels of the
+ * vehicle's box, finds what each sees (the nearest part of the nearest vehicle along its ray), and
+ * where that is another light than at the last look, searches for the time of the change by halving
+ * within a sixteenth of a pixel's motion, where it draws the time at random.
+ *
+ * <p>Thread rule: one thread at a time.
+ */
+final class RoadPainter {
+  /** Inverse of the tangent of a column that sees straight ahead. */
+  static final double STEEP = 1e12;
+
+  private static final double US = 1e-6;
+  private static final int MAX_LOOKS = 64;
+  private static final double MIN_MOTION_PX = 0.5;
+  private static final double LARGEST_MOTION_PX = 8;
+  private static final double MOTION_SHARE = 1.0 / 24;
+  private static final double TIMED_WITHIN_PX = 1.0 / 16;
+
+  /** A vehicle in an interval. */
+  private static final class Mover {
+    Vehicle vehicle;
+    boolean isGone;
+    boolean isFollowed;
+    double fromX;
+    double fromNear;
+    double byX;
+    double byNear;
+    RoadView before = new RoadView();
+    RoadView after = new RoadView();
+    int looks;
+    int halvings;
+    int firstColumn;
+    int lastColumn;
+    int firstRow;
+    int lastRow;
+  }
+
+  /** A part of a vehicle in a row. */
+  private static final class Slice {
+    PaintedBox part;
+    double middle;
+    double near;
+    double enter;
+    double leave;
+  }
+
+  private final RoadCamera camera;
+  private final TrafficPlan plan;
+  private final PixelArray pixels;
+  private final SeededRandom random;
+  private final int width;
+  private final int height;
+  private final Ray ray;
+  private final double[] tangent;
+  private final double[] inverseTangent;
+  private final double[] inverseCos;
+  private final double[] inverseSin;
+  private final int rows;
+  private final double[] shown;
+  private final double[] lookedUs;
+  private final List<Vehicle> there = new ArrayList<>();
+  private final List<Mover> movers = new ArrayList<>();
+  private final List<Mover> spare = new ArrayList<>();
+  private final List<Mover> candidates = new ArrayList<>();
+  private final List<Slice> slices = new ArrayList<>();
+  private int slicesInRow;
+
+  RoadPainter(RoadSceneSettings settings, RoadCamera camera, TrafficPlan plan, PixelArray pixels) {
+    this.camera = camera;
+    this.plan = plan;
+    this.pixels = pixels;
+    random = new SeededRandom(settings.run().seed(), "edges");
+    width = settings.sensor().widthPx();
+    height = settings.sensor().heightPx();
+    ray = new Ray(camera.heightM);
+    tangent = new double[width];
+    inverseTangent = new double[width];
+    for (int x = 0; x < width; x++) {
+      tangent[x] = camera.tangent(x);
+      inverseTangent[x] = tangent[x] == 0 ? STEEP : 1 / tangent[x];
+    }
+    inverseCos = new double[height];
+    inverseSin = new double[height];
+    int below = 0;
+    for (int y = 0; y < height && camera.angle(y) > 0; y++) {
+      inverseCos[y] = 1 / StrictMath.cos(camera.angle(y));
+      inverseSin[y] = 1 / StrictMath.sin(camera.angle(y));
+      below++;
+    }
+    rows = below;
+    shown = new double[width * height];
+    lookedUs = new double[width * height];
+  }
+
+  /** Shows the traffic as it is at the beginning, without an event. */
+  void begin() {
+    follow(0);
+    for (int i = 0; i < movers.size(); i++) {
+      Mover mover = movers.get(i);
+      place(mover, 0, 0);
+      seek(mover);
+    }
+    for (int i = 0; i < movers.size(); i++) {
+      Mover mover = movers.get(i);
+      gather(mover);
+      for (int y = mover.firstRow; y <= mover.lastRow; y++) {
+        for (int x = mover.firstColumn; x <= mover.lastColumn; x++) {
+          shown[y * width + x] = light(x, y, 0);
+          pixels.settle(y * width + x, shown[y * width + x]);
+        }
+      }
+    }
+  }
+
+  /** Changes the pixels from a time to a time, microseconds since the beginning. */
+  void paint(double fromUs, double toUs) {
+    follow(toUs * US);
+    int most = 1;
+    for (int i = 0; i < movers.size(); i++) {
+      Mover mover = movers.get(i);
+      place(mover, fromUs * US, toUs * US);
+      seek(mover);
+      most = Math.max(most, mover.looks);
+    }
+    for (int step = 1; step <= most; step++) {
+      for (int i = 0; i < movers.size(); i++) {
+        Mover mover = movers.get(i);
+        if (mover.looks > 0 && step % (most / mover.looks) == 0) {
+          look(mover, (double) step / most, fromUs, toUs);
+        }
+      }
+    }
+    for (int i = movers.size() - 1; i >= 0; i--) {
+      if (movers.get(i).isGone) {
+        spare.add(movers.remove(i));
+      }
+    }
+  }
+
+  /** Brings the list of movers up to date; those that have left get a last look. */
+  private void follow(double seconds) {
+    there.clear();
+    plan.collect(seconds, there);
+    for (int i = 0; i < movers.size(); i++) {
+      Mover mover = movers.get(i);
+      mover.isGone = true;
+      for (int j = 0; j < there.size(); j++) {
+        if (there.get(j).id == mover.vehicle.id) {
+          mover.isGone = false;
+          there.remove(j);
+          break;
+        }
+      }
+    }
+    for (int i = 0; i < there.size(); i++) {
+      Mover mover = spare.isEmpty() ? new Mover() : spare.remove(spare.size() - 1);
+      mover.vehicle = there.get(i);
+      mover.isGone = false;
+      mover.isFollowed = false;
+      movers.add(mover);
+    }
+  }
+
+  private void place(Mover mover, double fromS, double toS) {
+    Vehicle vehicle = mover.vehicle;
+    mover.fromX = vehicle.x(fromS);
+    mover.fromNear = vehicle.near(fromS);
+    double toX = vehicle.x(toS);
+    double toNear = vehicle.near(toS);
+    mover.byX = toX - mover.fromX;
+    mover.byNear = toNear - mover.fromNear;
+    RoadView before = mover.before;
+    mover.before = mover.after;
+    mover.after = before;
+    if (!mover.isFollowed) {
+      mover.before.see(camera, vehicle, mover.fromX, mover.fromNear);
+      mover.isFollowed = true;
+    }
+    mover.after.see(camera, vehicle, toX, toNear);
+  }
+
+  private void seek(Mover mover) {
+    RoadView a = mover.before;
+    RoadView b = mover.after;
+    mover.firstColumn = (int) Math.max(0, Math.floor(Math.min(a.fromX, b.fromX)));
+    mover.lastColumn = (int) Math.min(width - 1, Math.ceil(Math.max(a.toX, b.toX)));
+    mover.firstRow = (int) Math.max(0, Math.floor(Math.min(a.fromY, b.fromY)));
+    mover.lastRow = (int) Math.min(rows - 1, Math.ceil(Math.max(a.toY, b.toY)));
+    double motion = motion(a, b, Double.POSITIVE_INFINITY);
+    double seen = Math.max(motion(a, b, 1), Math.min(motion, 2 * LARGEST_MOTION_PX));
+    double size = Math.min(b.toX - b.fromX, b.toY - b.fromY);
+    double most = Math.max(MIN_MOTION_PX, Math.min(LARGEST_MOTION_PX, size * MOTION_SHARE));
+    mover.looks = motion == 0 && !mover.isGone ? 0 : 1;
+    while (mover.looks > 0 && mover.looks < MAX_LOOKS && seen > most * mover.looks) {
+      mover.looks *= 2;
+    }
+    mover.halvings = 0;
+    for (double px = motion / Math.max(1, mover.looks); px > TIMED_WITHIN_PX; px /= 2) {
+      mover.halvings++;
+    }
+    if (mover.firstColumn > mover.lastColumn || mover.firstRow > mover.lastRow) {
+      mover.looks = 0;
+    }
+  }
+
+  /** Largest motion of a side of a box, seen on the sensor and a margin around it. */
+  private double motion(RoadView a, RoadView b, double margin) {
+    double along = Math.max(way(a.fromX, b.fromX, width, margin), way(a.toX, b.toX, width, margin));
+    double up = Math.max(way(a.fromY, b.fromY, height, margin), way(a.toY, b.toY, height, margin));
+    return Math.max(along, up);
+  }
+
+  private static double way(double from, double to, int size, double margin) {
+    double a = Math.max(-margin, Math.min(size + margin, from));
+    double b = Math.max(-margin, Math.min(size + margin, to));
+    return Math.abs(b - a);
+  }
+
+  private void gather(Mover mover) {
+    candidates.clear();
+    for (int i = 0; i < movers.size(); i++) {
+      Mover other = movers.get(i);
+      if (!other.isGone
+          && other.firstColumn <= mover.lastColumn
+          && other.lastColumn >= mover.firstColumn
+          && other.firstRow <= mover.lastRow
+          && other.lastRow >= mover.firstRow) {
+        candidates.add(other);
+      }
+    }
+  }
+
+  private void look(Mover mover, double share, double fromUs, double toUs) {
+    gather(mover);
+    double spanUs = toUs - fromUs;
+    double nowUs = fromUs + share * spanUs;
+    double lastUs = nowUs - spanUs / mover.looks;
+    for (int y = mover.firstRow; y <= mover.lastRow; y++) {
+      slice(y, share);
+      for (int x = mover.firstColumn; x <= mover.lastColumn; x++) {
+        int pixel = y * width + x;
+        double light = lightInSlice(x);
+        if (light != shown[pixel]) {
+          double low = Math.max(lastUs, lookedUs[pixel]);
+          double high = nowUs;
+          for (int i = 0; i < mover.halvings; i++) {
+            double middle = (low + high) / 2;
+            if (light(x, y, (middle - fromUs) / spanUs) == shown[pixel]) {
+              low = middle;
+            } else {
+              high = middle;
+            }
+          }
+          pixels.change(pixel, random.between(low, high), light - shown[pixel]);
+          shown[pixel] = light;
+        }
+        lookedUs[pixel] = nowUs;
+      }
+    }
+  }
+
+  /** Prepares a row: the parts that it meets, all that does not depend on the column. */
+  private void slice(int y, double share) {
+    ray.inverseCos = inverseCos[y];
+    ray.inverseSin = inverseSin[y];
+    slicesInRow = 0;
+    for (int i = 0; i < candidates.size(); i++) {
+      Mover mover = candidates.get(i);
+      if (y < mover.firstRow || y > mover.lastRow) {
+        continue;
+      }
+      double middle = mover.fromX + share * mover.byX;
+      double near = mover.fromNear + share * mover.byNear;
+      List<PaintedBox> parts = mover.vehicle.parts;
+      for (int p = 0; p < parts.size(); p++) {
+        if (slicesInRow == slices.size()) {
+          slices.add(new Slice());
+        }
+        Slice slice = slices.get(slicesInRow);
+        slice.part = parts.get(p);
+        slice.middle = middle;
+        slice.near = near;
+        slice.enter = slice.part.enter(near, ray);
+        slice.leave = slice.part.leave(near, ray);
+        slicesInRow += slice.enter <= slice.leave ? 1 : 0;
+      }
+    }
+  }
+
+  /** What a pixel of the prepared row sees. */
+  private double lightInSlice(int x) {
+    ray.tangent = tangent[x];
+    ray.inverseTangent = inverseTangent[x];
+    double nearest = PaintedBox.NOWHERE;
+    Slice met = null;
+    for (int i = 0; i < slicesInRow; i++) {
+      Slice slice = slices.get(i);
+      double range = slice.part.meetAcross(slice.middle, slice.enter, slice.leave, ray);
+      if (range < nearest) {
+        nearest = range;
+        met = slice;
+      }
+    }
+    return met == null ? 0 : met.part.lightAt(met.middle, met.near, ray, nearest);
+  }
+
+  /** What a pixel sees at a share of the interval. */
+  private double light(int x, int y, double share) {
+    ray.tangent = tangent[x];
+    ray.inverseTangent = inverseTangent[x];
+    ray.inverseCos = inverseCos[y];
+    ray.inverseSin = inverseSin[y];
+    double nearest = PaintedBox.NOWHERE;
+    PaintedBox met = null;
+    double metX = 0;
+    double metNear = 0;
+    for (int i = 0; i < candidates.size(); i++) {
+      Mover mover = candidates.get(i);
+      if (x < mover.firstColumn
+          || x > mover.lastColumn
+          || y < mover.firstRow
+          || y > mover.lastRow) {
+        continue;
+      }
+      double middle = mover.fromX + share * mover.byX;
+      double near = mover.fromNear + share * mover.byNear;
+      List<PaintedBox> parts = mover.vehicle.parts;
+      for (int p = 0; p < parts.size(); p++) {
+        PaintedBox part = parts.get(p);
+        double range = part.meet(middle, near, ray);
+        if (range < nearest) {
+          nearest = range;
+          met = part;
+          metX = middle;
+          metNear = near;
+        }
+      }
+    }
+    return met == null ? 0 : met.lightAt(metX, metNear, ray, nearest);
+  }
+}

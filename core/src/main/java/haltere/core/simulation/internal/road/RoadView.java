@@ -1,0 +1,47 @@
+package haltere.core.simulation.internal.road;
+
+import haltere.core.simulation.internal.sensor.SensorSettings;
+
+/**
+ * Where a vehicle is seen: the upright box around its outline, unclipped.
+ *
+ * <p>Thread rule: one thread at a time.
+ */
+final class RoadView {
+  double fromX;
+  double toX;
+  double fromY;
+  double toY;
+
+  /** Puts the box around a vehicle whose middle and nearer end are at a place. */
+  void see(RoadCamera camera, Vehicle vehicle, double x, double near) {
+    fromX = Double.POSITIVE_INFINITY;
+    toX = Double.NEGATIVE_INFINITY;
+    fromY = Double.POSITIVE_INFINITY;
+    toY = Double.NEGATIVE_INFINITY;
+    for (int i = 0; i < vehicle.parts.size(); i++) {
+      PaintedBox part = vehicle.parts.get(i);
+      for (int corner = 0; corner < 4; corner++) {
+        double d = near + ((corner & 1) == 0 ? part.near : part.far);
+        double z = (corner & 2) == 0 ? part.bottom : part.top;
+        double row = camera.row(d, z);
+        fromY = Math.min(fromY, row);
+        toY = Math.max(toY, row);
+        fromX = Math.min(fromX, camera.column(x + part.left, d, z));
+        toX = Math.max(toX, camera.column(x + part.right, d, z));
+      }
+      if (near + part.near < 0 && near + part.far > 0) {
+        // straight below the camera a point is nearest, so the sides bulge
+        fromX = Math.min(fromX, camera.column(x + part.left, 0, part.top));
+        toX = Math.max(toX, camera.column(x + part.right, 0, part.top));
+      }
+    }
+  }
+
+  boolean touches(SensorSettings sensor) {
+    return toX > -0.5
+        && fromX < sensor.widthPx() - 0.5
+        && toY > -0.5
+        && fromY < sensor.heightPx() - 0.5;
+  }
+}

@@ -1,0 +1,69 @@
+package haltere.core.simulation.internal.road;
+
+import haltere.core.settings.Help;
+import haltere.core.settings.Range;
+import haltere.core.settings.SettingsSchema;
+import haltere.core.settings.Unit;
+
+/**
+ * The traffic of {@link RoadScene}. It drives on the right: away from the bridge on the right of
+ * the picture, towards it on the left.
+ *
+ * @param lanesAway lanes away from the bridge
+ * @param lanesTowards lanes towards the bridge
+ * @param laneWidthM width of a lane, metres
+ * @param roadM how far away vehicles are seen, metres
+ * @param speedMS mean speed, metres a second
+ * @param speedSpread standard deviation of the speed over the vehicles, as a share of it
+ * @param pauseS mean pause between two groups of vehicles of one direction, seconds; they keep
+ *     their distance, so it is longer where they have to wait
+ * @param encounters what the groups do
+ */
+public record TrafficSettings(
+    @Help("Lanes of vehicles that drive away, on the right of the picture.")
+        @Range(min = 0, max = 4)
+        @Unit("lanes")
+        int lanesAway,
+    @Help("Lanes of vehicles that come, on the left of the picture.")
+        @Range(min = 0, max = 4)
+        @Unit("lanes")
+        int lanesTowards,
+    @Help("Width of a lane.") @Range(min = 2.5, max = 6) @Unit("m") double laneWidthM,
+    @Help("Distance up to which vehicles are seen.")
+        @Range(min = 30, max = 400, logarithmic = true)
+        @Unit("m")
+        double roadM,
+    @Help("Mean speed of the vehicles.") @Range(min = 3, max = 100, logarithmic = true) @Unit("m/s")
+        double speedMS,
+    @Help("Standard deviation of the speed over the vehicles, as a share of the mean.")
+        @Range(min = 0, max = 0.3)
+        @Unit("1")
+        double speedSpread,
+    @Help("Mean pause between two groups of vehicles of one direction.")
+        @Range(min = 0.1, max = 1000, logarithmic = true)
+        @Unit("s")
+        double pauseS,
+    EncounterSettings encounters) {
+  /** Checks the values. */
+  public TrafficSettings {
+    SettingsSchema.validate(
+        TrafficSettings.class,
+        lanesAway,
+        lanesTowards,
+        laneWidthM,
+        roadM,
+        speedMS,
+        speedSpread,
+        pauseS,
+        encounters);
+  }
+
+  /**
+   * The default settings.
+   *
+   * @return valid settings
+   */
+  public static TrafficSettings defaults() {
+    return new TrafficSettings(2, 2, 3.5, 110, 16, 0.08, 1, EncounterSettings.defaults());
+  }
+}

@@ -1,0 +1,111 @@
+package haltere.core.simulation.internal.sensor;
+
+import haltere.core.event.EventAddress;
+import java.util.Arrays;
+
+/**
+ * Events without a cause: leak (ON, a rate of its own for each pixel), shot noise (both polarities,
+ * all pixels alike) and hot pixels (ON). All are Poisson processes.
+ *
+ * <p>Thread rule: one thread at a time.
+ */
+public final class BackgroundNoise {
+  private final int width;
+  private final int pixels;
+  private final SeededRandom random;
+  private final double leakHz;
+  private final double shotHz;
+  private final double totalHz;
+  private final double[] leakUpTo;
+  private final int[] hot;
+  private double nextUs;
+
+  /**
+   * Noise from the beginning.
+   *
+   * @param settings its rates
+   * @param sensor its size
+   * @param seed of the scene
+   */
+  public BackgroundNoise(NoiseSettings settings, SensorSettings sensor, long seed) {
+    this(settings, sensor, seed, 0);
+  }
+
+  /**
+   * Noise from a time on; the same pixels are noisy.
+   *
+   * @param settings its rates
+   * @param sensor its size
+   * @param seed of the scene
+   * @param fromUs microseconds since the beginning
+   */
+  public BackgroundNoise(NoiseSettings settings, SensorSettings sensor, long seed, long fromUs) {
+    width = sensor.widthPx();
+    pixels = width * sensor.heightPx();
+    random = new SeededRandom(seed, fromUs == 0 ? "noise" : "noise from " + fromUs);
+    SeededRandom places = new SeededRandom(seed, "noisy pixels");
+    leakUpTo = new double[pixels];
+    double sum = 0;
+    for (int i = 0; i < pixels; i++) {
+      sum += StrictMath.pow(10, settings.leakSpreadDecades() * places.gaussian());
+      leakUpTo[i] = sum;
+    }
+    hot = new int[Math.min(settings.hotPixels(), pixels)];
+    boolean[] taken = new boolean[pixels];
+    for (int i = 0; i < hot.length; i++) {
+      int place = places.below(pixels);
+      while (taken[place]) {
+        place = places.below(pixels);
+      }
+      taken[place] = true;
+      hot[i] = place;
+    }
+    leakHz = settings.leakHz() * pixels;
+    shotHz = settings.shotHz() * pixels;
+    totalHz = leakHz + shotHz + settings.hotRateHz() * hot.length;
+    nextUs = fromUs + pause();
+  }
+
+  private double pause() {
+    return totalHz == 0 ? Double.POSITIVE_INFINITY : random.exponential() * 1e6 / totalHz;
+  }
+
+  /**
+   * The hot pixels.
+   *
+   * @return row times width plus column of each
+   */
+  public int[] hotPixels() {
+    return hot.clone();
+  }
+
+  /**
+   * Makes the events before a time.
+   *
+   * @param untilUs microseconds since the beginning
+   * @param merger takes them
+   */
+  public void addUntil(double untilUs, EventMerger merger) {
+    while (nextUs < untilUs) {
+      double which = random.nextDouble() * totalHz;
+      int pixel;
+      boolean on = true;
+      if (which < leakHz) {
+        pixel = leaking(random.nextDouble() * leakUpTo[pixels - 1]);
+      } else if (which < leakHz + shotHz) {
+        pixel = random.below(pixels);
+        on = (random.nextLong() & 1) != 0;
+      } else {
+        pixel = hot[random.below(hot.length)];
+      }
+      int y = pixel / width;
+      merger.add(nextUs, EventAddress.pack(pixel - y * width, y, on));
+      nextUs += pause();
+    }
+  }
+
+  private int leaking(double place) {
+    int found = Arrays.binarySearch(leakUpTo, place);
+    return Math.min(pixels - 1, found >= 0 ? found + 1 : -found - 1);
+  }
+}

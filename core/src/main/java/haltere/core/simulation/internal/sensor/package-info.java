@@ -1,0 +1,2 @@
+/** What the scenes share: pixels, noise, and the order of their events. */
+package haltere.core.simulation.internal.sensor;

@@ -1,2 +1,0 @@
-/** A road seen from a bridge, with vehicles in perspective, and their truth. */
-package haltere.core.simulation.road;

@@ -1,0 +1,296 @@
+package haltere.core.sink.internal;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.DoubleSummaryStatistics;
+import java.util.List;
+import java.util.Locale;
+
+/**
+ * A plot of a few lines, bands and dots as SVG. The same numbers give the same bytes on any
+ * machine, whatever its fonts. Points that are not numbers are left out.
+ *
+ * <p>Thread rule: one thread at a time.
+ */
+public final class SvgPlot {
+  private static final int WIDTH = 640;
+  private static final int HEIGHT = 300;
+  private static final int LEFT = 60;
+  private static final int RIGHT = 12;
+  private static final int TOP = 28;
+  private static final int BOTTOM = 42;
+
+  private final double fromX;
+  private final double toX;
+  private final double fromY;
+  private final double toY;
+  private final StringBuilder marks = new StringBuilder();
+  private final List<String> names = new ArrayList<>();
+  private final List<String> colours = new ArrayList<>();
+  private boolean legendLeft;
+
+  /**
+   * A plot of a range.
+   *
+   * @param fromX left edge
+   * @param toX right edge, more than the left
+   * @param fromY lower edge
+   * @param toY upper edge, more than the lower
+   */
+  public SvgPlot(double fromX, double toX, double fromY, double toY) {
+    this.fromX = fromX;
+    this.toX = toX;
+    this.fromY = fromY;
+    this.toY = toY;
+  }
+
+  /**
+   * A plot whose range holds all points, with a margin of a twentieth above and below.
+   *
+   * @param x finite, at least one
+   * @param ys of several lines; entries that are not finite are left out
+   * @return an empty plot
+   */
+  public static SvgPlot around(double[] x, double[]... ys) {
+    DoubleSummaryStatistics across = Arrays.stream(x).summaryStatistics();
+    DoubleSummaryStatistics up =
+        Arrays.stream(ys)
+            .flatMapToDouble(Arrays::stream)
+            .filter(Double::isFinite)
+            .summaryStatistics();
+    double min = up.getCount() == 0 ? 0 : up.getMin();
+    double max = up.getCount() == 0 ? 0 : up.getMax();
+    double margin = max > min ? (max - min) / 20 : 1;
+    double width = across.getMax() - across.getMin();
+    return new SvgPlot(
+        across.getMin(),
+        width > 0 ? across.getMax() : across.getMin() + 1,
+        min - margin,
+        max + margin);
+  }
+
+  /**
+   * Puts the legend at the left edge instead of the right one.
+   *
+   * @return this plot
+   */
+  public SvgPlot legendLeft() {
+    legendLeft = true;
+    return this;
+  }
+
+  /**
+   * A line through points; those outside the range are cut off at its edge.
+   *
+   * @param name for the legend, empty for none
+   * @param colour as SVG has it
+   * @param x as many as y
+   * @param y values
+   * @return this plot
+   */
+  public SvgPlot line(String name, String colour, double[] x, double[] y) {
+    marks.append("<polyline fill=\"none\" stroke-width=\"1.5\" stroke=\"");
+    marks.append(colour).append("\" points=\"").append(points(x, y)).append("\"/>\n");
+    return named(name, colour);
+  }
+
+  /**
+   * A band between two lines.
+   *
+   * @param name for the legend, empty for none
+   * @param colour as SVG has it
+   * @param x as many as low and high
+   * @param low lower edge
+   * @param high upper edge
+   * @return this plot
+   */
+  public SvgPlot band(String name, String colour, double[] x, double[] low, double[] high) {
+    double[] around = new double[2 * x.length];
+    double[] edge = new double[2 * x.length];
+    for (int i = 0; i < x.length; i++) {
+      around[i] = x[i];
+      edge[i] = high[i];
+      around[2 * x.length - 1 - i] = x[i];
+      edge[2 * x.length - 1 - i] = low[i];
+    }
+    marks
+        .append("<polygon stroke=\"none\" fill-opacity=\"0.25\" fill=\"")
+        .append(colour)
+        .append("\" points=\"");
+    marks.append(points(around, edge)).append("\"/>\n");
+    return named(name, colour);
+  }
+
+  /**
+   * Dots; those outside the range lie on its edge.
+   *
+   * @param name for the legend, empty for none
+   * @param colour as SVG has it
+   * @param x as many as y
+   * @param y values
+   * @return this plot
+   */
+  public SvgPlot dots(String name, String colour, double[] x, double[] y) {
+    marks.append("<g fill=\"").append(colour).append("\">\n");
+    for (int i = 0; i < x.length; i++) {
+      if (Double.isNaN(x[i] + y[i])) {
+        continue;
+      }
+      marks.append(text("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"1.5\"/>%n", atX(x[i]), atY(y[i])));
+    }
+    marks.append("</g>\n");
+    return named(name, colour);
+  }
+
+  /**
+   * A horizontal line over the whole width.
+   *
+   * @param name for the legend, empty for none
+   * @param colour as SVG has it
+   * @param y value
+   * @return this plot
+   */
+  public SvgPlot level(String name, String colour, double y) {
+    return line(name, colour, new double[] {fromX, toX}, new double[] {y, y});
+  }
+
+  /**
+   * Writes the plot, over a file that is there.
+   *
+   * @param file in a folder that is made if need be
+   * @param title above the plot
+   * @param xLabel quantity and unit
+   * @param yLabel quantity and unit
+   * @throws IOException if it cannot be written
+   */
+  public void write(Path file, String title, String xLabel, String yLabel) throws IOException {
+    Files.createDirectories(file.getParent());
+    Files.writeString(file, draw(title, xLabel, yLabel));
+  }
+
+  /**
+   * Draws the plot.
+   *
+   * @param title above the plot
+   * @param xLabel quantity and unit
+   * @param yLabel quantity and unit
+   * @return an SVG document
+   */
+  public String draw(String title, String xLabel, String yLabel) {
+    StringBuilder svg = new StringBuilder();
+    svg.append(
+        text(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\""
+                + " font-family=\"sans-serif\" font-size=\"11\">%n",
+            WIDTH, HEIGHT));
+    svg.append(text("<rect width=\"%d\" height=\"%d\" fill=\"white\"/>%n", WIDTH, HEIGHT));
+    svg.append(label(WIDTH / 2.0, 16, "middle", title));
+    grid(svg);
+    svg.append(marks);
+    svg.append(label((LEFT + WIDTH - RIGHT) / 2.0, HEIGHT - 8, "middle", xLabel));
+    svg.append(
+        text(
+            "<g transform=\"translate(14 %d) rotate(-90)\">%n%s</g>%n",
+            (TOP + HEIGHT - BOTTOM) / 2, label(0, 0, "middle", yLabel)));
+    for (int i = 0; i < names.size(); i++) {
+      svg.append(text("<g fill=\"%s\">%n", colours.get(i)));
+      int y = TOP + 16 + 14 * i;
+      svg.append(
+          legendLeft
+              ? label(LEFT + 6, y, "start", names.get(i))
+              : label(WIDTH - RIGHT - 6, y, "end", names.get(i)));
+      svg.append("</g>\n");
+    }
+    return svg.append("</svg>\n").toString().replace(System.lineSeparator(), "\n");
+  }
+
+  private SvgPlot named(String name, String colour) {
+    if (!name.isEmpty()) {
+      names.add(name);
+      colours.add(colour);
+    }
+    return this;
+  }
+
+  private void grid(StringBuilder svg) {
+    svg.append("<g stroke=\"#ddd\">\n");
+    StringBuilder labels = new StringBuilder();
+    for (double x : ticks(fromX, toX)) {
+      svg.append(segment(atX(x), TOP, atX(x), HEIGHT - BOTTOM));
+      labels.append(label(atX(x), HEIGHT - BOTTOM + 15, "middle", number(x)));
+    }
+    for (double y : ticks(fromY, toY)) {
+      svg.append(segment(LEFT, atY(y), WIDTH - RIGHT, atY(y)));
+      labels.append(label(LEFT - 6, atY(y) + 4, "end", number(y)));
+    }
+    svg.append("</g>\n").append(labels);
+  }
+
+  /** Four to ten round numbers. */
+  private static List<Double> ticks(double from, double to) {
+    double step = Math.pow(10, Math.floor(Math.log10((to - from) / 4)));
+    while ((to - from) / step > 10) {
+      step *= (to - from) / step > 20 ? 5 : 2;
+    }
+    List<Double> ticks = new ArrayList<>();
+    for (long k = (long) Math.ceil(from / step - 1e-9); k * step <= to + 1e-9 * step; k++) {
+      ticks.add(k * step);
+    }
+    return ticks;
+  }
+
+  private String points(double[] x, double[] y) {
+    StringBuilder points = new StringBuilder();
+    for (int i = 0; i < x.length; i++) {
+      if (!Double.isNaN(x[i] + y[i])) {
+        points.append(text("%.1f,%.1f ", atX(x[i]), atY(y[i])));
+      }
+    }
+    return points.toString().trim();
+  }
+
+  private double atX(double x) {
+    return LEFT
+        + (WIDTH - LEFT - RIGHT) * (Math.min(toX, Math.max(fromX, x)) - fromX) / (toX - fromX);
+  }
+
+  private double atY(double y) {
+    double share = (Math.min(toY, Math.max(fromY, y)) - fromY) / (toY - fromY);
+    return HEIGHT - BOTTOM - (HEIGHT - TOP - BOTTOM) * share;
+  }
+
+  private static String number(double value) {
+    String shown = text("%.4f", value).replaceAll("0+$", "").replaceAll("\\.$", "");
+    return shown.equals("-0") ? "0" : shown.replace('-', '−');
+  }
+
+  private static String segment(double x1, double y1, double x2, double y2) {
+    return text("<path d=\"M%.1f %.1fL%.1f %.1f\"/>%n", x1, y1, x2, y2);
+  }
+
+  private static String label(double x, double y, String anchor, String words) {
+    return text(
+        "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\">%s</text>%n", x, y, anchor, escaped(words));
+  }
+
+  /**
+   * Words as they stand in SVG and HTML, also between quotes.
+   *
+   * @param words any text
+   * @return the text without characters that mean something there
+   */
+  public static String escaped(String words) {
+    return words
+        .replace("&", "&amp;")
+        .replace("<", "&lt;")
+        .replace(">", "&gt;")
+        .replace("\"", "&quot;");
+  }
+
+  private static String text(String format, Object... values) {
+    return String.format(Locale.ROOT, format, values);
+  }
+}

@@ -1,0 +1,2 @@
+/** Outputs of lines over the network, found as services, and plots. */
+package haltere.core.sink.internal;

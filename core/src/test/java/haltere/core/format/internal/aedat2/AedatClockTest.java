@@ -1,0 +1,161 @@
+package haltere.core.format.internal.aedat2;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import haltere.core.format.ReadOptions;
+import haltere.core.format.RecordingReader;
+import haltere.core.format.Recordings;
+import haltere.core.format.TimeSegment;
+import haltere.core.stream.Reset;
+import haltere.core.stream.StreamGrammar;
+import haltere.testing.StreamRecorder;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The 32-bit clock of the file becomes 64-bit time. */
+class AedatClockTest {
+  private static final int MAX = Integer.MAX_VALUE;
+  private static final int MIN = Integer.MIN_VALUE;
+  private static final long WRAP_US = 1L << 32;
+
+  @TempDir Path folder;
+
+  private StreamRecorder read(int... times) throws IOException {
+    try (RecordingReader reader = Recordings.open(file(times))) {
+      StreamRecorder recorder = new StreamRecorder();
+      reader.drainTo(new StreamGrammar(recorder));
+      return recorder;
+    }
+  }
+
+  private Path file(int... times) throws IOException {
+    AedatFile bytes = AedatFile.version2();
+    for (int time : times) {
+      bytes.dvs128(time, 1, 1, true);
+    }
+    return bytes.in(folder, "clock.aedat");
+  }
+
+  private void assertTimes(StreamRecorder recorder, long... timesUs) {
+    int size = recorder.events().size();
+    assertArrayEquals(timesUs, Arrays.copyOf(recorder.events().timesUs(), size));
+  }
+
+  private static Reset restarted(long lastUs, long nextUs) {
+    return new Reset(Reset.Cause.CLOCK_RESTARTED, lastUs, nextUs);
+  }
+
+  @Test
+  void aWrapFromPlusToMinusGoesOn() throws IOException {
+    StreamRecorder recorder = read(MAX - 5, MAX, MIN, MIN + 7);
+    assertTimes(recorder, MAX - 5L, MAX, MAX + 1L, MAX + 8L);
+    assertEquals(List.of(), recorder.notices(Reset.class));
+  }
+
+  @Test
+  void aFullTurnOfTheClockGoesOnForAsLongAsItLikes() throws IOException {
+    int turns = 5;
+    int steps = 16;
+    int[] times = new int[turns * steps];
+    long[] expected = new long[times.length];
+    for (int i = 0; i < times.length; i++) {
+      expected[i] = i * (WRAP_US / steps);
+      times[i] = (int) expected[i];
+    }
+    StreamRecorder recorder = read(times);
+    assertTimes(recorder, expected);
+    assertEquals(List.of(), recorder.notices(Reset.class));
+  }
+
+  @Test
+  void aClockWithoutSignPassesFromAllOnesToZero() throws IOException {
+    assertTimes(read(-2, -1, 0, 1), -2, -1, 0, 1);
+  }
+
+  @Test
+  void timesBelowZeroAreLegal() throws IOException {
+    StreamRecorder recorder = read(MIN, -5, -5, 3);
+    assertTimes(recorder, MIN, -5, -5, 3);
+    assertEquals(List.of(), recorder.notices(Reset.class));
+  }
+
+  @Test
+  void aJumpBackThatIsNoWrapIsARestartWithBothTimes() throws IOException {
+    StreamRecorder recorder = read(1_000_000_000, 1_000_000_005, 0, 10);
+    assertTimes(recorder, 1_000_000_000, 1_000_000_005, 0, 10);
+    assertEquals(List.of(restarted(1_000_000_005, 0)), recorder.notices(Reset.class));
+  }
+
+  @Test
+  void aJumpBackOfHalfTheClockIsARestartAndOneMoreIsAWrap() throws IOException {
+    assertEquals(
+        List.of(restarted(1L << 30, -1L << 30)), read(1 << 30, -1 << 30).notices(Reset.class));
+    StreamRecorder wrapped = read((1 << 30) + 1, -1 << 30);
+    assertEquals(List.of(), wrapped.notices(Reset.class));
+    assertTimes(wrapped, (1L << 30) + 1, 3L << 30);
+  }
+
+  @Test
+  void aRestartAfterAWrapBeginsTheFirstTurnAgain() throws IOException {
+    StreamRecorder recorder = read(MAX, MIN, -5, 2_000_000_000, 7, 8);
+    assertTimes(recorder, MAX, MAX + 1L, WRAP_US - 5, WRAP_US + 2_000_000_000, 7, 8);
+    assertEquals(List.of(restarted(WRAP_US + 2_000_000_000, 7)), recorder.notices(Reset.class));
+  }
+
+  @Test
+  void disorderAfterAWrapStaysInItsTurn() throws IOException {
+    StreamRecorder recorder = read(MAX, MIN + 100, MIN + 90);
+    assertTimes(recorder, MAX, MAX + 101L, MAX + 91L);
+    assertEquals(List.of(restarted(MAX + 101L, MAX + 91L)), recorder.notices(Reset.class));
+  }
+
+  @Test
+  void anEventFromBeforeAWrapThatComesLateIsNoLeapOfSeventyMinutes() throws IOException {
+    StreamRecorder recorder = read(MAX, MIN, MAX - 3, MIN + 1);
+    assertTimes(recorder, MAX, MAX + 1L, MAX - 3L, MAX + 2L);
+    assertEquals(List.of(restarted(MAX + 1L, MAX - 3L)), recorder.notices(Reset.class));
+  }
+
+  @Test
+  void everyRestartStartsASegmentThatCanBeSought() throws IOException {
+    try (RecordingReader reader = Recordings.open(file(10, 20, 30, 5, 15, 25, 5))) {
+      assertEquals(
+          List.of(new TimeSegment(10, 30), new TimeSegment(5, 25), new TimeSegment(5, 5)),
+          reader.segments());
+      reader.seek(1, 6);
+      StreamRecorder recorder = new StreamRecorder();
+      reader.drainTo(recorder);
+      assertTimes(recorder, 15, 25, 5);
+      assertEquals(List.of(restarted(25, 5)), recorder.notices(Reset.class));
+    }
+  }
+
+  @Test
+  void wrapsAndRestartsFallWhereTheyMayAmongPackets() throws IOException {
+    int[] times = new int[10_000];
+    int time = MAX - 40_000;
+    for (int i = 0; i < times.length; i++) {
+      times[i] = time += i % 3000 == 2999 ? -500_000_000 : 7;
+    }
+    Path file = file(times);
+    StreamRecorder usual = new StreamRecorder();
+    try (RecordingReader reader = Recordings.open(file)) {
+      reader.drainTo(new StreamGrammar(usual));
+    }
+    assertEquals(3, usual.notices(Reset.class).size());
+    for (int packetEvents : new int[] {1, 2, 1023, 1024, 1025, 4096}) {
+      StreamRecorder recorder = new StreamRecorder();
+      try (RecordingReader reader =
+          Recordings.open(file, ReadOptions.DEFAULT.withPacketEvents(packetEvents))) {
+        reader.drainTo(new StreamGrammar(recorder));
+      }
+      assertEquals(usual.events(), recorder.events());
+      assertEquals(usual.notices(), recorder.notices());
+    }
+  }
+}

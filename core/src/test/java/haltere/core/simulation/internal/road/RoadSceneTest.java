@@ -1,0 +1,256 @@
+package haltere.core.simulation.internal.road;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.core.event.EventPacket;
+import haltere.core.event.SensorGeometry;
+import haltere.core.simulation.SceneRuns;
+import haltere.core.stream.EndOfStream;
+import haltere.core.stream.StreamHandler;
+import haltere.core.stream.StreamNotification;
+import haltere.core.stream.StreamStarted;
+import haltere.testing.Allocation;
+import haltere.testing.StreamRecorder;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The road as a stream of events. */
+class RoadSceneTest {
+  private static final StreamHandler NOBODY =
+      new StreamHandler() {
+        @Override
+        public void packet(EventPacket packet) {}
+
+        @Override
+        public void notified(StreamNotification notification) {}
+      };
+
+  private static RoadSceneSettings road(String... assignments) {
+    return RoadSceneSettings.defaults().with(assignments);
+  }
+
+  /** No noise, and pixels without delay. */
+  private static RoadSceneSettings pure(String... assignments) {
+    return road(
+            "noise.leakHz=0",
+            "noise.shotHz=0",
+            "noise.hotPixels=0",
+            "pixel.bandwidthHz=0",
+            "pixel.latencyUs=0",
+            "pixel.jitterUs=0")
+        .with(assignments);
+  }
+
+  @Test
+  void theSameSettingsMakeTheSameEventsOnEveryMachine() {
+    StreamRecorder events =
+        SceneRuns.record(new RoadScene(road("run.durationS=0.5", "rain.streaksPerS=100")));
+
+    assertEquals("95b31924 of 8435", events.crc32() + " of " + events.events().size());
+  }
+
+  @Test
+  void anotherSeedMakesOtherTraffic() {
+    assertNotEquals(
+        new RoadScene(road("run.seed=1")).truthRows(0).toString(),
+        new RoadScene(road("run.seed=2")).truthRows(0).toString());
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {1, 7, 1000})
+  void theEventsDoNotDependOnHowTheyAreCutIntoPackets(int mostEvents) {
+    RoadSceneSettings settings = road("run.durationS=0.3", "noise.shotHz=20");
+    StreamRecorder cut = SceneRuns.record(new RoadScene(settings, mostEvents));
+
+    assertEquals(SceneRuns.events(new RoadScene(settings)), cut.events());
+    assertEquals(mostEvents, cut.largestPacket());
+  }
+
+  @Test
+  void theEventsDoNotDependOnTheTruthBeingAskedFor() {
+    RoadSceneSettings settings = road("run.durationS=0.2");
+    RoadScene asked = new RoadScene(settings);
+    asked.truthRows(3_600_000_000L);
+    asked.truthRows(0);
+
+    assertEquals(SceneRuns.events(new RoadScene(settings)), SceneRuns.events(asked));
+  }
+
+  @Test
+  void theStreamKeepsTheGrammarAndItsPacketsAreSmall() {
+    StreamRecorder stream =
+        SceneRuns.record(
+            new RoadScene(
+                road(
+                    "run.durationS=0.1",
+                    "run.startUs=1000000",
+                    "noise.shotHz=50",
+                    "sensor.widthPx=320",
+                    "sensor.heightPx=240")));
+
+    assertTrue(stream.largestPacket() <= 4096);
+    assertEquals(
+        new SensorGeometry(320, 240), stream.notices(StreamStarted.class).get(0).geometry());
+    assertEquals(stream.events().lastTimeUs(), stream.notices(EndOfStream.class).get(0).lastUs());
+    assertTrue(stream.events().firstTimeUs() >= 1_000_000);
+    assertTrue(stream.events().lastTimeUs() < 1_100_000);
+    assertTrue(stream.events().lastTimeUs() > 1_099_900);
+    assertTrue(stream.events().firstTimeUs() < 1_000_100);
+  }
+
+  @Test
+  void afterTheEndThereIsNothing() {
+    RoadScene scene = new RoadScene(road("run.durationS=0.01"));
+    SceneRuns.events(scene);
+
+    assertFalse(scene.next(NOBODY));
+  }
+
+  @Test
+  void theStreamIsMadeInConstantMemory() {
+    RoadScene scene = new RoadScene(road());
+    for (int i = 0; i < 50; i++) {
+      scene.next(NOBODY);
+    }
+
+    long bytes =
+        Allocation.bytesOf(
+            () -> {
+              for (int i = 0; i < 20; i++) {
+                scene.next(NOBODY);
+              }
+            });
+
+    assertTrue(bytes < 40_000, bytes + " bytes for 200 ms");
+  }
+
+  @Test
+  void everyEventLiesInTheBoxOfAVehicle() {
+    RoadScene scene = new RoadScene(pure("run.durationS=6"));
+    EventPacket events = SceneRuns.events(scene);
+    int outside = 0;
+    List<RoadTruth> rows = List.of();
+    long atUs = -1;
+    for (int i = 0; i < events.size(); i++) {
+      if (events.timeUs(i) - atUs > 500 || atUs < 0) {
+        atUs = events.timeUs(i);
+        rows = scene.truthRows(atUs);
+      }
+      outside += isIn(rows, events.x(i), events.y(i), 1) ? 0 : 1;
+    }
+
+    assertTrue(events.size() > 15_000, events.size() + " events");
+    // a vehicle that is gone behind the far end of the road is no longer in the truth
+    assertTrue(outside <= events.size() / 1000, outside + " of " + events.size());
+  }
+
+  private static boolean isIn(List<RoadTruth> rows, int x, int y, double margin) {
+    for (RoadTruth row : rows) {
+      if (Math.abs(x - row.xPx()) <= row.widthPx() / 2 + margin
+          && Math.abs(y - row.yPx()) <= row.heightPx() / 2 + margin) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  @Test
+  void theEventsOfAVehicleAreSpreadOverItsBoxAboutItsCentre() {
+    RoadScene scene =
+        new RoadScene(
+            pure(
+                "run.durationS=20",
+                "traffic.lanesTowards=0",
+                "traffic.lanesAway=1",
+                "traffic.pauseS=6",
+                "vehicles.lorries=0",
+                "vehicles.motorcycles=0",
+                "traffic.encounters.overtake=0",
+                "traffic.encounters.sideBySide=0"));
+    EventPacket events = SceneRuns.events(scene);
+    double sumX = 0;
+    double sumY = 0;
+    int inside = 0;
+    int front = 0;
+    for (int i = 0; i < events.size(); i++) {
+      List<RoadTruth> rows = scene.truthRows(events.timeUs(i));
+      if (rows.size() == 1 && rows.get(0).visibleShare() == 1) {
+        RoadTruth row = rows.get(0);
+        double fromX = (events.x(i) - row.xPx()) / row.widthPx();
+        double fromY = (events.y(i) - row.yPx()) / row.heightPx();
+        sumX += fromX;
+        sumY += fromY;
+        front += fromY > 0.25 ? 1 : 0;
+        inside++;
+      }
+    }
+
+    assertTrue(inside > 2000, inside + " events of lonely vehicles");
+    assertEquals(0, sumX / inside, 0.1, "offset across in widths");
+    assertEquals(0, sumY / inside, 0.25, "offset along in heights");
+    assertTrue(front > inside / 20, "the far edge is seen too");
+  }
+
+  @Test
+  void aRoadWithoutLanesHasNothingButNoise() {
+    EventPacket events =
+        SceneRuns.events(
+            new RoadScene(
+                road(
+                    "traffic.lanesAway=0",
+                    "traffic.lanesTowards=0",
+                    "run.durationS=2",
+                    "noise.leakHz=0",
+                    "noise.shotHz=2",
+                    "noise.hotPixels=5",
+                    "noise.hotRateHz=300")));
+    double expected = 2 * (128 * 128 * 2 + 5 * 300);
+
+    assertEquals(expected, events.size(), 5 * Math.sqrt(expected));
+  }
+
+  @Test
+  void rainMakesShortStreaksOfOnAndOffEvents() {
+    EventPacket events =
+        SceneRuns.events(
+            new RoadScene(
+                pure(
+                    "traffic.lanesAway=0",
+                    "traffic.lanesTowards=0",
+                    "run.durationS=4",
+                    "rain.streaksPerS=200",
+                    "rain.lengthPx=10")));
+    int on = SceneRuns.count(events, events::isOn);
+
+    // 800 streaks of 10.5 pixels, of which the border cuts some
+    assertEquals(800 * 10.5 * 0.93, on, 800 * 10.5 * 0.1);
+    assertEquals(on, events.size() - on, 0.05 * on);
+  }
+
+  @Test
+  void vehiclesOfOneLightWithoutContrastAreNotSeen() {
+    EventPacket events =
+        SceneRuns.events(
+            new RoadScene(pure("vehicles.contrast=0", "vehicles.texture=0", "run.durationS=1")));
+
+    assertEquals(0, events.size());
+  }
+
+  @Test
+  void aLargerSensorSeesTheSameTrafficInMorePixels() {
+    RoadTruth small = new RoadScene(road()).truthRows(1_000_000).get(0);
+    RoadScene scene =
+        new RoadScene(road("sensor.widthPx=1280", "sensor.heightPx=720", "run.durationS=0.02"));
+    RoadTruth large = scene.truthRows(1_000_000).get(0);
+
+    assertEquals(small.id(), large.id());
+    assertEquals(small.yM(), large.yM());
+    assertEquals(719.0 / 127, large.heightPx() / small.heightPx(), 1e-9);
+    assertTrue(SceneRuns.events(scene).size() > 10_000);
+  }
+}

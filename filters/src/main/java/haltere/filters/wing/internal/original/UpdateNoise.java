@@ -1,0 +1,54 @@
+package haltere.filters.wing.internal.original;
+
+import haltere.filters.estimation.Angles;
+import haltere.filters.estimation.GaussianState;
+import haltere.filters.wing.WingNoiseSettings;
+import haltere.filters.wing.internal.stroke.EdgeNoise;
+
+/**
+ * Process noise of an edge's filter as in Cardinale (2006): the same at each update that has a new
+ * time, whatever the time since the last one. Phase and frequency have all of their noise in
+ * common. The mean of several events stands for the time of the last one.
+ */
+public final class UpdateNoise implements EdgeNoise {
+  private static final int AMPLITUDE = 1;
+  private static final int PHASE = 2;
+  private static final int OMEGA = 3;
+
+  /**
+   * Correlation of phase and frequency at the launch: 1 in the source, as near as stays regular.
+   */
+  private static final double START_COVARIANCE = 1 - 1e-9;
+
+  /** Noise as the original has it. */
+  public UpdateNoise() {}
+
+  @Override
+  public double[] of(WingNoiseSettings noise) {
+    return new double[] {noise.centre(), noise.amplitude(), noise.phase(), noise.frequency()};
+  }
+
+  @Override
+  public void add(GaussianState belief, double[] q, double dtS) {
+    for (int i = 0; i < q.length; i++) {
+      belief.addNoise(i, q[i]);
+    }
+    belief.addNoise(PHASE, OMEGA, Math.sqrt(q[PHASE] * q[OMEGA]));
+  }
+
+  /** A stroke without an amplitude begins with 1 rad, and with the centre for its phase. */
+  @Override
+  public void launch(GaussianState belief) {
+    EdgeNoise.super.launch(belief);
+    belief.addNoise(PHASE, OMEGA, START_COVARIANCE);
+    if (belief.mean(AMPLITUDE) == 0) {
+      belief.setMean(AMPLITUDE, 1);
+      belief.setMean(PHASE, Angles.wrapPi(belief.mean(0)));
+    }
+  }
+
+  @Override
+  public boolean isDensity() {
+    return false;
+  }
+}

@@ -1,0 +1,188 @@
+package haltere.filters.wing.internal.search;
+
+import java.util.Arrays;
+
+/**
+ * Finds the beat in how the events' mean place moves to and fro: a least squares fit of a sinusoid
+ * with a free mean to the mean places of short bins, for every frequency of a grid (the periodogram
+ * of Lomb and Scargle with floating mean, Zechmeister and Kuerster 2009, here with as many weights
+ * as events). As both wings swing along the body axis together, it also gives the axis.
+ *
+ * <p>The mean place swings once a beat, while the number of events swings twice; so half and double
+ * frequencies are not mistaken for the beat.
+ */
+final class BeatSpectrum {
+  /** A frequency that explains so many times more than another one is another: half power. */
+  static final double CLEARLY = 2;
+
+  private static final double BIN_S = 250e-6;
+  private static final double STEP_HZ = 1;
+  private static final int BINS = 1024;
+  private static final double NEAR_STEP = 0.03;
+  private static final double NEAR_SHARE = 2 * NEAR_STEP;
+
+  private final double[] weight = new double[BINS];
+  private final double[] sumX = new double[BINS];
+  private final double[] sumY = new double[BINS];
+  private final double[] fit = new double[4];
+  private int bins;
+  private double meanX;
+  private double meanY;
+  private double scatter;
+
+  /** What was found: the frequency, hertz. */
+  double frequencyHz;
+
+  /** How much of the scatter of the mean places the sinusoid explains, 0 to 1. */
+  double explained;
+
+  /** Direction of the swing, radians, modulo pi. */
+  double axisRad;
+
+  /** Begins with no events. */
+  void clear() {
+    bins = 0;
+    Arrays.fill(weight, 0);
+    Arrays.fill(sumX, 0);
+    Arrays.fill(sumY, 0);
+  }
+
+  /** Adds an event at a time after the beginning. */
+  void add(double timeS, double x, double y) {
+    int bin = (int) (timeS / BIN_S);
+    if (bin >= 0 && bin < BINS) {
+      weight[bin]++;
+      sumX[bin] += x;
+      sumY[bin] += y;
+      bins = Math.max(bins, bin + 1);
+    }
+  }
+
+  /**
+   * Searches a range of frequencies.
+   *
+   * @return false if there is too little to search in
+   */
+  boolean search(double fromHz, double toHz) {
+    if (!settle()) {
+      return false;
+    }
+    double bestHz = bestOf(fromHz, toHz, STEP_HZ);
+    double best = gain(bestHz);
+    double before = gain(bestHz - STEP_HZ);
+    double after = gain(bestHz + STEP_HZ);
+    double curve = before - 2 * best + after;
+    double shift = curve < 0 ? 0.5 * (before - after) / curve : 0;
+    frequencyHz = bestHz + STEP_HZ * Math.max(-1, Math.min(1, shift));
+    explained = gain(frequencyHz) / scatter;
+    double xx = fit[0] * fit[0] + fit[1] * fit[1];
+    double yy = fit[2] * fit[2] + fit[3] * fit[3];
+    double xy = fit[0] * fit[2] + fit[1] * fit[3];
+    axisRad = 0.5 * Math.atan2(2 * xy, xx - yy);
+    return true;
+  }
+
+  /** The frequency of an even series that explains most. */
+  private double bestOf(double fromHz, double toHz, double stepHz) {
+    double best = -1;
+    double bestHz = fromHz;
+    for (double hz = fromHz; hz <= toHz; hz += stepHz) {
+      double gain = gain(hz);
+      if (gain > best) {
+        best = gain;
+        bestHz = hz;
+      }
+    }
+    return bestHz;
+  }
+
+  /** How much of the scatter sinusoids near a frequency explain, 0 to 1, after {@link #settle}. */
+  double explainedNear(double hz) {
+    return gain(bestOf(hz * (1 - NEAR_SHARE), hz * (1 + NEAR_SHARE) + 1e-9, hz * NEAR_STEP))
+        / scatter;
+  }
+
+  /** The same of the best frequency of a range, in steps of half the spectrum's resolution. */
+  double mostExplained(double fromHz, double toHz) {
+    return gain(bestOf(fromHz, toHz, 0.5 / (bins * BIN_S))) / scatter;
+  }
+
+  /**
+   * Ends adding: takes the mean place and the scatter about it.
+   *
+   * @return false if there is too little to search in
+   */
+  boolean settle() {
+    double total = 0;
+    meanX = 0;
+    meanY = 0;
+    for (int b = 0; b < bins; b++) {
+      total += weight[b];
+      meanX += sumX[b];
+      meanY += sumY[b];
+    }
+    if (total < 10) {
+      return false;
+    }
+    meanX /= total;
+    meanY /= total;
+    scatter = 0;
+    for (int b = 0; b < bins; b++) {
+      if (weight[b] > 0) {
+        double dx = sumX[b] - weight[b] * meanX;
+        double dy = sumY[b] - weight[b] * meanY;
+        scatter += (dx * dx + dy * dy) / weight[b];
+      }
+    }
+    return scatter > 0;
+  }
+
+  /** How much of the scatter a sinusoid of a frequency explains at best. */
+  private double gain(double hz) {
+    double turn = 2 * Math.PI * hz * BIN_S;
+    double stepC = Math.cos(turn);
+    double stepS = Math.sin(turn);
+    double c = 1;
+    double s = 0;
+    double w = 0;
+    double wc = 0;
+    double ws = 0;
+    double wcc = 0;
+    double wcs = 0;
+    double xc = 0;
+    double xs = 0;
+    double yc = 0;
+    double ys = 0;
+    for (int b = 0; b < bins; b++) {
+      double n = weight[b];
+      if (n > 0) {
+        double dx = sumX[b] - n * meanX;
+        double dy = sumY[b] - n * meanY;
+        w += n;
+        wc += n * c;
+        ws += n * s;
+        wcc += n * c * c;
+        wcs += n * c * s;
+        xc += dx * c;
+        xs += dx * s;
+        yc += dy * c;
+        ys += dy * s;
+      }
+      double next = c * stepC - s * stepS;
+      s = s * stepC + c * stepS;
+      c = next;
+    }
+    double cc = wcc - wc * wc / w;
+    double ss = w - wcc - ws * ws / w;
+    double cs = wcs - wc * ws / w;
+    double det = cc * ss - cs * cs;
+    if (!(det > 1e-6 * w * w)) {
+      return 0;
+    }
+    fit[0] = (ss * xc - cs * xs) / det;
+    fit[1] = (cc * xs - cs * xc) / det;
+    fit[2] = (ss * yc - cs * ys) / det;
+    fit[3] = (cc * ys - cs * yc) / det;
+    return fit[0] * xc + fit[1] * xs + fit[2] * yc + fit[3] * ys;
+  }
+}

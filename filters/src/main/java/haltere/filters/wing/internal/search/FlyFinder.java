@@ -1,0 +1,309 @@
+package haltere.filters.wing.internal.search;
+
+import haltere.core.event.SensorGeometry;
+import haltere.filters.estimation.Angles;
+import haltere.filters.wing.FlyGeometry;
+import haltere.filters.wing.WingSearchSettings;
+import haltere.filters.wing.WingTrackerState;
+import haltere.filters.wing.WingTrackerState.Phase;
+import haltere.filters.wing.internal.stroke.StrokeSeed;
+import java.util.function.Consumer;
+
+/**
+ * Finds a fly in the events of a few beats. 2-means says roughly where the wings are; the beat and
+ * the body axis follow from how the events swing to and fro; places where nothing follows the beat
+ * are left out and it is looked for again; lines through the events of each wing give its hinge,
+ * and a fit of the whole stroke makes all of it exact. The head is where the wings keep further
+ * from the body's line.
+ */
+final class FlyFinder {
+  private static final int MIN_SUPPORTED = 80;
+  private static final int LOOKS = 3;
+  private static final double MIN_EXPLAINED = 0.03;
+  private static final double MIN_SHARE = 0.32;
+  private static final double OTHER_AXIS_RAD = 0.35;
+
+  /** How far the hinge is from the middle of a lone wing's events, as a share of their reach. */
+  private static final double ALONE_SHARE = 0.6;
+
+  private static final double ALONE_INLIERS = 0.45;
+
+  /** Cosine of the most by which one wing may be behind the other. */
+  private static final double MIN_TOGETHER = 0.5;
+
+  private static final double HEAD_SD_RAD = 0.03;
+
+  /** Region of interest over the size of the fly. */
+  private static final double REGION_SLACK = 1.05;
+
+  final StrokeSample sample;
+  private final SensorGeometry geometry;
+  private final Consumer<WingTrackerState> steps;
+  private final BeatSpectrum spectrum = new BeatSpectrum();
+  private final TwoMeans means = new TwoMeans();
+  private final HingeLines lines = new HingeLines();
+  private final SideSplit split;
+  private final BodyLine bodyLine = new BodyLine();
+  private StrokeFit[] fits = {new StrokeFit(), new StrokeFit()};
+  private StrokeFit[] otherFits = {new StrokeFit(), new StrokeFit()};
+  private final double[] px;
+  private final double[] py;
+  private final boolean[] fitted = new boolean[2];
+  private double fittedAxis;
+  private double outerPx;
+
+  FlyFinder(SensorGeometry geometry, int capacity, Consumer<WingTrackerState> steps) {
+    this.geometry = geometry;
+    this.steps = steps;
+    sample = new StrokeSample(geometry.width(), geometry.height(), capacity);
+    split = new SideSplit(sample, capacity);
+    px = new double[capacity];
+    py = new double[capacity];
+  }
+
+  /** Searches the last events for the fly up to the end of a window; null if there is none. */
+  FoundFly find(RecentEvents events, long nowUs, WingSearchSettings settings) {
+    sample.take(events, nowUs - settings.windowUs());
+    if (sample.supportedCount < MIN_SUPPORTED) {
+      return null;
+    }
+    for (int look = 0; look < LOOKS; look++) {
+      if (look > 0) {
+        sample.requireBeat(2 * Math.PI * spectrum.frequencyHz);
+      }
+      if (sample.supportedCount < MIN_SUPPORTED / 2 || !look(settings)) {
+        return null;
+      }
+    }
+    double byMeans =
+        Math.atan2(means.secondY - means.firstY, means.secondX - means.firstX) + Math.PI / 2;
+    double size = Math.hypot(means.firstX - means.secondX, means.firstY - means.secondY);
+    say(nowUs, Phase.TWO_MEANS, Double.NaN, Angles.wrapPi(byMeans), size);
+    if (spectrum.explained < MIN_EXPLAINED) {
+      return null;
+    }
+    say(nowUs, Phase.BEAT, spectrum.frequencyHz, spectrum.axisRad, size);
+    if (!fitBest(byMeans)) {
+      return null;
+    }
+    FoundFly fly = conclude();
+    StrokeSeed seed = fly.seeds()[fly.seeds()[0] != null ? 0 : 1];
+    double beatHz = seed.omega() / (2 * Math.PI);
+    FlyGeometry found = fly.geometry();
+    say(nowUs, Phase.HINGES, beatHz, found, Double.NaN);
+    say(nowUs, Phase.HEAD_AND_TAIL, beatHz, found, found.headTailConfidence());
+    return fly;
+  }
+
+  /** Tells of a step before the hinges are found. */
+  private void say(long nowUs, Phase phase, double hz, double heading, double size) {
+    double x = (means.firstX + means.secondX) / 2;
+    double y = (means.firstY + means.secondY) / 2;
+    FlyGeometry about = new FlyGeometry(x, y, heading, size, x, y, x, y, Double.NaN, nowUs);
+    say(nowUs, phase, hz, about, Double.NaN);
+  }
+
+  private void say(long nowUs, Phase phase, double hz, FlyGeometry g, double confidence) {
+    steps.accept(WingTrackerState.of(nowUs, phase, sample.supportedCount, hz, g, confidence));
+  }
+
+  /**
+   * Looks for the beat. A frequency that a person has given is taken for right unless another one
+   * explains clearly more.
+   */
+  private boolean look(WingSearchSettings settings) {
+    int n = 0;
+    spectrum.clear();
+    for (int i = 0; i < sample.size; i++) {
+      if (sample.supported[i]) {
+        px[n] = sample.x[i];
+        py[n++] = sample.y[i];
+        spectrum.add(sample.timeS[i], sample.x[i], sample.y[i]);
+      }
+    }
+    if (!means.divide(px, py, n, geometry.width(), geometry.height())) {
+      return false;
+    }
+    double leastHz = Math.min(settings.leastFrequencyHz(), settings.mostFrequencyHz());
+    double mostHz = Math.max(settings.leastFrequencyHz(), settings.mostFrequencyHz());
+    double givenHz = settings.startFrequencyHz();
+    if (givenHz == 0) {
+      return spectrum.search(leastHz, mostHz);
+    }
+    if (!spectrum.search(leastHz, mostHz)) {
+      return false;
+    }
+    double most = spectrum.explained;
+    return !spectrum.search(givenHz * 0.8, givenHz * 1.25)
+        || spectrum.explained * BeatSpectrum.CLEARLY >= most
+        || spectrum.search(leastHz, mostHz);
+  }
+
+  /**
+   * Fits along the axis of the beat and, if 2-means says otherwise, along that; keeps the better.
+   */
+  private boolean fitBest(double byMeans) {
+    double score = fit(spectrum.axisRad);
+    if (Math.abs(Angles.wrapHalfPi(byMeans - spectrum.axisRad)) > OTHER_AXIS_RAD) {
+      StrokeFit[] kept = fits;
+      double keptAxis = fittedAxis;
+      double keptOuter = outerPx;
+      boolean[] keptFitted = fitted.clone();
+      fits = otherFits;
+      double other = fit(byMeans);
+      if (other > score) {
+        otherFits = kept;
+        score = other;
+      } else {
+        otherFits = fits;
+        fits = kept;
+        fitted[0] = keptFitted[0];
+        fitted[1] = keptFitted[1];
+        fittedAxis = keptAxis;
+        outerPx = keptOuter;
+      }
+    }
+    return score > 0 && fitted[0] && fitted[1] || fitAlone();
+  }
+
+  /** Takes all events for those of one wing, on either side of the axis. */
+  private boolean fitAlone() {
+    fittedAxis = spectrum.axisRad;
+    split.along(fittedAxis);
+    double across = ALONE_SHARE * split.reach(split.middleX, split.middleY);
+    double omega = 2 * Math.PI * spectrum.frequencyHz;
+    for (int side = 0; side < 2; side++) {
+      double sign = side == 0 ? 1 : -1;
+      split.classifyAll(side);
+      double startX = split.middleX + sign * across * Math.sin(fittedAxis);
+      double startY = split.middleY - sign * across * Math.cos(fittedAxis);
+      fitted[side] = lines.search(split, side, startX, startY);
+      if (fitted[side]) {
+        outerPx = split.reach(lines.x, lines.y);
+        fitted[side] =
+            fits[side].fit(split, side, fittedAxis, lines.x, lines.y, outerPx, omega, false)
+                && isWing(fits[side])
+                && fits[side].inliers > ALONE_INLIERS * fits[side].events;
+      }
+    }
+    if (fitted[0] && fitted[1]) {
+      fitted[fits[0].inliers > fits[1].inliers ? 1 : 0] = false;
+    }
+    return fitted[0] || fitted[1];
+  }
+
+  private static boolean isWing(StrokeFit fit) {
+    double amplitude = fit.amplitude();
+    return fit.inliers > MIN_SHARE * fit.events
+        && fit.inliers > 50
+        && amplitude > 0.2
+        && amplitude < 1.8;
+  }
+
+  /** Divides along an axis, finds hinges and strokes; tells how many events that explains. */
+  private double fit(double axis) {
+    fittedAxis = axis;
+    split.along(axis);
+    double x = split.middleX;
+    double y = split.middleY;
+    outerPx = split.reach(x, y);
+    for (int pass = 0; pass < 2; pass++) {
+      split.classify(x, y, axis);
+      for (int side = 0; side < 2; side++) {
+        fitted[side] = fitSide(side, pass == 0, x, y);
+      }
+      if (!fitted[0] && !fitted[1]) {
+        return -1;
+      }
+      if (pass == 0 && fitted[0] && fitted[1]) {
+        // a hinge that the events of one wing leave open is where the other's says
+        bodyLine.bring(fits, axis);
+      }
+      StrokeFit first = fits[fitted[0] ? 0 : 1];
+      StrokeFit second = fits[fitted[1] ? 1 : 0];
+      x = (first.hingeX() + second.hingeX()) / 2;
+      y = (first.hingeY() + second.hingeY()) / 2;
+    }
+    if (fitted[0] && fitted[1] && !together()) {
+      return -1;
+    }
+    double inliers = (fitted[0] ? fits[0].inliers : 0) + (fitted[1] ? fits[1].inliers : 0);
+    return inliers / Math.max(1, sample.size);
+  }
+
+  /** Two wings swing together; the two halves of one wing's stroke do not. */
+  private boolean together() {
+    double inPhase = fits[0].cosine(1) * fits[1].cosine(1) + fits[0].sine(1) * fits[1].sine(1);
+    return inPhase > MIN_TOGETHER * fits[0].amplitude() * fits[1].amplitude();
+  }
+
+  private boolean fitSide(int side, boolean first, double x, double y) {
+    double hingeX = fits[side].hingeX();
+    double hingeY = fits[side].hingeY();
+    if (first || !fitted[side]) {
+      if (!lines.search(split, side, x, y)) {
+        return false;
+      }
+      hingeX = lines.x;
+      hingeY = lines.y;
+    }
+    double omega = 2 * Math.PI * spectrum.frequencyHz;
+    return fits[side].fit(split, side, fittedAxis, hingeX, hingeY, outerPx, omega, first)
+        && isWing(fits[side]);
+  }
+
+  private FoundFly conclude() {
+    int missing = fitted[0] && fitted[1] ? -1 : fitted[0] ? 1 : 0;
+    if (missing >= 0) {
+      return concludeOne(1 - missing);
+    }
+    double turn =
+        bodyLine.bring(fits, fittedAxis)
+            ? bodyLine.turnRad
+            : (fits[0].centre() - fits[1].centre()) / 2;
+    double asymmetry = (backwards(fits[0]) + backwards(fits[1])) / 2;
+    boolean flipped = asymmetry < 0;
+    double heading = fittedAxis + turn + (flipped ? Math.PI : 0);
+    StrokeSeed[] seeds = new StrokeSeed[2];
+    StrokeFit[] sides = new StrokeFit[2];
+    for (int side = 0; side < 2; side++) {
+      sides[side] = fits[flipped ? 1 - side : side];
+      StrokeSeed seed = sides[side].seed(sample.startUs, flipped);
+      seeds[side] = seed.withCentre(seed.centre() + (side == 0 ? -turn : turn));
+    }
+    return found(sides[0], sides[1], heading, asymmetry, seeds);
+  }
+
+  private FoundFly found(
+      StrokeFit left, StrokeFit right, double heading, double asymmetry, StrokeSeed[] seeds) {
+    FlyGeometry geometry =
+        new FlyGeometry(
+            (left.hingeX() + right.hingeX()) / 2,
+            (left.hingeY() + right.hingeY()) / 2,
+            Angles.wrapTwoPi(heading),
+            outerPx,
+            left.hingeX(),
+            left.hingeY(),
+            right.hingeX(),
+            right.hingeY(),
+            Math.tanh(Math.abs(asymmetry) / HEAD_SD_RAD),
+            sample.endUs);
+    return new FoundFly(geometry, REGION_SLACK * outerPx, seeds);
+  }
+
+  /** How far the stroke is beyond the cross line, by its mean and by its extremes alike. */
+  private static double backwards(StrokeFit fit) {
+    return (fit.centre() + fit.middle() - Math.PI) / 2;
+  }
+
+  /** One wing alone: the axis is across its mean direction, and the head where it keeps away. */
+  private FoundFly concludeOne(int present) {
+    StrokeFit fit = fits[present];
+    boolean flipped = backwards(fit) < 0;
+    int side = flipped ? 1 - present : present;
+    StrokeSeed[] seeds = new StrokeSeed[2];
+    seeds[side] = fit.seed(sample.startUs, flipped);
+    double heading = fittedAxis + (flipped ? Math.PI : 0);
+    return found(fit, fit, heading, backwards(fit), seeds);
+  }
+}

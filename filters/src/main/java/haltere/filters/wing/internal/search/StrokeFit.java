@@ -1,0 +1,309 @@
+package haltere.filters.wing.internal.search;
+
+import haltere.filters.estimation.Angles;
+import haltere.filters.estimation.NormalEquations;
+import haltere.filters.wing.internal.stroke.StrokeSeed;
+import java.util.Arrays;
+
+/**
+ * Fits the whole stroke of one wing to the events of a few beats at once: angles about the hinge
+ * are a Fourier series of the beat, the two edges lie half a width before and behind it, ON events
+ * come later than OFF events, and the hinge lies where it makes the angles agree. Gauss and Newton
+ * with weights that take outliers out, and weak beliefs about sizes, so that what the events do not
+ * say stays near what flies do.
+ *
+ * <p>Angles are measured from a direction (the heading or its opposite) counterclockwise for turn
+ * 1, clockwise for turn -1. Thread rule: one thread at a time.
+ */
+final class StrokeFit {
+  /** Harmonics in the fit. */
+  static final int HARMONICS = 4;
+
+  static final int CENTRE = 0;
+  private static final int OMEGA = 1;
+  static final int HINGE_X = 2;
+  static final int HINGE_Y = 3;
+  private static final int WIDTH = 4;
+  private static final int LAG = 5;
+  private static final int SERIES = 6;
+  static final int SIZE = SERIES + 2 * HARMONICS;
+  private static final int ROUNDS = 18;
+  private static final int WITH_HARMONICS = 3;
+  private static final int WITH_HINGE = 6;
+  private static final int WITH_EDGES = 10;
+  private static final double LONGEST_STEP_PX = 1.5;
+  private static final double FURTHEST_PX = 10;
+
+  /** How freely the hinge may move from where it is looked for, standard deviation. */
+  private static final double SLACK_PX = 3;
+
+  private static final int QUICK_ROUNDS = 10;
+  private static final int QUICK_EVENTS = 800;
+  private static final int MAX_EVENTS = 3000;
+  private static final double PIXEL = 0.7;
+  private static final double BLADE = 0.01;
+  private static final double TIMING_S = 40e-6;
+  private static final double[] SERIES_SD = {1, 0.08, 0.03, 0.012};
+
+  private final NormalEquations normal = new NormalEquations(SIZE);
+  private final double[] step = new double[SIZE];
+  private final double[] row = new double[SIZE];
+
+  /** Centre, angular frequency, hinge, half width, lag of ON behind OFF, terms of the series. */
+  final double[] p = new double[SIZE];
+
+  /** Events of the side, and the sum of the weights of those that fit. */
+  int events;
+
+  double inliers;
+
+  /** Root mean square of the residuals of what fits, in standard deviations. */
+  double residual;
+
+  private final CoarseStroke coarse = new CoarseStroke();
+  private int stride = 1;
+  private final double[] prior = new double[SERIES];
+  private SideSplit split;
+  private int side;
+  private double outerPx;
+  private double referenceRad;
+  private double turn;
+  private double middleS;
+
+  double centre() {
+    return p[CENTRE];
+  }
+
+  double omega() {
+    return p[OMEGA];
+  }
+
+  double hingeX() {
+    return p[HINGE_X];
+  }
+
+  double hingeY() {
+    return p[HINGE_Y];
+  }
+
+  double halfWidth() {
+    return p[WIDTH];
+  }
+
+  double lagS() {
+    return p[LAG];
+  }
+
+  double cosine(int harmonic) {
+    return p[SERIES + 2 * harmonic - 2];
+  }
+
+  double sine(int harmonic) {
+    return p[SERIES + 2 * harmonic - 1];
+  }
+
+  double amplitude() {
+    return Math.hypot(cosine(1), sine(1));
+  }
+
+  /** The middle between the extremes. */
+  double middle() {
+    double low = Double.POSITIVE_INFINITY;
+    double high = Double.NEGATIVE_INFINITY;
+    for (int i = 0; i < 64; i++) {
+      double value = centre();
+      for (int k = 1; k <= HARMONICS; k++) {
+        value +=
+            cosine(k) * Math.cos(2 * Math.PI * k * i / 64)
+                + sine(k) * Math.sin(2 * Math.PI * k * i / 64);
+      }
+      low = Math.min(low, value);
+      high = Math.max(high, value);
+    }
+    return (low + high) / 2;
+  }
+
+  /** The stroke as a seed; flipped angles are measured from the opposite direction. */
+  StrokeSeed seed(long startUs, boolean flipped) {
+    double sign = flipped ? -1 : 1;
+    double phase = Math.atan2(sign * cosine(1), sign * sine(1));
+    double[] cosines = new double[HARMONICS - 1];
+    double[] sines = new double[HARMONICS - 1];
+    for (int k = 2; k <= HARMONICS; k++) {
+      double c = Math.cos(k * phase);
+      double s = Math.sin(k * phase);
+      cosines[k - 2] = sign * (cosine(k) * c - sine(k) * s);
+      sines[k - 2] = sign * (cosine(k) * s + sine(k) * c);
+    }
+    return new StrokeSeed(
+        startUs + Math.round(middleS * 1e6),
+        flipped ? Math.PI - centre() : centre(),
+        amplitude(),
+        phase,
+        omega(),
+        halfWidth(),
+        lagS(),
+        cosines,
+        sines);
+  }
+
+  /**
+   * Fits.
+   *
+   * @param events divided into sides
+   * @param own the side to take: 0 for angles counterclockwise of the reference, 1 for clockwise
+   * @param reference direction from which angles are measured
+   * @param hingeX where to look for the hinge
+   * @param hingeY where to look for the hinge
+   * @param farthestPx events further from the hinge are left out
+   * @param startOmega angular frequency to begin with
+   * @param quick whether the hinge to the nearest pixel is enough
+   * @return false if there is too little to fit
+   */
+  boolean fit(
+      SideSplit events,
+      int own,
+      double reference,
+      double hingeX,
+      double hingeY,
+      double farthestPx,
+      double startOmega,
+      boolean quick) {
+    Arrays.fill(p, 0);
+    split = events;
+    side = own;
+    referenceRad = reference;
+    turn = own == 0 ? 1 : -1;
+    outerPx = farthestPx;
+    StrokeSample sample = events.sample;
+    middleS = sample.size == 0 ? 0 : sample.timeS[sample.size - 1] / 2;
+    p[OMEGA] = startOmega;
+    p[HINGE_X] = hingeX;
+    p[HINGE_Y] = hingeY;
+    p[WIDTH] = 0.03;
+    System.arraycopy(p, 0, prior, 0, SERIES);
+    if (!coarse()) {
+      return false;
+    }
+    int rounds = quick ? QUICK_ROUNDS : ROUNDS;
+    stride = Math.max(1, split.count(side) / (quick ? QUICK_EVENTS : MAX_EVENTS));
+    for (int round = 0; round < rounds; round++) {
+      int unknowns = round < WITH_HARMONICS ? SERIES + 2 : SIZE;
+      if (!accumulate(round) || !normal.solve(unknowns, step)) {
+        return false;
+      }
+      double moved = Math.hypot(step[HINGE_X], step[HINGE_Y]);
+      double share = moved > LONGEST_STEP_PX ? LONGEST_STEP_PX / moved : 1;
+      for (int i = 0; i < unknowns; i++) {
+        p[i] += share * step[i];
+      }
+      if (Math.hypot(p[HINGE_X] - hingeX, p[HINGE_Y] - hingeY) > FURTHEST_PX) {
+        return false;
+      }
+      p[WIDTH] = Math.max(0, p[WIDTH]);
+    }
+    return true;
+  }
+
+  private boolean coarse() {
+    if (!coarse.search(
+        split, side, p[HINGE_X], p[HINGE_Y], outerPx, referenceRad, turn, p[OMEGA], middleS)) {
+      return false;
+    }
+    p[CENTRE] = coarse.centre;
+    p[SERIES] = coarse.cosine;
+    p[SERIES + 1] = coarse.sine;
+    return true;
+  }
+
+  /** The stroke angle of a point about the hinge, nearest to a given one. */
+  static double near(double angle, double to) {
+    return to + Angles.wrapPi(angle - to);
+  }
+
+  private boolean accumulate(int round) {
+    StrokeSample sample = split.sample;
+    normal.clear();
+    believe(CENTRE, 1.7, 0.5);
+    believe(OMEGA, prior[OMEGA], 2 * Math.PI * 8);
+    believe(HINGE_X, prior[HINGE_X], round < WITH_HINGE ? 1e-4 : SLACK_PX);
+    believe(HINGE_Y, prior[HINGE_Y], round < WITH_HINGE ? 1e-4 : SLACK_PX);
+    believe(WIDTH, 0.03, round < WITH_EDGES ? 1e-6 : 0.03);
+    believe(LAG, 0, round < WITH_EDGES ? 1e-9 : 200e-6);
+    for (int k = 1; k <= HARMONICS; k++) {
+      believe(SERIES + 2 * k - 2, 0, SERIES_SD[k - 1]);
+      believe(SERIES + 2 * k - 1, 0, SERIES_SD[k - 1]);
+    }
+    double wide =
+        round < WITH_HARMONICS ? 6 : round < WITH_HINGE ? 4 : round < WITH_EDGES ? 3 : 2.5;
+    int harmonics = round < WITH_HARMONICS ? 1 : HARMONICS;
+    events = 0;
+    inliers = 0;
+    double squares = 0;
+    double outerSquare = outerPx * outerPx;
+    int seen = 0;
+    for (int i = 0; i < sample.size; i++) {
+      if (!split.isOn(side, i) || ++seen % stride != 0) {
+        continue;
+      }
+      double dx = sample.x[i] - p[HINGE_X];
+      double dy = sample.y[i] - p[HINGE_Y];
+      double rr = dx * dx + dy * dy;
+      if (rr < 9 || rr > outerSquare) {
+        continue;
+      }
+      events++;
+      double sign = sample.sign[i];
+      double sinceS = sample.timeS[i] - middleS - (sign < 0 ? p[LAG] : 0);
+      double c1 = Math.cos(p[OMEGA] * sinceS);
+      double s1 = Math.sin(p[OMEGA] * sinceS);
+      double c = c1;
+      double s = s1;
+      double model = p[CENTRE];
+      double slope = 0;
+      for (int k = 1; k <= harmonics; k++) {
+        int at = SERIES + 2 * k - 2;
+        model += p[at] * c + p[at + 1] * s;
+        slope += k * (p[at + 1] * c - p[at] * s);
+        row[at] = c;
+        row[at + 1] = s;
+        double next = c * c1 - s * s1;
+        s = s * c1 + c * s1;
+        c = next;
+      }
+      double speed = slope * p[OMEGA];
+      double ahead = speed >= 0 ? sign : -sign;
+      model += ahead * p[WIDTH];
+      double angle = turn * (Math.atan2(dy, dx) - referenceRad);
+      double y = Angles.wrapPi(near(angle, p[CENTRE]) - model);
+      double variance = BLADE * BLADE + PIXEL * PIXEL / rr + speed * speed * (TIMING_S * TIMING_S);
+      double scaled = y * y / (variance * wide * wide);
+      double w = 1 / ((1 + scaled) * (1 + scaled));
+      inliers += w;
+      squares += w * y * y / variance;
+      row[CENTRE] = 1;
+      row[OMEGA] = slope * sinceS;
+      // the residual falls by these when the hinge moves
+      // (and the distance, in which the residual counts, changes with it)
+      row[HINGE_X] = (y * dx - turn * dy) / rr;
+      row[HINGE_Y] = (y * dy + turn * dx) / rr;
+      row[WIDTH] = ahead;
+      row[LAG] = sign < 0 ? -speed : 0;
+      normal.add(w / variance, row, SERIES + 2 * harmonics, y);
+    }
+    residual = inliers > 0 ? Math.sqrt(squares / inliers) : 0;
+    return events >= 50;
+  }
+
+  /**
+   * Adds the information of the fit to larger equations from an unknown on; so many repeating
+   * events count for one.
+   */
+  void addTo(NormalEquations equations, int from, double repeating) {
+    equations.addInformation(normal, from, 1 / (repeating * Math.max(1, residual * residual)));
+  }
+
+  private void believe(int index, double value, double sd) {
+    normal.believe(index, value - p[index], sd);
+  }
+}

@@ -1,0 +1,544 @@
+package haltere.filters.wing.internal.stroke;
+
+import haltere.filters.estimation.Angles;
+import haltere.filters.estimation.ConstMatrix;
+import haltere.filters.wing.WingEstimate;
+import haltere.filters.wing.WingFilterEdit;
+import haltere.filters.wing.WingFilterSettings;
+import haltere.filters.wing.WingFilterState;
+import haltere.filters.wing.WingFilterState.Source;
+import haltere.filters.wing.WingNoiseSettings;
+import haltere.filters.wing.WingPart;
+import haltere.filters.wing.WingTrackerSettings;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * Estimates the stroke of a wing with one {@link StrokeEkf} over both its edges: gathers events for
+ * a few tens of microseconds into one update for each edge, learns what events are worth ({@link
+ * WingEventNoise}), follows the hinge ({@link HingeTracker}), lets the frequency run in manoeuvres,
+ * and takes the latency out of what it says.
+ *
+ * <p>Thread rule: one thread at a time.
+ */
+public final class WingEstimator implements SideEstimator {
+  private static final int SLOW_US = 1000;
+  private static final int HINGE_US = 10_000;
+
+  /** Time without events after which an edge does not count: two of the longest beats. */
+  private static final int SILENT_US = 30_000;
+
+  /** Events of one beat repeat each other's errors: so many of them count for one. */
+  private static final double REPEATING = 3;
+
+  /** What a wing's estimate is usually wrong by from the heading that its angles refer to. */
+  private static final double SYSTEMATIC_RAD = 0.0092;
+
+  final StrokeEkf filter;
+  private WingEventNoise noise;
+  private final StrokeFrame frame;
+  private final WingPart side;
+  private WingNoiseSettings settings;
+  private WingNoiseSettings appliedNoise;
+  private WingFilterSettings options;
+  private final BeatClock clock;
+  private final StrokeShape shape = new StrokeShape();
+  private final HingeTracker hinge = new HingeTracker();
+  private RadialResiduals radial = new RadialResiduals(1);
+  private final double[] eventVariances = new double[2];
+  private LockJudge judge = new LockJudge();
+  private FrequencyNoise frequencyNoise = new FrequencyNoise();
+  private WingEstimator other;
+  private boolean followsHinge;
+  private final boolean[] takes = new boolean[2];
+
+  /** Process noise of each entry, by the settings or by hand; the filter's own in a manoeuvre. */
+  private final double[] q;
+
+  private final boolean[] byHand;
+  private boolean measurementByHand;
+  private final double[] density = new double[StrokeEkf.OMEGA + 1];
+  private double averagingS;
+
+  private long timeUs;
+  private long covarianceUs;
+  private long slowUs;
+  private long hingeUs;
+  private final long[] lastTakenUs = new long[2];
+  private long firstPendingUs;
+  private int pending;
+  private final EdgeSums[] sums = {new EdgeSums(0), new EdgeSums(1)};
+  private final long[] taken = new long[2];
+  private final double[] expected = new double[2];
+
+  /**
+   * An estimator that has to be {@link #launch launched}.
+   *
+   * @param frame where the wing is hinged; follows the events if the settings say so
+   * @param settings of the tracker
+   * @param beats takes the beats
+   */
+  public WingEstimator(StrokeFrame frame, WingTrackerSettings settings, BeatListener beats) {
+    side = frame.side();
+    this.frame = frame;
+    clock = new BeatClock(side, beats);
+    filter = new StrokeEkf(settings.filter().harmonics());
+    noise = new WingEventNoise(settings.filter().gateSd(), settings.noise().measurement());
+    q = new double[filter.size];
+    byHand = new boolean[filter.size];
+    apply(settings);
+  }
+
+  @Override
+  public final void apply(WingTrackerSettings changed) {
+    settings = changed.noise();
+    options = changed.filter();
+    followsHinge = changed.place().followsHinges();
+    for (int edge = 0; edge < 2; edge++) {
+      takes[edge] = changed.output().takes(WingPart.edge(side.sideNumber(), edge));
+    }
+    averagingS = options.averagingUs() * 1e-6;
+    if (settings.equals(appliedNoise)) {
+      noise.apply(options.gateSd(), noise.fixed());
+      return;
+    }
+    appliedNoise = settings;
+    giveBackNoise();
+    Arrays.fill(byHand, false);
+    takeNoise();
+  }
+
+  private void giveBackNoise() {
+    measurementByHand = false;
+    noise.apply(options.gateSd(), settings.measurement());
+  }
+
+  /** Process noise by the settings, but for what is by hand. */
+  private void takeNoise() {
+    double[] set = new double[q.length];
+    set[StrokeEkf.CENTRE] = settings.centre();
+    set[StrokeEkf.AMPLITUDE] = settings.amplitude();
+    set[StrokeEkf.PHASE] = settings.phase();
+    set[StrokeEkf.OMEGA] = settings.frequency();
+    StrokeMemory.setDensities(set, settings.rateSd());
+    for (int i = 0; i < q.length; i++) {
+      q[i] = byHand[i] ? q[i] : set[i];
+    }
+    System.arraycopy(q, 0, density, 0, density.length);
+  }
+
+  /**
+   * Says which wing is of the same fly, seen by the same camera.
+   *
+   * @param wing the other one; null if none is tracked
+   */
+  public void besides(WingEstimator wing) {
+    other = wing;
+    frequencyNoise.besides(wing == null ? null : wing.frequencyNoise);
+  }
+
+  /** As sure of the stroke as a search is. */
+  @Override
+  public void launch(long atUs, StrokeSeed seed) {
+    filter.launch(seed.state(filter.harmonics, atUs), StrokeSeed.sd(filter.harmonics));
+    timeUs = atUs;
+    covarianceUs = atUs;
+    slowUs = atUs;
+    hingeUs = atUs;
+    Arrays.fill(lastTakenUs, atUs);
+    density[StrokeEkf.OMEGA] = q[StrokeEkf.OMEGA];
+    noise = new WingEventNoise(options.gateSd(), noise.fixed());
+    sums[0].clear();
+    sums[1].clear();
+    Arrays.fill(taken, 0);
+    pending = 0;
+    Arrays.fill(expected, 0);
+    frequencyNoise = new FrequencyNoise();
+    judge = new LockJudge();
+    hinge.launch(0.3);
+    radial = new RadialResiduals(frame.outerSquare());
+    shape.of(filter);
+    clock.launch(phase());
+  }
+
+  @Override
+  public double event(long atUs, boolean on) {
+    if (pending > 0 && (atUs - firstPendingUs) * 1e-6 >= averagingS) {
+      flush();
+    }
+    turnTo(atUs);
+    double[] x = filter.x;
+    double c = filter.cos;
+    double s = filter.sin;
+    if (on) {
+      double behind = c * filter.lagCos + s * filter.lagSin;
+      s = s * filter.lagCos - c * filter.lagSin;
+      c = behind;
+    }
+    double middle = filter.angle(c, s);
+    double slope = filter.slopeThere;
+    double speed = slope * x[StrokeEkf.OMEGA];
+    double ahead = slope >= 0 == on ? -x[StrokeEkf.WIDTH] : x[StrokeEkf.WIDTH];
+    double expectedAngle = middle + ahead;
+    double y = frame.angle() - expectedAngle;
+    if (y > Math.PI) {
+      y -= 2 * Math.PI;
+    } else if (y < -Math.PI) {
+      y += 2 * Math.PI;
+    }
+    int edge = on ? 1 : 0;
+    EventNoise worth = noise.of(edge);
+    double variance = worth.variance(frame.square, speed);
+    double full = x[StrokeEkf.AMPLITUDE] * x[StrokeEkf.OMEGA];
+    double belief = worth.judge(y, expected[edge], speed, full);
+    noise.count(edge, y, belief > 0);
+    if (belief == 0) {
+      if (noise.isOneOfTooMany(y)) {
+        // the phase has run away so far that only events that happen to agree are taken in
+        double most = options.gateSd() * Math.sqrt(variance + expected[edge]);
+        frequencyNoise.add(Math.max(-most, Math.min(most, y)), slope / variance, slope);
+      }
+      return Double.NaN;
+    }
+    lastTakenUs[edge] = atUs;
+    double w = belief / variance;
+    double ws = w * slope;
+    frequencyNoise.add(y, ws, slope);
+    if (speed * speed > full * full / 2) {
+      radial.add(edge, frame.square, y, speed);
+      eventVariances[edge] = REPEATING * variance;
+    }
+    if (followsHinge) {
+      // the residual counts by its distance on the sensor, which changes with the hinge as well
+      double gx = (y * frame.dx - frame.turn() * frame.dy) / frame.square;
+      double gy = (y * frame.dy + frame.turn() * frame.dx) / frame.square;
+      hinge.add(w, y, gx, gy, s, slope);
+    }
+    if (pending == 0) {
+      firstPendingUs = atUs;
+    }
+    pending++;
+    taken[edge]++;
+    sums[edge].add(w, y, c, s);
+    return expectedAngle;
+  }
+
+  private void turnTo(long atUs) {
+    if (atUs != timeUs) {
+      filter.turn(filter.x[StrokeEkf.OMEGA] * ((atUs - timeUs) * 1e-6));
+      timeUs = atUs;
+    }
+  }
+
+  private void flush() {
+    if (pending > 0) {
+      pending = 0;
+      predict();
+      filter.mark();
+      expected[0] = sums[0].update(filter, expected[0]);
+      expected[1] = sums[1].update(filter, expected[1]);
+      filter.settle();
+    }
+    if (timeUs - hingeUs >= HINGE_US) {
+      followHinge();
+    }
+    if (timeUs - slowUs >= SLOW_US) {
+      slowStep();
+    }
+  }
+
+  private void predict() {
+    if (timeUs > covarianceUs) {
+      filter.predictCovariance((timeUs - covarianceUs) * 1e-6, density);
+      covarianceUs = timeUs;
+    }
+  }
+
+  private void followHinge() {
+    double dtS = (timeUs - hingeUs) * 1e-6;
+    hingeUs = timeUs;
+    if (followsHinge && hinge.solve(dtS, settings.hingePx2PerS(), REPEATING, frame.isByHand())) {
+      frame.shift(hinge.shift.get(0), hinge.shift.get(1));
+      filter.x[StrokeEkf.CENTRE] += hinge.stroke.get(0);
+      filter.x[StrokeEkf.AMPLITUDE] += hinge.stroke.get(1);
+      filter.turn(hinge.stroke.get(2));
+    }
+  }
+
+  private void slowStep() {
+    double dtS = (timeUs - slowUs) * 1e-6;
+    slowUs = timeUs;
+    frequencyNoise.look(dtS, filter, settings.manoeuvre());
+    density[StrokeEkf.OMEGA] =
+        q[StrokeEkf.OMEGA] + (byHand[StrokeEkf.OMEGA] ? 0 : frequencyNoise.added());
+    boolean both = hasBothEdges();
+    StrokeMemory.forget(filter, dtS, q, both);
+    boolean spread = CameraLatency.isWide(noise.of(LEADING).timingSdS(), fullSpeed());
+    radial.look(dtS, apartS(filter.x[StrokeEkf.LAG]), eventVariances, spread);
+    if (!both) {
+      takeFromOther();
+    }
+    judge.look(
+        dtS,
+        taken[0] + taken[1],
+        filter.x[StrokeEkf.OMEGA],
+        filter.x[StrokeEkf.AMPLITUDE],
+        noise.excess());
+    shape.of(filter);
+    clock.look(timeUs, phase(), filter.x[StrokeEkf.OMEGA], shape);
+  }
+
+  /**
+   * Takes from the other wing, where that has both edges, what one edge does not tell: the lag of
+   * ON events, which the same pixels make, and for ON events alone, which come later the faster the
+   * wing is, the waveform as well.
+   */
+  private void takeFromOther() {
+    if (other == null || !other.hasBothEdges()) {
+      return;
+    }
+    double[] x = filter.x;
+    double[] from = other.filter.x;
+    double longer = from[StrokeEkf.LAG] - x[StrokeEkf.LAG];
+    x[StrokeEkf.LAG] = from[StrokeEkf.LAG];
+    if (lastTakenUs[TRAILING] > lastTakenUs[LEADING]) {
+      filter.turn(x[StrokeEkf.OMEGA] * longer);
+      for (int i = StrokeEkf.SERIES; i < filter.size; i++) {
+        x[i] = from[i] * x[StrokeEkf.AMPLITUDE] / from[StrokeEkf.AMPLITUDE];
+        filter.belief.scale(i, 0);
+      }
+    }
+  }
+
+  /** Whether events of both edges are taken and come. */
+  private boolean hasBothEdges() {
+    return takes[0] && takes[1] && Math.abs(lastTakenUs[0] - lastTakenUs[1]) < SILENT_US;
+  }
+
+  @Override
+  public boolean isLost(long atUs) {
+    double periodUs = 2e6 * Math.PI / Math.max(100, filter.x[StrokeEkf.OMEGA]);
+    return judge.isLost()
+        || atUs - Math.max(lastTakenUs[0], lastTakenUs[1]) > Math.max(12_000, 3 * periodUs);
+  }
+
+  @Override
+  public void advance(long toUs) {
+    flush();
+    if (toUs > timeUs) {
+      turnTo(toUs);
+      predict();
+      flush();
+    }
+  }
+
+  @Override
+  public StrokeSeed seed() {
+    int terms = filter.harmonics - 1;
+    double[] cosines = new double[terms];
+    double[] sines = new double[terms];
+    for (int k = 0; k < terms; k++) {
+      cosines[k] = filter.x[StrokeEkf.SERIES + 2 * k];
+      sines[k] = filter.x[StrokeEkf.SERIES + 2 * k + 1];
+    }
+    return new StrokeSeed(
+        timeUs,
+        filter.x[StrokeEkf.CENTRE],
+        filter.x[StrokeEkf.AMPLITUDE],
+        filter.x[StrokeEkf.PHASE],
+        filter.x[StrokeEkf.OMEGA],
+        filter.x[StrokeEkf.WIDTH],
+        filter.x[StrokeEkf.LAG],
+        cosines,
+        sines);
+  }
+
+  /**
+   * Turns the frame; the centre stays where it is on the sensor.
+   *
+   * @param by counterclockwise, radians
+   */
+  public void turnHeading(double by) {
+    frame.setHeading(frame.headingRad() + by);
+    filter.x[StrokeEkf.CENTRE] -= frame.turn() * by;
+  }
+
+  private double fullSpeed() {
+    return filter.x[StrokeEkf.AMPLITUDE] * filter.x[StrokeEkf.OMEGA];
+  }
+
+  private double lagS() {
+    return CameraLatency.lagS(filter, other == null ? null : other.filter);
+  }
+
+  /**
+   * Phase by which estimates are ahead of the events. Of a wide wing on slow pixels OFF events come
+   * between the middle of the passage and its end.
+   */
+  private double ahead() {
+    double lagS = lagS();
+    double fast = passageShare(lagS);
+    double slowS = (1 - fast) * lagS;
+    double wide = Math.min(radial.wideShare, other == null ? 1 : other.radial.wideShare);
+    double lateS = CameraLatency.seconds(options.latencyUs(), (1 - wide) * slowS, fullSpeed());
+    return (lateS + wide * slowS / 4 - fast * lagS / 2) * filter.x[StrokeEkf.OMEGA];
+  }
+
+  /** Half of the mean time between the edges in mid stroke, for a lag of ON events. */
+  private double apartS(double lagS) {
+    return filter.x[StrokeEkf.WIDTH] * Math.sqrt(2) / fullSpeed() + lagS / 2;
+  }
+
+  /**
+   * Probability that the lag of ON events is a passage of the chord over fast pixels: odds of the
+   * distance over the radius times odds of the times.
+   */
+  private double passageShare(double lagS) {
+    if (!hasBothEdges()) {
+      return 0;
+    }
+    double chord = radial.chordShare;
+    // a slow pixel spreads the times of both edges, the shape of a wing those of one
+    double fast = CameraLatency.fastShare(lagS, timingSdS());
+    double both = chord * fast;
+    return both == 0 ? 0 : radial.answeredShare * both / (both + (1 - chord) * (1 - fast));
+  }
+
+  private double timingSdS() {
+    return Math.sqrt(noise.of(LEADING).timingSdS() * noise.of(TRAILING).timingSdS());
+  }
+
+  /**
+   * Variance of the time from the middle of the wing to its events, which lies within half of the
+   * time between the edges. Of a fast pixel it is a second moment about the end of that interval,
+   * of a slow one the bound by mean and interval (Bhatia and Davis 2000). The choice between both,
+   * the spread of OFF events (Popoviciu 1935) and a middle that is not straight add to it.
+   */
+  private double passageVariance(double lagS) {
+    if (!hasBothEdges()) {
+      return 0;
+    }
+    double fast = passageShare(lagS);
+    double wide = Math.max(radial.wideShare, other == null ? 0 : other.radial.wideShare);
+    double choice = 1 + wide / 2;
+    double apartS = apartS(lagS);
+    double spreadS = noise.of(LEADING).timingSdS();
+    return (fast / 2 + (1 - fast) * (wide * 0.75 + fast * choice * choice)) * apartS * apartS
+        + 3 * wide * spreadS * spreadS
+        + radial.bendVariance;
+  }
+
+  @Override
+  public WingEstimate estimate(int part) {
+    double angle = filter.angleAfter(ahead());
+    boolean isRising = filter.slopeThere >= 0;
+    // on which side of the wing's middle: 1 nearer to the tail, -1 nearer to the head
+    int at = part == WING ? 0 : isRising == (part == LEADING) ? 1 : -1;
+    // the leading edge is half a width ahead of the wing on both ways, the trailing edge behind it
+    double wider = part == WING ? 0 : part == LEADING ? 1 : -1;
+    double width = filter.x[StrokeEkf.WIDTH];
+    shape.of(filter);
+    return new WingEstimate(
+        timeUs,
+        part == WING ? side : WingPart.edge(side.sideNumber(), part),
+        Angles.wrapTwoPi(angle + at * width),
+        filter.x[StrokeEkf.CENTRE],
+        shape.amplitude() + wider * width,
+        phase(),
+        filter.x[StrokeEkf.OMEGA] / (2 * Math.PI),
+        sdAngle(at),
+        sdFrequencyHz(),
+        part == WING ? taken[0] + taken[1] : taken[part]);
+  }
+
+  @Override
+  public double[][] beat(int steps) {
+    double[][] angles = new double[2][steps];
+    double ahead = ahead();
+    double width = filter.x[StrokeEkf.WIDTH];
+    for (int step = 0; step < steps; step++) {
+      double turn = ahead + 2 * Math.PI * step / steps;
+      double angle = filter.angleAfter(turn);
+      double leading = filter.slopeThere >= 0 ? width : -width;
+      angles[LEADING][step] = angle + leading;
+      angles[TRAILING][step] = angle - leading;
+    }
+    return angles;
+  }
+
+  private double phase() {
+    return Angles.wrapTwoPi(filter.x[StrokeEkf.PHASE] + ahead() - shape.crossingRad);
+  }
+
+  /** Standard deviation of the angle of the wing's middle, 0, or of an edge on one of its sides. */
+  private double sdAngle(int at) {
+    double variance = filter.angleVariance(at);
+    double speed = filter.slope(filter.cos, filter.sin) * filter.x[StrokeEkf.OMEGA];
+    double lagS = lagS();
+    double late =
+        Math.hypot(
+                CameraLatency.sdSeconds(hasBothEdges() ? 0 : lagS),
+                Math.sqrt(passageVariance(lagS)))
+            * speed;
+    return Math.sqrt(Math.max(0, variance) + SYSTEMATIC_RAD * SYSTEMATIC_RAD + late * late);
+  }
+
+  private double sdFrequencyHz() {
+    double variance = filter.belief.covariance(StrokeEkf.OMEGA, StrokeEkf.OMEGA);
+    return Math.sqrt(frequencyNoise.variance(variance)) / (2 * Math.PI);
+  }
+
+  @Override
+  public List<WingFilterState> filters() {
+    double[] present = q.clone();
+    System.arraycopy(density, 0, present, 0, density.length);
+    Source[] sources = new Source[q.length];
+    for (int i = 0; i < q.length; i++) {
+      sources[i] = byHand[i] ? Source.BY_HAND : Source.SETTINGS;
+    }
+    if (settings.manoeuvre() > 0 && !byHand[StrokeEkf.OMEGA]) {
+      sources[StrokeEkf.OMEGA] = Source.ESTIMATOR;
+    }
+    Source measurement =
+        measurementByHand
+            ? Source.BY_HAND
+            : noise.fixed() == 0 ? Source.ESTIMATOR : Source.SETTINGS;
+    return List.of(
+        new WingFilterState(
+            side,
+            FilterNumbers.of(FilterNumbers.NAMES, filter.size),
+            FilterNumbers.of(FilterNumbers.UNITS, filter.size),
+            ConstMatrix.copyOf(filter.belief.mean()),
+            ConstMatrix.copyOf(filter.belief.covariance()),
+            ConstMatrix.column(present),
+            FilterNumbers.of(FilterNumbers.DENSITY_UNITS, filter.size),
+            List.of(sources),
+            noise.present(),
+            measurement,
+            noise.nis(),
+            taken[0] + taken[1]));
+  }
+
+  @Override
+  public void edit(WingFilterEdit edit) {
+    flush();
+    int row = edit.row();
+    switch (edit.table()) {
+      case STATE -> filter.set(row, edit.value());
+      case COVARIANCE -> filter.belief.edit(row, edit.column(), edit.value());
+      case PROCESS_NOISE -> {
+        byHand[row] = !edit.givesBack();
+        q[row] = edit.notNegative();
+        takeNoise();
+      }
+      case MEASUREMENT_NOISE -> {
+        if (edit.givesBack()) {
+          giveBackNoise();
+        } else {
+          noise.apply(options.gateSd(), edit.notNegative());
+          measurementByHand = edit.value() > 0;
+        }
+      }
+    }
+  }
+}

@@ -1,7 +1,0 @@
-/**
- * What the wing tracker of Cardinale (2006) does in its own way: {@link
- * haltere.filters.wing.original.CentroidSearch} finds the fly, {@link
- * haltere.filters.wing.original.UpdateNoise} is the noise of its filters. It is there for
- * comparison; nothing else in the wing tracker knows it.
- */
-package haltere.filters.wing.original;

@@ -1,0 +1,93 @@
+package haltere.ui.viewer;
+
+import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.controls.Questions;
+import haltere.ui.viewer.feature.ViewerContext;
+import haltere.ui.viewer.feature.ViewerFeature;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Stream;
+
+/**
+ * Keeps under a name which panels are shown and how large they are, and shows them so again.
+ *
+ * <p>Thread rule: JavaFX thread only.
+ */
+final class LayoutFeature implements ViewerFeature {
+  private static final String NAME = "layouts";
+  private static final String MENU = "View/Layouts";
+  private static final String PANELS = "panel.";
+  private static final String SHARES = "share.";
+  private final Map<String, Object> layouts = new TreeMap<>();
+  private ViewerContext window;
+
+  @Override
+  public void install(ViewerContext installed) {
+    window = installed;
+    window
+        .settings()
+        .get(NAME)
+        .filter(Map.class::isInstance)
+        .map(kept -> (Map<?, ?>) kept)
+        .ifPresent(kept -> kept.forEach((name, layout) -> layouts.put(name.toString(), layout)));
+    window
+        .actions()
+        .add(
+            ViewerAction.of("keep-layout", "Keep this layout\u2026", MENU, this::ask)
+                .withHelp("Keeps under a name which panels are shown and how large they are."),
+            ViewerAction.of("layout-picture", "Picture alone", MENU, this::hidePanels));
+    offer();
+  }
+
+  private void ask() {
+    Questions.ask(window.stage(), "Layout", "Name of the layout", "", this::keep);
+  }
+
+  /** Keeps what is shown now under a name, in place of what was kept there. */
+  void keep(String name) {
+    withdraw();
+    layouts.put(name, window.settings().chosen(PANELS, SHARES));
+    offer();
+  }
+
+  private void remove(String name) {
+    withdraw();
+    layouts.remove(name);
+    offer();
+  }
+
+  private void hidePanels() {
+    Map<String, Object> panels = window.settings().chosen(PANELS);
+    panels.replaceAll((name, shown) -> false);
+    window.settings().choose(panels);
+  }
+
+  private void choose(String name) {
+    if (layouts.get(name) instanceof Map<?, ?> layout) {
+      hidePanels();
+      window.settings().choose(layout);
+      // panels that have just come get their sizes once they have been laid out
+      window.steps().afterLayout(() -> window.settings().choose(layout));
+    }
+  }
+
+  private void withdraw() {
+    window.actions().removeAll(layouts.keySet().stream().flatMap(LayoutFeature::ids).toList());
+  }
+
+  private void offer() {
+    window.settings().put(NAME, Map.copyOf(layouts));
+    for (String name : List.copyOf(layouts.keySet())) {
+      window
+          .actions()
+          .add(
+              ViewerAction.of("layout-" + name, name, MENU, () -> choose(name)),
+              ViewerAction.of("remove-layout-" + name, name, MENU + "/Remove", () -> remove(name)));
+    }
+  }
+
+  private static Stream<String> ids(String name) {
+    return Stream.of("layout-" + name, "remove-layout-" + name);
+  }
+}

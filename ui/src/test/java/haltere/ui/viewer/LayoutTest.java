@@ -1,0 +1,87 @@
+package haltere.ui.viewer;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import haltere.ui.viewer.feature.UserSettings;
+import java.nio.file.Path;
+import java.util.Optional;
+import javafx.scene.Node;
+import javafx.scene.control.SplitPane;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Panels that are kept under a name, and plots in a window of their own. */
+class LayoutTest {
+  @TempDir Path folder;
+  private ViewerHarness viewer;
+
+  @AfterEach
+  void close() {
+    viewer.close();
+  }
+
+  private void run(String action) {
+    viewer.run(() -> viewer.window.actions().run(action));
+  }
+
+  private boolean isInWindow(String id) {
+    return viewer.onFx(() -> viewer.stage.getScene().lookup("#" + id) != null);
+  }
+
+  @Test
+  void aLayoutIsKeptChosenAndRemovedAndThereAfterAStart() throws Exception {
+    UserSettings settings = UserSettings.load(folder);
+    viewer = new ViewerHarness(settings);
+    run("show-plots");
+    run("show-file-information");
+    viewer.waitFor("panels", () -> isInWindow("plots") && isInWindow("file-info"));
+    viewer.run(() -> viewer.window.feature(LayoutFeature.class).keep("Wings"));
+    run("layout-picture");
+    viewer.waitFor("the picture alone", () -> !isInWindow("plots") && !isInWindow("file-info"));
+    run("layout-Wings");
+    viewer.waitFor("the panels again", () -> isInWindow("plots") && isInWindow("file-info"));
+    settings.save();
+    viewer.close();
+    viewer = new ViewerHarness(UserSettings.load(folder));
+    run("layout-picture");
+    run("layout-Wings");
+    viewer.waitFor("the panels of before", () -> isInWindow("plots") && isInWindow("file-info"));
+    run("remove-layout-Wings");
+    assertEquals(Optional.empty(), viewer.onFx(() -> viewer.window.actions().find("layout-Wings")));
+  }
+
+  @Test
+  void aLayoutHasTheSizesOfItsPanels() {
+    viewer = new ViewerHarness();
+    run("show-plots");
+    viewer.waitFor("plots", () -> isInWindow("plots"));
+    SplitPane pane = viewer.onFx(() -> splitPaneOf(viewer.node("plots", Node.class)));
+    viewer.run(() -> pane.setDividerPosition(0, 0.4));
+    viewer.run(() -> viewer.window.feature(LayoutFeature.class).keep("low"));
+    viewer.run(() -> pane.setDividerPosition(0, 0.7));
+    run("layout-low");
+    viewer.waitFor(
+        "the size of before", () -> Math.abs(pane.getDividerPositions()[0] - 0.4) < 0.01);
+  }
+
+  private static SplitPane splitPaneOf(Node node) {
+    Node above = node.getParent();
+    while (!(above instanceof SplitPane)) {
+      above = above.getParent();
+    }
+    return (SplitPane) above;
+  }
+
+  @Test
+  void plotsGoToAWindowOfTheirOwnAndBack() {
+    viewer = ViewerHarness.withBlob();
+    run("plots-apart");
+    viewer.waitFor("plots elsewhere", () -> viewer.isThere("plots") && !isInWindow("plots"));
+    Node plots = viewer.node("plots", Node.class);
+    assertTrue(viewer.onFx(() -> plots.getScene().getWindow().isShowing()));
+    viewer.run(() -> plots.getScene().getWindow().hide());
+    viewer.waitFor("plots below the events", () -> isInWindow("plots"));
+  }
+}
