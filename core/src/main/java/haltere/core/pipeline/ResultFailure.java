@@ -11,11 +11,8 @@ import java.util.function.Consumer;
  *
  * <p>Thread rule: the processing thread.
  */
-public final class ResultFailure implements Consumer<RuntimeException>, StreamHandler {
+final class ResultFailure implements Consumer<RuntimeException>, StreamHandler {
   private RuntimeException first;
-
-  /** No failure yet. */
-  public ResultFailure() {}
 
   @Override
   public void accept(RuntimeException thrown) {
@@ -23,7 +20,7 @@ public final class ResultFailure implements Consumer<RuntimeException>, StreamHa
   }
 
   /** Throws the first failure, if there was one. */
-  public void rethrow() {
+  void rethrow() {
     if (first != null) {
       throw first;
     }

@@ -1,4 +1,4 @@
-package haltere.ui.measure;
+package haltere.filters.frequency;
 
 /**
  * What a region has been doing lately.

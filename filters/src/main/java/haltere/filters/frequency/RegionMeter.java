@@ -1,4 +1,4 @@
-package haltere.ui.measure;
+package haltere.filters.frequency;
 
 import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;

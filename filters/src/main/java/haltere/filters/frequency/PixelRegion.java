@@ -1,4 +1,4 @@
-package haltere.ui.measure;
+package haltere.filters.frequency;
 
 /**
  * A rectangle of pixels.
