@@ -14,10 +14,12 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.function.Consumer;
+import java.util.function.ToDoubleFunction;
+import javafx.geometry.Pos;
 import javafx.scene.Node;
+import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.Hyperlink;
 import javafx.scene.control.Label;
-import javafx.scene.control.ScrollPane;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import javafx.scene.layout.ColumnConstraints;
@@ -29,9 +31,10 @@ import javafx.scene.layout.VBox;
 
 /**
  * The state x with its standard deviations, the process noise Q, the noise R of a measurement and
- * the covariance P of one Kalman filter, as it uses them now. An entry that is being edited stands
- * still until Enter takes it over or Escape gives it up. A button beside a noise says whether the
- * estimator adapts it or a person has set it; a click changes that.
+ * the covariance P of one Kalman filter, as it uses them now. Of P the column of one state is
+ * shown, with the name of each row. An entry that is being edited stands still until Enter takes it
+ * over or Escape gives it up. A button beside a noise says whether the estimator adapts it or a
+ * person has set it; a click changes that.
  *
  * <p>Thread rule: JavaFX thread only.
  */
@@ -55,10 +58,14 @@ final class FilterTables extends VBox {
   /** Says where a noise comes from. */
   private record SourceButton(Hyperlink button, Table table, int row) {}
 
+  /** A number that follows from the tables. */
+  private record Derived(Label label, ToDoubleFunction<WingFilterState> number) {}
+
   private final Consumer<WingFilterEdit> edited;
   private final List<Cell> cells = new ArrayList<>();
   private final List<SourceButton> sources = new ArrayList<>();
-  private final List<Label> deviations = new ArrayList<>();
+  private final List<Derived> derived = new ArrayList<>();
+  private final ChoiceBox<String> column = new ChoiceBox<>();
   private final Label summary = new Label();
   private WingFilterState shown;
 
@@ -76,42 +83,68 @@ final class FilterTables extends VBox {
     summary.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
     summary.setId("filter-summary");
     shown = first;
-    ScrollPane covariance = new ScrollPane(covariance(first));
-    covariance.setFitToHeight(true);
-    getChildren().addAll(summary, states(first), heading("Covariance P"), covariance);
+    column.setId("covariance-column");
+    column.setAccessibleText("State whose column of the covariance is shown");
+    column.getItems().setAll(first.names());
+    column.getSelectionModel().select(0);
+    column.setOnAction(event -> showColumn());
+    FlowPane title = new FlowPane(6, 0, heading("Covariance P with"), column);
+    title.setAlignment(Pos.CENTER_LEFT);
+    getChildren().addAll(summary, states(first), title, covariance(0));
     show(first);
   }
 
   private static Label heading(String words) {
     Label label = new Label(words);
     label.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_BOLD);
+    label.setMinWidth(Region.USE_PREF_SIZE);
     return label;
+  }
+
+  /** Columns of names, of entries and of what follows from them. */
+  private static List<ColumnConstraints> columns() {
+    ColumnConstraints names = new ColumnConstraints();
+    names.setHgrow(Priority.ALWAYS);
+    names.setMinWidth(NAME_WIDTH);
+    return List.of(names, new ColumnConstraints(NUMBER_WIDTH), new ColumnConstraints());
+  }
+
+  private static Label name(String words) {
+    Label label = new Label(words);
+    label.getStyleClass().add(Styles.TEXT_SMALL);
+    label.setWrapText(true);
+    return label;
+  }
+
+  private Label derived(ToDoubleFunction<WingFilterState> number) {
+    Label label = new Label();
+    label.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
+    label.setMinWidth(Region.USE_PREF_SIZE);
+    derived.add(new Derived(label, number));
+    return label;
+  }
+
+  private static double sd(WingFilterState f, int i) {
+    return Math.sqrt(Math.max(0, f.value(Table.COVARIANCE, i, i)));
   }
 
   private Node states(WingFilterState f) {
     GridPane grid = new GridPane(6, 3);
-    ColumnConstraints names = new ColumnConstraints();
-    names.setHgrow(Priority.ALWAYS);
-    names.setMinWidth(NAME_WIDTH);
-    ColumnConstraints numbers = new ColumnConstraints(NUMBER_WIDTH);
-    grid.getColumnConstraints().addAll(names, numbers, new ColumnConstraints(), numbers);
+    grid.getColumnConstraints().addAll(columns());
+    grid.getColumnConstraints().add(new ColumnConstraints(NUMBER_WIDTH));
     grid.addRow(0, heading("State"), heading("x"), heading("\u00b1 SD"), heading("Q"));
     for (int i = 0; i < f.names().size(); i++) {
-      Label name = new Label(f.names().get(i) + ", " + f.units().get(i));
-      name.getStyleClass().add(Styles.TEXT_SMALL);
-      name.setWrapText(true);
-      Label sd = new Label();
-      sd.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
-      sd.setMinWidth(Region.USE_PREF_SIZE);
-      deviations.add(sd);
+      int row = i;
       Node noise = noise(Table.PROCESS_NOISE, i, f.qUnits().get(i));
-      grid.addRow(i + 1, name, cell(Table.STATE, i, 0), sd, noise);
+      grid.addRow(
+          i + 1,
+          name(f.names().get(i) + ", " + f.units().get(i)),
+          cell(Table.STATE, i, 0),
+          derived(now -> sd(now, row)),
+          noise);
     }
-    Label name = new Label("measurement R");
-    name.getStyleClass().add(Styles.TEXT_SMALL);
-    name.setWrapText(true);
     int last = f.names().size() + 1;
-    grid.add(name, 0, last);
+    grid.add(name("measurement R"), 0, last);
     grid.add(noise(Table.MEASUREMENT_NOISE, 0, "rad\u00b2"), 3, last);
     return grid;
   }
@@ -143,14 +176,28 @@ final class FilterTables extends VBox {
     return button;
   }
 
-  private Node covariance(WingFilterState f) {
-    GridPane grid = new GridPane(2, 2);
-    for (int i = 0; i < f.names().size(); i++) {
-      for (int j = 0; j < f.names().size(); j++) {
-        TextField entry = cell(Table.COVARIANCE, i, j);
-        Controls.help(entry, "P of " + f.names().get(i) + " and " + f.names().get(j));
-        grid.add(entry, j, i);
-      }
+  /** The column of P of the state that is chosen takes the place of the one before. */
+  private void showColumn() {
+    cells.removeIf(cell -> cell.table() == Table.COVARIANCE);
+    derived.subList(shown.names().size(), derived.size()).clear();
+    getChildren()
+        .set(getChildren().size() - 1, covariance(column.getSelectionModel().getSelectedIndex()));
+    show(shown);
+  }
+
+  private Node covariance(int chosen) {
+    GridPane grid = new GridPane(6, 3);
+    grid.getColumnConstraints().addAll(columns());
+    grid.addRow(0, heading("State"), heading("P"), heading("Correlation"));
+    for (int i = 0; i < shown.names().size(); i++) {
+      int row = i;
+      String unit = shown.units().get(i) + " \u00b7 " + shown.units().get(chosen);
+      grid.addRow(
+          i + 1,
+          name(shown.names().get(i) + ", " + unit),
+          cell(Table.COVARIANCE, i, chosen),
+          derived(
+              now -> now.value(Table.COVARIANCE, row, chosen) / (sd(now, row) * sd(now, chosen))));
     }
     return grid;
   }
@@ -215,10 +262,8 @@ final class FilterTables extends VBox {
       source.button().setVisible(!words.isEmpty());
       source.button().setManaged(!words.isEmpty());
     }
-    for (int i = 0; i < deviations.size(); i++) {
-      double variance = now.value(Table.COVARIANCE, i, i);
-      deviations.get(i).setText(text(Math.sqrt(Math.max(0, variance)), TWO_DIGITS));
-    }
+    derived.forEach(
+        entry -> entry.label().setText(text(entry.number().applyAsDouble(now), TWO_DIGITS)));
     summary.setText(
         Texts.count(now.events())
             + " events   NIS "

@@ -25,6 +25,7 @@ import java.util.List;
 import java.util.Optional;
 import javafx.scene.control.Button;
 import javafx.scene.control.CheckBox;
+import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.Hyperlink;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
@@ -100,6 +101,9 @@ class WingsFeatureTest {
     viewer.waitFor("x", () -> filter().get().value(Table.STATE, 1, 0) == 0.5);
     enter("covariance-0-0", "0.25");
     viewer.waitFor("P", () -> filter().get().value(Table.COVARIANCE, 0, 0) == 0.25);
+    viewer.run(
+        () -> viewer.node("covariance-column", ChoiceBox.class).getSelectionModel().select(1));
+    assertFalse(viewer.isThere("covariance-0-0"), "the column of the state that was chosen before");
     enter("covariance-0-1", "9");
     viewer.waitFor(
         "what no covariance can be is refused in a line",

@@ -70,16 +70,16 @@ final class CameraLatency {
    */
   static double fastShare(double lagS, double timingSdS) {
     double half = Math.max(0, lagS) / 2;
-    double delay = delayS(timingSdS);
+    double delay = timingSdS / THRESHOLD_MISMATCH;
     return half == 0 ? 0 : half * half / (half * half + delay * delay);
   }
 
   /**
-   * Delay of a pixel, seconds, from the spread of the times of its events over the mismatch of
-   * thresholds.
+   * Whether OFF events spread in time by more than a narrow wing explains: by half of its passage
+   * at most (Popoviciu 1935), and by as much through noise of the times.
    */
-  static double delayS(double timingSdS) {
-    return timingSdS / THRESHOLD_MISMATCH;
+  static boolean isWide(double timingSdS, double fullSpeed) {
+    return timingSdS > overPixelS(fullSpeed) * Math.sqrt(0.5);
   }
 
   /**

@@ -22,7 +22,8 @@ final class RadialResiduals {
 
   private final double[][] moment = new double[2][RINGS];
   private final double[][] weight = new double[2][RINGS];
-  private double ringsPerSquarePx;
+  private final double ringsPerSquarePx;
+  private double wideTime = 0.5;
 
   /**
    * Degree, 0 to 1, to which the distance of the edges varies over the radius as a chord's does.
@@ -35,25 +36,17 @@ final class RadialResiduals {
    */
   double answeredShare;
 
+  /**
+   * Share of the time, 0 to 1, in which radius or times tell of a wide wing; even odds at first.
+   */
+  double wideShare = 0.5;
+
   /** Variance over the radius of the middle between the edges in mid stroke, squared seconds. */
   double bendVariance;
 
-  /** Begins anew with a region of interest that ends at a distance, squared pixels. */
-  void launch(double outerSquarePx) {
+  /** Of a wing whose region of interest ends at a distance from the hinge, squared pixels. */
+  RadialResiduals(double outerSquarePx) {
     ringsPerSquarePx = RINGS / outerSquarePx;
-    fade(0);
-    chordShare = 0;
-    answeredShare = 0;
-    bendVariance = 0;
-  }
-
-  private void fade(double factor) {
-    for (int edge = 0; edge < 2; edge++) {
-      for (int ring = 0; ring < RINGS; ring++) {
-        moment[edge][ring] *= factor;
-        weight[edge][ring] *= factor;
-      }
-    }
   }
 
   /**
@@ -77,8 +70,9 @@ final class RadialResiduals {
    * @param apartS half of the mean time between the edges in mid stroke, seconds
    * @param variances of the angle of an event of each edge, squared radians, inflated where errors
    *     repeat
+   * @param isSpread whether the times of events tell of a wide wing
    */
-  void look(double dtS, double apartS, double[] variances) {
+  void look(double dtS, double apartS, double[] variances, boolean isSpread) {
     double[] sum = new double[2];
     RingMoments apart = new RingMoments();
     RingMoments middle = new RingMoments();
@@ -102,7 +96,15 @@ final class RadialResiduals {
     bendVariance = middle.variance();
     double most = Math.max(sum[0], sum[1]);
     answeredShare = most == 0 ? 0 : Math.max(0, 2 * Math.min(sum[0], sum[1]) / most - 1);
-    fade(Math.exp(-dtS / MEMORY_S));
+    double kept = Math.exp(-dtS / MEMORY_S);
+    wideTime += (1 - kept) * ((isSpread || variation > 0 ? 1 : 0) - wideTime);
+    wideShare = Math.max(0, 2 * wideTime - 1);
+    for (int ring = 0; ring < RINGS; ring++) {
+      for (int edge = 0; edge < 2; edge++) {
+        moment[edge][ring] *= kept;
+        weight[edge][ring] *= kept;
+      }
+    }
   }
 
   /** Weighted variance of the rings without their noise. */

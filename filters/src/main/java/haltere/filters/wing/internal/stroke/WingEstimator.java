@@ -44,7 +44,7 @@ public final class WingEstimator implements SideEstimator {
   private final BeatClock clock;
   private final StrokeShape shape = new StrokeShape();
   private final HingeTracker hinge = new HingeTracker();
-  private final RadialResiduals radial = new RadialResiduals();
+  private RadialResiduals radial = new RadialResiduals(1);
   private final double[] eventVariances = new double[2];
   private LockJudge judge = new LockJudge();
   private FrequencyNoise frequencyNoise = new FrequencyNoise();
@@ -156,7 +156,7 @@ public final class WingEstimator implements SideEstimator {
     frequencyNoise = new FrequencyNoise();
     judge = new LockJudge();
     hinge.launch(0.3);
-    radial.launch(frame.outerSquare());
+    radial = new RadialResiduals(frame.outerSquare());
     shape.of(filter);
     clock.launch(phase());
   }
@@ -273,9 +273,8 @@ public final class WingEstimator implements SideEstimator {
         q[StrokeEkf.OMEGA] + (byHand[StrokeEkf.OMEGA] ? 0 : frequencyNoise.added());
     boolean both = hasBothEdges();
     StrokeMemory.forget(filter, dtS, q, both);
-    double rmsSpeed = fullSpeed() * Math.sqrt(0.5);
-    radial.look(
-        dtS, filter.x[StrokeEkf.WIDTH] / rmsSpeed + filter.x[StrokeEkf.LAG] / 2, eventVariances);
+    boolean spread = CameraLatency.isWide(noise.of(LEADING).timingSdS(), fullSpeed());
+    radial.look(dtS, apartS(filter.x[StrokeEkf.LAG]), eventVariances, spread);
     if (!both) {
       takeFromOther();
     }
@@ -372,19 +371,22 @@ public final class WingEstimator implements SideEstimator {
     return CameraLatency.lagS(filter, other == null ? null : other.filter);
   }
 
+  /**
+   * Phase by which estimates are ahead of the events. Of a wide wing on slow pixels OFF events come
+   * between the middle of the passage and its end.
+   */
   private double ahead() {
     double lagS = lagS();
-    double pixelLagS = (1 - passageShare(lagS)) * lagS;
-    double latencyS = CameraLatency.seconds(options.latencyUs(), pixelLagS, fullSpeed());
-    return (latencyS - chordS(lagS)) * filter.x[StrokeEkf.OMEGA];
+    double fast = passageShare(lagS);
+    double slowS = (1 - fast) * lagS;
+    double wide = Math.min(radial.wideShare, other == null ? 1 : other.radial.wideShare);
+    double lateS = CameraLatency.seconds(options.latencyUs(), (1 - wide) * slowS, fullSpeed());
+    return (lateS + wide * slowS / 4 - fast * lagS / 2) * filter.x[StrokeEkf.OMEGA];
   }
 
-  /**
-   * Time by which OFF events come before the middle of the wing beyond its constant half width:
-   * half of the lag of ON events, as far as that is a passage of the chord.
-   */
-  private double chordS(double lagS) {
-    return passageShare(lagS) * lagS / 2;
+  /** Half of the mean time between the edges in mid stroke, for a lag of ON events. */
+  private double apartS(double lagS) {
+    return filter.x[StrokeEkf.WIDTH] * Math.sqrt(2) / fullSpeed() + lagS / 2;
   }
 
   /**
@@ -407,20 +409,22 @@ public final class WingEstimator implements SideEstimator {
   }
 
   /**
-   * Variance of {@link #chordS}: of the choice between chord and lag, of where in a passage a slow
-   * pixel answers, of the delay of a fast one, and of a middle that is not straight.
+   * Variance of the time from the middle of the wing to its events, which lies within half of the
+   * time between the edges. Of a fast pixel it is a second moment about the end of that interval,
+   * of a slow one the bound by mean and interval (Bhatia and Davis 2000). The choice between both,
+   * the spread of OFF events (Popoviciu 1935) and a middle that is not straight add to it.
    */
-  private double chordVariance(double lagS) {
+  private double passageVariance(double lagS) {
     if (!hasBothEdges()) {
       return 0;
     }
-    double passage = passageShare(lagS);
-    double slow =
-        radial.chordShare * (1 - radial.answeredShare * CameraLatency.fastShare(lagS, timingSdS()));
-    double halfS = lagS / 2;
-    double delayS = Math.min(halfS, CameraLatency.delayS(timingSdS()));
-    return (passage * (1 - passage) + slow) * halfS * halfS
-        + passage * delayS * delayS
+    double fast = passageShare(lagS);
+    double wide = Math.max(radial.wideShare, other == null ? 0 : other.radial.wideShare);
+    double choice = 1 + wide / 2;
+    double apartS = apartS(lagS);
+    double spreadS = noise.of(LEADING).timingSdS();
+    return (fast / 2 + (1 - fast) * (wide * 0.75 + fast * choice * choice)) * apartS * apartS
+        + 3 * wide * spreadS * spreadS
         + radial.bendVariance;
   }
 
@@ -473,7 +477,8 @@ public final class WingEstimator implements SideEstimator {
     double lagS = lagS();
     double late =
         Math.hypot(
-                CameraLatency.sdSeconds(hasBothEdges() ? 0 : lagS), Math.sqrt(chordVariance(lagS)))
+                CameraLatency.sdSeconds(hasBothEdges() ? 0 : lagS),
+                Math.sqrt(passageVariance(lagS)))
             * speed;
     return Math.sqrt(Math.max(0, variance) + SYSTEMATIC_RAD * SYSTEMATIC_RAD + late * late);
   }

@@ -1,6 +1,7 @@
 package haltere.filters.wing.internal.stroke;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.SplittableRandom;
@@ -13,12 +14,13 @@ class RadialResidualsTest {
   private static final double NOISE_RAD = 0.02;
   private static final double HALF_APART_S = 100e-6;
 
-  private final RadialResiduals radial = new RadialResiduals();
+  private RadialResiduals radial;
+  private boolean isSpread;
 
   /** Events of both edges, apart by a time that depends on the share of the length. */
   private void look(int events, double trailingShare, DoubleUnaryOperator apartS, double bendS) {
     SplittableRandom random = new SplittableRandom(7);
-    radial.launch(LENGTH_PX * LENGTH_PX);
+    radial = new RadialResiduals(LENGTH_PX * LENGTH_PX);
     for (int i = 0; i < events; i++) {
       double share = Math.sqrt(random.nextDouble());
       double square = share * share * LENGTH_PX * LENGTH_PX;
@@ -32,7 +34,7 @@ class RadialResidualsTest {
       }
     }
     double variance = NOISE_RAD * NOISE_RAD;
-    radial.look(1e-3, HALF_APART_S, new double[] {variance, variance});
+    radial.look(1e-3, HALF_APART_S, new double[] {variance, variance}, isSpread);
   }
 
   @Test
@@ -70,6 +72,24 @@ class RadialResidualsTest {
     assertEquals(0.5, radial.answeredShare, 0.05);
     look(2000, 0.3, share -> HALF_APART_S, 0);
     assertEquals(0, radial.answeredShare, 1e-9);
+  }
+
+  @Test
+  void aWideWingIsToldByTheRadiusOrByTheTimes() {
+    look(4000, 1, share -> HALF_APART_S, 0);
+    assertEquals(0, radial.wideShare);
+    look(4000, 1, share -> 300e-6 * (1 - share), 0);
+    assertTrue(radial.wideShare > 0, "" + radial.wideShare);
+    isSpread = true;
+    look(4000, 1, share -> HALF_APART_S, 0);
+    assertTrue(radial.wideShare > 0, "" + radial.wideShare);
+  }
+
+  @Test
+  void timesOfANarrowWingSpreadByLessThanItsPassage() {
+    double fullSpeed = 1700;
+    assertFalse(CameraLatency.isWide(15e-6, fullSpeed));
+    assertTrue(CameraLatency.isWide(60e-6, fullSpeed));
   }
 
   @Test
