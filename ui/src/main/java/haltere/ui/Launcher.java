@@ -9,11 +9,7 @@ import haltere.ui.command.HaltereProgram;
 public final class Launcher {
   private Launcher() {}
 
-  /**
-   * Runs the command line and ends the process with its status.
-   *
-   * @param args the words of the command line
-   */
+  /** Runs the command line with its words and ends the process with its status. */
   public static void main(String[] args) {
     System.exit(HaltereProgram.main(args, new JavaFxWindow()));
   }

@@ -30,10 +30,8 @@ final class NativeLibraries {
   private NativeLibraries() {}
 
   /**
-   * What to tell a user whose machine lacks libraries.
-   *
-   * @param present whether the machine has a library, by its file name
-   * @return one line, or empty if nothing is missing
+   * One line for a user whose machine lacks libraries, empty if none is missing; they are looked
+   * for by file name.
    */
   static Optional<String> complaint(Predicate<String> present) {
     List<String> files = new ArrayList<>();
@@ -58,10 +56,8 @@ final class NativeLibraries {
   }
 
   /**
-   * Whether this machine has a library.
-   *
-   * @param file its file name
-   * @return false only if it was looked for everywhere
+   * Whether this machine has a library of this file name; false only if it was looked for
+   * everywhere.
    */
   static boolean present(String file) {
     for (Path folder : folders()) {

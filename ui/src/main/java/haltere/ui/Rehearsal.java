@@ -16,11 +16,7 @@ import java.util.Optional;
 final class Rehearsal implements WindowOpener {
   private Rehearsal() {}
 
-  /**
-   * Runs.
-   *
-   * @param args as of the program
-   */
+  /** Runs the program with its words. */
   public static void main(String[] args) {
     System.exit(HaltereProgram.main(args, new Rehearsal()));
   }

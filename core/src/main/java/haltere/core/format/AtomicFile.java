@@ -7,6 +7,7 @@ import java.nio.ByteBuffer;
 import java.nio.channels.Channels;
 import java.nio.channels.FileChannel;
 import java.nio.channels.WritableByteChannel;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.AtomicMoveNotSupportedException;
 import java.nio.file.Files;
@@ -122,6 +123,33 @@ public final class AtomicFile implements Closeable, WritableByteChannel {
     } catch (IOException e) {
       throw RecordingProblem.writing(target, e);
     }
+  }
+
+  /**
+   * Writes a file that appears whole or not at all.
+   *
+   * @param target where the file will be; a symbolic link is followed
+   * @param bytes what it will hold
+   * @param overwrite whether an existing file may be replaced
+   * @throws IOException as {@link #create}, or if it cannot be written
+   */
+  public static void write(Path target, byte[] bytes, boolean overwrite) throws IOException {
+    try (AtomicFile file = create(target, overwrite)) {
+      file.stream().write(bytes);
+      file.commit();
+    }
+  }
+
+  /**
+   * Writes a text, in UTF-8, that appears whole or not at all.
+   *
+   * @param target where the file will be; a symbolic link is followed
+   * @param text what it will hold
+   * @param overwrite whether an existing file may be replaced
+   * @throws IOException as {@link #create}, or if it cannot be written
+   */
+  public static void write(Path target, String text, boolean overwrite) throws IOException {
+    write(target, text.getBytes(StandardCharsets.UTF_8), overwrite);
   }
 
   private static void refuseExisting(Path target, boolean overwrite) throws RecordingProblem {

@@ -43,9 +43,12 @@ public interface JobResults extends Closeable {
   /**
    * The files.
    *
-   * @return in the order of the chain, complete once they are finished
+   * @return in the order of the chain, complete once they are finished; none where results are
+   *     counted elsewhere
    */
-  List<ResultFile> files();
+  default List<ResultFile> files() {
+    return List.of();
+  }
 
   @Override
   void close() throws IOException;

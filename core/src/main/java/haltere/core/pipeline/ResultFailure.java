@@ -13,11 +13,8 @@ import java.util.function.Consumer;
  *
  * @since 0.1
  */
-public final class ResultFailure implements Consumer<RuntimeException>, StreamHandler {
+final class ResultFailure implements Consumer<RuntimeException>, StreamHandler {
   private RuntimeException first;
-
-  /** No failure yet. */
-  public ResultFailure() {}
 
   @Override
   public void accept(RuntimeException thrown) {
@@ -25,7 +22,7 @@ public final class ResultFailure implements Consumer<RuntimeException>, StreamHa
   }
 
   /** Throws the first failure, if there was one. */
-  public void rethrow() {
+  void rethrow() {
     if (first != null) {
       throw first;
     }

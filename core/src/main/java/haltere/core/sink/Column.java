@@ -28,4 +28,11 @@ public @interface Column {
    * @return 0 to 9, or -1 for as many as it takes to read the same number back
    */
   int decimals() default -1;
+
+  /**
+   * Whether the component is a record whose columns stand in its place.
+   *
+   * @return true for all of its columns but those whose names stand before already
+   */
+  boolean joined() default false;
 }

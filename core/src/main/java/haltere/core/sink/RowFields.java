@@ -6,8 +6,10 @@ import java.lang.invoke.MethodType;
 import java.lang.reflect.Method;
 import java.lang.reflect.RecordComponent;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.OptionalLong;
@@ -148,19 +150,44 @@ public final class RowFields {
       throw new IllegalArgumentException(
           type.getSimpleName() + " is not a record of plain values and makes no row");
     }
-    names = names(type);
-    RecordComponent[] components = type.getRecordComponents();
-    fields = new Field[components.length];
+    List<Leaf> leaves = leaves(type);
+    names = leaves.stream().map(Leaf::name).toList();
+    fields = new Field[leaves.size()];
     for (int i = 0; i < fields.length; i++) {
-      Column column = components[i].getAnnotation(Column.class);
-      int decimals = column == null ? -1 : column.decimals();
-      if (decimals < -1 || decimals > 9) {
+      Leaf leaf = leaves.get(i);
+      if (leaf.decimals < -1 || leaf.decimals > 9) {
         throw new IllegalArgumentException(
-            components[i] + " cannot have " + decimals + " digits behind the decimal point");
+            leaf.name + " cannot have " + leaf.decimals + " digits behind the decimal point");
       }
-      kinds.add(Kind.of(components[i].getType()));
-      fields[i] = field(components[i], decimals);
+      kinds.add(Kind.of(leaf.get.type().returnType()));
+      fields[i] = field(leaf.get, leaf.decimals);
     }
+  }
+
+  /** A column with the way from a row to its value. */
+  private record Leaf(String name, int decimals, MethodHandle get) {}
+
+  private static List<Leaf> leaves(Class<?> type) {
+    Map<String, Leaf> leaves = new LinkedHashMap<>();
+    for (RecordComponent component : type.getRecordComponents()) {
+      MethodHandle get = getter(component.getAccessor());
+      if (isJoined(component)) {
+        for (Leaf leaf : leaves(component.getType())) {
+          MethodHandle inside = MethodHandles.filterReturnValue(get, leaf.get);
+          leaves.putIfAbsent(leaf.name, new Leaf(leaf.name, leaf.decimals, inside));
+        }
+      } else {
+        Column column = component.getAnnotation(Column.class);
+        Leaf leaf = new Leaf(name(component), column == null ? -1 : column.decimals(), get);
+        leaves.put(leaf.name, leaf);
+      }
+    }
+    return List.copyOf(leaves.values());
+  }
+
+  private static boolean isJoined(RecordComponent component) {
+    Column column = component.getAnnotation(Column.class);
+    return column != null && column.joined() && isFlat(component.getType());
   }
 
   /** As {@link CsvSink#isFlat}. */
@@ -169,7 +196,8 @@ public final class RowFields {
       return false;
     }
     for (RecordComponent component : type.getRecordComponents()) {
-      if (!FLAT.contains(component.getType()) && !component.getType().isEnum()) {
+      Class<?> plain = component.getType();
+      if (!FLAT.contains(plain) && !plain.isEnum() && !isJoined(component)) {
         return false;
       }
     }
@@ -178,15 +206,14 @@ public final class RowFields {
 
   /** As {@link CsvSink#columns}. */
   static List<String> names(Class<? extends Record> type) {
-    List<String> names = new ArrayList<>();
-    for (RecordComponent component : type.getRecordComponents()) {
-      Column column = component.getAnnotation(Column.class);
-      names.add(
-          column != null && !column.value().isEmpty()
-              ? column.value()
-              : WORD_START.matcher(component.getName()).replaceAll("_").toLowerCase(Locale.ROOT));
-    }
-    return names;
+    return leaves(type).stream().map(Leaf::name).toList();
+  }
+
+  private static String name(RecordComponent component) {
+    Column column = component.getAnnotation(Column.class);
+    return column != null && !column.value().isEmpty()
+        ? column.value()
+        : WORD_START.matcher(component.getName()).replaceAll("_").toLowerCase(Locale.ROOT);
   }
 
   /**
@@ -224,9 +251,8 @@ public final class RowFields {
     }
   }
 
-  private static Field field(RecordComponent component, int decimals) {
-    MethodHandle get = getter(component.getAccessor());
-    Class<?> type = component.getType();
+  private static Field field(MethodHandle get, int decimals) {
+    Class<?> type = get.type().returnType();
     if (type == double.class) {
       MethodHandle exact = get.asType(MethodType.methodType(double.class, Object.class));
       return (row, values) -> values.number((double) exact.invokeExact(row), decimals);

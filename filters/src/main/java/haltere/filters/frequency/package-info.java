@@ -1,2 +1,5 @@
-/** Frequencies at which single pixels flicker, and the filter that publishes them. */
+/**
+ * Frequencies at which single pixels and regions flicker, and the filter that publishes those of
+ * pixels.
+ */
 package haltere.filters.frequency;

@@ -18,14 +18,12 @@ import haltere.ui.command.report.ReportPage;
 import haltere.ui.command.terminal.ProgressBar;
 import haltere.ui.command.terminal.Quantities;
 import java.io.IOException;
-import java.nio.charset.CharacterCodingException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Matcher;
@@ -150,8 +148,7 @@ final class BatchCommand extends Subcommand {
     Batch batch = new Batch(this::chain, options(), Failures::describe);
     BatchReport report = run(batch, items, part.failuresName());
     String summary =
-        String.format(
-            Locale.ROOT,
+        Quantities.text(
             "%d recordings: %d done (%s, %.1f MB, %,d rows), %d kept, %d in work elsewhere,"
                 + " %d failed",
             items.size(),
@@ -257,11 +254,7 @@ final class BatchCommand extends Subcommand {
       chain.add(Filters.named(work.wings ? "wing-tracker" : "object-tracker"));
       return chain;
     }
-    try {
-      return ChainFile.read(work.chain, geometry, this::note);
-    } catch (CharacterCodingException notText) {
-      throw Failures.notText(work.chain, notText);
-    }
+    return ChainFile.read(work.chain, geometry, this::note);
   }
 
   private final Set<String> notes = new HashSet<>();

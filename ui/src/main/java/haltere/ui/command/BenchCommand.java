@@ -17,13 +17,11 @@ import haltere.filters.DefaultChain;
 import haltere.ui.command.terminal.ProgressBar;
 import haltere.ui.command.terminal.Quantities;
 import java.io.IOException;
-import java.io.InterruptedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.function.Supplier;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -102,7 +100,7 @@ final class BenchCommand extends Subcommand {
                 .orElseThrow()) {
       Held events = new Held(SCENE_EVENTS);
       while (!events.full() && scene.next(events)) {
-        checkInterrupted();
+        checkInterrupted("measuring");
       }
       for (EventPacket packet : events.packets) {
         writer.write(packet);
@@ -121,7 +119,7 @@ final class BenchCommand extends Subcommand {
       format = reader.formatName();
       Count count = new Count();
       while (reader.next(held.full() ? count : held)) {
-        checkInterrupted();
+        checkInterrupted("measuring");
       }
       reading.requireWhole(reader);
       warnings(reader);
@@ -130,20 +128,12 @@ final class BenchCommand extends Subcommand {
     if (held.events == 0) {
       throw new CommandProblem(recording + ": there are no events in it to measure with");
     }
-    result(
-        (file == null ? "the built-in fly scene" : recording.toString())
-            + ": "
-            + Quantities.events(decoded)
-            + ", sensor "
-            + geometry);
+    String name = file == null ? "the built-in fly scene" : recording.toString();
+    result("%s: %s, sensor %s", name, Quantities.events(decoded), geometry);
     message(
-        String.format(
-            Locale.ROOT,
-            "each stage warms up for %s s, then the median of %d or more rounds in %s s",
-            seconds,
-            FEWEST_ROUNDS,
-            seconds));
-    result(String.format(Locale.ROOT, "%-24s %10s %10s", "stage", "Mev/s", "ns/event"));
+        "each stage warms up for %s s, then the median of %d or more rounds in %s s",
+        seconds, FEWEST_ROUNDS, seconds);
+    result("%-24s %10s %10s", "stage", "Mev/s", "ns/event");
     stage("decode " + format, decoded, () -> decode(recording));
     for (FilterProvider<?> provider : Filters.all().values()) {
       stage(provider.name(), held.events, () -> filter(held, () -> provider.create(geometry)));
@@ -158,7 +148,7 @@ final class BenchCommand extends Subcommand {
       int rounds = 0;
       double spent = 0;
       while (rounds < nanos.length && (rounds < FEWEST_ROUNDS || spent < seconds)) {
-        checkInterrupted();
+        checkInterrupted("measuring");
         nanos[rounds] = round.run();
         spent += nanos[rounds] / 1e9;
         rounds++;
@@ -169,14 +159,12 @@ final class BenchCommand extends Subcommand {
       double perEvent = nanos[rounds / 2] / (double) events;
       bar.erase();
       result(
-          String.format(
-              Locale.ROOT,
-              "%-24s %10s %10.2f",
-              name,
-              perEvent < MIN_NANOS
-                  ? "no work" // a filter that passes everything as it is
-                  : String.format(Locale.ROOT, "%.1f", 1e3 / perEvent),
-              perEvent));
+          "%-24s %10s %10.2f",
+          name,
+          perEvent < MIN_NANOS
+              ? "no work" // a filter that passes everything as it is
+              : Quantities.text("%.1f", 1e3 / perEvent),
+          perEvent);
       surroundings().out().flush();
     }
   }
@@ -184,7 +172,7 @@ final class BenchCommand extends Subcommand {
   private void warmUp(Round round) throws IOException {
     double spent = 0;
     do {
-      checkInterrupted();
+      checkInterrupted("measuring");
       spent += round.run() / 1e9;
     } while (spent < seconds);
   }
@@ -210,12 +198,6 @@ final class BenchCommand extends Subcommand {
     }
     filter.close();
     return nanos;
-  }
-
-  private static void checkInterrupted() throws InterruptedIOException {
-    if (Thread.currentThread().isInterrupted()) {
-      throw new InterruptedIOException("interrupted while measuring");
-    }
   }
 
   /** Keeps packets, up to a number of events and to the first break of time. */

@@ -52,11 +52,7 @@ final class CameraOptionsGroup {
               + " default), or those that have waited longest (oldest).")
   String whenFull = "newest";
 
-  /**
-   * Refuses what can be told to be wrong before any work.
-   *
-   * @throws ParameterException if an option is wrong
-   */
+  /** Refuses, by a {@link ParameterException}, what can be told to be wrong before any work. */
   void check() {
     if (durationS != null && !(durationS > 0 && durationS <= 1e9)) {
       throw wrong("--duration is " + durationS + ", it must be above 0 s");
@@ -68,10 +64,8 @@ final class CameraOptionsGroup {
   }
 
   /**
-   * Refuses what can be told to be wrong where either a recording or a camera is the source.
-   *
-   * @param file the recording, or null
-   * @throws ParameterException if there are both or none, or options of a camera without one
+   * Checks, and refuses both a recording and a camera or none, and options of a camera without one;
+   * the file is null without a recording.
    */
   void checkOneSource(Path file) {
     check();
@@ -117,13 +111,8 @@ final class CameraOptionsGroup {
   }
 
   /**
-   * Opens a camera and sets its biases.
-   *
-   * @param device its id, or empty for the first one that is there
-   * @param readings whether frames, inertial samples and triggers are wanted
-   * @return an open camera
-   * @throws CameraProblem if it cannot be opened
-   * @throws CommandProblem if it does not have such biases
+   * Opens a camera, by its id or empty for the first one that is there, and sets its biases; on
+   * request with frames, inertial samples and triggers.
    */
   Camera open(String device, boolean readings) throws CameraProblem {
     Camera camera =

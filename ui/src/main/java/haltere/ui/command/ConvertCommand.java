@@ -244,13 +244,11 @@ final class ConvertCommand extends Subcommand {
       warning(in + ": there are no events" + (isPart() ? " in this stretch of time" : ""));
     }
     message(
-        "wrote "
-            + out
-            + " ("
-            + Quantities.events(done.eventsWritten())
-            + (filters.isEmpty() ? "" : " of " + Quantities.count(done.eventsRead()))
-            + (done.readingsWritten().isEmpty() ? "" : ", " + done.readingsWritten())
-            + ")");
+        "wrote %s (%s%s%s)",
+        out,
+        Quantities.events(done.eventsWritten()),
+        filters.isEmpty() ? "" : " of " + Quantities.count(done.eventsRead()),
+        done.readingsWritten().isEmpty() ? "" : ", " + done.readingsWritten());
   }
 
   private boolean isPart() {

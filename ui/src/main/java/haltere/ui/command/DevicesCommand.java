@@ -3,10 +3,10 @@ package haltere.ui.command;
 import haltere.core.camera.CameraInfo;
 import haltere.core.camera.Cameras;
 import haltere.core.json.internal.Json;
+import haltere.ui.command.terminal.Quantities;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -85,8 +85,7 @@ final class DevicesCommand extends Subcommand {
       Object[] row = rows.get(i);
       String note = camera.note().strip().replaceAll("\\s*\\R\\s*", " ");
       result(
-          String.format(
-                  Locale.ROOT,
+          Quantities.text(
                   form,
                   row[0],
                   row[1],

@@ -1,5 +1,6 @@
 package haltere.ui.command;
 
+import haltere.core.format.AtomicFile;
 import haltere.filters.estimation.Gate;
 import haltere.filters.estimation.internal.example.ExampleTable;
 import haltere.filters.estimation.internal.example.FallingWeight;
@@ -7,12 +8,10 @@ import haltere.filters.estimation.internal.example.MeasurementSeries;
 import haltere.filters.estimation.internal.example.Oscillator;
 import haltere.filters.estimation.internal.example.SimulatedVideo;
 import haltere.ui.command.results.ExamplePlots;
-import haltere.ui.command.results.TextFile;
 import haltere.ui.command.terminal.Quantities;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import picocli.CommandLine.Command;
@@ -106,11 +105,11 @@ final class ExampleCommand extends Subcommand {
       WritingOptions.checkDifferent(out, file);
     }
     for (Map.Entry<Path, String> file : files.entrySet()) {
-      TextFile.write(file.getKey(), file.getValue(), writing.overwrite);
+      AtomicFile.write(file.getKey(), file.getValue(), writing.overwrite);
     }
-    TextFile.write(out, table.csv(), writing.overwrite);
+    AtomicFile.write(out, table.csv(), writing.overwrite);
     files.keySet().forEach(file -> message("wrote " + file));
-    message("wrote " + out + " (" + Quantities.count(table.column("t_s").length) + " rows)");
+    wrote(out, table.column("t_s").length);
     tell(table, series.noiseM(), falls);
     return OK;
   }
@@ -141,7 +140,7 @@ final class ExampleCommand extends Subcommand {
   }
 
   private void tell(ExampleTable table, double noiseM, boolean falls) {
-    result(text("%-26s %.2g mm", "noise of the displacement", 1000 * noiseM));
+    result("%-26s %.2g mm", "noise of the displacement", 1000 * noiseM);
     if (falls) {
       result(estimate("acceleration", table, "a_m_s2", "m/s²"));
       result(estimate("  least squares", table, "fit_a_m_s2", "m/s²"));
@@ -152,7 +151,7 @@ final class ExampleCommand extends Subcommand {
       result(
           Double.isNaN(plain)
               ? "  linearised only once     left the numbers"
-              : text(
+              : Quantities.text(
                   "  linearised only once     %.4g rad/s, damping ratio %.4g",
                   plain, last(table, "plain_damping")));
     }
@@ -166,10 +165,9 @@ final class ExampleCommand extends Subcommand {
     int independent = fit.length / 4;
     if (!(squares * independent <= Gate.probability(0.9995).threshold(independent))) {
       warning(
-          text(
-              "the residuals are %.2g times the noise: this is another motion than the model's%s;"
-                  + " the deviations do not hold",
-              Math.sqrt(squares), falls ? "" : ", or x_m is not measured from rest"));
+          "the residuals are %.2g times the noise: this is another motion than the model's%s;"
+              + " the deviations do not hold",
+          Math.sqrt(squares), falls ? "" : ", or x_m is not measured from rest");
     }
   }
 
@@ -179,15 +177,11 @@ final class ExampleCommand extends Subcommand {
     int digits = (int) Math.max(0, Math.min(9, 1 - Math.floor(Math.log10(deviation))));
     String number = "%." + digits + "f";
     String form = "%-26s " + number + " ± " + number + " %s";
-    return text(form, label, last(table, column), deviation, unit).stripTrailing();
+    return Quantities.text(form, label, last(table, column), deviation, unit).stripTrailing();
   }
 
   private static double last(ExampleTable table, String column) {
     double[] values = table.column(column);
     return values[values.length - 1];
-  }
-
-  private static String text(String format, Object... values) {
-    return String.format(Locale.ROOT, format, values);
   }
 }

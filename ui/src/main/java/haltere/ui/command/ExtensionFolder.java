@@ -23,12 +23,8 @@ final class ExtensionFolder {
 
   /**
    * Opens the folder that is named by the option, else by the environment, else is beside the
-   * settings. It comes before the command line is parsed, for a format may be a word of it.
-   *
-   * @param args the words of the command line
-   * @param environment the environment's variables
-   * @return what was left out, one line each
-   * @throws IOException if the folder is named and not there, or cannot be read
+   * settings, and returns what was left out, one line each. It comes before the command line is
+   * parsed, for a format may be a word of it.
    */
   static List<String> open(String[] args, Map<String, String> environment) throws IOException {
     String named = environment.getOrDefault(VARIABLE, "");

@@ -22,12 +22,7 @@ final class Failures {
 
   private Failures() {}
 
-  /**
-   * The line for a failure.
-   *
-   * @param failure what was thrown
-   * @return one line, without the program's name
-   */
+  /** The one line for a failure, without the program's name. */
   static String describe(Throwable failure) {
     return oneLine(sentence(failure));
   }
@@ -91,12 +86,7 @@ final class Failures {
     return file + (problem.getReason() == null ? "cannot be used" : problem.getReason());
   }
 
-  /**
-   * The line for a text file that is not text.
-   *
-   * @param file what to call it
-   * @return one line
-   */
+  /** The problem of a text file that is no text. */
   static CommandProblem notText(Object file, CharacterCodingException cause) {
     return new CommandProblem(file + ": this is not UTF-8 text", cause);
   }

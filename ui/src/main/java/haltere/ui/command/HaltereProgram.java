@@ -57,11 +57,8 @@ public final class HaltereProgram {
   }
 
   /**
-   * Runs the process's command and waits for it.
-   *
-   * @param args the words of the command line
-   * @param window opens the viewer
-   * @return the process's exit status
+   * Runs the command of the process's words, waits for it and returns the exit status of the
+   * process.
    */
   public static int main(String[] args, WindowOpener window) {
     Interruption interruption = Interruption.install();
@@ -98,12 +95,7 @@ public final class HaltereProgram {
     }
   }
 
-  /**
-   * Runs a command.
-   *
-   * @param args the words of the command line
-   * @return 0, 1 or 2
-   */
+  /** Runs a command by its words and returns 0, 1 or 2. */
   int run(String... args) {
     int status;
     try {

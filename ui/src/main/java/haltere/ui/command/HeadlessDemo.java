@@ -24,7 +24,6 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
 
 /**
  * What the viewer shows at first, without a window: the built-in fly scene through the chain for a
@@ -87,17 +86,12 @@ final class HeadlessDemo {
     command.result(
         "the built-in fly scene through the wing tracker's chain, without a display; "
             + "haltere --help says what else there is");
-    command.result(
-        String.format(
-            Locale.ROOT, "  events     %,d in %d s, %,d left by the filters", in, DURATION_S, out));
+    command.result("  events     %,d in %d s, %,d left by the filters", in, DURATION_S, out);
     command.result("  rate       " + Quantities.rate(in / (double) DURATION_S));
     wings.lines().forEach(line -> command.result("  " + line));
     command.result(
-        String.format(
-            Locale.ROOT,
-            "  speed      %s, %.1f times real time",
-            Quantities.rate(in / seconds),
-            DURATION_S / seconds));
+        "  speed      %s, %.1f times real time",
+        Quantities.rate(in / seconds), DURATION_S / seconds);
   }
 
   /** Moves the bar. */

@@ -257,7 +257,7 @@ final class InfoCommand extends Subcommand {
 
   private void printTimes(long firstUs, long lastUs, double durationS, double meanRateEps) {
     line("time", Quantities.seconds(firstUs) + " to " + Quantities.seconds(lastUs));
-    line("duration", String.format(Locale.ROOT, "%.6f s", durationS));
+    line("duration", Quantities.text("%.6f s", durationS));
     line("mean rate", Quantities.rate(meanRateEps));
   }
 
@@ -266,12 +266,7 @@ final class InfoCommand extends Subcommand {
     printIdentity(summary.format(), summary.geometry());
     line(
         "events",
-        Quantities.count(summary.events())
-            + "  ("
-            + Quantities.count(summary.on())
-            + " ON, "
-            + Quantities.count(summary.off())
-            + " OFF)");
+        Quantities.text("%,d  (%,d ON, %,d OFF)", summary.events(), summary.on(), summary.off()));
     if (!summary.readings().isEmpty()) {
       line("also", summary.readings().toString());
     }
@@ -309,14 +304,12 @@ final class InfoCommand extends Subcommand {
     }
     return longest == null
         ? "of unknown length"
-        : String.format(
-            Locale.ROOT,
+        : Quantities.text(
             "%.3f s from %s",
-            (longest.toUs() - longest.fromUs()) / 1e6,
-            Quantities.seconds(longest.fromUs()));
+            (longest.toUs() - longest.fromUs()) / 1e6, Quantities.seconds(longest.fromUs()));
   }
 
   private void line(String name, String value) {
-    result(String.format(Locale.ROOT, "  %-10s  %s", name, value));
+    result("  %-10s  %s", name, value);
   }
 }

@@ -43,14 +43,7 @@ final class LiveRun {
   /** Shown while it runs. */
   private LiveStatus status;
 
-  /**
-   * A run that has not started.
-   *
-   * @param command is told what a person should know meanwhile
-   * @param camera an open camera
-   * @param chain its events go through it
-   * @param sinks take what is left
-   */
+  /** A run that has not started, of an open camera through a chain to sinks. */
   LiveRun(Subcommand command, Camera camera, FilterChain chain, List<StreamHandler> sinks) {
     this.command = command;
     this.camera = camera;
@@ -101,21 +94,16 @@ final class LiveRun {
   }
 
   /**
-   * Runs cameras until a time is over, one has ended or failed, or the process is told to stop;
-   * what has come until then is worked on.
-   *
-   * @param runs not started
-   * @param durationS seconds from the first events on, or empty for no end
-   * @throws IOException if a camera or a sink failed
+   * Runs cameras until so many seconds from the first events on are over, one has ended or failed,
+   * or the process is told to stop; what has come until then is worked on.
    */
   static void run(List<LiveRun> runs, OptionalDouble durationS) throws IOException {
     run(runs, durationS, () -> false);
   }
 
   /**
-   * Runs cameras as {@link #run(List, OptionalDouble)} does, or until something else ends it.
-   *
-   * @param ended whether to end; asked ten times a second
+   * Runs cameras as {@link #run(List, OptionalDouble)} does, or until something else ends it, which
+   * is asked ten times a second.
    */
   static void run(List<LiveRun> runs, OptionalDouble durationS, BooleanSupplier ended)
       throws IOException {
@@ -191,22 +179,15 @@ final class LiveRun {
     CameraStatistics statistics = camera.statistics();
     String id = camera.info().id();
     command.message(
-        id
-            + ": "
-            + Quantities.events(statistics.events())
-            + ", with this program within "
-            + statistics.medianLatencyUs()
-            + " us (half of the transfers), "
-            + statistics.latency999Us()
-            + " us (999 of 1,000)");
+        "%s: %s, with this program within %d us (half of the transfers), %d us (999 of 1,000)",
+        id,
+        Quantities.events(statistics.events()),
+        statistics.medianLatencyUs(),
+        statistics.latency999Us());
     if (whenStopped.lostEvents() > 0) {
       command.warning(
-          id
-              + ": lost "
-              + Quantities.events(whenStopped.lostEvents())
-              + " in "
-              + Quantities.count(whenStopped.lostTransfers())
-              + " transfers because this computer did not keep up");
+          "%s: lost %s in %,d transfers because this computer did not keep up",
+          id, Quantities.events(whenStopped.lostEvents()), whenStopped.lostTransfers());
     }
     if (whenStopped.brokenTransfers() > 0) {
       command.warning(

@@ -32,10 +32,8 @@ final class MeasurementFile {
   }
 
   /**
-   * Reads a table.
-   *
-   * @throws CommandProblem if it is no such table; the message names the file and the line
-   * @throws IllegalArgumentException if its measurements never change
+   * Reads a table; refuses another file by a {@link CommandProblem} that names the file and the
+   * line, and measurements that never change by an {@link IllegalArgumentException}.
    */
   static MeasurementSeries read(Path file) throws IOException {
     RecordingFile.checkRegular(file);
@@ -61,11 +59,12 @@ final class MeasurementFile {
       take();
     }
     if (measurements.size() < MeasurementSeries.MIN_SIZE) {
+      int least = MeasurementSeries.MIN_SIZE;
       throw problem(
           "the table ends after "
               + measurements.size()
               + " rows; at least "
-              + MeasurementSeries.MIN_SIZE
+              + least
               + " are needed");
     }
     return new MeasurementSeries(measurements);

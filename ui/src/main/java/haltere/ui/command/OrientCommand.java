@@ -120,7 +120,7 @@ final class OrientCommand extends Subcommand {
     if (camerasFile == null && !ObservationFile.hasCameras(file)) {
       throw wrongArguments("--cameras is missing: a table has no cameras of its own");
     }
-    ObservationFile observations = open();
+    ObservationFile observations = ObservationFile.open(file, Optional.ofNullable(camerasFile));
     CameraFile cameras = observations.cameras();
     if (OrientationTable.isHdf5(out) && !observations.hasFrames()) {
       throw wrongArguments(
@@ -146,7 +146,7 @@ final class OrientCommand extends Subcommand {
             file + ": none of its " + badRows + " rows can be used; see the warnings above");
       }
       table.finish();
-      message("wrote " + out + " (" + Quantities.count(bodies.estimates()) + " rows)");
+      wrote(out, bodies.estimates());
       bodies.summary().forEach(this::result);
       report(report, settings, cameras, bodies.summary());
       if (bodies.estimates() == 0) {
@@ -189,14 +189,6 @@ final class OrientCommand extends Subcommand {
   private static Supplier<String> json(OrientationSettings settings) {
     SettingsSchema<OrientationSettings> schema = SettingsSchema.of(OrientationSettings.class);
     return () -> Json.write(SettingsJson.toMap(settings, schema));
-  }
-
-  private ObservationFile open() throws IOException {
-    try {
-      return ObservationFile.open(file, Optional.ofNullable(camerasFile));
-    } catch (CharacterCodingException notText) {
-      throw Failures.notText(camerasFile, notText);
-    }
   }
 
   private void read(ObservationFile observations, OrientedBodies bodies) throws IOException {

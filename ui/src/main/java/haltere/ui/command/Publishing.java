@@ -3,7 +3,6 @@ package haltere.ui.command;
 import haltere.core.pipeline.JobResults;
 import haltere.core.pipeline.LiveResults;
 import haltere.core.stream.StreamHandler;
-import haltere.ui.command.terminal.Quantities;
 import java.io.InterruptedIOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -55,30 +54,21 @@ final class Publishing implements JobResults {
   }
 
   @Override
-  public List<ResultFile> files() {
-    return List.of();
-  }
-
-  @Override
   public void close() {
     for (LiveResults results : open) {
       results.close();
       if (results.refused() > 0) {
         command.warning(
-            results.address()
-                + ": "
-                + Quantities.count(results.refused())
-                + " receivers were turned away, because there were too many");
+            "%s: %,d receivers were turned away, because there were too many",
+            results.address(), results.refused());
       }
       if (results.lost() > 0) {
+        boolean slow = results.failure().isEmpty();
         command.warning(
-            results.address()
-                + ": "
-                + Quantities.count(results.lost())
-                + " messages were not sent"
-                + (results.failure().isEmpty()
-                    ? ", because a receiver or this computer was too slow"
-                    : ""));
+            "%s: %,d messages were not sent%s",
+            results.address(),
+            results.lost(),
+            slow ? ", because a receiver or this computer was too slow" : "");
       }
     }
     open.clear();

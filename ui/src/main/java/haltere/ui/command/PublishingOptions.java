@@ -41,9 +41,7 @@ final class PublishingOptions {
   int receivers;
 
   /**
-   * Refuses what can be told to be wrong before any work.
-   *
-   * @throws ParameterException if an address is none, or options stand alone
+   * Refuses, by a {@link ParameterException}, addresses that are none and options that stand alone.
    */
   void check() {
     try {
@@ -57,14 +55,7 @@ final class PublishingOptions {
     }
   }
 
-  /**
-   * Begins to publish what a chain's filters publish.
-   *
-   * @param chain before it runs
-   * @param subcommand says where the results can be received
-   * @return open, perhaps with nothing in it
-   * @throws IOException if an address cannot be used
-   */
+  /** Begins to publish what a chain's filters publish, before it runs; perhaps nothing. */
   Publishing open(FilterChain chain, Subcommand subcommand) throws IOException {
     Publishing publishing = new Publishing(subcommand);
     try {
@@ -75,14 +66,7 @@ final class PublishingOptions {
     }
   }
 
-  /**
-   * Begins to publish, beside what is being published already.
-   *
-   * @param chain before it runs
-   * @param publishing closed by the caller
-   * @return the same
-   * @throws IOException if an address cannot be used
-   */
+  /** Begins to publish, beside what is being published already, and returns the same. */
   Publishing open(FilterChain chain, Publishing publishing) throws IOException {
     Predicate<String> wanted = addresses.isEmpty() ? name -> false : wanted(chain);
     for (String address : addresses) {

@@ -11,7 +11,6 @@ import java.nio.file.Path;
 import java.util.Optional;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /** Options of every command that reads a recording. */
@@ -32,20 +31,12 @@ final class ReadingOptions extends SourceOptions {
               + " next time.")
   boolean index;
 
-  /**
-   * The options as the readers take them.
-   *
-   * @return what the user said about the recording
-   * @throws ParameterException if there is no such format
-   */
+  /** What the user said about the recording; refuses a format that there is not. */
   ReadOptions readOptions() {
     if (format != null && !Recordings.formats().containsKey(format)) {
-      throw new ParameterException(
-          command.commandLine(),
-          "there is no format named "
-              + format
-              + "; there are "
-              + String.join(", ", Recordings.formats().keySet()));
+      String known = String.join(", ", Recordings.formats().keySet());
+      throw subcommand()
+          .wrongArguments("there is no format named " + format + "; there are " + known);
     }
     ReadOptions options = apply(ReadOptions.DEFAULT).withKeptIndex(index);
     return format == null ? options : options.withFormat(format);
@@ -63,7 +54,7 @@ final class ReadingOptions extends SourceOptions {
   /** A reader of a file or of standard input. */
   RecordingReader open(Path file, ReadOptions options) throws IOException {
     if (index && isStandard(file)) {
-      throw new ParameterException(command.commandLine(), "--index is about files");
+      throw subcommand().wrongArguments("--index is about files");
     }
     if (isStandard(file) && !subcommand().surroundings().in().isOpen()) {
       throw new CommandProblem("standard input is read only once: name a file instead of -");
@@ -97,11 +88,7 @@ final class ReadingOptions extends SourceOptions {
   }
 
   /**
-   * What {@code --strict} objects to in a recording that has been read.
-   *
-   * @param file the recording
-   * @param violations what its reader counted
-   * @return a problem to report, or empty if there is none or nobody is strict
+   * What {@code --strict} objects to in a recording that has been read, by what its reader counted.
    */
   Optional<RecordingProblem> objection(Path file, ViolationCounts violations) {
     return strict ? RecordingJob.damage(file, violations) : Optional.empty();

@@ -11,13 +11,11 @@ import haltere.core.pipeline.SessionRecorder.Limits;
 import haltere.core.stream.StreamHandler;
 import haltere.ui.command.terminal.Quantities;
 import java.io.IOException;
-import java.nio.charset.CharacterCodingException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -126,18 +124,14 @@ final class RecordCommand extends Subcommand {
   /** What a recording that failed has left. */
   private void tellFiles(Recorded recorded) {
     for (SessionRecorder.Part part : recorded.recorder().parts()) {
-      String came = Quantities.count(part.report().received()) + " that came";
-      message(
-          Files.exists(part.file())
-              ? part.file()
-                  + " holds at least "
-                  + Quantities.events(part.report().written())
-                  + " of "
-                  + came
-              : part.file()
-                  + " was not kept: none of "
-                  + came
-                  + "; .aedat4 keeps what was written");
+      long came = part.report().received();
+      if (Files.exists(part.file())) {
+        String written = Quantities.events(part.report().written());
+        message("%s holds at least %s of %,d that came", part.file(), written, came);
+      } else {
+        String advice = ".aedat4 keeps what was written";
+        message("%s was not kept: none of %,d that came; %s", part.file(), came, advice);
+      }
     }
   }
 
@@ -192,13 +186,9 @@ final class RecordCommand extends Subcommand {
   }
 
   private FilterChain chain(SensorGeometry geometry) throws IOException {
-    try {
-      return chainFile == null
-          ? new FilterChain(geometry)
-          : ChainFile.read(chainFile, geometry, this::warning);
-    } catch (CharacterCodingException notText) {
-      throw Failures.notText(chainFile, notText);
-    }
+    return chainFile == null
+        ? new FilterChain(geometry)
+        : ChainFile.read(chainFile, geometry, this::warning);
   }
 
   private int summary(List<Recorded> all) throws IOException {
@@ -225,12 +215,8 @@ final class RecordCommand extends Subcommand {
   private void tell(SessionRecorder.Part part) throws IOException {
     RecorderReport report = part.report();
     message(
-        String.format(
-            Locale.ROOT,
-            "wrote %s (%s, %.1f MB)",
-            part.file(),
-            Quantities.events(report.written()),
-            Files.size(part.file()) / 1e6));
+        "wrote %s (%s, %.1f MB)",
+        part.file(), Quantities.events(report.written()), Files.size(part.file()) / 1e6);
     if (report.lost() > 0) {
       warning(
           part.file() + ": lost " + Quantities.events(report.lost()) + ", the disk is too slow");
@@ -249,12 +235,8 @@ final class RecordCommand extends Subcommand {
       if (firstClock.isPresent() && otherClock.isPresent()) {
         long us = firstClock.get().onClockOf(otherClock.get(), 0);
         message(
-            "the clock of "
-                + other.camera().info().id()
-                + " is "
-                + us
-                + " us ahead of that of "
-                + first.camera().info().id());
+            "the clock of %s is %d us ahead of that of %s",
+            other.camera().info().id(), us, first.camera().info().id());
       }
     }
   }

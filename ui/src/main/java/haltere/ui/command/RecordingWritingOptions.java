@@ -38,12 +38,8 @@ final class RecordingWritingOptions extends WritingOptions {
   Origin origin;
 
   /**
-   * Refuses a recording that cannot be written, before any work is done.
-   *
-   * @param output where it will be
-   * @throws ParameterException if nothing writes files whose names end so, or the origin is not to
-   *     be chosen
-   * @throws CommandProblem as {@link #check}
+   * Refuses, before any work, a recording that cannot be written: for its name's ending, its
+   * origin, or as {@link #check} does.
    */
   void checkRecording(Path output) {
     RecordingFormat format;
@@ -56,11 +52,7 @@ final class RecordingWritingOptions extends WritingOptions {
     check(output);
   }
 
-  /**
-   * Refuses where rows are to count from for a format that says it itself.
-   *
-   * @param format of the output
-   */
+  /** Refuses an origin of rows for a format that says it itself. */
   void checkOrigin(RecordingFormat format) {
     if (origin != null && !format.hasEitherOrigin()) {
       throw new ParameterException(
@@ -71,27 +63,12 @@ final class RecordingWritingOptions extends WritingOptions {
     }
   }
 
-  /**
-   * Starts a recording in the format that its name ends in.
-   *
-   * @param output where it will be
-   * @param geometry the sensor of its events
-   * @return an open writer
-   * @throws IOException if it cannot be written
-   */
+  /** Starts a recording in the format that its name ends in. */
   RecordingWriter create(Path output, SensorGeometry geometry) throws IOException {
     return create(output, Recordings.forWriting(output), geometry, Set.of());
   }
 
-  /**
-   * Starts a recording for all that another one holds, as far as the format can.
-   *
-   * @param output where it will be
-   * @param format of the new recording
-   * @param reader the other recording
-   * @return an open writer
-   * @throws IOException if it cannot be written, or the other one not be read
-   */
+  /** Starts a recording for all that another one holds, as far as the format can. */
   RecordingWriter create(Path output, RecordingFormat format, RecordingReader reader)
       throws IOException {
     Set<ReadingKind> readings = EnumSet.noneOf(ReadingKind.class);
@@ -104,14 +81,9 @@ final class RecordingWritingOptions extends WritingOptions {
   }
 
   /**
-   * Starts a recording of a camera. AEDAT-4 can be read from its first moment on, also if the
-   * program is killed; a file of another format appears when it is finished.
-   *
-   * @param output where it will be
-   * @param geometry the sensor of its events
-   * @param metadata lines for its header, if it holds such
-   * @return an open writer
-   * @throws IOException if it cannot be written
+   * Starts a recording of a camera, with lines for its header if it holds such. AEDAT-4 can be read
+   * from its first moment on, also if the program is killed; a file of another format appears when
+   * it is finished.
    */
   RecordingWriter createLive(Path output, SensorGeometry geometry, Map<String, String> metadata)
       throws IOException {
@@ -132,14 +104,8 @@ final class RecordingWritingOptions extends WritingOptions {
   }
 
   /**
-   * A recording of a camera, in parts.
-   *
-   * @param output the first part
-   * @param camera an open camera
-   * @param chain the chain for the header, as JSON, if there is one
-   * @param limits sizes
-   * @return without any file yet
-   * @throws IOException if the disk has less free space than is to stay
+   * A recording of a camera in parts, with the chain for its header as JSON if there is one;
+   * without any file yet. Refuses a disk with less free space than is to stay.
    */
   SessionRecorder session(
       Path output, Camera camera, Supplier<Optional<String>> chain, SessionRecorder.Limits limits)
@@ -162,12 +128,9 @@ final class RecordingWritingOptions extends WritingOptions {
         .endedEarly()
         .map(
             line ->
-                line
-                    + " ("
-                    + Quantities.events(session.received())
-                    + " came, "
-                    + Quantities.count(session.written())
-                    + " were written)");
+                Quantities.text(
+                    "%s (%s came, %,d were written)",
+                    line, Quantities.events(session.received()), session.written()));
   }
 
   private RecordingWriter create(

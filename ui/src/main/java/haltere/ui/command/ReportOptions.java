@@ -1,11 +1,11 @@
 package haltere.ui.command;
 
+import haltere.core.format.AtomicFile;
 import haltere.core.pipeline.JobReport;
 import haltere.core.pipeline.RecordingJob;
 import haltere.core.pipeline.internal.Checksums;
 import haltere.ui.command.report.ReportPage;
 import haltere.ui.command.report.RunReport;
-import haltere.ui.command.results.TextFile;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
@@ -70,7 +70,7 @@ final class ReportOptions {
             .map(ReportOptions::quoted)
             .collect(Collectors.joining(" ", "haltere ", ""));
     page.addCommand(new Version().getVersion()[0], words);
-    TextFile.write(report, page.html(), overwrite);
+    AtomicFile.write(report, page.html(), overwrite);
     subcommand().message("wrote " + report);
   }
 

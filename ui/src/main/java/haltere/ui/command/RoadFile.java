@@ -68,14 +68,7 @@ record RoadFile(
   private static final String LINES = "countingLines";
   private static final String VEHICLES = "vehicles";
 
-  /**
-   * Reads a road.
-   *
-   * @param file JSON
-   * @return the road
-   * @throws JsonProblem if the file is not a road; the message names it
-   * @throws IOException if it cannot be read
-   */
+  /** Reads a road from a JSON file; a {@link JsonProblem} names a file that is none. */
   static RoadFile read(Path file) throws IOException {
     Object value = Json.read(file);
     if (!(value instanceof Map<?, ?> object)) {
@@ -155,11 +148,8 @@ record RoadFile(
       return schema.defaults();
     }
     if (!(value instanceof Map<?, ?> object)) {
-      throw new SettingsProblem(
-          "\""
-              + name
-              + "\" is an object with "
-              + schema.parameters().stream().map(Parameter::name).toList());
+      List<String> keys = schema.parameters().stream().map(Parameter::name).toList();
+      throw new SettingsProblem("\"" + name + "\" is an object with " + keys);
     }
     return SettingsJson.fromMap(object, schema);
   }

@@ -7,7 +7,6 @@ import haltere.core.chain.FilterChain;
 import haltere.core.chain.FilterTiming;
 import haltere.core.chain.Outlet;
 import haltere.core.event.SensorGeometry;
-import haltere.core.format.AtomicFile;
 import haltere.core.format.RecordingFormat;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.Recordings;
@@ -23,12 +22,10 @@ import haltere.core.playback.internal.PacedSource;
 import haltere.core.sink.Tables;
 import haltere.core.stream.EventSource;
 import java.io.IOException;
-import java.nio.charset.CharacterCodingException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import picocli.CommandLine.Command;
@@ -148,11 +145,7 @@ final class RunCommand extends Subcommand {
   }
 
   private FilterChain chain(SensorGeometry geometry) throws IOException {
-    try {
-      return ChainFile.read(chainFile, geometry, this::warning);
-    } catch (CharacterCodingException notText) {
-      throw Failures.notText(chainFile, notText);
-    }
+    return ChainFile.read(chainFile, geometry, this::warning);
   }
 
   private JobResults results(RecordingReader reader, FilterChain chain) throws IOException {
@@ -169,11 +162,7 @@ final class RunCommand extends Subcommand {
 
   private JobResults tables(FilterChain chain) throws IOException {
     checkTables(chain);
-    return OutletTables.open(
-        chain,
-        this::table,
-        table -> AtomicFile.create(table, writing.overwrite),
-        provenance(file).chain(chain));
+    return OutletTables.open(chain, this::table, writing::begin, provenance(file).chain(chain));
   }
 
   private void checkTables(FilterChain chain) throws IOException {
@@ -208,20 +197,16 @@ final class RunCommand extends Subcommand {
   }
 
   private void summary(List<JobReport.Stage> stages) {
-    result(
-        String.format(
-            Locale.ROOT, "%-24s %14s %14s %8s %12s", "stage", "in", "out", "kept", "ns/event"));
+    result("%-24s %14s %14s %8s %12s", "stage", "in", "out", "kept", "ns/event");
     for (JobReport.Stage stage : stages) {
       FilterTiming timing = stage.timing();
       result(
-          String.format(
-              Locale.ROOT,
-              "%-24s %,14d %,14d %6.1f %% %12.1f",
-              stage.name() + (stage.enabled() ? "" : " (off)"),
-              timing.eventsIn(),
-              timing.eventsOut(),
-              timing.eventsIn() == 0 ? 0 : 100.0 * timing.eventsOut() / timing.eventsIn(),
-              timing.microsPerThousandEvents()));
+          "%-24s %,14d %,14d %6.1f %% %12.1f",
+          stage.name() + (stage.enabled() ? "" : " (off)"),
+          timing.eventsIn(),
+          timing.eventsOut(),
+          timing.eventsIn() == 0 ? 0 : 100.0 * timing.eventsOut() / timing.eventsIn(),
+          timing.microsPerThousandEvents());
     }
   }
 }

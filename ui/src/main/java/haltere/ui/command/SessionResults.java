@@ -32,11 +32,6 @@ final class SessionResults implements JobResults {
   }
 
   @Override
-  public List<ResultFile> files() {
-    return List.of();
-  }
-
-  @Override
   public void close() throws IOException {
     recorder.close();
   }

@@ -2,80 +2,87 @@ package haltere.ui.command;
 
 import haltere.core.json.internal.Json;
 import haltere.core.settings.Parameter;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
-import java.util.function.Consumer;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
 
 /** Lists what can be set: a name, a sentence, and a line for each setting; or all that as JSON. */
-final class SettingsListing {
-  private final Consumer<String> lines;
-  private final List<Object> entries = new ArrayList<>();
+abstract class SettingsListing extends Subcommand {
+  @Parameters(arity = "0..*", paramLabel = "NAME", description = "Only those of these names.")
+  List<String> names = List.of();
+
+  @Option(
+      names = "--json",
+      description =
+          "Print one JSON object: name, description, settings and presets of each, by its kind.")
+  boolean json;
+
   private boolean begun;
 
-  private SettingsListing(Consumer<String> lines) {
-    this.lines = lines;
+  /** What can be set of one. */
+  record Entry(String description, List<Parameter> parameters, Set<String> presets) {}
+
+  SettingsListing(Surroundings surroundings) {
+    super(surroundings);
   }
 
-  /**
-   * Lists entries.
-   *
-   * @param command receives the lines
-   * @param json the key of the entries in one JSON object, or empty for lines of text
-   * @param adding adds the entries
-   */
-  static void list(Subcommand command, Optional<String> json, Consumer<SettingsListing> adding) {
-    SettingsListing listing = new SettingsListing(json.isPresent() ? line -> {} : command::result);
-    adding.accept(listing);
-    json.ifPresent(key -> command.result(Json.write(Map.of(key, listing.entries))));
-  }
+  /** Names of all that there are. */
+  abstract Set<String> all();
 
-  /**
-   * Adds an entry, an empty line behind the one before.
-   *
-   * @param name what it is called
-   * @param description a sentence
-   * @param parameters its settings
-   * @param presets names of its presets
-   */
-  void add(String name, String description, List<Parameter> parameters, Set<String> presets) {
-    Map<String, Object> entry = new LinkedHashMap<>();
-    entry.put("name", name);
-    entry.put("description", description);
-    entry.put("settings", parameters.stream().map(SettingsListing::json).toList());
-    entry.put("presets", List.copyOf(presets));
-    entries.add(entry);
-    addLines(name, description, parameters);
-    if (!presets.isEmpty()) {
-      lines.accept("    presets: " + String.join(", ", presets));
+  /** The one of a name; a {@link RuntimeException} says in a line that there is none. */
+  abstract Entry entry(String name);
+
+  @Override
+  public Integer call() {
+    try {
+      names.forEach(this::entry);
+    } catch (IllegalArgumentException problem) {
+      throw wrongArguments(problem.getMessage());
     }
+    List<String> listed =
+        all().stream().filter(name -> names.isEmpty() || names.contains(name)).toList();
+    if (json) {
+      result(Json.write(Map.of(spec.name(), listed.stream().map(this::object).toList())));
+    } else {
+      listed.forEach(this::print);
+    }
+    return OK;
   }
 
-  private void addLines(String name, String description, List<Parameter> parameters) {
+  private Object object(String name) {
+    Entry entry = entry(name);
+    Map<String, Object> object = new LinkedHashMap<>();
+    object.put("name", name);
+    object.put("description", entry.description());
+    object.put("settings", entry.parameters().stream().map(SettingsListing::json).toList());
+    object.put("presets", List.copyOf(entry.presets()));
+    return object;
+  }
+
+  private void print(String name) {
     if (begun) {
-      lines.accept("");
+      result("");
     }
     begun = true;
-    lines.accept(name);
-    lines.accept("  " + description);
+    Entry entry = entry(name);
+    result(name);
+    result("  " + entry.description());
     int nameWidth = 0;
     int rangeWidth = 0;
-    for (Parameter parameter : parameters) {
+    for (Parameter parameter : entry.parameters()) {
       nameWidth = Math.max(nameWidth, parameter.name().length());
       rangeWidth = Math.max(rangeWidth, values(parameter).length());
     }
-    for (Parameter parameter : parameters) {
-      lines.accept(
-          String.format(
-              Locale.ROOT,
-              "    %-" + nameWidth + "s  %-" + rangeWidth + "s  %s",
-              parameter.name(),
-              values(parameter),
-              parameter.help()));
+    String form = "    %-" + nameWidth + "s  %-" + rangeWidth + "s  %s";
+    for (Parameter parameter : entry.parameters()) {
+      result(form, parameter.name(), values(parameter), parameter.help());
+    }
+    if (!entry.presets().isEmpty()) {
+      result("    presets: " + String.join(", ", entry.presets()));
     }
   }
 

@@ -14,7 +14,6 @@ import haltere.ui.command.results.FlightFiles;
 import haltere.ui.command.terminal.ProgressBar;
 import haltere.ui.command.terminal.Quantities;
 import java.io.IOException;
-import java.io.InterruptedIOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.Iterator;
@@ -163,7 +162,7 @@ final class SimulateCommand extends Subcommand {
     }
     message("wrote " + out + " (" + Quantities.events(events) + ")");
     if (truth != null) {
-      message("wrote " + truth + " (" + Quantities.count(rows) + " rows)");
+      wrote(truth, rows);
     }
   }
 
@@ -183,9 +182,7 @@ final class SimulateCommand extends Subcommand {
     try (ProgressBar bar = progressBar("simulating", out)) {
       UntilTime sink = new UntilTime(writer, scene.startUs(), endUs, bar);
       while (!sink.full && scene.next(sink)) {
-        if (Thread.currentThread().isInterrupted()) {
-          throw new InterruptedIOException("interrupted while simulating");
-        }
+        checkInterrupted("simulating");
       }
       return sink.events;
     } catch (UncheckedIOException problem) {
@@ -198,9 +195,7 @@ final class SimulateCommand extends Subcommand {
     double rate = rateHz == null ? scene.truthRateHz() : rateHz;
     long row = 0;
     for (long timeUs = scene.startUs(); timeUs < endUs; ) {
-      if (Thread.currentThread().isInterrupted()) {
-        throw new InterruptedIOException("interrupted while simulating");
-      }
+      checkInterrupted("simulating");
       scene.truthRows(timeUs).forEach(table);
       row++;
       timeUs = scene.startUs() + Math.round(row * 1e6 / rate);

@@ -16,6 +16,7 @@ import haltere.ui.command.terminal.StandardOutput;
 import haltere.ui.command.terminal.TerminalLine;
 import java.io.FilterOutputStream;
 import java.io.IOException;
+import java.io.InterruptedIOException;
 import java.io.OutputStream;
 import java.nio.file.Path;
 import java.util.List;
@@ -77,6 +78,10 @@ abstract class Subcommand implements Callable<Integer> {
     surroundings.out().print(line + "\n");
   }
 
+  void result(String form, Object... values) {
+    result(Quantities.text(form, values));
+  }
+
   /** The standard output for bytes; it fails where a print stream would pass over it. */
   OutputStream standardOutput() {
     return new FilterOutputStream(surroundings.out()) {
@@ -104,6 +109,14 @@ abstract class Subcommand implements Callable<Integer> {
     if (!isQuiet()) {
       surroundings.err().print(line + "\n");
     }
+  }
+
+  void message(String form, Object... values) {
+    message(Quantities.text(form, values));
+  }
+
+  void warning(String form, Object... values) {
+    warning(Quantities.text(form, values));
   }
 
   void warning(String line) {
@@ -193,10 +206,22 @@ abstract class Subcommand implements Callable<Integer> {
     return new Provenance(new Version().getVersion()[0], Optional.ofNullable(source));
   }
 
+  /** Says that a table was written. */
+  void wrote(Path file, long rows) {
+    message("wrote %s (%,d rows)", file, rows);
+  }
+
+  /** Ends the work where the process has been told to stop. */
+  static void checkInterrupted(String doing) throws InterruptedIOException {
+    if (Thread.currentThread().isInterrupted()) {
+      throw new InterruptedIOException("interrupted while " + doing);
+    }
+  }
+
   /** Says which tables were written. */
   void wrote(List<JobResults.ResultFile> files) {
     for (JobResults.ResultFile written : files) {
-      message("wrote " + written.path() + " (" + Quantities.count(written.rows()) + " rows)");
+      wrote(written.path(), written.rows());
     }
   }
 
@@ -215,11 +240,8 @@ abstract class Subcommand implements Callable<Integer> {
   <S extends Record> S preset(FilterProvider<S> provider, String name) {
     S found = provider.presets().get(name);
     if (found == null) {
-      throw wrongArguments(
-          "there is no preset "
-              + name
-              + "; there is: "
-              + String.join(", ", provider.presets().keySet()));
+      String known = String.join(", ", provider.presets().keySet());
+      throw wrongArguments("there is no preset " + name + "; there is: " + known);
     }
     return found;
   }

@@ -6,10 +6,10 @@ import haltere.core.chain.ChainStage;
 import haltere.core.chain.ConfigurableFilter;
 import haltere.core.chain.FilterChain;
 import haltere.core.chain.Filters;
-import haltere.core.chain.ResultOrder;
 import haltere.core.event.SensorGeometry;
 import haltere.core.pipeline.JobResults;
 import haltere.core.pipeline.RecordingJob;
+import haltere.core.pipeline.ResultFiles;
 import haltere.core.settings.SettingsProblem;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.sink.TableMetadata;
@@ -23,11 +23,9 @@ import haltere.filters.road.LineCrossing;
 import haltere.filters.track.KalmanTracksFilter;
 import haltere.filters.track.KalmanTracksSettings;
 import haltere.filters.track.TrackPoint;
-import haltere.ui.command.results.ResultFiles;
 import haltere.ui.command.results.RoadObjectRow;
 import haltere.ui.command.results.RoadTrackRow;
 import java.io.IOException;
-import java.nio.charset.CharacterCodingException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
@@ -185,11 +183,7 @@ final class TrackCommand extends Subcommand {
           .forEach(name -> chain.add(Filters.named(name)));
       return chain;
     }
-    try {
-      return ChainFile.read(chainFile, geometry, this::warning);
-    } catch (CharacterCodingException notText) {
-      throw Failures.notText(chainFile, notText);
-    }
+    return ChainFile.read(chainFile, geometry, this::warning);
   }
 
   /** The road, or null if there is none. */
@@ -197,15 +191,11 @@ final class TrackCommand extends Subcommand {
     if (roadFile == null) {
       return null;
     }
-    try {
-      RoadFile road = RoadFile.read(roadFile);
-      if (crossings != null && road.lines().lines() == 0) {
-        throw wrongArguments("--crossings needs counting lines, and " + roadFile + " has none");
-      }
-      return road;
-    } catch (CharacterCodingException notText) {
-      throw Failures.notText(roadFile, notText);
+    RoadFile road = RoadFile.read(roadFile);
+    if (crossings != null && road.lines().lines() == 0) {
+      throw wrongArguments("--crossings needs counting lines, and " + roadFile + " has none");
     }
+    return road;
   }
 
   private static <F extends ConfigurableFilter<?>> F last(FilterChain chain, Class<F> type) {
@@ -226,7 +216,7 @@ final class TrackCommand extends Subcommand {
     ObjectTrackerFilter objects = last(chain, ObjectTrackerFilter.class);
     KalmanTracksFilter clusters = last(chain, KalmanTracksFilter.class);
     if (objects == null && clusters != null) {
-      return ResultFiles.open(writing.overwrite, metadata, files -> trackClusters(clusters, files));
+      return ResultFiles.open(writing::begin, metadata, files -> trackClusters(clusters, files));
     }
     ObjectTrackerFilter tracker =
         objects == null
@@ -237,23 +227,22 @@ final class TrackCommand extends Subcommand {
     }
     tracker.apply(assigned(ObjectTrackerSettings.class, tracker.settings(), "reportRateHz"));
     return ResultFiles.open(
-        writing.overwrite, metadata, files -> trackObjects(tracker, chain.geometry(), files));
+        writing::begin, metadata, files -> trackObjects(tracker, chain.geometry(), files));
   }
 
   private void trackObjects(ObjectTrackerFilter objects, SensorGeometry geometry, ResultFiles files)
       throws IOException {
     RoadFile road = road();
     if (road == null) {
-      subscribe(objects, files, files.table(out, ObjectTrack.class));
+      files.write(objects.tracks(), out);
       return;
     }
     Function<ObjectTrack, Optional<PlanePoint>> onRoad = road.objects(geometry);
     objects.apply(road.motion(geometry));
     TableSink<RoadObjectRow> table = files.table(out, RoadObjectRow.class);
     Consumer<PlanePoint> counter = counter(road, files);
-    subscribe(
-        objects,
-        files,
+    files.subscribe(
+        objects.tracks(),
         track ->
             onRoad
                 .apply(track)
@@ -264,13 +253,6 @@ final class TrackCommand extends Subcommand {
                     }));
   }
 
-  private static void subscribe(
-      ObjectTrackerFilter objects, ResultFiles files, Consumer<ObjectTrack> rows) {
-    ResultOrder.Sorter<ObjectTrack> sorter = objects.tracks().order().orElseThrow().to(rows);
-    files.subscribe(objects.tracks(), sorter);
-    files.addFirst(sorter::finish);
-  }
-
   private void trackClusters(KalmanTracksFilter tracks, ResultFiles files) throws IOException {
     KalmanTracksSettings settings = start == null ? tracks.settings() : start;
     RoadFile road = road();
@@ -279,7 +261,7 @@ final class TrackCommand extends Subcommand {
     }
     tracks.apply(assigned(KalmanTracksSettings.class, settings, "clusters.output.reportRateHz"));
     if (road == null) {
-      files.subscribe(tracks.points(), files.table(out, TrackPoint.class));
+      files.write(tracks.points(), out);
       return;
     }
     TableSink<RoadTrackRow> table = files.table(out, RoadTrackRow.class);

@@ -9,34 +9,21 @@ import java.util.Optional;
  * viewer, which needs one.
  */
 public interface WindowOpener {
-  /**
-   * What keeps a window from opening here.
-   *
-   * @return one line that says what to do, or empty if a window can open
-   */
+  /** What keeps a window from opening here: one line that says what to do; empty if it can open. */
   Optional<String> obstacle();
 
   /**
-   * Whether there is a display at all, so that a window is what the user expects.
-   *
-   * @return false on a server or in a container
+   * Whether there is a display, so that a window is expected; false on a server or in a container.
    */
   boolean hasDisplay();
 
   /**
-   * Opens the viewer and returns when it has been closed.
-   *
-   * @param file a recording, or empty for the built-in scene
-   * @param options what the user says about the recording
-   * @return empty if the window was open and has been closed; one line that says why not otherwise
+   * Opens the viewer on a recording, or on the built-in scene without one, and returns when it has
+   * been closed: one line that says why if it could not open, else empty.
    */
   Optional<String> open(Optional<Path> file, ReadOptions options);
 
-  /**
-   * Opens the viewer on its start page and returns when it has been closed.
-   *
-   * @return as {@link #open}
-   */
+  /** Opens the viewer on its start page and returns as {@link #open} does. */
   default Optional<String> openStartPage() {
     return open(Optional.empty(), ReadOptions.DEFAULT);
   }

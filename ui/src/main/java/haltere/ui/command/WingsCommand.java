@@ -3,10 +3,12 @@ package haltere.ui.command;
 import haltere.core.camera.Camera;
 import haltere.core.chain.FilterChain;
 import haltere.core.event.SensorGeometry;
+import haltere.core.format.AtomicFile;
 import haltere.core.json.internal.Json;
 import haltere.core.pipeline.JobReport;
 import haltere.core.pipeline.JobResults;
 import haltere.core.pipeline.RecordingJob;
+import haltere.core.pipeline.ResultFiles;
 import haltere.core.settings.SettingsProblem;
 import haltere.core.stream.StreamHandler;
 import haltere.filters.wing.WingBeat;
@@ -15,8 +17,6 @@ import haltere.filters.wing.WingMethod;
 import haltere.filters.wing.WingPair;
 import haltere.filters.wing.WingTrackerSettings;
 import haltere.filters.wing.tracker.WingTrackerFilter;
-import haltere.ui.command.results.ResultFiles;
-import haltere.ui.command.results.TextFile;
 import haltere.ui.command.results.WingsSummary;
 import haltere.ui.wing.WingLog;
 import haltere.ui.wing.WingLogFormat;
@@ -84,13 +84,13 @@ final class WingsCommand extends Subcommand {
       names = "--log-rows",
       paramLabel = "event|tick|beat",
       description = "A row of the log for each event taken in, each tick (the default) or beat.")
-  String logRows = "tick";
+  WingLogFormat.Rows logRows = WingLogFormat.Rows.TICK;
 
   @Option(
       names = "--log-layout",
       paramLabel = "table|original",
       description = "A table with commas (the default), or the original wing tracker's layout.")
-  String logLayout = "table";
+  WingLogFormat.Layout logLayout = WingLogFormat.Layout.TABLE;
 
   @Option(
       names = "--method",
@@ -175,7 +175,7 @@ final class WingsCommand extends Subcommand {
     WingTrackerFilter filter = (WingTrackerFilter) chain.stage(TRACKER).filter();
     summary = new WingsSummary(filter, filter.settings().output().rateHz());
     return ResultFiles.open(
-        writing.overwrite,
+        writing::begin,
         provenance(file).chain(chain),
         files -> {
           table(chain, files, "estimates", WingEstimate.class, out);
@@ -187,21 +187,21 @@ final class WingsCommand extends Subcommand {
             files.add(wingLog, wingLog::finish);
           }
           summary.listenTo(chain);
-          files.add((StreamHandler) summary);
-          if (geometry != null) {
-            files.add(
-                () ->
-                    TextFile.write(
-                        geometry, Json.write(summary.geometry()) + "\n", writing.overwrite));
-          }
+          files.add((StreamHandler) summary, this::writeGeometry);
         });
+  }
+
+  private void writeGeometry() throws IOException {
+    if (geometry != null) {
+      AtomicFile.write(geometry, Json.write(summary.geometry()) + "\n", writing.overwrite);
+    }
   }
 
   private static <R extends Record> void table(
       FilterChain chain, ResultFiles files, String outlet, Class<R> type, Path file)
       throws IOException {
     if (file != null) {
-      files.subscribe(chain.outlet(outlet, type), files.table(file, type));
+      files.write(chain.outlet(outlet, type), file);
     }
   }
 
@@ -243,23 +243,8 @@ final class WingsCommand extends Subcommand {
   }
 
   private WingLogFormat logFormat() {
-    WingLogFormat.Rows rows =
-        switch (logRows.toLowerCase(Locale.ROOT)) {
-          case "event" -> WingLogFormat.Rows.EVENT;
-          case "tick" -> WingLogFormat.Rows.TICK;
-          case "beat" -> WingLogFormat.Rows.BEAT;
-          default ->
-              throw wrongArguments("--log-rows is " + logRows + "; there are event, tick and beat");
-        };
-    WingLogFormat.Layout layout =
-        switch (logLayout.toLowerCase(Locale.ROOT)) {
-          case "table" -> WingLogFormat.Layout.TABLE;
-          case "original" -> WingLogFormat.Layout.ORIGINAL;
-          default ->
-              throw wrongArguments("--log-layout is " + logLayout + "; there are table, original");
-        };
     try {
-      return new WingLogFormat(rows, layout);
+      return new WingLogFormat(logRows, logLayout);
     } catch (IllegalArgumentException problem) {
       throw wrongArguments("--log-rows: " + problem.getMessage());
     }

@@ -1,5 +1,6 @@
 package haltere.ui.command;
 
+import haltere.core.format.AtomicFile;
 import haltere.core.sink.Tables;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -23,11 +24,8 @@ class WritingOptions {
   boolean overwrite;
 
   /**
-   * Refuses an output that cannot be written, before any work is done.
-   *
-   * @param output where a file will be
-   * @throws CommandProblem if it exists, is a folder, has no folder to be in, or is a table of a
-   *     format that is not installed
+   * Refuses, by a {@link CommandProblem} before any work, an output that exists, is a folder, has
+   * no folder to be in, or is a table of a format that is not installed.
    */
   void check(Path output) {
     Path folder = output.toAbsolutePath().getParent();
@@ -53,13 +51,8 @@ class WritingOptions {
   }
 
   /**
-   * Refuses outputs before any work is done: those that cannot be written, that would replace an
-   * input, or that have the same name.
-   *
-   * @param inputs files that are read; null for those that are not given
-   * @param outputs where files will be; null for those that are not wanted
-   * @throws ParameterException if two outputs have the same name
-   * @throws IOException if the file system cannot tell files apart
+   * Refuses outputs before any work: those that cannot be written, that would replace an input, or
+   * that have the same name. Files that are not given are null.
    */
   void check(List<Path> inputs, List<Path> outputs) throws IOException {
     Set<Path> seen = new HashSet<>();
@@ -74,14 +67,12 @@ class WritingOptions {
     }
   }
 
-  /**
-   * Refuses an output that would replace what is being read.
-   *
-   * @param input a file that is read
-   * @param output where a file will be
-   * @throws CommandProblem if they are the same
-   * @throws IOException if the file system cannot tell
-   */
+  /** Begins a table's file. */
+  AtomicFile begin(Path file) throws IOException {
+    return AtomicFile.create(file, overwrite);
+  }
+
+  /** Refuses, by a {@link CommandProblem}, an output that would replace an input. */
   static void checkDifferent(Path input, Path output) throws IOException {
     boolean same =
         Files.exists(input) && Files.exists(output)

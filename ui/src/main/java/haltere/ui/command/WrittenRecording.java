@@ -66,18 +66,8 @@ final class WrittenRecording implements JobResults, StreamHandler {
           input + ": " + leftOut + " were left out: the format of " + file + " cannot hold them");
     }
     ReadingCounts kept = readings.minus(leftOut);
-    command.message(
-        "wrote "
-            + file
-            + " ("
-            + Quantities.events(report.written())
-            + (kept.isEmpty() ? "" : ", " + kept)
-            + ")");
-  }
-
-  @Override
-  public List<ResultFile> files() {
-    return List.of();
+    String beside = kept.isEmpty() ? "" : ", " + kept;
+    command.message("wrote %s (%s%s)", file, Quantities.events(report.written()), beside);
   }
 
   @Override

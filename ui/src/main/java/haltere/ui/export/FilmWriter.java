@@ -11,18 +11,9 @@ import java.io.IOException;
  * <p>Thread rule: one thread at a time.
  */
 public interface FilmWriter extends Closeable {
-  /**
-   * Adds a picture.
-   *
-   * @param image as large as those before
-   * @throws IOException if it cannot be written
-   */
+  /** Adds a picture, as large as those before. */
   void add(BufferedImage image) throws IOException;
 
-  /**
-   * Ends the film and puts the file in its place.
-   *
-   * @throws IOException if that fails
-   */
+  /** Ends the film and puts the file in its place. */
   void finish() throws IOException;
 }

@@ -22,11 +22,8 @@ public final class GifWriter implements FilmWriter {
   private final int delayHundredths;
 
   /**
-   * Begins a film.
-   *
-   * @param path where; a file that is there is replaced
-   * @param framesPerSecond pictures a second, at most 50, which is what players show
-   * @throws IOException if the file cannot be made
+   * Begins a film, which replaces a file that is there, of at most 50 pictures a second, which is
+   * what players show.
    */
   public GifWriter(Path path, double framesPerSecond) throws IOException {
     delayHundredths = (int) Math.max(2, Math.round(100 / framesPerSecond));

@@ -3,6 +3,7 @@ package haltere.ui.export;
 import java.awt.image.BufferedImage;
 import java.io.File;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -11,7 +12,13 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 
 /**
  * An MP4 film in H.264, made by the program ffmpeg, which is looked for on the machine and gets the
@@ -33,27 +40,21 @@ public final class Mp4Writer implements FilmWriter {
   private final Path program;
   private final Duration patience;
   private Process process;
-  private ProcessFeed feed;
+
+  /** Of its own, so that a program that takes nothing keeps nobody from giving up. */
+  private final ExecutorService feeder = Executors.newSingleThreadExecutor(Mp4Writer::thread);
+
+  private Future<?> handed = CompletableFuture.completedFuture(null);
 
   /**
-   * Begins a film.
-   *
-   * @param target where; a file that is there is replaced
-   * @param framesPerSecond pictures a second
-   * @throws IOException with one line for a person if there is no ffmpeg
+   * Begins a film, which replaces a file that is there; fails with one line for a person if there
+   * is no ffmpeg.
    */
   public Mp4Writer(Path target, double framesPerSecond) throws IOException {
     this(target, framesPerSecond, PATIENCE);
   }
 
-  /**
-   * Begins a film.
-   *
-   * @param target where; a file that is there is replaced
-   * @param framesPerSecond pictures a second
-   * @param patience the program is ended when it takes or does nothing for so long
-   * @throws IOException with one line for a person if there is no ffmpeg
-   */
+  /** Begins a film; the program is ended when it takes or does nothing for so long. */
   public Mp4Writer(Path target, double framesPerSecond, Duration patience) throws IOException {
     this.patience = patience;
     this.target = target;
@@ -69,11 +70,7 @@ public final class Mp4Writer implements FilmWriter {
     said = Files.createTempFile("haltere-ffmpeg", ".txt");
   }
 
-  /**
-   * Looks for ffmpeg.
-   *
-   * @return the program that {@value #PROPERTY} names, or the first on the path
-   */
+  /** The program that {@value #PROPERTY} names, or the first ffmpeg on the path. */
   public static Optional<Path> findProgram() {
     String named = System.getProperty(PROPERTY, "");
     if (!named.isEmpty()) {
@@ -103,9 +100,8 @@ public final class Mp4Writer implements FilmWriter {
       bytes[3 * i + 1] = (byte) (rgb[i] >> 8);
       bytes[3 * i + 2] = (byte) rgb[i];
     }
-    if (!taken(feed -> feed.hand(bytes))) {
-      throw new IOException("ffmpeg has taken no picture for " + seconds());
-    }
+    OutputStream pipe = process.getOutputStream();
+    hand(() -> pipe.write(bytes), "ffmpeg has taken no picture for " + seconds());
   }
 
   private void start(int width, int height) throws IOException {
@@ -140,7 +136,12 @@ public final class Mp4Writer implements FilmWriter {
     builder.redirectErrorStream(true);
     builder.redirectOutput(said.toFile());
     process = builder.start();
-    feed = new ProcessFeed(process, patience);
+  }
+
+  private static Thread thread(Runnable work) {
+    Thread thread = new Thread(work, "haltere-film");
+    thread.setDaemon(true);
+    return thread;
   }
 
   private String lastWords() throws IOException {
@@ -153,28 +154,42 @@ public final class Mp4Writer implements FilmWriter {
     if (process == null) {
       throw new IOException("there are no pictures in this stretch of time");
     }
-    if (!taken(ProcessFeed::end)
-        || !taken(feed -> process.waitFor(patience.toMillis(), TimeUnit.MILLISECONDS))) {
-      throw new IOException("ffmpeg did not come to its end within " + seconds());
-    }
+    String late = "ffmpeg did not come to its end within " + seconds();
+    hand(process.getOutputStream()::close, late);
+    hand(process::waitFor, late);
+    await(late);
     if (process.exitValue() != 0) {
       throw new IOException("ffmpeg failed: " + lastWords());
     }
     Files.move(partial, target, StandardCopyOption.REPLACE_EXISTING);
   }
 
-  /** Something that is done by the program, or not in time. */
+  /** A step that waits for the program. */
   private interface Step {
-    boolean isDone(ProcessFeed feed) throws IOException, InterruptedException;
+    void run() throws IOException, InterruptedException;
   }
 
-  private boolean taken(Step step) throws IOException {
+  /** Does the next step once the one before is done. */
+  private void hand(Step next, String late) throws IOException {
+    await(late);
+    handed =
+        feeder.submit(
+            () -> {
+              next.run();
+              return null;
+            });
+  }
+
+  /** Waits for the last step. */
+  private void await(String late) throws IOException {
     try {
-      return step.isDone(feed);
+      handed.get(patience.toMillis(), TimeUnit.MILLISECONDS);
+    } catch (TimeoutException hanging) {
+      throw new IOException(late, hanging);
     } catch (InterruptedException told) {
       Thread.currentThread().interrupt();
       throw new IOException("the export was ended", told);
-    } catch (IOException broken) {
+    } catch (ExecutionException broken) {
       throw new IOException("ffmpeg stopped: " + lastWords(), broken);
     }
   }
@@ -190,9 +205,7 @@ public final class Mp4Writer implements FilmWriter {
       process.destroyForcibly();
       awaitGone();
     }
-    if (feed != null) {
-      feed.stop();
-    }
+    feeder.shutdownNow();
     Files.deleteIfExists(partial);
     Files.deleteIfExists(said);
   }

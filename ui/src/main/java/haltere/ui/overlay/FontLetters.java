@@ -37,10 +37,8 @@ public final class FontLetters implements Letters {
   private Map<Character, Letter> letters = Map.of();
 
   /**
-   * Letters of a font.
-   *
-   * @param font its size in units of the window
-   * @param density pixels of the screen per unit of the window
+   * Letters of a font with its size in units of the window, for so many pixels of the screen per
+   * unit.
    */
   public FontLetters(Font font, double density) {
     this.font = font;
@@ -103,11 +101,7 @@ public final class FontLetters implements Letters {
     return known != null ? known : letters.get('?');
   }
 
-  /**
-   * Whether the letters have been drawn; from then on any thread may copy them.
-   *
-   * @return false before the first words, or {@link #load()}
-   */
+  /** Whether the letters have been drawn; from then on any thread may copy them. */
   public boolean isLoaded() {
     return !letters.isEmpty();
   }

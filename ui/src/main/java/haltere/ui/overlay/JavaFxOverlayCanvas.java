@@ -38,11 +38,7 @@ public final class JavaFxOverlayCanvas implements OverlayCanvas {
   private boolean dark = true;
   private long marks;
 
-  /**
-   * A canvas whose view is yet to be set.
-   *
-   * @param graphics where to draw
-   */
+  /** A canvas whose view is yet to be set. */
   public JavaFxOverlayCanvas(GraphicsContext graphics) {
     this.graphics = graphics;
     graphics.setLineCap(StrokeLineCap.ROUND);
@@ -50,22 +46,14 @@ public final class JavaFxOverlayCanvas implements OverlayCanvas {
     graphics.setFont(font);
   }
 
-  /**
-   * A colour of {@code haltere.ui.rendering} as JavaFX knows it.
-   *
-   * @param argb with its opacity
-   * @return the same colour
-   */
+  /** An ARGB colour as JavaFX knows it. */
   public static Color colour(int argb) {
     return Color.rgb(argb >> 16 & 0xFF, argb >> 8 & 0xFF, argb & 0xFF, (argb >>> 24) / 255.0);
   }
 
   /**
-   * Says where the sensor lies on the canvas.
-   *
-   * @param newScale pixels of the screen per pixel of the sensor
-   * @param newLeft where the sensor's left edge is
-   * @param newBottom where the sensor's bottom edge is, from the top of the canvas
+   * Says where the sensor lies: pixels of the screen per pixel of the sensor, its left edge, and
+   * its bottom edge from the top of the canvas.
    */
   public void setView(double newScale, double newLeft, double newBottom) {
     scale = newScale;
@@ -78,19 +66,14 @@ public final class JavaFxOverlayCanvas implements OverlayCanvas {
     places.begin(graphics.getCanvas().getWidth(), graphics.getCanvas().getHeight());
   }
 
-  /**
-   * Says which colours can be seen.
-   *
-   * @param newDark whether the picture is dark
-   */
+  /** Says whether the picture is dark. */
   public void setDark(boolean newDark) {
     dark = newDark;
   }
 
   /**
-   * Marks drawn so far, so that the caller can tell whether there is anything to clear.
-   *
-   * @return a count
+   * How many marks were drawn so far, so that the caller can tell whether there is anything to
+   * clear.
    */
   public long marks() {
     return marks;

@@ -14,13 +14,8 @@ public final class Curve {
   /** Takes the parts of a curve that fall into a window, oldest first. */
   public interface Painter {
     /**
-     * Takes a stretch: a sample, or several that are too many to be told apart.
-     *
-     * @param fromUs time of its first sample
-     * @param toUs time of its last sample
-     * @param lowest its lowest value
-     * @param highest its highest value
-     * @param joined whether a line leads to it from the stretch before
+     * Takes a sample, or several that are too many to be told apart: first and last time, lowest
+     * and highest value, and whether a line leads to it from the stretch before.
      */
     void stretch(long fromUs, long toUs, double lowest, double highest, boolean joined);
   }
@@ -37,22 +32,18 @@ public final class Curve {
   private final int number;
   private final SummaryRing[] levels = new SummaryRing[LEVELS];
 
-  /** What is being merged into the next stretch of each level. */
-  private final int[] pending = new int[LEVELS];
+  /**
+   * Stretches of the finer level in the last one of each level, 0 where the next begins another.
+   */
+  private final int[] merged = new int[LEVELS];
 
-  private final long[] pendingFromUs = new long[LEVELS];
-  private final double[] pendingLowest = new double[LEVELS];
-  private final double[] pendingHighest = new double[LEVELS];
   private long firstUs = Long.MIN_VALUE;
   private long lastUs = Long.MIN_VALUE;
   private double last = Double.NaN;
   private double intervalUs;
 
   /**
-   * An empty curve.
-   *
-   * @param key what tells it from others, in words
-   * @param number how many curves there were before it in its lane, which gives it its colour
+   * An empty curve, with a key that tells it from others and the number that gives it its colour.
    */
   public Curve(String key, int number) {
     this.key = key;
@@ -62,57 +53,35 @@ public final class Curve {
     }
   }
 
-  /**
-   * What tells the curve from others.
-   *
-   * @return words, may be empty
-   */
+  /** What tells the curve from others, in words; may be empty. */
   public String key() {
     return key;
   }
 
-  /**
-   * Which curve of its lane it was when it began.
-   *
-   * @return 0 for the first
-   */
+  /** How many curves of its lane began before it. */
   public int number() {
     return number;
   }
 
-  /**
-   * Time of the newest sample.
-   *
-   * @return microseconds, {@link Long#MIN_VALUE} before the first
-   */
+  /** Time of the newest sample, microseconds; {@link Long#MIN_VALUE} before the first. */
   public long lastUs() {
     return lastUs;
   }
 
   /**
-   * End of the transient with which an estimate begins: the first tenth of the curve.
-   *
-   * @return microseconds; what is before it does not matter to the range of a plot
+   * End of the transient with which an estimate begins, microseconds: the first tenth of the curve,
+   * which does not matter to the range of a plot.
    */
   public long settledUs() {
     return firstUs + (lastUs - firstUs) / 10;
   }
 
-  /**
-   * The newest value.
-   *
-   * @return NaN before the first
-   */
+  /** The newest value, NaN before the first. */
   public double last() {
     return last;
   }
 
-  /**
-   * Takes a sample; one that is not a number is left out.
-   *
-   * @param timeUs microseconds
-   * @param value the number
-   */
+  /** Takes a sample at a time in microseconds; one that is not a number is left out. */
   public void add(long timeUs, double value) {
     if (Double.isNaN(value) || Double.isInfinite(value)) {
       return;
@@ -130,37 +99,27 @@ public final class Curve {
     lastUs = timeUs;
     last = value;
     levels[0].add(timeUs, timeUs, value, value);
-    merge(1, timeUs, timeUs, value, value);
-  }
-
-  private void merge(int level, long fromUs, long toUs, double lowest, double highest) {
-    if (level == LEVELS) {
-      return;
-    }
-    hold(level, fromUs, lowest, highest);
-    if (pending[level] == MERGED) {
-      pending[level] = 0;
-      levels[level].add(pendingFromUs[level], toUs, pendingLowest[level], pendingHighest[level]);
-      merge(level + 1, pendingFromUs[level], toUs, pendingLowest[level], pendingHighest[level]);
+    boolean begins = true;
+    for (int level = 1; level < LEVELS; level++) {
+      begins = merge(level, begins, timeUs, timeUs, value, value);
     }
   }
 
-  private void hold(int level, long fromUs, double lowest, double highest) {
-    if (pending[level] == 0) {
-      pendingFromUs[level] = fromUs;
-      pendingLowest[level] = lowest;
-      pendingHighest[level] = highest;
+  /** Merges into the last stretch of a level, or begins another one; true if it did. */
+  private boolean merge(
+      int level, boolean counts, long fromUs, long toUs, double lowest, double highest) {
+    boolean begins = counts && merged[level] == 0;
+    if (begins) {
+      levels[level].add(fromUs, toUs, lowest, highest);
     } else {
-      pendingLowest[level] = Math.min(pendingLowest[level], lowest);
-      pendingHighest[level] = Math.max(pendingHighest[level], highest);
+      levels[level].extend(toUs, lowest, highest);
     }
-    pending[level]++;
+    merged[level] = counts ? (merged[level] + 1) % MERGED : merged[level];
+    return begins;
   }
 
   /**
-   * Playback went back: what lies before a time stays, the rest comes anew.
-   *
-   * @param timeUs microseconds; has no effect where nothing lies there or later
+   * Playback went back to a time in microseconds: what lies before it stays, the rest comes anew.
    */
   void forgetFrom(long timeUs) {
     if (lastUs < timeUs) {
@@ -181,15 +140,15 @@ public final class Curve {
     }
   }
 
-  /** Begins the next stretch of a level with what the finer one has behind the last. */
+  /** Begins the last stretch of a level with what the finer one has behind the last. */
   private void mergeAnew(int level) {
     SummaryRing finer = levels[level - 1];
     SummaryRing ring = levels[level];
-    pending[level] = 0;
+    merged[level] = 0;
     int from = ring.size() == 0 ? 0 : finer.firstEndingFrom(ring.toUs(ring.size() - 1) + 1);
-    // at most as many as make a stretch less one, but where a ring has forgotten its oldest
-    for (int i = Math.max(from, finer.size() - MERGED + 1); i < finer.size(); i++) {
-      hold(level, finer.fromUs(i), finer.lowest(i), finer.highest(i));
+    // at most as many as make a stretch, but where a ring has forgotten its oldest
+    for (int i = Math.max(from, finer.size() - MERGED); i < finer.size(); i++) {
+      merge(level, true, finer.fromUs(i), finer.toUs(i), finer.lowest(i), finer.highest(i));
     }
   }
 
@@ -197,7 +156,7 @@ public final class Curve {
   public void clear() {
     for (int level = 0; level < LEVELS; level++) {
       levels[level].clear();
-      pending[level] = 0;
+      merged[level] = 0;
     }
     lastUs = Long.MIN_VALUE;
     last = Double.NaN;
@@ -205,13 +164,8 @@ public final class Curve {
   }
 
   /**
-   * Hands over what falls into a window, as finely as there is use for. One stretch on either side
-   * comes along, so that lines lead to the edges.
-   *
-   * @param fromUs start of the window
-   * @param toUs end of the window
-   * @param columns pixels that the window is wide; some dozens of stretches may come for each
-   * @param painter takes them
+   * Hands over what falls into a window of so many columns of pixels: some dozens of stretches at
+   * most for each. One stretch on either side comes along, so that lines lead to the edges.
    */
   public void paint(long fromUs, long toUs, int columns, Painter painter) {
     int level = level(fromUs, toUs, columns);
@@ -226,17 +180,6 @@ public final class Curve {
         return;
       }
     }
-    // what a coarse level has not merged yet the finest one knows
-    if (level > 0) {
-      SummaryRing samples = levels[0];
-      int from = samples.firstEndingFrom(Math.max(fromUs, beforeUs + 1));
-      for (int i = from; i < samples.size() && samples.fromUs(i) <= toUs; i++) {
-        boolean joined = beforeUs != Long.MIN_VALUE && samples.fromUs(i) - beforeUs <= gapUs;
-        painter.stretch(
-            samples.fromUs(i), samples.toUs(i), samples.lowest(i), samples.highest(i), joined);
-        beforeUs = samples.toUs(i);
-      }
-    }
   }
 
   private double gapUs() {
@@ -248,27 +191,20 @@ public final class Curve {
     for (int level = 0; level < LEVELS - 1; level++) {
       SummaryRing ring = levels[level];
       boolean reachesBack =
-          levels[level + 1].size() == 0
-              || ring.size() > 0 && ring.fromUs(0) <= fromUs
-              || ring.size() > 0 && ring.fromUs(0) <= levels[level + 1].fromUs(0);
+          ring.size() == 0
+              || ring.fromUs(0) <= fromUs
+              || ring.fromUs(0) <= levels[level + 1].fromUs(0);
       int within = ring.firstEndingFrom(toUs) - ring.firstEndingFrom(fromUs);
       if (reachesBack && within <= FINEST_PER_COLUMN * Math.max(1, columns)) {
         return level;
       }
     }
-    int coarsest = LEVELS - 1;
-    while (coarsest > 0 && levels[coarsest].size() == 0) {
-      coarsest--;
-    }
-    return coarsest;
+    return LEVELS - 1;
   }
 
   /**
-   * The value at a time.
-   *
-   * @param timeUs microseconds
-   * @return that of the sample nearest to it, or the middle of the stretch it lies in; NaN where
-   *     the curve has nothing near
+   * The value at a time in microseconds: that of the nearest sample, or the middle of the stretch
+   * it lies in; NaN where the curve has nothing near.
    */
   public double valueAt(long timeUs) {
     for (SummaryRing ring : levels) {
@@ -286,11 +222,7 @@ public final class Curve {
     return Double.NaN;
   }
 
-  /**
-   * Memory that the samples take.
-   *
-   * @return bytes
-   */
+  /** Memory that the samples take, bytes. */
   public long bytes() {
     long bytes = 0;
     for (SummaryRing ring : levels) {

@@ -18,28 +18,22 @@ public final class EventRate implements StreamHandler {
   private long baseUs = StreamNotification.NO_TIME_US;
   private long elapsedUs;
 
-  /**
-   * A rate of nothing yet.
-   *
-   * @param bins stretches of time at the most, an even number
-   */
+  /** A rate of nothing yet, in at most so many stretches of time, an even number. */
   public EventRate(int bins) {
     this.bins = new TimeBins(bins, 1_000);
   }
 
   /**
-   * Time since the first event, without what lies between a clock's end and its next start.
-   *
-   * @return microseconds
+   * Time since the first event, microseconds, without what lies between a clock's end and its next
+   * start.
    */
   public long elapsedUs() {
     return elapsedUs;
   }
 
   /**
-   * Events in stretches of time since the first event; a clock that restarts goes on.
-   *
-   * @return the bins, which grow with the stream
+   * Events in stretches of time since the first event, which grow with the stream; a clock that
+   * restarts goes on.
    */
   public TimeBins bins() {
     return bins;
@@ -64,11 +58,7 @@ public final class EventRate implements StreamHandler {
     }
   }
 
-  /**
-   * The line.
-   *
-   * @return a block for each stretch of time, a space where nothing happened
-   */
+  /** A line with a block for each stretch of time, a space where nothing happened. */
   public String line() {
     StringBuilder line = new StringBuilder();
     for (int bin = 0; bin < bins.size(); bin++) {
@@ -79,11 +69,7 @@ public final class EventRate implements StreamHandler {
     return line.toString();
   }
 
-  /**
-   * The highest rate.
-   *
-   * @return events per second, of any of the bins
-   */
+  /** The highest rate of any of the bins, events per second. */
   public double highestHz() {
     return IntStream.range(0, bins.size()).mapToDouble(bins::rateHz).max().orElse(0);
   }

@@ -33,20 +33,12 @@ public final class InertialFeed {
     return new PlotField("inertial-sensor", "samples", column);
   }
 
-  /**
-   * Whether a sample has come.
-   *
-   * @return false until then
-   */
+  /** Whether a sample has come. */
   public boolean hasSamples() {
     return any;
   }
 
-  /**
-   * Takes what stands between the events.
-   *
-   * @param reading an inertial sample, or something else, which is ignored
-   */
+  /** Takes an inertial sample; other readings are ignored. */
   public void take(SensorReading reading) {
     if (reading instanceof InertialSample sample) {
       any = true;
@@ -62,10 +54,8 @@ public final class InertialFeed {
   }
 
   /**
-   * Hands over the samples of a field that came since the last call.
-   *
-   * @param field one of {@link #FIELDS}
-   * @param taker called for each, oldest first
+   * Hands over the samples of one of the {@link #FIELDS} that came since the last call, oldest
+   * first.
    */
   public void drainTo(PlotField field, SampleQueue.Taker taker) {
     (field.equals(ACCELERATION) ? acceleration : field.equals(ROTATION) ? rotation : temperature)

@@ -21,50 +21,29 @@ public final class Lane {
   private final List<Curve> all = new ArrayList<>();
   private int begun;
 
-  /**
-   * A lane with one field.
-   *
-   * @param field its first field
-   */
+  /** A lane with one field. */
   public Lane(PlotField field) {
     add(field);
   }
 
-  /**
-   * Plots another field in the same lane.
-   *
-   * @param field has no effect if it is there already
-   */
+  /** Plots another field in the same lane, if it is not there already. */
   public void add(PlotField field) {
     curves.computeIfAbsent(field, absent -> new LinkedHashMap<>());
   }
 
-  /**
-   * What is plotted.
-   *
-   * @return in the order in which they were added
-   */
+  /** What is plotted, in the order in which it was added. */
   public List<PlotField> fields() {
     return List.copyOf(curves.keySet());
   }
 
-  /**
-   * Whether a field is plotted here.
-   *
-   * @param field any field
-   * @return true if it is one of {@link #fields()}
-   */
+  /** Whether a field is plotted here. */
   public boolean has(PlotField field) {
     return curves.containsKey(field);
   }
 
   /**
-   * Takes a sample of one of the fields.
-   *
-   * @param field one of {@link #fields()}
-   * @param timeUs microseconds on the recording's clock
-   * @param key which curve
-   * @param value the number
+   * Takes a sample of one of the fields: time on the recording's clock in microseconds, which
+   * curve, and the number.
    */
   public void take(PlotField field, long timeUs, String key, double value) {
     Map<String, Curve> ofField = curves.get(field);
@@ -96,31 +75,17 @@ public final class Lane {
     curves.values().forEach(ofField -> ofField.values().remove(gone));
   }
 
-  /**
-   * The curves.
-   *
-   * @return oldest first
-   */
+  /** The curves, oldest first. */
   public List<Curve> curves() {
     return List.copyOf(all);
   }
 
-  /**
-   * The curves of a field.
-   *
-   * @param field one of {@link #fields()}
-   * @return oldest first
-   */
+  /** The curves of one of the fields, oldest first. */
   public Collection<Curve> curves(PlotField field) {
     return List.copyOf(curves.get(field).values());
   }
 
-  /**
-   * The unit of a curve's values.
-   *
-   * @param curve one of {@link #curves()}
-   * @return such as "rad", empty where there is none
-   */
+  /** The unit of the values of a curve, such as "rad"; empty where there is none. */
   public String unit(Curve curve) {
     for (Map.Entry<PlotField, Map<String, Curve>> ofField : curves.entrySet()) {
       if (ofField.getValue().containsValue(curve)) {
@@ -131,11 +96,8 @@ public final class Lane {
   }
 
   /**
-   * Range of the curves in a window, without the transients with which they begin.
-   *
-   * @param window which times
-   * @param columns pixels that the window is wide
-   * @return lowest and highest value; the lowest is above the highest where there is none
+   * Lowest and highest value in a window of so many columns of pixels, without the transients with
+   * which curves begin; the lowest is above the highest where there is none.
    */
   public double[] range(TimeWindow window, int columns) {
     double[] range = {Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY};
@@ -156,10 +118,8 @@ public final class Lane {
   }
 
   /**
-   * Playback went back: of all curves what lies before a time stays. Those that have nothing there
-   * are forgotten; a track that is found once more is another one.
-   *
-   * @param timeUs microseconds on the recording's clock
+   * Playback went back to a time in microseconds: of all curves what lies before it stays. Those
+   * that have nothing there are forgotten; a track that is found once more is another one.
    */
   public void forgetFrom(long timeUs) {
     all.forEach(curve -> curve.forgetFrom(timeUs));
@@ -190,11 +150,7 @@ public final class Lane {
     begun = 0;
   }
 
-  /**
-   * Time of the newest sample.
-   *
-   * @return microseconds, {@link Long#MIN_VALUE} before the first
-   */
+  /** Time of the newest sample, microseconds; {@link Long#MIN_VALUE} before the first. */
   public long lastUs() {
     long lastUs = Long.MIN_VALUE;
     for (Curve curve : all) {

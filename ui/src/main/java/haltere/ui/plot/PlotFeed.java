@@ -25,11 +25,8 @@ public final class PlotFeed implements AutoCloseable {
   }
 
   /**
-   * Starts to listen.
-   *
-   * @param field which number
-   * @param chain read now; on its processing thread, or while it does not run
-   * @return empty where the chain does not publish it
+   * Starts to listen to a field, on the chain's processing thread or while it does not run; empty
+   * where the chain does not publish it.
    */
   public static Optional<PlotFeed> open(PlotField field, FilterChain chain) {
     return field
@@ -44,29 +41,17 @@ public final class PlotFeed implements AutoCloseable {
                                 field, outlet, row, row.columns().indexOf(field.column()))));
   }
 
-  /**
-   * What it listens to.
-   *
-   * @return the field
-   */
+  /** What it listens to. */
   public PlotField field() {
     return field;
   }
 
-  /**
-   * Hands over the samples that came since the last call.
-   *
-   * @param taker called for each, oldest first
-   */
+  /** Hands over the samples that came since the last call, oldest first. */
   public void drainTo(SampleQueue.Taker taker) {
     queue.drainTo(taker);
   }
 
-  /**
-   * Samples that came faster than they were taken and are left out.
-   *
-   * @return a count
-   */
+  /** How many samples came faster than they were taken and are left out. */
   public long lost() {
     return queue.lost();
   }

@@ -23,18 +23,16 @@ public record PlotField(String stage, String outlet, String column) {
   private static final Pattern COVARIANCE = Pattern.compile("p (v?[xy]){2}");
 
   /**
-   * The unit of the number, which stands at the end of the column's name.
-   *
-   * @return such as "rad", "px/s" or "\u00b5s"; empty where the name has none
+   * The unit of the number, which stands at the end of the column's name, such as "rad", "px/s" or
+   * "\u00b5s"; empty where the name has none.
    */
   public String unit() {
     return ColumnUnit.of(column).map(ColumnUnit::symbol).orElse("");
   }
 
   /**
-   * The column in words, without its unit.
-   *
-   * @return such as "event rate", or "P xx" for a number of a covariance matrix
+   * The column in words without its unit, such as "event rate", or "P xx" for a number of a
+   * covariance matrix.
    */
   public String words() {
     int unit = ColumnUnit.of(column).map(found -> found.ending().length()).orElse(0);
@@ -43,10 +41,8 @@ public record PlotField(String stage, String outlet, String column) {
   }
 
   /**
-   * All that the filters of a chain publish and that can be plotted.
-   *
-   * @param chain read now; processing thread, or while it does not run
-   * @return in the order of the chain, without {@link #EVENT_RATE}
+   * All that the filters of a chain publish and that can be plotted, in the order of the chain,
+   * without {@link #EVENT_RATE}; read on its processing thread, or while it does not run.
    */
   public static List<PlotField> of(FilterChain chain) {
     List<PlotField> fields = new ArrayList<>();
@@ -65,10 +61,8 @@ public record PlotField(String stage, String outlet, String column) {
   }
 
   /**
-   * The outlet that publishes the number.
-   *
-   * @param chain read now; processing thread, or while it does not run
-   * @return empty where the chain has no such stage or outlet
+   * The outlet of a chain that publishes the number, read as by {@link #of}; empty where there is
+   * none.
    */
   public Optional<Outlet<?>> find(FilterChain chain) {
     for (ChainStage candidate : chain.stages()) {
@@ -83,11 +77,7 @@ public record PlotField(String stage, String outlet, String column) {
     return Optional.empty();
   }
 
-  /**
-   * The field in words.
-   *
-   * @return such as "cluster-tracker / clusters / x_px"
-   */
+  /** The field in words, such as "cluster-tracker / clusters / x_px". */
   @Override
   public String toString() {
     return (stage.isEmpty() ? "" : stage + " / ") + outlet + " / " + column;

@@ -84,12 +84,7 @@ public record PlotSet(String title, String stage, List<List<PlotField>> lanes) {
     lanes = lanes.stream().map(List::copyOf).toList();
   }
 
-  /**
-   * The sets of which all is published.
-   *
-   * @param offered what can be plotted
-   * @return by stage
-   */
+  /** The sets of which all is offered, by stage. */
   public static List<PlotSet> of(List<PlotField> offered) {
     List<PlotSet> sets = new ArrayList<>();
     for (String stage : offered.stream().map(PlotField::stage).distinct().toList()) {
@@ -105,10 +100,8 @@ public record PlotSet(String title, String stage, List<List<PlotField>> lanes) {
   }
 
   /**
-   * What a report plots: the main results, else the first two columns of each stage.
-   *
-   * @param offered what can be plotted
-   * @return lanes, in the order of the stages
+   * The lanes that a report plots, in the order of the stages: the main results, else the first two
+   * columns of each stage.
    */
   public static List<List<PlotField>> main(List<PlotField> offered) {
     List<List<PlotField>> lanes = new ArrayList<>();

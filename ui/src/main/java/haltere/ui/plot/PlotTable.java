@@ -11,13 +11,7 @@ import java.util.List;
 public record PlotTable(String text) {
   private static final int ALL = 1 << 20;
 
-  /**
-   * Makes the table of a window of time.
-   *
-   * @param lanes the lanes
-   * @param window which times
-   * @return a table with a header line
-   */
+  /** The table of a window of time, with a header line. */
   public static PlotTable of(List<Lane> lanes, TimeWindow window) {
     StringBuilder text = new StringBuilder("t_us,field,key,value,lowest,highest\n");
     for (Lane lane : lanes) {

@@ -56,11 +56,7 @@ public final class PublishedMeans implements AutoCloseable {
   private final List<Table> tables = new ArrayList<>();
   private final List<Outlet.Subscription> subscriptions = new ArrayList<>();
 
-  /**
-   * Listens to all that a chain publishes.
-   *
-   * @param chain as it is now
-   */
+  /** Listens to all that a chain publishes as it is now. */
   public PublishedMeans(FilterChain chain) {
     for (ChainStage stage : chain.stages()) {
       for (Outlet<?> outlet : stage.filter().outlets()) {
@@ -76,9 +72,8 @@ public final class PublishedMeans implements AutoCloseable {
   }
 
   /**
-   * The means of what was published since the last call.
-   *
-   * @return by field, in the order of the chain; without those that nothing was published for
+   * The means of what was published since the last call, in the order of the chain; without those
+   * that nothing was published for.
    */
   public Map<PlotField, Double> take() {
     Map<PlotField, Double> means = new LinkedHashMap<>();

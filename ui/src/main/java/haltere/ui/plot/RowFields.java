@@ -39,10 +39,8 @@ public final class RowFields {
   }
 
   /**
-   * Looks at a type of rows.
-   *
-   * @param type any class
-   * @return empty where it is no flat record with a time column and at least one number
+   * Looks at a type of rows; empty where it is no flat record with a time column and at least one
+   * number.
    */
   public static Optional<RowFields> of(Class<?> type) {
     if (!CsvSink.isFlat(type)) {
@@ -86,20 +84,14 @@ public final class RowFields {
   }
 
   /**
-   * Names of the columns that are numbers and neither the time nor the key.
-   *
-   * @return as in a table of the rows
+   * Names of the columns, as in a table of the rows, that are numbers and neither the time nor the
+   * key.
    */
   public List<String> columns() {
     return columns;
   }
 
-  /**
-   * When a row is of.
-   *
-   * @param row a row of the type
-   * @return microseconds on the recording's clock
-   */
+  /** The time of a row, microseconds on the recording's clock. */
   public long timeUs(Object row) {
     try {
       return (long) time.invokeExact(row);
@@ -108,12 +100,7 @@ public final class RowFields {
     }
   }
 
-  /**
-   * Which curve a row belongs to.
-   *
-   * @param row a row of the type
-   * @return the key in words, empty where all rows are of one curve
-   */
+  /** Which curve a row belongs to: the key in words, empty where all rows are of one curve. */
   public String key(Object row) {
     if (key.isEmpty()) {
       return "";
@@ -125,13 +112,7 @@ public final class RowFields {
     }
   }
 
-  /**
-   * A number of a row.
-   *
-   * @param row a row of the type
-   * @param column index into {@link #columns()}
-   * @return the number, NaN where there is none
-   */
+  /** The number of a row in one of the {@link #columns()}, NaN where there is none. */
   public double value(Object row, int column) {
     try {
       return (double) values.get(column).invokeExact(row);

@@ -12,11 +12,8 @@ public final class SampleQueue {
   /** Takes samples. */
   public interface Taker {
     /**
-     * Takes a sample.
-     *
-     * @param timeUs microseconds on the recording's clock
-     * @param key which curve
-     * @param value the number, may be NaN
+     * Takes a sample: time on the recording's clock in microseconds, which curve, and the number,
+     * which may be NaN.
      */
     void take(long timeUs, String key, double value);
   }
@@ -29,11 +26,7 @@ public final class SampleQueue {
   private final AtomicLong read = new AtomicLong();
   private final AtomicLong lost = new AtomicLong();
 
-  /**
-   * An empty queue.
-   *
-   * @param capacity samples it holds, a power of two
-   */
+  /** An empty queue for so many samples, a power of two. */
   public SampleQueue(int capacity) {
     if (capacity < 2 || Integer.bitCount(capacity) != 1) {
       throw new IllegalArgumentException("capacity " + capacity + " is no power of two");
@@ -44,13 +37,7 @@ public final class SampleQueue {
     mask = capacity - 1;
   }
 
-  /**
-   * Puts a sample in, or counts it as lost.
-   *
-   * @param timeUs microseconds on the recording's clock
-   * @param key which curve
-   * @param value the number
-   */
+  /** Puts a sample in, or counts it as lost. */
   public void put(long timeUs, String key, double value) {
     long at = written.getPlain();
     if (at - read.get() > mask) {
@@ -64,11 +51,7 @@ public final class SampleQueue {
     written.set(at + 1);
   }
 
-  /**
-   * Takes out all that is there.
-   *
-   * @param taker called for each sample, oldest first
-   */
+  /** Takes out all that is there, oldest first. */
   public void drainTo(Taker taker) {
     long end = written.get();
     for (long at = read.getPlain(); at < end; at++) {
@@ -78,11 +61,7 @@ public final class SampleQueue {
     read.set(end);
   }
 
-  /**
-   * Samples that did not fit.
-   *
-   * @return a count
-   */
+  /** How many samples did not fit. */
   public long lost() {
     return lost.get();
   }

@@ -44,6 +44,14 @@ final class SummaryRing {
     highest[slot] = high;
   }
 
+  /** Makes the last stretch longer. */
+  void extend(long to, double low, double high) {
+    int slot = slot(size - 1);
+    toUs[slot] = to;
+    lowest[slot] = Math.min(lowest[slot], low);
+    highest[slot] = Math.max(highest[slot], high);
+  }
+
   private void grow() {
     int length = Math.min(limit, fromUs.length * 2);
     long[] from = new long[length];

@@ -16,14 +16,7 @@ public record Ticks(double step, List<Double> values) {
     values = List.copyOf(values);
   }
 
-  /**
-   * Ticks of a range.
-   *
-   * @param from lower end
-   * @param to upper end, above it
-   * @param most how many ticks there is room for, at least 1
-   * @return at most that many, none where the range is empty or not finite
-   */
+  /** Ticks of a range, at most so many; none where the range is empty or not finite. */
   public static Ticks of(double from, double to, int most) {
     if (!(to > from) || Double.isInfinite(to - from)) {
       return new Ticks(1, List.of());
@@ -47,13 +40,9 @@ public record Ticks(double step, List<Double> values) {
   }
 
   /**
-   * Ticks of a range that tell its scale, for which one alone is too few.
-   *
-   * @param from lower end
-   * @param to upper end, above it
-   * @param most how many ticks there is room for
-   * @return at most that many where these are two or more; otherwise the coarsest that are two or
-   *     more, which are at most five; none where the range is empty or not finite
+   * Ticks of a range that tell its scale: at most so many where these are two or more; otherwise
+   * the coarsest that are two or more, which are at most five; none where the range is empty or not
+   * finite.
    */
   public static Ticks atLeastTwo(double from, double to, int most) {
     Ticks ticks = of(from, to, Math.max(2, most));
@@ -64,10 +53,8 @@ public record Ticks(double step, List<Double> values) {
   }
 
   /**
-   * A tick in words, with as many digits as tell it from its neighbours.
-   *
-   * @param value one of the values
-   * @return such as 0.25, 40 or 2.5e6
+   * One of the values in words, with as many digits as tell it from its neighbours, such as 0.25,
+   * 40 or 2.5e6.
    */
   public String label(double value) {
     double size = Math.max(Math.abs(value), step);

@@ -14,10 +14,7 @@ public final class TimeBins {
   private long endUs;
 
   /**
-   * Empty bins.
-   *
-   * @param bins how many there are at the most, an even number
-   * @param firstBinUs length of a bin at first, microseconds
+   * Empty bins: at most so many, an even number, and the length of each at first in microseconds.
    */
   public TimeBins(int bins, long firstBinUs) {
     counts = new long[bins];
@@ -26,12 +23,7 @@ public final class TimeBins {
     binUs = firstBinUs;
   }
 
-  /**
-   * Takes a sample.
-   *
-   * @param elapsedUs time since the first sample, 0 or more
-   * @param value the number
-   */
+  /** Takes a sample at a time of 0 or more microseconds since the first. */
   public void add(long elapsedUs, double value) {
     while (elapsedUs / binUs >= counts.length) {
       merge();
@@ -59,60 +51,35 @@ public final class TimeBins {
     binUs *= 2;
   }
 
-  /**
-   * Number of bins up to the last sample.
-   *
-   * @return 0 before the first
-   */
+  /** Number of bins up to the last sample, 0 before the first. */
   public int size() {
     return (int) ((endUs + binUs - 1) / binUs);
   }
 
-  /**
-   * Length of a bin.
-   *
-   * @return microseconds
-   */
+  /** Length of a bin, microseconds. */
   public long binUs() {
     return binUs;
   }
 
-  /**
-   * Samples in a bin.
-   *
-   * @param bin 0 to {@link #size()} - 1
-   * @return a count
-   */
+  /** How many samples are in a bin. */
   public long count(int bin) {
     return counts[bin];
   }
 
   /**
-   * Samples per second in a bin.
-   *
-   * @param bin 0 to {@link #size()} - 1
-   * @return a rate; of the last bin over what it covers of time, and at least half of its length
+   * Samples per second in a bin; of the last one over what it covers of time, and at least half of
+   * its length.
    */
   public double rateHz(int bin) {
     return counts[bin] * 1e6 / Math.min(binUs, Math.max(binUs / 2, endUs - bin * binUs));
   }
 
-  /**
-   * Lowest value in a bin.
-   *
-   * @param bin 0 to {@link #size()} - 1
-   * @return NaN without samples
-   */
+  /** Lowest value in a bin, NaN without samples. */
   public double lowest(int bin) {
     return counts[bin] == 0 ? Double.NaN : lowest[bin];
   }
 
-  /**
-   * Highest value in a bin.
-   *
-   * @param bin 0 to {@link #size()} - 1
-   * @return NaN without samples
-   */
+  /** Highest value in a bin, NaN without samples. */
   public double highest(int bin) {
     return counts[bin] == 0 ? Double.NaN : highest[bin];
   }

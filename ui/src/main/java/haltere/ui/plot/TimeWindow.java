@@ -20,56 +20,32 @@ public final class TimeWindow {
   /** Five seconds, following. */
   public TimeWindow() {}
 
-  /**
-   * Start of what is shown.
-   *
-   * @return microseconds on the recording's clock
-   */
+  /** Start of what is shown, microseconds on the recording's clock. */
   public long fromUs() {
     return endUs - spanUs;
   }
 
-  /**
-   * End of what is shown.
-   *
-   * @return microseconds on the recording's clock
-   */
+  /** End of what is shown, microseconds on the recording's clock. */
   public long toUs() {
     return endUs;
   }
 
-  /**
-   * How much is shown.
-   *
-   * @return microseconds
-   */
+  /** How much is shown, microseconds. */
   public long spanUs() {
     return spanUs;
   }
 
-  /**
-   * Whether it moves along with time.
-   *
-   * @return false while a person looks around
-   */
+  /** Whether it moves along with time; false while a person looks around. */
   public boolean isFollowing() {
     return following;
   }
 
-  /**
-   * Follows, or stands still.
-   *
-   * @param on whether to follow
-   */
+  /** Follows, or stands still. */
   public void setFollowing(boolean on) {
     following = on;
   }
 
-  /**
-   * Tells where time is; has an effect while following.
-   *
-   * @param nowUs microseconds on the recording's clock
-   */
+  /** Tells where time is, microseconds on the recording's clock; has an effect while following. */
   public void advanceTo(long nowUs) {
     if (following) {
       endUs = nowUs;
@@ -77,10 +53,8 @@ public final class TimeWindow {
   }
 
   /**
-   * Shows more or less around a place, within the limits. While following, the end stays.
-   *
-   * @param factor below 1 shows less
-   * @param place 0 at the start of the window to 1 at its end
+   * Shows more or less (factor below 1) around a place, 0 at the start of the window to 1 at its
+   * end, within the limits. While following, the end stays.
    */
   public void zoom(double factor, double place) {
     long wanted = Math.max(MIN_SPAN_US, Math.min(MAX_SPAN_US, Math.round(spanUs * factor)));
@@ -90,32 +64,18 @@ public final class TimeWindow {
     spanUs = wanted;
   }
 
-  /**
-   * Moves what is shown, and stops following.
-   *
-   * @param byUs microseconds, positive to later times
-   */
+  /** Moves what is shown by microseconds, positive to later times, and stops following. */
   public void scroll(long byUs) {
     following = false;
     endUs += byUs;
   }
 
-  /**
-   * The time at a place.
-   *
-   * @param place 0 at the start of the window to 1 at its end
-   * @return microseconds on the recording's clock
-   */
+  /** The time at a place, 0 at the start of the window to 1 at its end. */
   public long timeAt(double place) {
     return fromUs() + Math.round(place * spanUs);
   }
 
-  /**
-   * The place of a time.
-   *
-   * @param timeUs microseconds on the recording's clock
-   * @return 0 at the start of the window to 1 at its end, beyond outside of it
-   */
+  /** The place of a time, 0 at the start of the window to 1 at its end, beyond outside of it. */
   public double placeOf(long timeUs) {
     return (timeUs - fromUs()) / (double) spanUs;
   }

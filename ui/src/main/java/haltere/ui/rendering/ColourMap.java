@@ -35,34 +35,17 @@ public record ColourMap(String name, int background, int on, int off, boolean da
   public static final ColourMap GREEN_RED =
       new ColourMap("Green and red", 0xFF000000, 0xFF2BE04A, 0xFFFF3B3B, true);
 
-  /**
-   * All maps that there are.
-   *
-   * @return in the order of a menu
-   */
+  /** All maps, in the order of a menu. */
   public static java.util.List<ColourMap> all() {
     return java.util.List.of(DARK, LIGHT, CONTRAST, PAPER, GREY, GREEN_RED);
   }
 
-  /**
-   * A colour between the background and an event's.
-   *
-   * @param on polarity of the event
-   * @param freshness 1 for an event of this moment, 0 for the background
-   * @return opaque ARGB
-   */
+  /** The opaque ARGB between the background (freshness 0) and that of a fresh event (1). */
   public int colour(boolean on, double freshness) {
     return mix(background, on ? this.on : off, Math.max(0, Math.min(1, freshness)));
   }
 
-  /**
-   * A colour between two.
-   *
-   * @param from ARGB at share 0
-   * @param to ARGB at share 1
-   * @param share 0 to 1
-   * @return opaque ARGB
-   */
+  /** The opaque ARGB between two colours, at a share of 0 to 1. */
   static int mix(int from, int to, double share) {
     int result = 0xFF;
     for (int shift = 16; shift >= 0; shift -= 8) {

@@ -40,12 +40,7 @@ public final class ContactSheet implements StreamHandler {
 
   /** Draws what is known of a moment. */
   public interface Marks {
-    /**
-     * Draws.
-     *
-     * @param timeUs the moment on the stream's clock, microseconds
-     * @param canvas takes the marks
-     */
+    /** Draws what is known of a moment, microseconds on the stream's clock. */
     void drawAt(long timeUs, OverlayCanvas canvas);
   }
 
@@ -65,12 +60,7 @@ public final class ContactSheet implements StreamHandler {
   private long panelElapsedUs;
   private long events;
 
-  /**
-   * A sheet without pictures.
-   *
-   * @param geometry the sensor
-   * @param marks draws over the picture of each moment
-   */
+  /** A sheet without pictures, over each of which marks are drawn. */
   public ContactSheet(SensorGeometry geometry, Marks marks) {
     frame = new EventFrame(geometry);
     this.marks = marks;
@@ -129,10 +119,8 @@ public final class ContactSheet implements StreamHandler {
   }
 
   /**
-   * Draws the sheet.
-   *
-   * @return the pictures with their times since the start, row by row; a stream that is too short
-   *     for one has a picture of its end
+   * The pictures with their times since the start, row by row; a stream that is too short for one
+   * has a picture of its end.
    */
   public BufferedImage draw() {
     if (panels.isEmpty()) {
@@ -151,16 +139,12 @@ public final class ContactSheet implements StreamHandler {
     // the font has capitals only, so no unit
     String words =
         String.format(Locale.ROOT, "%d:%06.3f", minutes, panel.elapsedUs * 1e-6 - 60 * minutes);
-    PictureStamp.words(panel.picture, words, true);
+    new PictureStamp(panel.picture, true).words(words);
     return panel.picture;
   }
 
   /**
-   * Joins pictures in rows of four.
-   *
-   * @param pictures of equal proportions, at least one
-   * @param widthPx width of each in the result, pixels
-   * @return one picture
+   * Joins pictures of equal proportions, at least one, in rows of four, each so many pixels wide.
    */
   public static BufferedImage join(List<BufferedImage> pictures, int widthPx) {
     int columns = Math.min(COLUMNS, pictures.size());

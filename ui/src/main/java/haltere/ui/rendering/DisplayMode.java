@@ -27,20 +27,12 @@ public enum DisplayMode {
     this.gathers = gathers;
   }
 
-  /**
-   * What a menu calls it.
-   *
-   * @return one or two words
-   */
+  /** What a menu calls it, one or two words. */
   public String words() {
     return words;
   }
 
-  /**
-   * What it shows.
-   *
-   * @return one sentence
-   */
+  /** What it shows, one sentence. */
   public String help() {
     return help;
   }

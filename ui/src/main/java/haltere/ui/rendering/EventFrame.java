@@ -42,22 +42,14 @@ public final class EventFrame implements StreamHandler {
   private long nowUs = StreamNotification.NO_TIME_US;
   private boolean dirty;
 
-  /**
-   * A frame without events.
-   *
-   * @param geometry the sensor; events outside of it are ignored
-   */
+  /** A frame without events; events outside of the sensor are ignored. */
   public EventFrame(SensorGeometry geometry) {
     this.geometry = geometry;
     this.lastEvents = new int[geometry.pixels()];
     Arrays.fill(lastEvents, NEVER);
   }
 
-  /**
-   * The sensor.
-   *
-   * @return as given
-   */
+  /** The sensor. */
   public SensorGeometry geometry() {
     return geometry;
   }
@@ -121,42 +113,31 @@ public final class EventFrame implements StreamHandler {
   }
 
   /**
-   * Lets the picture grow older although no event has come.
-   *
-   * @param timeUs time on the source's clock; one before {@link #nowUs()} changes nothing
+   * Lets the picture grow older although no event has come; a time before {@link #nowUs()} changes
+   * nothing.
    */
   public void advanceTo(long timeUs) {
     nowUs = Math.max(nowUs, timeUs);
   }
 
   /**
-   * The time from which the ages of the events count.
-   *
-   * @return microseconds, or {@link StreamNotification#NO_TIME_US} before the first event
+   * The time from which the ages of the events count, microseconds; {@link
+   * StreamNotification#NO_TIME_US} before the first event.
    */
   public long nowUs() {
     return nowUs;
   }
 
   /**
-   * Time of a pixel's last event.
-   *
-   * @param x column
-   * @param y row, upwards
-   * @return microseconds, or {@link StreamNotification#NO_TIME_US} if it has had none
+   * Time of a pixel's last event, rows upwards, microseconds; {@link StreamNotification#NO_TIME_US}
+   * if it has had none.
    */
   public long lastUs(int x, int y) {
     int entry = lastEvents[y * geometry.width() + x];
     return entry == NEVER ? StreamNotification.NO_TIME_US : epochUs + (entry >> 1);
   }
 
-  /**
-   * Polarity of a pixel's last event.
-   *
-   * @param x column
-   * @param y row, upwards
-   * @return true for ON; false for OFF and for a pixel without event
-   */
+  /** Whether a pixel's last event is ON, rows upwards; false without one. */
   public boolean lastOn(int x, int y) {
     int entry = lastEvents[y * geometry.width() + x];
     return entry != NEVER && (entry & 1) != 0;

@@ -18,40 +18,26 @@ public final class EventPicture implements StreamHandler {
   private PictureStyle style;
   private Gathered gathered;
 
-  /**
-   * A picture without events.
-   *
-   * @param geometry the sensor; events outside of it are ignored
-   * @param style how it is painted
-   */
+  /** A picture without events; events outside of the sensor are ignored. */
   public EventPicture(SensorGeometry geometry, PictureStyle style) {
     frame = new EventFrame(geometry);
     painter = new FramePainter(style.colours(), style.timeConstantUs());
     configure(style);
   }
 
-  /**
-   * The last event of each pixel.
-   *
-   * @return this picture's own; not to be changed
-   */
+  /** The last event of each pixel; this picture's own, not to be changed. */
   public EventFrame frame() {
     return frame;
   }
 
-  /**
-   * The style in use.
-   *
-   * @return as configured last
-   */
+  /** The style in use. */
   public PictureStyle style() {
     return style;
   }
 
   /**
-   * Changes what the next picture looks like.
-   *
-   * @param newStyle one that gathered begins with the events after this
+   * Changes what the next picture looks like; one that is gathered begins with the events after
+   * this.
    */
   public void configure(PictureStyle newStyle) {
     style = newStyle;
@@ -99,49 +85,35 @@ public final class EventPicture implements StreamHandler {
     }
   }
 
-  /**
-   * Lets the picture grow older although no event has come.
-   *
-   * @param timeUs time on the source's clock
-   */
+  /** Lets the picture grow older although no event has come. */
   public void advanceTo(long timeUs) {
     frame.advanceTo(timeUs);
   }
 
   /**
-   * Events of a pixel that are painted in the colour of the most.
-   *
-   * @return a count that changes with the scene; 0 for styles that do not count
+   * Events of a pixel that are painted in the colour of the most, which changes with the scene; 0
+   * for styles that do not count.
    */
   public double fullCount() {
     return gathered != null && style.mode() == DisplayMode.COUNTS ? gathered.fullCount() : 0;
   }
 
   /**
-   * Frequency at which a pixel flickers.
-   *
-   * @param x column
-   * @param y row, upwards
-   * @return hertz; NaN where none is known, and for styles that do not show frequencies
+   * Frequency at which a pixel flickers, rows upwards, hertz; NaN where none is known, and for
+   * styles that do not show frequencies.
    */
   public double frequencyHz(int x, int y) {
     return gathered == null ? Double.NaN : gathered.frequencyHz(x, y, frame.nowUs());
   }
 
-  /**
-   * How far back events matter to a style beyond their fading.
-   *
-   * @return microseconds
-   */
+  /** How far back events matter to a style beyond their fading, microseconds. */
   public long memoryUs() {
     return gathered == null ? 0 : gathered.memoryUs();
   }
 
   /**
-   * Paints for a {@link PictureScaler}.
-   *
-   * @param ranked receives one pixel for each of the sensor's, row by row from the TOP, with its
-   *     rank in place of its opacity: 0 for the background, 127 for what differs most from it
+   * Paints for a {@link PictureScaler}: a pixel for each of the sensor's, row by row from the TOP,
+   * with its rank in place of its opacity, 0 for the background, 127 for what differs most from it.
    */
   public void paintRanked(int[] ranked) {
     if (gathered != null) {
@@ -151,11 +123,7 @@ public final class EventPicture implements StreamHandler {
     }
   }
 
-  /**
-   * Paints.
-   *
-   * @param argb receives one opaque pixel for each of the sensor's, row by row from the TOP
-   */
+  /** Paints an opaque pixel for each of the sensor's, row by row from the TOP. */
   public void paint(int[] argb) {
     if (gathered != null) {
       gathered.paint(frame.nowUs(), argb, false);

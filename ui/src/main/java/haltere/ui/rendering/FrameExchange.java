@@ -20,22 +20,14 @@ public final class FrameExchange<T> {
   private T painted;
   private T shown;
 
-  /**
-   * An exchange without a finished picture.
-   *
-   * @param factory called three times
-   */
+  /** An exchange without a finished picture; makes three. */
   public FrameExchange(Supplier<? extends T> factory) {
     painted = factory.get();
     finished = new AtomicReference<>(new Slot<>(factory.get(), false));
     shown = factory.get();
   }
 
-  /**
-   * The picture to paint into. Painting thread only.
-   *
-   * @return the painter's until {@link #publish}
-   */
+  /** The picture to paint into, the painter's until {@link #publish}. Painting thread only. */
   public T back() {
     return painted;
   }
@@ -51,18 +43,16 @@ public final class FrameExchange<T> {
   }
 
   /**
-   * Whether the newest picture is still to be fetched. Any thread.
-   *
-   * @return true if painting another one now would replace it
+   * Whether the newest picture is still to be fetched, so that another one would replace it. Any
+   * thread.
    */
   public boolean isPending() {
     return finished.get().fresh();
   }
 
   /**
-   * Fetches the newest picture. Showing thread only.
-   *
-   * @return the shower's until the next fetch that returns a picture; null if there is no new one
+   * The newest picture, the shower's until the next one is fetched; null if there is no new one.
+   * Showing thread only.
    */
   public T fetch() {
     if (!finished.get().fresh()) {
@@ -72,20 +62,12 @@ public final class FrameExchange<T> {
     return shown;
   }
 
-  /**
-   * Pictures handed over so far. Any thread.
-   *
-   * @return a count
-   */
+  /** How many pictures were handed over so far. Any thread. */
   public long published() {
     return published.get();
   }
 
-  /**
-   * Pictures that were replaced before they were fetched. Any thread.
-   *
-   * @return a count
-   */
+  /** How many pictures were replaced before they were fetched. Any thread. */
   public long conflated() {
     return conflated.get();
   }

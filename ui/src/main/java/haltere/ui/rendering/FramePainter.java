@@ -34,32 +34,14 @@ public final class FramePainter {
 
   private int[] row = new int[0];
 
-  /**
-   * A painter.
-   *
-   * @param colours the map
-   * @param timeConstantUs age at which an event has faded to 1/e, 1 us to {@link
-   *     #LONGEST_TIME_CONSTANT_US}
-   */
+  /** A painter; events fade to 1/e within 1 us to {@link #LONGEST_TIME_CONSTANT_US}. */
   public FramePainter(ColourMap colours, long timeConstantUs) {
-    configure(colours, timeConstantUs);
+    configure(PictureStyle.fading(colours, timeConstantUs));
   }
 
   /**
-   * Changes what the next picture looks like.
-   *
-   * @param newColours the map
-   * @param newTimeConstantUs age at which an event has faded to 1/e, 1 us to {@link
-   *     #LONGEST_TIME_CONSTANT_US}
-   */
-  public void configure(ColourMap newColours, long newTimeConstantUs) {
-    configure(PictureStyle.fading(newColours, newTimeConstantUs));
-  }
-
-  /**
-   * Changes what the next picture looks like.
-   *
-   * @param newStyle one in which only the last event of a pixel counts
+   * Changes what the next picture looks like, to a style in which only the last event of a pixel
+   * counts.
    */
   public void configure(PictureStyle newStyle) {
     if (newStyle.equals(style)) {
@@ -83,39 +65,14 @@ public final class FramePainter {
     rankedTable = Ranks.ranked(table, style.background());
   }
 
-  /**
-   * Age at which nothing is left of an event.
-   *
-   * @param style a style
-   * @return microseconds
-   */
-  public static double oldestUs(PictureStyle style) {
-    return style.longestUs();
-  }
-
-  /**
-   * The colours in use.
-   *
-   * @return a map
-   */
+  /** The colours in use. */
   public ColourMap colours() {
     return style.colours();
   }
 
   /**
-   * The time constant in use.
-   *
-   * @return microseconds
-   */
-  public long timeConstantUs() {
-    return style.timeConstantUs();
-  }
-
-  /**
-   * Paints.
-   *
-   * @param frame what to paint, at the age that its {@link EventFrame#nowUs()} says
-   * @param argb receives one opaque pixel for each of the sensor's, row by row from the TOP
+   * Paints a frame at its {@link EventFrame#nowUs()}: an opaque pixel for each of the sensor's, row
+   * by row from the TOP.
    */
   public void paint(EventFrame frame, int[] argb) {
     paint(frame, argb, table);

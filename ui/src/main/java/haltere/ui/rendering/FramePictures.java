@@ -14,12 +14,7 @@ import java.awt.image.WritableRaster;
 public final class FramePictures {
   private FramePictures() {}
 
-  /**
-   * Draws a frame.
-   *
-   * @param frame any frame; of two channels only the first is drawn
-   * @return a picture of its size
-   */
+  /** Draws a frame in its size; of two channels only the first. */
   public static BufferedImage draw(Frame frame) {
     int bands = frame.channels() >= 3 ? frame.channels() : 1;
     BufferedImage image = new BufferedImage(frame.width(), frame.height(), type(frame, bands));

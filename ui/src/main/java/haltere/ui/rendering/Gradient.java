@@ -42,21 +42,12 @@ public record Gradient(String name, List<Integer> anchors) {
     }
   }
 
-  /**
-   * All that there are.
-   *
-   * @return in the order of a menu
-   */
+  /** All gradients, in the order of a menu. */
   public static List<Gradient> all() {
     return List.of(CIVIDIS, VIRIDIS, INFERNO, GREY, INK);
   }
 
-  /**
-   * The colour of a share.
-   *
-   * @param share 0 to 1; beyond that the ends
-   * @return opaque ARGB
-   */
+  /** The opaque ARGB of a share of 0 to 1; beyond that of the ends. */
   public int colour(double share) {
     double place = Math.max(0, Math.min(1, share)) * (anchors.size() - 1);
     int below = Math.min(anchors.size() - 2, (int) place);

@@ -5,44 +5,21 @@ public interface Letters {
   /** Takes a dot. */
   interface Dots {
     /**
-     * A dot.
-     *
-     * @param column from the left
-     * @param row from the top
-     * @param share of the pixel that it covers, 0 to 1
+     * Takes a dot: column from the left, row from the top, and the share of the pixel that it
+     * covers, 0 to 1.
      */
     void dot(int column, int row, double share);
   }
 
-  /**
-   * Width of a line.
-   *
-   * @param line words
-   * @return pixels
-   */
+  /** Width of a line, pixels. */
   double width(String line);
 
-  /**
-   * Room above the base line.
-   *
-   * @return pixels
-   */
+  /** Room above the base line, pixels. */
   double ascent();
 
-  /**
-   * Room below the base line.
-   *
-   * @return pixels
-   */
+  /** Room below the base line, pixels. */
   double descent();
 
-  /**
-   * Draws a line.
-   *
-   * @param line words
-   * @param left where it begins, pixels
-   * @param base its base line, pixels from the top
-   * @param dots takes it
-   */
+  /** Draws a line from its left end and its base line, pixels from the left and from the top. */
   void draw(String line, int left, int base, Dots dots);
 }

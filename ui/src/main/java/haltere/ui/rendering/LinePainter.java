@@ -17,13 +17,7 @@ public final class LinePainter {
   private int width;
   private int height;
 
-  /**
-   * Draws into other pixels.
-   *
-   * @param newPixels row by row from the top
-   * @param newWidth pixels in a row
-   * @param newHeight rows
-   */
+  /** Draws into other pixels, row by row from the top. */
   public void setTarget(int[] newPixels, int newWidth, int newHeight) {
     pixels = newPixels;
     width = newWidth;
@@ -31,15 +25,8 @@ public final class LinePainter {
   }
 
   /**
-   * A straight line.
-   *
-   * @param x1 where it begins, from the left
-   * @param y1 where it begins, from the top
-   * @param x2 where it ends, from the left
-   * @param y2 where it ends, from the top
-   * @param thickness in pixels
-   * @param argb colour, not always opaque
-   * @param round whether its ends are round; else they end where they end
+   * A straight line between two places, of a thickness in pixels and a colour that need not be
+   * opaque; its ends are round, or end where they end.
    */
   public void line(
       double x1, double y1, double x2, double y2, double thickness, int argb, boolean round) {
@@ -66,15 +53,8 @@ public final class LinePainter {
   }
 
   /**
-   * A line that is mostly along the first of two axes.
-   *
-   * @param a1 where it begins on the first axis
-   * @param b1 where it begins on the second axis
-   * @param da its direction, of length 1
-   * @param limitA pixels on the first axis
-   * @param limitB pixels on the second axis
-   * @param stepA from a pixel to the next on the first axis
-   * @param stepB from a pixel to the next on the second axis
+   * A line that is mostly along the first of two axes (a), on which its direction of length 1 is
+   * da. Limits are the pixels on each axis, steps those from a pixel to the next.
    */
   private void stroke(
       double a1,
@@ -130,12 +110,7 @@ public final class LinePainter {
         || Math.min(y1, y2) > height + reach;
   }
 
-  /**
-   * A circle's outline.
-   *
-   * @param radius 0 for a dot
-   * @param thickness in pixels
-   */
+  /** A circle's outline of a thickness in pixels; a dot where the radius is 0. */
   void ring(double x, double y, double radius, double thickness, int argb) {
     double half = thickness / 2;
     double outer = radius + half + 0.5;

@@ -17,13 +17,7 @@ public final class MarkColours {
 
   private MarkColours() {}
 
-  /**
-   * Colour of a mark.
-   *
-   * @param style its meaning
-   * @param dark whether it lies on a dark picture
-   * @return ARGB, not always opaque
-   */
+  /** Colour of a mark on a dark or a light picture: ARGB, not always opaque. */
   public static int argb(MarkStyle style, boolean dark) {
     int[] palette = dark ? ON_DARK : ON_LIGHT;
     int own =
@@ -43,12 +37,7 @@ public final class MarkColours {
     };
   }
 
-  /**
-   * Width of a mark's line.
-   *
-   * @param style its meaning
-   * @return pixels of the screen
-   */
+  /** Width of a mark's line, pixels of the screen. */
   public static double width(MarkStyle style) {
     return switch (style.role()) {
       case OBJECT, ESTIMATE, LEFT, RIGHT, WARNING -> 2;
@@ -58,12 +47,7 @@ public final class MarkColours {
     };
   }
 
-  /**
-   * Colour of what lies behind words, so that they can be read over events.
-   *
-   * @param dark whether the picture is dark
-   * @return ARGB, not opaque
-   */
+  /** Colour of what lies behind words, so that they can be read over events: ARGB, not opaque. */
   public static int plate(boolean dark) {
     return dark ? 0xB80D1117 : 0xC8FFFFFF;
   }

@@ -35,15 +35,8 @@ public final class PictureScaler {
   private int[] places = {};
 
   /**
-   * Says which part is shown and how large.
-   *
-   * @param newSourceWidth width of the source's rows
-   * @param sourceHeight its rows
-   * @param fromX left edge of the part, in pixels of the source
-   * @param fromY top edge of the part
-   * @param scale pixels of the target per pixel of the source, above 0
-   * @param width of the target
-   * @param height of the target
+   * Says which part is shown, by its left and top edges in pixels of the source, and how large:
+   * pixels of the target per pixel of the source, above 0, and the size of the target.
    */
   public void configure(
       int newSourceWidth,
@@ -78,11 +71,8 @@ public final class PictureScaler {
   }
 
   /**
-   * Scales.
-   *
-   * @param ranked pixels that carry their rank, as {@link EventPicture#paintRanked} makes them, row
-   *     by row
-   * @param target receives opaque pixels, row by row
+   * Scales pixels that carry their rank, as {@link EventPicture#paintRanked} makes them, to opaque
+   * ones, row by row.
    */
   public void scale(int[] ranked, int[] target) {
     int width = columns.length - 1;
@@ -98,12 +88,7 @@ public final class PictureScaler {
     }
   }
 
-  /**
-   * Makes pixels opaque without scaling them.
-   *
-   * @param ranked pixels that carry their rank
-   * @param target receives as many
-   */
+  /** Makes pixels that carry their rank opaque without scaling them. */
   public static void makeOpaque(int[] ranked, int[] target) {
     for (int i = 0; i < ranked.length; i++) {
       target[i] = ranked[i] | OPAQUE;

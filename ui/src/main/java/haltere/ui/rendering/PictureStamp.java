@@ -2,71 +2,92 @@ package haltere.ui.rendering;
 
 import haltere.core.overlay.MarkStyle;
 import haltere.core.overlay.MarkStyle.Role;
-import java.awt.Color;
-import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 
 /**
- * Writes the time and a scale bar into the corners of a picture.
+ * Writes the time, a scale bar and what colours stand for into the corners of a picture.
  *
  * <p>Thread rule: one thread at a time for a picture.
  */
 public final class PictureStamp {
-  private static final int DOT = 2;
   private static final int MARGIN = 6;
-  private static final int WORDS_HEIGHT = PixelFont.HEIGHT * DOT;
+  private static final int HEIGHT = PixelFont.HEIGHT + 2 * MARGIN;
   private static final int BAR_HEIGHT = 4;
+  private static final int STRIP_WIDTH = 90;
 
   /** Share of the picture's width that the scale bar has at the most. */
   private static final double LONGEST_BAR = 0.25;
 
-  private PictureStamp() {}
+  private final LinePainter painter = new LinePainter();
+  private final int width;
+  private final int height;
+  private final int plate;
+  private final int ink;
 
-  /**
-   * Writes words into the upper left corner.
-   *
-   * @param image a picture
-   * @param words such as a time
-   * @param dark whether the picture is dark
-   */
-  public static void words(BufferedImage image, String words, boolean dark) {
-    stamp(image, words, 0, 0, dark);
+  /** A stamp for a picture without transparency, dark or light. */
+  public PictureStamp(BufferedImage image, boolean dark) {
+    width = image.getWidth();
+    height = image.getHeight();
+    painter.setTarget(Pictures.pixels(image), width, height);
+    plate = MarkColours.plate(dark);
+    ink = MarkColours.argb(MarkStyle.of(Role.LABEL), dark);
+  }
+
+  /** Writes words such as a time into the upper left corner. */
+  public void words(String words) {
+    painter.fill(0, 0, width(words) + 2 * MARGIN, HEIGHT, plate);
+    write(words, MARGIN, 0);
   }
 
   /**
-   * Draws a bar as long as a round number of the sensor's pixels into the lower left corner.
-   *
-   * @param image a picture
-   * @param scale pixels of the picture per pixel of the sensor
-   * @param dark whether the picture is dark
+   * Draws a bar as long as a round number of the sensor's pixels into the lower left corner; the
+   * scale is pixels of the picture per pixel of the sensor.
    */
-  public static void scaleBar(BufferedImage image, int scale, boolean dark) {
+  public void scaleBar(int scale) {
     int length = 1;
-    for (int factor = 1; scale * factor <= LONGEST_BAR * image.getWidth(); factor *= 10) {
+    for (int factor = 1; scale * factor <= LONGEST_BAR * width; factor *= 10) {
       for (int step : new int[] {1, 2, 5}) {
-        length = scale * factor * step <= LONGEST_BAR * image.getWidth() ? factor * step : length;
+        length = scale * factor * step <= LONGEST_BAR * width ? factor * step : length;
       }
     }
-    int wide = length * scale;
-    int top = image.getHeight() - WORDS_HEIGHT - 2 * MARGIN;
-    stamp(image, length + " px", wide + MARGIN, top, dark);
-    Graphics2D graphics = image.createGraphics();
-    graphics.setColor(ink(dark));
-    graphics.fillRect(MARGIN, top + MARGIN + (WORDS_HEIGHT - BAR_HEIGHT) / 2, wide, BAR_HEIGHT);
-    graphics.dispose();
+    String words = length + " px";
+    int end = MARGIN + length * scale;
+    int top = height - HEIGHT;
+    painter.fill(0, top, end + width(words) + 2 * MARGIN, height, plate);
+    write(words, end + MARGIN, top);
+    int bar = top + (HEIGHT - BAR_HEIGHT) / 2;
+    painter.fill(MARGIN, bar, end, bar + BAR_HEIGHT, ink);
   }
 
-  private static Color ink(boolean dark) {
-    return new Color(MarkColours.argb(MarkStyle.of(Role.LABEL), dark), true);
+  /**
+   * Draws what colours stand for into the lower right corner; not at all where that has no room.
+   */
+  public void colours(ColourScale scale) {
+    int strip = width - STRIP_WIDTH - width(scale.last()) - 3 * MARGIN;
+    int left = strip - width(scale.first()) - 2 * MARGIN;
+    int top = height - HEIGHT - MARGIN;
+    if (left < 0 || top < 0) {
+      return;
+    }
+    painter.fill(left, top, width - MARGIN, top + HEIGHT, plate);
+    for (int x = 0; x < STRIP_WIDTH; x++) {
+      int colour = scale.gradient().colour(x / (STRIP_WIDTH - 1.0));
+      int bottom = top + HEIGHT - MARGIN - 2;
+      painter.fill(strip + x, top + MARGIN + 2, strip + x + 1, bottom, colour);
+    }
+    write(scale.first(), left + MARGIN, top);
+    write(scale.last(), strip + STRIP_WIDTH + MARGIN, top);
   }
 
-  private static void stamp(BufferedImage image, String words, int left, int top, boolean dark) {
-    Graphics2D graphics = image.createGraphics();
-    graphics.setColor(new Color(MarkColours.plate(dark), true));
-    int right = left + PixelFont.width(words, DOT) + 2 * MARGIN;
-    graphics.fillRect(0, top, right, WORDS_HEIGHT + 2 * MARGIN);
-    graphics.setColor(ink(dark));
-    PixelFont.draw(graphics, words, left + MARGIN, top + MARGIN + WORDS_HEIGHT, DOT);
-    graphics.dispose();
+  private static int width(String words) {
+    return (int) PixelFont.LETTERS.width(words);
+  }
+
+  private void write(String words, int left, int top) {
+    PixelFont.LETTERS.draw(
+        words,
+        left,
+        top + HEIGHT - MARGIN,
+        (column, row, share) -> painter.dot(column, row, ink, share));
   }
 }

@@ -30,14 +30,7 @@ public record PictureStyle(
     }
   }
 
-  /**
-   * Events that do not fade.
-   *
-   * @param mode what the colour of a pixel says
-   * @param colours for polarities
-   * @param gradient for ages and counts
-   * @return a style of all events of the last two minutes
-   */
+  /** A style of all events of the last two minutes, which do not fade. */
   public static PictureStyle accumulated(DisplayMode mode, ColourMap colours, Gradient gradient) {
     return new PictureStyle(mode, colours, gradient, ACCUMULATED_US, true);
   }
@@ -47,22 +40,12 @@ public record PictureStyle(
     return timeConstantUs == ACCUMULATED_US;
   }
 
-  /**
-   * Polarities that fade.
-   *
-   * @param colours the map
-   * @param timeConstantUs age at which an event has faded to 1/e
-   * @return a style
-   */
+  /** Polarities that fade to 1/e within a time. */
   public static PictureStyle fading(ColourMap colours, long timeConstantUs) {
     return new PictureStyle(DisplayMode.POLARITY, colours, Gradient.CIVIDIS, timeConstantUs, false);
   }
 
-  /**
-   * Whether marks over the picture should be light.
-   *
-   * @return true where the background is dark
-   */
+  /** Whether the background is dark, so that marks over it should be light. */
   public boolean dark() {
     int colour = background();
     int red = colour >> 16 & 0xFF;
@@ -71,8 +54,8 @@ public record PictureStyle(
     return 0.299 * red + 0.587 * green + 0.114 * blue < 150;
   }
 
-  /** Time after which nothing is left of an event. */
-  double longestUs() {
+  /** Time after which nothing is left of an event, microseconds. */
+  public double longestUs() {
     return sharp ? timeConstantUs : timeConstantUs * FramePainter.TIME_CONSTANTS;
   }
 
@@ -84,11 +67,7 @@ public record PictureStyle(
     return Math.exp(-ageUs / timeConstantUs);
   }
 
-  /**
-   * Colour of a pixel without events.
-   *
-   * @return red, green and blue
-   */
+  /** Colour of a pixel without events: red, green and blue. */
   public int background() {
     return switch (mode) {
       case POLARITY, ON_ONLY, OFF_ONLY, FREQUENCY -> colours.background();

@@ -26,10 +26,8 @@ public final class Pictures {
   private Pictures() {}
 
   /**
-   * The whole number by which a sensor is scaled up for a picture of usual size.
-   *
-   * @param geometry the sensor
-   * @return at least 1: 6 for 128x128
+   * The whole number by which a sensor is scaled up for a picture of usual size, at least 1: 6 for
+   * 128x128.
    */
   public static int usualScale(SensorGeometry geometry) {
     return Math.max(1, USUAL_SIDE / geometry.longerSide());
@@ -66,25 +64,27 @@ public final class Pictures {
     int width = geometry.width() * scale;
     BufferedImage image =
         new BufferedImage(width, geometry.height() * scale, BufferedImage.TYPE_INT_RGB);
-    int[] pixels = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
+    int[] pixels = pixels(image);
     for (int y = 0; y < image.getHeight(); y++) {
       int row = y / scale * geometry.width();
       for (int x = 0; x < width; x++) {
         pixels[y * width + x] = argb[row + x / scale];
       }
     }
-    try (PictureOverlayCanvas canvas = new PictureOverlayCanvas(image, geometry, scale, dark)) {
-      marks.accept(canvas);
-    }
+    PixelOverlayCanvas canvas = new PixelOverlayCanvas(PixelFont.LETTERS);
+    canvas.setTarget(pixels, width, image.getHeight());
+    canvas.setView(scale, 0, image.getHeight(), 1);
+    canvas.setDark(dark);
+    marks.accept(canvas);
     return image;
   }
 
-  /**
-   * A picture as a PNG file in memory.
-   *
-   * @param image a picture
-   * @return the file's bytes
-   */
+  /** The pixels of a picture of the type INT_RGB, to be drawn into. */
+  static int[] pixels(BufferedImage image) {
+    return ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
+  }
+
+  /** A picture as a PNG file in memory. */
   public static byte[] png(BufferedImage image) {
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     // a stream of its own, because ImageIO's would make a file in the temporary folder
@@ -99,16 +99,9 @@ public final class Pictures {
   }
 
   /**
-   * Writes a picture as a PNG file, which appears whole or not at all.
-   *
-   * @param file where; one that exists is replaced
-   * @param image a picture
-   * @throws IOException if the file cannot be written
+   * Writes a picture as a PNG file, which appears whole or not at all and replaces one that exists.
    */
   public static void write(Path file, BufferedImage image) throws IOException {
-    try (AtomicFile output = AtomicFile.create(file, true)) {
-      output.stream().write(png(image));
-      output.commit();
-    }
+    AtomicFile.write(file, png(image), true);
   }
 }

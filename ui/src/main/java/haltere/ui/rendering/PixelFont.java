@@ -1,7 +1,5 @@
 package haltere.ui.rendering;
 
-import java.awt.Graphics2D;
-import java.awt.geom.Rectangle2D;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
@@ -10,11 +8,22 @@ import java.util.TreeMap;
  * A small built-in font of five by seven dots, capitals only, so that pictures can carry words
  * where no fonts are installed.
  */
-final class PixelFont {
+final class PixelFont implements Letters {
+  /** The letters. */
+  static final PixelFont LETTERS = new PixelFont();
+
   private static final int WIDTH = 5;
 
-  /** Height of a letter in dots. */
-  static final int HEIGHT = 7;
+  private static final int ROWS = 7;
+
+  /** Side of a dot, pixels. */
+  private static final int DOT = 2;
+
+  /** Height of a letter, pixels. */
+  static final int HEIGHT = ROWS * DOT;
+
+  /** Room above and below a line, pixels. */
+  private static final int MARGIN = 3;
 
   private static final int ADVANCE = WIDTH + 1;
 
@@ -93,13 +102,14 @@ final class PixelFont {
 
   private static Map<Character, int[]> glyphs() {
     Map<Character, int[]> glyphs = new TreeMap<>();
+    glyphs.put(' ', new int[ROWS]);
     SHAPES
         .lines()
         .forEach(
             line -> {
               String[] parts = line.split(" ");
-              int[] rows = new int[HEIGHT];
-              for (int row = 0; row < HEIGHT; row++) {
+              int[] rows = new int[ROWS];
+              for (int row = 0; row < ROWS; row++) {
                 rows[row] = Integer.parseInt(parts[row + 1], 16);
               }
               glyphs.put(parts[0].charAt(0), rows);
@@ -107,44 +117,35 @@ final class PixelFont {
     return java.util.Collections.unmodifiableMap(glyphs);
   }
 
-  /**
-   * Draws a line of text in the current colour.
-   *
-   * @param graphics where
-   * @param text one line
-   * @param x left end
-   * @param y base line
-   * @param dot side of one dot, pixels
-   */
-  static void draw(Graphics2D graphics, String text, double x, double y, int dot) {
-    double left = Math.rint(x);
-    double top = Math.rint(y) - HEIGHT * dot;
+  @Override
+  public double width(String line) {
+    return line.isEmpty() ? 0 : (line.length() * ADVANCE - 1) * DOT;
+  }
+
+  @Override
+  public double ascent() {
+    return HEIGHT + MARGIN;
+  }
+
+  @Override
+  public double descent() {
+    return MARGIN;
+  }
+
+  @Override
+  public void draw(String line, int left, int base, Dots dots) {
     // the micro sign has no capital of its own
-    String capitals = text.replace('\u03bc', '\u00b5').toUpperCase(Locale.ROOT);
-    for (int i = 0; i < capitals.length(); i++, left += ADVANCE * dot) {
+    String capitals = line.replace('\u03bc', '\u00b5').toUpperCase(Locale.ROOT);
+    for (int i = 0; i < capitals.length(); i++) {
       char character = capitals.charAt(i) == '\u039c' ? '\u00b5' : capitals.charAt(i);
-      if (character == ' ') {
-        continue;
-      }
       int[] rows = GLYPHS.getOrDefault(character, BOX);
-      for (int row = 0; row < HEIGHT; row++) {
-        for (int column = 0; column < WIDTH; column++) {
-          if ((rows[row] >> (WIDTH - 1 - column) & 1) != 0) {
-            graphics.fill(new Rectangle2D.Double(left + column * dot, top + row * dot, dot, dot));
+      for (int y = 0; y < HEIGHT; y++) {
+        for (int x = 0; x < WIDTH * DOT; x++) {
+          if ((rows[y / DOT] >> (WIDTH - 1 - x / DOT) & 1) != 0) {
+            dots.dot(left + i * ADVANCE * DOT + x, base - HEIGHT + y, 1);
           }
         }
       }
     }
-  }
-
-  /**
-   * Width of a line of text.
-   *
-   * @param text one line
-   * @param dot side of one dot, pixels
-   * @return pixels
-   */
-  static int width(String text, int dot) {
-    return text.isEmpty() ? 0 : (text.length() * ADVANCE - 1) * dot;
   }
 }

@@ -33,34 +33,20 @@ public final class PixelOverlayCanvas implements OverlayCanvas {
   private double bottom;
   private boolean dark = true;
 
-  /**
-   * A canvas without pixels.
-   *
-   * @param letters what words are drawn with
-   */
+  /** A canvas without pixels, with the letters that words are drawn with. */
   public PixelOverlayCanvas(Letters letters) {
     this.letters = letters;
   }
 
-  /**
-   * Says where to draw; words may go anywhere again.
-   *
-   * @param pixels opaque, row by row from the top
-   * @param newWidth pixels in a row
-   * @param newHeight rows
-   */
+  /** Says where to draw, opaque pixels row by row from the top; words may go anywhere again. */
   public void setTarget(int[] pixels, int newWidth, int newHeight) {
     painter.setTarget(pixels, newWidth, newHeight);
     places.begin(newWidth, newHeight);
   }
 
   /**
-   * Says where the sensor lies on the pixels.
-   *
-   * @param newScale units of the view per pixel of the sensor
-   * @param newLeft where the sensor's left edge is, units of the view from the left of the pixels
-   * @param newBottom where its bottom edge is, units of the view from the top of the pixels
-   * @param newDensity pixels per unit of the view
+   * Says where the sensor lies: units of the view per pixel of the sensor, its left edge and its
+   * bottom edge in units from the left and the top, and pixels per unit of the view.
    */
   public void setView(double newScale, double newLeft, double newBottom, double newDensity) {
     density = newDensity;
@@ -69,11 +55,7 @@ public final class PixelOverlayCanvas implements OverlayCanvas {
     bottom = newBottom * density;
   }
 
-  /**
-   * Says which colours can be seen.
-   *
-   * @param newDark whether the picture is dark
-   */
+  /** Says whether the picture is dark. */
   public void setDark(boolean newDark) {
     dark = newDark;
   }

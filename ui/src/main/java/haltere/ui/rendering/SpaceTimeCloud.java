@@ -17,21 +17,13 @@ public final class SpaceTimeCloud implements StreamHandler {
     final int[] agesUs;
     int count;
 
-    /**
-     * No points.
-     *
-     * @param capacity how many there may be
-     */
+    /** No points, with room for so many. */
     public Points(int capacity) {
       addresses = new int[capacity];
       agesUs = new int[capacity];
     }
 
-    /**
-     * How many there are.
-     *
-     * @return 0 to the capacity
-     */
+    /** How many there are. */
     public int count() {
       return count;
     }
@@ -42,11 +34,7 @@ public final class SpaceTimeCloud implements StreamHandler {
   private long taken;
   private long nowUs;
 
-  /**
-   * A cloud without events.
-   *
-   * @param capacity how many of the newest events are kept
-   */
+  /** A cloud without events, which keeps so many of the newest. */
   public SpaceTimeCloud(int capacity) {
     times = new long[capacity];
     addresses = new int[capacity];
@@ -74,20 +62,14 @@ public final class SpaceTimeCloud implements StreamHandler {
     }
   }
 
-  /**
-   * Lets time go on without events.
-   *
-   * @param timeUs time on the source's clock
-   */
+  /** Lets time go on without events. */
   public void advanceTo(long timeUs) {
     nowUs = Math.max(nowUs, timeUs);
   }
 
   /**
-   * Copies the events of the last while.
-   *
-   * @param spanUs how far back, at most {@link Integer#MAX_VALUE}
-   * @param points receives them; the newest ones if there are more than it can hold
+   * Copies the events of the last while, at most {@link Integer#MAX_VALUE} us; the newest ones if
+   * there are more than the points can hold.
    */
   public void copyTo(long spanUs, Points points) {
     int kept = (int) Math.min(taken, times.length);

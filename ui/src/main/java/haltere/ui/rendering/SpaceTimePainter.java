@@ -18,15 +18,8 @@ public final class SpaceTimePainter {
   private ColourMap colours;
 
   /**
-   * Paints.
-   *
-   * @param points the events
-   * @param projection where they lie in the picture
-   * @param view which part of the time stands out
-   * @param newColours of the polarities
-   * @param width of the picture
-   * @param height of the picture
-   * @param argb receives the picture, row by row from the top
+   * Paints events where a projection says, row by row from the top; the view tells which part
+   * stands out.
    */
   public void paint(
       SpaceTimeCloud.Points points,

@@ -28,12 +28,7 @@ public final class TextPlaces {
   private double left;
   private double base;
 
-  /**
-   * Begins a picture without words.
-   *
-   * @param width of the picture
-   * @param height of the picture
-   */
+  /** Begins a picture without words. */
   public void begin(double width, double height) {
     pictureWidth = width;
     pictureHeight = height;
@@ -41,16 +36,9 @@ public final class TextPlaces {
   }
 
   /**
-   * Finds room for words; if there is some, it is taken from now on.
-   *
-   * @param wantedLeft where the words should begin
-   * @param wantedBase their base line
-   * @param width how wide they are
-   * @param ascent room above the base line
-   * @param descent room below the base line
-   * @param margin room at either side
-   * @param style their meaning
-   * @return whether they are to be drawn, at {@link #left()} and {@link #base()}
+   * Finds room for words that should begin at a place on a base line, with their room above and
+   * below it and a margin at either side, and takes it. Returns whether they are to be drawn, at
+   * {@link #left()} and {@link #base()}.
    */
   public boolean find(
       double wantedLeft,
@@ -77,20 +65,12 @@ public final class TextPlaces {
     return style.role() != Role.LABEL || style.identity() < 0;
   }
 
-  /**
-   * Where the words that were found room for begin.
-   *
-   * @return from the left
-   */
+  /** Where the words that were found room for begin. */
   public double left() {
     return left;
   }
 
-  /**
-   * Base line of the words that were found room for.
-   *
-   * @return from the top
-   */
+  /** Base line of the words that were found room for. */
   public double base() {
     return base;
   }

@@ -51,12 +51,8 @@ public record BodyFlight(List<CameraModel> cameras, List<Moment> moments) {
   }
 
   /**
-   * Follows the body that was seen first.
-   *
-   * @param observations a table, a {@code .braidz} file or HDF5 of Flydra
-   * @param calibration the cameras; may be empty for a {@code .braidz} file
-   * @return its flight; without a moment if no orientation could be found
-   * @throws IOException if a file cannot be read or is another; the message names it
+   * Follows the body that was seen first in a table, a {@code .braidz} file (which needs no
+   * calibration) or HDF5 of Flydra; without a moment if no orientation could be found.
    */
   public static BodyFlight load(Path observations, Optional<Path> calibration) throws IOException {
     Map<Long, List<LineObservation>> seen = new LinkedHashMap<>();

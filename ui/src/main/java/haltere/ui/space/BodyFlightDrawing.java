@@ -38,22 +38,14 @@ public final class BodyFlightDrawing {
   private final SpaceBounds bounds;
   private final double sizeM;
 
-  /**
-   * A drawing.
-   *
-   * @param flight what is drawn
-   */
+  /** Draws a flight. */
   public BodyFlightDrawing(BodyFlight flight) {
     this.flight = flight;
     bounds = SpaceBounds.of(points());
     sizeM = bounds.diagonalM();
   }
 
-  /**
-   * All that should be in sight.
-   *
-   * @return the cameras and the whole way, metres
-   */
+  /** All that should be in sight: the cameras and the whole way, metres. */
   public List<double[]> points() {
     List<double[]> points = new ArrayList<>();
     for (CameraModel camera : flight.cameras()) {
@@ -72,11 +64,7 @@ public final class BodyFlightDrawing {
   }
 
   /**
-   * Draws.
-   *
-   * @param index of the moment, from 0
-   * @param view from where
-   * @param canvas whose unit is a pixel, origin at the bottom left
+   * Draws a moment, counted from 0, onto a canvas whose unit is a pixel, origin at the bottom left.
    */
   public void draw(int index, SpaceView view, OverlayCanvas canvas) {
     BodyFlight.Moment moment = index < flight.moments().size() ? flight.moments().get(index) : null;

@@ -44,20 +44,12 @@ public record CameraLine(
         camera.heading(position, new double[] {now.ux(), now.uy(), now.uz()}));
   }
 
-  /**
-   * Whether the camera observed a line that was not used.
-   *
-   * @return false if it observed none
-   */
+  /** Whether the camera observed a line that was not used. */
   public boolean isGated() {
     return !isAccepted && observed.filter(seen -> Double.isFinite(seen.angleRad())).isPresent();
   }
 
-  /**
-   * Half the length of the body in the picture.
-   *
-   * @return pixels
-   */
+  /** Half the length of the body in the picture, pixels. */
   public double halfLengthPx() {
     double length =
         observed.map(seen -> Math.sqrt(seen.areaPx() / Math.PI * seen.axisRatio())).orElse(0.0);

@@ -36,12 +36,7 @@ public record CameraRig(List<CameraModel> cameras, Playable first, List<Playable
     }
   }
 
-  /**
-   * A simulated flight before all its cameras.
-   *
-   * @param settings the flight; which camera is chosen does not matter
-   * @return cameras and scenes
-   */
+  /** A simulated flight before all its cameras; which one the settings choose does not matter. */
   public static CameraRig simulated(FlightSettings settings) {
     List<CameraModel> cameras = new ArrayList<>();
     List<Playable> scenes = new ArrayList<>();
@@ -59,11 +54,6 @@ public record CameraRig(List<CameraModel> cameras, Playable first, List<Playable
   /**
    * The cameras themselves, by their ids in the calibration; they go on when they are plugged in
    * again. Their clocks are related by this computer's, to about a millisecond.
-   *
-   * @param calibrated the cameras
-   * @param cameras where they are looked for
-   * @return cameras that are open
-   * @throws IOException if one is not there or of another sensor, or if the cameras are too few
    */
   public static CameraRig live(List<CameraModel> calibrated, Cameras cameras) throws IOException {
     CameraOptions options =
@@ -76,23 +66,13 @@ public record CameraRig(List<CameraModel> cameras, Playable first, List<Playable
   /** Opens the events of a camera. */
   @FunctionalInterface
   public interface Opening {
-    /**
-     * Opens them.
-     *
-     * @param number of the camera, from 0
-     * @return at its start
-     * @throws IOException if it cannot be opened
-     */
+    /** Opens the events of a camera, counted from 0, at their start. */
     Playable open(int number) throws IOException;
   }
 
   /**
-   * The events of each camera, on one clock.
-   *
-   * @param calibrated the cameras
-   * @param opening opens the events of one after the other
-   * @return all of them; none is left open if one cannot be opened
-   * @throws IOException if that is so, if one is of another sensor, or if the cameras are too few
+   * The events of each camera on one clock; none is left open if one cannot be opened or is of
+   * another sensor, or if the cameras are too few.
    */
   public static CameraRig open(List<CameraModel> calibrated, Opening opening) throws IOException {
     long usable = calibrated.stream().filter(camera -> camera.problem().isEmpty()).count();

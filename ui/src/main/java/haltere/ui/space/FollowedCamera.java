@@ -37,12 +37,8 @@ final class FollowedCamera implements StreamHandler {
   private boolean ended;
 
   /**
-   * Nothing has been pulled yet.
-   *
-   * @param rig the cameras
-   * @param number which one, from 1
-   * @param orientation gets the body's lines
-   * @param picture gets the events as they are given to the tracker
+   * Nothing has been pulled yet of a camera of the rig, counted from 1; its lines go to the
+   * orientation, its events to the picture.
    */
   FollowedCamera(
       CameraRig rig, int number, LiveOrientation orientation, Optional<SliceSink> picture) {

@@ -43,10 +43,8 @@ public final class LiveFlight implements SliceSink {
   private boolean changed;
 
   /**
-   * Nothing has been seen yet.
-   *
-   * @param rig the cameras
-   * @param pictures takes the events of each camera but the first, in order; may be fewer
+   * Nothing has been seen yet. The pictures take the events of each camera but the first, in order;
+   * they may be fewer.
    */
   public LiveFlight(CameraRig rig, List<? extends SliceSink> pictures) {
     this.rig = rig;
@@ -132,11 +130,7 @@ public final class LiveFlight implements SliceSink {
     }
   }
 
-  /**
-   * What there is to show.
-   *
-   * @return the last part of the flight, or null if it is the same as before
-   */
+  /** The last part of the flight, or null if it is the same as before. */
   public BodyFlight latest() {
     return latest.poll();
   }

@@ -16,13 +16,7 @@ public final class SpaceView {
   private double widthPx = 400;
   private double heightPx = 400;
 
-  /**
-   * Fits points into a picture.
-   *
-   * @param points metres
-   * @param newWidthPx width of the picture
-   * @param newHeightPx height of the picture
-   */
+  /** Fits points, in metres, into a picture of a size in pixels. */
   public void fit(Iterable<double[]> points, double newWidthPx, double newHeightPx) {
     widthPx = newWidthPx;
     heightPx = newHeightPx;
@@ -33,41 +27,23 @@ public final class SpaceView {
     pixelsPerM = 0.95 * Math.min(widthPx, heightPx) / bounds.diagonalM();
   }
 
-  /**
-   * Turns.
-   *
-   * @param byAzimuthRad to the left
-   * @param byElevationRad upwards, as far as straight above
-   */
+  /** Turns to the left and upwards, as far as straight above. */
   public void turn(double byAzimuthRad, double byElevationRad) {
     azimuthRad += byAzimuthRad;
     elevationRad = Math.max(-LIMIT_RAD, Math.min(LIMIT_RAD, elevationRad + byElevationRad));
   }
 
-  /**
-   * Comes nearer.
-   *
-   * @param factor above 1 to make things larger
-   */
+  /** Comes nearer by a factor above 1, or goes away. */
   public void zoom(double factor) {
     pixelsPerM *= Math.max(0.1, Math.min(10, factor));
   }
 
-  /**
-   * Size of a metre.
-   *
-   * @return pixels
-   */
+  /** Size of a metre, pixels. */
   public double pixelsPerM() {
     return pixelsPerM;
   }
 
-  /**
-   * Where a point is drawn.
-   *
-   * @param point metres
-   * @return pixels to the right and up
-   */
+  /** Where a point in metres is drawn, pixels to the right and up. */
   public double[] project(double... point) {
     double x = point[0] - middle[0];
     double y = point[1] - middle[1];

@@ -11,11 +11,7 @@ public final class ConfigFolder {
 
   private ConfigFolder() {}
 
-  /**
-   * The folder of this user.
-   *
-   * @return it may not exist yet
-   */
+  /** The folder of this user, which may not exist yet. */
   public static Path ofUser() {
     String chosen = System.getProperty(PROPERTY, "");
     return chosen.isEmpty()
@@ -24,11 +20,8 @@ public final class ConfigFolder {
   }
 
   /**
-   * The folder on a platform.
-   *
-   * @param system its name as Java knows it
-   * @param home the user's home
-   * @param environment its variables
+   * The folder on a platform, by its name as Java knows it, the user's home and the variables of
+   * the environment.
    */
   static Path of(String system, String home, Map<String, String> environment) {
     String name = system.toLowerCase(Locale.ROOT);

@@ -32,15 +32,13 @@ final class BeatExposure implements ViewerFeature {
     window.editor().onChange(this::follow);
     window.playback().beatsProperty().addListener((property, was, is) -> follow());
     window.panels().onPulse(this::pulse);
-    window
-        .actions()
-        .add(
-            ViewerAction.toggle(
-                    "slices-beat",
-                    "Slices of one wing beat",
-                    "Playback",
-                    window.playback().beatsProperty())
-                .withHelp("One step or exposure holds one beat, as the wing tracker finds it."));
+    window.add(
+        ViewerAction.toggle(
+                "slices-beat",
+                "Slices of one wing beat",
+                "Playback",
+                window.playback().beatsProperty())
+            .withHelp("One step or exposure holds one beat, as the wing tracker finds it."));
   }
 
   private void follow() {

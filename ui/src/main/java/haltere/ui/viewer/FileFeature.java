@@ -18,39 +18,35 @@ final class FileFeature implements ViewerFeature {
 
   @Override
   public void install(ViewerContext window) {
-    window
-        .actions()
-        .add(
-            ViewerAction.of(
-                    "open",
-                    "Open recording\u2026",
-                    "File",
-                    () ->
-                        window
-                            .dialogs()
-                            .recording()
-                            .ifPresent(file -> window.sessions().open(file, ReadOptions.DEFAULT)))
-                .withKey("Shortcut+O")
-                .withHelp("Opens a recording; dropping one on the window does the same."),
-            ViewerAction.of(
-                "open-scene",
-                "Open the fly scene",
-                "",
-                () -> window.sessions().open(SessionRequest.scene())));
+    window.add(
+        ViewerAction.of(
+                "open",
+                "Open recording\u2026",
+                "File",
+                () ->
+                    window
+                        .dialogs()
+                        .recording()
+                        .ifPresent(file -> window.sessions().open(file, ReadOptions.DEFAULT)))
+            .withKey("Shortcut+O")
+            .withHelp("Opens a recording; dropping one on the window does the same."),
+        ViewerAction.of(
+            "open-scene",
+            "Open the fly scene",
+            "",
+            () -> window.sessions().open(SessionRequest.scene())));
     List<SceneProvider<?>> scenes = new ArrayList<>(Scenes.all().values());
     // the one to begin with stands first
     scenes.sort(Comparator.comparing(scene -> !scene.name().equals("fly")));
     for (SceneProvider<?> scene : scenes) {
       String title = Texts.title(scene.name()) + " scene";
-      window
-          .actions()
-          .add(
-              ViewerAction.of(
-                      "scene-" + scene.name(),
-                      title,
-                      SCENES,
-                      () -> window.sessions().open(SessionRequest.scene(scene.name(), title)))
-                  .withHelp(scene.description()));
+      window.add(
+          ViewerAction.of(
+                  "scene-" + scene.name(),
+                  title,
+                  SCENES,
+                  () -> window.sessions().open(SessionRequest.scene(scene.name(), title)))
+              .withHelp(scene.description()));
     }
   }
 }

@@ -41,7 +41,7 @@ final class FlyStartFeature implements ViewerFeature {
     window.panels().addOverPicture(caption, Pos.BOTTOM_CENTER);
     window.settings().keep("flyCaption", captionWanted);
     window.onSession(this::begin);
-    window.panels().onPulse(() -> window.sessions().session().ifPresent(this::pulse));
+    window.panels().onPulse(() -> window.ifOpen(this::pulse));
     captionWanted.addListener((property, was, is) -> showCaption());
     window.display().onChange(this::showCaption);
   }

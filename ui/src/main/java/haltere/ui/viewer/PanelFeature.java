@@ -38,7 +38,7 @@ final class PanelFeature implements ViewerFeature {
   }
 
   private void add(String id, String words, String key, Runnable work) {
-    window.actions().add(ViewerAction.of(id, words, MENU, work).withKey(key));
+    window.add(ViewerAction.of(id, words, MENU, work).withKey(key));
   }
 
   /** Puts the focus on the first control of another panel. */

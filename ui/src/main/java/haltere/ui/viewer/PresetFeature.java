@@ -9,7 +9,6 @@ import haltere.ui.viewer.controls.Questions;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -32,15 +31,13 @@ public final class PresetFeature implements ViewerFeature, ChainPresets {
   @Override
   public void install(ViewerContext installed) {
     window = installed;
-    window
-        .actions()
-        .add(
-            ViewerAction.of(
-                    "save-preset",
-                    "Save the chain as preset\u2026",
-                    "Chain",
-                    () -> keep(window.editor()))
-                .withHelp("Presets are chain files in the folder of the settings."));
+    window.add(
+        ViewerAction.of(
+                "save-preset",
+                "Save the chain as preset\u2026",
+                "Chain",
+                () -> keep(window.editor()))
+            .withHelp("Presets are chain files in the folder of the settings."));
     window.editor().setPresets(this);
     window
         .settings()
@@ -70,26 +67,17 @@ public final class PresetFeature implements ViewerFeature, ChainPresets {
     }
     chain.read(
         ChainFile::write,
-        json ->
-            window
-                .background()
-                .file(
-                    () -> write(folder.resolve(name + ENDING), json),
-                    written -> list(),
-                    window.status()::showProblem));
+        json -> window.file(() -> write(folder.resolve(name + ENDING), json), written -> list()));
   }
 
   private static Path write(Path file, String json) throws IOException {
     Files.createDirectories(file.getParent());
-    try (AtomicFile output = AtomicFile.create(file, true)) {
-      output.stream().write(json.getBytes(StandardCharsets.UTF_8));
-      output.commit();
-    }
+    AtomicFile.write(file, json, true);
     return file;
   }
 
   private void list() {
-    window.background().file(() -> files(folder), this::offer, window.status()::showProblem);
+    window.file(() -> files(folder), this::offer);
   }
 
   private static List<Path> files(Path folder) throws IOException {
@@ -105,9 +93,7 @@ public final class PresetFeature implements ViewerFeature, ChainPresets {
     window.actions().removeAll(names.stream().map(PresetFeature::id).toList());
     names = files.stream().map(PresetFeature::name).toList();
     for (String name : names) {
-      window
-          .actions()
-          .add(ViewerAction.of(id(name), name, MENU, () -> load(name, window.editor())));
+      window.add(ViewerAction.of(id(name), name, MENU, () -> load(name, window.editor())));
     }
   }
 

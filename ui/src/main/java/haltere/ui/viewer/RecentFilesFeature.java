@@ -31,11 +31,9 @@ final class RecentFilesFeature implements ViewerFeature {
         .map(kept -> (List<?>) kept)
         .ifPresent(kept -> kept.forEach(file -> files.add(Path.of(file.toString()))));
     window.onSession(made -> made.file().ifPresent(this::opened));
-    window
-        .actions()
-        .add(
-            ViewerAction.of("open-last", "Open the last recording again", "File", this::openLast)
-                .withKey("Shortcut+Shift+O"));
+    window.add(
+        ViewerAction.of("open-last", "Open the last recording again", "File", this::openLast)
+            .withKey("Shortcut+Shift+O"));
     offer();
   }
 

@@ -1,7 +1,7 @@
 package haltere.ui.viewer;
 
 import haltere.core.event.SensorGeometry;
-import haltere.ui.measure.PixelRegion;
+import haltere.filters.frequency.PixelRegion;
 import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.feature.DisplayControl;
 import haltere.ui.viewer.feature.ViewerContext;
@@ -38,8 +38,7 @@ public final class SeeingFeature implements ViewerFeature {
     tape = new MeasuringTape(window.display().tapeProperty());
     EventView view = window.panels().view();
     view.setPointerListener(
-        (x, y, over) ->
-            window.sessions().session().ifPresent(open -> open.display().point(x, y, over)));
+        (x, y, over) -> window.ifOpen(open -> open.display().point(x, y, over)));
     view.addLayer(layer::draw);
     view.onFrame(frame -> frame.region().ifPresent(layer::setReading));
     followLegend(view);
@@ -48,31 +47,28 @@ public final class SeeingFeature implements ViewerFeature {
     window.bindTool(measuring, tape);
     window.bindTool(drawingRegion, regionTool);
     window.bindTool(pointing, new PointTool());
-    window
-        .actions()
-        .add(
-            ViewerAction.toggle("measure", "Measuring tape", MENU, measuring)
-                .withKey("T")
-                .withHelp(tape.hint()),
-            ViewerAction.toggle("region", "Region of interest", MENU, drawingRegion)
-                .withKey("G")
-                .withHelp("Its event rate and dominant frequency are shown beside it."),
-            ViewerAction.toggle("point", "Point with the keys", MENU, pointing)
-                .withKey("C")
-                .withHelp(
-                    "Arrow keys move a cross; its pixel is described as one under the mouse."),
-            ViewerAction.of("put-aside", "Dismiss the tool or the message", MENU, this::putAside)
-                .withKey("Esc"),
-            ViewerAction.of(
-                "clear-region",
-                "Clear the region of interest",
-                MENU,
-                () -> setRegion(Optional.empty())),
-            ViewerAction.of(
-                "zoom-region",
-                "Zoom to the region of interest",
-                MENU,
-                () -> layer.region().ifPresent(view::zoomTo)));
+    window.add(
+        ViewerAction.toggle("measure", "Measuring tape", MENU, measuring)
+            .withKey("T")
+            .withHelp(tape.hint()),
+        ViewerAction.toggle("region", "Region of interest", MENU, drawingRegion)
+            .withKey("G")
+            .withHelp("Its event rate and dominant frequency are shown beside it."),
+        ViewerAction.toggle("point", "Point with the keys", MENU, pointing)
+            .withKey("C")
+            .withHelp("Arrow keys move a cross; its pixel is described as one under the mouse."),
+        ViewerAction.of("put-aside", "Dismiss the tool or the message", MENU, this::putAside)
+            .withKey("Esc"),
+        ViewerAction.of(
+            "clear-region",
+            "Clear the region of interest",
+            MENU,
+            () -> setRegion(Optional.empty())),
+        ViewerAction.of(
+            "zoom-region",
+            "Zoom to the region of interest",
+            MENU,
+            () -> layer.region().ifPresent(view::zoomTo)));
     addZoom(view);
     window.panels().viewBar().addTools(measuring, drawingRegion);
   }
@@ -87,23 +83,20 @@ public final class SeeingFeature implements ViewerFeature {
   }
 
   private void addZoom(EventView view) {
-    window
-        .actions()
-        .add(
-            ViewerAction.of("zoom-in", "Zoom in", "View", () -> view.zoomBy(ZOOM_STEP))
-                .withKey("Shortcut+Plus"),
-            ViewerAction.of("zoom-out", "Zoom out", "View", () -> view.zoomBy(1 / ZOOM_STEP))
-                .withKey("Shortcut+Minus"),
-            ViewerAction.of("zoom-pixels", "Zoom to single pixels", "View", view::zoomToPixels)
-                .withKey("P"),
-            ViewerAction.of("pan-left", "Pan left", "View", () -> view.pan(-PAN_STEP, 0))
-                .withKey("Alt+Left"),
-            ViewerAction.of("pan-right", "Pan right", "View", () -> view.pan(PAN_STEP, 0))
-                .withKey("Alt+Right"),
-            ViewerAction.of("pan-up", "Pan up", "View", () -> view.pan(0, PAN_STEP))
-                .withKey("Alt+Up"),
-            ViewerAction.of("pan-down", "Pan down", "View", () -> view.pan(0, -PAN_STEP))
-                .withKey("Alt+Down"));
+    window.add(
+        ViewerAction.of("zoom-in", "Zoom in", "View", () -> view.zoomBy(ZOOM_STEP))
+            .withKey("Shortcut+Plus"),
+        ViewerAction.of("zoom-out", "Zoom out", "View", () -> view.zoomBy(1 / ZOOM_STEP))
+            .withKey("Shortcut+Minus"),
+        ViewerAction.of("zoom-pixels", "Zoom to single pixels", "View", view::zoomToPixels)
+            .withKey("P"),
+        ViewerAction.of("pan-left", "Pan left", "View", () -> view.pan(-PAN_STEP, 0))
+            .withKey("Alt+Left"),
+        ViewerAction.of("pan-right", "Pan right", "View", () -> view.pan(PAN_STEP, 0))
+            .withKey("Alt+Right"),
+        ViewerAction.of("pan-up", "Pan up", "View", () -> view.pan(0, PAN_STEP)).withKey("Alt+Up"),
+        ViewerAction.of("pan-down", "Pan down", "View", () -> view.pan(0, -PAN_STEP))
+            .withKey("Alt+Down"));
   }
 
   private void followLegend(EventView view) {
@@ -127,14 +120,11 @@ public final class SeeingFeature implements ViewerFeature {
   public void setRegion(Optional<PixelRegion> region) {
     layer.setRegion(region);
     window.display().regionProperty().set(region);
-    window
-        .sessions()
-        .session()
-        .ifPresent(
-            open -> {
-              open.display().setRegion(region);
-              open.player().refresh();
-            });
+    window.ifOpen(
+        open -> {
+          open.display().setRegion(region);
+          open.player().refresh();
+        });
     window.panels().view().redrawMarks();
   }
 

@@ -50,10 +50,8 @@ final class SessionOpener {
   }
 
   /**
-   * Opens something, with the chain of its own.
-   *
-   * @param open what is open now, whose chain is kept
-   * @param shownAs how its events are shown
+   * Opens something with the chain of its own and its events shown in a way; the chain of what is
+   * open now is kept.
    */
   void open(SessionRequest request, Optional<ViewerSession> open, DisplayOptions shownAs) {
     int number = announce(request.name());

@@ -36,11 +36,7 @@ final class SourceMemory {
     return Optional.ofNullable(map(CHAINS).get(request.chainKey())).map(Json::write);
   }
 
-  /**
-   * Keeps a chain.
-   *
-   * @param json the chain as saved; empty where it is the one to begin with
-   */
+  /** Keeps a chain as saved JSON; empty where it is the one to begin with. */
   void keepChain(SessionRequest request, Optional<String> json) {
     Map<String, Object> chains = map(CHAINS);
     if (chains.remove(request.chainKey()) == null && json.isEmpty()) {

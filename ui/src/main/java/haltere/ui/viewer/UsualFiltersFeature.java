@@ -41,24 +41,20 @@ final class UsualFiltersFeature implements ViewerFeature {
       BooleanProperty property = new SimpleBooleanProperty();
       on.put(filter, property);
       property.addListener((observed, was, is) -> strip.show(filter, is));
-      window
-          .actions()
-          .add(
-              ViewerAction.toggle(
-                      FilterStrip.id(filter),
-                      filter.words(),
-                      MENU,
-                      property,
-                      wanted -> window.editor().setUsual(filter, wanted))
-                  .withHelp(filter.help()));
+      window.add(
+          ViewerAction.toggle(
+                  FilterStrip.id(filter),
+                  filter.words(),
+                  MENU,
+                  property,
+                  wanted -> window.editor().setUsual(filter, wanted))
+              .withHelp(filter.help()));
     }
-    window
-        .actions()
-        .add(
-            ViewerAction.of("usual-chain", "Usual chain", MENU, this::usualChain)
-                .withHelp("Puts the filters back that suit what is open."),
-            ViewerAction.toggle("all-events", "Show hidden events", "View", all)
-                .withHelp("Shows the events as they come, before the filters."));
+    window.add(
+        ViewerAction.of("usual-chain", "Usual chain", MENU, this::usualChain)
+            .withHelp("Puts the filters back that suit what is open."),
+        ViewerAction.toggle("all-events", "Show hidden events", "View", all)
+            .withHelp("Shows the events as they come, before the filters."));
     window.editor().onChange(() -> window.editor().read(StageState::of, this::follow));
     window.onSession(
         made -> {
@@ -79,17 +75,14 @@ final class UsualFiltersFeature implements ViewerFeature {
   }
 
   private void usualChain() {
-    window
-        .sessions()
-        .session()
-        .ifPresent(
-            open -> window.editor().replaceAll(open.start().usualChain(open.chain().geometry())));
+    window.ifOpen(
+        open -> window.editor().replaceAll(open.start().usualChain(open.chain().geometry())));
   }
 
   private void pulse() {
     // a card switches its filter without another word
     on.forEach((filter, property) -> property.set(filter.isOn(stages)));
-    window.sessions().session().ifPresent(this::measure);
+    window.ifOpen(this::measure);
   }
 
   private void measure(ViewerSession open) {

@@ -30,22 +30,17 @@ public final class ViewerApplication {
   private ViewerApplication() {}
 
   /**
-   * Opens the window and returns when it has been closed. Whether the machine has a display and the
-   * libraries that JavaFX needs the caller has looked up before.
-   *
-   * @param file a recording, or empty for the built-in scene
-   * @param options what the user says about the recording
-   * @return empty if the window was opened and closed again; one line that says why not otherwise
+   * Opens the window on a recording, or on the built-in scene without one, and returns when it has
+   * been closed: empty, or one line that says why it could not open. Whether the machine has a
+   * display and the libraries that JavaFX needs the caller has looked up before.
    */
   public static Optional<String> open(Optional<Path> file, ReadOptions options) {
     return open(file, options, UserSettings.load(ConfigFolder.ofUser()), window -> {});
   }
 
   /**
-   * Opens the window on the built-in scene, without the user's settings, and closes it once it has
-   * shown some pictures.
-   *
-   * @return as {@link #open}
+   * Opens the window on the built-in scene as {@link #open} does, without the user's settings, and
+   * closes it once it has shown some pictures.
    */
   public static Optional<String> rehearse() {
     return open(
@@ -64,11 +59,7 @@ public final class ViewerApplication {
             }.start());
   }
 
-  /**
-   * Opens the window on its start page and returns when it has been closed.
-   *
-   * @return as {@link #open}
-   */
+  /** Opens the window on its start page and returns as {@link #open} does. */
   public static Optional<String> openStartPage() {
     return run(
         UserSettings.load(ConfigFolder.ofUser()), window -> window.actions().run("start-page"));
@@ -97,9 +88,8 @@ public final class ViewerApplication {
   }
 
   /**
-   * Runs JavaFX until the window is closed.
-   *
-   * @param begin says what the window shows, before it is on the screen
+   * Runs JavaFX until the window is closed; what the window shows is said before it is on the
+   * screen.
    */
   private static Optional<String> run(UserSettings settings, Consumer<ViewerWindow> begin) {
     CountDownLatch closed = new CountDownLatch(1);

@@ -95,11 +95,7 @@ public final class ViewerWindow implements SessionHost {
   private final ReadOnlyObjectWrapper<Optional<RecordingFacts>> facts =
       new ReadOnlyObjectWrapper<>(Optional.empty());
 
-  /**
-   * Fills a stage, which the caller shows.
-   *
-   * @param stage an empty stage
-   */
+  /** Fills an empty stage, which the caller shows. */
   public ViewerWindow(Stage stage) {
     this(stage, UserSettings.inMemory());
   }

@@ -100,32 +100,16 @@ final class OriginalRows {
       double hz) {
     int code = part.ordinal() + 1;
     double z = measured[part.ordinal()];
-    String line =
+    String numbers =
         !average
-            ? String.format(
-                Locale.ROOT,
-                "%d\t%d\t%.6f\t%.6f\t%.6f\t%.6f\t%.4f\t%.6f\n",
-                code,
-                timeUs,
-                edge,
-                centre,
-                amplitude,
-                phase,
-                2 * Math.PI * hz,
-                z)
-            : code < LAST_EDGE
-                ? String.format(
-                    Locale.ROOT,
-                    "%d\t%d\t%.6f\t%.4f\t%.6f\t%.6f\n",
-                    code,
-                    timeUs,
-                    edge,
-                    hz,
-                    amplitude,
-                    z)
-                : String.format(Locale.ROOT, "%d\t%d\t%.6f\t%.6f\n", code, timeUs, edge, z);
-    write(line);
+            ? text("\t%.6f\t%.6f\t%.6f\t%.4f", centre, amplitude, phase, 2 * Math.PI * hz)
+            : code < LAST_EDGE ? text("\t%.4f\t%.6f", hz, amplitude) : "";
+    write(text("%d\t%d\t%.6f%s\t%.6f\n", code, timeUs, edge, numbers, z));
     rows++;
+  }
+
+  private static String text(String form, Object... values) {
+    return String.format(Locale.ROOT, form, values);
   }
 
   private void write(String line) {

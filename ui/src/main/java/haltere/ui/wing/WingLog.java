@@ -69,6 +69,7 @@ public final class WingLog implements Closeable {
   private CsvSink<?> table;
   private WingTrackerSettings settings;
   private LongSupplier rows = () -> 0;
+  private Consumer<String> comments = words -> {};
 
   private WingLog(AtomicFile file) {
     this.file = file;
@@ -77,15 +78,8 @@ public final class WingLog implements Closeable {
   }
 
   /**
-   * Starts a log and listens from now on.
-   *
-   * @param path where it will be
-   * @param source what a person calls the recording
-   * @param filter whose results are written
-   * @param format rows and layout
-   * @param overwrite whether a file that is there may be replaced
-   * @return an open log
-   * @throws IOException if the file is there and may not be replaced, or cannot be written
+   * Starts a log of a filter's results and listens from now on; the source is what a person calls
+   * the recording.
    */
   public static WingLog open(
       Path path, String source, WingTrackerFilter filter, WingLogFormat format, boolean overwrite)
@@ -133,26 +127,12 @@ public final class WingLog implements Closeable {
     }
     OriginalRows lines = new OriginalRows(text, filter.settings().filter().method());
     rows = lines::rows;
-    tellByHand(filter, lines::comment);
+    comments = lines::comment;
     if (when == WingLogFormat.Rows.EVENT) {
-      subscribe(
-          filter,
-          "measurements",
-          WingMeasurement.class,
-          row -> {
-            tellChanges(filter, lines::comment);
-            lines.event(row);
-          });
+      log(filter, "measurements", WingMeasurement.class, lines::event);
     } else {
       subscribe(filter, "measurements", WingMeasurement.class, lines::keep);
-      subscribe(
-          filter,
-          "estimates",
-          WingEstimate.class,
-          row -> {
-            tellChanges(filter, lines::comment);
-            lines.tick(row);
-          });
+      log(filter, "estimates", WingEstimate.class, lines::tick);
     }
   }
 
@@ -165,19 +145,30 @@ public final class WingLog implements Closeable {
     CsvSink<R> sink = CsvSink.on(out, type);
     table = sink;
     rows = sink::rows;
-    tellByHand(filter, sink::comment);
+    comments = sink::comment;
+    log(filter, outlet, type, sink);
+  }
+
+  /** Writes a row for each result of an outlet, and before it what was changed since the last. */
+  private <R> void log(
+      WingTrackerFilter filter, String outlet, Class<R> type, Consumer<? super R> rowsOf) {
+    subscriptions.add(
+        filter
+            .byHand()
+            .subscribe(
+                change -> comments.accept("by hand from here on: " + words(filter, change))));
     subscribe(
         filter,
         outlet,
         type,
         row -> {
-          tellChanges(filter, sink::comment);
-          sink.accept(row);
+          tellChanges(filter);
+          rowsOf.accept(row);
         });
   }
 
   /** Says which settings are others from the next row on. */
-  private void tellChanges(WingTrackerFilter filter, Consumer<String> comments) {
+  private void tellChanges(WingTrackerFilter filter) {
     WingTrackerSettings now = filter.settings();
     if (now == settings) {
       return;
@@ -190,14 +181,6 @@ public final class WingLog implements Closeable {
       }
     }
     settings = now;
-  }
-
-  private void tellByHand(WingTrackerFilter filter, Consumer<String> comments) {
-    subscriptions.add(
-        filter
-            .byHand()
-            .subscribe(
-                change -> comments.accept("by hand from here on: " + words(filter, change))));
   }
 
   private static String words(WingTrackerFilter filter, WingByHand change) {
@@ -239,20 +222,12 @@ public final class WingLog implements Closeable {
     text.write("# " + words + "\n");
   }
 
-  /**
-   * Rows written so far.
-   *
-   * @return a count, without the lines that begin with #
-   */
+  /** How many rows were written so far, without the lines that begin with #. */
   public long rows() {
     return rows.getAsLong();
   }
 
-  /**
-   * Ends the log and puts the file in its place.
-   *
-   * @throws IOException if that fails; there is no file then
-   */
+  /** Ends the log and puts the file in its place. */
   public void finish() throws IOException {
     leave();
     if (table != null) {

@@ -24,7 +24,7 @@ class ColourScaleTest {
   @Test
   void theStripRunsFromTheFirstColourToTheLastInTheCorner() {
     BufferedImage image = new BufferedImage(400, 300, BufferedImage.TYPE_INT_RGB);
-    new ColourScale(Gradient.GREY, "0", "9").draw(image, true);
+    new PictureStamp(image, true).colours(new ColourScale(Gradient.GREY, "0", "9"));
     int row = 300 - 6 - 6 - 7;
     int first = -1;
     int last = -1;
@@ -44,7 +44,7 @@ class ColourScaleTest {
   @Test
   void aPictureWithoutRoomIsLeftAsItIs() {
     BufferedImage image = new BufferedImage(60, 60, BufferedImage.TYPE_INT_RGB);
-    new ColourScale(Gradient.GREY, "0", "9").draw(image, true);
+    new PictureStamp(image, true).colours(new ColourScale(Gradient.GREY, "0", "9"));
     for (int y = 0; y < 60; y++) {
       for (int x = 0; x < 60; x++) {
         assertEquals(0xFF000000, image.getRGB(x, y));

@@ -10,7 +10,7 @@ class PictureStampTest {
   @Test
   void theScaleBarIsARoundNumberOfPixelsOfTheSensorLong() {
     BufferedImage picture = new BufferedImage(768, 768, BufferedImage.TYPE_INT_RGB);
-    PictureStamp.scaleBar(picture, 6, true);
+    new PictureStamp(picture, true).scaleBar(6);
     int row = 768 - 6 - 7;
     int ink = picture.getRGB(10, row);
     int length = 0;
@@ -23,7 +23,7 @@ class PictureStampTest {
   @Test
   void theTimeStandsInTheUpperLeftCorner() {
     BufferedImage picture = new BufferedImage(768, 768, BufferedImage.TYPE_INT_RGB);
-    PictureStamp.words(picture, "1", true);
+    new PictureStamp(picture, true).words("1");
     assertNotEquals(picture.getRGB(2, 2), picture.getRGB(6 + 4, 6 + 7));
     assertEquals(0xFF000000, picture.getRGB(300, 300));
   }

@@ -79,7 +79,7 @@ class PicturesTest {
         Pictures.draw(frame, painter, 6, canvas -> canvas.text(20, 20, "#12: 3.5 µs ♞", label));
     int marked = 0;
     for (int y = 576 - 21 * 6 - 14; y < 576 - 20 * 6; y++) {
-      for (int x = 20 * 6; x < 20 * 6 + PixelFont.width("#12: 3.5 µs ♞", 2) + 4; x++) {
+      for (int x = 20 * 6; x < 20 * 6 + PixelFont.LETTERS.width("#12: 3.5 µs ♞") + 4; x++) {
         marked += image.getRGB(x, y) != ColourMap.DARK.background() ? 1 : 0;
       }
     }

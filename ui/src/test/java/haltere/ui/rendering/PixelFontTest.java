@@ -3,9 +3,6 @@ package haltere.ui.rendering;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
-import java.awt.Color;
-import java.awt.Graphics2D;
-import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -13,13 +10,10 @@ import org.junit.jupiter.api.Test;
 class PixelFontTest {
   private static final String UNKNOWN = "\u2603";
 
-  private static List<Integer> drawn(String text) {
-    BufferedImage image = new BufferedImage(64, 16, BufferedImage.TYPE_INT_RGB);
-    Graphics2D graphics = image.createGraphics();
-    graphics.setColor(Color.WHITE);
-    PixelFont.draw(graphics, text, 2, 12, 1);
-    graphics.dispose();
-    return IntStream.of(image.getRGB(0, 0, 64, 16, null, 0, 64)).boxed().toList();
+  private static List<Boolean> drawn(String text) {
+    boolean[] dots = new boolean[64 * 32];
+    PixelFont.LETTERS.draw(text, 2, 24, (column, row, share) -> dots[row * 64 + column] = true);
+    return IntStream.range(0, dots.length).mapToObj(i -> dots[i]).toList();
   }
 
   @Test
@@ -31,11 +25,11 @@ class PixelFontTest {
 
   @Test
   void theArrowsAreOneAnotherUpsideDown() {
-    List<Integer> up = drawn("\u2191");
-    List<Integer> down = drawn("\u2193");
+    List<Boolean> up = drawn("\u2191");
+    List<Boolean> down = drawn("\u2193");
     for (int row = 0; row < PixelFont.HEIGHT; row++) {
-      int upper = (12 - PixelFont.HEIGHT + row) * 64;
-      int lower = (12 - 1 - row) * 64;
+      int upper = (24 - PixelFont.HEIGHT + row) * 64;
+      int lower = (24 - 1 - row) * 64;
       assertEquals(up.subList(upper, upper + 64), down.subList(lower, lower + 64));
     }
   }

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.chain.ChainStage;
-import haltere.ui.measure.PixelRegion;
+import haltere.filters.frequency.PixelRegion;
 import haltere.ui.plot.PlotField;
 import haltere.ui.viewer.controls.FocusOrder;
 import haltere.ui.viewer.plots.PlotPanel;

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.playback.Slicing;
-import haltere.ui.measure.PixelRegion;
+import haltere.filters.frequency.PixelRegion;
 import haltere.ui.rendering.DisplayMode;
 import haltere.ui.viewer.picture.EventView;
 import haltere.ui.viewer.picture.RegionTool;

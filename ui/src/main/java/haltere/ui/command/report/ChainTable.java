@@ -7,7 +7,6 @@ import haltere.core.settings.SettingsSchema;
 import haltere.ui.command.terminal.Quantities;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 
 /** A chain as rows of a table: its stages with the settings that differ from their defaults. */
 final class ChainTable {
@@ -36,7 +35,7 @@ final class ChainTable {
               settings.isEmpty() ? "defaults" : String.join("\n", settings),
               Quantities.count(stage.timing().eventsIn()),
               Quantities.count(stage.timing().eventsOut()),
-              String.format(Locale.ROOT, "%.1f", stage.timing().microsPerThousandEvents())));
+              Quantities.text("%.1f", stage.timing().microsPerThousandEvents())));
       if (stage.filter() instanceof FilterChain nested) {
         add(nested, prefix + stage.name() + " / ", rows);
       }
@@ -49,13 +48,10 @@ final class ChainTable {
     SettingsSchema<S> schema = SettingsSchema.of((Class<S>) settings.getClass());
     return schema.changed(settings).stream()
         .map(
-            name ->
-                name
-                    + " = "
-                    + schema.get(settings, name)
-                    + " (default "
-                    + schema.parameter(name).defaultValue()
-                    + ")")
+            name -> {
+              Object usual = schema.parameter(name).defaultValue();
+              return name + " = " + schema.get(settings, name) + " (default " + usual + ")";
+            })
         .toList();
   }
 }

@@ -4,16 +4,16 @@ import haltere.core.batch.BatchFailure;
 import haltere.core.batch.BatchItem;
 import haltere.core.chain.ChainFile;
 import haltere.core.chain.FilterChain;
-import haltere.core.event.EventPacket;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.Recordings;
 import haltere.core.json.internal.Json;
+import haltere.core.pipeline.ChainRunner;
+import haltere.core.pipeline.OnFailure;
+import haltere.core.pipeline.PipelineCounters;
 import haltere.core.pipeline.RecordingJob;
 import haltere.core.sink.internal.SvgPlot;
 import haltere.core.stream.EventSource;
-import haltere.core.stream.StreamHandler;
-import haltere.core.stream.StreamNotification;
 import haltere.ui.command.results.LatestSnapshots;
 import haltere.ui.command.terminal.Quantities;
 import haltere.ui.plot.EventRate;
@@ -45,13 +45,7 @@ public final class FolderReport {
   private final RecordingJob.ChainMaker chains;
   private final ReadOptions reading;
 
-  /**
-   * A report of a folder.
-   *
-   * @param folder of the results
-   * @param chains makes the chain of each recording
-   * @param reading how recordings are read
-   */
+  /** A report of a folder of results, whose recordings are read and chained as for the results. */
   public FolderReport(Path folder, RecordingJob.ChainMaker chains, ReadOptions reading) {
     this.folder = folder;
     this.chains = chains;
@@ -59,13 +53,8 @@ public final class FolderReport {
   }
 
   /**
-   * Adds all to a page.
-   *
-   * @param page takes the sections
-   * @param items the recordings, in the order of their names
-   * @param failures those without a result
-   * @param summary lines for a person
-   * @throws IOException if a result or a recording cannot be read
+   * Adds all to a page: the recordings in the order of their names, those that failed, and lines
+   * for a person.
    */
   public void addTo(
       ReportPage page, List<BatchItem> items, List<BatchFailure> failures, List<String> summary)
@@ -157,29 +146,14 @@ public final class FolderReport {
       ContactSheet sheet = new ContactSheet(reader.geometry(), new LatestSnapshots(chain));
       EventRate seen = new EventRate(2);
       EventSource source = RunReport.inShortPackets(reader);
-      StreamHandler through = new Through(chain, sheet, seen);
-      while (seen.elapsedUs() < PICTURED_US && source.next(through)) {
+      ChainRunner runner =
+          new ChainRunner(chain, new PipelineCounters(), OnFailure.STOP, failure -> {});
+      runner.addSink(seen, true);
+      runner.addSink(sheet, false);
+      while (seen.elapsedUs() < PICTURED_US && source.next(runner)) {
         // up to a second of events
       }
       return sheet.draw();
-    }
-  }
-
-  /** Through a chain to a sheet. */
-  private record Through(FilterChain chain, ContactSheet sheet, EventRate seen)
-      implements StreamHandler {
-    @Override
-    public void packet(EventPacket packet) {
-      seen.packet(packet);
-      chain.packet(packet);
-      sheet.packet(packet);
-    }
-
-    @Override
-    public void notified(StreamNotification notification) {
-      seen.notified(notification);
-      chain.notified(notification);
-      sheet.notified(notification);
     }
   }
 

@@ -34,12 +34,8 @@ public final class OrientReport implements BiConsumer<String, OrientationEstimat
   }
 
   /**
-   * Adds what was gathered to a page.
-   *
-   * @param page takes the sections
-   * @param read what was read, by name
-   * @param settings of the estimator
-   * @param summary lines for a person
+   * Adds to a page what was read, by name, the estimator's settings, lines for a person and the
+   * plots.
    */
   public void addTo(
       ReportPage page,

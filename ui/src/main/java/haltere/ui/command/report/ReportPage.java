@@ -43,21 +43,14 @@ public final class ReportPage {
   private final StringBuilder body = new StringBuilder();
   private final String title;
 
-  /**
-   * A page with a title.
-   *
-   * @param title what it is about
-   */
+  /** A page with a title. */
   public ReportPage(String title) {
     this.title = SvgPlot.escaped(title);
   }
 
   /**
-   * The colour of a curve, as SVG has it.
-   *
-   * @param key the curve's key; those of left and right wings have colours of their own
-   * @param number how many curves there were before it
-   * @return a name that the page resolves
+   * The SVG colour of a curve by its key, of left and right wings their own, or by how many curves
+   * there were before it.
    */
   public static String colour(String key, int number) {
     return key.startsWith("left")
@@ -137,23 +130,14 @@ public final class ReportPage {
     body.append(Base64.getEncoder().encodeToString(Pictures.png(picture))).append("\">\n");
   }
 
-  /**
-   * Adds how to do it again.
-   *
-   * @param version of the program
-   * @param command as a shell reads it
-   */
+  /** Adds how to do it again: the program's version, and the command as a shell reads it. */
   public void addCommand(String version, String command) {
     section("How to do it again");
     text(List.of(command));
     facts(Map.of("Version", version));
   }
 
-  /**
-   * The page.
-   *
-   * @return an HTML document
-   */
+  /** The page as an HTML document. */
   public String html() {
     return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n<title>"
         + title

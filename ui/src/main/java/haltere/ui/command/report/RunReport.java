@@ -28,7 +28,6 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.stream.IntStream;
 
@@ -50,12 +49,7 @@ public final class RunReport implements JobResults {
   private List<List<String>> stages = List.of();
   private String chainText = "";
 
-  /**
-   * The same job, watched for the report.
-   *
-   * @param job not run yet
-   * @return another job
-   */
+  /** Another job that does the same and is watched for the report. */
   public RecordingJob watching(RecordingJob job) {
     return job.with((reader, filters) -> open(filters)).paced(this::watched);
   }
@@ -108,23 +102,13 @@ public final class RunReport implements JobResults {
   }
 
   @Override
-  public List<ResultFile> files() {
-    return List.of();
-  }
-
-  @Override
   public void close() {
     // nothing is open
   }
 
   /**
-   * Adds what was gathered to a page.
-   *
-   * @param page takes the sections
-   * @param job what the job did
-   * @param sha256 checksum of the recording, hexadecimal
-   * @param summary lines for a person
-   * @throws IOException if the page cannot be made
+   * Adds what was gathered to a page, with the recording's SHA-256 (hexadecimal) and lines for a
+   * person.
    */
   public void addTo(ReportPage page, JobReport job, String sha256, List<String> summary)
       throws IOException {
@@ -139,7 +123,7 @@ public final class RunReport implements JobResults {
     if (events > 0) {
       double durationS = rate.elapsedUs() * 1e-6;
       read.put("Time", Quantities.seconds(firstUs) + " to " + Quantities.seconds(lastUs));
-      read.put("Duration", text("%.6f s", durationS));
+      read.put("Duration", Quantities.text("%.6f s", durationS));
       read.put("Mean rate", Quantities.rate(durationS > 0 ? events / durationS : 0));
     }
     if (!job.readings().isEmpty()) {
@@ -181,10 +165,6 @@ public final class RunReport implements JobResults {
               .line("", ReportPage.colour("", 0), timesS, kevS)
               .draw("Event rate of the recording", "time (s)", "event rate (kev/s)"));
     }
-  }
-
-  private static String text(String format, Object... values) {
-    return String.format(Locale.ROOT, format, values);
   }
 
   /** Notes rate and times of what goes into the chain. */

@@ -35,12 +35,7 @@ public final class ExamplePlots {
     t = column("t_s");
   }
 
-  /**
-   * Plots of a falling weight.
-   *
-   * @param table its results
-   * @return SVG documents by name
-   */
+  /** Plots of a falling weight: SVG documents by name. */
   public static Map<String, String> fallingWeight(ExampleTable table) {
     ExamplePlots all = new ExamplePlots(table, " of a falling weight");
     all.motion("parabola");
@@ -53,12 +48,7 @@ public final class ExamplePlots {
     return all.plots;
   }
 
-  /**
-   * Plots of a weight on a spring.
-   *
-   * @param table its results
-   * @return SVG documents by name
-   */
+  /** Plots of a weight on a spring: SVG documents by name. */
   public static Map<String, String> oscillator(ExampleTable table) {
     ExamplePlots all = new ExamplePlots(table, " of a weight on a spring");
     all.motion("fit to all");

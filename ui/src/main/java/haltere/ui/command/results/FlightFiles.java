@@ -1,5 +1,6 @@
 package haltere.ui.command.results;
 
+import haltere.core.format.AtomicFile;
 import haltere.core.json.internal.Json;
 import haltere.core.simulation.internal.flight.FlightCamera;
 import haltere.core.simulation.internal.flight.FlightDetection;
@@ -48,7 +49,7 @@ public record FlightFiles(FlightScene scene, Path observations, Path cameras) {
         object.put("height", camera.heightPx());
         list.add(object);
       }
-      TextFile.write(cameras, Json.write(Map.of("cameras", list)) + "\n", overwrite);
+      AtomicFile.write(cameras, Json.write(Map.of("cameras", list)) + "\n", overwrite);
       told.add("wrote " + cameras + " (" + scene.cameras().size() + " cameras)");
     }
     return told;

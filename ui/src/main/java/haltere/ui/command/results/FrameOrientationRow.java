@@ -7,43 +7,12 @@ import haltere.filters.orientation.OrientationEstimate;
  * A row of what {@code haltere orient} writes of observations that have frames: the columns of
  * {@link OrientationRow}, then the frame and the line in space as Flydra stores it.
  *
- * @param tUs time, microseconds
- * @param object name of the body
- * @param xM position, metres
- * @param yM position, metres
- * @param zM position, metres
- * @param ux axis, tail to head
- * @param uy axis
- * @param uz axis
- * @param sdAxisRad root of the mean squared angle to the true axis, radians
- * @param pRadS rate of roll, radians a second
- * @param qRadS rate of pitch
- * @param rRadS rate of yaw
- * @param used observations used
- * @param rejected observations not used
+ * @param row position and axis
  * @param frame number of the pictures
- * @param hzLine0 Plücker coordinates, {@link OrientationEstimate#hzLine}
- * @param hzLine1 Plücker coordinates
- * @param hzLine2 Plücker coordinates
- * @param hzLine3 Plücker coordinates
- * @param hzLine4 Plücker coordinates
- * @param hzLine5 Plücker coordinates
+ * @param hzLine0 Plücker coordinates, {@link OrientationEstimate#hzLine}, as the next ones
  */
 record FrameOrientationRow(
-    long tUs,
-    String object,
-    double xM,
-    double yM,
-    double zM,
-    double ux,
-    double uy,
-    double uz,
-    double sdAxisRad,
-    double pRadS,
-    double qRadS,
-    double rRadS,
-    int used,
-    int rejected,
+    @Column(joined = true) OrientationRow row,
     long frame,
     @Column("hz_line0") double hzLine0,
     @Column("hz_line1") double hzLine1,
@@ -54,20 +23,7 @@ record FrameOrientationRow(
   static FrameOrientationRow of(String object, OrientationEstimate now, long frame) {
     double[] line = now.hzLine();
     return new FrameOrientationRow(
-        now.timeUs(),
-        object,
-        now.xM(),
-        now.yM(),
-        now.zM(),
-        now.ux(),
-        now.uy(),
-        now.uz(),
-        now.sdAxisRad(),
-        now.pRadS(),
-        now.qRadS(),
-        now.rRadS(),
-        now.used(),
-        now.rejected(),
+        OrientationRow.of(object, now),
         frame,
         line[0],
         line[1],

@@ -3,20 +3,10 @@ package haltere.ui.command.results;
 import haltere.filters.orientation.OrientationEstimate;
 
 /**
- * A row of what {@code haltere orient} writes.
+ * A row of what {@code haltere orient} writes; units are in the names of the columns. The axis (ux,
+ * uy, uz) points from tail to head, p, q and r are the rates of roll, pitch and yaw.
  *
- * @param tUs time, microseconds
- * @param object name of the body
- * @param xM place, metres
- * @param yM place, metres
- * @param zM place, metres
- * @param ux axis, tail to head
- * @param uy axis
- * @param uz axis
- * @param sdAxisRad root of the mean squared angle to the true axis, radians
- * @param pRadS rate of roll, radians a second
- * @param qRadS rate of pitch
- * @param rRadS rate of yaw
+ * @param sdAxisRad root of the mean squared angle to the true axis
  * @param used observations used
  * @param rejected observations not used
  */
@@ -35,13 +25,7 @@ public record OrientationRow(
     double rRadS,
     int used,
     int rejected) {
-  /**
-   * The row of an estimate.
-   *
-   * @param object name of the body
-   * @param now its estimate
-   * @return a row
-   */
+  /** The row of a body's estimate. */
   public static OrientationRow of(String object, OrientationEstimate now) {
     return new OrientationRow(
         now.timeUs(),

@@ -1,11 +1,12 @@
 package haltere.ui.command.results;
 
+import haltere.core.format.AtomicFile;
 import haltere.core.format.internal.hdf5.Hdf5TableWriter;
 import haltere.core.format.internal.hdf5.Hdf5TableWriter.Column;
 import haltere.core.format.internal.hdf5.Hdf5TableWriter.Kind;
+import haltere.core.pipeline.ResultFiles;
 import haltere.core.sink.TableMetadata;
 import haltere.core.sink.TableSink;
-import haltere.core.sink.Tables;
 import haltere.filters.orientation.OrientationEstimate;
 import haltere.filters.orientation.camera.ObservationFile;
 import java.io.Closeable;
@@ -24,39 +25,41 @@ import java.util.function.BiConsumer;
  * <p>Thread rule: one thread at a time.
  */
 public final class OrientationTable implements BiConsumer<String, OrientationEstimate>, Closeable {
-  private final ObservationFile observations;
-  private TableSink<OrientationRow> rows;
-  private TableSink<FrameOrientationRow> frameRows;
-  private Hdf5TableWriter estimates;
+  private final ResultFiles files;
+  private BiConsumer<String, OrientationEstimate> rows;
 
   /**
-   * Starts a file beside its place, where it appears when it is {@link #finish finished}.
-   *
-   * @param out where it will be; HDF5 by the end of its name
-   * @param observations whose frames are written
-   * @param overwrite whether a file that is there may be replaced
-   * @param metadata kept in a table whose format can hold it
-   * @throws IOException if the file cannot be written
+   * Starts a file beside its place, where it appears when it is {@link #finish finished}: HDF5 by
+   * the end of its name, with frames where the observations have them.
    */
   public OrientationTable(
       Path out, ObservationFile observations, boolean overwrite, TableMetadata metadata)
       throws IOException {
-    this.observations = observations;
-    if (isHdf5(out)) {
-      estimates = Hdf5TableWriter.create(out, "ML_estimates", columns(), overwrite);
-    } else if (observations.hasFrames()) {
-      frameRows = Tables.create(out, FrameOrientationRow.class, overwrite, metadata);
-    } else {
-      rows = Tables.create(out, OrientationRow.class, overwrite, metadata);
-    }
+    files =
+        ResultFiles.open(
+            file -> AtomicFile.create(file, overwrite),
+            metadata,
+            all -> {
+              if (isHdf5(out)) {
+                Hdf5TableWriter table =
+                    Hdf5TableWriter.create(out, "ML_estimates", columns(), overwrite);
+                all.add(table, table::finish);
+                rows =
+                    (object, now) -> append(table, object, now, observations.frame(now.timeUs()));
+              } else if (observations.hasFrames()) {
+                TableSink<FrameOrientationRow> table = all.table(out, FrameOrientationRow.class);
+                rows =
+                    (object, now) ->
+                        table.accept(
+                            FrameOrientationRow.of(object, now, observations.frame(now.timeUs())));
+              } else {
+                TableSink<OrientationRow> table = all.table(out, OrientationRow.class);
+                rows = (object, now) -> table.accept(OrientationRow.of(object, now));
+              }
+            });
   }
 
-  /**
-   * Whether a file will be HDF5.
-   *
-   * @param out where it will be
-   * @return true for .h5, .hdf5 and .hdf
-   */
+  /** Whether a file will be HDF5: true for .h5, .hdf5 and .hdf. */
   public static boolean isHdf5(Path out) {
     return out.toString().toLowerCase(java.util.Locale.ROOT).matches(".*\\.(h5|hdf5?)");
   }
@@ -81,18 +84,14 @@ public final class OrientationTable implements BiConsumer<String, OrientationEst
 
   @Override
   public void accept(String object, OrientationEstimate now) {
-    if (rows != null) {
-      rows.accept(OrientationRow.of(object, now));
-      return;
-    }
-    long frame = observations.frame(now.timeUs());
-    if (frameRows != null) {
-      frameRows.accept(FrameOrientationRow.of(object, now, frame));
-      return;
-    }
+    rows.accept(object, now);
+  }
+
+  private static void append(
+      Hdf5TableWriter table, String object, OrientationEstimate now, long frame) {
     double[] line = now.hzLine();
     try {
-      estimates.append(
+      table.append(
           number(object),
           frame,
           now.xM(),
@@ -121,29 +120,13 @@ public final class OrientationTable implements BiConsumer<String, OrientationEst
     return Integer.parseInt(object);
   }
 
-  /**
-   * Completes the file and puts it in its place.
-   *
-   * @throws IOException if that fails
-   */
+  /** Completes the file and puts it in its place. */
   public void finish() throws IOException {
-    if (rows != null) {
-      rows.finish();
-    } else if (frameRows != null) {
-      frameRows.finish();
-    } else {
-      estimates.finish();
-    }
+    files.finish();
   }
 
   @Override
   public void close() throws IOException {
-    if (rows != null) {
-      rows.close();
-    } else if (frameRows != null) {
-      frameRows.close();
-    } else {
-      estimates.close();
-    }
+    files.close();
   }
 }

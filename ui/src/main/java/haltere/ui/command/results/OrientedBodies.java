@@ -12,7 +12,6 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.BiConsumer;
@@ -34,12 +33,8 @@ public final class OrientedBodies {
   private long estimates;
 
   /**
-   * No bodies yet.
-   *
-   * @param cameras the cameras that {@link LineObservation#camera} counts
-   * @param settings of each body's estimator
-   * @param smooth whether rows wait for what is seen later
-   * @param output gets each body's name and its estimates, in order of time
+   * No bodies yet. The output gets each body's name and its estimates in order of time; with
+   * smoothing, rows wait for what is seen later.
    */
   public OrientedBodies(
       List<CameraModel> cameras,
@@ -62,11 +57,7 @@ public final class OrientedBodies {
     together.computeIfAbsent(object, name -> new ArrayList<>()).add(line);
   }
 
-  /**
-   * How much was seen.
-   *
-   * @return observations so far
-   */
+  /** Observations so far. */
   public long observations() {
     return observations;
   }
@@ -106,11 +97,7 @@ public final class OrientedBodies {
     output.accept(object, estimate);
   }
 
-  /**
-   * How much was written.
-   *
-   * @return estimates so far
-   */
+  /** Estimates that were written so far. */
   public long estimates() {
     return estimates;
   }
@@ -119,8 +106,7 @@ public final class OrientedBodies {
   public List<String> summary() {
     List<String> lines = new ArrayList<>();
     lines.add(
-        String.format(
-            Locale.ROOT,
+        Quantities.text(
             "%s observations of %d %s, %s estimates",
             Quantities.count(observations),
             bodies.size(),
@@ -129,7 +115,7 @@ public final class OrientedBodies {
     for (OrientationCount count : OrientationCount.values()) {
       long sum = bodies.values().stream().mapToLong(body -> body.count(count)).sum();
       if (sum > 0 || count == OrientationCount.USED || count == OrientationCount.REJECTED) {
-        lines.add(String.format(Locale.ROOT, "%12s %s", Quantities.count(sum), count.words()));
+        lines.add(Quantities.text("%12s %s", Quantities.count(sum), count.words()));
       }
     }
     bodies.forEach((object, body) -> lines.add("body " + object + ": " + noise(body)));
@@ -148,13 +134,10 @@ public final class OrientedBodies {
     for (int i = 0; i < cameras.size(); i++) {
       if (cameras.get(i).problem().isEmpty()) {
         double sdDeg = Math.toDegrees(body.lineSdRad(i));
-        noise.add(String.format(Locale.ROOT, "%s %.1f", cameras.get(i).id(), sdDeg));
+        noise.add(Quantities.text("%s %.1f", cameras.get(i).id(), sdDeg));
       }
     }
-    return String.format(
-        Locale.ROOT,
-        "mean NIS %.2f, noise of the angles (deg) %s",
-        body.meanNis(),
-        String.join(", ", noise));
+    return Quantities.text(
+        "mean NIS %.2f, noise of the angles (deg) %s", body.meanNis(), String.join(", ", noise));
   }
 }

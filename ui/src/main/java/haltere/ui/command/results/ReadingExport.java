@@ -11,6 +11,7 @@ import haltere.core.sink.TableSink;
 import haltere.core.sink.Tables;
 import haltere.core.stream.StreamHandler;
 import haltere.ui.command.terminal.ProgressBar;
+import haltere.ui.command.terminal.Quantities;
 import haltere.ui.rendering.FramePictures;
 import haltere.ui.rendering.Pictures;
 import java.io.IOException;
@@ -20,7 +21,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Locale;
 import java.util.stream.Stream;
 
 /**
@@ -36,14 +36,8 @@ public final class ReadingExport {
   private final TableMetadata metadata;
 
   /**
-   * An export that has not begun.
-   *
-   * @param stream what is written
-   * @param out the table, or the folder of the pictures
-   * @param overwrite whether what is there may be replaced
-   * @param fromUs first time, microseconds
-   * @param toUs first time that is left out, microseconds
-   * @param metadata kept in a table whose format can hold it
+   * An export that has not begun, from the first time to before the last, microseconds, into a
+   * table or a folder of pictures.
    */
   public ReadingExport(
       ReadingStream stream,
@@ -61,12 +55,8 @@ public final class ReadingExport {
   }
 
   /**
-   * Reads a recording to its end.
-   *
-   * @param reader at its start, with readings
-   * @param progress hears how far it is
-   * @param check is asked before anything is put in its place
-   * @return how many readings were written
+   * Reads a recording from its start to its end, with readings, and returns how many were written;
+   * the check is asked before anything is put in its place.
    */
   public long run(RecordingReader reader, ProgressBar progress, Check check) throws IOException {
     return switch (stream) {
@@ -124,7 +114,7 @@ public final class ReadingExport {
             progress,
             Frame.class,
             frame -> {
-              String name = String.format(Locale.ROOT, "frame-%06d.png", table.rows());
+              String name = Quantities.text("frame-%06d.png", table.rows());
               Pictures.write(folder.resolve(name), FramePictures.draw(frame));
               table.accept(ReadingTables.FrameRow.of(frame, name));
             });

@@ -10,21 +10,7 @@ import java.util.Locale;
 final class ReadingTables {
   private ReadingTables() {}
 
-  /**
-   * A row of inertial samples.
-   *
-   * @param timeUs time, microseconds
-   * @param accelerationXG acceleration, standard gravities
-   * @param accelerationYG acceleration, standard gravities
-   * @param accelerationZG acceleration, standard gravities
-   * @param rotationXDegS rate of rotation, degrees per second
-   * @param rotationYDegS rate of rotation, degrees per second
-   * @param rotationZDegS rate of rotation, degrees per second
-   * @param temperatureC degrees Celsius
-   * @param magneticXMicrotesla magnetic field, microteslas
-   * @param magneticYMicrotesla magnetic field, microteslas
-   * @param magneticZMicrotesla magnetic field, microteslas
-   */
+  /** A row of inertial samples; units are in the names of the columns. */
   record SampleRow(
       @Column("t_us") long timeUs,
       @Column("acceleration_x_g") float accelerationXG,
@@ -53,14 +39,7 @@ final class ReadingTables {
     }
   }
 
-  /**
-   * A row of triggers.
-   *
-   * @param timeUs time, microseconds
-   * @param source what was marked
-   * @param edge rising, falling or pulse
-   * @param channel number of the input
-   */
+  /** A row of triggers: what was marked by a rising or falling edge or a pulse of an input. */
   record TriggerRow(@Column("t_us") long timeUs, String source, String edge, int channel) {
     static TriggerRow of(Trigger trigger) {
       return new TriggerRow(
@@ -73,15 +52,8 @@ final class ReadingTables {
   }
 
   /**
-   * A row of frames.
-   *
-   * @param timeUs start of the exposure, microseconds
-   * @param exposureEndUs end of the exposure, microseconds
-   * @param readoutStartUs start of the readout, microseconds
-   * @param readoutEndUs end of the readout, microseconds
-   * @param leftPx column of the sensor at the left edge
-   * @param bottomPx row of the sensor at the lower edge, counted upwards
-   * @param file name of the picture
+   * A row of frames: start and end of the exposure and of the readout, and the column and row of
+   * the sensor at the left and lower edge of the picture of a file.
    */
   record FrameRow(
       @Column("t_us") long timeUs,

@@ -22,17 +22,7 @@ public record RoadObjectRow(
     @Column(decimals = 3) double minorPx,
     @Column(decimals = 4) double angleRad,
     @Column(decimals = 4) double existence,
-    @Column(decimals = 4) double xM,
-    @Column(decimals = 4) double yM,
-    @Column(value = "vx_m_s", decimals = 4) double vxMS,
-    @Column(value = "vy_m_s", decimals = 4) double vyMS,
-    @Column(value = "sd_x_m", decimals = 4) double sdXM,
-    @Column(value = "sd_y_m", decimals = 4) double sdYM,
-    @Column(value = "sd_vx_m_s", decimals = 4) double sdVxMS,
-    @Column(value = "sd_vy_m_s", decimals = 4) double sdVyMS,
-    @Column(decimals = 3) double speedKmH,
-    @Column(decimals = 3) double sdSpeedKmH,
-    int lane) {
+    @Column(joined = true) OnRoad onRoad) {
   /** An object in the picture and on the road at one time. */
   public static RoadObjectRow of(ObjectTrack track, PlanePoint onRoad, LaneSettings lanes) {
     return new RoadObjectRow(
@@ -51,16 +41,6 @@ public record RoadObjectRow(
         track.minorPx(),
         track.angleRad(),
         track.existence(),
-        onRoad.xM(),
-        onRoad.yM(),
-        onRoad.vxMS(),
-        onRoad.vyMS(),
-        onRoad.sdXM(),
-        onRoad.sdYM(),
-        onRoad.sdVxMS(),
-        onRoad.sdVyMS(),
-        onRoad.speedKmH(),
-        onRoad.sdSpeedKmH(),
-        lanes.laneAt(onRoad.xM()));
+        OnRoad.of(onRoad, lanes));
   }
 }

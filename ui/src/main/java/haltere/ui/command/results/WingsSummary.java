@@ -10,10 +10,10 @@ import haltere.filters.wing.WingPart;
 import haltere.filters.wing.WingSnapshot;
 import haltere.filters.wing.WingTrackerState;
 import haltere.filters.wing.tracker.WingTrackerFilter;
+import haltere.ui.command.terminal.Quantities;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 
 /**
@@ -44,22 +44,13 @@ public final class WingsSummary implements StreamHandler {
   private final double[] sums = new double[8];
   private String condition = "waiting for wings";
 
-  /**
-   * Nothing seen yet.
-   *
-   * @param filter whose wings they are
-   * @param rateHz estimates per second of recording time
-   */
+  /** Nothing seen yet, of a filter that gives so many estimates a second of recording time. */
   public WingsSummary(WingTrackerFilter filter, double rateHz) {
     this.filter = filter;
     this.rateHz = rateHz;
   }
 
-  /**
-   * Listens to what the tracker of a chain publishes from now on.
-   *
-   * @param chain with one wing tracker; its processing thread calls
-   */
+  /** Listens to what the wing tracker of a chain publishes from now on. */
   public void listenTo(FilterChain chain) {
     chain.outlet("beats", WingBeat.class).subscribe(this::beat);
     chain.outlet("snapshot", WingSnapshot.class).subscribe(this::snapshot);
@@ -142,9 +133,8 @@ public final class WingsSummary implements StreamHandler {
   }
 
   /**
-   * Where the fly was, on average since it was last found.
-   *
-   * @return the keys of the contract; all values null if no fly was found
+   * Where the fly was, on average since it was last found, by the keys of {@code --geometry}; all
+   * values are null if no fly was found.
    */
   public Map<String, Object> geometry() {
     Map<String, Object> map = new LinkedHashMap<>();
@@ -163,30 +153,18 @@ public final class WingsSummary implements StreamHandler {
     return map;
   }
 
-  /**
-   * The summary.
-   *
-   * @return lines for a person
-   */
+  /** The summary, as lines for a person. */
   public List<String> lines() {
     List<String> lines = new ArrayList<>();
     lines.add(
-        String.format(
-            Locale.ROOT,
-            "%-6s %8s %12s %10s %15s %10s",
-            "side",
-            "beats",
-            "frequency",
-            "SD",
-            "amplitude",
-            "SD"));
+        Quantities.text(
+            "%-6s %8s %12s %10s %15s %10s", "side", "beats", "frequency", "SD", "amplitude", "SD"));
     for (int side = 0; side < 2; side++) {
       double n = beats[side];
       lines.add(
           n == 0
-              ? String.format(Locale.ROOT, "%-6s %8d", name(side), 0)
-              : String.format(
-                  Locale.ROOT,
+              ? Quantities.text("%-6s %8d", name(side), 0)
+              : Quantities.text(
                   "%-6s %8.0f %9.2f Hz %7.2f Hz %11.2f deg %6.2f deg",
                   name(side),
                   n,
@@ -197,15 +175,13 @@ public final class WingsSummary implements StreamHandler {
     }
     double ticks = Math.max(1, spannedUs * 1e-6 * rateHz);
     lines.add(
-        String.format(
-            Locale.ROOT,
+        Quantities.text(
             "in lock %.1f %% of the time (one wing %.1f %%%s), lost %d times, at the end: %s",
             Math.min(100, 100 * bothTicks / ticks),
             Math.min(100, 100 * oneTicks / ticks),
             unlockedTicks == 0
                 ? ""
-                : String.format(
-                    Locale.ROOT,
+                : Quantities.text(
                     ", at another frequency than the beat's %.1f %%",
                     Math.min(100, 100 * unlockedTicks / ticks)),
             losses,
@@ -216,14 +192,11 @@ public final class WingsSummary implements StreamHandler {
         .ifPresent(
             body ->
                 lines.add(
-                    String.format(
-                        Locale.ROOT,
+                    Quantities.text(
                         "body of the running average at the end: %.1f, %.1f px, heading %.3f rad",
-                        body.centreX(),
-                        body.centreY(),
-                        body.headingRad())));
+                        body.centreX(), body.centreY(), body.headingRad())));
     if (nisCount > 0) {
-      lines.add(String.format(Locale.ROOT, "mean NIS %.3f", nis / nisCount));
+      lines.add(Quantities.text("mean NIS %.3f", nis / nisCount));
     }
     return lines;
   }

@@ -28,11 +28,9 @@ public final class Interruption extends Thread {
   }
 
   /**
-   * The work is done, however it ended. This does not return where the process has been told to
-   * stop. It ends with status 0 then if that was a proper end of the work, as of a recording; else
-   * with the status of what stopped it (130 for Ctrl+C).
-   *
-   * @param workStatus the status of the work
+   * The work is done, with its status, however it ended. This does not return where the process has
+   * been told to stop. It ends with status 0 then if that was a proper end of the work, as of a
+   * recording; else with the status of what stopped it (130 for Ctrl+C).
    */
   public void finished(int workStatus) {
     status = workStatus;

@@ -3,7 +3,6 @@ package haltere.ui.command.terminal;
 import haltere.core.camera.Camera;
 import haltere.core.camera.CameraStatistics;
 import java.util.List;
-import java.util.Locale;
 import java.util.function.LongSupplier;
 
 /**
@@ -23,13 +22,7 @@ public final class LiveStatus implements AutoCloseable {
   private final long[] eventsBefore;
   private long nanosBefore;
 
-  /**
-   * A status that has not been shown yet.
-   *
-   * @param line where it is shown
-   * @param nanoTime clock
-   * @param cameras open cameras
-   */
+  /** A status of open cameras that has not been shown yet. */
   public LiveStatus(TerminalLine line, LongSupplier nanoTime, List<Camera> cameras) {
     this.line = line;
     this.nanoTime = nanoTime;
@@ -49,7 +42,7 @@ public final class LiveStatus implements AutoCloseable {
     nanosBefore = now;
     StringBuilder text = new StringBuilder();
     long seconds = (now - startNanos) / 1_000_000_000L;
-    text.append(String.format(Locale.ROOT, "%d:%02d", seconds / 60, seconds % 60));
+    text.append(Quantities.text("%d:%02d", seconds / 60, seconds % 60));
     for (int i = 0; i < cameras.size(); i++) {
       CameraStatistics statistics = cameras.get(i).statistics();
       text.append(i == 0 ? "  " : " | ").append(cameras.get(i).info().id()).append(' ');
@@ -65,11 +58,9 @@ public final class LiveStatus implements AutoCloseable {
     return cameras.size() > 1
         ? most
         : most
-            + String.format(
-                Locale.ROOT,
+            + Quantities.text(
                 ", %d waiting, half within %d us",
-                statistics.waiting(),
-                statistics.medianLatencyUs());
+                statistics.waiting(), statistics.medianLatencyUs());
   }
 
   /** Makes room for a message. */

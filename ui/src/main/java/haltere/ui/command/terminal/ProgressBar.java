@@ -2,7 +2,6 @@ package haltere.ui.command.terminal;
 
 import haltere.core.format.ProgressListener;
 import java.io.PrintStream;
-import java.util.Locale;
 import java.util.function.LongSupplier;
 
 /**
@@ -25,14 +24,7 @@ public final class ProgressBar implements ProgressListener, AutoCloseable {
   private final long startNanos;
   private long events = -1;
 
-  /**
-   * A bar that has not been drawn yet.
-   *
-   * @param err the terminal
-   * @param shown false for no bar at all
-   * @param label what is being done
-   * @param nanoTime clock
-   */
+  /** A bar that has not been drawn yet; one that is not shown stays silent. */
   public ProgressBar(PrintStream err, boolean shown, String label, LongSupplier nanoTime) {
     line = new TerminalLine(err, shown, nanoTime);
     this.label = shortened(label);
@@ -50,11 +42,7 @@ public final class ProgressBar implements ProgressListener, AutoCloseable {
         : label.substring(0, most - tail - 1) + "\u2026" + label.substring(label.length() - tail);
   }
 
-  /**
-   * States how many events have gone through, so that the rate is in events rather than bytes.
-   *
-   * @param count events since the start
-   */
+  /** States how many events have gone through, so that the rate is in events rather than bytes. */
   public void events(long count) {
     events = count;
   }
@@ -74,14 +62,14 @@ public final class ProgressBar implements ProgressListener, AutoCloseable {
     for (int i = 0; i < barWidth; i++) {
       bar.append(i < filled ? '=' : i == filled ? '>' : ' ');
     }
-    bar.append(String.format(Locale.ROOT, "] %3d %%", (int) (share * 100)));
+    bar.append(Quantities.text("] %3d %%", (int) (share * 100)));
     bar.append(
         events >= 0
-            ? String.format(Locale.ROOT, "  %.1f Mev/s", events / seconds / 1e6)
-            : String.format(Locale.ROOT, "  %.0f MB/s", done / seconds / 1e6));
+            ? Quantities.text("  %.1f Mev/s", events / seconds / 1e6)
+            : Quantities.text("  %.0f MB/s", done / seconds / 1e6));
     if (share > 0) {
       long left = Math.round(seconds * (1 - share) / share);
-      bar.append(String.format(Locale.ROOT, "  %d:%02d left", left / 60, left % 60));
+      bar.append(Quantities.text("  %d:%02d left", left / 60, left % 60));
     }
     return bar.toString();
   }

@@ -6,49 +6,34 @@ import java.util.Locale;
 public final class Quantities {
   private Quantities() {}
 
-  /**
-   * A whole number, with commas.
-   *
-   * @param value any
-   * @return such as 1,234,567
-   */
+  /** A whole number with commas, such as 1,234,567. */
   public static String count(long value) {
-    return String.format(Locale.ROOT, "%,d", value);
+    return text("%,d", value);
   }
 
-  /**
-   * A rate of events in a unit that suits it.
-   *
-   * @param eventsPerSecond events per second
-   * @return such as 2.50 Mev/s
-   */
+  /** A rate of events a second in a unit that suits it, such as 2.50 Mev/s. */
   public static String rate(double eventsPerSecond) {
     if (eventsPerSecond >= 1e6) {
-      return String.format(Locale.ROOT, "%.2f Mev/s", eventsPerSecond / 1e6);
+      return text("%.2f Mev/s", eventsPerSecond / 1e6);
     }
     if (eventsPerSecond >= 1e3) {
-      return String.format(Locale.ROOT, "%.2f kev/s", eventsPerSecond / 1e3);
+      return text("%.2f kev/s", eventsPerSecond / 1e3);
     }
-    return String.format(Locale.ROOT, "%.2f ev/s", eventsPerSecond);
+    return text("%.2f ev/s", eventsPerSecond);
   }
 
-  /**
-   * A time in seconds.
-   *
-   * @param microseconds the time
-   * @return such as 1.500000 s
-   */
+  /** A time in microseconds as seconds, such as 1.500000 s. */
   public static String seconds(long microseconds) {
-    return String.format(Locale.ROOT, "%.6f s", microseconds / 1e6);
+    return text("%.6f s", microseconds / 1e6);
   }
 
-  /**
-   * So many events.
-   *
-   * @param count how many
-   * @return such as 1 event or 1,200 events
-   */
+  /** So many events, such as 1 event or 1,200 events. */
   public static String events(long count) {
     return count(count) + (count == 1 ? " event" : " events");
+  }
+
+  /** Words and numbers by a format of {@link String#format}. */
+  public static String text(String form, Object... values) {
+    return String.format(Locale.ROOT, form, values);
   }
 }

@@ -21,12 +21,7 @@ public final class StandardOutput extends OutputStream {
       super("the standard output takes no more");
     }
 
-    /**
-     * Whether that is the cause of something.
-     *
-     * @param failure what was thrown
-     * @return true if it or one of its causes is of this class
-     */
+    /** Whether a failure or one of its causes is of this class. */
     public static boolean isCause(Throwable failure) {
       return failure != null && (failure instanceof Gone || isCause(failure.getCause()));
     }
@@ -60,9 +55,8 @@ public final class StandardOutput extends OutputStream {
   }
 
   /**
-   * Why not everything could be written.
-   *
-   * @return one line, or empty if all went well or nobody wanted to read on
+   * Why not everything could be written: one line; empty if all went well or nobody wanted to read
+   * on.
    */
   public Optional<String> failure() {
     if (problem == null || isClosedPipe(problem)) {

@@ -18,13 +18,7 @@ public final class TerminalLine implements AutoCloseable {
   private long lastDrawNanos;
   private int drawnLength;
 
-  /**
-   * A line that has not been drawn yet.
-   *
-   * @param err the terminal
-   * @param shown false for no line at all
-   * @param nanoTime clock
-   */
+  /** A line that has not been drawn yet; one that is not shown stays silent. */
   public TerminalLine(PrintStream err, boolean shown, LongSupplier nanoTime) {
     this.err = err;
     this.shown = shown;

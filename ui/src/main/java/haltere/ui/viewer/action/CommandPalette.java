@@ -33,12 +33,7 @@ public final class CommandPalette {
   private final ListView<ViewerAction> list = new ListView<>();
   private final Popup popup = new Popup();
 
-  /**
-   * A palette that is not shown yet.
-   *
-   * @param stage the window over which it opens
-   * @param actions what can be chosen
-   */
+  /** A palette of actions over a window, not shown yet. */
   public CommandPalette(Stage stage, ViewerActions actions) {
     this.stage = stage;
     this.actions = actions;

@@ -19,11 +19,7 @@ public final class ViewerActions {
   private int group;
   private final List<Runnable> listeners = new ArrayList<>();
 
-  /**
-   * Adds actions, in the order of their menus.
-   *
-   * @throws IllegalArgumentException if an id or a key is taken
-   */
+  /** Adds actions in the order of their menus; refuses an id or a key that is taken. */
   public void add(ViewerAction... added) {
     put(added);
     listeners.forEach(Runnable::run);

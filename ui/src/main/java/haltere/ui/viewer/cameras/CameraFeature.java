@@ -11,7 +11,7 @@ import haltere.core.camera.RegionOfInterest.Region;
 import haltere.core.camera.TimestampReset;
 import haltere.core.playback.CameraPlayable;
 import haltere.device.simulated.Plug;
-import haltere.ui.measure.PixelRegion;
+import haltere.filters.frequency.PixelRegion;
 import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.controls.Texts;
 import haltere.ui.viewer.feature.PanelPlace;
@@ -76,20 +76,18 @@ public final class CameraFeature implements ViewerFeature {
     comingSoon.setOnFinished(over -> list());
     BooleanProperty shown =
         window.addPanel("camera", "Camera", "Shortcut+Shift+C", PanelPlace.SIDE, () -> panel);
-    window
-        .actions()
-        .add(
-            ViewerAction.of("list-cameras", "Look for cameras", MENU, this::list)
-                .withHelp("Lists the cameras that are plugged in now, and the simulated ones."),
-            ViewerAction.of("camera-reset-time", "Reset time stamps", MENU, this::resetTime)
-                .unless(() -> open.isPresent() ? "" : "no camera is open")
-                .withHelp("Sets the camera's clock to 0; a recording goes on in a new part."),
-            ViewerAction.toggle("camera-region", "Draw the camera's region", MENU, drawing)
-                .unless(() -> open.isPresent() ? "" : "no camera is open")
-                .withHelp("Only events of a part of the sensor are sent; a click takes it away."),
-            ViewerAction.of("camera-plug", "Unplug or plug in", MENU, this::togglePlug)
-                .unless(() -> open.isPresent() ? "" : "no camera is open")
-                .withHelp("For simulated cameras: see what happens then."));
+    window.add(
+        ViewerAction.of("list-cameras", "Look for cameras", MENU, this::list)
+            .withHelp("Lists the cameras that are plugged in now, and the simulated ones."),
+        ViewerAction.of("camera-reset-time", "Reset time stamps", MENU, this::resetTime)
+            .unless(() -> open.isPresent() ? "" : "no camera is open")
+            .withHelp("Sets the camera's clock to 0; a recording goes on in a new part."),
+        ViewerAction.toggle("camera-region", "Draw the camera's region", MENU, drawing)
+            .unless(() -> open.isPresent() ? "" : "no camera is open")
+            .withHelp("Only events of a part of the sensor are sent; a click takes it away."),
+        ViewerAction.of("camera-plug", "Unplug or plug in", MENU, this::togglePlug)
+            .unless(() -> open.isPresent() ? "" : "no camera is open")
+            .withHelp("For simulated cameras: see what happens then."));
     window.bindTool(
         drawing, new RegionTool(() -> open.orElseThrow().geometry(), region -> setRegion(region)));
     window.sessions().sessionProperty().addListener((property, was, is) -> follow(is, shown));
@@ -163,11 +161,8 @@ public final class CameraFeature implements ViewerFeature {
       String id = ID + info.id().replace(':', '-');
       if (!ids.contains(id)) {
         ids.add(id);
-        window
-            .actions()
-            .add(
-                ViewerAction.of(id, words(info), menu(info), () -> choose(info))
-                    .withHelp(info.note()));
+        window.add(
+            ViewerAction.of(id, words(info), menu(info), () -> choose(info)).withHelp(info.note()));
       }
     }
     listed = ids;

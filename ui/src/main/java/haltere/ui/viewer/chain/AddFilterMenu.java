@@ -22,12 +22,7 @@ import javafx.scene.layout.VBox;
  * <p>Thread rule: JavaFX thread only.
  */
 final class AddFilterMenu extends MenuButton {
-  /**
-   * A menu.
-   *
-   * @param id its own; that of its search adds "-search"
-   * @param help what it adds to
-   */
+  /** A menu with an id and words on what it adds to; the id of its search adds "-search". */
   AddFilterMenu(String id, String help, ChainEditor editor) {
     super("Add", Icons.ADD.node());
     setId(id);

@@ -8,26 +8,20 @@ import java.util.function.Consumer;
 /** Runs work on a chain between two packets, on the thread that the chain belongs to. */
 public interface ChainAccess {
   /**
-   * Runs a change; in a pause the moment is shown anew.
-   *
-   * @return completed when it has been made; fails with what it throws
+   * Runs a change; in a pause the moment is shown anew. Completed when it has been made; fails with
+   * what it throws.
    */
   CompletableFuture<Void> edit(Consumer<FilterChain> change);
 
   /**
-   * Runs a change by hand: what filters know at this moment stays.
-   *
-   * @return completed when it has been made; fails with what it throws
+   * Runs a change by hand, with which what filters know at this moment stays. Completed as {@link
+   * #edit} is.
    */
   default CompletableFuture<Void> adjust(Consumer<FilterChain> change) {
     return read(change);
   }
 
-  /**
-   * Looks at the chain.
-   *
-   * @return completed when that is done; fails with what it throws
-   */
+  /** Looks at the chain. Completed when that is done; fails with what it throws. */
   CompletableFuture<Void> read(Consumer<FilterChain> reader);
 
   /** The chain of a player. */

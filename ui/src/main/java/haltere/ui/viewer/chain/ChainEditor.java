@@ -36,10 +36,8 @@ public final class ChainEditor {
   private Optional<ChainPresets> presets = Optional.empty();
 
   /**
-   * An editor without a chain.
-   *
-   * @param problems takes what went wrong, in one line
-   * @param changed takes the stages after every change of their order or number
+   * An editor without a chain; tells what went wrong in one line, and the stages after every change
+   * of their order or number.
    */
   public ChainEditor(Consumer<String> problems, Consumer<List<StageState>> changed) {
     this(problems, changed, new ArrayList<>(), new EditHistory(), "", null);
@@ -165,10 +163,8 @@ public final class ChainEditor {
   }
 
   /**
-   * Moves a stage to a place of this chain, from wherever it is.
-   *
-   * @param stagePath its {@link #path}
-   * @param target the stage whose place it gets; empty for the end
+   * Moves a stage, by its {@link #path}, to the place of another one in this chain, or to its end,
+   * from wherever it is.
    */
   public void moveHere(String stagePath, Optional<ChainStage> target) {
     String name = StageMoves.name(stagePath);
@@ -287,18 +283,15 @@ public final class ChainEditor {
   }
 
   /**
-   * Changes something inside the filters between two packets.
-   *
-   * @param refused called with one line if that cannot be
+   * Changes something inside the filters between two packets; tells in one line if that cannot be.
    */
   public void change(Consumer<FilterChain> work, Consumer<String> refused) {
     player.ifPresent(open -> tell(open.edit(work), refused));
   }
 
   /**
-   * Changes something inside the filters by hand: what they know at this moment stays.
-   *
-   * @param refused called with one line if that cannot be
+   * Changes something inside the filters by hand: what they know at this moment stays. Tells in one
+   * line if that cannot be.
    */
   public void adjust(Consumer<FilterChain> work, Consumer<String> refused) {
     player.ifPresent(open -> tell(open.adjust(work), refused));
@@ -330,8 +323,6 @@ public final class ChainEditor {
 
   /**
    * The same, where it matters that nothing could be read, because what was open has been closed.
-   *
-   * @param refused called with one line then
    */
   public <T> void read(
       Function<FilterChain, T> reading, Consumer<T> taker, Consumer<String> refused) {

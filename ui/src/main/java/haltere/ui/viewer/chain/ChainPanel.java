@@ -56,11 +56,7 @@ public final class ChainPanel extends VBox {
     nothing.setManaged(!any);
   }
 
-  /**
-   * Lets stages that come together be shown one after the other.
-   *
-   * @param steps in each of them comes a stage
-   */
+  /** Lets stages that come together be shown one after the other, each in a step. */
   public void setSteps(Executor steps) {
     cards.setSteps(steps);
   }

@@ -26,13 +26,8 @@ public final class EditHistory {
   }
 
   /**
-   * Remembers a change that has been made; what had been taken back before is forgotten.
-   *
-   * @param words what was changed
-   * @param subject equal for changes that may be taken as one
-   * @param undo takes it back
-   * @param redo makes it once more
-   * @param nanos when it was made
+   * Remembers a change that has been made at a time; what had been taken back before is forgotten.
+   * Changes of an equal subject may be taken as one.
    */
   void made(String words, Object subject, Runnable undo, Runnable redo, long nanos) {
     undone.clear();

@@ -15,12 +15,7 @@ import javafx.scene.control.SeparatorMenuItem;
 final class PresetMenu extends Menu {
   private final ChainEditor chain;
 
-  /**
-   * A menu.
-   *
-   * @param id its own; that of its first item adds "-keep"
-   * @param chain whose filters are kept and replaced
-   */
+  /** A menu for the filters of a chain; the id of its first item adds "-keep". */
   PresetMenu(String id, ChainEditor chain) {
     super("Presets");
     this.chain = chain;

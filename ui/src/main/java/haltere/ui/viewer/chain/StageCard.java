@@ -266,9 +266,8 @@ final class StageCard extends VBox {
   }
 
   /**
-   * Shows those settings only that are searched for; without a search as it was.
-   *
-   * @return whether anything of the card is shown
+   * Shows those settings only that are searched for; without a search as it was. False if nothing
+   * of the card is shown.
    */
   boolean narrow(SettingsSearch newSearch) {
     boolean wasActive = search.isActive();

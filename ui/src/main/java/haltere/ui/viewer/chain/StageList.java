@@ -33,11 +33,7 @@ final class StageList extends VBox {
   private SettingsSearch search = SettingsSearch.ALL;
   private Executor steps = Runnable::run;
 
-  /**
-   * A list without stages.
-   *
-   * @param empty shown where there are none
-   */
+  /** A list without stages, which shows something else then. */
   StageList(ChainEditor editor, Node empty) {
     this.editor = editor;
     this.empty = empty;
@@ -82,8 +78,6 @@ final class StageList extends VBox {
   /**
    * Says what lets cards come one after the other, because making and styling one takes
    * milliseconds; without it they come all together.
-   *
-   * @param newSteps takes a step for each card
    */
   void setSteps(Executor newSteps) {
     steps = newSteps;

@@ -42,11 +42,9 @@ final class StageMoves {
   }
 
   /**
-   * Moves a stage to another chain. It is made anew with the same settings, because filters belong
-   * to one chain as long as they live.
-   *
-   * @param prefix of the chain that it goes to
-   * @param before the name of the stage there that it comes before; empty for the end
+   * Moves a stage to a chain of a prefix, before the stage of a name there, or to the end where it
+   * is empty. It is made anew with the same settings, because filters belong to one chain as long
+   * as they live.
    */
   static void move(FilterChain outermost, String stagePath, String prefix, String before) {
     if (isWithin(prefix, stagePath)) {

@@ -14,11 +14,7 @@ import java.util.Optional;
  * @param inside the stages of a chain inside the chain, empty for a filter
  */
 public record StageState(ChainStage stage, Optional<Record> settings, List<StageState> inside) {
-  /**
-   * All stages of a chain.
-   *
-   * @param chain read now; processing thread, or before the player has started
-   */
+  /** All stages of a chain, read on its processing thread, or before the player has started. */
   public static List<StageState> of(FilterChain chain) {
     return chain.stages().stream()
         .map(

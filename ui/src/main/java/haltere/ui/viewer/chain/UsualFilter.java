@@ -69,10 +69,9 @@ public enum UsualFilter {
   }
 
   /**
-   * Switches its filters on or off. Those that are missing are added, noise filters at the start
-   * and trackers at the end; switched off they keep their place and settings.
-   *
-   * @param chain changed now; processing thread
+   * Switches its filters on or off, on the chain's processing thread. Those that are missing are
+   * added, noise filters at the start and trackers at the end; switched off they keep their place
+   * and settings.
    */
   void set(FilterChain chain, boolean on) {
     for (int i = 0; i < kinds.size(); i++) {

@@ -21,12 +21,7 @@ import javafx.scene.layout.VBox;
 public abstract class SettingField extends VBox {
   /** Takes a value that a person has set. */
   public interface Change {
-    /**
-     * Tries a value.
-     *
-     * @param value text or a value of the setting's type
-     * @param refused takes the line that says why it cannot be
-     */
+    /** Tries a text or a value of the setting's type; tells in one line why it cannot be. */
     void to(Object value, Consumer<String> refused);
   }
 

@@ -24,11 +24,8 @@ public final class Texts {
   private Texts() {}
 
   /**
-   * A place in a recording.
-   *
-   * @param us microseconds, may be negative
-   * @param withMicros whether microseconds matter, as in slow motion
-   * @return such as 1:02.345
+   * A place in a recording, such as 1:02.345; microseconds, which may be negative, are shown where
+   * they matter, as in slow motion.
    */
   public static String time(long us, boolean withMicros) {
     long abs = Math.abs(us);
@@ -46,9 +43,8 @@ public final class Texts {
   }
 
   /**
-   * A time as a person writes it: 1:02:03.5, 62.345, 250 ms, 1500 us, 3 s.
-   *
-   * @return microseconds, empty if it is no time
+   * A time as a person writes it, in microseconds: 1:02:03.5, 62.345, 250 ms, 1500 us, 3 s; empty
+   * if it is no time.
    */
   public static OptionalLong parseTime(String words) {
     Matcher unit = TIME_WITH_UNIT.matcher(words.strip());

@@ -48,9 +48,8 @@ public final class BackgroundWork implements AutoCloseable {
   }
 
   /**
-   * Exports something, which may take long; what was asked for before is done first.
-   *
-   * @return ends it when it is cancelled
+   * Exports something, which may take long; what was asked for before is done first. Cancelling
+   * ends it.
    */
   public <T> Future<?> export(Callable<T> work, Consumer<T> done, Consumer<Exception> failed) {
     return exports.submit(() -> run(work, done, failed));

@@ -1,6 +1,6 @@
 package haltere.ui.viewer.feature;
 
-import haltere.ui.measure.PixelRegion;
+import haltere.filters.frequency.PixelRegion;
 import haltere.ui.rendering.ColourMap;
 import haltere.ui.rendering.DisplayMode;
 import haltere.ui.rendering.Gradient;

@@ -16,11 +16,7 @@ public final class LayoutSteps implements Executor {
   private final Scene scene;
   private final Queue<Runnable> steps = new ArrayDeque<>();
 
-  /**
-   * Steps of a window.
-   *
-   * @param scene its content, which it keeps
-   */
+  /** Steps of a window with a scene, which it keeps. */
   public LayoutSteps(Scene scene) {
     this.scene = scene;
   }

@@ -68,11 +68,7 @@ public final class ViewBar extends HBox {
     tool("tool-region", Icons.REGION, "Draw the region of interest (G)", drawingRegion);
   }
 
-  /**
-   * Adds the switch of the camera's frames and their opacity.
-   *
-   * @param seen whether what is open has frames
-   */
+  /** Adds the switch of the camera's frames and their opacity, where what is open has frames. */
   public void addFrames(BooleanProperty on, DoubleProperty opacity, ObservableBooleanValue seen) {
     ToggleButton button = Controls.toggle("frames", Icons.FRAME, "Frames below the events");
     button.getStyleClass().add(Styles.SMALL);

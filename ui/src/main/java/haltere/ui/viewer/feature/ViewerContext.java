@@ -15,6 +15,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.Callable;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javafx.beans.property.BooleanProperty;
@@ -84,6 +85,21 @@ public record ViewerContext(
                 is.ifPresent(made -> steps.execute(() -> callWhileShown(made, listener))));
   }
 
+  /** Adds what a person can do. */
+  public void add(ViewerAction... added) {
+    actions.add(added);
+  }
+
+  /** Works on what is open, if something is. */
+  public void ifOpen(Consumer<ViewerSession> work) {
+    sessions.session().ifPresent(work);
+  }
+
+  /** Works on files in the background; what goes wrong the bottom line says. */
+  public <T> void file(Callable<T> work, Consumer<T> done) {
+    background.file(work, done, status::showProblem);
+  }
+
   private void callWhileShown(ViewerSession made, Consumer<ViewerSession> listener) {
     sessions.session().filter(shown -> shown == made).ifPresent(listener);
   }
@@ -91,9 +107,6 @@ public record ViewerContext(
   /**
    * Reads a saved chain in the background and puts it in place of another one. A note on settings
    * of an earlier version is shown in the bottom line.
-   *
-   * @param file a chain file
-   * @param chain what it takes the place of
    */
   public void loadChain(Path file, ChainEditor chain) {
     sessions.session().ifPresent(open -> loadChain(file, open.chain().geometry(), chain));

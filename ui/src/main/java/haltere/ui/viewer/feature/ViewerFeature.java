@@ -8,10 +8,6 @@ package haltere.ui.viewer.feature;
  */
 @FunctionalInterface
 public interface ViewerFeature {
-  /**
-   * Adds what it offers; called once, before the window is shown.
-   *
-   * @param window what a feature may use of the window
-   */
+  /** Adds what it offers; called once, before the window is shown. */
   void install(ViewerContext window);
 }

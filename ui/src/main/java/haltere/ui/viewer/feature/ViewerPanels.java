@@ -105,11 +105,7 @@ public final class ViewerPanels extends BorderPane {
     return view;
   }
 
-  /**
-   * Puts a page in place of all panels, and of the bars of playback, or takes it away.
-   *
-   * @param page what is shown; the panels if it is empty
-   */
+  /** Puts a page in place of all panels, and of the bars of playback; none shows the panels. */
   public void showPage(Optional<Node> page) {
     StackPane center = (StackPane) getCenter();
     center.getChildren().setAll(page.orElse(layout.node()));
@@ -162,9 +158,8 @@ public final class ViewerPanels extends BorderPane {
   }
 
   /**
-   * Begins to show a session that has not started, in place of another one.
-   *
-   * @param steps in which the filters of its chain come
+   * Begins to show a session that has not started, in place of another one; the filters of its
+   * chain come in steps.
    */
   public void startAnew(ViewerSession made, ColourMap colours, Executor steps) {
     String name = Texts.source(made.player().playable().name());

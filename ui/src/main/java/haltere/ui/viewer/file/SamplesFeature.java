@@ -55,11 +55,9 @@ public final class SamplesFeature implements ViewerFeature {
             display.frameOpacityProperty(),
             value -> value.doubleValue(),
             kept -> Math.max(0.1, Math.min(1, ((Number) kept).doubleValue())));
-    window
-        .actions()
-        .add(
-            ViewerAction.toggle("show-frames", "Frames", "View", display.framesProperty())
-                .withHelp("Draws the camera's frames below the events."));
+    window.add(
+        ViewerAction.toggle("show-frames", "Frames", "View", display.framesProperty())
+            .withHelp("Draws the camera's frames below the events."));
     display.framesProperty().addListener((property, was, is) -> follow());
     display.frameOpacityProperty().addListener((property, was, is) -> follow());
     trigger.setId("trigger-mark");
@@ -84,13 +82,13 @@ public final class SamplesFeature implements ViewerFeature {
                           .mapToLong(Moment::elapsedUs)
                           .toArray());
             });
-    window.panels().onPulse(() -> window.sessions().session().ifPresent(this::pulse));
+    window.panels().onPulse(() -> window.ifOpen(this::pulse));
   }
 
   private void follow() {
     DisplayControl display = window.display();
     double opacity = display.framesProperty().get() ? display.frameOpacityProperty().get() : 0;
-    window.sessions().session().ifPresent(open -> open.display().setFrameOpacity(opacity));
+    window.ifOpen(open -> open.display().setFrameOpacity(opacity));
   }
 
   private void pulse(ViewerSession open) {

@@ -88,10 +88,8 @@ final class WarningBanner extends VBox {
   }
 
   /**
-   * Says what a user should know of a file.
-   *
-   * @param newWarnings a line each; none hides the banner
-   * @param guess the sensor that was guessed, if the file does not name it
+   * Says what a user should know of a file, a line each, and the sensor that was guessed, if the
+   * file does not name it; no line hides the banner.
    */
   void show(List<String> newWarnings, Optional<SensorGeometry> guess) {
     // options of the command line mean nothing here

@@ -4,7 +4,7 @@ import haltere.core.event.SensorGeometry;
 import haltere.core.overlay.Overlay;
 import haltere.core.overlay.OverlayCanvas;
 import haltere.core.stream.StreamNotification;
-import haltere.ui.measure.RegionReading;
+import haltere.filters.frequency.RegionReading;
 import java.util.List;
 import java.util.Optional;
 

@@ -8,7 +8,7 @@ import haltere.core.event.SensorReading;
 import haltere.core.playback.SliceSink;
 import haltere.core.stream.DataLost;
 import haltere.core.stream.StreamNotification;
-import haltere.ui.measure.PixelRegion;
+import haltere.filters.frequency.PixelRegion;
 import haltere.ui.rendering.FrameExchange;
 import java.awt.image.BufferedImage;
 import java.util.List;

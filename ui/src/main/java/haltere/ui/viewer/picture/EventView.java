@@ -2,7 +2,7 @@ package haltere.ui.viewer.picture;
 
 import haltere.core.event.SensorGeometry;
 import haltere.core.overlay.OverlayCanvas;
-import haltere.ui.measure.PixelRegion;
+import haltere.filters.frequency.PixelRegion;
 import haltere.ui.rendering.ColourMap;
 import haltere.ui.viewer.controls.ArrowKeys;
 import haltere.ui.viewer.controls.Controls;

@@ -61,10 +61,8 @@ public final class FrameLayer {
   }
 
   /**
-   * Puts the frame below events that have been painted.
-   *
-   * @param ranked colours with their ranks, row by row from the top; changed where there is a frame
-   * @param background the colour that stands for no event
+   * Puts the frame below events that have been painted: colours with their ranks, row by row from
+   * the top, are changed where the background stands for no event.
    */
   void paintUnder(int[] ranked, SensorGeometry geometry, int background) {
     Frame now = latest();

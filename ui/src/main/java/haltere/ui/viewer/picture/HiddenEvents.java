@@ -28,9 +28,8 @@ public final class HiddenEvents extends HBox {
   private OptionalInt percent = OptionalInt.empty();
 
   /**
-   * Words that are not seen until events are hidden.
-   *
-   * @param shown whether the picture shows the events before the filters
+   * Words that are not seen until events are hidden; the switch shows the events before the
+   * filters.
    */
   public HiddenEvents(BooleanProperty shown) {
     super(4);
@@ -55,11 +54,7 @@ public final class HiddenEvents extends HBox {
     say();
   }
 
-  /**
-   * Measures the share of events that the filters removed.
-   *
-   * @param anyFilter whether a filter is on
-   */
+  /** Measures the share of events that the filters removed, if any is on. */
   public void update(PlayerStatus now, boolean anyFilter, long nanos) {
     if (!anyFilter) {
       if (percent.isPresent() || from != null) {

@@ -58,10 +58,8 @@ final class KeyPointer {
   }
 
   /**
-   * Does what a key stands for.
-   *
-   * @param code a key that is {@link #takes taken}
-   * @param far whether the cross goes by more than one pixel
+   * Does what a key that is {@link #takes taken} stands for; far, the cross goes by more than one
+   * pixel.
    */
   void press(KeyCode code, boolean far, ViewTool tool, SensorGeometry sensor) {
     int step = far ? STRIDE : 1;

@@ -14,11 +14,7 @@ public final class MeasuringTape implements ViewTool {
   private double fromX;
   private double fromY;
 
-  /**
-   * A tape.
-   *
-   * @param measured gets what is measured, and nothing when the tape is put aside
-   */
+  /** A tape; tells what is measured, and nothing when the tape is put aside. */
   public MeasuringTape(ObjectProperty<Optional<MeasuredLine>> measured) {
     this.measured = measured;
   }

@@ -1,6 +1,6 @@
 package haltere.ui.viewer.picture;
 
-import haltere.ui.measure.PixelRegion;
+import haltere.filters.frequency.PixelRegion;
 import java.util.Optional;
 
 /**

@@ -3,7 +3,7 @@ package haltere.ui.viewer.picture;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
 import haltere.core.stream.StreamNotification;
-import haltere.ui.measure.PixelRegion;
+import haltere.filters.frequency.PixelRegion;
 import haltere.ui.rendering.ColourScale;
 import haltere.ui.rendering.EventPicture;
 import haltere.ui.rendering.FrameExchange;
@@ -64,9 +64,7 @@ final class PictureMaker {
   private boolean exposed;
 
   /**
-   * A maker without events.
-   *
-   * @param betweenSlices whether it may also paint in the midst of a slice, see the class comment
+   * A maker without events, which may also paint in the midst of a slice, see the class comment.
    */
   PictureMaker(SensorGeometry geometry, DisplayOptions options, boolean betweenSlices) {
     this.options = options;
@@ -255,18 +253,18 @@ final class PictureMaker {
               overlays.tape().ifPresent(line -> line.draw(canvas));
             });
     PictureStyle style = events.style();
-    ColourScale.of(style.mode(), style.gradient(), scale())
-        .ifPresent(legend -> legend.draw(picture, dark));
+    PictureStamp stamp = new PictureStamp(picture, dark);
+    ColourScale.of(style.mode(), style.gradient(), scale()).ifPresent(stamp::colours);
     if (events.frame().nowUs() != StreamNotification.NO_TIME_US) {
-      PictureStamp.words(picture, events.frame().nowUs() + " \u00b5s", dark);
+      stamp.words(events.frame().nowUs() + " \u00b5s");
     }
-    PictureStamp.scaleBar(picture, Pictures.usualScale(geometry), dark);
+    stamp.scaleBar(Pictures.usualScale(geometry));
     return picture;
   }
 
   /** How far back events of a slice matter to its picture and to what is said of places. */
   long memoryUs(long ofSliceUs) {
-    long fadingUs = Math.round(FramePainter.oldestUs(style(ofSliceUs, ofSliceUs)));
+    long fadingUs = Math.round(style(ofSliceUs, ofSliceUs).longestUs());
     return Math.max(Math.max(fadingUs, events.memoryUs()), probes.memoryUs());
   }
 
@@ -294,7 +292,7 @@ final class PictureMaker {
     PictureStyle style = events.style();
     return switch (style.mode()) {
       case COUNTS -> Texts.digits(events.fullCount()) + " events";
-      case TIME_SURFACE -> Texts.duration(FramePainter.oldestUs(style)) + " ago";
+      case TIME_SURFACE -> Texts.duration(style.longestUs()) + " ago";
       case FREQUENCY -> "1 kHz";
       default -> "";
     };

@@ -26,11 +26,7 @@ final class PictureThread implements AutoCloseable {
   private final Thread thread = new Thread(this::work, "haltere-picture");
   private volatile RuntimeException failure;
 
-  /**
-   * Begins.
-   *
-   * @param taker takes packets, on the new thread
-   */
+  /** Begins; packets are taken on the new thread. */
   PictureThread(Consumer<EventPacket> taker) {
     this.taker = taker;
     thread.setDaemon(true);
@@ -65,9 +61,8 @@ final class PictureThread implements AutoCloseable {
   }
 
   /**
-   * Hands over a copy of a packet.
-   *
-   * @throws RuntimeException what was thrown on the other thread since the last call
+   * Hands over a copy of a packet, or throws what was thrown on the other thread since the last
+   * call.
    */
   void packet(EventPacket packet) {
     tellFailure();

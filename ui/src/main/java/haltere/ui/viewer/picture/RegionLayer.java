@@ -1,8 +1,8 @@
 package haltere.ui.viewer.picture;
 
 import haltere.core.overlay.OverlayCanvas;
-import haltere.ui.measure.PixelRegion;
-import haltere.ui.measure.RegionReading;
+import haltere.filters.frequency.PixelRegion;
+import haltere.filters.frequency.RegionReading;
 import java.util.Optional;
 
 /**

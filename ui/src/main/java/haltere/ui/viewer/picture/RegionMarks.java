@@ -3,8 +3,8 @@ package haltere.ui.viewer.picture;
 import haltere.core.overlay.MarkStyle;
 import haltere.core.overlay.MarkStyle.Role;
 import haltere.core.overlay.OverlayCanvas;
-import haltere.ui.measure.PixelRegion;
-import haltere.ui.measure.RegionReading;
+import haltere.filters.frequency.PixelRegion;
+import haltere.filters.frequency.RegionReading;
 import haltere.ui.viewer.controls.Texts;
 
 /**

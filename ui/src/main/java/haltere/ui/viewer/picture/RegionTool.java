@@ -1,7 +1,7 @@
 package haltere.ui.viewer.picture;
 
 import haltere.core.event.SensorGeometry;
-import haltere.ui.measure.PixelRegion;
+import haltere.filters.frequency.PixelRegion;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
@@ -19,10 +19,8 @@ public final class RegionTool implements ViewTool {
   private boolean drawn;
 
   /**
-   * A tool for a picture.
-   *
-   * @param sensor its size, asked whenever a region is drawn
-   * @param taker takes a region that was drawn; empty where a click took it away
+   * A tool for a picture of a sensor, whose size is asked whenever a region is drawn; a click takes
+   * the region away.
    */
   public RegionTool(Supplier<SensorGeometry> sensor, Consumer<Optional<PixelRegion>> taker) {
     this.sensor = sensor;

@@ -37,12 +37,7 @@ final class ScreenPainter {
     canvas.setView(place.scale(), place.left(), place.bottom(), place.density());
   }
 
-  /**
-   * Draws all that belongs to a frame.
-   *
-   * @param frame its pixels and marks
-   * @param target receives opaque pixels, as many as the place has
-   */
+  /** Draws the pixels and marks of a frame, as many opaque pixels as the place has. */
   void paint(DisplayFrame frame, int[] target) {
     scaler.scale(frame.pixels, target);
     if (place.marks()) {

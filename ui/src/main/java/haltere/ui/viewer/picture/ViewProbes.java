@@ -2,9 +2,9 @@ package haltere.ui.viewer.picture;
 
 import haltere.core.event.EventPacket;
 import haltere.core.stream.StreamNotification;
-import haltere.ui.measure.PixelRegion;
-import haltere.ui.measure.RegionMeter;
-import haltere.ui.measure.RegionReading;
+import haltere.filters.frequency.PixelRegion;
+import haltere.filters.frequency.RegionMeter;
+import haltere.filters.frequency.RegionReading;
 import haltere.ui.rendering.EventFrame;
 import haltere.ui.rendering.EventPicture;
 import java.util.Objects;

@@ -1,7 +1,7 @@
 package haltere.ui.viewer.picture;
 
 import haltere.core.event.SensorGeometry;
-import haltere.ui.measure.PixelRegion;
+import haltere.filters.frequency.PixelRegion;
 
 /**
  * Which part of a sensor a view shows, and how large: from one to the other and back.

@@ -61,11 +61,7 @@ public final class PlaybackController {
 
   private OptionalLong nextSeekUs = OptionalLong.empty();
 
-  /**
-   * A controller without a player.
-   *
-   * @param problems takes what went wrong, in one line
-   */
+  /** A controller without a player; tells what went wrong in one line. */
   public PlaybackController(Consumer<String> problems) {
     this.problems = problems;
     beats.addListener(

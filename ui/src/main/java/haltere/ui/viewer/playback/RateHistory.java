@@ -29,10 +29,8 @@ final class RateHistory {
   }
 
   /**
-   * Notes the rate at a place that nobody has seen before.
-   *
-   * @param spanUs how much is drawn
-   * @return whether there is something new to draw
+   * Notes the rate at a place that nobody has seen before; true if there is something new to draw
+   * in so long a span.
    */
   boolean add(long elapsedUs, double rateEps, long spanUs) {
     if (count > 0 && elapsedUs - lastUs() < Math.max(MIN_STEP_US, spanUs / STEPS)) {
@@ -45,10 +43,8 @@ final class RateHistory {
   }
 
   /**
-   * The highest rate in each part of a stretch; that of the part before where nothing was noted.
-   *
-   * @param parts how many parts of the same length
-   * @return events per second, 0 outside of what was noted
+   * The highest rate, events per second, in each of so many parts of a stretch; that of the part
+   * before where nothing was noted, 0 outside of what was.
    */
   double[] highest(long fromUs, long toUs, int parts) {
     double[] highest = new double[parts];

@@ -18,11 +18,8 @@ final class RateScale {
   private RateScale() {}
 
   /**
-   * Heights of columns.
-   *
-   * @param rates events per second, 0 or more
-   * @param logarithmic whether a decade of rate has the same height everywhere
-   * @return 0 to 1 for each rate; above 1, to be clipped, for those beyond the percentile
+   * Heights of columns for rates of events per second, 0 to 1; above 1, to be clipped, for those
+   * beyond the percentile. Logarithmic, a decade has the same height everywhere.
    */
   static double[] heights(double[] rates, boolean logarithmic) {
     double[] sorted = Arrays.stream(rates).filter(rate -> rate > 0).sorted().toArray();

@@ -32,12 +32,8 @@ final class CurvePixels {
   }
 
   /**
-   * Makes all pixels transparent.
-   *
-   * @param left of the curves in the lane
-   * @param width of the curves
-   * @param height of the curves
-   * @param newDensity pixels of the screen per unit of the lane
+   * Makes all pixels of the curves transparent; the density is pixels of the screen per unit of the
+   * lane.
    */
   void begin(double left, double width, double height, double newDensity) {
     density = newDensity;

@@ -63,11 +63,8 @@ final class LanePicture {
   }
 
   /**
-   * Draws the lane anew.
-   *
-   * @param graphics of a canvas for axes and grid
-   * @param density pixels of the screen per unit of the lane
-   * @param startUs the recording's clock at its start
+   * Draws the lane anew, axes and grid on a canvas; the density is pixels of the screen per unit of
+   * the lane, the start that of the recording.
    */
   void draw(
       GraphicsContext graphics,

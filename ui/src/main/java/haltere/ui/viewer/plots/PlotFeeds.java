@@ -29,11 +29,7 @@ final class PlotFeeds {
   private List<PlotFeed> feeds = List.of();
   private int changes;
 
-  /**
-   * Listens to nothing yet.
-   *
-   * @param offered takes what can be plotted, whenever it may have changed
-   */
+  /** Listens to nothing yet; tells what can be plotted whenever it may have changed. */
   PlotFeeds(ChainEditor editor, Consumer<List<PlotField>> offered) {
     this.editor = editor;
     this.offered = offered;

@@ -9,48 +9,28 @@ import javafx.scene.layout.Pane;
 /**
  * What mouse and keys do on a lane of plots. The wheel, plus and minus show more or less time, a
  * drag or the pages go back, a double click or End follows again; the mouse or the arrow keys point
- * at a time, to which Ctrl and a click, or Enter, take playback.
+ * at a time, to which Ctrl and a click, or Enter, take playback. Places are shares of the time that
+ * is shown.
  *
  * <p>Thread rule: JavaFX thread only.
  */
 final class PlotHands {
-  /** What is done to the plots. Places are shares of the time that is shown. */
-  interface Plots {
-    /** Points at a place; NaN for none. */
-    void point(double place);
-
-    /** The place that is pointed at; NaN if there is none. */
-    double pointed();
-
-    /** Shows so much later times. */
-    void scroll(double share);
-
-    /** Shows so many times the time, around a place. */
-    void zoom(double factor, double place);
-
-    /** Follows the newest values. */
-    void follow();
-
-    /** Takes playback to a place. */
-    void goTo(double place);
-  }
-
   private static final double UNITS_PER_DOUBLING = 80;
   private static final double STEP = 0.01;
   private static final double STRIDE = 0.1;
   private static final double PAGE = 0.5;
 
   private final Pane lane;
-  private final Plots plots;
+  private final PlotPanel plots;
   private double dragX;
 
-  private PlotHands(Pane lane, Plots plots) {
+  private PlotHands(Pane lane, PlotPanel plots) {
     this.lane = lane;
     this.plots = plots;
   }
 
   /** Lets mouse and keys work on a lane. */
-  static void on(Pane lane, Plots plots) {
+  static void on(Pane lane, PlotPanel plots) {
     PlotHands hands = new PlotHands(lane, plots);
     lane.setOnMouseMoved(event -> plots.point(hands.place(event.getX())));
     lane.setOnMouseExited(event -> plots.point(Double.NaN));
@@ -73,7 +53,7 @@ final class PlotHands {
     if (event.isShortcutDown()) {
       plots.goTo(place(event.getX()));
     } else if (event.getClickCount() == 2) {
-      plots.follow();
+      plots.setFollowing(true);
     }
   }
 
@@ -99,7 +79,7 @@ final class PlotHands {
       case PAGE_DOWN -> plots.scroll(PAGE);
       case END -> {
         plots.point(Double.NaN);
-        plots.follow();
+        plots.setFollowing(true);
       }
       case PLUS, ADD, EQUALS -> plots.zoom(0.5, zoomPlace());
       case MINUS, SUBTRACT -> plots.zoom(2, zoomPlace());

@@ -44,11 +44,7 @@ final class PlotLane extends BorderPane {
   private final Label more = new Label();
   private final Label note = new Label();
 
-  /**
-   * A lane without a plot yet.
-   *
-   * @param actions buttons at the right of its head: add a field, remove the lane
-   */
+  /** A lane without a plot yet, with buttons at the right of its head. */
   PlotLane(Lane lane, TimeWindow window, List<Button> actions) {
     this.lane = lane;
     this.window = window;
@@ -147,9 +143,8 @@ final class PlotLane extends BorderPane {
   }
 
   /**
-   * Shows the values at a time, which the mouse points at, or the newest.
-   *
-   * @param place of the mouse in the window; NaN where it is elsewhere
+   * Shows the values at the place in the window that the mouse points at, or the newest where it is
+   * NaN.
    */
   void showValues(double place, PlotInk ink) {
     boolean pointed = place >= 0 && place <= 1;

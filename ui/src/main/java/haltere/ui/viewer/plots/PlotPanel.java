@@ -44,7 +44,6 @@ public final class PlotPanel extends BorderPane {
   private final TimeWindow window = new TimeWindow();
   private final PlotFeeds feeds;
   private final List<PlotLane> lanes = new ArrayList<>();
-  private final Hands hands = new Hands();
   private List<PlotField> first = List.of();
   private final VBox laneBox = new VBox();
   private final PlotTimeAxis axis = new PlotTimeAxis(window);
@@ -67,12 +66,7 @@ public final class PlotPanel extends BorderPane {
   private long valuesNanos;
   private boolean dirty = true;
 
-  /**
-   * A panel without lanes.
-   *
-   * @param editor of the chain whose numbers are plotted
-   * @param playback goes to a time that was chosen in a plot
-   */
+  /** A panel without lanes. Playback goes to a time that was chosen in a plot. */
   public PlotPanel(ChainEditor editor, PlaybackController playback) {
     this.playback = playback;
     feeds = new PlotFeeds(editor, this::offer);
@@ -138,11 +132,7 @@ public final class PlotPanel extends BorderPane {
     feeds.follow(lanes());
   }
 
-  /**
-   * Another recording: what was plotted is of no more use.
-   *
-   * @param newInertial its inertial samples
-   */
+  /** Another recording with its inertial samples: what was plotted is of no more use. */
   public void startAnew(InertialFeed newInertial) {
     inertial = newInertial;
     offersInertial = false;
@@ -184,7 +174,7 @@ public final class PlotPanel extends BorderPane {
     PlotLane lane = new PlotLane(new Lane(field), window, List.of(another, remove));
     made[0] = lane;
     VBox.setVgrow(lane, Priority.ALWAYS);
-    PlotHands.on(lane.plot(), hands);
+    PlotHands.on(lane.plot(), this);
     lanes.add(lane);
     laneBox.getChildren().add(lane);
     changed();
@@ -201,9 +191,8 @@ public final class PlotPanel extends BorderPane {
   }
 
   /**
-   * Opens plots for a user who has none: of 0.1 s, in which single wing beats are seen.
-   *
-   * @return whether there is something to show
+   * Opens plots for a user who has none, of 0.1 s, in which single wing beats are seen; false if
+   * there is nothing to show.
    */
   public boolean beginWith(List<PlotField> fields) {
     if (fields.isEmpty() || !lanes.isEmpty()) {
@@ -217,9 +206,7 @@ public final class PlotPanel extends BorderPane {
 
   /**
    * Takes away the plots that were begun with, where nobody has changed them and another chain
-   * publishes nothing for them.
-   *
-   * @return whether they were taken away
+   * publishes nothing for them; false otherwise.
    */
   public boolean dropFirst(FilterChain chain) {
     boolean asBegun =
@@ -261,44 +248,32 @@ public final class PlotPanel extends BorderPane {
     dirty = true;
   }
 
-  /** What mouse and keys do on any of the lanes. */
-  private final class Hands implements PlotHands.Plots {
-    @Override
-    public void point(double place) {
-      pointed = place;
-      valuesNanos = 0;
-      dirty = true;
-    }
-
-    @Override
-    public double pointed() {
-      return pointed;
-    }
-
-    @Override
-    public void scroll(double share) {
-      window.scroll(Math.round(share * window.spanUs()));
-      follow.setSelected(window.isFollowing());
-      dirty = true;
-    }
-
-    @Override
-    public void zoom(double factor, double place) {
-      PlotPanel.this.zoom(factor, place);
-    }
-
-    @Override
-    public void follow() {
-      setFollowing(true);
-    }
-
-    @Override
-    public void goTo(double place) {
-      playback.seek(Math.max(0, window.timeAt(place) - startUs));
-    }
+  /** Points at a place; NaN for none. */
+  void point(double place) {
+    pointed = place;
+    valuesNanos = 0;
+    dirty = true;
   }
 
-  private void zoom(double factor, double place) {
+  /** The place that is pointed at; NaN if there is none. */
+  double pointed() {
+    return pointed;
+  }
+
+  /** Shows so much later times. */
+  void scroll(double share) {
+    window.scroll(Math.round(share * window.spanUs()));
+    follow.setSelected(window.isFollowing());
+    dirty = true;
+  }
+
+  /** Takes playback to a place. */
+  void goTo(double place) {
+    playback.seek(Math.max(0, window.timeAt(place) - startUs));
+  }
+
+  /** Shows so many times the time, around a place. */
+  void zoom(double factor, double place) {
     window.zoom(factor, place);
     showSpan();
     dirty = true;
@@ -308,7 +283,8 @@ public final class PlotPanel extends BorderPane {
     span.setText(Texts.duration(window.spanUs()));
   }
 
-  private void setFollowing(boolean on) {
+  /** Follows the newest values, or not. */
+  void setFollowing(boolean on) {
     window.setFollowing(on);
     follow.setSelected(on);
     dirty = true;

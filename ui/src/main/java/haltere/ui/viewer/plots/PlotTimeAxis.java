@@ -38,11 +38,7 @@ final class PlotTimeAxis extends Region {
         (int) Math.max(2, width / 110));
   }
 
-  /**
-   * Draws the axis anew.
-   *
-   * @param startUs the recording's clock at its start
-   */
+  /** Draws the axis anew, by the recording's clock at its start. */
   void draw(PlotInk ink, long startUs) {
     double width = getWidth();
     if (canvas.getWidth() != width) {

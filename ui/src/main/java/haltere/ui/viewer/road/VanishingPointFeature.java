@@ -70,11 +70,9 @@ public final class VanishingPointFeature implements ViewerFeature {
   private void offer(Optional<Tracks> tracks) {
     boolean offered = window.actions().find(ID).isPresent();
     if (tracks.isPresent() && !offered) {
-      window
-          .actions()
-          .add(
-              ViewerAction.toggle(ID, "Set the vanishing point", "Tools", marking)
-                  .withHelp("A click marks where the road vanishes; tracks are on the road then."));
+      window.add(
+          ViewerAction.toggle(ID, "Set the vanishing point", "Tools", marking)
+              .withHelp("A click marks where the road vanishes; tracks are on the road then."));
     } else if (tracks.isEmpty() && offered) {
       marking.set(false);
       window.actions().removeAll(List.of(ID));

@@ -21,11 +21,7 @@ final class VanishingPointTool implements ViewTool {
   private final Consumer<Point2D> taker;
   private Optional<Point2D> mark = Optional.empty();
 
-  /**
-   * A tool.
-   *
-   * @param taker takes where the button came up, in sensor coordinates
-   */
+  /** A tool that tells where the button came up, in sensor coordinates. */
   VanishingPointTool(Consumer<Point2D> taker) {
     this.taker = taker;
   }

@@ -82,10 +82,8 @@ final class ClipExport implements StreamHandler {
   }
 
   /**
-   * Runs.
-   *
-   * @param toTell told at each picture where on the elapsed timeline it is
-   * @return how many pictures the film has
+   * Runs, telling at each picture where on the elapsed timeline it is, and returns how many
+   * pictures the film has.
    */
   long run(LongConsumer toTell) throws IOException {
     progress = toTell;

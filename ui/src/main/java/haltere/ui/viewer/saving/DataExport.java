@@ -49,10 +49,7 @@ final class DataExport implements StreamHandler {
   }
 
   /**
-   * Runs.
-   *
-   * @param progress told where on the elapsed timeline it is, again and again
-   * @return how many events were written
+   * Runs, telling where on the elapsed timeline it is, and returns how many events were written.
    */
   long run(LongConsumer progress) throws IOException {
     try {

@@ -94,22 +94,20 @@ public final class ExportFeature implements ViewerFeature {
   public void install(ViewerContext installed) {
     window = installed;
     FileDialogs dialogs = window.dialogs();
-    window
-        .actions()
-        .add(
-            ViewerAction.of(
-                    "export-film",
-                    "Export the marked part as film\u2026",
-                    "File",
-                    () -> dialogs.film().ifPresent(this::exportFilm))
-                .withHelp("GIF or MP4, with overlays, at the speed of playback."),
-            ViewerAction.of(
-                    "export-data",
-                    "Export the marked part as recording\u2026",
-                    "File",
-                    () -> dialogs.recordingToExport().ifPresent(this::exportData))
-                .withHelp("What the chain leaves of the events, in any format that is written."),
-            ViewerAction.of("stop-export", "Stop all exports", "File", this::stop));
+    window.add(
+        ViewerAction.of(
+                "export-film",
+                "Export the marked part as film\u2026",
+                "File",
+                () -> dialogs.film().ifPresent(this::exportFilm))
+            .withHelp("GIF or MP4, with overlays, at the speed of playback."),
+        ViewerAction.of(
+                "export-data",
+                "Export the marked part as recording\u2026",
+                "File",
+                () -> dialogs.recordingToExport().ifPresent(this::exportData))
+            .withHelp("What the chain leaves of the events, in any format that is written."),
+        ViewerAction.of("stop-export", "Stop all exports", "File", this::stop));
   }
 
   private static String exporting(String name) {

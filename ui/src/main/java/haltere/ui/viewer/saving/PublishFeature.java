@@ -31,16 +31,14 @@ public final class PublishFeature implements ViewerFeature {
   public void install(ViewerContext installed) {
     window = installed;
     window.sessions().sessionProperty().addListener((property, was, is) -> stop());
-    window
-        .actions()
-        .add(
-            ViewerAction.toggle(
-                    "publish",
-                    "Send results to other programs\u2026",
-                    "Tools",
-                    publishing.getReadOnlyProperty(),
-                    on -> toggle())
-                .withHelp("A line of JSON for each result, over TCP, UDP or ZeroMQ."));
+    window.add(
+        ViewerAction.toggle(
+                "publish",
+                "Send results to other programs\u2026",
+                "Tools",
+                publishing.getReadOnlyProperty(),
+                on -> toggle())
+            .withHelp("A line of JSON for each result, over TCP, UDP or ZeroMQ."));
   }
 
   private void toggle() {
@@ -60,7 +58,7 @@ public final class PublishFeature implements ViewerFeature {
   public void start(String where) {
     stop();
     address = where;
-    window.sessions().session().ifPresent(session -> start(where, session));
+    window.ifOpen(session -> start(where, session));
   }
 
   private void start(String where, ViewerSession session) {

@@ -28,10 +28,8 @@ final class RecordButton extends HBox {
   private long shownNanos;
 
   /**
-   * A button of a recording that has not begun.
-   *
-   * @param toggle starts and stops it
-   * @param background asks for the size of the file
+   * A button of a recording that has not begun, which starts and stops it and asks for the size of
+   * the file in the background.
    */
   RecordButton(Runnable toggle, BackgroundWork background) {
     this.background = background;

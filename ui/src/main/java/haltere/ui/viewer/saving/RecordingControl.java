@@ -57,10 +57,8 @@ final class RecordingControl {
   private int starts;
 
   /**
-   * Records nothing yet.
-   *
-   * @param problems takes what went wrong, in one line
-   * @param said takes what is going on, in one line, empty when there is nothing more to say
+   * Records nothing yet; tells in one line what went wrong and what is going on, empty when there
+   * is nothing more to say.
    */
   RecordingControl(BackgroundWork background, Consumer<String> problems, Consumer<String> said) {
     this.background = background;

@@ -33,11 +33,8 @@ public final class Saving {
   private final Consumer<String> problems;
 
   /**
-   * Saves what a window shows.
-   *
-   * @param background where files are written
-   * @param editor of the chain that is saved
-   * @param problems takes what went wrong, in one line
+   * Saves what a window shows and the chain of an editor in the background; tells in one line what
+   * went wrong.
    */
   public Saving(BackgroundWork background, ChainEditor editor, Consumer<String> problems) {
     this.background = background;

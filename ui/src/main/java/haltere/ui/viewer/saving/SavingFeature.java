@@ -30,38 +30,36 @@ public final class SavingFeature implements ViewerFeature {
     // what is open is about to be closed, or is closed with the window
     window.sessions().sessionProperty().addListener((property, was, is) -> recording.stop());
     FileDialogs dialogs = window.dialogs();
-    window
-        .actions()
-        .add(
-            ViewerAction.of(
-                    "load-chain",
-                    "Load chain\u2026",
-                    MENU,
-                    () -> dialogs.chainToLoad().ifPresent(this::loadChain))
-                .withKey("Shortcut+L"),
-            ViewerAction.of(
-                    "save-chain",
-                    "Save chain\u2026",
-                    MENU,
-                    () -> dialogs.chainToSave().ifPresent(this::saveChain))
-                .withKey("Shortcut+S")
-                .unless(this::obstacle),
-            ViewerAction.toggle(
-                    "record",
-                    "Record\u2026",
-                    MENU,
-                    recording.recordingProperty(),
-                    on -> toggleRecording())
-                .withKey("Shortcut+E")
-                .unless(this::obstacle)
-                .withHelp("Writes what comes out of the chain to a file while it plays."),
-            ViewerAction.of(
-                    "save-picture",
-                    "Save picture\u2026",
-                    MENU,
-                    () -> dialogs.picture().ifPresent(this::savePicture))
-                .withKey("Shortcut+P")
-                .unless(this::obstacle));
+    window.add(
+        ViewerAction.of(
+                "load-chain",
+                "Load chain\u2026",
+                MENU,
+                () -> dialogs.chainToLoad().ifPresent(this::loadChain))
+            .withKey("Shortcut+L"),
+        ViewerAction.of(
+                "save-chain",
+                "Save chain\u2026",
+                MENU,
+                () -> dialogs.chainToSave().ifPresent(this::saveChain))
+            .withKey("Shortcut+S")
+            .unless(this::obstacle),
+        ViewerAction.toggle(
+                "record",
+                "Record\u2026",
+                MENU,
+                recording.recordingProperty(),
+                on -> toggleRecording())
+            .withKey("Shortcut+E")
+            .unless(this::obstacle)
+            .withHelp("Writes what comes out of the chain to a file while it plays."),
+        ViewerAction.of(
+                "save-picture",
+                "Save picture\u2026",
+                MENU,
+                () -> dialogs.picture().ifPresent(this::savePicture))
+            .withKey("Shortcut+P")
+            .unless(this::obstacle));
     RecordButton button = new RecordButton(this::toggleRecording, window.background());
     recording.recordingProperty().addListener((property, was, is) -> button.setOn(is));
     window.panels().transport().addTool(button);
@@ -85,7 +83,7 @@ public final class SavingFeature implements ViewerFeature {
   /** Saves what is shown as a picture. */
   public void savePicture(Path file) {
     Overlays overlays = window.display().overlays();
-    window.sessions().session().ifPresent(open -> saving.picture(file, open, overlays));
+    window.ifOpen(open -> saving.picture(file, open, overlays));
   }
 
   /** Stops the recording that is under way, or asks where the next one goes. */
@@ -99,7 +97,7 @@ public final class SavingFeature implements ViewerFeature {
 
   /** Records what comes out of the chain. */
   public void record(Path file) {
-    window.sessions().session().ifPresent(open -> recording.start(file, open));
+    window.ifOpen(open -> recording.start(file, open));
   }
 
   /** Whether a recording is under way. */

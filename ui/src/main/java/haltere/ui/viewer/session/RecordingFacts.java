@@ -62,11 +62,7 @@ public record RecordingFacts(
     frames = List.copyOf(frames);
   }
 
-  /**
-   * Reads a recording from its start to its end; background thread.
-   *
-   * @throws IOException if it cannot be read
-   */
+  /** Reads a recording from its start to its end; background thread. */
   public static RecordingFacts scan(Path file, ReadOptions options) throws IOException {
     try (RecordingReader reader = Recordings.open(file, options.withReadings(true))) {
       Moments moments = new Moments(new RateProfile.Collector(reader.segments(), PROFILE_BINS));

@@ -39,10 +39,8 @@ public interface SessionHost {
   }
 
   /**
-   * Opens what is not a file.
-   *
-   * @param playable makes it, on a background thread
-   * @param name what a person would call it
+   * Opens what is not a file under the name that a person would call it, made on a background
+   * thread.
    */
   default void open(Callable<Playable> playable, String name) {
     open(SessionRequest.made(playable, name));

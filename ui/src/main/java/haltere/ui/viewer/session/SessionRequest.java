@@ -45,10 +45,8 @@ public record SessionRequest(
   }
 
   /**
-   * A simulated scene.
-   *
-   * @param scene its name on the command line, such as {@code road}
-   * @param title what a person calls it
+   * A simulated scene by its name on the command line, such as {@code road}, with the title that a
+   * person calls it.
    */
   public static SessionRequest scene(String scene, String title) {
     return scene.equals("fly")
@@ -77,10 +75,8 @@ public record SessionRequest(
   }
 
   /**
-   * Makes a session; background thread.
-   *
-   * @param chainJson the chain of its own as saved, or empty for the one to begin with; one that
-   *     does not fit, or lacks a filter that a scene is shown with, is not used
+   * Makes a session; background thread. A saved chain of its own that does not fit, or lacks a
+   * filter that a scene is shown with, is not used.
    */
   public ViewerSession session(
       Optional<String> chainJson, PlayerOptions playerOptions, DisplayOptions displayOptions)
@@ -100,10 +96,8 @@ public record SessionRequest(
   }
 
   /**
-   * Makes the session that a new window shows, and has its player paint the first slice, so that
-   * there are events to show as soon as there is a window. Background thread.
-   *
-   * @param chainJson as for {@link #session}
+   * Makes the {@link #session} that a new window shows, and has its player paint the first slice,
+   * so that there are events to show as soon as there is a window. Background thread.
    */
   public ViewerSession firstSession(Optional<String> chainJson) throws Exception {
     ViewerSession made =

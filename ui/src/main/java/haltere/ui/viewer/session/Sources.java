@@ -33,11 +33,7 @@ public final class Sources {
     return new ScenePlayable(() -> new FlyScene(FlySceneSettings.defaults()), "Fly scene");
   }
 
-  /**
-   * A simulated scene with its default settings.
-   *
-   * @param name as the command line knows it
-   */
+  /** A simulated scene, by its name on the command line, with its default settings. */
   static Playable scene(String name, String title) {
     return new ScenePlayable(() -> Scenes.named(name).create(List.of()), title);
   }
@@ -47,11 +43,7 @@ public final class Sources {
     return new KeptPlayable(source, KEPT_EVENTS);
   }
 
-  /**
-   * A recording.
-   *
-   * @throws IOException with one line for a person if it cannot be read
-   */
+  /** A recording; one that cannot be read is told in one line for a person. */
   public static Playable recording(Path file, ReadOptions options) throws IOException {
     var reader = Recordings.open(file, options.withReadings(true));
     try {
@@ -62,11 +54,7 @@ public final class Sources {
     }
   }
 
-  /**
-   * A saved chain made anew for a sensor.
-   *
-   * @throws IOException if it does not fit
-   */
+  /** A saved chain made anew for a sensor, which it has to fit. */
   public static FilterChain chain(SensorGeometry geometry, String json) throws IOException {
     return ChainFile.parse(json, "the chain", geometry);
   }

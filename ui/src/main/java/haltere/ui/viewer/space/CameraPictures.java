@@ -31,11 +31,7 @@ final class CameraPictures extends GridPane {
   private final List<DisplaySink> sinks = new ArrayList<>();
   private List<CameraLine> lines = List.of();
 
-  /**
-   * No pictures.
-   *
-   * @param linesShown whether lines are drawn
-   */
+  /** No pictures; lines are drawn while they are shown. */
   CameraPictures(BooleanProperty linesShown) {
     this.linesShown = linesShown;
     setHgap(2);

@@ -46,33 +46,29 @@ public final class LiveFlightFeature implements ViewerFeature {
     shown =
         window.addPanel(
             "live-flight", "Orientation in space, live", "", PanelPlace.BESIDE, () -> pane);
-    window
-        .actions()
-        .add(
-            ViewerAction.of("open-flight", "Flight before several cameras", "File", this::openScene)
-                .withHelp("A simulated insect in free flight; its axis is found from all cameras."),
-            ViewerAction.of(
-                    "open-camera-recordings",
-                    "Recordings of several cameras\u2026",
-                    "File",
-                    () -> chooseCalibration(this::chooseRecordings))
-                .withHelp(
-                    "Asks for the calibrated cameras and for one recording of each, in the same"
-                        + " order, on one clock."),
-            ViewerAction.of(
-                    "open-calibrated-cameras",
-                    "Several cameras at once\u2026",
-                    "Camera",
-                    () ->
-                        chooseCalibration(
-                            calibrated -> openCameras(calibrated, Cameras.installed())))
-                .withHelp(
-                    "Asks for calibrated cameras, each with the id under which it is plugged in,"
-                        + " and finds a body's axis from all of them live."),
-            ViewerAction.toggle("camera-lines", "Lines of several cameras", "View", linesShown)
-                .withHelp(
-                    "Draws accepted and gated lines and the axis over the picture of each camera"
-                        + " of a flight."));
+    window.add(
+        ViewerAction.of("open-flight", "Flight before several cameras", "File", this::openScene)
+            .withHelp("A simulated insect in free flight; its axis is found from all cameras."),
+        ViewerAction.of(
+                "open-camera-recordings",
+                "Recordings of several cameras\u2026",
+                "File",
+                () -> chooseCalibration(this::chooseRecordings))
+            .withHelp(
+                "Asks for the calibrated cameras and for one recording of each, in the same"
+                    + " order, on one clock."),
+        ViewerAction.of(
+                "open-calibrated-cameras",
+                "Several cameras at once\u2026",
+                "Camera",
+                () -> chooseCalibration(calibrated -> openCameras(calibrated, Cameras.installed())))
+            .withHelp(
+                "Asks for calibrated cameras, each with the id under which it is plugged in,"
+                    + " and finds a body's axis from all of them live."),
+        ViewerAction.toggle("camera-lines", "Lines of several cameras", "View", linesShown)
+            .withHelp(
+                "Draws accepted and gated lines and the axis over the picture of each camera"
+                    + " of a flight."));
     window.settings().keep("space.cameraLines", linesShown);
     window.panels().view().addLayer(this::drawFirst);
     linesShown.addListener(changed -> window.panels().view().redrawMarks());
@@ -99,14 +95,7 @@ public final class LiveFlightFeature implements ViewerFeature {
     window
         .dialogs()
         .cameras()
-        .ifPresent(
-            file ->
-                window
-                    .background()
-                    .file(
-                        () -> CameraFile.read(file).cameras(),
-                        chosen,
-                        window.status()::showProblem));
+        .ifPresent(file -> window.file(() -> CameraFile.read(file).cameras(), chosen));
   }
 
   private void chooseRecordings(List<CameraModel> cameras) {
@@ -139,16 +128,13 @@ public final class LiveFlightFeature implements ViewerFeature {
 
   /** Opens several cameras in place of what is open. */
   void open(Callable<CameraRig> cameras, String name) {
-    window
-        .background()
-        .file(
-            cameras,
-            made -> {
-              rig.ifPresent(window.background()::close);
-              rig = Optional.of(made);
-              window.sessions().open(made::first, name);
-            },
-            window.status()::showProblem);
+    window.file(
+        cameras,
+        made -> {
+          rig.ifPresent(window.background()::close);
+          rig = Optional.of(made);
+          window.sessions().open(made::first, name);
+        });
   }
 
   private void follow(Optional<ViewerSession> was, Optional<ViewerSession> is) {

@@ -33,11 +33,7 @@ final class LiveFlightPane extends BorderPane {
   private final Label words = new Label(NOTHING);
   private Optional<CameraLine> first = Optional.empty();
 
-  /**
-   * Nothing is open.
-   *
-   * @param linesShown whether lines are drawn over the pictures
-   */
+  /** Nothing is open; lines are drawn over the pictures while they are shown. */
   LiveFlightPane(BooleanProperty linesShown) {
     setId("live-flight");
     pictures = new CameraPictures(linesShown);

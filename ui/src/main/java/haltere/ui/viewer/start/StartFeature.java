@@ -24,11 +24,9 @@ public final class StartFeature implements ViewerFeature {
   @Override
   public void install(ViewerContext installed) {
     window = installed;
-    window
-        .actions()
-        .add(
-            ViewerAction.of("start-page", "Start page", "File", () -> show(""))
-                .withHelp("Recent recordings, scenes and cameras."));
+    window.add(
+        ViewerAction.of("start-page", "Start page", "File", () -> show(""))
+            .withHelp("Recent recordings, scenes and cameras."));
     window.actions().onChange(() -> page.ifPresent(this::offer));
     window.sessions().sessionProperty().addListener((property, was, is) -> hide());
     window

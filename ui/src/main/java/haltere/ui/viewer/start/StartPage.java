@@ -40,12 +40,7 @@ final class StartPage extends ScrollPane {
   private final FlowPane scenes = new FlowPane(12, 12);
   private final VBox cameras = new VBox(4);
 
-  /**
-   * A page that offers nothing yet.
-   *
-   * @param open opens a recording
-   * @param close goes back to what is open
-   */
+  /** A page that offers nothing yet but to open a recording and to go back to what is open. */
   StartPage(Runnable open, Runnable close) {
     setId("start-page");
     getStyleClass().add("start-page");

@@ -11,7 +11,7 @@ import haltere.core.camera.RegionOfInterest;
 import haltere.core.json.internal.Json;
 import haltere.core.sink.LineAddress;
 import haltere.device.simulated.Plug;
-import haltere.ui.measure.PixelRegion;
+import haltere.filters.frequency.PixelRegion;
 import haltere.ui.viewer.ViewerHarness;
 import haltere.ui.viewer.saving.PublishFeature;
 import haltere.ui.viewer.saving.SavingFeature;

@@ -1,4 +1,4 @@
-package haltere.ui.measure;
+package haltere.filters.frequency;
 
 /**
  * A rectangle of pixels.
@@ -7,6 +7,7 @@ package haltere.ui.measure;
  * @param bottom first row, upwards
  * @param width columns, at least 1
  * @param height rows, at least 1
+ * @since 0.1
  */
 public record PixelRegion(int left, int bottom, int width, int height) {
   /** Checks the size. */

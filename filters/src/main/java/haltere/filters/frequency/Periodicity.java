@@ -1,4 +1,4 @@
-package haltere.ui.measure;
+package haltere.filters.frequency;
 
 /**
  * Finds how often a series of counts repeats: the shortest lag at which the autocorrelation is
@@ -36,13 +36,7 @@ final class Periodicity {
     centred = new float[longest];
   }
 
-  /**
-   * The period of a series.
-   *
-   * @param values counts at even distances
-   * @param count how many of them
-   * @return in values, NaN if nothing repeats
-   */
+  /** The period of so many counts at even distances, in such distances; NaN if nothing repeats. */
   double periodOf(float[] values, int count) {
     int lags = count / PERIODS;
     if (lags <= SHORTEST + 1) {

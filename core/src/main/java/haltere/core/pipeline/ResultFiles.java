@@ -1,0 +1,200 @@
+package haltere.core.pipeline;
+
+import haltere.core.chain.Outlet;
+import haltere.core.chain.ResultOrder;
+import haltere.core.format.AtomicFile;
+import haltere.core.sink.TableMetadata;
+import haltere.core.sink.TableSink;
+import haltere.core.sink.Tables;
+import haltere.core.stream.StreamHandler;
+import java.io.Closeable;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
+
+/**
+ * Tables and other files, finished in the order in which they were added. All appear at the end, or
+ * none.
+ *
+ * <p>Thread rule: as {@link JobResults}.
+ *
+ * @since 0.1
+ */
+public final class ResultFiles implements JobResults {
+  /** Begins a file. */
+  public interface FileMaker {
+    /**
+     * Begins a file.
+     *
+     * @param file its place
+     * @return an empty file that appears there when it is committed
+     * @throws IOException if it cannot be written
+     */
+    AtomicFile create(Path file) throws IOException;
+  }
+
+  /** Puts a file in its place. */
+  public interface Finish {
+    /**
+     * Puts it there.
+     *
+     * @throws IOException if that fails
+     */
+    void run() throws IOException;
+  }
+
+  /** Adds files. */
+  public interface Filling {
+    /**
+     * Adds them.
+     *
+     * @param files takes them
+     * @throws IOException if one cannot be written
+     */
+    void fill(ResultFiles files) throws IOException;
+  }
+
+  private final FileMaker maker;
+  private final TableMetadata metadata;
+  private final Map<Path, TableSink<?>> tables = new LinkedHashMap<>();
+  private final List<ResultOrder.Sorter<?>> sorters = new ArrayList<>();
+  private final List<Finish> steps = new ArrayList<>();
+  private final List<Closeable> open = new ArrayList<>();
+  private final List<StreamHandler> sinks = new ArrayList<>();
+  private final ResultFailure failure = new ResultFailure();
+
+  private ResultFiles(FileMaker maker, TableMetadata metadata) {
+    this.maker = maker;
+    this.metadata = metadata;
+    sinks.add(failure);
+  }
+
+  /**
+   * Opens files.
+   *
+   * @param maker begins each table's file
+   * @param metadata kept in tables whose format, which follows from the name, can hold it
+   * @param filling adds each; what it has added is closed if it throws
+   * @return open files
+   * @throws IOException if one cannot be written
+   */
+  public static ResultFiles open(FileMaker maker, TableMetadata metadata, Filling filling)
+      throws IOException {
+    ResultFiles files = new ResultFiles(maker, metadata);
+    try {
+      filling.fill(files);
+      return files;
+    } catch (IOException | RuntimeException | Error problem) {
+      files.close();
+      throw problem;
+    }
+  }
+
+  /**
+   * Starts a table.
+   *
+   * @param file where it will be
+   * @param type class of the rows
+   * @param <R> type of the rows
+   * @return takes the rows
+   * @throws IOException if it cannot be written
+   */
+  public <R extends Record> TableSink<R> table(Path file, Class<R> type) throws IOException {
+    TableSink<R> table = Tables.of(maker.create(file), type, metadata);
+    add(table, table::finish);
+    tables.put(file, table);
+    return table;
+  }
+
+  /**
+   * Listens to what an outlet publishes, in the {@link Outlet#order() order} that it states. What
+   * cannot be written ends the job.
+   *
+   * @param outlet the outlet
+   * @param rows takes its results
+   * @param <T> type of the results
+   */
+  public <T> void subscribe(Outlet<T> outlet, Consumer<? super T> rows) {
+    Consumer<? super T> taker = rows;
+    if (outlet.order().isPresent()) {
+      ResultOrder.Sorter<T> sorter = outlet.order().get().to(rows);
+      sorters.add(sorter);
+      taker = sorter;
+    }
+    open.add(outlet.subscribe(taker, failure)::close);
+  }
+
+  /**
+   * Writes what an outlet publishes to a table.
+   *
+   * @param outlet the outlet
+   * @param file where the table will be
+   * @param <R> type of the rows
+   * @throws IOException if it cannot be written
+   */
+  public <R extends Record> void write(Outlet<R> outlet, Path file) throws IOException {
+    subscribe(outlet, table(file, outlet.type()));
+  }
+
+  /**
+   * Adds a file that is no table.
+   *
+   * @param part closed in any case
+   * @param finish puts it in its place
+   */
+  public void add(Closeable part, Finish finish) {
+    open.add(part);
+    steps.add(finish);
+  }
+
+  /**
+   * Adds what takes the stream behind the chain.
+   *
+   * @param sink takes it
+   * @param finish a step of finishing
+   */
+  public void add(StreamHandler sink, Finish finish) {
+    sinks.add(sink);
+    steps.add(finish);
+  }
+
+  @Override
+  public List<StreamHandler> sinks() {
+    return List.copyOf(sinks);
+  }
+
+  @Override
+  public List<ResultFile> files() {
+    List<ResultFile> files = new ArrayList<>();
+    tables.forEach((file, table) -> files.add(new ResultFile(file, table.rows())));
+    return files;
+  }
+
+  @Override
+  public void finish() throws IOException {
+    failure.rethrow();
+    sorters.forEach(ResultOrder.Sorter::finish);
+    for (Finish step : steps) {
+      step.run();
+    }
+  }
+
+  @Override
+  public void close() throws IOException {
+    IOException problem = null;
+    for (Closeable part : open) {
+      try {
+        part.close();
+      } catch (IOException thrown) {
+        problem = thrown;
+      }
+    }
+    if (problem != null) {
+      throw problem;
+    }
+  }
+}
