@@ -21,6 +21,8 @@ import java.util.function.Consumer;
  * none.
  *
  * <p>Thread rule: as {@link JobResults}.
+ *
+ * @since 0.1
  */
 public final class ResultFiles implements JobResults {
   /** Begins a file. */

@@ -7,6 +7,7 @@ package haltere.filters.frequency;
  * @param bottom first row, upwards
  * @param width columns, at least 1
  * @param height rows, at least 1
+ * @since 0.1
  */
 public record PixelRegion(int left, int bottom, int width, int height) {
   /** Checks the size. */

@@ -12,6 +12,8 @@ import java.util.Arrays;
  * Remembers the last so many bins of {@value #BIN_US} microseconds.
  *
  * <p>Thread rule: one thread at a time.
+ *
+ * @since 0.1
  */
 public final class RegionMeter implements StreamHandler {
   /** Length of a bin, so that frequencies up to 2.5 kHz are seen. */
