@@ -3,7 +3,7 @@ package haltere.testing;
 import haltere.core.chain.EventFilter;
 import haltere.core.chain.Outlet;
 import haltere.core.event.EventPacket;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.overlay.OverlayLayer;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
@@ -75,9 +75,9 @@ public final class PoisoningChain implements EventFilter, StreamHandler {
   }
 
   @Override
-  public void reading(SensorReading reading) {
+  public void sample(SensorSample sample) {
     checkPoison();
-    filter.reading(reading);
+    filter.sample(sample);
   }
 
   @Override

@@ -3,7 +3,7 @@ package haltere.testing;
 import haltere.core.event.EventPacket;
 import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
 import java.util.ArrayList;
@@ -17,7 +17,7 @@ import java.util.zip.CRC32;
 public final class StreamRecorder implements StreamHandler {
   private final EventPacket events = new EventPacket(0);
   private final List<Notice> notices = new ArrayList<>();
-  private final List<Read> readings = new ArrayList<>();
+  private final List<Read> samples = new ArrayList<>();
   private int largestPacket;
 
   /** A recorder of nothing yet. */
@@ -32,12 +32,12 @@ public final class StreamRecorder implements StreamHandler {
   public record Notice(int eventsBefore, StreamNotification notification) {}
 
   /**
-   * A reading and its place.
+   * A sample and its place.
    *
    * @param eventsBefore events that came before it
-   * @param reading what came
+   * @param sample what came
    */
-  public record Read(int eventsBefore, SensorReading reading) {}
+  public record Read(int eventsBefore, SensorSample sample) {}
 
   @Override
   public void packet(EventPacket packet) {
@@ -46,8 +46,8 @@ public final class StreamRecorder implements StreamHandler {
   }
 
   @Override
-  public void reading(SensorReading reading) {
-    readings.add(new Read(events.size(), reading));
+  public void sample(SensorSample sample) {
+    samples.add(new Read(events.size(), sample));
   }
 
   @Override
@@ -74,23 +74,23 @@ public final class StreamRecorder implements StreamHandler {
   }
 
   /**
-   * All readings, each with its place.
+   * All samples, each with its place.
    *
    * @return not copied
    */
-  public List<Read> placedReadings() {
-    return readings;
+  public List<Read> placedSamples() {
+    return samples;
   }
 
   /**
-   * The readings of a kind.
+   * The samples of a kind.
    *
-   * @param kind class of the reading
+   * @param kind class of the sample
    * @param <T> the kind
    * @return in the order in which they came
    */
-  public <T extends SensorReading> List<T> readings(Class<T> kind) {
-    return readings.stream().map(Read::reading).filter(kind::isInstance).map(kind::cast).toList();
+  public <T extends SensorSample> List<T> samples(Class<T> kind) {
+    return samples.stream().map(Read::sample).filter(kind::isInstance).map(kind::cast).toList();
   }
 
   /**

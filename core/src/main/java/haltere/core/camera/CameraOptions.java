@@ -11,7 +11,7 @@ import java.util.Objects;
  * @param waitingBuffers filled buffers that may wait for the consumer, 0 to {@value #MAX_BUFFERS};
  *     beyond them events are lost, counted, and told in the stream
  * @param whenFull which events are lost then
- * @param readings whether frames, inertial samples and triggers are wanted too
+ * @param samples whether frames, inertial samples and triggers are wanted too
  * @param reconnect whether the camera goes on with a new stream when it is plugged in again
  * @since 0.1
  */
@@ -20,7 +20,7 @@ public record CameraOptions(
     int bufferBytes,
     int waitingBuffers,
     WhenFull whenFull,
-    boolean readings,
+    boolean samples,
     boolean reconnect) {
   /** The largest number of buffers of a kind. */
   public static final int MAX_BUFFERS = 4096;
@@ -67,7 +67,7 @@ public record CameraOptions(
    */
   public CameraOptions withBuffers(int newTransfers, int newBufferBytes, int newWaitingBuffers) {
     return new CameraOptions(
-        newTransfers, newBufferBytes, newWaitingBuffers, whenFull, readings, reconnect);
+        newTransfers, newBufferBytes, newWaitingBuffers, whenFull, samples, reconnect);
   }
 
   /**
@@ -78,16 +78,16 @@ public record CameraOptions(
    */
   public CameraOptions withWhenFull(WhenFull newWhenFull) {
     return new CameraOptions(
-        transfers, bufferBytes, waitingBuffers, newWhenFull, readings, reconnect);
+        transfers, bufferBytes, waitingBuffers, newWhenFull, samples, reconnect);
   }
 
   /**
-   * The same options but for readings.
+   * The same options but for samples.
    *
    * @param newReadings whether frames, inertial samples and triggers are wanted too
    * @return new options
    */
-  public CameraOptions withReadings(boolean newReadings) {
+  public CameraOptions withSamples(boolean newReadings) {
     return new CameraOptions(
         transfers, bufferBytes, waitingBuffers, whenFull, newReadings, reconnect);
   }
@@ -100,6 +100,6 @@ public record CameraOptions(
    */
   public CameraOptions withReconnect(boolean newReconnect) {
     return new CameraOptions(
-        transfers, bufferBytes, waitingBuffers, whenFull, readings, newReconnect);
+        transfers, bufferBytes, waitingBuffers, whenFull, samples, newReconnect);
   }
 }

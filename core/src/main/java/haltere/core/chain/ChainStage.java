@@ -1,7 +1,7 @@
 package haltere.core.chain;
 
 import haltere.core.event.EventPacket;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.stream.Reset;
 import haltere.core.stream.StreamNotification;
 import java.util.Objects;
@@ -73,7 +73,7 @@ public final class ChainStage {
   /**
    * What the stage has done so far, as of the last packet.
    *
-   * @return a reading
+   * @return a sample
    */
   public FilterTiming timing() {
     return timing;
@@ -123,9 +123,9 @@ public final class ChainStage {
     }
   }
 
-  void reading(SensorReading reading) {
+  void sample(SensorSample sample) {
     try {
-      filter.reading(reading);
+      filter.sample(sample);
     } catch (RuntimeException thrown) {
       throw thrown instanceof FilterFailure named ? named : new FilterFailure(this, thrown);
     }

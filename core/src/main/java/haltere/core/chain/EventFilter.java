@@ -1,7 +1,7 @@
 package haltere.core.chain;
 
 import haltere.core.event.EventPacket;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.overlay.OverlayLayer;
 import haltere.core.stream.DataLost;
 import haltere.core.stream.Reset;
@@ -91,9 +91,9 @@ public interface EventFilter {
    * Is shown a frame, an inertial sample or a trigger, at its place among the events. Most filters
    * see polarity events only and leave this as it is.
    *
-   * @param reading immutable; it may be kept
+   * @param sample immutable; it may be kept
    */
-  default void reading(SensorReading reading) {}
+  default void sample(SensorSample sample) {}
 
   /**
    * Where the filter publishes its results.

@@ -3,7 +3,7 @@ package haltere.core.chain;
 import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.overlay.OverlayLayer;
 import haltere.core.settings.SettingsSchema;
 import haltere.core.stream.Reset;
@@ -395,10 +395,10 @@ public final class FilterChain implements EventFilter, StreamHandler, AutoClosea
   }
 
   @Override
-  public void reading(SensorReading reading) {
+  public void sample(SensorSample sample) {
     for (ChainStage stage : stages) {
       if (stage.isEnabled()) {
-        stage.reading(reading);
+        stage.sample(sample);
       }
     }
   }

@@ -13,7 +13,7 @@ import java.util.Objects;
  *
  * @since 0.1
  */
-public final class Frame implements SensorReading {
+public final class Frame implements SensorSample {
   /** How a value of a pixel is stored. */
   public enum Depth {
     /** Whole numbers from 0 to 255. */
@@ -144,8 +144,8 @@ public final class Frame implements SensorReading {
   }
 
   @Override
-  public ReadingKind kind() {
-    return ReadingKind.FRAME;
+  public SampleKind kind() {
+    return SampleKind.FRAME;
   }
 
   /**

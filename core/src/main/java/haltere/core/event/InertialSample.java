@@ -30,7 +30,7 @@ public record InertialSample(
     float magneticXMicrotesla,
     float magneticYMicrotesla,
     float magneticZMicrotesla)
-    implements SensorReading {
+    implements SensorSample {
   /**
    * A sample of a sensor without a compass.
    *
@@ -67,7 +67,7 @@ public record InertialSample(
   }
 
   @Override
-  public ReadingKind kind() {
-    return ReadingKind.INERTIAL_SAMPLE;
+  public SampleKind kind() {
+    return SampleKind.INERTIAL_SAMPLE;
   }
 }

@@ -11,14 +11,14 @@ import java.util.Objects;
  * @param channel number of the input, 0 where there is one only
  * @since 0.1
  */
-public record Trigger(long timeUs, Source source, Edge edge, int channel) implements SensorReading {
+public record Trigger(long timeUs, Source source, Edge edge, int channel) implements SensorSample {
   /** What a trigger marks. */
   public enum Source {
     /** An input of the camera. */
     EXTERNAL_INPUT,
     /** An output that the camera itself drives. */
     SIGNAL_GENERATOR,
-    /** The reading of a frame: begins with {@link Edge#RISING}, ends with {@link Edge#FALLING}. */
+    /** The sample of a frame: begins with {@link Edge#RISING}, ends with {@link Edge#FALLING}. */
     FRAME_READOUT,
     /** The exposure of a frame: begins with {@link Edge#RISING}, ends with {@link Edge#FALLING}. */
     EXPOSURE,
@@ -46,7 +46,7 @@ public record Trigger(long timeUs, Source source, Edge edge, int channel) implem
   }
 
   @Override
-  public ReadingKind kind() {
-    return ReadingKind.TRIGGER;
+  public SampleKind kind() {
+    return SampleKind.TRIGGER;
   }
 }

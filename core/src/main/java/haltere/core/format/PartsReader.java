@@ -2,7 +2,7 @@ package haltere.core.format;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.stream.EndOfStream;
 import haltere.core.stream.Reset;
 import haltere.core.stream.StreamHandler;
@@ -65,7 +65,7 @@ final class PartsReader implements RecordingReader {
   /** What waits behind a notice that the clock started anew; null if nothing does. */
   private EventPacket heldPacket;
 
-  private SensorReading heldReading;
+  private SensorSample heldSample;
 
   /**
    * Joins parts.
@@ -112,15 +112,15 @@ final class PartsReader implements RecordingReader {
     }
 
     @Override
-    public void reading(SensorReading reading) {
+    public void sample(SensorSample sample) {
       given = true;
-      if (isBack(reading.timeUs())) {
-        heldReading = reading;
+      if (isBack(sample.timeUs())) {
+        heldSample = sample;
       } else {
-        out.reading(reading);
+        out.sample(sample);
       }
       entering = false;
-      lastUs = Math.max(lastUs, reading.timeUs());
+      lastUs = Math.max(lastUs, sample.timeUs());
     }
 
     /** Tells that the clock started anew if the first event of a part is before the last one. */
@@ -162,10 +162,10 @@ final class PartsReader implements RecordingReader {
       handler.packet(packet);
       return true;
     }
-    if (heldReading != null) {
-      SensorReading reading = heldReading;
-      heldReading = null;
-      handler.reading(reading);
+    if (heldSample != null) {
+      SensorSample sample = heldSample;
+      heldSample = null;
+      handler.sample(sample);
       return true;
     }
     relay.out = handler;
@@ -236,7 +236,7 @@ final class PartsReader implements RecordingReader {
     current = place.part;
     entering = false;
     heldPacket = null;
-    heldReading = null;
+    heldSample = null;
     if (ended) {
       ended = false;
       started = false;
@@ -339,10 +339,10 @@ final class PartsReader implements RecordingReader {
   }
 
   @Override
-  public ReadingCounts countReadings() throws IOException {
-    ReadingCounts counts = ReadingCounts.NONE;
+  public SampleCounts countSamples() throws IOException {
+    SampleCounts counts = SampleCounts.NONE;
     for (RecordingReader part : parts) {
-      counts = counts.plus(part.countReadings());
+      counts = counts.plus(part.countSamples());
     }
     return counts;
   }

@@ -14,7 +14,7 @@ import java.util.Optional;
  * @param origin where rows count from in plain tables of events (text, NumPy, HDF5) that do not say
  *     it; where nobody does, from the top
  * @param packetEvents events per packet at the most, 1 to 1,048,576
- * @param readings whether frames, inertial samples and triggers are wanted too
+ * @param samples whether frames, inertial samples and triggers are wanted too
  * @param keepIndex whether the index that seeking needs is kept in a file beside the recording; one
  *     that is there is used in any case
  * @since 0.1
@@ -25,7 +25,7 @@ public record ReadOptions(
     Optional<String> topic,
     Optional<Origin> origin,
     int packetEvents,
-    boolean readings,
+    boolean samples,
     boolean keepIndex) {
   /** What everybody starts with. */
   public static final ReadOptions DEFAULT =
@@ -58,7 +58,7 @@ public record ReadOptions(
    */
   public ReadOptions withSensor(SensorGeometry geometry) {
     return new ReadOptions(
-        Optional.of(geometry), format, topic, origin, packetEvents, readings, keepIndex);
+        Optional.of(geometry), format, topic, origin, packetEvents, samples, keepIndex);
   }
 
   /**
@@ -69,7 +69,7 @@ public record ReadOptions(
    */
   public ReadOptions withFormat(String name) {
     return new ReadOptions(
-        sensor, Optional.of(name), topic, origin, packetEvents, readings, keepIndex);
+        sensor, Optional.of(name), topic, origin, packetEvents, samples, keepIndex);
   }
 
   /**
@@ -80,7 +80,7 @@ public record ReadOptions(
    */
   public ReadOptions withTopic(String name) {
     return new ReadOptions(
-        sensor, format, Optional.of(name), origin, packetEvents, readings, keepIndex);
+        sensor, format, Optional.of(name), origin, packetEvents, samples, keepIndex);
   }
 
   /**
@@ -91,7 +91,7 @@ public record ReadOptions(
    */
   public ReadOptions withOrigin(Origin from) {
     return new ReadOptions(
-        sensor, format, topic, Optional.of(from), packetEvents, readings, keepIndex);
+        sensor, format, topic, Optional.of(from), packetEvents, samples, keepIndex);
   }
 
   /**
@@ -101,16 +101,16 @@ public record ReadOptions(
    * @return new options
    */
   public ReadOptions withPacketEvents(int events) {
-    return new ReadOptions(sensor, format, topic, origin, events, readings, keepIndex);
+    return new ReadOptions(sensor, format, topic, origin, events, samples, keepIndex);
   }
 
   /**
-   * The same options but for readings.
+   * The same options but for samples.
    *
    * @param wanted whether frames, inertial samples and triggers are wanted too
    * @return new options
    */
-  public ReadOptions withReadings(boolean wanted) {
+  public ReadOptions withSamples(boolean wanted) {
     return new ReadOptions(sensor, format, topic, origin, packetEvents, wanted, keepIndex);
   }
 
@@ -121,6 +121,6 @@ public record ReadOptions(
    * @return new options
    */
   public ReadOptions withKeptIndex(boolean kept) {
-    return new ReadOptions(sensor, format, topic, origin, packetEvents, readings, kept);
+    return new ReadOptions(sensor, format, topic, origin, packetEvents, samples, kept);
   }
 }

@@ -1,6 +1,6 @@
 package haltere.core.format;
 
-import haltere.core.event.ReadingKind;
+import haltere.core.event.SampleKind;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -102,9 +102,9 @@ public interface RecordingFormat {
   /**
    * What a writer of the format holds beside events.
    *
-   * @return kinds of readings, of each perhaps not all
+   * @return kinds of samples, of each perhaps not all
    */
-  default Set<ReadingKind> writableReadings() {
+  default Set<SampleKind> writableSamples() {
     return Set.of();
   }
 

@@ -103,11 +103,11 @@ public interface RecordingReader extends EventSource {
    * How many frames, inertial samples and triggers the recording holds, whether or not they are
    * wanted as a part of the stream. It may read through the file, but does not move this reader.
    *
-   * @return counts; {@link ReadingCounts#NONE} for formats without readings
+   * @return counts; {@link SampleCounts#NONE} for formats without samples
    * @throws IOException if the file can no longer be read
    */
-  default ReadingCounts countReadings() throws IOException {
-    return ReadingCounts.NONE;
+  default SampleCounts countSamples() throws IOException {
+    return SampleCounts.NONE;
   }
 
   /**

@@ -1,7 +1,7 @@
 package haltere.core.format;
 
 import haltere.core.event.EventPacket;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import java.io.Closeable;
 import java.io.IOException;
 import java.util.List;
@@ -34,11 +34,11 @@ public interface RecordingWriter extends Closeable {
   /**
    * Writes a frame, an inertial sample or a trigger. It comes in order of time among the packets.
    *
-   * @param reading what to write
+   * @param sample what to write
    * @return false if the format holds nothing of the kind, so that it is lost
    * @throws IOException if it cannot be written
    */
-  default boolean write(SensorReading reading) throws IOException {
+  default boolean write(SensorSample sample) throws IOException {
     return false;
   }
 

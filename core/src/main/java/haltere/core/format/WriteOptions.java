@@ -1,7 +1,7 @@
 package haltere.core.format;
 
 import haltere.core.event.Origin;
-import haltere.core.event.ReadingKind;
+import haltere.core.event.SampleKind;
 import haltere.core.event.SensorGeometry;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -18,7 +18,7 @@ import java.util.Set;
  * @param overwrite whether an existing file may be replaced
  * @param origin where plain exports count rows from, if not as their source did
  * @param metadata lines for the header of formats that can hold them, by key
- * @param readings what will be written beside events, for formats whose header says so
+ * @param samples what will be written beside events, for formats whose header says so
  * @param stream where a recording of a {@linkplain RecordingFormat#isStreamed() streamed} format
  *     goes instead of to a file
  * @since 0.1
@@ -28,14 +28,14 @@ public record WriteOptions(
     boolean overwrite,
     Optional<Origin> origin,
     Map<String, String> metadata,
-    Set<ReadingKind> readings,
+    Set<SampleKind> samples,
     Optional<OutputStream> stream) {
   /** Checks and copies. */
   public WriteOptions {
     Objects.requireNonNull(geometry, "geometry");
     Objects.requireNonNull(origin, "origin");
     metadata = Map.copyOf(metadata);
-    readings = Set.copyOf(readings);
+    samples = Set.copyOf(samples);
   }
 
   /**
@@ -61,15 +61,15 @@ public record WriteOptions(
    * @param overwrite whether an existing file may be replaced
    * @param origin where plain exports count rows from, if not as their source did
    * @param metadata lines for the header of formats that can hold them, by key
-   * @param readings what will be written beside events
+   * @param samples what will be written beside events
    */
   public WriteOptions(
       SensorGeometry geometry,
       boolean overwrite,
       Optional<Origin> origin,
       Map<String, String> metadata,
-      Set<ReadingKind> readings) {
-    this(geometry, overwrite, origin, metadata, readings, Optional.empty());
+      Set<SampleKind> samples) {
+    this(geometry, overwrite, origin, metadata, samples, Optional.empty());
   }
 
   /**
@@ -89,16 +89,16 @@ public record WriteOptions(
    * @return new options
    */
   public WriteOptions withOverwrite(boolean allowed) {
-    return new WriteOptions(geometry, allowed, origin, metadata, readings, stream);
+    return new WriteOptions(geometry, allowed, origin, metadata, samples, stream);
   }
 
   /**
    * The same options but for what is written beside events.
    *
-   * @param kinds kinds of readings that will be written
+   * @param kinds kinds of samples that will be written
    * @return new options
    */
-  public WriteOptions withReadings(Set<ReadingKind> kinds) {
+  public WriteOptions withSamples(Set<SampleKind> kinds) {
     return new WriteOptions(geometry, overwrite, origin, metadata, kinds, stream);
   }
 
@@ -109,7 +109,7 @@ public record WriteOptions(
    * @return new options
    */
   public WriteOptions withStream(OutputStream target) {
-    return new WriteOptions(geometry, overwrite, origin, metadata, readings, Optional.of(target));
+    return new WriteOptions(geometry, overwrite, origin, metadata, samples, Optional.of(target));
   }
 
   /**

@@ -8,7 +8,7 @@ import java.util.function.Function;
  * Something that can be drawn over the picture: where its snapshots come from and how one is drawn.
  *
  * @param name what a person calls the layer
- * @param subscribe registers a taker of snapshots and returns what ends the registration
+ * @param subscribe registers a consumer of snapshots and returns what ends the registration
  * @param overlay draws a snapshot
  * @param <T> type of the snapshots
  * @since 0.1

@@ -3,7 +3,7 @@ package haltere.core.pipeline;
 import haltere.core.chain.FilterChain;
 import haltere.core.chain.FilterFailure;
 import haltere.core.event.EventPacket;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.pipeline.PipelineCounters.Counter;
 import haltere.core.stream.DataLost;
 import haltere.core.stream.EndOfStream;
@@ -253,14 +253,14 @@ public final class ChainRunner implements StreamHandler {
 
   /** {@inheritDoc} The filters see it, and the sinks before and behind them get the same. */
   @Override
-  public void reading(SensorReading reading) {
-    toAll(rawSinks, handler -> handler.reading(reading));
+  public void sample(SensorSample sample) {
+    toAll(rawSinks, handler -> handler.sample(sample));
     try {
-      chain.reading(reading);
+      chain.sample(sample);
     } catch (FilterFailure failure) {
       filterFailed(failure);
     }
-    toAll(sinks, handler -> handler.reading(reading));
+    toAll(sinks, handler -> handler.sample(sample));
   }
 
   /**

@@ -1,11 +1,11 @@
 package haltere.core.pipeline;
 
 import haltere.core.event.EventPacket;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.format.ProgressListener;
-import haltere.core.format.ReadingCounts;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.RecordingWriter;
+import haltere.core.format.SampleCounts;
 import haltere.core.format.Violation;
 import haltere.core.stream.EndOfStream;
 import haltere.core.stream.StreamHandler;
@@ -58,16 +58,16 @@ public final class Conversion {
    *
    * @param eventsRead events of the recording within the time
    * @param eventsWritten events that the stage left of them
-   * @param readingsWritten frames, inertial samples and triggers that were written
-   * @param readingsLeftOut those that the written format cannot hold
+   * @param samplesWritten frames, inertial samples and triggers that were written
+   * @param samplesLeftOut those that the written format cannot hold
    * @param warnings what the reader assumed, what was wrong in the file and what the written format
    *     could not hold
    */
   public record Result(
       long eventsRead,
       long eventsWritten,
-      ReadingCounts readingsWritten,
-      ReadingCounts readingsLeftOut,
+      SampleCounts samplesWritten,
+      SampleCounts samplesLeftOut,
       List<String> warnings) {
     /** Copies the warnings. */
     public Result {
@@ -112,15 +112,15 @@ public final class Conversion {
     copy.end();
     writer.finish();
     List<String> warnings = new java.util.ArrayList<>(reader.remarks());
-    boolean told = !copy.readingsWritten.isEmpty() || !copy.readingsLeftOut.isEmpty();
+    boolean told = !copy.samplesWritten.isEmpty() || !copy.samplesLeftOut.isEmpty();
     warnings.addAll(reader.violations().describe(told ? Set.of(Violation.OTHER_DATA) : Set.of()));
     warnings.addAll(writer.losses());
-    if (!copy.readingsLeftOut.isEmpty()) {
+    if (!copy.samplesLeftOut.isEmpty()) {
       warnings.add(
-          copy.readingsLeftOut + " were left out: the format that is written cannot hold them");
+          copy.samplesLeftOut + " were left out: the format that is written cannot hold them");
     }
     return new Result(
-        copy.eventsRead, copy.eventsWritten, copy.readingsWritten, copy.readingsLeftOut, warnings);
+        copy.eventsRead, copy.eventsWritten, copy.samplesWritten, copy.samplesLeftOut, warnings);
   }
 
   private final class Copy implements StreamHandler {
@@ -130,8 +130,8 @@ public final class Conversion {
     private long eventsRead;
     private long eventsWritten;
     private long lastUs = StreamNotification.NO_TIME_US;
-    private ReadingCounts readingsWritten = ReadingCounts.NONE;
-    private ReadingCounts readingsLeftOut = ReadingCounts.NONE;
+    private SampleCounts samplesWritten = SampleCounts.NONE;
+    private SampleCounts samplesLeftOut = SampleCounts.NONE;
     private boolean past;
     private boolean ended;
 
@@ -168,16 +168,16 @@ public final class Conversion {
     }
 
     @Override
-    public void reading(SensorReading reading) {
-      if (reading.timeUs() < fromUs || reading.timeUs() >= toUs && toUs != Long.MAX_VALUE) {
+    public void sample(SensorSample sample) {
+      if (sample.timeUs() < fromUs || sample.timeUs() >= toUs && toUs != Long.MAX_VALUE) {
         return;
       }
-      stage.ifPresent(handler -> handler.reading(reading));
+      stage.ifPresent(handler -> handler.sample(sample));
       try {
-        if (writer.write(reading)) {
-          readingsWritten = readingsWritten.plus(reading.kind());
+        if (writer.write(sample)) {
+          samplesWritten = samplesWritten.plus(sample.kind());
         } else {
-          readingsLeftOut = readingsLeftOut.plus(reading.kind());
+          samplesLeftOut = samplesLeftOut.plus(sample.kind());
         }
       } catch (IOException failure) {
         throw new UncheckedIOException(failure);

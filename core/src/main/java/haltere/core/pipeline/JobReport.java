@@ -3,7 +3,7 @@ package haltere.core.pipeline;
 import haltere.core.chain.FilterChain;
 import haltere.core.chain.FilterTiming;
 import haltere.core.event.SensorGeometry;
-import haltere.core.format.ReadingCounts;
+import haltere.core.format.SampleCounts;
 import haltere.core.format.Violation;
 import java.nio.file.Path;
 import java.util.List;
@@ -17,7 +17,7 @@ import java.util.Map;
  * @param sensor the sensor that its events were read for
  * @param bytes size of the recording
  * @param counters events that came in, went out, were dropped and lost
- * @param readings frames, inertial samples and triggers that came by
+ * @param samples frames, inertial samples and triggers that came by
  * @param violations what was wrong in the recording, by kind, each at least 1
  * @param warnings what a person should know of the recording, one line each without its name
  * @param stages each stage of the chain in order
@@ -31,7 +31,7 @@ public record JobReport(
     SensorGeometry sensor,
     long bytes,
     PipelineCounters counters,
-    ReadingCounts readings,
+    SampleCounts samples,
     Map<Violation, Long> violations,
     List<String> warnings,
     List<Stage> stages,

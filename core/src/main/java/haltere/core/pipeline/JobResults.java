@@ -27,7 +27,7 @@ public interface JobResults extends Closeable {
   /**
    * What takes the stream behind the chain.
    *
-   * @return sinks that see all packets, readings and notifications
+   * @return sinks that see all packets, samples and notifications
    */
   default List<StreamHandler> sinks() {
     return List.of();

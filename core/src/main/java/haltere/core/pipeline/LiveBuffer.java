@@ -2,7 +2,7 @@ package haltere.core.pipeline;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.stream.DataLost;
 import haltere.core.stream.EndOfStream;
 import haltere.core.stream.EventSource;
@@ -56,7 +56,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
   private long eventsIn;
   private long eventsOut;
   private long eventsLost;
-  private long readingsLost;
+  private long samplesLost;
 
   /**
    * An empty buffer.
@@ -235,27 +235,27 @@ public final class LiveBuffer implements StreamHandler, EventSource {
   }
 
   /**
-   * Puts a reading in. Readings that wait are bounded too: beyond 32 MiB of them {@link
+   * Puts a sample in. Samples that wait are bounded too: beyond 32 MiB of them {@link
    * OverflowPolicy#BLOCK} waits, and the other policies drop the newest and count it.
    *
-   * @param reading immutable
+   * @param sample immutable
    */
   @Override
-  public void reading(SensorReading reading) {
+  public void sample(SensorSample sample) {
     lock.lock();
     try {
-      while (policy == OverflowPolicy.BLOCK && !waiting.hasRoomForReading() && !closed && !ending) {
+      while (policy == OverflowPolicy.BLOCK && !waiting.hasRoomForSample() && !closed && !ending) {
         changed.await();
       }
-      if (closed || ending || !waiting.hasRoomForReading()) {
-        readingsLost++;
+      if (closed || ending || !waiting.hasRoomForSample()) {
+        samplesLost++;
         return;
       }
-      waiting.add(reading);
+      waiting.add(sample);
       changed.signalAll();
     } catch (InterruptedException interrupted) {
       Thread.currentThread().interrupt();
-      readingsLost++;
+      samplesLost++;
     } finally {
       lock.unlock();
     }
@@ -300,8 +300,8 @@ public final class LiveBuffer implements StreamHandler, EventSource {
       } finally {
         giveBack(packet, events);
       }
-    } else if (next instanceof SensorReading reading) {
-      handler.reading(reading);
+    } else if (next instanceof SensorSample sample) {
+      handler.sample(sample);
     } else if (next != null) {
       handler.notified((StreamNotification) next);
     }
@@ -335,7 +335,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
     return new InterruptedIOException("interrupted while waiting for " + place);
   }
 
-  /** A packet, a reading, a notification, or null at the end. */
+  /** A packet, a sample, a notification, or null at the end. */
   private Object take() throws InterruptedIOException {
     lock.lock();
     try {
@@ -376,7 +376,7 @@ public final class LiveBuffer implements StreamHandler, EventSource {
     try {
       if (!closed) {
         closed = true;
-        readingsLost += waiting.readings();
+        samplesLost += waiting.samples();
         eventsLost += waiting.clear();
         changed.signalAll();
       }
@@ -403,10 +403,10 @@ public final class LiveBuffer implements StreamHandler, EventSource {
    *
    * @return a count since the buffer was made
    */
-  public long readingsLost() {
+  public long samplesLost() {
     lock.lock();
     try {
-      return readingsLost;
+      return samplesLost;
     } finally {
       lock.unlock();
     }

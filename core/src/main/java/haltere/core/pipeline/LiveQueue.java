@@ -2,7 +2,7 @@ package haltere.core.pipeline;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.Frame;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.stream.DataLost;
 import haltere.core.stream.Reset;
 import haltere.core.stream.StreamNotification;
@@ -27,15 +27,15 @@ final class LiveQueue {
   }
 
   private final String place;
-  // EventPacket, SensorReading, StreamNotification or Gap; a gap is never at the end of what may be
+  // EventPacket, SensorSample, StreamNotification or Gap; a gap is never at the end of what may be
   // taken.
   private final List<Object> waiting = new LinkedList<>(); // used at its ends
   private long lastTakenUs = StreamNotification.NO_TIME_US;
   private int packets;
   private int events;
   private int mostPackets;
-  private int readings;
-  private long readingBytes;
+  private int samples;
+  private long sampleBytes;
 
   /**
    * An empty queue.
@@ -66,14 +66,14 @@ final class LiveQueue {
     return mostPackets;
   }
 
-  /** Readings that wait. */
-  int readings() {
-    return readings;
+  /** Samples that wait. */
+  int samples() {
+    return samples;
   }
 
-  /** Whether another reading may wait; one always may. */
-  boolean hasRoomForReading() {
-    return readings == 0 || readingBytes < MAX_READING_BYTES;
+  /** Whether another sample may wait; one always may. */
+  boolean hasRoomForSample() {
+    return samples == 0 || sampleBytes < MAX_READING_BYTES;
   }
 
   /** The packet that came last, or null if it was something else that did. */
@@ -89,10 +89,10 @@ final class LiveQueue {
     mostPackets = Math.max(mostPackets, packets);
   }
 
-  void add(SensorReading reading) {
-    waiting.add(reading);
-    readings++;
-    readingBytes += bytes(reading);
+  void add(SensorSample sample) {
+    waiting.add(sample);
+    samples++;
+    sampleBytes += bytes(sample);
   }
 
   /** Adds a notification; a reset straight after a reset takes its place. */
@@ -149,7 +149,7 @@ final class LiveQueue {
     return waiting.size() > 1 || (!waiting.isEmpty() && !(waiting.get(0) instanceof Gap));
   }
 
-  /** Takes a packet, a reading or a notification, if there {@link #hasNext() is one}. */
+  /** Takes a packet, a sample or a notification, if there {@link #hasNext() is one}. */
   Object take() {
     Object next = waiting.remove(0);
     if (next instanceof Gap gap) {
@@ -163,9 +163,9 @@ final class LiveQueue {
       packets--;
       events -= packet.size();
       lastTakenUs = packet.lastTimeUs();
-    } else if (next instanceof SensorReading reading) {
-      readings--;
-      readingBytes -= bytes(reading);
+    } else if (next instanceof SensorSample sample) {
+      samples--;
+      sampleBytes -= bytes(sample);
     } else if (((StreamNotification) next).endsContinuity()) {
       lastTakenUs = StreamNotification.NO_TIME_US;
     }
@@ -178,12 +178,12 @@ final class LiveQueue {
     waiting.clear();
     packets = 0;
     events = 0;
-    readings = 0;
-    readingBytes = 0;
+    samples = 0;
+    sampleBytes = 0;
     return cleared;
   }
 
-  private static long bytes(SensorReading reading) {
-    return BYTES_PER_READING + (reading instanceof Frame frame ? frame.rows().capacity() : 0);
+  private static long bytes(SensorSample sample) {
+    return BYTES_PER_READING + (sample instanceof Frame frame ? frame.rows().capacity() : 0);
   }
 }

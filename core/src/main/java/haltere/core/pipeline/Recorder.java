@@ -2,9 +2,9 @@ package haltere.core.pipeline;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.core.event.SensorReading;
-import haltere.core.format.ReadingCounts;
+import haltere.core.event.SensorSample;
 import haltere.core.format.RecordingWriter;
+import haltere.core.format.SampleCounts;
 import haltere.core.format.WriteOptions;
 import haltere.core.format.internal.aedat4.Aedat4Compression;
 import haltere.core.format.internal.aedat4.Aedat4Writer;
@@ -70,7 +70,7 @@ public final class Recorder implements StreamHandler, Closeable {
   // The writing thread's.
   private final List<DataLost> gaps = new ArrayList<>();
   private long waitingNanos;
-  private volatile ReadingCounts readingsLeftOut = ReadingCounts.NONE;
+  private volatile SampleCounts samplesLeftOut = SampleCounts.NONE;
   private volatile long handed;
   private volatile long written;
   private volatile Throwable failure;
@@ -150,9 +150,9 @@ public final class Recorder implements StreamHandler, Closeable {
 
   /** {@inheritDoc} It is written if the format holds its kind, and counted if not. */
   @Override
-  public void reading(SensorReading reading) {
+  public void sample(SensorSample sample) {
     if (stoppedBy == null && failure == null) {
-      buffer.reading(reading);
+      buffer.sample(sample);
     }
   }
 
@@ -225,10 +225,10 @@ public final class Recorder implements StreamHandler, Closeable {
         }
 
         @Override
-        public void reading(SensorReading reading) {
+        public void sample(SensorSample sample) {
           try {
-            if (!writer.write(reading)) {
-              readingsLeftOut = readingsLeftOut.plus(reading.kind());
+            if (!writer.write(sample)) {
+              samplesLeftOut = samplesLeftOut.plus(sample.kind());
             }
           } catch (IOException thrown) {
             throw new UncheckedIOException(thrown);
@@ -337,7 +337,7 @@ public final class Recorder implements StreamHandler, Closeable {
   /**
    * What has been recorded.
    *
-   * @return a reading of this moment; complete once {@link #finish()} or {@link #close()} is done
+   * @return a sample of this moment; complete once {@link #finish()} or {@link #close()} is done
    */
   public RecorderReport report() {
     LiveBuffer.Counts counts = buffer.counts();
@@ -352,8 +352,8 @@ public final class Recorder implements StreamHandler, Closeable {
         counts.lost() + (failed ? counts.out() - written : 0),
         eventsAfterStop,
         counts.waitingPackets(),
-        readingsLeftOut,
-        buffer.readingsLost(),
+        samplesLeftOut,
+        buffer.samplesLost(),
         told,
         Optional.ofNullable(stoppedBy),
         failed ? Optional.of(problem().getMessage()) : Optional.empty());

@@ -1,6 +1,6 @@
 package haltere.core.pipeline;
 
-import haltere.core.format.ReadingCounts;
+import haltere.core.format.SampleCounts;
 import haltere.core.stream.DataLost;
 import haltere.core.stream.StreamNotification;
 import java.util.List;
@@ -15,8 +15,8 @@ import java.util.Optional;
  * @param lost events that were dropped because the disk did not keep up, or failed
  * @param afterStop events that came after the recording was over
  * @param waitingPackets packets that wait for the disk
- * @param readingsLeftOut frames, inertial samples and triggers that the format cannot hold
- * @param readingsLost those that were dropped because the disk did not keep up
+ * @param samplesLeftOut frames, inertial samples and triggers that the format cannot hold
+ * @param samplesLost those that were dropped because the disk did not keep up
  * @param gaps where events are missing, the recorder's own losses and those of its source; the
  *     first hundred
  * @param stoppedBy the jump or the end that the recording was over with, if it was
@@ -29,8 +29,8 @@ public record RecorderReport(
     long lost,
     long afterStop,
     int waitingPackets,
-    ReadingCounts readingsLeftOut,
-    long readingsLost,
+    SampleCounts samplesLeftOut,
+    long samplesLost,
     List<DataLost> gaps,
     Optional<StreamNotification> stoppedBy,
     Optional<String> failure) {

@@ -3,12 +3,12 @@ package haltere.core.pipeline;
 import haltere.core.chain.FilterChain;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.format.ReadOptions;
-import haltere.core.format.ReadingCounts;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.Recordings;
+import haltere.core.format.SampleCounts;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
 import haltere.core.pipeline.PipelineCounters.Counter;
@@ -224,14 +224,14 @@ public final class RecordingJob {
       warnings.addAll(
           reader
               .violations()
-              .describe(watch.readings.isEmpty() ? Set.of() : Set.of(Violation.OTHER_DATA)));
+              .describe(watch.samples.isEmpty() ? Set.of() : Set.of(Violation.OTHER_DATA)));
       return new JobReport(
           recording,
           reader.formatName(),
           filters.geometry(),
           reader.sizeBytes(),
           counters,
-          watch.readings,
+          watch.samples,
           counts(reader.violations()),
           warnings,
           JobReport.stages(filters),
@@ -270,11 +270,11 @@ public final class RecordingJob {
     return counts;
   }
 
-  /** Behind the chain: counts readings and tells how far the job is. */
+  /** Behind the chain: counts samples and tells how far the job is. */
   private final class Watch implements StreamHandler {
     private final RecordingReader reader;
     private final PipelineCounters counters;
-    private ReadingCounts readings = ReadingCounts.NONE;
+    private SampleCounts samples = SampleCounts.NONE;
 
     Watch(RecordingReader reader, PipelineCounters counters) {
       this.reader = reader;
@@ -288,8 +288,8 @@ public final class RecordingJob {
     }
 
     @Override
-    public void reading(SensorReading reading) {
-      readings = readings.plus(reading.kind());
+    public void sample(SensorSample sample) {
+      samples = samples.plus(sample.kind());
     }
 
     @Override

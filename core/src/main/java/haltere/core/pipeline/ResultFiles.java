@@ -119,13 +119,13 @@ public final class ResultFiles implements JobResults {
    * @param <T> type of the results
    */
   public <T> void subscribe(Outlet<T> outlet, Consumer<? super T> rows) {
-    Consumer<? super T> taker = rows;
+    Consumer<? super T> consumer = rows;
     if (outlet.order().isPresent()) {
       ResultOrder.Sorter<T> sorter = outlet.order().get().to(rows);
       sorters.add(sorter);
-      taker = sorter;
+      consumer = sorter;
     }
-    open.add(outlet.subscribe(taker, failure)::close);
+    open.add(outlet.subscribe(consumer, failure)::close);
   }
 
   /**

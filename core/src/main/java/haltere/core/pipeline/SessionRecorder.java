@@ -2,7 +2,7 @@ package haltere.core.pipeline;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingWriter;
 import haltere.core.stream.EndOfStream;
@@ -283,9 +283,9 @@ public final class SessionRecorder implements StreamHandler, Closeable {
   }
 
   @Override
-  public void reading(SensorReading reading) {
+  public void sample(SensorSample sample) {
     if (current != null) {
-      current.recorder().reading(reading);
+      current.recorder().sample(sample);
     }
   }
 

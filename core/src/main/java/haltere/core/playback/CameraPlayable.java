@@ -3,7 +3,7 @@ package haltere.core.playback;
 import haltere.core.camera.Camera;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.stream.DeviceLost;
 import haltere.core.stream.EndOfStream;
 import haltere.core.stream.Reset;
@@ -128,8 +128,8 @@ public final class CameraPlayable implements Playable {
     }
 
     @Override
-    public void reading(SensorReading reading) {
-      handler.reading(reading);
+    public void sample(SensorSample sample) {
+      handler.sample(sample);
     }
 
     @Override

@@ -1,7 +1,7 @@
 package haltere.core.playback;
 
 import haltere.core.event.EventPacket;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.stream.Reset;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.function.LongConsumer;
 
 /**
- * The newest events of a stream, and the notifications and readings between them, 8 bytes an event,
+ * The newest events of a stream, and the notifications and samples between them, 8 bytes an event,
  * in bounded memory: where there is no more room the oldest are forgotten, some thousand at a time.
  * Memory is taken as events come, and used again.
  *
@@ -90,7 +90,7 @@ final class EventHistory {
   private final int mostChunks;
   private final List<Chunk> chunks = new ArrayList<>();
   private final ArrayDeque<Chunk> spare = new ArrayDeque<>();
-  private final KeptReadings readings;
+  private final KeptSamples samples;
   private StreamNotification pending;
 
   /** Events so far, those forgotten included. */
@@ -107,18 +107,18 @@ final class EventHistory {
    * @param mostEvents about so many are kept
    */
   EventHistory(int mostEvents) {
-    this(mostEvents, KeptReadings.MAX_BYTES);
+    this(mostEvents, KeptSamples.MAX_BYTES);
   }
 
   /**
    * A history without events.
    *
    * @param mostEvents about so many are kept
-   * @param mostReadingBytes about so much is kept of readings
+   * @param mostSampleBytes about so much is kept of samples
    */
-  EventHistory(int mostEvents, long mostReadingBytes) {
+  EventHistory(int mostEvents, long mostSampleBytes) {
     mostChunks = Math.max(2, mostEvents / CHUNK_EVENTS);
-    readings = new KeptReadings(mostReadingBytes);
+    samples = new KeptSamples(mostSampleBytes);
   }
 
   boolean isEmpty() {
@@ -144,7 +144,7 @@ final class EventHistory {
   void clear() {
     spare.addAll(chunks);
     chunks.clear();
-    readings.clear();
+    samples.clear();
     pending = null;
     toEnd();
   }
@@ -170,7 +170,7 @@ final class EventHistory {
   private Chunk begin(long timeUs, long offsetUs) {
     if (chunks.size() == mostChunks) {
       spare.add(chunks.remove(0));
-      readings.forgetBefore(chunks.get(0).eventsBefore);
+      samples.forgetBefore(chunks.get(0).eventsBefore);
     }
     Chunk begun = spare.isEmpty() ? new Chunk() : spare.pop();
     begun.count = 0;
@@ -191,9 +191,9 @@ final class EventHistory {
     toEnd();
   }
 
-  /** Keeps a reading. */
-  void append(SensorReading reading, long offsetUs) {
-    readings.add(new KeptReadings.Kept(reading, offsetUs, events, pending != null));
+  /** Keeps a sample. */
+  void append(SensorSample sample, long offsetUs) {
+    samples.add(new KeptSamples.Kept(sample, offsetUs, events, pending != null));
     toEnd();
   }
 
@@ -203,7 +203,7 @@ final class EventHistory {
     chunk = chunks.size();
     index = 0;
     noticeGiven = true;
-    readings.toEnd();
+    samples.toEnd();
   }
 
   /** How many events came before the one that is read next. */
@@ -211,7 +211,7 @@ final class EventHistory {
     return chunk < chunks.size() ? chunks.get(chunk).eventsBefore + index : events;
   }
 
-  /** Reads on at the first event or reading at or after a place, or at the end. */
+  /** Reads on at the first event or sample at or after a place, or at the end. */
   void read(long elapsedUs) {
     chunk = 0;
     while (chunk < chunks.size() && chunks.get(chunk).lastUs() < elapsedUs) {
@@ -219,12 +219,12 @@ final class EventHistory {
     }
     index = chunk < chunks.size() ? chunks.get(chunk).indexAtOrAfter(elapsedUs) : 0;
     noticeGiven = true;
-    readings.read(nextEvent(), elapsedUs);
+    samples.read(nextEvent(), elapsedUs);
   }
 
   /** Whether all that is kept has been read. */
   boolean atEnd() {
-    return chunk == chunks.size() && readings.atEnd();
+    return chunk == chunks.size() && samples.atEnd();
   }
 
   /**
@@ -234,11 +234,11 @@ final class EventHistory {
    * @param place told elapsed time less time of what comes next, before that is handed over
    */
   void next(EventPacket piece, LongConsumer place, StreamHandler handler) {
-    if (isReadingNext()) {
-      KeptReadings.Kept next = readings.peek();
-      readings.skip();
+    if (isSampleNext()) {
+      KeptSamples.Kept next = samples.peek();
+      samples.skip();
       place.accept(next.offsetUs());
-      handler.reading(next.reading());
+      handler.sample(next.sample());
       return;
     }
     StreamNotification notice = noticeGiven ? null : chunks.get(chunk).before;
@@ -251,21 +251,21 @@ final class EventHistory {
     }
   }
 
-  private boolean isReadingNext() {
-    if (readings.atEnd()) {
+  private boolean isSampleNext() {
+    if (samples.atEnd()) {
       return false;
     }
-    KeptReadings.Kept next = readings.peek();
+    KeptSamples.Kept next = samples.peek();
     return next.eventsBefore() < nextEvent()
         || next.eventsBefore() == nextEvent() && (noticeGiven || !next.afterNotice());
   }
 
-  /** Reads events up to the next reading; elapsed time less time of them. */
+  /** Reads events up to the next sample; elapsed time less time of them. */
   private long readInto(EventPacket target) {
     Chunk read = chunks.get(chunk);
     int to = Math.min(read.count, index + PlaybackEngine.CHUNK_EVENTS);
-    if (!readings.atEnd()) {
-      to = (int) Math.min(to, readings.peek().eventsBefore() - read.eventsBefore);
+    if (!samples.atEnd()) {
+      to = (int) Math.min(to, samples.peek().eventsBefore() - read.eventsBefore);
     }
     target.clear();
     for (int i = index; i < to; i++) {
@@ -287,7 +287,7 @@ final class EventHistory {
     int chunkBefore = chunk;
     int indexBefore = index;
     boolean noticeBefore = noticeGiven;
-    int readingBefore = readings.place();
+    int sampleBefore = samples.place();
     Copy copy = new Copy(toUs);
     EventPacket piece = new EventPacket(PlaybackEngine.CHUNK_EVENTS);
     read(fromUs);
@@ -297,7 +297,7 @@ final class EventHistory {
     chunk = chunkBefore;
     index = indexBefore;
     noticeGiven = noticeBefore;
-    readings.returnTo(readingBefore);
+    samples.returnTo(sampleBefore);
     copy.target.read(Long.MIN_VALUE);
     return copy.target;
   }
@@ -327,9 +327,9 @@ final class EventHistory {
     }
 
     @Override
-    public void reading(SensorReading reading) {
-      if (reading.timeUs() + offsetUs < toUs) {
-        target.append(reading, offsetUs);
+    public void sample(SensorSample sample) {
+      if (sample.timeUs() + offsetUs < toUs) {
+        target.append(sample, offsetUs);
       }
     }
 

@@ -2,7 +2,7 @@ package haltere.core.playback;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.stream.EndOfStream;
 import haltere.core.stream.Reset;
 import haltere.core.stream.StreamHandler;
@@ -14,7 +14,7 @@ import java.util.OptionalLong;
 
 /**
  * A source that cannot be sought, such as a camera or a scene, whose newest events are kept, and
- * the readings (frames, inertial samples, triggers) between them, so that one can go back to them,
+ * the samples (frames, inertial samples, triggers) between them, so that one can go back to them,
  * play them again at any speed, loop a part of them and take a copy. Behind the newest of them it
  * goes on with what the source gives then. A camera that is not listened to meanwhile loses what it
  * loses in a pause, and says so.
@@ -43,7 +43,7 @@ public final class KeptPlayable implements Playable {
    *
    * @param source at its start; closed with this
    * @param mostEvents so many of its newest events are kept, at 8 bytes each; at least some ten
-   *     thousand. Readings are kept as long as the events beside them, in at most 72 MB
+   *     thousand. Samples are kept as long as the events beside them, in at most 72 MB
    */
   public KeptPlayable(Playable source, int mostEvents) {
     this.source = Objects.requireNonNull(source, "source");
@@ -186,10 +186,10 @@ public final class KeptPlayable implements Playable {
     }
 
     @Override
-    public void reading(SensorReading reading) {
-      offsetUs = source.elapsedUs(reading.timeUs()) - reading.timeUs();
-      history.append(reading, offsetUs);
-      handler.reading(reading);
+    public void sample(SensorSample sample) {
+      offsetUs = source.elapsedUs(sample.timeUs()) - sample.timeUs();
+      history.append(sample, offsetUs);
+      handler.sample(sample);
     }
 
     @Override

@@ -9,7 +9,7 @@ import haltere.core.stream.StreamNotification;
 import haltere.core.stream.StreamStarted;
 import java.util.OptionalLong;
 
-/** A copy of events and readings that were kept, to be played on its own. */
+/** A copy of events and samples that were kept, to be played on its own. */
 final class KeptStretch implements Playable {
   private final String name;
   private final SensorGeometry geometry;

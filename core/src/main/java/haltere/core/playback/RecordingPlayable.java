@@ -2,7 +2,7 @@ package haltere.core.playback;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.TimeSegment;
 import haltere.core.stream.Reset;
@@ -101,8 +101,8 @@ public final class RecordingPlayable implements Playable {
           }
 
           @Override
-          public void reading(SensorReading reading) {
-            handler.reading(reading);
+          public void sample(SensorSample sample) {
+            handler.sample(sample);
           }
 
           @Override

@@ -60,9 +60,9 @@ final class RunUp {
       runner.notified(cursor.takeNotification());
       return true;
     }
-    if (ahead == SourceCursor.Ahead.READING
-        && cursor.readingElapsedUs() < targetUs + Math.min(tiesLeft, 1)) {
-      runner.reading(cursor.takeReading());
+    if (ahead == SourceCursor.Ahead.SAMPLE
+        && cursor.sampleElapsedUs() < targetUs + Math.min(tiesLeft, 1)) {
+      runner.sample(cursor.takeSample());
       return true;
     }
     if (ahead == SourceCursor.Ahead.EVENTS) {

@@ -152,7 +152,7 @@ final class SliceCutter {
   /**
    * Opens the next slice; false at the out point of the loop.
    *
-   * @param next where the next event or reading lies
+   * @param next where the next event or sample lies
    * @param offset elapsed time less time of that
    */
   boolean openBefore(long next, long offset) {

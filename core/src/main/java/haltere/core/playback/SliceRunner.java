@@ -327,14 +327,14 @@ final class SliceRunner {
       }
       return false;
     }
-    boolean reading = ahead == SourceCursor.Ahead.READING;
-    if (reading
+    boolean sample = ahead == SourceCursor.Ahead.SAMPLE;
+    if (sample
         && !slices.waitsForSlice(
-            cursor.readingElapsedUs(), playable.durationUs().orElse(Long.MAX_VALUE))) {
-      runner.reading(cursor.takeReading());
+            cursor.sampleElapsedUs(), playable.durationUs().orElse(Long.MAX_VALUE))) {
+      runner.sample(cursor.takeSample());
       return false;
     }
-    long next = reading ? cursor.readingElapsedUs() : cursor.elapsedUs();
+    long next = sample ? cursor.sampleElapsedUs() : cursor.elapsedUs();
     if (!slices.openBefore(next, cursor.offsetUs())) {
       wrap();
       return false;
@@ -354,9 +354,9 @@ final class SliceRunner {
   }
 
   private void feed(SourceCursor.Ahead ahead) {
-    if (ahead == SourceCursor.Ahead.READING) {
-      if (slices.byCount() || cursor.readingElapsedUs() < slices.toUs()) {
-        runner.reading(cursor.takeReading());
+    if (ahead == SourceCursor.Ahead.SAMPLE) {
+      if (slices.byCount() || cursor.sampleElapsedUs() < slices.toUs()) {
+        runner.sample(cursor.takeSample());
       } else {
         endSlice(slices.toUs());
       }

@@ -1,7 +1,7 @@
 package haltere.core.playback;
 
 import haltere.core.event.EventPacket;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.stream.EndOfStream;
 import haltere.core.stream.Reset;
 import haltere.core.stream.StreamHandler;
@@ -11,7 +11,7 @@ import java.io.IOException;
 import java.util.function.LongSupplier;
 
 /**
- * Looks one packet, reading or notification ahead in what a playable gives, and hands it out in
+ * Looks one packet, sample or notification ahead in what a playable gives, and hands it out in
  * pieces. What the playable says after a seek, or at its start, is kept back: the player says that
  * in its own words. Measures how long the playable takes.
  *
@@ -21,7 +21,7 @@ final class SourceCursor implements StreamHandler {
   /** What comes next. */
   enum Ahead {
     EVENTS,
-    READING,
+    SAMPLE,
     NOTIFICATION,
     END,
     /** Not known yet: ask again. */
@@ -34,7 +34,7 @@ final class SourceCursor implements StreamHandler {
   private final EventPacket piece = new EventPacket(PlaybackEngine.CHUNK_EVENTS);
   private int index;
   private int limit;
-  private SensorReading reading;
+  private SensorSample sample;
   private StreamNotification notification;
   private StreamStarted start;
   private EndOfStream end;
@@ -67,8 +67,8 @@ final class SourceCursor implements StreamHandler {
     if (index < limit) {
       return Ahead.EVENTS;
     }
-    if (reading != null) {
-      return Ahead.READING;
+    if (sample != null) {
+      return Ahead.SAMPLE;
     }
     if (notification != null) {
       return Ahead.NOTIFICATION;
@@ -90,9 +90,9 @@ final class SourceCursor implements StreamHandler {
   }
 
   @Override
-  public void reading(SensorReading given) {
+  public void sample(SensorSample given) {
     breakExpected = false;
-    reading = given;
+    sample = given;
     offsetUs = playable.elapsedUs(given.timeUs()) - given.timeUs();
   }
 
@@ -117,7 +117,7 @@ final class SourceCursor implements StreamHandler {
     playable.seek(elapsedUs);
     index = 0;
     limit = 0;
-    reading = null;
+    sample = null;
     notification = null;
     end = null;
     breakExpected = true;
@@ -150,16 +150,16 @@ final class SourceCursor implements StreamHandler {
     return taken;
   }
 
-  /** Takes the reading that is ahead. */
-  SensorReading takeReading() {
-    SensorReading taken = reading;
-    reading = null;
+  /** Takes the sample that is ahead. */
+  SensorSample takeSample() {
+    SensorSample taken = sample;
+    sample = null;
     return taken;
   }
 
-  /** Elapsed time of the reading that is ahead. */
-  long readingElapsedUs() {
-    return reading.timeUs() + offsetUs;
+  /** Elapsed time of the sample that is ahead. */
+  long sampleElapsedUs() {
+    return sample.timeUs() + offsetUs;
   }
 
   /** Time of the event that is ahead. */

@@ -54,7 +54,7 @@ final class StepBackSearch {
     while (true) {
       switch (cursor.ahead()) {
         case NOTIFICATION -> cursor.takeNotification();
-        case READING -> cursor.takeReading();
+        case SAMPLE -> cursor.takeSample();
         case END -> {
           return new Place(last, ties);
         }

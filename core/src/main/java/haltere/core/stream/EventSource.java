@@ -5,7 +5,7 @@ import java.io.Closeable;
 import java.io.IOException;
 
 /**
- * Where events come from, pulled one packet, reading or notification at a time. What it hands out
+ * Where events come from, pulled one packet, sample or notification at a time. What it hands out
  * keeps the grammar of {@link StreamNotification}.
  *
  * <p>Thread rule: one thread at a time.
@@ -21,7 +21,7 @@ public interface EventSource extends Closeable {
   SensorGeometry geometry();
 
   /**
-   * Hands what comes next in the stream to the handler: exactly one packet, one reading or one
+   * Hands what comes next in the stream to the handler: exactly one packet, one sample or one
    * notification.
    *
    * @param handler takes it

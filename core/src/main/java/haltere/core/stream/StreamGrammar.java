@@ -2,7 +2,7 @@ package haltere.core.stream;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import java.util.Objects;
 
 /**
@@ -60,11 +60,11 @@ public final class StreamGrammar implements StreamHandler {
     next.packet(packet);
   }
 
-  /** {@inheritDoc} Its time is not checked: sources order readings as near as they can. */
+  /** {@inheritDoc} Its time is not checked: sources order samples as near as they can. */
   @Override
-  public void reading(SensorReading reading) {
-    require(state == State.RUNNING, "a reading came " + where());
-    next.reading(reading);
+  public void sample(SensorSample sample) {
+    require(state == State.RUNNING, "a sample came " + where());
+    next.sample(sample);
   }
 
   @Override

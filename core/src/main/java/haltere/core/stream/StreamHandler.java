@@ -1,11 +1,11 @@
 package haltere.core.stream;
 
 import haltere.core.event.EventPacket;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import java.util.function.Consumer;
 
 /**
- * Takes a stream: packets, readings and notifications, one at a time, in order, on the processing
+ * Takes a stream: packets, samples and notifications, one at a time, in order, on the processing
  * thread.
  *
  * @since 0.1
@@ -30,17 +30,17 @@ public interface StreamHandler {
    * before all events at or after it, as near as the source has it. Sources give them only if they
    * are asked to. One that means nothing to the handler is ignored, and nobody has to take any.
    *
-   * @param reading immutable; it may be kept
+   * @param sample immutable; it may be kept
    */
-  default void reading(SensorReading reading) {}
+  default void sample(SensorSample sample) {}
 
   /**
    * A handler that takes what stands between the events and nothing else.
    *
-   * @param taker of frames, inertial samples and triggers
+   * @param consumer of frames, inertial samples and triggers
    * @return a handler
    */
-  static StreamHandler ofReadings(Consumer<SensorReading> taker) {
+  static StreamHandler ofSamples(Consumer<SensorSample> consumer) {
     return new StreamHandler() {
       @Override
       public void packet(EventPacket packet) {
@@ -53,8 +53,8 @@ public interface StreamHandler {
       }
 
       @Override
-      public void reading(SensorReading reading) {
-        taker.accept(reading);
+      public void sample(SensorSample sample) {
+        consumer.accept(sample);
       }
     };
   }

@@ -7,7 +7,7 @@ package haltere.core.stream;
  *
  * <pre>
  * stream   = StreamStarted item* DeviceLost? EndOfStream
- * item     = packet | reading | Reset | DataLost
+ * item     = packet | sample | Reset | DataLost
  * </pre>
  *
  * <p>Exactly one {@link EndOfStream} ends a stream and nothing follows it until the next {@link

@@ -38,9 +38,9 @@ class OutletTest {
   @Test
   void twoSubscriptionsOfTheSameTakerAreTwo() {
     List<String> words = new ArrayList<>();
-    java.util.function.Consumer<String> taker = words::add;
-    Outlet.Subscription first = outlet.subscribe(taker);
-    outlet.subscribe(taker);
+    java.util.function.Consumer<String> consumer = words::add;
+    Outlet.Subscription first = outlet.subscribe(consumer);
+    outlet.subscribe(consumer);
     outlet.publish("one");
     assertEquals(List.of("one", "one"), words);
     first.close();

@@ -8,7 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.EventPacket;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.playback.PlayerStatus.State;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
@@ -95,7 +95,7 @@ class EngineMomentsTest {
               }
 
               @Override
-              public void reading(SensorReading reading) {}
+              public void sample(SensorSample sample) {}
 
               @Override
               public void notified(StreamNotification notification) {}

@@ -4,7 +4,7 @@ import static haltere.core.playback.EngineRig.SENSOR;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.stream.Reset;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
@@ -60,8 +60,8 @@ final class ScriptedPlayable implements Playable {
     if (thing instanceof EventPacket packet) {
       timeline.packet(packet);
       handler.packet(packet.copy());
-    } else if (thing instanceof SensorReading reading) {
-      handler.reading(reading);
+    } else if (thing instanceof SensorSample sample) {
+      handler.sample(sample);
     } else {
       if (thing instanceof Reset) {
         timeline.clockRestarts();

@@ -21,7 +21,7 @@ interface CameraDriver {
   DataEndpoint endpoint();
 
   /** A decoder for a new stream. */
-  WireDecoder newDecoder(boolean readings);
+  WireDecoder newDecoder(boolean samples);
 
   /** Takes the way to the camera and sends it all settings. */
   void connect(UsbTransport transport) throws CameraProblem;

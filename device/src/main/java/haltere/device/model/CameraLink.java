@@ -44,7 +44,7 @@ final class CameraLink {
             : options.waitingBuffers();
     try {
       driver.connect(transport);
-      decoder = driver.newDecoder(options.readings());
+      decoder = driver.newDecoder(options.samples());
       buffers =
           new ReceivedBuffers(
               transfers,

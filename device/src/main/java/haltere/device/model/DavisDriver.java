@@ -78,8 +78,8 @@ final class DavisDriver
   }
 
   @Override
-  public WireDecoder newDecoder(boolean readings) {
-    DavisDecoder decoder = new DavisDecoder(identity.layout(), readings);
+  public WireDecoder newDecoder(boolean samples) {
+    DavisDecoder decoder = new DavisDecoder(identity.layout(), samples);
     decoder.awaitReset();
     return decoder;
   }

@@ -82,8 +82,8 @@ final class Dvs128Driver
   }
 
   @Override
-  public WireDecoder newDecoder(boolean readings) {
-    Dvs128Decoder fresh = new Dvs128Decoder(readings);
+  public WireDecoder newDecoder(boolean samples) {
+    Dvs128Decoder fresh = new Dvs128Decoder(samples);
     if (master) {
       fresh.awaitReset(); // the clock of another camera is reset only by that one
     }

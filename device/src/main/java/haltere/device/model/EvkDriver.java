@@ -36,8 +36,8 @@ final class EvkDriver implements CameraDriver, Configuration {
   }
 
   @Override
-  public WireDecoder newDecoder(boolean readings) {
-    return new Evt3WireDecoder(info.geometry(), readings);
+  public WireDecoder newDecoder(boolean samples) {
+    return new Evt3WireDecoder(info.geometry(), samples);
   }
 
   @Override

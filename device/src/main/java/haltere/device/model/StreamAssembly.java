@@ -1,7 +1,7 @@
 package haltere.device.model;
 
 import haltere.core.event.EventPacket;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.stream.DataLost;
 import haltere.core.stream.Reset;
 import haltere.core.stream.StreamHandler;
@@ -16,7 +16,7 @@ import java.util.ArrayDeque;
 import java.util.Collection;
 
 /**
- * Makes the stream of one connection: packets, readings and notices, in order, of the buffers that
+ * Makes the stream of one connection: packets, samples and notices, in order, of the buffers that
  * come. Where something is missing, {@link DataLost} stands before what comes next.
  *
  * <p>Thread rule: the consumer's thread.
@@ -29,13 +29,13 @@ final class StreamAssembly {
   private final WireDecoder decoder;
   private final Runnable recover;
   private final String camera;
-  private final boolean readings;
+  private final boolean samples;
   private final LatencyHistogram latency;
   private final ClockWatch clock;
   private final EventPacket packet = new EventPacket(PACKET_EVENTS);
   private final EventPacket nothing = new EventPacket(1);
 
-  /** What can be handed over: the packet, readings, notifications. */
+  /** What can be handed over: the packet, samples, notifications. */
   private final ArrayDeque<Object> ready = new ArrayDeque<>();
 
   private Received current;
@@ -55,7 +55,7 @@ final class StreamAssembly {
    * @param decoder of a new stream
    * @param recover called when a transfer did not end well
    * @param camera its name, for a person
-   * @param readings whether readings are handed over
+   * @param samples whether samples are handed over
    * @param latency is told how long each buffer took
    * @param clock is told of times
    */
@@ -64,14 +64,14 @@ final class StreamAssembly {
       WireDecoder decoder,
       Runnable recover,
       String camera,
-      boolean readings,
+      boolean samples,
       LatencyHistogram latency,
       ClockWatch clock) {
     this.buffers = buffers;
     this.decoder = decoder;
     this.recover = recover;
     this.camera = camera;
-    this.readings = readings;
+    this.samples = samples;
     this.latency = latency;
     this.clock = clock;
   }
@@ -92,8 +92,8 @@ final class StreamAssembly {
       handler.packet(packet);
       return events;
     }
-    if (next instanceof SensorReading reading) {
-      handler.reading(reading);
+    if (next instanceof SensorSample sample) {
+      handler.sample(sample);
     } else {
       handler.notified((StreamNotification) next);
     }
@@ -128,10 +128,10 @@ final class StreamAssembly {
       ready.add(packet);
     }
     switch (stop) {
-      case READING -> {
-        tellLoss(decoder.reading().timeUs());
-        if (readings) {
-          ready.add(decoder.reading());
+      case SAMPLE -> {
+        tellLoss(decoder.sample().timeUs());
+        if (samples) {
+          ready.add(decoder.sample());
         }
       }
       case CLOCK_RESET -> resetClock();

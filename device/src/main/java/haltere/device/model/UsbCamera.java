@@ -196,7 +196,7 @@ final class UsbCamera implements Camera {
               started.decoder(),
               started::recover,
               info().id(),
-              options.readings(),
+              options.samples(),
               latency,
               clock);
       clock.restart();

@@ -2,7 +2,7 @@ package haltere.device.protocol;
 
 import haltere.core.event.EventAddress;
 import haltere.core.event.EventPacket;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.event.Trigger;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -36,7 +36,7 @@ public final class DavisDecoder implements WireDecoder {
   private static final int NO_ROW = -1;
 
   private final DavisLayout layout;
-  private final boolean readings;
+  private final boolean samples;
   private final int top;
   private final short[] stage = new short[STAGE_WORDS];
   private final DavisFrameAssembly frames;
@@ -46,18 +46,18 @@ public final class DavisDecoder implements WireDecoder {
   private int row = NO_ROW;
   private boolean timeMayFall = true;
   private int wrapsToAwaitReset;
-  private SensorReading reading;
+  private SensorSample sample;
   private volatile long oddWords;
 
   /**
    * A decoder whose clock is at 0.
    *
    * @param layout of the camera's words
-   * @param readings whether frames, inertial samples and triggers are wanted
+   * @param samples whether frames, inertial samples and triggers are wanted
    */
-  public DavisDecoder(DavisLayout layout, boolean readings) {
+  public DavisDecoder(DavisLayout layout, boolean samples) {
     this.layout = layout;
-    this.readings = readings;
+    this.samples = samples;
     top = layout.geometry().height() - 1;
     frames = new DavisFrameAssembly(layout);
     inertial = new DavisInertialAssembly(layout);
@@ -179,15 +179,15 @@ public final class DavisDecoder implements WireDecoder {
   }
 
   private Stop trigger(Trigger.Source source, Trigger.Edge edge) {
-    return readings ? give(new Trigger(timeUs, source, edge, 0)) : null;
+    return samples ? give(new Trigger(timeUs, source, edge, 0)) : null;
   }
 
-  private Stop give(SensorReading whole) {
-    if (whole == null || !readings || wrapsToAwaitReset > 0) {
+  private Stop give(SensorSample whole) {
+    if (whole == null || !samples || wrapsToAwaitReset > 0) {
       return null;
     }
-    reading = whole;
-    return Stop.READING;
+    sample = whole;
+    return Stop.SAMPLE;
   }
 
   private Stop reset() {
@@ -202,7 +202,7 @@ public final class DavisDecoder implements WireDecoder {
 
   /** Words of frames and inertial samples. */
   private void aside(int code, int data) {
-    if (!readings) {
+    if (!samples) {
       return;
     }
     switch (code) {
@@ -225,8 +225,8 @@ public final class DavisDecoder implements WireDecoder {
   }
 
   @Override
-  public SensorReading reading() {
-    return reading;
+  public SensorSample sample() {
+    return sample;
   }
 
   @Override

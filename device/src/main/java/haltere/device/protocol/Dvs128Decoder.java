@@ -1,7 +1,7 @@
 package haltere.device.protocol;
 
 import haltere.core.event.EventPacket;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.event.Trigger;
 import haltere.core.format.internal.aedat2.Dvs128AddressDecoder;
 import haltere.core.stream.StreamNotification;
@@ -31,7 +31,7 @@ public final class Dvs128Decoder implements WireDecoder {
   private static final int STAGE_WORDS = 1024;
   private static final int LONGEST_AWAIT_WRAPS = 500_000 / WRAP_US;
 
-  private final boolean readings;
+  private final boolean samples;
   private final int[] stage = new int[STAGE_WORDS];
   private long offsetUs;
   private long lastUs = StreamNotification.NO_TIME_US;
@@ -45,10 +45,10 @@ public final class Dvs128Decoder implements WireDecoder {
   /**
    * A decoder whose clock is at 0.
    *
-   * @param readings whether edges on the camera's input are wanted, as triggers
+   * @param samples whether edges on the camera's input are wanted, as triggers
    */
-  public Dvs128Decoder(boolean readings) {
-    this.readings = readings;
+  public Dvs128Decoder(boolean samples) {
+    this.samples = samples;
   }
 
   /**
@@ -133,11 +133,11 @@ public final class Dvs128Decoder implements WireDecoder {
     }
     long timeUs = timeOf(word >>> 16);
     if ((word & SYNC_BIT) != 0) {
-      if (!readings) {
+      if (!samples) {
         return null;
       }
       trigger = new Trigger(timeUs, Trigger.Source.EXTERNAL_INPUT, Trigger.Edge.FALLING, 0);
-      return Stop.READING;
+      return Stop.SAMPLE;
     }
     out.append(timeUs, address(word));
     return null;
@@ -168,7 +168,7 @@ public final class Dvs128Decoder implements WireDecoder {
   }
 
   @Override
-  public SensorReading reading() {
+  public SensorSample sample() {
     return trigger;
   }
 

@@ -2,7 +2,7 @@ package haltere.device.protocol;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.event.Trigger;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
@@ -22,7 +22,7 @@ public final class Evt3WireDecoder implements WireDecoder {
   private static final int LAST_TIME = 0;
   private static final int WORD_TIME = 3;
 
-  private final boolean readings;
+  private final boolean samples;
   private final ViolationCounts violations = new ViolationCounts();
   private final Evt3Decoder decoder;
   private final long[] state;
@@ -34,10 +34,10 @@ public final class Evt3WireDecoder implements WireDecoder {
    * A decoder before the first word.
    *
    * @param geometry the sensor
-   * @param readings whether edges on the camera's input are wanted, as triggers
+   * @param samples whether edges on the camera's input are wanted, as triggers
    */
-  public Evt3WireDecoder(SensorGeometry geometry, boolean readings) {
-    this.readings = readings;
+  public Evt3WireDecoder(SensorGeometry geometry, boolean samples) {
+    this.samples = samples;
     decoder = new Evt3Decoder(geometry, 0, violations);
     state = new long[decoder.stateLongs()];
   }
@@ -45,7 +45,7 @@ public final class Evt3WireDecoder implements WireDecoder {
   @Override
   public Stop decode(ByteBuffer in, EventPacket out, int maxEvents) {
     int limit = in.limit();
-    int stop = readings ? nextTrigger(in) : limit;
+    int stop = samples ? nextTrigger(in) : limit;
     in.limit(stop);
     int before = in.position();
     boolean restarted = decoder.decode(in.order(ByteOrder.LITTLE_ENDIAN), offset, out, maxEvents);
@@ -62,7 +62,7 @@ public final class Evt3WireDecoder implements WireDecoder {
     if (stop < limit && in.position() == stop) {
       trigger = trigger(in.getShort() & 0xffff);
       offset += WORD_BYTES;
-      return Stop.READING;
+      return Stop.SAMPLE;
     }
     if (in.hasRemaining()) {
       violations.add(Violation.CUT_OFF, offset);
@@ -98,7 +98,7 @@ public final class Evt3WireDecoder implements WireDecoder {
   }
 
   @Override
-  public SensorReading reading() {
+  public SensorSample sample() {
     return trigger;
   }
 

@@ -1,11 +1,11 @@
 package haltere.device.protocol;
 
 import haltere.core.event.EventPacket;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import java.nio.ByteBuffer;
 
 /**
- * Turns the bytes of a camera into packets, readings and resets of its clock, in the order of the
+ * Turns the bytes of a camera into packets, samples and resets of its clock, in the order of the
  * stream. Pure: all state is in the object. What is wrong in the bytes is counted, never thrown.
  *
  * <p>Thread rule: one thread; {@link #oddWords} may be called from any.
@@ -17,8 +17,8 @@ public interface WireDecoder {
     INPUT_USED,
     /** The packet holds as many events as were asked for. */
     PACKET_FULL,
-    /** A frame, an inertial sample or a trigger stands here: {@link #reading}. */
-    READING,
+    /** A frame, an inertial sample or a trigger stands here: {@link #sample}. */
+    SAMPLE,
     /** The camera's clock was set back here; what follows may be earlier than what was before. */
     CLOCK_RESET
   }
@@ -36,9 +36,9 @@ public interface WireDecoder {
   /**
    * What {@link #decode} came to.
    *
-   * @return the reading; only after {@link Stop#READING}
+   * @return the sample; only after {@link Stop#SAMPLE}
    */
-  SensorReading reading();
+  SensorSample sample();
 
   /** Bytes are missing here: what is half done is given up, and the next time may be any. */
   void breakOff();

@@ -1,5 +1,5 @@
 /**
- * What cameras send, bytes to events and readings: state machines without a cable, fed by a file as
+ * What cameras send, bytes to events and samples: state machines without a cable, fed by a file as
  * well as by USB.
  */
 package haltere.device.protocol;

@@ -12,7 +12,7 @@ import haltere.core.camera.Configuration;
 import haltere.core.camera.RegionOfInterest;
 import haltere.core.camera.TimestampReset;
 import haltere.core.event.EventPacket;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.pipeline.LiveBuffer;
 import haltere.core.playback.Sleeper;
 import haltere.core.simulation.Scene;
@@ -181,8 +181,8 @@ final class SimulatedCamera implements Camera, TimestampReset, RegionOfInterest,
     }
 
     @Override
-    public void reading(SensorReading reading) {
-      handler.reading(reading);
+    public void sample(SensorSample sample) {
+      handler.sample(sample);
     }
 
     @Override

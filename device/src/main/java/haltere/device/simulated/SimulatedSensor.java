@@ -27,7 +27,7 @@ final class SimulatedSensor {
   private boolean over;
   private Optional<Region> region = Optional.empty();
 
-  private final StreamHandler taker =
+  private final StreamHandler consumer =
       new StreamHandler() {
         @Override
         public void packet(EventPacket packet) {
@@ -85,7 +85,7 @@ final class SimulatedSensor {
         return;
       }
       try {
-        scene.next(taker);
+        scene.next(consumer);
       } catch (IOException impossible) {
         throw new UncheckedIOException(impossible);
       }

@@ -102,7 +102,7 @@ abstract class DavisScenarios extends DeviceBench<DavisFirmware> {
   }
 
   @Test
-  void framesInertialSamplesAndInputsAreReadingsOfTheirOwn() throws IOException {
+  void framesInertialSamplesAndInputsAreSamplesOfTheirOwn() throws IOException {
     try (Camera camera = open()) {
       StreamLog log = started(camera);
       firmware.special(5, 3);

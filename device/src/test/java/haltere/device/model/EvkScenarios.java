@@ -46,7 +46,7 @@ abstract class EvkScenarios extends DeviceBench<EvkFirmware> {
 
   @Test
   void itTellsItsNumberStreamsAndStops() throws IOException {
-    Camera camera = open(CameraOptions.DEFAULT.withReadings(true));
+    Camera camera = open(CameraOptions.DEFAULT.withSamples(true));
     StreamLog log = started(camera);
     assertEquals("00004321", camera.info().serial());
     assertTrue(firmware.isStreaming());

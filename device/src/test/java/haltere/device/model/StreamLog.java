@@ -2,7 +2,7 @@ package haltere.device.model;
 
 import haltere.core.camera.Camera;
 import haltere.core.event.EventPacket;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.stream.DataLost;
 import haltere.core.stream.EndOfStream;
 import haltere.core.stream.StreamGrammar;
@@ -91,8 +91,8 @@ final class StreamLog implements StreamHandler {
   }
 
   @Override
-  public void reading(SensorReading reading) {
-    items.add(reading);
+  public void sample(SensorSample sample) {
+    items.add(sample);
   }
 
   @Override

@@ -122,7 +122,7 @@ class FrequencyMapFilterTest extends EventFilterContract {
         Scenes.named("fly")
             .create(List.of("run.durationS=0.5", "disturbances.manoeuvres.everyS=0"))) {
       map = new FrequencyMap(scene.geometry(), FrequencyMapSettings.defaults());
-      StreamHandler taker =
+      StreamHandler consumer =
           new StreamHandler() {
             @Override
             public void packet(EventPacket packet) {
@@ -134,7 +134,7 @@ class FrequencyMapFilterTest extends EventFilterContract {
               // events are all that counts
             }
           };
-      while (scene.next(taker)) {
+      while (scene.next(consumer)) {
         // to its end
       }
     }

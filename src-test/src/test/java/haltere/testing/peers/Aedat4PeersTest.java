@@ -7,7 +7,7 @@ import haltere.core.event.EventPacket;
 import haltere.core.event.Frame;
 import haltere.core.event.InertialSample;
 import haltere.core.event.Origin;
-import haltere.core.event.ReadingKind;
+import haltere.core.event.SampleKind;
 import haltere.core.event.SensorGeometry;
 import haltere.core.event.Trigger;
 import haltere.core.format.RecordingReader;
@@ -85,7 +85,7 @@ class Aedat4PeersTest {
   @Test
   void twoOtherProgramsReadEveryFrameSampleAndTriggerThatWeWrite() throws IOException {
     Path file = folder.resolve("readings.aedat4");
-    WriteOptions options = WriteOptions.of(SENSOR).withReadings(EnumSet.allOf(ReadingKind.class));
+    WriteOptions options = WriteOptions.of(SENSOR).withSamples(EnumSet.allOf(SampleKind.class));
     List<String> expected = new ArrayList<>();
     try (RecordingWriter writer = Aedat4Writer.create(file, options, Aedat4Compression.LZ4)) {
       EventPacket events = events();

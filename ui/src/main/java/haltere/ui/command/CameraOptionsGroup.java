@@ -114,14 +114,14 @@ final class CameraOptionsGroup {
    * Opens a camera, by its id or empty for the first one that is there, and sets its biases; on
    * request with frames, inertial samples and triggers.
    */
-  Camera open(String device, boolean readings) throws CameraProblem {
+  Camera open(String device, boolean samples) throws CameraProblem {
     Camera camera =
         Cameras.installed()
             .open(
                 device,
                 CameraOptions.DEFAULT
                     .withReconnect(true)
-                    .withReadings(readings)
+                    .withSamples(samples)
                     .withWhenFull(whenFull()));
     try {
       setBiases(camera);

@@ -5,9 +5,9 @@ import haltere.core.chain.FilterChain;
 import haltere.core.chain.FilterProvider;
 import haltere.core.chain.Filters;
 import haltere.core.event.EventPacket;
-import haltere.core.event.ReadingKind;
+import haltere.core.event.SampleKind;
 import haltere.core.event.SensorGeometry;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.format.RecordingFormat;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingReader;
@@ -16,8 +16,8 @@ import haltere.core.format.Recordings;
 import haltere.core.format.Violation;
 import haltere.core.pipeline.Conversion;
 import haltere.ui.command.results.EventTable;
-import haltere.ui.command.results.ReadingExport;
-import haltere.ui.command.results.ReadingStream;
+import haltere.ui.command.results.SampleExport;
+import haltere.ui.command.results.SampleStream;
 import haltere.ui.command.terminal.ProgressBar;
 import haltere.ui.command.terminal.Quantities;
 import java.io.IOException;
@@ -103,7 +103,7 @@ final class ConvertCommand extends Subcommand {
       description =
           "Write, instead of a recording, its inertial samples (imu) or triggers (triggers) to a"
               + " table OUT, or its frames (frames) as PNG pictures to a new folder OUT.")
-  ReadingStream stream;
+  SampleStream stream;
 
   @Mixin ReadingOptions reading;
   @Mixin RecordingWritingOptions writing;
@@ -186,7 +186,7 @@ final class ConvertCommand extends Subcommand {
     if (!filters.isEmpty()) {
       throw wrongArguments("--filter works on events; leave it out with --stream");
     }
-    if (stream != ReadingStream.FRAMES && !isTable(out)) {
+    if (stream != SampleStream.FRAMES && !isTable(out)) {
       throw wrongArguments("--stream writes a table; let " + out + " end in .csv or .parquet");
     }
   }
@@ -216,8 +216,8 @@ final class ConvertCommand extends Subcommand {
     List<String> warnings = new ArrayList<>();
     try (RecordingReader reader = reading.openWithReadings(in);
         ProgressBar bar = progressBar("converting", in)) {
-      ReadingExport export =
-          new ReadingExport(
+      SampleExport export =
+          new SampleExport(
               stream,
               out,
               writing.overwrite,
@@ -231,11 +231,11 @@ final class ConvertCommand extends Subcommand {
     for (String warning : warnings) {
       warning(in + ": " + warning);
     }
-    ReadingKind kind =
+    SampleKind kind =
         switch (stream) {
-          case IMU -> ReadingKind.INERTIAL_SAMPLE;
-          case TRIGGERS -> ReadingKind.TRIGGER;
-          case FRAMES -> ReadingKind.FRAME;
+          case IMU -> SampleKind.INERTIAL_SAMPLE;
+          case TRIGGERS -> SampleKind.TRIGGER;
+          case FRAMES -> SampleKind.FRAME;
         };
     if (rows == 0) {
       warning(in + ": there are no " + kind.many() + (isPart() ? " in this stretch of time" : ""));
@@ -269,7 +269,7 @@ final class ConvertCommand extends Subcommand {
         out,
         Quantities.events(done.eventsWritten()),
         filters.isEmpty() ? "" : " of " + Quantities.count(done.eventsRead()),
-        done.readingsWritten().isEmpty() ? "" : ", " + done.readingsWritten());
+        done.samplesWritten().isEmpty() ? "" : ", " + done.samplesWritten());
   }
 
   private boolean isPart() {
@@ -301,7 +301,7 @@ final class ConvertCommand extends Subcommand {
     }
 
     @Override
-    public boolean write(SensorReading given) throws IOException {
+    public boolean write(SensorSample given) throws IOException {
       return writer.write(given);
     }
 

@@ -227,10 +227,10 @@ final class InfoCommand extends Subcommand {
     }
     object.put("gaps", gaps);
     object.put("warnings", summary.warnings());
-    if (!summary.readings().isEmpty()) {
-      object.put("frames", summary.readings().frames());
-      object.put("inertialSamples", summary.readings().inertialSamples());
-      object.put("triggers", summary.readings().triggers());
+    if (!summary.samples().isEmpty()) {
+      object.put("frames", summary.samples().frames());
+      object.put("inertialSamples", summary.samples().inertialSamples());
+      object.put("triggers", summary.samples().triggers());
     }
     return object;
   }
@@ -267,8 +267,8 @@ final class InfoCommand extends Subcommand {
     line(
         "events",
         Quantities.text("%,d  (%,d ON, %,d OFF)", summary.events(), summary.on(), summary.off()));
-    if (!summary.readings().isEmpty()) {
-      line("also", summary.readings().toString());
+    if (!summary.samples().isEmpty()) {
+      line("also", summary.samples().toString());
     }
     if (summary.events() == 0) {
       return;

@@ -48,7 +48,7 @@ final class ReadingOptions extends SourceOptions {
 
   /** A reader that also gives frames, inertial samples and triggers. */
   RecordingReader openWithReadings(Path file) throws IOException {
-    return open(file, readOptions().withReadings(true));
+    return open(file, readOptions().withSamples(true));
   }
 
   /** A reader of a file or of standard input. */

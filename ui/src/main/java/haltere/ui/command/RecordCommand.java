@@ -221,8 +221,8 @@ final class RecordCommand extends Subcommand {
       warning(
           part.file() + ": lost " + Quantities.events(report.lost()) + ", the disk is too slow");
     }
-    if (!report.readingsLeftOut().isEmpty()) {
-      warning(part.file() + ": the format cannot hold " + report.readingsLeftOut() + ", left out");
+    if (!report.samplesLeftOut().isEmpty()) {
+      warning(part.file() + ": the format cannot hold " + report.samplesLeftOut() + ", left out");
     }
   }
 

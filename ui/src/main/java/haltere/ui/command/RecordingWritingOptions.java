@@ -2,14 +2,14 @@ package haltere.ui.command;
 
 import haltere.core.camera.Camera;
 import haltere.core.event.Origin;
-import haltere.core.event.ReadingKind;
+import haltere.core.event.SampleKind;
 import haltere.core.event.SensorGeometry;
-import haltere.core.format.ReadingCounts;
 import haltere.core.format.RecordingFormat;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.Recordings;
+import haltere.core.format.SampleCounts;
 import haltere.core.format.WriteOptions;
 import haltere.core.format.internal.aedat4.Aedat4Compression;
 import haltere.core.format.internal.aedat4.Aedat4Format;
@@ -71,13 +71,13 @@ final class RecordingWritingOptions extends WritingOptions {
   /** Starts a recording for all that another one holds, as far as the format can. */
   RecordingWriter create(Path output, RecordingFormat format, RecordingReader reader)
       throws IOException {
-    Set<ReadingKind> readings = EnumSet.noneOf(ReadingKind.class);
-    readings.addAll(format.writableReadings());
-    if (!readings.isEmpty()) {
-      ReadingCounts there = reader.countReadings();
-      readings.removeIf(kind -> there.of(kind) == 0);
+    Set<SampleKind> samples = EnumSet.noneOf(SampleKind.class);
+    samples.addAll(format.writableSamples());
+    if (!samples.isEmpty()) {
+      SampleCounts there = reader.countSamples();
+      samples.removeIf(kind -> there.of(kind) == 0);
     }
-    return create(output, format, reader.geometry(), readings);
+    return create(output, format, reader.geometry(), samples);
   }
 
   /**
@@ -94,7 +94,7 @@ final class RecordingWritingOptions extends WritingOptions {
             overwrite,
             Optional.ofNullable(origin),
             metadata,
-            Set.copyOf(format.writableReadings()));
+            Set.copyOf(format.writableSamples()));
     if (format instanceof Aedat4Format) {
       return Aedat4Writer.createInPlace(output, options, Aedat4Compression.LZ4);
     }
@@ -134,10 +134,10 @@ final class RecordingWritingOptions extends WritingOptions {
   }
 
   private RecordingWriter create(
-      Path output, RecordingFormat format, SensorGeometry geometry, Set<ReadingKind> readings)
+      Path output, RecordingFormat format, SensorGeometry geometry, Set<SampleKind> samples)
       throws IOException {
     WriteOptions toFile =
-        new WriteOptions(geometry, overwrite, Optional.ofNullable(origin), Map.of(), readings);
+        new WriteOptions(geometry, overwrite, Optional.ofNullable(origin), Map.of(), samples);
     WriteOptions options =
         ReadingOptions.isStandard(output)
             ? toFile.withStream(((Subcommand) command.userObject()).standardOutput())

@@ -112,7 +112,7 @@ final class RunCommand extends Subcommand {
     }
     RecordingJob job =
         RecordingJob.of(file, this::chain, this::results)
-            .reading(reading.readOptions().withReadings(true), reading.strict)
+            .reading(reading.readOptions().withSamples(true), reading.strict)
             .opened(reading::open)
             .paced(this::paced);
     JobReport done = run(reporting.watching(job), "filtering", file);

@@ -1,10 +1,10 @@
 package haltere.ui.command;
 
 import haltere.core.event.EventPacket;
-import haltere.core.event.SensorReading;
-import haltere.core.format.ReadingCounts;
+import haltere.core.event.SensorSample;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.RecordingWriter;
+import haltere.core.format.SampleCounts;
 import haltere.core.pipeline.JobResults;
 import haltere.core.pipeline.OverflowPolicy;
 import haltere.core.pipeline.Recorder;
@@ -23,7 +23,7 @@ final class WrittenRecording implements JobResults, StreamHandler {
   private final Path file;
   private final RecordingWriter writer;
   private final Recorder recorder;
-  private ReadingCounts readings = ReadingCounts.NONE;
+  private SampleCounts samples = SampleCounts.NONE;
 
   WrittenRecording(Subcommand command, RecordingReader reader, Path file, RecordingWriter writer) {
     this.command = command;
@@ -46,9 +46,9 @@ final class WrittenRecording implements JobResults, StreamHandler {
   }
 
   @Override
-  public void reading(SensorReading reading) {
-    readings = readings.plus(reading.kind());
-    recorder.reading(reading);
+  public void sample(SensorSample sample) {
+    samples = samples.plus(sample.kind());
+    recorder.sample(sample);
   }
 
   @Override
@@ -60,12 +60,12 @@ final class WrittenRecording implements JobResults, StreamHandler {
   public void finish() throws IOException {
     RecorderReport report = recorder.finish();
     writer.losses().forEach(loss -> command.warning(file + ": " + loss));
-    ReadingCounts leftOut = report.readingsLeftOut();
+    SampleCounts leftOut = report.samplesLeftOut();
     if (!leftOut.isEmpty()) {
       command.warning(
           input + ": " + leftOut + " were left out: the format of " + file + " cannot hold them");
     }
-    ReadingCounts kept = readings.minus(leftOut);
+    SampleCounts kept = samples.minus(leftOut);
     String beside = kept.isEmpty() ? "" : ", " + kept;
     command.message("wrote %s (%s%s)", file, Quantities.events(report.written()), beside);
   }

@@ -1,7 +1,7 @@
 package haltere.ui.plot;
 
 import haltere.core.event.InertialSample;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import java.util.List;
 
 /**
@@ -39,8 +39,8 @@ public final class InertialFeed {
   }
 
   /** Takes an inertial sample; other readings are ignored. */
-  public void take(SensorReading reading) {
-    if (reading instanceof InertialSample sample) {
+  public void take(SensorSample taken) {
+    if (taken instanceof InertialSample sample) {
       any = true;
       long timeUs = sample.timeUs();
       acceleration.put(timeUs, "x", sample.accelerationXG());
@@ -57,8 +57,8 @@ public final class InertialFeed {
    * Hands over the samples of one of the {@link #FIELDS} that came since the last call, oldest
    * first.
    */
-  public void drainTo(PlotField field, SampleQueue.Taker taker) {
+  public void drainTo(PlotField field, SampleQueue.SampleConsumer consumer) {
     (field.equals(ACCELERATION) ? acceleration : field.equals(ROTATION) ? rotation : temperature)
-        .drainTo(taker);
+        .drainTo(consumer);
   }
 }

@@ -47,8 +47,8 @@ public final class PlotFeed implements AutoCloseable {
   }
 
   /** Hands over the samples that came since the last call, oldest first. */
-  public void drainTo(SampleQueue.Taker taker) {
-    queue.drainTo(taker);
+  public void drainTo(SampleQueue.SampleConsumer consumer) {
+    queue.drainTo(consumer);
   }
 
   /** How many samples came faster than they were taken and are left out. */

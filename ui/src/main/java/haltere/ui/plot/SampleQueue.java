@@ -10,7 +10,7 @@ import java.util.concurrent.atomic.AtomicLong;
  */
 public final class SampleQueue {
   /** Takes samples. */
-  public interface Taker {
+  public interface SampleConsumer {
     /**
      * Takes a sample: time on the recording's clock in microseconds, which curve, and the number,
      * which may be NaN.
@@ -52,11 +52,11 @@ public final class SampleQueue {
   }
 
   /** Takes out all that is there, oldest first. */
-  public void drainTo(Taker taker) {
+  public void drainTo(SampleConsumer consumer) {
     long end = written.get();
     for (long at = read.getPlain(); at < end; at++) {
       int slot = (int) at & mask;
-      taker.take(times[slot], keys[slot], values[slot]);
+      consumer.take(times[slot], keys[slot], values[slot]);
     }
     read.set(end);
   }

@@ -210,10 +210,10 @@ public final class WingLog implements Closeable {
   }
 
   private <R> void subscribe(
-      EventFilter filter, String name, Class<R> type, Consumer<? super R> taker) {
+      EventFilter filter, String name, Class<R> type, Consumer<? super R> consumer) {
     for (Outlet<?> outlet : filter.outlets()) {
       if (outlet.name().equals(name)) {
-        subscriptions.add(outlet.subscribe(row -> taker.accept(type.cast(row))));
+        subscriptions.add(outlet.subscribe(row -> consumer.accept(type.cast(row))));
       }
     }
   }

@@ -33,7 +33,7 @@ class SampleQueueTest {
             });
     writer.start();
     long[] lastAndCount = {-1, 0};
-    SampleQueue.Taker taker =
+    SampleQueue.SampleConsumer consumer =
         (timeUs, key, value) -> {
           assertEquals(2.0 * timeUs, value);
           assertEquals(true, timeUs > lastAndCount[0]);
@@ -41,10 +41,10 @@ class SampleQueueTest {
           lastAndCount[1]++;
         };
     while (writer.isAlive()) {
-      queue.drainTo(taker);
+      queue.drainTo(consumer);
     }
     writer.join();
-    queue.drainTo(taker);
+    queue.drainTo(consumer);
     assertEquals(samples, lastAndCount[1] + queue.lost());
   }
 

@@ -2,10 +2,10 @@ package haltere.core.format.summary;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.format.ProgressListener;
-import haltere.core.format.ReadingCounts;
 import haltere.core.format.RecordingReader;
+import haltere.core.format.SampleCounts;
 import haltere.core.format.TimeSegment;
 import haltere.core.format.Violation;
 import haltere.core.stream.DataLost;
@@ -39,7 +39,7 @@ import java.util.Set;
  * @param gaps losses that the recording itself tells of, and silences of the whole sensor of at
  *     least {@link #SILENCE_US}; the first {@link #MAX_LISTED}
  * @param segments stretches between which the clock goes back; the first {@link #MAX_LISTED}
- * @param readings frames, inertial samples and triggers that it holds beside the events
+ * @param samples frames, inertial samples and triggers that it holds beside the events
  * @param warnings what a user should know: assumptions of the reader and what was wrong or left out
  * @since 0.1
  */
@@ -57,7 +57,7 @@ public record RecordingSummary(
     boolean timestampsMonotonic,
     List<Gap> gaps,
     List<TimeSegment> segments,
-    ReadingCounts readings,
+    SampleCounts samples,
     List<String> warnings) {
   /** Silence of a whole sensor that counts as a gap: any sensor's noise is denser than that. */
   public static final long SILENCE_US = 1_000_000;
@@ -71,7 +71,7 @@ public record RecordingSummary(
   public RecordingSummary {
     Objects.requireNonNull(format, "format");
     Objects.requireNonNull(geometry, "geometry");
-    Objects.requireNonNull(readings, "readings");
+    Objects.requireNonNull(samples, "samples");
     gaps = List.copyOf(gaps);
     segments = List.copyOf(segments);
     warnings = List.copyOf(warnings);
@@ -101,7 +101,7 @@ public record RecordingSummary(
       }
     }
     boolean others = reader.violations().count(Violation.OTHER_DATA) > 0;
-    return scan.summary(reader, others ? reader.countReadings() : scan.handed);
+    return scan.summary(reader, others ? reader.countSamples() : scan.handed);
   }
 
   private static final class Scan implements StreamHandler {
@@ -122,16 +122,16 @@ public record RecordingSummary(
     private boolean monotonic = true;
     private boolean lossTold;
     private final List<StreamHandler> also;
-    private ReadingCounts handed = ReadingCounts.NONE;
+    private SampleCounts handed = SampleCounts.NONE;
 
     Scan(List<StreamHandler> also) {
       this.also = also;
     }
 
     @Override
-    public void reading(SensorReading reading) {
-      handed = handed.plus(reading.kind());
-      also.forEach(handler -> handler.reading(reading));
+    public void sample(SensorSample sample) {
+      handed = handed.plus(sample.kind());
+      also.forEach(handler -> handler.sample(sample));
     }
 
     @Override
@@ -201,14 +201,14 @@ public record RecordingSummary(
       }
     }
 
-    RecordingSummary summary(RecordingReader reader, ReadingCounts readings) {
+    RecordingSummary summary(RecordingReader reader, SampleCounts samples) {
       startPeak(0);
       endSegment();
       List<String> warnings = new ArrayList<>(reader.remarks());
       warnings.addAll(
           reader
               .violations()
-              .describe(readings.isEmpty() ? Set.of() : Set.of(Violation.OTHER_DATA)));
+              .describe(samples.isEmpty() ? Set.of() : Set.of(Violation.OTHER_DATA)));
       if (gapCount > MAX_LISTED) {
         warnings.add(gapCount + " gaps, of which the first " + MAX_LISTED + " are listed");
       }
@@ -230,7 +230,7 @@ public record RecordingSummary(
           monotonic,
           gaps,
           segments,
-          readings,
+          samples,
           warnings);
     }
   }

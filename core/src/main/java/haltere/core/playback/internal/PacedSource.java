@@ -2,7 +2,7 @@ package haltere.core.playback.internal;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.playback.PlaybackClock;
 import haltere.core.stream.EndOfStream;
 import haltere.core.stream.EventSource;
@@ -49,7 +49,7 @@ public final class PacedSource implements EventSource {
   @Override
   public boolean next(StreamHandler handler) throws IOException {
     if (index == pending.size()) {
-      return source.next(new Taker(handler)) && (index == pending.size() || giveDue(handler));
+      return source.next(new Forwarder(handler)) && (index == pending.size() || giveDue(handler));
     }
     return giveDue(handler);
   }
@@ -81,10 +81,10 @@ public final class PacedSource implements EventSource {
   }
 
   /** Keeps a packet until it is due; the rest has no time of its own and goes on at once. */
-  private final class Taker implements StreamHandler {
+  private final class Forwarder implements StreamHandler {
     private final StreamHandler handler;
 
-    Taker(StreamHandler handler) {
+    Forwarder(StreamHandler handler) {
       this.handler = handler;
     }
 
@@ -100,8 +100,8 @@ public final class PacedSource implements EventSource {
     }
 
     @Override
-    public void reading(SensorReading reading) {
-      handler.reading(reading);
+    public void sample(SensorSample sample) {
+      handler.sample(sample);
     }
 
     @Override

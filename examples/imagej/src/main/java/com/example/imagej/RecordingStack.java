@@ -2,7 +2,7 @@ package com.example.imagej;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.Frame;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.Recordings;
@@ -45,7 +45,7 @@ final class RecordingStack extends VirtualStack {
     this.show = show;
     setBitDepth(32);
     if (show == Show.FRAMES) {
-      reader.drainTo(StreamHandler.ofReadings(this::addFrame));
+      reader.drainTo(StreamHandler.ofSamples(this::addFrame));
     }
     for (int i = 0; i < reader.segments().size() && show != Show.FRAMES; i++) {
       TimeSegment segment = reader.segments().get(i);
@@ -57,13 +57,13 @@ final class RecordingStack extends VirtualStack {
   }
 
   static RecordingReader open(Path file, Show show) throws IOException {
-    return Recordings.open(file, ReadOptions.DEFAULT.withReadings(show == Show.FRAMES));
+    return Recordings.open(file, ReadOptions.DEFAULT.withSamples(show == Show.FRAMES));
   }
 
-  private void addFrame(SensorReading reading) {
-    if (reading instanceof Frame) {
+  private void addFrame(SensorSample sample) {
+    if (sample instanceof Frame) {
       Start last = starts.isEmpty() ? new Start(0, Long.MIN_VALUE) : starts.get(getSize() - 1);
-      add(new Start(last.segment + (reading.timeUs() < last.timeUs ? 1 : 0), reading.timeUs()));
+      add(new Start(last.segment + (sample.timeUs() < last.timeUs ? 1 : 0), sample.timeUs()));
     }
   }
 
@@ -156,8 +156,8 @@ final class RecordingStack extends VirtualStack {
     }
 
     @Override
-    public void reading(SensorReading reading) {
-      if (reading instanceof Frame frame && frame.timeUs() == startUs && !isFound) {
+    public void sample(SensorSample sample) {
+      if (sample instanceof Frame frame && frame.timeUs() == startUs && !isFound) {
         for (int i = 0; i < frame.width() * frame.height() * frame.channels(); i++) {
           int pixel = i / frame.channels();
           int x = pixel % frame.width();

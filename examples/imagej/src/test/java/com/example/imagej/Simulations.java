@@ -2,7 +2,7 @@ package com.example.imagej;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.Frame;
-import haltere.core.event.ReadingKind;
+import haltere.core.event.SampleKind;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.Recordings;
@@ -49,7 +49,7 @@ public final class Simulations {
 
   private static RecordingWriter writer(Path file, SensorGeometry sensor) throws IOException {
     WriteOptions options =
-        WriteOptions.of(sensor).withOverwrite(true).withReadings(Set.of(ReadingKind.FRAME));
+        WriteOptions.of(sensor).withOverwrite(true).withSamples(Set.of(SampleKind.FRAME));
     return Recordings.forWriting(file).create(file, options).orElseThrow();
   }
 

@@ -4,7 +4,7 @@ import haltere.core.chain.ChainFile;
 import haltere.core.chain.FilterChain;
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.pipeline.JobReport;
 import haltere.core.pipeline.JobResults;
 import haltere.core.pipeline.PipelineCounters.Counter;
@@ -126,8 +126,8 @@ public final class RunReport implements JobResults {
       read.put("Duration", Quantities.text("%.6f s", durationS));
       read.put("Mean rate", Quantities.rate(durationS > 0 ? events / durationS : 0));
     }
-    if (!job.readings().isEmpty()) {
-      read.put("Also", job.readings().toString());
+    if (!job.samples().isEmpty()) {
+      read.put("Also", job.samples().toString());
     }
     read.put("Warnings", job.warnings().isEmpty() ? "none" : String.join("\n", job.warnings()));
     page.section("What was read");
@@ -203,8 +203,8 @@ public final class RunReport implements JobResults {
             }
 
             @Override
-            public void reading(SensorReading reading) {
-              handler.reading(reading);
+            public void sample(SensorSample sample) {
+              handler.sample(sample);
             }
           });
     }

@@ -315,17 +315,17 @@ public final class ChainEditor {
   }
 
   /** Reads something off the chain between two packets and brings it to the JavaFX thread. */
-  public <T> void read(Function<FilterChain, T> reading, Consumer<T> taker) {
+  public <T> void read(Function<FilterChain, T> reading, Consumer<T> consumer) {
     AtomicReference<T> result = new AtomicReference<>();
     run(access -> access.read(chain -> result.set(reading.apply(chain))))
-        .thenRun(() -> Platform.runLater(() -> taker.accept(result.get())));
+        .thenRun(() -> Platform.runLater(() -> consumer.accept(result.get())));
   }
 
   /**
    * The same, where it matters that nothing could be read, because what was open has been closed.
    */
   public <T> void read(
-      Function<FilterChain, T> reading, Consumer<T> taker, Consumer<String> refused) {
+      Function<FilterChain, T> reading, Consumer<T> consumer, Consumer<String> refused) {
     AtomicReference<T> result = new AtomicReference<>();
     player.ifPresent(
         open ->
@@ -335,7 +335,7 @@ public final class ChainEditor {
                         Platform.runLater(
                             () -> {
                               if (problem == null) {
-                                taker.accept(result.get());
+                                consumer.accept(result.get());
                               } else {
                                 refused.accept(Texts.oneLine(problem));
                               }

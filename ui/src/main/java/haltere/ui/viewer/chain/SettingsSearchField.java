@@ -18,11 +18,11 @@ import javafx.scene.layout.Priority;
 final class SettingsSearchField extends HBox {
   private final TextField words = new TextField();
   private final ToggleButton changedOnly = new ToggleButton("Changed");
-  private final Consumer<SettingsSearch> taker;
+  private final Consumer<SettingsSearch> consumer;
 
-  SettingsSearchField(Consumer<SettingsSearch> taker) {
+  SettingsSearchField(Consumer<SettingsSearch> consumer) {
     super(6);
-    this.taker = taker;
+    this.consumer = consumer;
     getStyleClass().add("settings-search");
     setAlignment(Pos.CENTER_LEFT);
     words.setId("settings-search");
@@ -40,7 +40,7 @@ final class SettingsSearchField extends HBox {
   }
 
   private void search() {
-    taker.accept(
+    consumer.accept(
         new SettingsSearch(
             words.getText().strip().toLowerCase(Locale.ROOT), changedOnly.isSelected()));
   }

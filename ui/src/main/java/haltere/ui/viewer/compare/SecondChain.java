@@ -2,7 +2,7 @@ package haltere.ui.viewer.compare;
 
 import haltere.core.chain.FilterChain;
 import haltere.core.event.EventPacket;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.playback.SliceSink;
 import haltere.core.stream.StreamNotification;
 import haltere.ui.viewer.picture.DisplayOptions;
@@ -44,8 +44,8 @@ final class SecondChain implements SliceSink {
   }
 
   @Override
-  public void reading(SensorReading reading) {
-    chain.reading(reading);
+  public void sample(SensorSample sample) {
+    chain.sample(sample);
   }
 
   @Override

@@ -26,7 +26,7 @@ import javafx.beans.property.Property;
  */
 public final class UserSettings {
   /** A property that is kept, by its value for JSON. */
-  private record Kept(Supplier<Object> value, Consumer<Object> taker) {}
+  private record Kept(Supplier<Object> value, Consumer<Object> consumer) {}
 
   private final Optional<Path> file;
   private final Map<String, Object> values;
@@ -117,7 +117,7 @@ public final class UserSettings {
           Kept property = properties.get(name);
           try {
             if (property != null) {
-              property.taker().accept(value);
+              property.consumer().accept(value);
             }
           } catch (RuntimeException ofNoUse) {
             // written by a person or by another version: the usual value stays

@@ -73,9 +73,9 @@ final class FileInfoPanel extends ScrollPane {
             Quantities.count(summary.events()),
             Quantities.count(summary.on()),
             Quantities.count(summary.off())));
-    line("Frames", Quantities.count(summary.readings().frames()));
-    line("Inertial samples", Quantities.count(summary.readings().inertialSamples()));
-    line("Triggers", Quantities.count(summary.readings().triggers()));
+    line("Frames", Quantities.count(summary.samples().frames()));
+    line("Inertial samples", Quantities.count(summary.samples().inertialSamples()));
+    line("Triggers", Quantities.count(summary.samples().triggers()));
     if (summary.events() > 0) {
       line("First event", Quantities.seconds(summary.firstUs()));
       line("Last event", Quantities.seconds(summary.lastUs()));

@@ -162,14 +162,14 @@ public final class SamplesFeature implements ViewerFeature {
     try (Playable own = Sources.recording(of.file(), open.options())) {
       own.seek(elapsedUs);
       Frame[] found = new Frame[1];
-      StreamHandler taker =
-          StreamHandler.ofReadings(
+      StreamHandler consumer =
+          StreamHandler.ofSamples(
               sample -> {
                 if (found[0] == null && sample instanceof Frame frame) {
                   found[0] = frame;
                 }
               });
-      while (found[0] == null && own.next(taker)) {
+      while (found[0] == null && own.next(consumer)) {
         if (Thread.currentThread().isInterrupted()) {
           break;
         }

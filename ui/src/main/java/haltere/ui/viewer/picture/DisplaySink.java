@@ -4,7 +4,7 @@ import haltere.core.chain.FilterChain;
 import haltere.core.event.EventPacket;
 import haltere.core.event.Frame;
 import haltere.core.event.SensorGeometry;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.playback.SliceSink;
 import haltere.core.stream.DataLost;
 import haltere.core.stream.StreamNotification;
@@ -97,8 +97,8 @@ public final class DisplaySink implements SliceSink {
   }
 
   @Override
-  public void reading(SensorReading reading) {
-    if (reading instanceof Frame frame) {
+  public void sample(SensorSample sample) {
+    if (sample instanceof Frame frame) {
       later(() -> maker.frames().take(frame));
     }
   }

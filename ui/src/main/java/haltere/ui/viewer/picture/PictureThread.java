@@ -22,13 +22,13 @@ final class PictureThread implements AutoCloseable {
 
   private final PacketPool pool = new PacketPool(PACKETS, PACKET_EVENTS);
   private final ConcurrentLinkedQueue<Runnable> steps = new ConcurrentLinkedQueue<>();
-  private final Consumer<EventPacket> taker;
+  private final Consumer<EventPacket> consumer;
   private final Thread thread = new Thread(this::work, "haltere-picture");
   private volatile RuntimeException failure;
 
   /** Begins; packets are taken on the new thread. */
-  PictureThread(Consumer<EventPacket> taker) {
-    this.taker = taker;
+  PictureThread(Consumer<EventPacket> consumer) {
+    this.consumer = consumer;
     thread.setDaemon(true);
     thread.start();
   }
@@ -40,7 +40,7 @@ final class PictureThread implements AutoCloseable {
         if (packet.isEmpty()) {
           guarded(steps.remove());
         } else {
-          guarded(() -> taker.accept(packet));
+          guarded(() -> consumer.accept(packet));
         }
         pool.release(packet);
       }

@@ -13,7 +13,7 @@ import java.util.function.Supplier;
  */
 public final class RegionTool implements ViewTool {
   private final Supplier<SensorGeometry> sensor;
-  private final Consumer<Optional<PixelRegion>> taker;
+  private final Consumer<Optional<PixelRegion>> consumer;
   private double fromX;
   private double fromY;
   private boolean drawn;
@@ -22,9 +22,9 @@ public final class RegionTool implements ViewTool {
    * A tool for a picture of a sensor, whose size is asked whenever a region is drawn; a click takes
    * the region away.
    */
-  public RegionTool(Supplier<SensorGeometry> sensor, Consumer<Optional<PixelRegion>> taker) {
+  public RegionTool(Supplier<SensorGeometry> sensor, Consumer<Optional<PixelRegion>> consumer) {
     this.sensor = sensor;
-    this.taker = taker;
+    this.consumer = consumer;
   }
 
   @Override
@@ -43,7 +43,7 @@ public final class RegionTool implements ViewTool {
   public void dragged(double x, double y) {
     SensorGeometry geometry = sensor.get();
     drawn = true;
-    taker.accept(
+    consumer.accept(
         Optional.of(
             PixelRegion.between(
                 pixel(fromX, geometry.width()),
@@ -55,7 +55,7 @@ public final class RegionTool implements ViewTool {
   @Override
   public void released(double x, double y) {
     if (!drawn) {
-      taker.accept(Optional.empty());
+      consumer.accept(Optional.empty());
     }
   }
 

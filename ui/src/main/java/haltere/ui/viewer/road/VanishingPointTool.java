@@ -18,12 +18,12 @@ final class VanishingPointTool implements ViewTool {
   private static final double RADIUS_PX = 3;
   private static final double ARM_PX = 8;
 
-  private final Consumer<Point2D> taker;
+  private final Consumer<Point2D> consumer;
   private Optional<Point2D> mark = Optional.empty();
 
   /** A tool that tells where the button came up, in sensor coordinates. */
-  VanishingPointTool(Consumer<Point2D> taker) {
-    this.taker = taker;
+  VanishingPointTool(Consumer<Point2D> consumer) {
+    this.consumer = consumer;
   }
 
   /** Draws another mark from now on, or none. */
@@ -53,7 +53,7 @@ final class VanishingPointTool implements ViewTool {
 
   @Override
   public void released(double x, double y) {
-    taker.accept(new Point2D(x, y));
+    consumer.accept(new Point2D(x, y));
   }
 
   @Override

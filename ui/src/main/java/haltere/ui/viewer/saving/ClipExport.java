@@ -2,7 +2,7 @@ package haltere.ui.viewer.saving;
 
 import haltere.core.chain.FilterChain;
 import haltere.core.event.EventPacket;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.playback.Playable;
 import haltere.core.stream.StreamHandler;
 import haltere.core.stream.StreamNotification;
@@ -171,7 +171,7 @@ final class ClipExport implements StreamHandler {
   }
 
   @Override
-  public void reading(SensorReading reading) {
-    chain.reading(reading);
+  public void sample(SensorSample sample) {
+    chain.sample(sample);
   }
 }

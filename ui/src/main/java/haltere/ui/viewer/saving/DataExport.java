@@ -2,7 +2,7 @@ package haltere.ui.viewer.saving;
 
 import haltere.core.chain.FilterChain;
 import haltere.core.event.EventPacket;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.format.RecordingWriter;
 import haltere.core.playback.Playable;
 import haltere.core.stream.EndOfStream;
@@ -98,14 +98,14 @@ final class DataExport implements StreamHandler {
   }
 
   @Override
-  public void reading(SensorReading reading) {
-    long elapsedUs = playable.elapsedUs(reading.timeUs());
+  public void sample(SensorSample sample) {
+    long elapsedUs = playable.elapsedUs(sample.timeUs());
     if (elapsedUs < fromUs || elapsedUs >= toUs) {
       return;
     }
-    chain.reading(reading);
+    chain.sample(sample);
     try {
-      writer.write(reading);
+      writer.write(sample);
     } catch (IOException problem) {
       throw new UncheckedIOException(problem);
     }

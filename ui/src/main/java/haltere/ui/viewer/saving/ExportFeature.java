@@ -224,7 +224,7 @@ public final class ExportFeature implements ViewerFeature {
       return new Part(() -> copy, json, fromUs, toUs);
     }
     Path recording = session.file().orElseThrow();
-    ReadOptions options = session.options().withReadings(true);
+    ReadOptions options = session.options().withSamples(true);
     return new Part(() -> Sources.recording(recording, options), json, fromUs, toUs);
   }
 

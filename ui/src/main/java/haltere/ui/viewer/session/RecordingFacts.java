@@ -3,7 +3,7 @@ package haltere.ui.viewer.session;
 import haltere.core.event.EventPacket;
 import haltere.core.event.Frame;
 import haltere.core.event.SensorGeometry;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.event.Trigger;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingClock;
@@ -66,7 +66,7 @@ public record RecordingFacts(
 
   /** Reads a recording from its start to its end; background thread. */
   public static RecordingFacts scan(Path file, ReadOptions options) throws IOException {
-    try (RecordingReader reader = Recordings.open(file, options.withReadings(true))) {
+    try (RecordingReader reader = Recordings.open(file, options.withSamples(true))) {
       Moments moments = new Moments(new RateProfile.Collector(reader.segments(), PROFILE_BINS));
       // beside a window that is to answer meanwhile
       RecordingSummary summary =
@@ -120,11 +120,11 @@ public record RecordingFacts(
     }
 
     @Override
-    public void reading(SensorReading reading) {
-      long elapsedUs = rates.elapsedUs(reading.timeUs());
-      if (reading instanceof Trigger trigger && triggers.size() < MAX_LISTED) {
+    public void sample(SensorSample sample) {
+      long elapsedUs = rates.elapsedUs(sample.timeUs());
+      if (sample instanceof Trigger trigger && triggers.size() < MAX_LISTED) {
         triggers.add(new Moment(elapsedUs, words(trigger)));
-      } else if (reading instanceof Frame && frames.size() < MAX_LISTED) {
+      } else if (sample instanceof Frame && frames.size() < MAX_LISTED) {
         frames.add(new Moment(elapsedUs, "frame"));
       }
     }

@@ -45,7 +45,7 @@ public final class Sources {
 
   /** A recording; one that cannot be read is told in one line for a person. */
   public static Playable recording(Path file, ReadOptions options) throws IOException {
-    var reader = Recordings.open(file, options.withReadings(true));
+    var reader = Recordings.open(file, options.withSamples(true));
     try {
       return new RecordingPlayable(reader);
     } catch (IOException | RuntimeException problem) {

@@ -49,7 +49,7 @@ public final class ViewerSession implements AutoCloseable {
     this.player = new Player(playable, chain, playerOptions);
     player.addRawSink(display.beforeChain());
     player.addSink(display);
-    player.addSink(StreamHandler.ofReadings(inertial::take));
+    player.addSink(StreamHandler.ofSamples(inertial::take));
   }
 
   /** What a user should know about how the recording is read, as it was opened. */

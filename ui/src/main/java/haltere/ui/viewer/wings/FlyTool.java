@@ -33,7 +33,7 @@ final class FlyTool implements ViewTool {
   }
 
   private final Supplier<Optional<WingsView>> seen;
-  private final Consumer<Function<WingTracker, WingTrackerSettings>> taker;
+  private final Consumer<Function<WingTracker, WingTrackerSettings>> consumer;
   private Grip grip = Grip.NONE;
   private double atX;
   private double atY;
@@ -42,13 +42,13 @@ final class FlyTool implements ViewTool {
    * A tool.
    *
    * @param seen the tracker as it was last seen
-   * @param taker takes what makes new settings of the tracker, on the processing thread
+   * @param consumer takes what makes new settings of the tracker, on the processing thread
    */
   FlyTool(
       Supplier<Optional<WingsView>> seen,
-      Consumer<Function<WingTracker, WingTrackerSettings>> taker) {
+      Consumer<Function<WingTracker, WingTrackerSettings>> consumer) {
     this.seen = seen;
-    this.taker = taker;
+    this.consumer = consumer;
   }
 
   private Optional<FlyGeometry> geometry() {
@@ -96,9 +96,9 @@ final class FlyTool implements ViewTool {
     double heading = Math.atan2(y - fly.centreY(), x - fly.centreX());
     double radius = Math.hypot(x - fly.centreX(), y - fly.centreY());
     switch (grip) {
-      case BODY -> taker.accept(tracker -> tracker.withBodyAt(x, y));
-      case HEADING -> taker.accept(tracker -> tracker.withHeading(heading));
-      case REGION -> taker.accept(tracker -> tracker.withRegion(radius));
+      case BODY -> consumer.accept(tracker -> tracker.withBodyAt(x, y));
+      case HEADING -> consumer.accept(tracker -> tracker.withHeading(heading));
+      case REGION -> consumer.accept(tracker -> tracker.withRegion(radius));
       case NONE -> {
         // nothing is tracked, so there is nothing to say of it
       }

@@ -52,7 +52,7 @@ final class AedatReader {
     InertialRange range = InertialRange.of(file.read(0, header.dataOffset()));
     List<String> told = new ArrayList<>(remarks);
     boolean fromCamera = sensor.layout() == AedatSensor.Layout.DAVIS && header.sensor().isEmpty();
-    if (options.readings() && fromCamera && !range.stated()) {
+    if (options.samples() && fromCamera && !range.stated()) {
       told.add(
           "the header does not state the range of the inertial sensor; "
               + range.accelerationG()
@@ -77,7 +77,7 @@ final class AedatReader {
                 violations),
         Optional.of(
             violations ->
-                new AedatReadingCursor(
+                new AedatSampleCursor(
                     file,
                     header.dataOffset(),
                     recordBytes,

@@ -160,7 +160,7 @@ final class Aedat3Decoder implements StreamDecoder {
     return 6;
   }
 
-  /** {@link Aedat3ReadingCursor} goes by these numbers too. */
+  /** {@link Aedat3SampleCursor} goes by these numbers too. */
   @Override
   public void save(long[] state, int at) {
     state[at] = events;

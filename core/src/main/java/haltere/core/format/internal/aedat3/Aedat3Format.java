@@ -100,8 +100,7 @@ public final class Aedat3Format implements RecordingFormat {
         found,
         violations -> cursor(file, header, geometry, violations),
         Optional.of(
-            violations ->
-                new Aedat3ReadingCursor(file, header.dataOffset(), geometry, violations)));
+            violations -> new Aedat3SampleCursor(file, header.dataOffset(), geometry, violations)));
   }
 
   private static SensorGeometry geometry(

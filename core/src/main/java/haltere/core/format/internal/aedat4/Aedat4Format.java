@@ -1,7 +1,7 @@
 package haltere.core.format.internal.aedat4;
 
 import haltere.core.event.Origin;
-import haltere.core.event.ReadingKind;
+import haltere.core.event.SampleKind;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.FileHead;
 import haltere.core.format.ProbeResult;
@@ -97,8 +97,8 @@ public final class Aedat4Format implements RecordingFormat {
   }
 
   @Override
-  public Set<ReadingKind> writableReadings() {
-    return EnumSet.allOf(ReadingKind.class);
+  public Set<SampleKind> writableSamples() {
+    return EnumSet.allOf(SampleKind.class);
   }
 
   @Override
@@ -171,30 +171,30 @@ public final class Aedat4Format implements RecordingFormat {
           options,
           violations,
           counts -> new Aedat4Cursor(file, layout, geometry, stream, counts),
-          Optional.of(counts -> readings(geometry, description, counts)));
+          Optional.of(counts -> samples(geometry, description, counts)));
     }
 
     /** Of several streams of a kind those of the same camera are read, or the first. */
-    private Aedat4ReadingCursor readings(
+    private Aedat4SampleCursor samples(
         SensorGeometry geometry, Optional<Aedat4Stream> events, ViolationCounts counts) {
       Set<Integer> passed = new HashSet<>();
       Map<String, Aedat4Stream> taken = new HashMap<>();
       for (Aedat4Stream known : header.streams()) {
-        boolean reading = ReadingPayload.isKnown(known.type());
+        boolean sample = SamplePayload.isKnown(known.type());
         boolean sameCamera = events.isEmpty() || known.source().equals(events.get().source());
-        if (reading && sameCamera) {
+        if (sample && sameCamera) {
           taken.putIfAbsent(known.type(), known);
         }
       }
       for (Aedat4Stream known : header.streams()) {
         boolean chosen = taken.computeIfAbsent(known.type(), type -> known).equals(known);
-        if (!chosen || !ReadingPayload.isKnown(known.type())) {
+        if (!chosen || !SamplePayload.isKnown(known.type())) {
           passed.add(known.id());
         }
       }
       boolean fromBottom = geometry.origin() == Origin.BOTTOM;
-      return new Aedat4ReadingCursor(
-          file, layout, passed, new ReadingPayload(geometry.height(), fromBottom), counts);
+      return new Aedat4SampleCursor(
+          file, layout, passed, new SamplePayload(geometry.height(), fromBottom), counts);
     }
 
     private int first(List<Aedat4Stream> events) throws IOException {

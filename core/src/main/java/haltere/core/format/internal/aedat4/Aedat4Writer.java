@@ -2,7 +2,7 @@ package haltere.core.format.internal.aedat4;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.format.AtomicFile;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.WriteOptions;
@@ -20,7 +20,7 @@ import java.util.Objects;
 import java.util.TreeMap;
 
 /**
- * Writes AEDAT-4.0 as DV does: a stream of events and those of readings that the options name, rows
+ * Writes AEDAT-4.0 as DV does: a stream of events and those of samples that the options name, rows
  * counted from the top, a table of packets at the end. The header is complete from the start and
  * packets are written whole, so the file can be read up to its last whole packet whenever its
  * writer dies.
@@ -43,7 +43,7 @@ public final class Aedat4Writer implements RecordingWriter {
   private final BlockOutput output;
   private final byte[] packetHeader = new byte[PacketWalk.HEADER_BYTES];
   private long packetsEnd;
-  private final ReadingPackets readings;
+  private final SamplePackets samples;
   private boolean finished;
 
   @FunctionalInterface
@@ -71,7 +71,7 @@ public final class Aedat4Writer implements RecordingWriter {
     packed = new byte[packer.bound(payload.bytes().length)];
     output = new BlockOutput(path, channel);
     packetsEnd = output.position();
-    readings = new ReadingPackets(geometry.height(), options.readings(), this::writeReadings);
+    samples = new SamplePackets(geometry.height(), options.samples(), this::writeSamples);
   }
 
   /**
@@ -127,7 +127,7 @@ public final class Aedat4Writer implements RecordingWriter {
     String source = Objects.requireNonNullElse(rest.remove(SOURCE), "haltere");
     SensorGeometry sensor = options.geometry();
     return Aedat4Header.write(
-        compression, InfoNode.of(compression.name(), sensor, source, rest, options.readings()));
+        compression, InfoNode.of(compression.name(), sensor, source, rest, options.samples()));
   }
 
   @Override
@@ -138,7 +138,7 @@ public final class Aedat4Writer implements RecordingWriter {
       writeEvents();
     }
     if (size > 0) {
-      readings.reached(packet.lastTimeUs());
+      samples.reached(packet.lastTimeUs());
     }
     while (from < size) {
       from = payload.append(packet, from, size);
@@ -154,27 +154,27 @@ public final class Aedat4Writer implements RecordingWriter {
    * @return false for a kind that they did not name, and for what the format has no number for
    */
   @Override
-  public boolean write(SensorReading reading) throws IOException {
-    return readings.add(reading);
+  public boolean write(SensorSample sample) throws IOException {
+    return samples.add(sample);
   }
 
-  private void writeReadings(int stream, byte[] reading, int elements, long firstUs, long lastUs)
+  private void writeSamples(int stream, byte[] sample, int elements, long firstUs, long lastUs)
       throws IOException {
-    byte[] bytes = packer.pack(reading);
+    byte[] bytes = packer.pack(sample);
     long start = output.position() + PacketWalk.HEADER_BYTES;
     table.add(stream, start, bytes.length, elements, firstUs, lastUs);
     writePacket(stream, bytes, bytes.length);
   }
 
   /**
-   * Writes events and readings up to now as packets, so that a reader finds them.
+   * Writes events and samples up to now as packets, so that a reader finds them.
    *
    * @throws IOException if they cannot be written
    */
   @Override
   public void writeThrough() throws IOException {
     writeEvents();
-    readings.flush();
+    samples.flush();
     output.flush();
   }
 
@@ -210,9 +210,9 @@ public final class Aedat4Writer implements RecordingWriter {
     if (payload.outside() > 0) {
       lines.add(payload.outside() + " events outside of " + geometry + " were left out");
     }
-    if (readings.channelsLost() > 0) {
+    if (samples.channelsLost() > 0) {
       lines.add(
-          readings.channelsLost()
+          samples.channelsLost()
               + " triggers are of other inputs than the first, which the format does not tell");
     }
     return lines;
@@ -224,7 +224,7 @@ public final class Aedat4Writer implements RecordingWriter {
       throw new IllegalStateException("it is finished already");
     }
     writeEvents();
-    readings.flush();
+    samples.flush();
     long tablePosition = output.position();
     byte[] packedTable = packer.pack(table.toBytes());
     output.write(packedTable, 0, packedTable.length);

@@ -1,6 +1,6 @@
 package haltere.core.format.internal.aedat4;
 
-import haltere.core.event.ReadingKind;
+import haltere.core.event.SampleKind;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.internal.packed.DamagedPacketException;
 import java.io.StringReader;
@@ -29,16 +29,16 @@ final class InfoNode {
   private static final Map<String, String> OUTPUTS =
       Map.of(
           Aedat4Stream.EVENTS, "events",
-          ReadingPayload.FRAME, "frames",
-          ReadingPayload.INERTIAL, "imu",
-          ReadingPayload.TRIGGERS, "triggers");
+          SamplePayload.FRAME, "frames",
+          SamplePayload.INERTIAL, "imu",
+          SamplePayload.TRIGGERS, "triggers");
 
   private static final Map<String, String> DESCRIPTIONS =
       Map.of(
           Aedat4Stream.EVENTS, "Array of events (polarity ON/OFF).",
-          ReadingPayload.FRAME, "Standard frame.",
-          ReadingPayload.INERTIAL, "Inertial Measurement Unit data samples.",
-          ReadingPayload.TRIGGERS, "External triggers and special signals.");
+          SamplePayload.FRAME, "Standard frame.",
+          SamplePayload.INERTIAL, "Inertial Measurement Unit data samples.",
+          SamplePayload.TRIGGERS, "External triggers and special signals.");
 
   private InfoNode() {}
 
@@ -159,7 +159,7 @@ final class InfoNode {
       SensorGeometry sensor,
       String source,
       Map<String, String> metadata,
-      Set<ReadingKind> readings) {
+      Set<SampleKind> samples) {
     StringBuilder xml = new StringBuilder();
     xml.append("<dv version=\"2.0\">\n");
     xml.append("    <node name=\"outInfo\" path=\"/mainloop/Recorder/outInfo/\">\n");
@@ -172,10 +172,10 @@ final class InfoNode {
       xml.append("            </node>\n");
     }
     xml.append("        </node>\n");
-    for (ReadingKind kind : new TreeSet<>(readings)) {
-      int id = ReadingPackets.stream(kind);
-      startStream(xml, id, compression, ReadingPackets.type(kind));
-      info(xml, id, kind == ReadingKind.FRAME ? Optional.of(sensor) : Optional.empty(), source);
+    for (SampleKind kind : new TreeSet<>(samples)) {
+      int id = SamplePackets.stream(kind);
+      startStream(xml, id, compression, SamplePackets.type(kind));
+      info(xml, id, kind == SampleKind.FRAME ? Optional.of(sensor) : Optional.empty(), source);
       xml.append("        </node>\n");
     }
     xml.append("    </node>\n</dv>\n");

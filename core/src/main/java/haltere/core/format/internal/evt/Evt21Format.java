@@ -52,8 +52,8 @@ public final class Evt21Format extends EvtFormat {
   }
 
   @Override
-  EvtReadingCursor.Words words() {
-    return legacy ? EvtReadingCursor.Words.EVT21_LEGACY : EvtReadingCursor.Words.EVT21;
+  EvtSampleCursor.Words words() {
+    return legacy ? EvtSampleCursor.Words.EVT21_LEGACY : EvtSampleCursor.Words.EVT21;
   }
 
   @Override

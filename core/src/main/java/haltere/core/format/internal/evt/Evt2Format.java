@@ -37,8 +37,8 @@ public final class Evt2Format extends EvtFormat {
   }
 
   @Override
-  EvtReadingCursor.Words words() {
-    return EvtReadingCursor.Words.EVT2;
+  EvtSampleCursor.Words words() {
+    return EvtSampleCursor.Words.EVT2;
   }
 
   @Override

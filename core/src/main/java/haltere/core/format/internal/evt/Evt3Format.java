@@ -37,8 +37,8 @@ public final class Evt3Format extends EvtFormat {
   }
 
   @Override
-  EvtReadingCursor.Words words() {
-    return EvtReadingCursor.Words.EVT3;
+  EvtSampleCursor.Words words() {
+    return EvtSampleCursor.Words.EVT3;
   }
 
   @Override

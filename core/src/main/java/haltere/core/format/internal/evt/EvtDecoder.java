@@ -70,7 +70,7 @@ abstract sealed class EvtDecoder implements StreamDecoder
     return 3;
   }
 
-  /** {@link EvtReadingCursor} goes by these numbers too. */
+  /** {@link EvtSampleCursor} goes by these numbers too. */
   @Override
   public void save(long[] state, int at) {
     times.save(state, at);

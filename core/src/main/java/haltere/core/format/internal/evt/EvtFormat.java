@@ -1,6 +1,6 @@
 package haltere.core.format.internal.evt;
 
-import haltere.core.event.ReadingKind;
+import haltere.core.event.SampleKind;
 import haltere.core.event.SensorGeometry;
 import haltere.core.format.FileHead;
 import haltere.core.format.ProbeResult;
@@ -41,7 +41,7 @@ abstract sealed class EvtFormat implements RecordingFormat
       SensorGeometry geometry, long firstTurnUs, ViolationCounts violations);
 
   /** The words of the encoding. */
-  abstract EvtReadingCursor.Words words();
+  abstract EvtSampleCursor.Words words();
 
   /** Lets an encoding look for what it needs to know; gives what it decides with. */
   EvtFormat fitted(RecordingFile file, PropheseeHeader header, List<String> remarks)
@@ -63,8 +63,8 @@ abstract sealed class EvtFormat implements RecordingFormat
 
   /** Edges on inputs; the words have no room for other triggers. */
   @Override
-  public Set<ReadingKind> writableReadings() {
-    return Set.of(ReadingKind.TRIGGER);
+  public Set<SampleKind> writableSamples() {
+    return Set.of(SampleKind.TRIGGER);
   }
 
   @Override
@@ -127,7 +127,7 @@ abstract sealed class EvtFormat implements RecordingFormat
         violations -> fitted.cursor(file, header, sensor.geometry(), firstTurnUs, violations),
         Optional.of(
             violations ->
-                new EvtReadingCursor(file, header.dataOffset(), fitted.words(), firstTurnUs)));
+                new EvtSampleCursor(file, header.dataOffset(), fitted.words(), firstTurnUs)));
   }
 
   private EventCursor cursor(

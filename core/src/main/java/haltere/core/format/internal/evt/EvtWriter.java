@@ -2,7 +2,7 @@ package haltere.core.format.internal.evt;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.event.Trigger;
 import haltere.core.format.RecordingProblem;
 import haltere.core.format.RecordingWriter;
@@ -103,8 +103,8 @@ abstract sealed class EvtWriter implements RecordingWriter
 
   /** Writes an edge on one of the camera's inputs; words for anything else there are none. */
   @Override
-  public final boolean write(SensorReading reading) throws IOException {
-    if (!(reading instanceof Trigger trigger)
+  public final boolean write(SensorSample sample) throws IOException {
+    if (!(sample instanceof Trigger trigger)
         || trigger.source() != Trigger.Source.EXTERNAL_INPUT
         || trigger.edge() == Trigger.Edge.PULSE
         || trigger.channel() > lastChannel()) {

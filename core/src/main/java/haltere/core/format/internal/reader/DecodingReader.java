@@ -2,18 +2,18 @@ package haltere.core.format.internal.reader;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.SensorGeometry;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.format.ReadOptions;
-import haltere.core.format.ReadingCounts;
 import haltere.core.format.RecordingClock;
 import haltere.core.format.RecordingFile;
 import haltere.core.format.RecordingOutline;
 import haltere.core.format.RecordingReader;
+import haltere.core.format.SampleCounts;
 import haltere.core.format.TimeSegment;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
 import haltere.core.format.internal.decoding.EventCursor;
-import haltere.core.format.internal.decoding.ReadingCursor;
+import haltere.core.format.internal.decoding.SampleCursor;
 import haltere.core.format.internal.index.KeptIndex;
 import haltere.core.format.internal.index.TimeIndex;
 import haltere.core.stream.EndOfStream;
@@ -53,7 +53,7 @@ public final class DecodingReader implements RecordingReader {
   private final ViolationCounts violations;
   private final EventCursor cursor;
   private final PacketBuffer buffer;
-  private final Optional<ReadingCursor.Factory> readings;
+  private final Optional<SampleCursor.Factory> samples;
   private final ViolationCounts readingViolations = new ViolationCounts();
 
   private State state = State.BEFORE_START;
@@ -62,7 +62,7 @@ public final class DecodingReader implements RecordingReader {
   private TimeIndex index;
 
   /** Null if only events are wanted. */
-  private ReadingOrder order;
+  private SampleOrder order;
 
   /**
    * A reader at the start of a recording.
@@ -95,10 +95,10 @@ public final class DecodingReader implements RecordingReader {
    * @param file the file, closed with the reader
    * @param geometry sensor of the events
    * @param remarks what a user should know about how the file is read
-   * @param options how large packets are, and whether readings are wanted
+   * @param options how large packets are, and whether samples are wanted
    * @param violations what was found wrong up to now, and where everything else is counted
    * @param cursors decode the events
-   * @param readings read frames, inertial samples and triggers; asked only if those are wanted
+   * @param samples read frames, inertial samples and triggers; asked only if those are wanted
    * @throws IOException if the file cannot be read
    */
   public DecodingReader(
@@ -109,7 +109,7 @@ public final class DecodingReader implements RecordingReader {
       ReadOptions options,
       ViolationCounts violations,
       EventCursor.Factory cursors,
-      Optional<ReadingCursor.Factory> readings)
+      Optional<SampleCursor.Factory> samples)
       throws IOException {
     this.formatName = Objects.requireNonNull(formatName, "formatName");
     this.file = file;
@@ -117,11 +117,11 @@ public final class DecodingReader implements RecordingReader {
     this.remarks = new ArrayList<>(remarks);
     this.violations = violations;
     this.cursors = cursors;
-    String reading = String.join("|", formatName, geometry.toString(), options.topic().orElse(""));
-    indexes = new KeptIndex(file, reading, options.keepIndex(), cursors);
-    this.readings = file.isStream() ? Optional.empty() : readings;
-    if (options.readings() && this.readings.isPresent()) {
-      order = new ReadingOrder(readings.get().open(readingViolations));
+    String sample = String.join("|", formatName, geometry.toString(), options.topic().orElse(""));
+    indexes = new KeptIndex(file, sample, options.keepIndex(), cursors);
+    this.samples = file.isStream() ? Optional.empty() : samples;
+    if (options.samples() && this.samples.isPresent()) {
+      order = new SampleOrder(samples.get().open(readingViolations));
     }
     cursor = cursors.open(violations);
     buffer = new PacketBuffer(cursor, options.packetEvents());
@@ -188,10 +188,10 @@ public final class DecodingReader implements RecordingReader {
     if (!buffer.hasEvents()) {
       buffer.fill();
     }
-    if (order != null && isReadingDue()) {
-      SensorReading reading = order.take();
+    if (order != null && isSampleDue()) {
+      SensorSample sample = order.take();
       violations.take(Violation.INCOMPLETE_READING, readingViolations);
-      handler.reading(reading);
+      handler.sample(sample);
     } else if (buffer.hasEvents()) {
       EventPacket events = buffer.take(order == null ? Long.MAX_VALUE : order.nextUs());
       deliveredUs = events.lastTimeUs();
@@ -206,7 +206,7 @@ public final class DecodingReader implements RecordingReader {
   }
 
   /** Whether a frame, an inertial sample or a trigger comes before the next events. */
-  private boolean isReadingDue() throws IOException {
+  private boolean isSampleDue() throws IOException {
     if (buffer.hasEvents()) {
       return order.isDueBefore(buffer.nextUs(), buffer.offset());
     }
@@ -248,17 +248,17 @@ public final class DecodingReader implements RecordingReader {
   }
 
   @Override
-  public ReadingCounts countReadings() throws IOException {
-    if (readings.isEmpty()) {
-      return ReadingCounts.NONE;
+  public SampleCounts countSamples() throws IOException {
+    if (samples.isEmpty()) {
+      return SampleCounts.NONE;
     }
-    ReadingCounts counts = ReadingCounts.NONE;
-    try (ReadingCursor counter = readings.get().open(new ViolationCounts())) {
-      while (counter.next(Long.MAX_VALUE) == ReadingCursor.Step.READING) {
+    SampleCounts counts = SampleCounts.NONE;
+    try (SampleCursor counter = samples.get().open(new ViolationCounts())) {
+      while (counter.next(Long.MAX_VALUE) == SampleCursor.Step.READING) {
         if (Thread.currentThread().isInterrupted()) {
           throw new InterruptedIOException("interrupted while reading " + file.path());
         }
-        counts = counts.plus(counter.reading().kind());
+        counts = counts.plus(counter.sample().kind());
       }
     }
     return counts;
@@ -297,7 +297,7 @@ public final class DecodingReader implements RecordingReader {
     }
     if (wanted >= segments.size()) {
       buffer.moved(true);
-      seekReadingsOutsideOfEvents(segments.isEmpty(), timeUs);
+      seekSamplesOutsideOfEvents(segments.isEmpty(), timeUs);
       return;
     }
     if (order != null) {
@@ -307,13 +307,13 @@ public final class DecodingReader implements RecordingReader {
     buffer.fillFrom(fromUs);
   }
 
-  /** A recording without events may hold readings; behind the last event there is nothing. */
-  private void seekReadingsOutsideOfEvents(boolean noEvents, long timeUs) throws IOException {
+  /** A recording without events may hold samples; behind the last event there is nothing. */
+  private void seekSamplesOutsideOfEvents(boolean noEvents, long timeUs) throws IOException {
     if (order == null) {
       return;
     }
     order.close();
-    order = new ReadingOrder(readings.orElseThrow().open(readingViolations));
+    order = new SampleOrder(samples.orElseThrow().open(readingViolations));
     if (noEvents) {
       order.dropBefore(timeUs);
     } else {

@@ -8,7 +8,7 @@ import haltere.core.event.EventPacket;
 import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
 import haltere.core.event.Trigger;
-import haltere.core.format.RandomReadings;
+import haltere.core.format.RandomSamples;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingFormat;
 import haltere.core.format.RecordingReader;
@@ -42,7 +42,7 @@ class EvtTriggersTest {
   void edgesComeBackAtTheirPlacesAmongTheEvents(RecordingFormat format) throws IOException {
     EventPacket events = EventPackets.uniform(SENSOR, 1, 50_000, FIRST_US, 100);
     SplittableRandom random = new SplittableRandom(2);
-    RandomReadings readings = new RandomReadings(SENSOR, 3);
+    RandomSamples samples = new RandomSamples(SENSOR, 3);
     List<Trigger> triggers = new ArrayList<>();
     Path file = folder.resolve("edges." + format.name());
     try (RecordingWriter writer = format.create(file, WriteOptions.of(SENSOR)).orElseThrow()) {
@@ -51,7 +51,7 @@ class EvtTriggersTest {
         int to = events.indexAtOrAfter(timeUs);
         writer.write(EventPackets.part(events, from, to));
         from = to;
-        Trigger trigger = readings.edge(timeUs, 16);
+        Trigger trigger = samples.edge(timeUs, 16);
         triggers.add(trigger);
         assertTrue(writer.write(trigger));
       }
@@ -60,21 +60,21 @@ class EvtTriggersTest {
     }
 
     StreamRecorder stream = new StreamRecorder();
-    try (RecordingReader reader = format.open(file, ReadOptions.DEFAULT.withReadings(true))) {
+    try (RecordingReader reader = format.open(file, ReadOptions.DEFAULT.withSamples(true))) {
       reader.drainTo(stream);
       assertEquals(events, stream.events());
-      assertEquals(triggers, stream.readings(Trigger.class));
-      for (StreamRecorder.Read read : stream.placedReadings()) {
-        assertEquals(events.indexAtOrAfter(read.reading().timeUs()), read.eventsBefore());
+      assertEquals(triggers, stream.samples(Trigger.class));
+      for (StreamRecorder.Read read : stream.placedSamples()) {
+        assertEquals(events.indexAtOrAfter(read.sample().timeUs()), read.eventsBefore());
       }
-      assertEquals(triggers.size(), reader.countReadings().triggers());
+      assertEquals(triggers.size(), reader.countSamples().triggers());
 
       long seekUs = events.timeUs(40_000);
       reader.seek(seekUs);
       StreamRecorder part = new StreamRecorder();
       reader.drainTo(part);
       List<Trigger> later = triggers.stream().filter(one -> one.timeUs() >= seekUs).toList();
-      assertEquals(later, part.readings(Trigger.class));
+      assertEquals(later, part.samples(Trigger.class));
     }
   }
 
@@ -88,7 +88,7 @@ class EvtTriggersTest {
           writer.write(new Trigger(1, Trigger.Source.EXTERNAL_INPUT, Trigger.Edge.PULSE, 0)));
       assertFalse(
           writer.write(new Trigger(1, Trigger.Source.EXTERNAL_INPUT, Trigger.Edge.RISING, 32)));
-      assertFalse(writer.write(new RandomReadings(SENSOR, 1).sample(1)));
+      assertFalse(writer.write(new RandomSamples(SENSOR, 1).sample(1)));
       writer.finish();
     }
   }

@@ -29,7 +29,7 @@ public final class SimulatedVideo {
    * A weight that is let go with a small velocity and falls for 0.4 s, +x downwards, through most
    * of a picture of 1 m.
    *
-   * @param seed of the velocity (standard deviation 0.3 m/s) and of the reading noise (4 mm)
+   * @param seed of the velocity (standard deviation 0.3 m/s) and of the measurement noise (4 mm)
    * @return 97 measurements
    */
   public static MeasurementSeries fallingWeight(long seed) {
@@ -46,8 +46,8 @@ public final class SimulatedVideo {
    * A weight on a spring that is pulled down and let go at time 0, for 5 s, +x upwards, in a
    * picture of 30 cm.
    *
-   * @param seed of the displacement (10 cm, standard deviation 1 cm) and of the reading noise (1
-   *     mm)
+   * @param seed of the displacement (10 cm, standard deviation 1 cm) and of the measurement noise
+   *     (1 mm)
    * @return 1,202 measurements
    */
   public static MeasurementSeries oscillator(long seed) {

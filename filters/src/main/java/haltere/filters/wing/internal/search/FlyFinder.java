@@ -43,7 +43,7 @@ final class FlyFinder {
   private final TwoMeans means = new TwoMeans();
   private final HingeLines lines = new HingeLines();
   private final SideSplit split;
-  private final BodyLine bodyLine = new BodyLine();
+  private final WingPairFit bodyLine = new WingPairFit();
   private StrokeFit[] fits = {new StrokeFit(), new StrokeFit()};
   private StrokeFit[] otherFits = {new StrokeFit(), new StrokeFit()};
   private final double[] px;

@@ -31,7 +31,7 @@ final class EventNoise {
   private double fixed;
   private double wingVariance = 4e-4;
   private double timing = 9e-10;
-  private double strays = 0.05;
+  private double outliers = 0.05;
   private double near = 1;
   private double nis = 1;
   private double scale = 1;
@@ -74,13 +74,13 @@ final class EventNoise {
     double normalised = square / variance;
     double away = Math.abs(y);
     double far = away > FAR_FROM && away < FAR_TO ? 1 / FAR_WIDTH : 0;
-    strays += FOLLOW * (far - strays);
+    outliers += FOLLOW * (far - outliers);
     near += FOLLOW * ((normalised < NEAR_SD * NEAR_SD ? 1 : 0) - near);
     if (!(normalised <= gateSquare)) {
       return 0;
     }
     double belief =
-        1 / (1 + (strays + 1e-3) * Math.sqrt(2 * Math.PI * variance) * Math.exp(normalised / 2));
+        1 / (1 + (outliers + 1e-3) * Math.sqrt(2 * Math.PI * variance) * Math.exp(normalised / 2));
     double step = LEARN * belief;
     nis += NIS_SHARE * step * (normalised - nis);
     double changed = scale + SCALE_SHARE * step * (normalised - 1);
@@ -116,13 +116,15 @@ final class EventNoise {
     return nis;
   }
 
-  /** Share of the events near the wing that chance does not explain, about 0 if all are strays. */
+  /**
+   * Share of the events near the wing that chance does not explain, about 0 if all are outliers.
+   */
   double excess() {
-    return near - strays * 2 * NEAR_SD * Math.sqrt(varianceNow);
+    return near - outliers * 2 * NEAR_SD * Math.sqrt(varianceNow);
   }
 
   /** Strays a radian, as a share of the events. */
-  double strays() {
-    return strays;
+  double outliers() {
+    return outliers;
   }
 }

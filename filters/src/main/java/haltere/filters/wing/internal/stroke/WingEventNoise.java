@@ -6,7 +6,7 @@ package haltere.filters.wing.internal.stroke;
  * times that spread over hundreds of microseconds.
  *
  * <p>Tells as well when a filter no longer is where its wing is: more events near the wing are
- * refused than strays explain. Those that are taken in then say that all is well.
+ * refused than outliers explain. Those that are taken in then say that all is well.
  *
  * <p>Thread rule: one thread at a time.
  */
@@ -16,7 +16,9 @@ final class WingEventNoise {
 
   private static final double FOLLOW = 0.002;
 
-  /** Share of the events that is refused near a wing, beyond strays, if the filter is not there. */
+  /**
+   * Share of the events that is refused near a wing, beyond outliers, if the filter is not there.
+   */
   private static final double TOO_MANY = 0.1;
 
   private final double[] judged = new double[2];
@@ -49,8 +51,8 @@ final class WingEventNoise {
 
   /** Whether a residual that was refused is one of too many near the wing. */
   boolean isOneOfTooMany(double y) {
-    double strays = 2 * NEAR_RAD * mean(edges[0].strays(), edges[1].strays());
-    return Math.abs(y) < NEAR_RAD && refused > TOO_MANY + strays;
+    double outliers = 2 * NEAR_RAD * mean(edges[0].outliers(), edges[1].outliers());
+    return Math.abs(y) < NEAR_RAD && refused > TOO_MANY + outliers;
   }
 
   private double mean(double leading, double trailing) {
@@ -73,7 +75,9 @@ final class WingEventNoise {
     return mean(edges[0].nis(), edges[1].nis());
   }
 
-  /** Share of the events near the wing that chance does not explain, about 0 if all are strays. */
+  /**
+   * Share of the events near the wing that chance does not explain, about 0 if all are outliers.
+   */
   double excess() {
     return mean(edges[0].excess(), edges[1].excess());
   }

@@ -46,6 +46,6 @@ class EventNoiseTest {
       noise.judge(0.5 + 0.7 * (i % 2), 0, 0, 1500);
     }
     noise.variance(FAR_SQUARE, 0);
-    assertTrue(noise.judge(3 * sd, 0, 0, 1500) < clean, "with strays all around");
+    assertTrue(noise.judge(3 * sd, 0, 0, 1500) < clean, "with outliers all around");
   }
 }

@@ -1,14 +1,14 @@
 package haltere.core.event;
 
 /**
- * What a camera tells beside its polarity events. Readings travel in the stream one by one, between
- * the packets, in order of time; see {@link haltere.core.stream.StreamHandler#reading}.
+ * What a camera tells beside its polarity events. Samples travel in the stream one by one, between
+ * the packets, in order of time; see {@link haltere.core.stream.StreamHandler#sample}.
  *
  * <p>Thread rule: immutable; they may be kept and handed to other threads.
  *
  * @since 0.1
  */
-public sealed interface SensorReading permits Frame, InertialSample, Trigger {
+public sealed interface SensorSample permits Frame, InertialSample, Trigger {
   /**
    * The time at which it stands in the stream.
    *
@@ -22,5 +22,5 @@ public sealed interface SensorReading permits Frame, InertialSample, Trigger {
    *
    * @return its kind
    */
-  ReadingKind kind();
+  SampleKind kind();
 }

@@ -1,10 +1,10 @@
 package haltere.core.format.internal.aedat2;
 
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.format.RecordingFile;
 import haltere.core.format.ViolationCounts;
 import haltere.core.format.internal.clock.WrappingClock;
-import haltere.core.format.internal.decoding.ReadingCursor;
+import haltere.core.format.internal.decoding.SampleCursor;
 import haltere.core.stream.StreamNotification;
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -16,36 +16,36 @@ import java.nio.ByteOrder;
  *
  * <p>Thread rule: one thread.
  */
-final class AedatReadingCursor implements ReadingCursor {
+final class AedatSampleCursor implements SampleCursor {
   private static final int BUFFER_BYTES = 256 * 1024;
 
   private final RecordingFile file;
   private final int recordBytes;
   private final AddressDecoder addresses;
-  private final ReadingAssembly assembly;
+  private final SampleAssembly assembly;
   private final WrappingClock clock;
   private final ByteBuffer buffer =
       ByteBuffer.allocateDirect(BUFFER_BYTES / 24 * 24).order(ByteOrder.BIG_ENDIAN).limit(0);
   private long offset;
-  private SensorReading reading;
+  private SensorSample sample;
 
-  /** Makes readings of the words that are no events. */
-  interface ReadingAssembly {
+  /** Makes samples of the words that are no events. */
+  interface SampleAssembly {
     /**
      * Takes the next word.
      *
      * @param word address word of a record
      * @param timeUs its time
      * @param offset where in the file the record is
-     * @return a reading that is whole with it, or null
+     * @return a sample that is whole with it, or null
      */
-    SensorReading take(int word, long timeUs, long offset);
+    SensorSample take(int word, long timeUs, long offset);
 
     /** Forgets what is not whole. */
     void reset();
   }
 
-  AedatReadingCursor(
+  AedatSampleCursor(
       RecordingFile file,
       long dataOffset,
       int recordBytes,
@@ -58,8 +58,8 @@ final class AedatReadingCursor implements ReadingCursor {
     addresses = sensor.decoder();
     assembly =
         sensor.layout() == AedatSensor.Layout.DVS128
-            ? new Dvs128Readings()
-            : new DavisReadings(sensor.geometry(), range, violations);
+            ? new Dvs128Samples()
+            : new DavisSamples(sensor.geometry(), range, violations);
     clock = new WrappingClock(1L << 32, firstTurnUs);
     offset = dataOffset;
   }
@@ -77,8 +77,8 @@ final class AedatReadingCursor implements ReadingCursor {
         if (address >= 0) {
           tick(time);
         } else if (address == AddressDecoder.OTHER) {
-          reading = assembly.take(word, clock.read(time), offset - recordBytes);
-          if (reading != null) {
+          sample = assembly.take(word, clock.read(time), offset - recordBytes);
+          if (sample != null) {
             return Step.READING;
           }
         }
@@ -103,8 +103,8 @@ final class AedatReadingCursor implements ReadingCursor {
   }
 
   @Override
-  public SensorReading reading() {
-    return reading;
+  public SensorSample sample() {
+    return sample;
   }
 
   @Override

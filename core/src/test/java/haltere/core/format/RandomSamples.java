@@ -3,19 +3,19 @@ package haltere.core.format;
 import haltere.core.event.Frame;
 import haltere.core.event.InertialSample;
 import haltere.core.event.SensorGeometry;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.event.Trigger;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 
-/** Readings of all kinds, from a seed. */
-public final class RandomReadings {
+/** Samples of all kinds, from a seed. */
+public final class RandomSamples {
   private final SplittableRandom random;
   private final SensorGeometry sensor;
 
-  /** Readings of a sensor. */
-  public RandomReadings(SensorGeometry sensor, long seed) {
+  /** Samples of a sensor. */
+  public RandomSamples(SensorGeometry sensor, long seed) {
     this.sensor = sensor;
     random = new SplittableRandom(seed);
   }
@@ -62,19 +62,19 @@ public final class RandomReadings {
         random.nextInt(channels));
   }
 
-  /** Readings of all kinds, some at the same time. */
-  public List<SensorReading> all(int count, long fromUs, int meanStepUs) {
-    List<SensorReading> readings = new ArrayList<>();
+  /** Samples of all kinds, some at the same time. */
+  public List<SensorSample> all(int count, long fromUs, int meanStepUs) {
+    List<SensorSample> samples = new ArrayList<>();
     long timeUs = fromUs;
     for (int i = 0; i < count; i++) {
       timeUs += random.nextInt(2 * meanStepUs);
-      readings.add(
+      samples.add(
           switch (random.nextInt(8)) {
             case 0 -> frame(timeUs);
             case 1, 2 -> edge(timeUs, 1);
             default -> sample(timeUs);
           });
     }
-    return readings;
+    return samples;
   }
 }

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.Frame;
 import haltere.core.event.InertialSample;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.event.Trigger;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingReader;
@@ -23,7 +23,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Packets of special events, frames and inertial samples of AEDAT-3 files. */
-class Aedat3ReadingsTest {
+class Aedat3SamplesTest {
   private static final long TURN_US = 1L << 31;
 
   @TempDir Path folder;
@@ -75,9 +75,9 @@ class Aedat3ReadingsTest {
   }
 
   private StreamRecorder read() throws IOException {
-    Path path = Files.write(folder.resolve("readings.aedat"), file.toByteArray());
+    Path path = Files.write(folder.resolve("samples.aedat"), file.toByteArray());
     StreamRecorder recorder = new StreamRecorder();
-    try (RecordingReader reader = Recordings.open(path, ReadOptions.DEFAULT.withReadings(true))) {
+    try (RecordingReader reader = Recordings.open(path, ReadOptions.DEFAULT.withSamples(true))) {
       reader.drainTo(recorder);
     }
     return recorder;
@@ -111,9 +111,9 @@ class Aedat3ReadingsTest {
             new Trigger(TURN_US + 50, Trigger.Source.FRAME_READOUT, Trigger.Edge.FALLING, 0),
             new Trigger(TURN_US + 60, Trigger.Source.EXPOSURE, Trigger.Edge.RISING, 0),
             new Trigger(TURN_US + 70, Trigger.Source.CLOCK_RESET, Trigger.Edge.PULSE, 0)),
-        stream.readings(Trigger.class));
-    assertEquals(1, stream.placedReadings().get(2).eventsBefore());
-    assertEquals(2, stream.placedReadings().get(3).eventsBefore());
+        stream.samples(Trigger.class));
+    assertEquals(1, stream.placedSamples().get(2).eventsBefore());
+    assertEquals(2, stream.placedSamples().get(3).eventsBefore());
   }
 
   @Test
@@ -122,7 +122,7 @@ class Aedat3ReadingsTest {
     packet(PacketHeader.INERTIAL_6, 36, inertial(36, 10));
     packet(PacketHeader.INERTIAL_9, 48, inertial(48, 20));
 
-    List<InertialSample> samples = read().readings(InertialSample.class);
+    List<InertialSample> samples = read().samples(InertialSample.class);
 
     assertEquals(
         List.of(
@@ -142,7 +142,7 @@ class Aedat3ReadingsTest {
     }
     packet(PacketHeader.FRAME, frame.capacity(), frame);
 
-    Frame read = read().readings(Frame.class).get(0);
+    Frame read = read().samples(Frame.class).get(0);
 
     assertEquals(
         new Frame.Times(TURN_US + 200, TURN_US + 300, TURN_US + 100, TURN_US + 400), read.times());
@@ -155,7 +155,7 @@ class Aedat3ReadingsTest {
   }
 
   @Test
-  void aFileThatEndsWithinAReadingGivesThoseBefore() throws IOException {
+  void aFileThatEndsWithinASampleGivesThoseBefore() throws IOException {
     header();
     packet(PacketHeader.SPECIAL, 8, special(2, 10), special(3, 20));
     packet(PacketHeader.INERTIAL_6, 36, inertial(36, 10), inertial(36, 20));
@@ -164,7 +164,7 @@ class Aedat3ReadingsTest {
     for (int length = whole.length - 100; length < whole.length; length++) {
       file.reset();
       file.write(whole, 0, length);
-      int found = read().readings(SensorReading.class).size();
+      int found = read().samples(SensorSample.class).size();
       assertTrue(found >= most && found < 4, found + " of a file cut to " + length);
       most = found;
     }

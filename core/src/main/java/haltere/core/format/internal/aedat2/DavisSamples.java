@@ -3,13 +3,13 @@ package haltere.core.format.internal.aedat2;
 import haltere.core.event.Frame;
 import haltere.core.event.InertialSample;
 import haltere.core.event.SensorGeometry;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.event.Trigger;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
 
 /**
- * Makes readings of the words of a DAVIS camera: edges on its input; an inertial sample of seven
+ * Makes samples of the words of a DAVIS camera: edges on its input; an inertial sample of seven
  * words (acceleration along x, y and z, temperature, rotation about x, y and z); a frame of two
  * words for each pixel, what it held after it was reset and what it held in the end.
  *
@@ -17,7 +17,7 @@ import haltere.core.format.ViolationCounts;
  * which the upper ten are used. Unlike that of events, x of a frame's words is not mirrored. The
  * exposure lasts from the first pixel's reset to its second reading.
  */
-final class DavisReadings implements AedatReadingCursor.ReadingAssembly {
+final class DavisSamples implements AedatSampleCursor.SampleAssembly {
   private static final int INERTIAL = 3;
   private static final int SIGNAL = 1;
   private static final int RESET = 0;
@@ -33,14 +33,14 @@ final class DavisReadings implements AedatReadingCursor.ReadingAssembly {
   private int inertialWords;
   private PixelSamples samples;
 
-  DavisReadings(SensorGeometry geometry, InertialRange range, ViolationCounts violations) {
+  DavisSamples(SensorGeometry geometry, InertialRange range, ViolationCounts violations) {
     this.geometry = geometry;
     this.range = range;
     this.violations = violations;
   }
 
   @Override
-  public SensorReading take(int word, long timeUs, long offset) {
+  public SensorSample take(int word, long timeUs, long offset) {
     if (word >= 0) {
       return trigger(word & 0x3ff, timeUs);
     }

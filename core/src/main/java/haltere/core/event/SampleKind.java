@@ -5,7 +5,7 @@ package haltere.core.event;
  *
  * @since 0.1
  */
-public enum ReadingKind {
+public enum SampleKind {
   /** A picture of the whole sensor or of a part of it. */
   FRAME("frame", "frames"),
   /** What the inertial sensor on the camera measured. */
@@ -16,7 +16,7 @@ public enum ReadingKind {
   private final String one;
   private final String many;
 
-  ReadingKind(String one, String many) {
+  SampleKind(String one, String many) {
     this.one = one;
     this.many = many;
   }

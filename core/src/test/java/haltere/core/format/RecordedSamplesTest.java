@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import haltere.core.event.EventPacket;
 import haltere.core.event.Frame;
 import haltere.core.event.InertialSample;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.event.Trigger;
 import haltere.core.stream.StreamGrammar;
 import haltere.testing.EventPackets;
@@ -24,8 +24,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 /**
  * Frames, inertial samples and triggers of real recordings, as dv-processing and aedat see them.
  */
-class RecordedReadingsTest {
-  private static final ReadOptions READINGS = ReadOptions.DEFAULT.withReadings(true);
+class RecordedSamplesTest {
+  private static final ReadOptions READINGS = ReadOptions.DEFAULT.withSamples(true);
   private static final String DAVIS346 = "davis346-events-frames-imu.aedat4";
   private static final String DAVIS240 = "davis240c-rotating-disk-imu-aps.aedat";
   private static final String DVXPLORER = "dvxplorer-sample.aedat4";
@@ -41,7 +41,7 @@ class RecordedReadingsTest {
 
   @Test
   void framesOfADavisAreThoseThatOtherProgramsSee() throws IOException {
-    List<Frame> frames = read(DAVIS346, READINGS).readings(Frame.class);
+    List<Frame> frames = read(DAVIS346, READINGS).samples(Frame.class);
     assertEquals(59, frames.size());
     Frame first = frames.get(0);
     assertEquals(
@@ -68,7 +68,7 @@ class RecordedReadingsTest {
 
   @Test
   void inertialSamplesOfADavisAreThoseThatOtherProgramsSee() throws IOException {
-    List<InertialSample> samples = read(DAVIS346, READINGS).readings(InertialSample.class);
+    List<InertialSample> samples = read(DAVIS346, READINGS).samples(InertialSample.class);
     assertEquals(2363, samples.size());
     assertEquals(
         new InertialSample(
@@ -86,12 +86,12 @@ class RecordedReadingsTest {
         samples.get(0));
     assertEquals(1589163149728420L, samples.get(2362).timeUs());
     assertEquals(0.0457763634622097f, samples.get(2362).rotationZDegS());
-    assertEquals(475, read(DVXPLORER, READINGS).readings(InertialSample.class).size());
+    assertEquals(475, read(DVXPLORER, READINGS).samples(InertialSample.class).size());
   }
 
   @Test
   void triggersOfADavisTellWhenFramesWereTaken() throws IOException {
-    List<Trigger> triggers = read(DAVIS346, READINGS).readings(Trigger.class);
+    List<Trigger> triggers = read(DAVIS346, READINGS).samples(Trigger.class);
     assertEquals(236, triggers.size());
     assertEquals(
         new Trigger(1589163147374647L, Trigger.Source.FRAME_READOUT, Trigger.Edge.FALLING, 0),
@@ -107,9 +107,9 @@ class RecordedReadingsTest {
   @Test
   void inertialSamplesOfAnAedat2FileHaveTheRangeThatItsHeaderStates() throws IOException {
     StreamRecorder stream = read(DAVIS240, READINGS);
-    List<InertialSample> samples = stream.readings(InertialSample.class);
+    List<InertialSample> samples = stream.samples(InertialSample.class);
     assertEquals(51_688 / 7, samples.size());
-    assertEquals(samples.size(), stream.placedReadings().size());
+    assertEquals(samples.size(), stream.placedSamples().size());
     InertialSample first = samples.get(0);
     assertEquals(342_081, first.timeUs());
     float[] g = {first.accelerationXG(), first.accelerationYG(), first.accelerationZG()};
@@ -123,7 +123,7 @@ class RecordedReadingsTest {
   @Test
   void aRecordingWithoutEventsGivesItsFrame() throws IOException {
     StreamRecorder stream = read("gray16-frame.aedat4", READINGS);
-    Frame frame = stream.readings(Frame.class).get(0);
+    Frame frame = stream.samples(Frame.class).get(0);
     assertEquals("2x2x1 UNSIGNED_16 frame at 950 us", frame.toString());
     assertEquals(new Frame.Times(950, 1050, 900, 1100), frame.times());
     assertEquals(1, frame.value(0, 1, 0));
@@ -134,13 +134,13 @@ class RecordedReadingsTest {
 
   @ParameterizedTest
   @ValueSource(strings = {DAVIS346, DAVIS240, DVXPLORER})
-  void eachReadingStandsAtItsTimeAmongTheSameEvents(String name) throws IOException {
+  void eachSampleStandsAtItsTimeAmongTheSameEvents(String name) throws IOException {
     StreamRecorder with = read(name, READINGS);
     EventPacket events = read(name, ReadOptions.DEFAULT).events();
     assertEquals(events, with.events());
     long lastUs = Long.MIN_VALUE;
-    for (StreamRecorder.Read read : with.placedReadings()) {
-      long timeUs = read.reading().timeUs();
+    for (StreamRecorder.Read read : with.placedSamples()) {
+      long timeUs = read.sample().timeUs();
       assertEquals(events.indexAtOrAfter(timeUs), read.eventsBefore(), "at " + timeUs + " us");
       assertTrue(timeUs >= lastUs, "at " + timeUs + " us");
       lastUs = timeUs;
@@ -159,17 +159,17 @@ class RecordedReadingsTest {
 
   @ParameterizedTest
   @MethodSource("counted")
-  void readingsAreCountedWithoutReadingTheStream(String line) throws IOException {
+  void samplesAreCountedWithoutSampleTheStream(String line) throws IOException {
     String[] parts = line.split(": ");
     try (RecordingReader reader = Recordings.open(Recorded.file(parts[0]))) {
-      assertEquals(parts[1], reader.countReadings().toString());
+      assertEquals(parts[1], reader.countSamples().toString());
       assertEquals(0, reader.violations().describe().size());
     }
   }
 
   @ParameterizedTest
   @ValueSource(strings = {DAVIS346, DAVIS240})
-  void seekingGivesTheReadingsFromThatTimeOn(String name) throws IOException {
+  void seekingGivesTheSamplesFromThatTimeOn(String name) throws IOException {
     StreamRecorder all = read(name, READINGS);
     try (RecordingReader reader = Recordings.open(Recorded.file(name), READINGS)) {
       for (int share = 0; share < 10; share++) {
@@ -180,14 +180,14 @@ class RecordedReadingsTest {
         reader.drainTo(part);
         int from = events.indexAtOrAfter(fromUs);
         assertEquals(EventPackets.part(events, from, events.size()), part.events());
-        List<SensorReading> expected =
-            all.placedReadings().stream()
-                .map(StreamRecorder.Read::reading)
-                .filter(reading -> reading.timeUs() >= fromUs)
+        List<SensorSample> expected =
+            all.placedSamples().stream()
+                .map(StreamRecorder.Read::sample)
+                .filter(sample -> sample.timeUs() >= fromUs)
                 .toList();
         assertEquals(
             expected,
-            part.placedReadings().stream().map(StreamRecorder.Read::reading).toList(),
+            part.placedSamples().stream().map(StreamRecorder.Read::sample).toList(),
             "from " + fromUs + " us");
       }
     }

@@ -4,12 +4,12 @@ import haltere.core.event.Frame;
 import haltere.core.event.InertialSample;
 import haltere.core.event.Origin;
 import haltere.core.event.SensorGeometry;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.event.Trigger;
 import haltere.core.format.RecordingFile;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
-import haltere.core.format.internal.decoding.ReadingCursor;
+import haltere.core.format.internal.decoding.SampleCursor;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -21,7 +21,7 @@ import java.nio.ByteOrder;
  *
  * <p>Thread rule: one thread.
  */
-final class Aedat3ReadingCursor implements ReadingCursor {
+final class Aedat3SampleCursor implements SampleCursor {
   private static final int SEARCH_BYTES = 64 * 1024;
   private static final int FRAME_HEADER = 36;
   private static final int MAX_FRAME_BYTES = 32 * 1024 * 1024;
@@ -33,9 +33,9 @@ final class Aedat3ReadingCursor implements ReadingCursor {
   private long position;
   private PacketHeader packet;
   private int event;
-  private SensorReading reading;
+  private SensorSample sample;
 
-  Aedat3ReadingCursor(
+  Aedat3SampleCursor(
       RecordingFile file, long dataOffset, SensorGeometry geometry, ViolationCounts violations) {
     this.file = file;
     this.geometry = geometry;
@@ -45,8 +45,8 @@ final class Aedat3ReadingCursor implements ReadingCursor {
 
   @Override
   public Step next(long untilOffset) throws IOException {
-    reading = null;
-    while (reading == null) {
+    sample = null;
+    while (sample == null) {
       if (packet != null && event < packet.number()) {
         readEvent();
         event++;
@@ -64,7 +64,7 @@ final class Aedat3ReadingCursor implements ReadingCursor {
     return Step.READING;
   }
 
-  /** The next packet of readings; null at the end or behind a place. */
+  /** The next packet of samples; null at the end or behind a place. */
   private PacketHeader nextPacket(long untilOffset) throws IOException {
     while (position <= file.size() - PacketHeader.BYTES && position < untilOffset) {
       ByteBuffer bytes = bytes(position, PacketHeader.BYTES);
@@ -76,7 +76,7 @@ final class Aedat3ReadingCursor implements ReadingCursor {
         search();
         continue;
       }
-      if (holdsReadings(header)) {
+      if (holdsSamples(header)) {
         return header;
       }
       position += PacketHeader.BYTES + header.payloadBytes();
@@ -84,7 +84,7 @@ final class Aedat3ReadingCursor implements ReadingCursor {
     return null;
   }
 
-  private static boolean holdsReadings(PacketHeader header) {
+  private static boolean holdsSamples(PacketHeader header) {
     return switch (header.kind()) {
       case PacketHeader.SPECIAL -> header.eventBytes() == 8;
       case PacketHeader.FRAME -> header.eventBytes() > FRAME_HEADER;
@@ -124,7 +124,7 @@ final class Aedat3ReadingCursor implements ReadingCursor {
     if ((bytes.getInt(0) & 1) == 0) {
       return;
     }
-    reading =
+    sample =
         switch (packet.kind()) {
           case PacketHeader.SPECIAL -> trigger(bytes);
           case PacketHeader.FRAME -> frame(bytes, at);
@@ -204,8 +204,8 @@ final class Aedat3ReadingCursor implements ReadingCursor {
   }
 
   @Override
-  public SensorReading reading() {
-    return reading;
+  public SensorSample sample() {
+    return sample;
   }
 
   @Override

@@ -1,6 +1,6 @@
 package haltere.core.format.internal.decoding;
 
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.format.ViolationCounts;
 import haltere.core.format.internal.reader.DecodingReader;
 import java.io.Closeable;
@@ -8,28 +8,28 @@ import java.io.IOException;
 
 /**
  * A place in a recording from which frames, inertial samples and triggers are read. It goes through
- * the file by itself, beside the {@link EventCursor} of the same recording, so that reading events
+ * the file by itself, beside the {@link EventCursor} of the same recording, so that sample events
  * alone costs nothing; {@link DecodingReader} puts both in order.
  *
  * <p>Thread rule: one thread.
  */
-public interface ReadingCursor extends Closeable {
+public interface SampleCursor extends Closeable {
   /** Makes cursors that do not share their places. */
   @FunctionalInterface
   interface Factory {
     /**
      * Opens the recording once more.
      *
-     * @param violations where the cursor counts readings that are not whole
+     * @param violations where the cursor counts samples that are not whole
      * @return a cursor at the start
      * @throws IOException if the file cannot be read
      */
-    ReadingCursor open(ViolationCounts violations) throws IOException;
+    SampleCursor open(ViolationCounts violations) throws IOException;
   }
 
   /** What {@link #next} came to. */
   enum Step {
-    /** A reading. */
+    /** A sample. */
     READING,
     /** The place up to which it should look, or some way behind. */
     NOTHING_YET,
@@ -38,8 +38,8 @@ public interface ReadingCursor extends Closeable {
   }
 
   /**
-   * Goes to the next reading, in the order of the file. It may be far away: so that nobody waits
-   * for it unawares, it is looked for up to a place only, and from there on with the next call.
+   * Goes to the next sample, in the order of the file. It may be far away: so that nobody waits for
+   * it unawares, it is looked for up to a place only, and from there on with the next call.
    *
    * @param untilOffset byte offset in the file
    * @return what it came to
@@ -48,22 +48,22 @@ public interface ReadingCursor extends Closeable {
   Step next(long untilOffset) throws IOException;
 
   /**
-   * The reading to which {@link #next} went.
+   * The sample to which {@link #next} went.
    *
-   * @return a reading
+   * @return a sample
    */
-  SensorReading reading();
+  SensorSample sample();
 
   /**
-   * Where that reading ends.
+   * Where that sample ends.
    *
    * @return byte offset in the file, or of the packet that holds it
    */
   long offset();
 
   /**
-   * Goes to a place that the {@link EventCursor} of the same recording noted. A reading that is
-   * only half before the place is left out.
+   * Goes to a place that the {@link EventCursor} of the same recording noted. A sample that is only
+   * half before the place is left out.
    *
    * @param state has the numbers that it noted
    * @param at index of the first of them

@@ -1,9 +1,9 @@
 package haltere.core.format.internal.evt;
 
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.event.Trigger;
 import haltere.core.format.RecordingFile;
-import haltere.core.format.internal.decoding.ReadingCursor;
+import haltere.core.format.internal.decoding.SampleCursor;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -14,7 +14,7 @@ import java.nio.ByteOrder;
  *
  * <p>Thread rule: one thread.
  */
-final class EvtReadingCursor implements ReadingCursor {
+final class EvtSampleCursor implements SampleCursor {
   private static final int BUFFER_BYTES = 256 * 1024;
   private static final int TIME_LOW = 6;
   private static final int TIME_HIGH = 8;
@@ -43,7 +43,7 @@ final class EvtReadingCursor implements ReadingCursor {
   private long timeUs;
   private Trigger trigger;
 
-  EvtReadingCursor(RecordingFile file, long dataOffset, Words words, long firstTurnUs) {
+  EvtSampleCursor(RecordingFile file, long dataOffset, Words words, long firstTurnUs) {
     this.file = file;
     this.words = words;
     clock = words == Words.EVT3 ? EvtClock.narrow(firstTurnUs) : EvtClock.wide(firstTurnUs);
@@ -149,7 +149,7 @@ final class EvtReadingCursor implements ReadingCursor {
   }
 
   @Override
-  public SensorReading reading() {
+  public SensorSample sample() {
     return trigger;
   }
 

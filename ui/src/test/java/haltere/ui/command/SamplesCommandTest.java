@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** What the commands do with frames, inertial samples and triggers. */
-class ReadingsCommandTest {
+class SamplesCommandTest {
   @TempDir Path folder;
   private Path davis;
 

@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import haltere.core.event.EventPacket;
 import haltere.core.event.Frame;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.event.Trigger;
 import haltere.core.stream.EndOfStream;
 import haltere.core.stream.Reset;
@@ -23,12 +23,12 @@ import java.util.stream.Collectors;
 import java.util.stream.LongStream;
 import org.junit.jupiter.api.Test;
 
-/** Readings beside the events that are kept. */
-class KeptReadingsTest {
+/** Samples beside the events that are kept. */
+class KeptSamplesTest {
   private static final int ROOM = 4 * EventHistory.CHUNK_EVENTS;
 
   @Test
-  void readingsAreKeptInTheirPlacesAlsoWhereTheClockRestarted() throws IOException {
+  void samplesAreKeptInTheirPlacesAlsoWhereTheClockRestarted() throws IOException {
     Reset restarted = new Reset(Reset.Cause.CLOCK_RESTARTED, 30, 5);
     KeptPlayable kept =
         new KeptPlayable(
@@ -82,8 +82,8 @@ class KeptReadingsTest {
           }
 
           @Override
-          public void reading(SensorReading reading) {
-            words.add("t" + reading.timeUs());
+          public void sample(SensorSample sample) {
+            words.add("t" + sample.timeUs());
           }
 
           @Override
@@ -100,11 +100,11 @@ class KeptReadingsTest {
   }
 
   @Test
-  void readingsTakeNoMoreThanTheirRoomAndGoWithTheEventsBesideThem() {
+  void samplesTakeNoMoreThanTheirRoomAndGoWithTheEventsBesideThem() {
     SplittableRandom random = new SplittableRandom(11);
     long roomBytes = 24 * 1024;
     EventHistory history = new EventHistory(ROOM, roomBytes);
-    List<SensorReading> all = new ArrayList<>();
+    List<SensorSample> all = new ArrayList<>();
     EventPacket packet = new EventPacket(1000);
     long timeUs = 0;
     for (int i = 0; i < 400; i++) {
@@ -113,13 +113,13 @@ class KeptReadingsTest {
         packet.append(timeUs++, 1, 1, true);
       }
       history.append(packet, 0);
-      SensorReading reading = random.nextInt(8) == 0 ? frame(timeUs++) : trigger(timeUs++);
-      all.add(reading);
-      history.append(reading, 0);
+      SensorSample sample = random.nextInt(8) == 0 ? frame(timeUs++) : trigger(timeUs++);
+      all.add(sample);
+      history.append(sample, 0);
     }
     history.read(Long.MIN_VALUE);
     long bytes = 0;
-    List<SensorReading> read = new ArrayList<>();
+    List<SensorSample> read = new ArrayList<>();
     while (!history.atEnd()) {
       history.next(
           packet,
@@ -129,17 +129,17 @@ class KeptReadingsTest {
             public void packet(EventPacket events) {}
 
             @Override
-            public void reading(SensorReading reading) {
-              assertTrue(reading.timeUs() > history.fromUs());
-              read.add(reading);
+            public void sample(SensorSample sample) {
+              assertTrue(sample.timeUs() > history.fromUs());
+              read.add(sample);
             }
 
             @Override
             public void notified(StreamNotification notification) {}
           });
     }
-    for (SensorReading reading : read) {
-      bytes += reading instanceof Frame ? 4096 : 0;
+    for (SensorSample sample : read) {
+      bytes += sample instanceof Frame ? 4096 : 0;
     }
     assertTrue(bytes > roomBytes / 2 && bytes <= roomBytes, bytes + " bytes of frames");
     assertEquals(all.subList(all.size() - read.size(), all.size()), read, "the newest, in order");

@@ -1,36 +1,36 @@
 package haltere.core.playback;
 
 import haltere.core.event.Frame;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Readings between the events of an {@link EventHistory}, with their places, in bounded memory:
+ * Samples between the events of an {@link EventHistory}, with their places, in bounded memory:
  * where there is no more room the oldest are forgotten.
  *
  * <p>Thread rule: one thread at a time.
  */
-final class KeptReadings {
+final class KeptSamples {
   /**
    * Room for 15 s of a camera's frames of 346 by 260 pixels, 25 a second, and what else it tells.
    */
   static final long MAX_BYTES = 72 << 20;
 
-  /** What a reading takes beside the pixels of a frame, about. */
+  /** What a sample takes beside the pixels of a frame, about. */
   private static final int BYTES_EACH = 96;
 
   /**
-   * A reading in its place.
+   * A sample in its place.
    *
-   * @param reading what was told
+   * @param sample what was told
    * @param offsetUs elapsed time less time on the source's clock, microseconds
    * @param eventsBefore how many events came before it since the history began
    * @param afterNotice whether it came behind what was said between the same two events
    */
-  record Kept(SensorReading reading, long offsetUs, long eventsBefore, boolean afterNotice) {
+  record Kept(SensorSample sample, long offsetUs, long eventsBefore, boolean afterNotice) {
     long elapsedUs() {
-      return reading.timeUs() + offsetUs;
+      return sample.timeUs() + offsetUs;
     }
   }
 
@@ -40,12 +40,12 @@ final class KeptReadings {
   private int next;
 
   /** Keeps about so many bytes. */
-  KeptReadings(long mostBytes) {
+  KeptSamples(long mostBytes) {
     this.mostBytes = mostBytes;
   }
 
   private static long bytes(Kept kept) {
-    return kept.reading() instanceof Frame frame
+    return kept.sample() instanceof Frame frame
         ? BYTES_EACH
             + (long) frame.width() * frame.height() * frame.channels() * frame.depth().bytes()
         : BYTES_EACH;

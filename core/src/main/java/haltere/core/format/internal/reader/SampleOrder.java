@@ -1,8 +1,8 @@
 package haltere.core.format.internal.reader;
 
 import haltere.core.event.Frame;
-import haltere.core.event.SensorReading;
-import haltere.core.format.internal.decoding.ReadingCursor;
+import haltere.core.event.SensorSample;
+import haltere.core.format.internal.decoding.SampleCursor;
 import java.io.Closeable;
 import java.io.IOException;
 import java.util.Comparator;
@@ -10,31 +10,31 @@ import java.util.List;
 import java.util.PriorityQueue;
 
 /**
- * Puts the readings of a recording into the order of time among its events. In a file they may
- * stand some way off: a frame behind the events of its readout, samples of a packet behind or
- * before those of another. So it looks ahead, by time, and within bounded memory and a bounded part
- * of the file; a reading whose time falls far back belongs behind the next restart of the clock.
+ * Puts the samples of a recording into the order of time among its events. In a file they may stand
+ * some way off: a frame behind the events of its readout, samples of a packet behind or before
+ * those of another. So it looks ahead, by time, and within bounded memory and a bounded part of the
+ * file; a sample whose time falls far back belongs behind the next restart of the clock.
  *
  * <p>Thread rule: one thread.
  */
-final class ReadingOrder implements Closeable {
+final class SampleOrder implements Closeable {
   private static final long LOOK_AHEAD_US = 250_000;
   private static final long FALL_US = 2_000_000;
   private static final long ANY_TIME_US = Long.MAX_VALUE - LOOK_AHEAD_US;
 
-  /** Of a file without readings so much is looked through before the first events are given. */
+  /** Of a file without samples so much is looked through before the first events are given. */
   private static final long LOOK_AHEAD_BYTES = 16 << 20;
 
   private static final int MAX_WAITING = 4096;
   private static final long MAX_WAITING_BYTES = 16 << 20;
 
-  private record Waiting(SensorReading reading, long offset, int era, long number) {}
+  private record Waiting(SensorSample sample, long offset, int era, long number) {}
 
-  private final ReadingCursor cursor;
+  private final SampleCursor cursor;
   private final PriorityQueue<Waiting> waiting =
       new PriorityQueue<>(
           Comparator.comparingInt(Waiting::era)
-              .thenComparingLong(one -> one.reading().timeUs())
+              .thenComparingLong(one -> one.sample().timeUs())
               .thenComparingLong(Waiting::number));
   private long waitingBytes;
   private boolean atEnd;
@@ -46,11 +46,11 @@ final class ReadingOrder implements Closeable {
   private long fromUs = Long.MIN_VALUE;
   private long fromOffset;
 
-  ReadingOrder(ReadingCursor cursor) {
+  SampleOrder(SampleCursor cursor) {
     this.cursor = cursor;
   }
 
-  /** Whether a reading comes before an event that stands at or behind a place of the file. */
+  /** Whether a sample comes before an event that stands at or behind a place of the file. */
   boolean isDueBefore(long eventUs, long offset) throws IOException {
     lookAhead(eventUs, Long.MAX_VALUE, offset + LOOK_AHEAD_BYTES);
     Waiting first = waiting.peek();
@@ -58,13 +58,13 @@ final class ReadingOrder implements Closeable {
       return false;
     }
     if (first.era > era && first.offset <= offset) {
-      // The clock of the events has not gone back where that of the readings seemed to.
+      // The clock of the events has not gone back where that of the samples seemed to.
       era = first.era;
     }
-    return first.era < era || first.era == era && first.reading.timeUs() <= eventUs || isFull();
+    return first.era < era || first.era == era && first.sample.timeUs() <= eventUs || isFull();
   }
 
-  /** Whether a reading comes before the clock goes back at a place of the file. */
+  /** Whether a sample comes before the clock goes back at a place of the file. */
   boolean isDueBeforeRestart(long offset) throws IOException {
     lookAhead(ANY_TIME_US, offset, offset);
     Waiting first = waiting.peek();
@@ -78,19 +78,19 @@ final class ReadingOrder implements Closeable {
     return !waiting.isEmpty();
   }
 
-  /** Time of the next reading, {@link Long#MAX_VALUE} if it is not of this side of a restart. */
+  /** Time of the next sample, {@link Long#MAX_VALUE} if it is not of this side of a restart. */
   long nextUs() {
     Waiting first = waiting.peek();
-    return first == null || first.era > era ? Long.MAX_VALUE : first.reading.timeUs();
+    return first == null || first.era > era ? Long.MAX_VALUE : first.sample.timeUs();
   }
 
-  SensorReading take() {
+  SensorSample take() {
     Waiting first = waiting.remove();
-    waitingBytes -= bytes(first.reading);
-    return first.reading;
+    waitingBytes -= bytes(first.sample);
+    return first.sample;
   }
 
-  /** The clock of the events went back, and all readings that are due before that are taken. */
+  /** The clock of the events went back, and all samples that are due before that are taken. */
   void restarted() {
     era++;
     if (newestEra < era) {
@@ -99,8 +99,8 @@ final class ReadingOrder implements Closeable {
       List<Waiting> later = List.copyOf(waiting);
       waiting.clear();
       for (Waiting one : later) {
-        waiting.add(new Waiting(one.reading, one.offset, era, one.number));
-        newestUs = Math.max(newestUs, one.reading.timeUs());
+        waiting.add(new Waiting(one.sample, one.offset, era, one.number));
+        newestUs = Math.max(newestUs, one.sample.timeUs());
       }
     }
   }
@@ -110,7 +110,7 @@ final class ReadingOrder implements Closeable {
    *
    * @param state place of the events' cursor at or before the wanted time
    * @param from the first time that is wanted
-   * @param offset readings before it in the file are not wanted
+   * @param offset samples before it in the file are not wanted
    */
   void seek(long[] state, long from, long offset) throws IOException {
     cursor.restore(state, 0);
@@ -125,7 +125,7 @@ final class ReadingOrder implements Closeable {
     fromOffset = offset;
   }
 
-  /** Readings before a time are not wanted. */
+  /** Samples before a time are not wanted. */
   void dropBefore(long from) {
     fromUs = from;
   }
@@ -148,14 +148,14 @@ final class ReadingOrder implements Closeable {
         && newestUs <= untilUs
         && newestOffset <= offset
         && !isFull()) {
-      ReadingCursor.Step step = cursor.next(untilOffset);
-      if (step != ReadingCursor.Step.READING) {
-        atEnd = step == ReadingCursor.Step.END;
+      SampleCursor.Step step = cursor.next(untilOffset);
+      if (step != SampleCursor.Step.READING) {
+        atEnd = step == SampleCursor.Step.END;
         return;
       }
-      SensorReading reading = cursor.reading();
+      SensorSample sample = cursor.sample();
       newestOffset = cursor.offset();
-      long timeUs = reading.timeUs();
+      long timeUs = sample.timeUs();
       if (newestUs != Long.MIN_VALUE && timeUs < newestUs - FALL_US) {
         newestEra++;
         newestUs = timeUs;
@@ -164,13 +164,13 @@ final class ReadingOrder implements Closeable {
       if (newestEra == 0 && (timeUs < fromUs || cursor.offset() < fromOffset)) {
         continue;
       }
-      waiting.add(new Waiting(reading, cursor.offset(), newestEra, taken++));
-      waitingBytes += bytes(reading);
+      waiting.add(new Waiting(sample, cursor.offset(), newestEra, taken++));
+      waitingBytes += bytes(sample);
     }
   }
 
-  private static long bytes(SensorReading reading) {
-    return reading instanceof Frame frame ? frame.rows().capacity() : 64;
+  private static long bytes(SensorSample sample) {
+    return sample instanceof Frame frame ? frame.rows().capacity() : 64;
   }
 
   @Override

@@ -4,17 +4,17 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.event.Trigger;
-import haltere.core.format.internal.decoding.ReadingCursor;
+import haltere.core.format.internal.decoding.SampleCursor;
 import java.io.IOException;
 import org.junit.jupiter.api.Test;
 
-class ReadingOrderTest {
+class SampleOrderTest {
   private static final long FAR = 1L << 30;
 
-  /** A file of two gigabytes whose only reading is in its middle. */
-  private static final class LonelyTrigger implements ReadingCursor {
+  /** A file of two gigabytes whose only sample is in its middle. */
+  private static final class LonelyTrigger implements SampleCursor {
     private final Trigger trigger =
         new Trigger(5_000, Trigger.Source.EXTERNAL_INPUT, Trigger.Edge.RISING, 0);
     private long looked;
@@ -31,7 +31,7 @@ class ReadingOrderTest {
     }
 
     @Override
-    public SensorReading reading() {
+    public SensorSample sample() {
       return trigger;
     }
 
@@ -50,9 +50,9 @@ class ReadingOrderTest {
   }
 
   @Test
-  void aReadingFarAwayIsLookedForNearTheEventsOnly() throws IOException {
+  void aSampleFarAwayIsLookedForNearTheEventsOnly() throws IOException {
     LonelyTrigger file = new LonelyTrigger();
-    try (ReadingOrder order = new ReadingOrder(file)) {
+    try (SampleOrder order = new SampleOrder(file)) {
       for (long offset = 0; offset < FAR - (16 << 20); offset += 1 << 20) {
         assertFalse(order.isDueBefore(1_000, offset));
         assertTrue(file.looked <= offset + (16 << 20), "looked up to " + file.looked);
@@ -61,8 +61,8 @@ class ReadingOrderTest {
   }
 
   @Test
-  void aReadingComesWhenTheEventsAreNearIt() throws IOException {
-    try (ReadingOrder order = new ReadingOrder(new LonelyTrigger())) {
+  void aSampleComesWhenTheEventsAreNearIt() throws IOException {
+    try (SampleOrder order = new SampleOrder(new LonelyTrigger())) {
       assertFalse(order.isDueBefore(4_999, FAR - (16 << 20)));
       assertTrue(order.isDueBefore(5_000, FAR - (16 << 20)));
       assertEquals(5_000, order.take().timeUs());
@@ -71,8 +71,8 @@ class ReadingOrderTest {
   }
 
   @Test
-  void aReadingBehindAllEventsComesBeforeTheEnd() throws IOException {
-    try (ReadingOrder order = new ReadingOrder(new LonelyTrigger())) {
+  void aSampleBehindAllEventsComesBeforeTheEnd() throws IOException {
+    try (SampleOrder order = new SampleOrder(new LonelyTrigger())) {
       assertTrue(order.isDueBeforeEnd());
       assertFalse(order.isDueBeforeRestart(FAR - 1));
       assertTrue(order.isDueBeforeRestart(FAR));

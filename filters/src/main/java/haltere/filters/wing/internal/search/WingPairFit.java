@@ -9,7 +9,7 @@ import java.util.Arrays;
  * all are moved by as much as their fits leave them free (least squares over both fits' normal
  * equations and the two beliefs).
  */
-final class BodyLine {
+final class WingPairFit {
   private static final int TURN = 2 * StrokeFit.SIZE;
   private static final int SIZE = TURN + 1;
   private static final int ROUNDS = 4;

@@ -2,7 +2,7 @@ package haltere.ui.command.results;
 
 import haltere.core.event.Frame;
 import haltere.core.event.InertialSample;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.event.Trigger;
 import haltere.core.format.RecordingReader;
 import haltere.core.sink.CsvSink;
@@ -27,8 +27,8 @@ import java.util.stream.Stream;
  * Writes one of the streams beside the events: samples or triggers as a table, frames as pictures
  * in a new folder with a table of their times. Each appears whole or not at all.
  */
-public final class ReadingExport {
-  private final ReadingStream stream;
+public final class SampleExport {
+  private final SampleStream stream;
   private final Path out;
   private final boolean overwrite;
   private final long fromUs;
@@ -39,8 +39,8 @@ public final class ReadingExport {
    * An export that has not begun, from the first time to before the last, microseconds, into a
    * table or a folder of pictures.
    */
-  public ReadingExport(
-      ReadingStream stream,
+  public SampleExport(
+      SampleStream stream,
       Path out,
       boolean overwrite,
       long fromUs,
@@ -55,32 +55,32 @@ public final class ReadingExport {
   }
 
   /**
-   * Reads a recording from its start to its end, with readings, and returns how many were written;
+   * Reads a recording from its start to its end, with samples, and returns how many were written;
    * the check is asked before anything is put in its place.
    */
   public long run(RecordingReader reader, ProgressBar progress, Check check) throws IOException {
     return switch (stream) {
       case IMU -> {
-        try (TableSink<ReadingTables.SampleRow> table =
-            Tables.create(out, ReadingTables.SampleRow.class, overwrite, metadata)) {
+        try (TableSink<SampleTables.SampleRow> table =
+            Tables.create(out, SampleTables.SampleRow.class, overwrite, metadata)) {
           pass(
               reader,
               progress,
               InertialSample.class,
-              sample -> table.accept(ReadingTables.SampleRow.of(sample)));
+              sample -> table.accept(SampleTables.SampleRow.of(sample)));
           check.run();
           table.finish();
           yield table.rows();
         }
       }
       case TRIGGERS -> {
-        try (TableSink<ReadingTables.TriggerRow> table =
-            Tables.create(out, ReadingTables.TriggerRow.class, overwrite, metadata)) {
+        try (TableSink<SampleTables.TriggerRow> table =
+            Tables.create(out, SampleTables.TriggerRow.class, overwrite, metadata)) {
           pass(
               reader,
               progress,
               Trigger.class,
-              trigger -> table.accept(ReadingTables.TriggerRow.of(trigger)));
+              trigger -> table.accept(SampleTables.TriggerRow.of(trigger)));
           check.run();
           table.finish();
           yield table.rows();
@@ -98,7 +98,7 @@ public final class ReadingExport {
 
   @FunctionalInterface
   private interface Target<T> {
-    void take(T reading) throws IOException;
+    void take(T sample) throws IOException;
   }
 
   private long writeFrames(RecordingReader reader, ProgressBar progress, Check check)
@@ -107,8 +107,8 @@ public final class ReadingExport {
     Path folder = Files.createTempDirectory(whole.getParent(), "." + whole.getFileName() + "-");
     try {
       long rows;
-      try (CsvSink<ReadingTables.FrameRow> table =
-          CsvSink.create(folder.resolve("frames.csv"), ReadingTables.FrameRow.class, false)) {
+      try (CsvSink<SampleTables.FrameRow> table =
+          CsvSink.create(folder.resolve("frames.csv"), SampleTables.FrameRow.class, false)) {
         pass(
             reader,
             progress,
@@ -116,7 +116,7 @@ public final class ReadingExport {
             frame -> {
               String name = Quantities.text("frame-%06d.png", table.rows());
               Pictures.write(folder.resolve(name), FramePictures.draw(frame));
-              table.accept(ReadingTables.FrameRow.of(frame, name));
+              table.accept(SampleTables.FrameRow.of(frame, name));
             });
         check.run();
         table.finish();
@@ -140,17 +140,15 @@ public final class ReadingExport {
     }
   }
 
-  private <T extends SensorReading> void pass(
+  private <T extends SensorSample> void pass(
       RecordingReader reader, ProgressBar progress, Class<T> kind, Target<T> target)
       throws IOException {
     StreamHandler handler =
-        StreamHandler.ofReadings(
-            reading -> {
-              if (kind.isInstance(reading)
-                  && reading.timeUs() >= fromUs
-                  && reading.timeUs() < toUs) {
+        StreamHandler.ofSamples(
+            sample -> {
+              if (kind.isInstance(sample) && sample.timeUs() >= fromUs && sample.timeUs() < toUs) {
                 try {
-                  target.take(kind.cast(reading));
+                  target.take(kind.cast(sample));
                 } catch (IOException e) {
                   throw new UncheckedIOException(e);
                 }

@@ -1,6 +1,6 @@
 package haltere.core.format;
 
-import haltere.core.event.ReadingKind;
+import haltere.core.event.SampleKind;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -12,9 +12,9 @@ import java.util.List;
  * @param triggers edges and other marks
  * @since 0.1
  */
-public record ReadingCounts(long frames, long inertialSamples, long triggers) {
+public record SampleCounts(long frames, long inertialSamples, long triggers) {
   /** None of any kind. */
-  public static final ReadingCounts NONE = new ReadingCounts(0, 0, 0);
+  public static final SampleCounts NONE = new SampleCounts(0, 0, 0);
 
   /**
    * The count of a kind.
@@ -22,7 +22,7 @@ public record ReadingCounts(long frames, long inertialSamples, long triggers) {
    * @param kind which one
    * @return at least 0
    */
-  public long of(ReadingKind kind) {
+  public long of(SampleKind kind) {
     return switch (kind) {
       case FRAME -> frames;
       case INERTIAL_SAMPLE -> inertialSamples;
@@ -36,11 +36,11 @@ public record ReadingCounts(long frames, long inertialSamples, long triggers) {
    * @param kind of which kind
    * @return new counts
    */
-  public ReadingCounts plus(ReadingKind kind) {
-    return new ReadingCounts(
-        frames + (kind == ReadingKind.FRAME ? 1 : 0),
-        inertialSamples + (kind == ReadingKind.INERTIAL_SAMPLE ? 1 : 0),
-        triggers + (kind == ReadingKind.TRIGGER ? 1 : 0));
+  public SampleCounts plus(SampleKind kind) {
+    return new SampleCounts(
+        frames + (kind == SampleKind.FRAME ? 1 : 0),
+        inertialSamples + (kind == SampleKind.INERTIAL_SAMPLE ? 1 : 0),
+        triggers + (kind == SampleKind.TRIGGER ? 1 : 0));
   }
 
   /**
@@ -49,8 +49,8 @@ public record ReadingCounts(long frames, long inertialSamples, long triggers) {
    * @param others what is added
    * @return the sum
    */
-  public ReadingCounts plus(ReadingCounts others) {
-    return new ReadingCounts(
+  public SampleCounts plus(SampleCounts others) {
+    return new SampleCounts(
         frames + others.frames,
         inertialSamples + others.inertialSamples,
         triggers + others.triggers);
@@ -62,8 +62,8 @@ public record ReadingCounts(long frames, long inertialSamples, long triggers) {
    * @param others at most as many of each kind
    * @return the difference
    */
-  public ReadingCounts minus(ReadingCounts others) {
-    return new ReadingCounts(
+  public SampleCounts minus(SampleCounts others) {
+    return new SampleCounts(
         frames - others.frames,
         inertialSamples - others.inertialSamples,
         triggers - others.triggers);
@@ -82,7 +82,7 @@ public record ReadingCounts(long frames, long inertialSamples, long triggers) {
   @Override
   public String toString() {
     List<String> parts = new ArrayList<>();
-    for (ReadingKind kind : ReadingKind.values()) {
+    for (SampleKind kind : SampleKind.values()) {
       if (of(kind) > 0) {
         parts.add(kind.count(of(kind)));
       }

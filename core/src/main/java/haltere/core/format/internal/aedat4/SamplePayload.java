@@ -2,21 +2,21 @@ package haltere.core.format.internal.aedat4;
 
 import haltere.core.event.Frame;
 import haltere.core.event.InertialSample;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.event.Trigger;
 import haltere.core.format.internal.packed.DamagedPacketException;
 import haltere.core.format.internal.packed.LittleEndian;
 import java.util.Collection;
 
 /**
- * Makes readings of payloads. A frame's format is a number of OpenCV: depth in the lowest three
+ * Makes samples of payloads. A frame's format is a number of OpenCV: depth in the lowest three
  * bits, channels less one above; colours are blue, green, red, as there, and become red, green,
  * blue. Times that a frame does not have follow from those that it has.
  *
  * @param sensorHeight rows of the sensor, 0 if not known
  * @param rowsFromBottom whether the file counts rows from the bottom
  */
-record ReadingPayload(int sensorHeight, boolean rowsFromBottom) {
+record SamplePayload(int sensorHeight, boolean rowsFromBottom) {
   static final String FRAME = "FRME";
   static final String INERTIAL = "IMUS";
   static final String TRIGGERS = "TRIG";
@@ -76,7 +76,7 @@ record ReadingPayload(int sensorHeight, boolean rowsFromBottom) {
     return -1;
   }
 
-  void read(String type, byte[] data, int from, int to, Collection<SensorReading> found)
+  void read(String type, byte[] data, int from, int to, Collection<SensorSample> found)
       throws DamagedPacketException {
     FlatTable table = FlatTable.root(data, from, to);
     if (type.equals(FRAME)) {

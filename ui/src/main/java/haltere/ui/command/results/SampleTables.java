@@ -6,9 +6,9 @@ import haltere.core.event.Trigger;
 import haltere.core.sink.Column;
 import java.util.Locale;
 
-/** Rows of the tables in which readings are written. */
-final class ReadingTables {
-  private ReadingTables() {}
+/** Rows of the tables in which samples are written. */
+final class SampleTables {
+  private SampleTables() {}
 
   /** A row of inertial samples; units are in the names of the columns. */
   record SampleRow(

@@ -2,8 +2,8 @@ package haltere.core.format.internal.aedat4;
 
 import haltere.core.event.Frame;
 import haltere.core.event.InertialSample;
-import haltere.core.event.ReadingKind;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SampleKind;
+import haltere.core.event.SensorSample;
 import haltere.core.event.Trigger;
 import haltere.core.format.internal.packed.LittleEndian;
 import java.io.IOException;
@@ -14,19 +14,19 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Gathers readings for the packets of their streams and lays those out as DV does. A frame is a
+ * Gathers samples for the packets of their streams and lays those out as DV does. A frame is a
  * packet; samples and triggers share one as long as they lie within {@value #SPAN_US} us.
  *
  * <p>Thread rule: one thread.
  */
-final class ReadingPackets {
+final class SamplePackets {
   private static final long SPAN_US = 50_000;
   private static final int MAX_ELEMENTS = 1024;
   private static final int LONGEST_SIDE = Short.MAX_VALUE;
 
   /** Numbers of the streams; 0 is that of events. */
-  private static final Map<ReadingKind, Integer> STREAMS =
-      Map.of(ReadingKind.FRAME, 1, ReadingKind.INERTIAL_SAMPLE, 2, ReadingKind.TRIGGER, 3);
+  private static final Map<SampleKind, Integer> STREAMS =
+      Map.of(SampleKind.FRAME, 1, SampleKind.INERTIAL_SAMPLE, 2, SampleKind.TRIGGER, 3);
 
   /** Takes whole packets. */
   @FunctionalInterface
@@ -45,63 +45,63 @@ final class ReadingPackets {
   }
 
   private final int sensorHeight;
-  private final Set<ReadingKind> kinds;
+  private final Set<SampleKind> kinds;
   private final Target target;
-  private final Map<ReadingKind, List<SensorReading>> gathered = new EnumMap<>(ReadingKind.class);
+  private final Map<SampleKind, List<SensorSample>> gathered = new EnumMap<>(SampleKind.class);
   private long channelsLost;
 
-  ReadingPackets(int sensorHeight, Set<ReadingKind> kinds, Target target) {
+  SamplePackets(int sensorHeight, Set<SampleKind> kinds, Target target) {
     this.sensorHeight = sensorHeight;
     this.kinds = kinds;
     this.target = target;
-    for (ReadingKind kind : ReadingKind.values()) {
+    for (SampleKind kind : SampleKind.values()) {
       gathered.put(kind, new ArrayList<>());
     }
   }
 
   /** Number of the stream of a kind. */
-  static int stream(ReadingKind kind) {
+  static int stream(SampleKind kind) {
     return STREAMS.get(kind);
   }
 
   /** Four letters that say what a stream holds. */
-  static String type(ReadingKind kind) {
+  static String type(SampleKind kind) {
     return switch (kind) {
-      case FRAME -> ReadingPayload.FRAME;
-      case INERTIAL_SAMPLE -> ReadingPayload.INERTIAL;
-      case TRIGGER -> ReadingPayload.TRIGGERS;
+      case FRAME -> SamplePayload.FRAME;
+      case INERTIAL_SAMPLE -> SamplePayload.INERTIAL;
+      case TRIGGER -> SamplePayload.TRIGGERS;
     };
   }
 
-  /** Takes a reading; false if the file has no stream of its kind, or none that could hold it. */
-  boolean add(SensorReading reading) throws IOException {
-    if (!kinds.contains(reading.kind())) {
+  /** Takes a sample; false if the file has no stream of its kind, or none that could hold it. */
+  boolean add(SensorSample sample) throws IOException {
+    if (!kinds.contains(sample.kind())) {
       return false;
     }
-    if (reading instanceof Frame frame) {
+    if (sample instanceof Frame frame) {
       return write(frame);
     }
-    if (reading instanceof Trigger trigger) {
-      if (ReadingPayload.triggerNumber(trigger) < 0) {
+    if (sample instanceof Trigger trigger) {
+      if (SamplePayload.triggerNumber(trigger) < 0) {
         return false;
       }
       channelsLost += trigger.channel() == 0 ? 0 : 1;
     }
-    List<SensorReading> waiting = gathered.get(reading.kind());
+    List<SensorSample> waiting = gathered.get(sample.kind());
     boolean falls =
-        !waiting.isEmpty() && reading.timeUs() < waiting.get(waiting.size() - 1).timeUs();
+        !waiting.isEmpty() && sample.timeUs() < waiting.get(waiting.size() - 1).timeUs();
     if (falls || waiting.size() == MAX_ELEMENTS) {
-      flush(reading.kind());
+      flush(sample.kind());
     }
-    waiting.add(reading);
-    reached(reading.timeUs());
+    waiting.add(sample);
+    reached(sample.timeUs());
     return true;
   }
 
   /** Writes packets that have waited long enough at a time. */
   void reached(long timeUs) throws IOException {
-    for (ReadingKind kind : kinds) {
-      List<SensorReading> waiting = gathered.get(kind);
+    for (SampleKind kind : kinds) {
+      List<SensorSample> waiting = gathered.get(kind);
       if (!waiting.isEmpty() && Math.abs(timeUs - waiting.get(0).timeUs()) > SPAN_US) {
         flush(kind);
       }
@@ -110,7 +110,7 @@ final class ReadingPackets {
 
   /** Writes what has been gathered. */
   void flush() throws IOException {
-    for (ReadingKind kind : kinds) {
+    for (SampleKind kind : kinds) {
       flush(kind);
     }
   }
@@ -120,12 +120,12 @@ final class ReadingPackets {
     return channelsLost;
   }
 
-  private void flush(ReadingKind kind) throws IOException {
-    List<SensorReading> waiting = gathered.get(kind);
+  private void flush(SampleKind kind) throws IOException {
+    List<SensorSample> waiting = gathered.get(kind);
     if (waiting.isEmpty()) {
       return;
     }
-    byte[] payload = kind == ReadingKind.TRIGGER ? triggers(waiting) : samples(waiting);
+    byte[] payload = kind == SampleKind.TRIGGER ? triggers(waiting) : samples(waiting);
     target.write(
         STREAMS.get(kind),
         payload,
@@ -135,22 +135,22 @@ final class ReadingPackets {
     waiting.clear();
   }
 
-  private static byte[] triggers(List<SensorReading> triggers) {
+  private static byte[] triggers(List<SensorSample> triggers) {
     VectorPayload vector =
-        new VectorPayload(ReadingPayload.TRIGGERS, triggers.size(), 16, 13, 4, 12);
+        new VectorPayload(SamplePayload.TRIGGERS, triggers.size(), 16, 13, 4, 12);
     for (int i = 0; i < triggers.size(); i++) {
       Trigger trigger = (Trigger) triggers.get(i);
       int at = vector.element(i);
       LittleEndian.putLong(vector.bytes(), at + 4, trigger.timeUs());
-      vector.bytes()[at + 12] = (byte) ReadingPayload.triggerNumber(trigger);
+      vector.bytes()[at + 12] = (byte) SamplePayload.triggerNumber(trigger);
     }
     return vector.bytes();
   }
 
-  private static byte[] samples(List<SensorReading> samples) {
+  private static byte[] samples(List<SensorSample> samples) {
     VectorPayload vector =
         new VectorPayload(
-            ReadingPayload.INERTIAL,
+            SamplePayload.INERTIAL,
             samples.size(),
             56,
             52,
@@ -235,7 +235,7 @@ final class ReadingPackets {
     int table = 44;
     int vector = 112;
     int length = frame.rows().limit();
-    byte[] bytes = FlatPayload.start(ReadingPayload.FRAME, vector + 4 + length);
+    byte[] bytes = FlatPayload.start(SamplePayload.FRAME, vector + 4 + length);
     LittleEndian.putInt(bytes, 4, table - 4);
     FlatPayload.putLayout(bytes, 14, 68, 20, 28, 36, 44, 52, 16, 8, 10, 12, 14, 4, 60, 17);
     LittleEndian.putInt(bytes, table, table - 14);
@@ -244,7 +244,7 @@ final class ReadingPackets {
     LittleEndian.putShort(bytes, table + 10, frame.height());
     LittleEndian.putShort(bytes, table + 12, frame.left());
     LittleEndian.putShort(bytes, table + 14, top);
-    int depth = List.of(ReadingPayload.DEPTHS).indexOf(frame.depth());
+    int depth = List.of(SamplePayload.DEPTHS).indexOf(frame.depth());
     bytes[table + 16] = (byte) (depth | frame.channels() - 1 << 3);
     Frame.Times times = frame.times();
     LittleEndian.putLong(bytes, table + 20, times.exposureStartUs());
@@ -257,10 +257,10 @@ final class ReadingPackets {
     byte[] rows = new byte[length];
     frame.rows().get(rows);
     if (frame.channels() >= 3) {
-      ReadingPayload.swapRedAndBlue(rows, frame.channels(), frame.depth().bytes());
+      SamplePayload.swapRedAndBlue(rows, frame.channels(), frame.depth().bytes());
     }
     System.arraycopy(rows, 0, bytes, vector + 4, length);
-    target.write(STREAMS.get(ReadingKind.FRAME), bytes, 1, frame.timeUs(), frame.timeUs());
+    target.write(STREAMS.get(SampleKind.FRAME), bytes, 1, frame.timeUs(), frame.timeUs());
     return true;
   }
 }

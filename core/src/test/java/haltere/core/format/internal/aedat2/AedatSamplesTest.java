@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import haltere.core.event.Frame;
 import haltere.core.event.InertialSample;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.event.Trigger;
 import haltere.core.format.ReadOptions;
 import haltere.core.format.RecordingReader;
@@ -20,7 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Frames, inertial samples and external inputs among the records of AEDAT-1.0 and AEDAT-2.0. */
-class AedatReadingsTest {
+class AedatSamplesTest {
   private static final int APS = 0x8000_0000;
   private static final int SIGNAL = 1 << 10;
   private static final int WIDTH = 240;
@@ -34,9 +34,9 @@ class AedatReadingsTest {
   }
 
   private StreamRecorder read(AedatFile content) throws IOException {
-    Path file = Files.write(folder.resolve("readings.aedat"), content.toBytes());
+    Path file = Files.write(folder.resolve("samples.aedat"), content.toBytes());
     StreamRecorder recorder = new StreamRecorder();
-    try (RecordingReader reader = Recordings.open(file, ReadOptions.DEFAULT.withReadings(true))) {
+    try (RecordingReader reader = Recordings.open(file, ReadOptions.DEFAULT.withSamples(true))) {
       reader.drainTo(recorder);
       incomplete = reader.violations().count(Violation.INCOMPLETE_READING);
     }
@@ -82,8 +82,8 @@ class AedatReadingsTest {
 
     StreamRecorder stream = read(file);
 
-    Frame frame = stream.readings(Frame.class).get(0);
-    assertEquals(1, stream.placedReadings().get(0).eventsBefore());
+    Frame frame = stream.samples(Frame.class).get(0);
+    assertEquals(1, stream.placedSamples().get(0).eventsBefore());
     assertEquals(new Frame.Times(1000, 9000, 1000, 9239), frame.times());
     assertEquals("240x180x1 UNSIGNED_16 frame at 1000 us", frame.toString());
     checkPixels(frame);
@@ -98,7 +98,7 @@ class AedatReadingsTest {
       readOut(file, start + 1000, true, 100, 139, 50, 79);
     }
 
-    List<Frame> frames = read(file).readings(Frame.class);
+    List<Frame> frames = read(file).samples(Frame.class);
 
     assertEquals(2, frames.size(), "nothing tells that the last one is whole");
     assertEquals(100, frames.get(1).left());
@@ -114,7 +114,7 @@ class AedatReadingsTest {
     readOut(file, 1000, false, 0, WIDTH - 1, 0, HEIGHT - 1);
     readOut(file, 2000, true, 0, WIDTH - 1, 0, HEIGHT - 1);
 
-    List<Frame> frames = read(file).readings(Frame.class);
+    List<Frame> frames = read(file).samples(Frame.class);
 
     assertEquals(1, frames.size());
     checkPixels(frames.get(0));
@@ -131,7 +131,7 @@ class AedatReadingsTest {
       }
     }
 
-    List<InertialSample> samples = read(file).readings(InertialSample.class);
+    List<InertialSample> samples = read(file).samples(InertialSample.class);
 
     float least = 250 / 32768f;
     assertEquals(
@@ -151,8 +151,8 @@ class AedatReadingsTest {
             new Trigger(10, Trigger.Source.EXTERNAL_INPUT, Trigger.Edge.RISING, 0),
             new Trigger(20, Trigger.Source.EXTERNAL_INPUT, Trigger.Edge.FALLING, 0),
             new Trigger(30, Trigger.Source.EXTERNAL_INPUT, Trigger.Edge.PULSE, 0)),
-        stream.readings(Trigger.class));
-    assertEquals(0, stream.placedReadings().get(2).eventsBefore());
+        stream.samples(Trigger.class));
+    assertEquals(0, stream.placedSamples().get(2).eventsBefore());
   }
 
   @Test
@@ -164,12 +164,12 @@ class AedatReadingsTest {
     for (AedatFile file : List.of(two, one)) {
       StreamRecorder stream = read(file);
       assertEquals(2, stream.events().size());
-      assertEquals(List.of(new StreamRecorder.Read(1, expected)), stream.placedReadings());
+      assertEquals(List.of(new StreamRecorder.Read(1, expected)), stream.placedSamples());
     }
   }
 
   @Test
-  void readingsStayOnTheirSideOfARestartOfTheClock() throws IOException {
+  void samplesStayOnTheirSideOfARestartOfTheClock() throws IOException {
     AedatFile file = davis();
     for (int pass = 0; pass < 3; pass++) {
       file.record(0x402, 7_000_000).davis240(8_000_000 + pass, 1, 1, true);
@@ -180,8 +180,8 @@ class AedatReadingsTest {
     StreamRecorder stream = read(file);
 
     List<String> places =
-        stream.placedReadings().stream()
-            .map(read -> read.eventsBefore() + ":" + read.reading().timeUs())
+        stream.placedSamples().stream()
+            .map(read -> read.eventsBefore() + ":" + read.sample().timeUs())
             .toList();
     assertEquals(
         List.of(
@@ -202,13 +202,13 @@ class AedatReadingsTest {
   }
 
   @Test
-  void readingsAreNotGivenToWhoDoesNotWantThem() throws IOException {
+  void samplesAreNotGivenToWhoDoesNotWantThem() throws IOException {
     Path file = folder.resolve("events.aedat");
     Files.write(file, davis().record(0x402, 1).davis240(2, 1, 1, true).toBytes());
     StreamRecorder recorder = new StreamRecorder();
     try (RecordingReader reader = Recordings.open(file)) {
       reader.drainTo(recorder);
     }
-    assertEquals(List.of(), recorder.readings(SensorReading.class));
+    assertEquals(List.of(), recorder.samples(SensorSample.class));
   }
 }

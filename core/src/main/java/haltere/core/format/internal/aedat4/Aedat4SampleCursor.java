@@ -1,10 +1,10 @@
 package haltere.core.format.internal.aedat4;
 
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.format.RecordingFile;
 import haltere.core.format.Violation;
 import haltere.core.format.ViolationCounts;
-import haltere.core.format.internal.decoding.ReadingCursor;
+import haltere.core.format.internal.decoding.SampleCursor;
 import haltere.core.format.internal.packed.DamagedPacketException;
 import java.io.IOException;
 import java.util.ArrayDeque;
@@ -17,17 +17,17 @@ import java.util.Set;
  *
  * <p>Thread rule: one thread.
  */
-final class Aedat4ReadingCursor implements ReadingCursor {
+final class Aedat4SampleCursor implements SampleCursor {
   private static final int TYPE_BYTES = 16;
   private static final int MAX_PAYLOAD = 32 * 1024 * 1024;
 
   private final Set<Integer> passed;
-  private final ReadingPayload payload;
+  private final SamplePayload payload;
   private final ViolationCounts violations;
   private final Unpacker unpacker;
   private final PacketWalk walk;
-  private final Queue<SensorReading> found = new ArrayDeque<>();
-  private SensorReading reading;
+  private final Queue<SensorSample> found = new ArrayDeque<>();
+  private SensorSample sample;
 
   /**
    * A cursor at the start.
@@ -35,14 +35,14 @@ final class Aedat4ReadingCursor implements ReadingCursor {
    * @param file the file
    * @param layout where its packets lie
    * @param passed numbers of the streams that are not read
-   * @param payload makes readings of packets
+   * @param payload makes samples of packets
    * @param violations where packets are counted that are not whole
    */
-  Aedat4ReadingCursor(
+  Aedat4SampleCursor(
       RecordingFile file,
       Aedat4Cursor.Layout layout,
       Set<Integer> passed,
-      ReadingPayload payload,
+      SamplePayload payload,
       ViolationCounts violations) {
     this.passed = passed;
     this.payload = payload;
@@ -53,7 +53,7 @@ final class Aedat4ReadingCursor implements ReadingCursor {
 
   @Override
   public Step next(long untilOffset) throws IOException {
-    while ((reading = found.poll()) == null) {
+    while ((sample = found.poll()) == null) {
       if (walk.position() >= untilOffset) {
         return Step.NOTHING_YET;
       }
@@ -77,7 +77,7 @@ final class Aedat4ReadingCursor implements ReadingCursor {
     unpacker.open(walk.payload(), walk.size());
     unpacker.gather(TYPE_BYTES);
     String type = FlatTable.identifier(unpacker.data(), unpacker.from(), unpacker.to());
-    if (!ReadingPayload.isKnown(type)) {
+    if (!SamplePayload.isKnown(type)) {
       return;
     }
     unpacker.gather(MAX_PAYLOAD);
@@ -85,8 +85,8 @@ final class Aedat4ReadingCursor implements ReadingCursor {
   }
 
   @Override
-  public SensorReading reading() {
-    return reading;
+  public SensorSample sample() {
+    return sample;
   }
 
   @Override

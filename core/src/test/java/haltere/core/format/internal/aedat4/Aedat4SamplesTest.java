@@ -8,17 +8,17 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import haltere.core.event.EventPacket;
 import haltere.core.event.Frame;
 import haltere.core.event.Origin;
-import haltere.core.event.ReadingKind;
+import haltere.core.event.SampleKind;
 import haltere.core.event.SensorGeometry;
-import haltere.core.event.SensorReading;
+import haltere.core.event.SensorSample;
 import haltere.core.event.Trigger;
 import haltere.core.format.ProgressListener;
-import haltere.core.format.RandomReadings;
+import haltere.core.format.RandomSamples;
 import haltere.core.format.ReadOptions;
-import haltere.core.format.ReadingCounts;
 import haltere.core.format.RecordingReader;
 import haltere.core.format.RecordingWriter;
 import haltere.core.format.Recordings;
+import haltere.core.format.SampleCounts;
 import haltere.core.format.Violation;
 import haltere.core.format.WriteOptions;
 import haltere.core.format.internal.packed.DamagedPacketException;
@@ -42,49 +42,49 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** Readings come back from AEDAT-4 as they were written. */
-class Aedat4ReadingsTest {
+/** Samples come back from AEDAT-4 as they were written. */
+class Aedat4SamplesTest {
   private static final SensorGeometry SENSOR = new SensorGeometry(24, 17, Origin.TOP);
   private static final WriteOptions ALL =
-      WriteOptions.of(SENSOR).withReadings(EnumSet.allOf(ReadingKind.class));
+      WriteOptions.of(SENSOR).withSamples(EnumSet.allOf(SampleKind.class));
 
   @TempDir Path folder;
 
   private static StreamRecorder read(Path file) throws IOException {
     StreamRecorder recorder = new StreamRecorder();
-    try (RecordingReader reader = Recordings.open(file, ReadOptions.DEFAULT.withReadings(true))) {
+    try (RecordingReader reader = Recordings.open(file, ReadOptions.DEFAULT.withSamples(true))) {
       reader.drainTo(recorder);
       assertEquals(0, reader.violations().count(Violation.INCOMPLETE_READING));
     }
     return recorder;
   }
 
-  private static List<SensorReading> readings(StreamRecorder stream) {
-    return stream.placedReadings().stream().map(StreamRecorder.Read::reading).toList();
+  private static List<SensorSample> samples(StreamRecorder stream) {
+    return stream.placedSamples().stream().map(StreamRecorder.Read::sample).toList();
   }
 
   /** Writes both in the order of their times, in packets of a few hundred events. */
-  private static void write(RecordingWriter writer, EventPacket events, List<SensorReading> rest)
+  private static void write(RecordingWriter writer, EventPacket events, List<SensorSample> rest)
       throws IOException {
     int from = 0;
-    for (SensorReading reading : rest) {
-      int to = events.indexAtOrAfter(reading.timeUs());
+    for (SensorSample sample : rest) {
+      int to = events.indexAtOrAfter(sample.timeUs());
       writer.write(EventPackets.part(events, from, to));
       from = to;
-      assertTrue(writer.write(reading));
+      assertTrue(writer.write(sample));
     }
     writer.write(EventPackets.part(events, from, events.size()));
   }
 
   @ParameterizedTest
   @EnumSource
-  void readingsOfAllKindsComeBackAsTheyWereWritten(Aedat4Compression compression)
+  void samplesOfAllKindsComeBackAsTheyWereWritten(Aedat4Compression compression)
       throws IOException {
     EventPacket events = EventPackets.uniform(SENSOR, 3, 30_000, 1_000_000, 100);
-    List<SensorReading> readings = new RandomReadings(SENSOR, 4).all(1500, 900_000, 2000);
+    List<SensorSample> samples = new RandomSamples(SENSOR, 4).all(1500, 900_000, 2000);
     Path file = folder.resolve("all.aedat4");
     try (RecordingWriter writer = Aedat4Writer.create(file, ALL, compression)) {
-      write(writer, events, readings);
+      write(writer, events, samples);
       assertEquals(List.of(), writer.losses());
       writer.finish();
     }
@@ -92,9 +92,9 @@ class Aedat4ReadingsTest {
     StreamRecorder stream = read(file);
 
     assertEquals(events, stream.events());
-    assertEquals(readings, readings(stream));
-    for (StreamRecorder.Read read : stream.placedReadings()) {
-      assertEquals(events.indexAtOrAfter(read.reading().timeUs()), read.eventsBefore());
+    assertEquals(samples, samples(stream));
+    for (StreamRecorder.Read read : stream.placedSamples()) {
+      assertEquals(events.indexAtOrAfter(read.sample().timeUs()), read.eventsBefore());
     }
   }
 
@@ -102,39 +102,39 @@ class Aedat4ReadingsTest {
   void aRecordingOfADavisIsTheSameAfterAConversion() throws IOException {
     Path original = Recorded.file("davis346-events-frames-imu.aedat4");
     Path copy = folder.resolve("copy.aedat4");
-    ReadOptions options = ReadOptions.DEFAULT.withReadings(true);
+    ReadOptions options = ReadOptions.DEFAULT.withSamples(true);
     try (RecordingReader reader = Recordings.open(original, options);
         RecordingWriter writer =
             new Aedat4Format()
-                .create(copy, WriteOptions.of(reader.geometry()).withReadings(ALL.readings()))
+                .create(copy, WriteOptions.of(reader.geometry()).withSamples(ALL.samples()))
                 .orElseThrow()) {
       Conversion.Result result =
           new Conversion(Long.MIN_VALUE, Long.MAX_VALUE, Optional.empty(), ProgressListener.NONE)
               .run(reader, writer);
-      assertEquals(new ReadingCounts(59, 2363, 236), result.readingsWritten());
+      assertEquals(new SampleCounts(59, 2363, 236), result.samplesWritten());
       assertEquals(List.of(), result.warnings());
     }
     StreamRecorder before = read(original);
     StreamRecorder after = read(copy);
     assertEquals(before.events(), after.events());
-    // Of readings at the same time the order is not told.
-    for (ReadingKind kind : ReadingKind.values()) {
+    // Of samples at the same time the order is not told.
+    for (SampleKind kind : SampleKind.values()) {
       assertEquals(placed(before, kind), placed(after, kind));
     }
   }
 
-  private static List<StreamRecorder.Read> placed(StreamRecorder stream, ReadingKind kind) {
-    return stream.placedReadings().stream().filter(one -> one.reading().kind() == kind).toList();
+  private static List<StreamRecorder.Read> placed(StreamRecorder stream, SampleKind kind) {
+    return stream.placedSamples().stream().filter(one -> one.sample().kind() == kind).toList();
   }
 
   @Test
   void kindsThatTheHeaderDoesNotNameAreRefused() throws IOException {
-    RandomReadings random = new RandomReadings(SENSOR, 5);
+    RandomSamples random = new RandomSamples(SENSOR, 5);
     Path file = folder.resolve("some.aedat4");
     try (RecordingWriter writer =
         Aedat4Writer.create(
             file,
-            WriteOptions.of(SENSOR).withReadings(Set.of(ReadingKind.TRIGGER)),
+            WriteOptions.of(SENSOR).withSamples(Set.of(SampleKind.TRIGGER)),
             Aedat4Compression.LZ4)) {
       assertFalse(writer.write(random.frame(1)));
       assertFalse(writer.write(random.sample(1)));
@@ -147,17 +147,17 @@ class Aedat4ReadingsTest {
           writer.losses());
       writer.finish();
     }
-    assertEquals(2, read(file).readings(Trigger.class).size());
+    assertEquals(2, read(file).samples(Trigger.class).size());
   }
 
   @Test
-  void aFileInItsPlaceHasItsReadingsAtAnyMoment() throws IOException {
+  void aFileInItsPlaceHasItsSamplesAtAnyMoment() throws IOException {
     Path file = folder.resolve("open.aedat4");
-    List<SensorReading> readings = new RandomReadings(SENSOR, 6).all(50, 0, 100);
+    List<SensorSample> samples = new RandomSamples(SENSOR, 6).all(50, 0, 100);
     try (Aedat4Writer writer = Aedat4Writer.createInPlace(file, ALL, Aedat4Compression.LZ4)) {
-      write(writer, new EventPacket(0), readings);
+      write(writer, new EventPacket(0), samples);
       writer.writeThrough();
-      assertEquals(readings, readings(read(file)));
+      assertEquals(samples, samples(read(file)));
     }
   }
 
@@ -166,10 +166,10 @@ class Aedat4ReadingsTest {
     Frame frame =
         new Frame(new Frame.Times(7, 8), 0, 0, 2, 3, 1, Frame.Depth.UNSIGNED_16, halves());
     byte[][] written = new byte[1][];
-    ReadingPackets packets =
-        new ReadingPackets(
+    SamplePackets packets =
+        new SamplePackets(
             3,
-            Set.of(ReadingKind.FRAME),
+            Set.of(SampleKind.FRAME),
             (stream, payload, elements, firstUs, lastUs) -> written[0] = payload);
     try {
       assertTrue(packets.add(frame));
@@ -177,9 +177,8 @@ class Aedat4ReadingsTest {
       throw new AssertionError(e);
     }
     written[0][44 + 16] = 7;
-    List<SensorReading> found = new ArrayList<>();
-    new ReadingPayload(3, false)
-        .read(ReadingPayload.FRAME, written[0], 0, written[0].length, found);
+    List<SensorSample> found = new ArrayList<>();
+    new SamplePayload(3, false).read(SamplePayload.FRAME, written[0], 0, written[0].length, found);
     Frame read = (Frame) found.get(0);
     assertEquals(Frame.Depth.FLOAT_32, read.depth());
     double[] values = new double[6];
@@ -201,11 +200,11 @@ class Aedat4ReadingsTest {
   }
 
   @Test
-  void damagedReadingsDoNoWorseThanBeingLeftOut() throws IOException {
+  void damagedSamplesDoNoWorseThanBeingLeftOut() throws IOException {
     Path file = folder.resolve("whole.aedat4");
-    List<SensorReading> readings = new RandomReadings(SENSOR, 7).all(60, 0, 100);
+    List<SensorSample> samples = new RandomSamples(SENSOR, 7).all(60, 0, 100);
     try (RecordingWriter writer = Aedat4Writer.create(file, ALL, Aedat4Compression.NONE)) {
-      write(writer, new EventPacket(0), readings);
+      write(writer, new EventPacket(0), samples);
       writer.finish();
     }
     byte[] whole = Files.readAllBytes(file);
@@ -220,11 +219,11 @@ class Aedat4ReadingsTest {
       Files.write(damaged, round % 3 == 0 ? Arrays.copyOf(bytes, bytes.length / 2) : bytes);
       StreamRecorder recorder = new StreamRecorder();
       try (RecordingReader reader =
-          Recordings.open(damaged, ReadOptions.DEFAULT.withReadings(true))) {
+          Recordings.open(damaged, ReadOptions.DEFAULT.withSamples(true))) {
         reader.drainTo(recorder);
       }
-      given += recorder.placedReadings().size();
+      given += recorder.placedSamples().size();
     }
-    assertTrue(given > 300 * 20, given + " readings of " + 300 * 60);
+    assertTrue(given > 300 * 20, given + " samples of " + 300 * 60);
   }
 }
