@@ -18,7 +18,7 @@ public record Trigger(long timeUs, Source source, Edge edge, int channel) implem
     EXTERNAL_INPUT,
     /** An output that the camera itself drives. */
     SIGNAL_GENERATOR,
-    /** The sample of a frame: begins with {@link Edge#RISING}, ends with {@link Edge#FALLING}. */
+    /** The readout of a frame: begins with {@link Edge#RISING}, ends with {@link Edge#FALLING}. */
     FRAME_READOUT,
     /** The exposure of a frame: begins with {@link Edge#RISING}, ends with {@link Edge#FALLING}. */
     EXPOSURE,

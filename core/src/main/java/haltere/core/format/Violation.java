@@ -25,7 +25,7 @@ public enum Violation {
   /** Data of another kind than polarity events (frames, inertial samples, triggers). */
   OTHER_DATA("words hold something else than events (frames, inertial samples, triggers)"),
   /** A frame or an inertial sample of which a part is missing, or that cannot be true. */
-  INCOMPLETE_READING("frames or inertial samples that are not whole were left out");
+  INCOMPLETE_SAMPLE("frames or inertial samples that are not whole were left out");
 
   private final String sentence;
 
@@ -50,7 +50,7 @@ public enum Violation {
    */
   public boolean isDamage() {
     return switch (this) {
-      case OTHER_DATA, NO_TIME_YET, MISSING_MESSAGE, INCOMPLETE_READING -> false;
+      case OTHER_DATA, NO_TIME_YET, MISSING_MESSAGE, INCOMPLETE_SAMPLE -> false;
       default -> true;
     };
   }

@@ -337,7 +337,7 @@ public final class Recorder implements StreamHandler, Closeable {
   /**
    * What has been recorded.
    *
-   * @return a sample of this moment; complete once {@link #finish()} or {@link #close()} is done
+   * @return a snapshot of this moment; complete once {@link #finish()} or {@link #close()} is done
    */
   public RecorderReport report() {
     LiveBuffer.Counts counts = buffer.counts();

@@ -25,7 +25,7 @@ import org.junit.jupiter.params.provider.ValueSource;
  * Frames, inertial samples and triggers of real recordings, as dv-processing and aedat see them.
  */
 class RecordedSamplesTest {
-  private static final ReadOptions READINGS = ReadOptions.DEFAULT.withSamples(true);
+  private static final ReadOptions WITH_SAMPLES = ReadOptions.DEFAULT.withSamples(true);
   private static final String DAVIS346 = "davis346-events-frames-imu.aedat4";
   private static final String DAVIS240 = "davis240c-rotating-disk-imu-aps.aedat";
   private static final String DVXPLORER = "dvxplorer-sample.aedat4";
@@ -34,14 +34,14 @@ class RecordedSamplesTest {
     StreamRecorder recorder = new StreamRecorder();
     try (RecordingReader reader = Recordings.open(Recorded.file(name), options)) {
       reader.drainTo(new StreamGrammar(recorder));
-      assertEquals(0, reader.violations().count(Violation.INCOMPLETE_READING));
+      assertEquals(0, reader.violations().count(Violation.INCOMPLETE_SAMPLE));
     }
     return recorder;
   }
 
   @Test
   void framesOfADavisAreThoseThatOtherProgramsSee() throws IOException {
-    List<Frame> frames = read(DAVIS346, READINGS).samples(Frame.class);
+    List<Frame> frames = read(DAVIS346, WITH_SAMPLES).samples(Frame.class);
     assertEquals(59, frames.size());
     Frame first = frames.get(0);
     assertEquals(
@@ -68,7 +68,7 @@ class RecordedSamplesTest {
 
   @Test
   void inertialSamplesOfADavisAreThoseThatOtherProgramsSee() throws IOException {
-    List<InertialSample> samples = read(DAVIS346, READINGS).samples(InertialSample.class);
+    List<InertialSample> samples = read(DAVIS346, WITH_SAMPLES).samples(InertialSample.class);
     assertEquals(2363, samples.size());
     assertEquals(
         new InertialSample(
@@ -86,12 +86,12 @@ class RecordedSamplesTest {
         samples.get(0));
     assertEquals(1589163149728420L, samples.get(2362).timeUs());
     assertEquals(0.0457763634622097f, samples.get(2362).rotationZDegS());
-    assertEquals(475, read(DVXPLORER, READINGS).samples(InertialSample.class).size());
+    assertEquals(475, read(DVXPLORER, WITH_SAMPLES).samples(InertialSample.class).size());
   }
 
   @Test
   void triggersOfADavisTellWhenFramesWereTaken() throws IOException {
-    List<Trigger> triggers = read(DAVIS346, READINGS).samples(Trigger.class);
+    List<Trigger> triggers = read(DAVIS346, WITH_SAMPLES).samples(Trigger.class);
     assertEquals(236, triggers.size());
     assertEquals(
         new Trigger(1589163147374647L, Trigger.Source.FRAME_READOUT, Trigger.Edge.FALLING, 0),
@@ -106,7 +106,7 @@ class RecordedSamplesTest {
 
   @Test
   void inertialSamplesOfAnAedat2FileHaveTheRangeThatItsHeaderStates() throws IOException {
-    StreamRecorder stream = read(DAVIS240, READINGS);
+    StreamRecorder stream = read(DAVIS240, WITH_SAMPLES);
     List<InertialSample> samples = stream.samples(InertialSample.class);
     assertEquals(51_688 / 7, samples.size());
     assertEquals(samples.size(), stream.placedSamples().size());
@@ -122,7 +122,7 @@ class RecordedSamplesTest {
 
   @Test
   void aRecordingWithoutEventsGivesItsFrame() throws IOException {
-    StreamRecorder stream = read("gray16-frame.aedat4", READINGS);
+    StreamRecorder stream = read("gray16-frame.aedat4", WITH_SAMPLES);
     Frame frame = stream.samples(Frame.class).get(0);
     assertEquals("2x2x1 UNSIGNED_16 frame at 950 us", frame.toString());
     assertEquals(new Frame.Times(950, 1050, 900, 1100), frame.times());
@@ -135,7 +135,7 @@ class RecordedSamplesTest {
   @ParameterizedTest
   @ValueSource(strings = {DAVIS346, DAVIS240, DVXPLORER})
   void eachSampleStandsAtItsTimeAmongTheSameEvents(String name) throws IOException {
-    StreamRecorder with = read(name, READINGS);
+    StreamRecorder with = read(name, WITH_SAMPLES);
     EventPacket events = read(name, ReadOptions.DEFAULT).events();
     assertEquals(events, with.events());
     long lastUs = Long.MIN_VALUE;
@@ -170,8 +170,8 @@ class RecordedSamplesTest {
   @ParameterizedTest
   @ValueSource(strings = {DAVIS346, DAVIS240})
   void seekingGivesTheSamplesFromThatTimeOn(String name) throws IOException {
-    StreamRecorder all = read(name, READINGS);
-    try (RecordingReader reader = Recordings.open(Recorded.file(name), READINGS)) {
+    StreamRecorder all = read(name, WITH_SAMPLES);
+    try (RecordingReader reader = Recordings.open(Recorded.file(name), WITH_SAMPLES)) {
       for (int share = 0; share < 10; share++) {
         EventPacket events = all.events();
         long fromUs = events.timeUs(events.size() / 10 * share) + share % 2;

@@ -104,11 +104,8 @@ final class RecordingStack extends VirtualStack {
     Painter painter = new Painter(startUs(slice), endUs(slice));
     try {
       reader.seek(starts.get(slice - 1).segment, startUs(slice));
-      painter.paint(reader);
-      if (show == Show.FRAMES && !painter.isFound) { // in the file it stands before its neighbours
-        try (RecordingReader all = open(reader.path(), show)) {
-          painter.paint(all);
-        }
+      while (!painter.isDone && reader.next(painter)) {
+        // until all of the slice is there
       }
     } catch (IOException problem) {
       IJ.log("Slice " + slice + ": " + problem.getMessage());
@@ -130,18 +127,10 @@ final class RecordingStack extends VirtualStack {
     private final long startUs;
     private final long endUs;
     private boolean isDone;
-    private boolean isFound;
 
     Painter(long startUs, long endUs) {
       this.startUs = startUs;
       this.endUs = endUs;
-    }
-
-    void paint(RecordingReader from) throws IOException {
-      isDone = false;
-      while (!isDone && from.next(this)) {
-        // until all of the slice is there
-      }
     }
 
     @Override
@@ -157,7 +146,7 @@ final class RecordingStack extends VirtualStack {
 
     @Override
     public void sample(SensorSample sample) {
-      if (sample instanceof Frame frame && frame.timeUs() == startUs && !isFound) {
+      if (sample instanceof Frame frame && frame.timeUs() == startUs) {
         for (int i = 0; i < frame.width() * frame.height() * frame.channels(); i++) {
           int pixel = i / frame.channels();
           int x = pixel % frame.width();
@@ -165,7 +154,6 @@ final class RecordingStack extends VirtualStack {
           double value = frame.value(x, y, i % frame.channels()) / frame.channels();
           add(frame.left() + x, frame.bottom() + y, value);
         }
-        isFound = true;
         isDone = true;
       }
     }

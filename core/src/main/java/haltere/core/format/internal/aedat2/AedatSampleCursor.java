@@ -79,7 +79,7 @@ final class AedatSampleCursor implements SampleCursor {
         } else if (address == AddressDecoder.OTHER) {
           sample = assembly.take(word, clock.read(time), offset - recordBytes);
           if (sample != null) {
-            return Step.READING;
+            return Step.SAMPLE;
           }
         }
       }

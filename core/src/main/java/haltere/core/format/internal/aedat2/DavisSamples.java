@@ -63,7 +63,7 @@ final class DavisSamples implements AedatSampleCursor.SampleAssembly {
 
   private InertialSample inertial(int code, short value, long timeUs, long offset) {
     if (code != inertialWords) {
-      violations.add(Violation.INCOMPLETE_READING, offset);
+      violations.add(Violation.INCOMPLETE_SAMPLE, offset);
       inertialWords = 0;
       if (code != 0) {
         return null;
@@ -101,12 +101,12 @@ final class DavisSamples implements AedatSampleCursor.SampleAssembly {
       // A region of the sensor has as many samples as it has; the next frame's first ends it.
       whole = samples.finish();
       if (whole == null) {
-        violations.add(Violation.INCOMPLETE_READING, offset);
+        violations.add(Violation.INCOMPLETE_SAMPLE, offset);
       }
       samples.clear();
     }
     if (!samples.add(x, y, signal, word & 0x3ff, timeUs)) {
-      violations.add(Violation.INCOMPLETE_READING, offset);
+      violations.add(Violation.INCOMPLETE_SAMPLE, offset);
     }
     if (samples.coversSensor()) {
       whole = samples.finish();

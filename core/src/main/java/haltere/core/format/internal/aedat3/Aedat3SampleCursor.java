@@ -61,7 +61,7 @@ final class Aedat3SampleCursor implements SampleCursor {
         }
       }
     }
-    return Step.READING;
+    return Step.SAMPLE;
   }
 
   /** The next packet of samples; null at the end or behind a place. */
@@ -117,7 +117,7 @@ final class Aedat3SampleCursor implements SampleCursor {
     int size = (int) Math.min(packet.eventBytes(), FRAME_HEADER + MAX_FRAME_BYTES);
     ByteBuffer bytes = bytes(at, size);
     if (bytes.limit() < size) {
-      violations.addOnce(Violation.INCOMPLETE_READING, at);
+      violations.addOnce(Violation.INCOMPLETE_SAMPLE, at);
       event = packet.number();
       return;
     }
@@ -186,7 +186,7 @@ final class Aedat3SampleCursor implements SampleCursor {
         || channels < 1
         || channels > 4
         || length > bytes.limit() - FRAME_HEADER) {
-      violations.add(Violation.INCOMPLETE_READING, offset);
+      violations.add(Violation.INCOMPLETE_SAMPLE, offset);
       return null;
     }
     byte[] rows = new byte[(int) length];

@@ -66,11 +66,11 @@ final class Aedat4SampleCursor implements SampleCursor {
         }
         walk.pass();
       } catch (DamagedPacketException e) {
-        violations.add(Violation.INCOMPLETE_READING, walk.position());
+        violations.add(Violation.INCOMPLETE_SAMPLE, walk.position());
         walk.passDamaged();
       }
     }
-    return Step.READING;
+    return Step.SAMPLE;
   }
 
   private void readPacket() throws IOException, DamagedPacketException {

@@ -8,7 +8,7 @@ import java.io.IOException;
 
 /**
  * A place in a recording from which frames, inertial samples and triggers are read. It goes through
- * the file by itself, beside the {@link EventCursor} of the same recording, so that sample events
+ * the file by itself, beside the {@link EventCursor} of the same recording, so that reading events
  * alone costs nothing; {@link DecodingReader} puts both in order.
  *
  * <p>Thread rule: one thread.
@@ -30,7 +30,7 @@ public interface SampleCursor extends Closeable {
   /** What {@link #next} came to. */
   enum Step {
     /** A sample. */
-    READING,
+    SAMPLE,
     /** The place up to which it should look, or some way behind. */
     NOTHING_YET,
     /** The end of the file. */

@@ -62,7 +62,7 @@ final class EvtSampleCursor implements SampleCursor {
       }
       offset += buffer.position() - from;
       if (trigger != null) {
-        return Step.READING;
+        return Step.SAMPLE;
       }
       if (offset >= untilOffset) {
         return Step.NOTHING_YET;

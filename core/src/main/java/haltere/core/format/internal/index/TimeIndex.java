@@ -233,11 +233,14 @@ public final class TimeIndex {
    *
    * @param segment index of one of {@link #segments()}
    * @param timeUs microseconds
-   * @return as a cursor saves it
+   * @return as a cursor saves it; empty for the start of the file, before all events
    */
-  public long[] stateBefore(int segment, long timeUs) {
+  public Optional<long[]> stateBefore(int segment, long timeUs) {
     int waypoint = Math.max(firstWaypoint[segment], waypoint(segment, timeUs) - 1);
-    return Arrays.copyOfRange(states, waypoint * stateLongs, (waypoint + 1) * stateLongs);
+    return waypoint == 0
+        ? Optional.empty()
+        : Optional.of(
+            Arrays.copyOfRange(states, waypoint * stateLongs, (waypoint + 1) * stateLongs));
   }
 
   /**

@@ -54,7 +54,7 @@ public final class DecodingReader implements RecordingReader {
   private final EventCursor cursor;
   private final PacketBuffer buffer;
   private final Optional<SampleCursor.Factory> samples;
-  private final ViolationCounts readingViolations = new ViolationCounts();
+  private final ViolationCounts sampleViolations = new ViolationCounts();
 
   private State state = State.BEFORE_START;
   private long deliveredUs = StreamNotification.NO_TIME_US;
@@ -117,11 +117,11 @@ public final class DecodingReader implements RecordingReader {
     this.remarks = new ArrayList<>(remarks);
     this.violations = violations;
     this.cursors = cursors;
-    String sample = String.join("|", formatName, geometry.toString(), options.topic().orElse(""));
-    indexes = new KeptIndex(file, sample, options.keepIndex(), cursors);
+    String readAs = String.join("|", formatName, geometry.toString(), options.topic().orElse(""));
+    indexes = new KeptIndex(file, readAs, options.keepIndex(), cursors);
     this.samples = file.isStream() ? Optional.empty() : samples;
     if (options.samples() && this.samples.isPresent()) {
-      order = new SampleOrder(samples.get().open(readingViolations));
+      order = new SampleOrder(samples.get().open(sampleViolations));
     }
     cursor = cursors.open(violations);
     buffer = new PacketBuffer(cursor, options.packetEvents());
@@ -190,7 +190,7 @@ public final class DecodingReader implements RecordingReader {
     }
     if (order != null && isSampleDue()) {
       SensorSample sample = order.take();
-      violations.take(Violation.INCOMPLETE_READING, readingViolations);
+      violations.take(Violation.INCOMPLETE_SAMPLE, sampleViolations);
       handler.sample(sample);
     } else if (buffer.hasEvents()) {
       EventPacket events = buffer.take(order == null ? Long.MAX_VALUE : order.nextUs());
@@ -254,7 +254,7 @@ public final class DecodingReader implements RecordingReader {
     }
     SampleCounts counts = SampleCounts.NONE;
     try (SampleCursor counter = samples.get().open(new ViolationCounts())) {
-      while (counter.next(Long.MAX_VALUE) == SampleCursor.Step.READING) {
+      while (counter.next(Long.MAX_VALUE) == SampleCursor.Step.SAMPLE) {
         if (Thread.currentThread().isInterrupted()) {
           throw new InterruptedIOException("interrupted while reading " + file.path());
         }
@@ -301,7 +301,13 @@ public final class DecodingReader implements RecordingReader {
       return;
     }
     if (order != null) {
-      order.seek(index.stateBefore(wanted, fromUs), fromUs, index.startOffset(wanted));
+      Optional<long[]> before = index.stateBefore(wanted, fromUs);
+      if (before.isPresent()) {
+        order.seek(before.get(), fromUs, index.startOffset(wanted));
+      } else {
+        startSamples();
+        order.dropBefore(fromUs);
+      }
     }
     index.seek(cursor, wanted, fromUs);
     buffer.fillFrom(fromUs);
@@ -312,13 +318,17 @@ public final class DecodingReader implements RecordingReader {
     if (order == null) {
       return;
     }
-    order.close();
-    order = new SampleOrder(samples.orElseThrow().open(readingViolations));
+    startSamples();
     if (noEvents) {
       order.dropBefore(timeUs);
     } else {
       order.seekEnd();
     }
+  }
+
+  private void startSamples() throws IOException {
+    order.close();
+    order = new SampleOrder(samples.orElseThrow().open(sampleViolations));
   }
 
   @Override

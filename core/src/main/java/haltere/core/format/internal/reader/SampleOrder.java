@@ -149,7 +149,7 @@ final class SampleOrder implements Closeable {
         && newestOffset <= offset
         && !isFull()) {
       SampleCursor.Step step = cursor.next(untilOffset);
-      if (step != SampleCursor.Step.READING) {
+      if (step != SampleCursor.Step.SAMPLE) {
         atEnd = step == SampleCursor.Step.END;
         return;
       }

@@ -38,7 +38,7 @@ class AedatSamplesTest {
     StreamRecorder recorder = new StreamRecorder();
     try (RecordingReader reader = Recordings.open(file, ReadOptions.DEFAULT.withSamples(true))) {
       reader.drainTo(recorder);
-      incomplete = reader.violations().count(Violation.INCOMPLETE_READING);
+      incomplete = reader.violations().count(Violation.INCOMPLETE_SAMPLE);
     }
     return recorder;
   }

@@ -41,6 +41,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Samples come back from AEDAT-4 as they were written. */
 class Aedat4SamplesTest {
@@ -54,7 +55,7 @@ class Aedat4SamplesTest {
     StreamRecorder recorder = new StreamRecorder();
     try (RecordingReader reader = Recordings.open(file, ReadOptions.DEFAULT.withSamples(true))) {
       reader.drainTo(recorder);
-      assertEquals(0, reader.violations().count(Violation.INCOMPLETE_READING));
+      assertEquals(0, reader.violations().count(Violation.INCOMPLETE_SAMPLE));
     }
     return recorder;
   }
@@ -96,6 +97,28 @@ class Aedat4SamplesTest {
     for (StreamRecorder.Read read : stream.placedSamples()) {
       assertEquals(events.indexAtOrAfter(read.sample().timeUs()), read.eventsBefore());
     }
+  }
+
+  @ParameterizedTest
+  @ValueSource(longs = {0, 1, 300_000, 899_999})
+  void seekingGivesTheSamplesThatStandBeforeTheOnlyPacketOfEvents(long fromUs) throws IOException {
+    EventPacket events = EventPackets.uniform(SENSOR, 3, 30, 1_000_000, 100);
+    List<SensorSample> samples = new RandomSamples(SENSOR, 4).all(50, 900_000, 2000);
+    Path file = folder.resolve("slow.aedat4");
+    try (RecordingWriter writer = Aedat4Writer.create(file, ALL, Aedat4Compression.NONE)) {
+      for (SensorSample sample : samples) {
+        assertTrue(writer.write(sample));
+      }
+      writer.write(events);
+      writer.finish();
+    }
+    StreamRecorder from = new StreamRecorder();
+    try (RecordingReader reader = Recordings.open(file, ReadOptions.DEFAULT.withSamples(true))) {
+      reader.seek(fromUs);
+      reader.drainTo(from);
+    }
+    assertEquals(
+        samples.stream().filter(sample -> sample.timeUs() >= fromUs).toList(), samples(from));
   }
 
   @Test

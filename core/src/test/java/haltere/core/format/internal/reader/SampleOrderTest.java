@@ -25,7 +25,7 @@ class SampleOrderTest {
       looked = Math.max(looked, Math.min(untilOffset, 2 * FAR));
       if (!given && looked >= FAR) {
         given = true;
-        return Step.READING;
+        return Step.SAMPLE;
       }
       return looked == 2 * FAR ? Step.END : Step.NOTHING_YET;
     }
