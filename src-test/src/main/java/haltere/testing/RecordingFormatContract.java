@@ -101,7 +101,7 @@ public abstract class RecordingFormatContract extends RecordingTimeContract {
       assertEquals(0, stream.events().size());
       assertEquals(
           List.of(new EndOfStream(StreamNotification.NO_TIME_US)),
-          stream.notices(EndOfStream.class));
+          stream.notifications(EndOfStream.class));
       reader.seek(5);
       assertEquals(0, read(reader).events().size());
     }
@@ -166,7 +166,7 @@ public abstract class RecordingFormatContract extends RecordingTimeContract {
       StreamRecorder stream = read(file, options(usualSensor()).withPacketEvents(packetEvents));
       assertTrue(stream.largestPacket() <= packetEvents, "packets of " + stream.largestPacket());
       assertEquals(usual.events(), stream.events());
-      assertEquals(usual.notices(), stream.notices());
+      assertEquals(usual.notifications(), stream.notifications());
     }
   }
 

@@ -57,7 +57,7 @@ abstract class RecordingTimeContract extends TestedFormat {
             EventPackets.part(events, from, from + got.events().size()),
             got.events(),
             "from " + timeUs + " us");
-        StreamNotification first = got.notices().get(0).notification();
+        StreamNotification first = got.notifications().get(0).notification();
         boolean restarted = first instanceof StreamStarted;
         if (!restarted) {
           Reset reset = (Reset) first;
@@ -84,7 +84,7 @@ abstract class RecordingTimeContract extends TestedFormat {
       StreamRecorder stream = read(reader);
       int from = events.indexAtOrAfter(events.timeUs(700) + 1);
       assertEquals(EventPackets.part(events, from, events.size()), stream.events());
-      assertEquals(List.of(), stream.notices(Reset.class));
+      assertEquals(List.of(), stream.notifications(Reset.class));
       reader.seek(events.firstTimeUs());
       assertEquals(events, read(reader).events(), "after the end the stream starts anew");
     }
@@ -136,8 +136,8 @@ abstract class RecordingTimeContract extends TestedFormat {
           second, EventPackets.part(stream.events(), first.size(), stream.events().size()));
       Reset reset =
           new Reset(Reset.Cause.CLOCK_RESTARTED, first.lastTimeUs(), second.firstTimeUs());
-      assertEquals(List.of(reset), stream.notices(Reset.class));
-      assertEquals(first.size(), stream.notices().get(1).eventsBefore());
+      assertEquals(List.of(reset), stream.notifications(Reset.class));
+      assertEquals(first.size(), stream.notifications().get(1).eventsBefore());
       assertEquals(1, reader.violations().count(Violation.CLOCK_WENT_BACK));
 
       assertEquals(segments, reader.segments());

@@ -16,7 +16,7 @@ import java.util.zip.CRC32;
  */
 public final class StreamRecorder implements StreamHandler {
   private final EventPacket events = new EventPacket(0);
-  private final List<Notice> notices = new ArrayList<>();
+  private final List<Notice> notifications = new ArrayList<>();
   private final List<Read> samples = new ArrayList<>();
   private int largestPacket;
 
@@ -52,7 +52,7 @@ public final class StreamRecorder implements StreamHandler {
 
   @Override
   public void notified(StreamNotification notification) {
-    notices.add(new Notice(events.size(), notification));
+    notifications.add(new Notice(events.size(), notification));
   }
 
   /**
@@ -69,8 +69,8 @@ public final class StreamRecorder implements StreamHandler {
    *
    * @return not copied
    */
-  public List<Notice> notices() {
-    return notices;
+  public List<Notice> notifications() {
+    return notifications;
   }
 
   /**
@@ -100,8 +100,8 @@ public final class StreamRecorder implements StreamHandler {
    * @param <T> the kind
    * @return in the order in which they came
    */
-  public <T extends StreamNotification> List<T> notices(Class<T> kind) {
-    return notices.stream()
+  public <T extends StreamNotification> List<T> notifications(Class<T> kind) {
+    return notifications.stream()
         .map(Notice::notification)
         .filter(kind::isInstance)
         .map(kind::cast)

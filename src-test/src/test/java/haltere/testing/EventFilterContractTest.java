@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 /** The contract finds each kind of filter that breaks it. */
 class EventFilterContractTest {
   /** A filter without any state that lets everything through. */
-  private static class Honest implements EventFilter {
+  private static class KeepsTheContract implements EventFilter {
     final Outlet<Long> times = new Outlet<>("times", Long.class);
 
     @Override
@@ -45,7 +45,7 @@ class EventFilterContractTest {
 
   @Test
   void anHonestFilterPasses() {
-    EventFilterContract contract = contractOf(Honest::new);
+    EventFilterContract contract = contractOf(KeepsTheContract::new);
     contract.theResultsDoNotDependOnHowTheStreamIsCutIntoPackets();
     contract.aPacketForEachEventGivesTheSameResultsAsOneForAll();
     contract.theResultsDoNotDependOnCutsWhereTimesLeapAndAreNegative();
@@ -66,7 +66,7 @@ class EventFilterContractTest {
     EventFilterContract contract =
         contractOf(
             () ->
-                new Honest() {
+                new KeepsTheContract() {
                   @Override
                   public void process(EventPacket packet) {
                     if (!packet.isEmpty()) {
@@ -84,7 +84,7 @@ class EventFilterContractTest {
     EventFilterContract contract =
         contractOf(
             () ->
-                new Honest() {
+                new KeepsTheContract() {
                   private int count;
 
                   @Override
@@ -109,7 +109,7 @@ class EventFilterContractTest {
     EventFilterContract contract =
         contractOf(
             () ->
-                new Honest() {
+                new KeepsTheContract() {
                   private long[] kept;
 
                   @Override
@@ -128,7 +128,7 @@ class EventFilterContractTest {
     EventFilterContract contract =
         contractOf(
             () ->
-                new Honest() {
+                new KeepsTheContract() {
                   private EventPacket kept;
 
                   @Override
@@ -151,7 +151,7 @@ class EventFilterContractTest {
     EventFilterContract contract =
         contractOf(
             () ->
-                new Honest() {
+                new KeepsTheContract() {
                   private final Object[] newest = new Object[16];
 
                   @Override
@@ -169,7 +169,7 @@ class EventFilterContractTest {
     EventFilterContract adding =
         contractOf(
             () ->
-                new Honest() {
+                new KeepsTheContract() {
                   @Override
                   public void process(EventPacket packet) {
                     if (!packet.isEmpty()) {
@@ -181,7 +181,7 @@ class EventFilterContractTest {
     EventFilterContract changing =
         contractOf(
             () ->
-                new Honest() {
+                new KeepsTheContract() {
                   @Override
                   public void process(EventPacket packet) {
                     for (int i = 0; i < packet.size(); i++) {
@@ -197,7 +197,7 @@ class EventFilterContractTest {
     EventFilterContract contract =
         contractOf(
             () ->
-                new Honest() {
+                new KeepsTheContract() {
                   @Override
                   public void process(EventPacket packet) {
                     times.publish(0L);

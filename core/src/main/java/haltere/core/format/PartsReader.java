@@ -62,7 +62,7 @@ final class PartsReader implements RecordingReader {
 
   private long lastUs = StreamNotification.NO_TIME_US;
 
-  /** What waits behind a notice that the clock started anew; null if nothing does. */
+  /** What waits behind a notification that the clock started anew; null if nothing does. */
   private EventPacket heldPacket;
 
   private SensorSample heldSample;

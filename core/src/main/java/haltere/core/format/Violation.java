@@ -8,7 +8,7 @@ package haltere.core.format;
 public enum Violation {
   /** An event's pixel is not on the sensor; the event is left out. */
   OUTSIDE_SENSOR("events outside of the sensor were left out"),
-  /** The clock went back without being a wrap; the stream has a notice there. */
+  /** The clock went back without being a wrap; the stream has a notification there. */
   CLOCK_WENT_BACK("jumps back of the clock"),
   /** The file ends in the middle of an event or a packet; what was whole has been read. */
   CUT_OFF("the file ends in the middle of an event or packet"),

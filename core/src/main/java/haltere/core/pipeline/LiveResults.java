@@ -60,7 +60,7 @@ public final class LiveResults implements StreamHandler, Closeable {
   private volatile String failure;
   private volatile Consumer<String> onFailure = words -> {};
 
-  /** Nothing comes after what waits, not even a notice of loss. */
+  /** Nothing comes after what waits, not even a notification of loss. */
   private volatile boolean allPut;
 
   private LiveResults(

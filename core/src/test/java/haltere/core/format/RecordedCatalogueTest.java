@@ -59,7 +59,7 @@ class RecordedCatalogueTest {
     assertEquals(
         facts.maxY(), IntStream.range(0, size).map(i -> y(facts, events, i)).max().orElseThrow());
     assertEquals(facts.crc32(), recorder.crc32(facts.sensor()));
-    assertTrue(recorder.notices(Reset.class).isEmpty());
+    assertTrue(recorder.notifications(Reset.class).isEmpty());
   }
 
   /** The row as the source counts it. */

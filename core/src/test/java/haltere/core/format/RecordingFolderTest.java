@@ -66,9 +66,9 @@ class RecordingFolderTest {
     list(names.toArray(String[]::new));
   }
 
-  private static StreamRecorder readOn(RecordingReader reader, int things) throws IOException {
+  private static StreamRecorder readOn(RecordingReader reader, int items) throws IOException {
     StreamRecorder recorder = new StreamRecorder();
-    for (int i = 0; i < things && reader.next(recorder); i++) {
+    for (int i = 0; i < items && reader.next(recorder); i++) {
       // The recorder has it.
     }
     return recorder;
@@ -113,7 +113,7 @@ class RecordingFolderTest {
           List.of(new TimeSegment(events.firstTimeUs(), events.lastTimeUs())), reader.segments());
       StreamRecorder got = all(reader);
       assertEquals(events, got.events());
-      assertEquals(2, got.notices().size(), "a start and an end: " + got.notices());
+      assertEquals(2, got.notifications().size(), "a start and an end: " + got.notifications());
       assertEquals(reader.sizeBytes(), reader.positionBytes());
       assertEquals(List.of(), reader.violations().describe());
     }
@@ -139,12 +139,12 @@ class RecordingFolderTest {
         reader.seek(timeUs);
         StreamRecorder got = readOn(reader, 1 + random.nextInt(7));
 
-        StreamNotification first = got.notices().get(0).notification();
+        StreamNotification first = got.notifications().get(0).notification();
         assertEquals(started, first instanceof Reset, "at " + i + ": " + first);
         if (first instanceof Reset reset) {
           assertEquals(nextUs, reset.nextUs(), "at " + i);
         }
-        boolean ended = !got.notices(EndOfStream.class).isEmpty();
+        boolean ended = !got.notifications(EndOfStream.class).isEmpty();
         int to = ended ? events.size() : from + got.events().size();
         assertEquals(EventPackets.part(events, from, to), got.events(), "at " + i);
         started = !ended;
@@ -166,7 +166,7 @@ class RecordingFolderTest {
         assertEquals(10_000, got.events().size());
         assertEquals(
             new Reset(Reset.Cause.CLOCK_RESTARTED, events.lastTimeUs(), events.firstTimeUs()),
-            got.notices().get(1).notification());
+            got.notifications().get(1).notification());
         reader.seek(0, Long.MIN_VALUE);
       }
       reader.seek(0, events.lastTimeUs() + 1);

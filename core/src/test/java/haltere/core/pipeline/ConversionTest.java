@@ -121,8 +121,8 @@ class ConversionTest {
     assertEquals(heard.events().size(), result.eventsWritten());
     assertTrue(result.eventsWritten() > 9_000 && result.eventsWritten() < 11_000);
     assertEquals(heard.events(), read(target).events());
-    assertEquals(1, heard.notices(StreamStarted.class).size());
-    assertEquals(1, heard.notices(EndOfStream.class).size());
+    assertEquals(1, heard.notifications(StreamStarted.class).size());
+    assertEquals(1, heard.notifications(EndOfStream.class).size());
   }
 
   @Test
@@ -135,9 +135,10 @@ class ConversionTest {
           .run(reader, writer);
       assertTrue(reader.positionBytes() < reader.sizeBytes() / 2 + 300_000, "stopped early");
     }
-    assertEquals(2, heard.notices().size());
+    assertEquals(2, heard.notifications().size());
     assertEquals(
-        List.of(new EndOfStream(heard.events().lastTimeUs())), heard.notices(EndOfStream.class));
+        List.of(new EndOfStream(heard.events().lastTimeUs())),
+        heard.notifications(EndOfStream.class));
   }
 
   @Test

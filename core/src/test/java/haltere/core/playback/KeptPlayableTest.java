@@ -211,9 +211,9 @@ class KeptPlayableTest {
     while (kept.next(again)) {
       // to the end, which comes once more
     }
-    assertEquals(1, again.notices(StreamStarted.class).size());
-    assertEquals(List.of(restarted), again.notices(Reset.class));
-    assertEquals(1, again.notices(EndOfStream.class).size());
+    assertEquals(1, again.notifications(StreamStarted.class).size());
+    assertEquals(List.of(restarted), again.notifications(Reset.class));
+    assertEquals(1, again.notifications(EndOfStream.class).size());
   }
 
   @Test
@@ -255,12 +255,12 @@ class KeptPlayableTest {
 
   @Test
   void aCameraIsPacedWhileItsLastMomentsArePlayedAgain() throws IOException {
-    Object[] things = new Object[1001];
-    things[0] = new StreamStarted(SENSOR, "script");
+    Object[] items = new Object[1001];
+    items[0] = new StreamStarted(SENSOR, "script");
     for (int i = 0; i < 1000; i++) {
-      things[i + 1] = EngineRig.events(1000L * i, 1000L * i + 500);
+      items[i + 1] = EngineRig.events(1000L * i, 1000L * i + 500);
     }
-    KeptPlayable kept = new KeptPlayable(new ScriptedPlayable(things), ROOM);
+    KeptPlayable kept = new KeptPlayable(new ScriptedPlayable(items), ROOM);
     EngineRig rig = new EngineRig(kept, byTime(1000).withSpeed(0.1));
     for (int i = 0; i < 200; i++) {
       assertEquals(0, rig.engine.turn(), "as it comes");

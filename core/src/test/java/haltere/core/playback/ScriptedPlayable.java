@@ -13,12 +13,12 @@ import java.util.OptionalLong;
 
 /** What a camera gives, told beforehand. */
 final class ScriptedPlayable implements Playable {
-  private final List<Object> things;
+  private final List<Object> items;
   private int next;
   private final ElapsedTimeline timeline = new ElapsedTimeline();
 
-  ScriptedPlayable(Object... things) {
-    this.things = List.of(things);
+  ScriptedPlayable(Object... items) {
+    this.items = List.of(items);
   }
 
   @Override
@@ -53,20 +53,20 @@ final class ScriptedPlayable implements Playable {
 
   @Override
   public boolean next(StreamHandler handler) {
-    if (next == things.size()) {
+    if (next == items.size()) {
       return false;
     }
-    Object thing = things.get(next++);
-    if (thing instanceof EventPacket packet) {
+    Object item = items.get(next++);
+    if (item instanceof EventPacket packet) {
       timeline.packet(packet);
       handler.packet(packet.copy());
-    } else if (thing instanceof SensorSample sample) {
+    } else if (item instanceof SensorSample sample) {
       handler.sample(sample);
     } else {
-      if (thing instanceof Reset) {
+      if (item instanceof Reset) {
         timeline.clockRestarts();
       }
-      handler.notified((StreamNotification) thing);
+      handler.notified((StreamNotification) item);
     }
     return true;
   }

@@ -104,8 +104,8 @@ class CameraPlayableTest {
       assertFalse(playable.isUnplugged());
       playable.camera().facet(TimestampReset.class).orElseThrow().resetTimestamps();
       pull(playable, 20);
-      assertEquals(4, recorder.notices(Reset.class).size());
-      assertTrue(recorder.notices(DeviceLost.class).isEmpty(), "it is one session");
+      assertEquals(4, recorder.notifications(Reset.class).size());
+      assertTrue(recorder.notifications(DeviceLost.class).isEmpty(), "it is one session");
       assertTrue(lastElapsed[0] > 55_000 && lastElapsed[0] < 70_000);
     }
   }
@@ -119,7 +119,7 @@ class CameraPlayableTest {
         // to the end
       }
       assertTrue(stream.ended());
-      assertEquals(1, recorder.notices(DeviceLost.class).size());
+      assertEquals(1, recorder.notifications(DeviceLost.class).size());
     }
   }
 

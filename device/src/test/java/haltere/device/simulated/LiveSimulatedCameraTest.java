@@ -70,7 +70,7 @@ class LiveSimulatedCameraTest {
 
     CameraStatistics statistics = camera.statistics();
     long told =
-        recorder.notices(DataLost.class).stream().mapToLong(DataLost::estimatedEvents).sum();
+        recorder.notifications(DataLost.class).stream().mapToLong(DataLost::estimatedEvents).sum();
     assertEquals(statistics.lostEvents(), told);
     assertEquals(statistics.bytes() / 4, recorder.events().size() + told);
   }
@@ -83,7 +83,7 @@ class LiveSimulatedCameraTest {
         camera.next(stream);
       }
       plug.unplug();
-      while (recorder.notices(EndOfStream.class).isEmpty()) {
+      while (recorder.notifications(EndOfStream.class).isEmpty()) {
         camera.next(stream);
       }
       assertFalse(camera.await(0));
@@ -94,7 +94,7 @@ class LiveSimulatedCameraTest {
       while (recorder.events().size() == before) {
         camera.next(stream);
       }
-      assertEquals(1, recorder.notices(DeviceLost.class).size());
+      assertEquals(1, recorder.notifications(DeviceLost.class).size());
       assertEquals(2, camera.statistics().streams());
     }
   }
@@ -108,7 +108,7 @@ class LiveSimulatedCameraTest {
     closer.start();
     untilOver(camera);
     closer.join();
-    assertEquals(1, recorder.notices(EndOfStream.class).size());
+    assertEquals(1, recorder.notifications(EndOfStream.class).size());
   }
 
   // ---- Scenes that are not made in time, or not at all
@@ -172,7 +172,7 @@ class LiveSimulatedCameraTest {
         camera.next(stream);
       }
       long nowUs = TimeUnit.NANOSECONDS.toMicros(time.getAsLong());
-      List<DataLost> told = recorder.notices(DataLost.class);
+      List<DataLost> told = recorder.notifications(DataLost.class);
       assertFalse(told.isEmpty());
       assertEquals(-1, told.get(0).estimatedEvents());
       assertTrue(told.get(0).place().contains("too slow to simulate"), told.get(0).place());

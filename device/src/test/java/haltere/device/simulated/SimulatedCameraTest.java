@@ -146,7 +146,7 @@ class SimulatedCameraTest {
       }
       assertEquals(
           List.of(new StreamStarted(camera.geometry(), "simulated:fly")),
-          recorder.notices(StreamStarted.class));
+          recorder.notifications(StreamStarted.class));
       CameraStatistics statistics = camera.statistics();
       assertEquals(events.size(), statistics.events());
       assertEquals(0, statistics.lostEvents());
@@ -172,7 +172,7 @@ class SimulatedCameraTest {
       }
       CameraStatistics statistics = camera.statistics();
       long told = 0;
-      for (DataLost lost : got.notices(DataLost.class)) {
+      for (DataLost lost : got.notifications(DataLost.class)) {
         told += lost.estimatedEvents();
         assertTrue(lost.place().startsWith("simulated:fly"), lost.place());
       }
@@ -190,10 +190,10 @@ class SimulatedCameraTest {
       pull(camera, stream, 50);
       camera.facet(TimestampReset.class).orElseThrow().resetTimestamps();
       pull(camera, stream, 50);
-      List<Reset> resets = recorder.notices(Reset.class);
+      List<Reset> resets = recorder.notifications(Reset.class);
       assertEquals(1, resets.size());
       assertEquals(Reset.Cause.CLOCK_RESTARTED, resets.get(0).cause());
-      int border = recorder.notices().get(1).eventsBefore();
+      int border = recorder.notifications().get(1).eventsBefore();
       EventPacket events = recorder.events();
       assertEquals(events.timeUs(border - 1), resets.get(0).lastUs());
       assertTrue(events.timeUs(border) < 2000 && events.timeUs(border - 1) > 45_000);
@@ -214,7 +214,8 @@ class SimulatedCameraTest {
       assertTrue(stream.ended());
       long lastUs = recorder.events().lastTimeUs();
       assertEquals(
-          List.of(new DeviceLost("simulated:fly", lastUs)), recorder.notices(DeviceLost.class));
+          List.of(new DeviceLost("simulated:fly", lastUs)),
+          recorder.notifications(DeviceLost.class));
       assertTrue(camera.await(0));
       assertThrows(
           CameraProblem.class,
@@ -237,8 +238,8 @@ class SimulatedCameraTest {
         plug.plugIn();
         camera.next(stream);
       }
-      assertEquals(5, recorder.notices(StreamStarted.class).size());
-      assertEquals(4, recorder.notices(DeviceLost.class).size());
+      assertEquals(5, recorder.notifications(StreamStarted.class).size());
+      assertEquals(4, recorder.notifications(DeviceLost.class).size());
       assertEquals(5, camera.statistics().streams());
       pull(camera, stream, 5);
       assertTrue(recorder.events().lastTimeUs() < 10_000, "the clock starts from 0");
@@ -284,7 +285,7 @@ class SimulatedCameraTest {
       // to the end
     }
     assertTrue(stream.ended());
-    assertEquals(1, recorder.notices(EndOfStream.class).size());
+    assertEquals(1, recorder.notifications(EndOfStream.class).size());
   }
 
   @Test

@@ -19,7 +19,7 @@ import java.util.Objects;
  * </ul>
  *
  * <p>Why a moving edge is not blocked: within a learning period it crosses not single pixels but
- * areas. The thinnest thing that can fire, a line of one pixel's width that flickers on the spot,
+ * areas. The thinnest object that can fire, a line of one pixel's width that flickers on the spot,
  * gives each of its pixels but the ends two neighbours of the same rate, so the pixel has 4 times
  * the mean of its eight neighbours; a pixel on the rim of the area that a beating wing sweeps has
  * at least three, so it has at most 2.7 times. A hot pixel among silent ones has a huge multiple,

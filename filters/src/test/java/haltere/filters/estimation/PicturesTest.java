@@ -41,20 +41,20 @@ class PicturesTest {
         ends,
         new double[] {band.lower(), band.lower()},
         new double[] {band.upper(), band.upper()});
-    double[] honest = windowedNis(0.3, window);
+    double[] consistent = windowedNis(0.3, window);
     double[] trusting = windowedNis(0.1, window);
-    double[] t = new double[honest.length];
+    double[] t = new double[consistent.length];
     for (int i = 0; i < t.length; i++) {
       t[i] = (i + 1) * window * 0.02;
     }
-    plot.line("R as it is", BLUE, t, honest);
+    plot.line("R as it is", BLUE, t, consistent);
     plot.line("R three times too small", RED, t, trusting);
     write(plot, "nis", "Mean NIS of 50 innovations", "time (s)", "mean of y² / S");
     int inside = 0;
-    for (double value : honest) {
+    for (double value : consistent) {
       inside += band.contains(value) ? 1 : 0;
     }
-    assertTrue(inside >= honest.length * 0.85, "the honest one stays inside");
+    assertTrue(inside >= consistent.length * 0.85, "the consistent one stays inside");
     for (double value : trusting) {
       assertTrue(value > band.upper(), "the other does not");
     }

@@ -7,7 +7,7 @@ import java.util.Arrays;
 /**
  * Where the words of a picture go so that they stay whole at its edges and none lie over others.
  * What comes first has the place that it wants. What comes later goes beside it, and if there is no
- * room within two lines, the label of one of several things is left out and other words are drawn
+ * room within two lines, the label of one of several objects is left out and other words are drawn
  * where they want to be.
  *
  * <p>Lengths are pixels, rows count from the top. Thread rule: one thread at a time.

@@ -95,7 +95,7 @@ final class SessionOpener {
     int number = announce(name);
     Callable<ViewerSession> made = making::get;
     if (making.isDone()) {
-      // then the first thing that the window shows are events
+      // then the window shows events first
       try {
         handOver(number, made.call(), options);
       } catch (Exception problem) {

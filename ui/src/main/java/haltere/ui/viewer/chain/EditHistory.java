@@ -4,7 +4,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 
 /**
- * What a person has changed, to be taken back and done again. Changes of the same thing that follow
+ * What a person has changed, to be taken back and done again. Changes of the same value that follow
  * each other closely, as when a slider is dragged, are one.
  *
  * <p>Thread rule: one thread at a time, in the viewer the JavaFX thread.

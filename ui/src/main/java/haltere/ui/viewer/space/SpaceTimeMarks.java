@@ -15,7 +15,7 @@ import java.util.List;
  *
  * <p>Thread rule: as the letters.
  *
- * @param projection where things lie; (0, 0) of the canvas is the middle of the picture
+ * @param projection where objects lie; (0, 0) of the canvas is the middle of the picture
  * @param sensor columns and rows
  * @param spanUs length of the time axis, microseconds
  * @param letters what words are drawn with

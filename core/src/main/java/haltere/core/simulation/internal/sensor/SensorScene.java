@@ -22,7 +22,7 @@ public abstract class SensorScene<T extends Record> implements TunableScene<T> {
   /**
    * A scene at its beginning.
    *
-   * @param name what its notices call it
+   * @param name what its notifications call it
    * @param sensor what sees it
    * @param run seed, start and length
    * @param mostEvents of a packet

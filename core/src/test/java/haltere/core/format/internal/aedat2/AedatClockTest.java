@@ -54,7 +54,7 @@ class AedatClockTest {
   void aWrapFromPlusToMinusGoesOn() throws IOException {
     StreamRecorder recorder = read(MAX - 5, MAX, MIN, MIN + 7);
     assertTimes(recorder, MAX - 5L, MAX, MAX + 1L, MAX + 8L);
-    assertEquals(List.of(), recorder.notices(Reset.class));
+    assertEquals(List.of(), recorder.notifications(Reset.class));
   }
 
   @Test
@@ -69,7 +69,7 @@ class AedatClockTest {
     }
     StreamRecorder recorder = read(times);
     assertTimes(recorder, expected);
-    assertEquals(List.of(), recorder.notices(Reset.class));
+    assertEquals(List.of(), recorder.notifications(Reset.class));
   }
 
   @Test
@@ -81,22 +81,23 @@ class AedatClockTest {
   void timesBelowZeroAreLegal() throws IOException {
     StreamRecorder recorder = read(MIN, -5, -5, 3);
     assertTimes(recorder, MIN, -5, -5, 3);
-    assertEquals(List.of(), recorder.notices(Reset.class));
+    assertEquals(List.of(), recorder.notifications(Reset.class));
   }
 
   @Test
   void aJumpBackThatIsNoWrapIsARestartWithBothTimes() throws IOException {
     StreamRecorder recorder = read(1_000_000_000, 1_000_000_005, 0, 10);
     assertTimes(recorder, 1_000_000_000, 1_000_000_005, 0, 10);
-    assertEquals(List.of(restarted(1_000_000_005, 0)), recorder.notices(Reset.class));
+    assertEquals(List.of(restarted(1_000_000_005, 0)), recorder.notifications(Reset.class));
   }
 
   @Test
   void aJumpBackOfHalfTheClockIsARestartAndOneMoreIsAWrap() throws IOException {
     assertEquals(
-        List.of(restarted(1L << 30, -1L << 30)), read(1 << 30, -1 << 30).notices(Reset.class));
+        List.of(restarted(1L << 30, -1L << 30)),
+        read(1 << 30, -1 << 30).notifications(Reset.class));
     StreamRecorder wrapped = read((1 << 30) + 1, -1 << 30);
-    assertEquals(List.of(), wrapped.notices(Reset.class));
+    assertEquals(List.of(), wrapped.notifications(Reset.class));
     assertTimes(wrapped, (1L << 30) + 1, 3L << 30);
   }
 
@@ -104,21 +105,22 @@ class AedatClockTest {
   void aRestartAfterAWrapBeginsTheFirstTurnAgain() throws IOException {
     StreamRecorder recorder = read(MAX, MIN, -5, 2_000_000_000, 7, 8);
     assertTimes(recorder, MAX, MAX + 1L, WRAP_US - 5, WRAP_US + 2_000_000_000, 7, 8);
-    assertEquals(List.of(restarted(WRAP_US + 2_000_000_000, 7)), recorder.notices(Reset.class));
+    assertEquals(
+        List.of(restarted(WRAP_US + 2_000_000_000, 7)), recorder.notifications(Reset.class));
   }
 
   @Test
   void disorderAfterAWrapStaysInItsTurn() throws IOException {
     StreamRecorder recorder = read(MAX, MIN + 100, MIN + 90);
     assertTimes(recorder, MAX, MAX + 101L, MAX + 91L);
-    assertEquals(List.of(restarted(MAX + 101L, MAX + 91L)), recorder.notices(Reset.class));
+    assertEquals(List.of(restarted(MAX + 101L, MAX + 91L)), recorder.notifications(Reset.class));
   }
 
   @Test
   void anEventFromBeforeAWrapThatComesLateIsNoLeapOfSeventyMinutes() throws IOException {
     StreamRecorder recorder = read(MAX, MIN, MAX - 3, MIN + 1);
     assertTimes(recorder, MAX, MAX + 1L, MAX - 3L, MAX + 2L);
-    assertEquals(List.of(restarted(MAX + 1L, MAX - 3L)), recorder.notices(Reset.class));
+    assertEquals(List.of(restarted(MAX + 1L, MAX - 3L)), recorder.notifications(Reset.class));
   }
 
   @Test
@@ -131,7 +133,7 @@ class AedatClockTest {
       StreamRecorder recorder = new StreamRecorder();
       reader.drainTo(recorder);
       assertTimes(recorder, 15, 25, 5);
-      assertEquals(List.of(restarted(25, 5)), recorder.notices(Reset.class));
+      assertEquals(List.of(restarted(25, 5)), recorder.notifications(Reset.class));
     }
   }
 
@@ -147,7 +149,7 @@ class AedatClockTest {
     try (RecordingReader reader = Recordings.open(file)) {
       reader.drainTo(new StreamGrammar(usual));
     }
-    assertEquals(3, usual.notices(Reset.class).size());
+    assertEquals(3, usual.notifications(Reset.class).size());
     for (int packetEvents : new int[] {1, 2, 1023, 1024, 1025, 4096}) {
       StreamRecorder recorder = new StreamRecorder();
       try (RecordingReader reader =
@@ -155,7 +157,7 @@ class AedatClockTest {
         reader.drainTo(new StreamGrammar(recorder));
       }
       assertEquals(usual.events(), recorder.events());
-      assertEquals(usual.notices(), recorder.notices());
+      assertEquals(usual.notifications(), recorder.notifications());
     }
   }
 }

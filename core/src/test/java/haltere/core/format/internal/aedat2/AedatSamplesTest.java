@@ -198,7 +198,7 @@ class AedatSamplesTest {
             "5:12",
             "6:2000000"),
         places);
-    assertEquals(3, stream.notices(Reset.class).size());
+    assertEquals(3, stream.notifications(Reset.class).size());
   }
 
   @Test

@@ -209,7 +209,7 @@ class AedatSensorTest {
       StreamRecorder recorder = new StreamRecorder();
       reader.drainTo(recorder);
       assertEquals(2, recorder.events().size());
-      assertEquals(2, recorder.notices().size(), "start and end only");
+      assertEquals(2, recorder.notifications().size(), "start and end only");
     }
   }
 

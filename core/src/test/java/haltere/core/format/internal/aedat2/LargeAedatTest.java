@@ -44,7 +44,7 @@ class LargeAedatTest {
       assertEquals(600, tail.events().size());
       assertEquals(5400, tail.events().firstTimeUs());
       assertEquals(reader.sizeBytes(), reader.positionBytes());
-      assertEquals(1, tail.notices(StreamStarted.class).size());
+      assertEquals(1, tail.notifications(StreamStarted.class).size());
     }
   }
 }

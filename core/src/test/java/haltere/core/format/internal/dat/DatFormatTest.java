@@ -141,7 +141,7 @@ class DatFormatTest extends RecordingFormatContract {
     assertTrue(stream.events().isOn(1));
     assertEquals((1L << 32) + 2_000_000, stream.events().timeUs(2));
     assertEquals(500_000, stream.events().timeUs(3));
-    assertEquals(1, stream.notices(Reset.class).size());
+    assertEquals(1, stream.notifications(Reset.class).size());
   }
 
   @Test

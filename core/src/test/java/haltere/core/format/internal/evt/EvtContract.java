@@ -145,7 +145,7 @@ abstract class EvtContract extends RecordingFormatContract {
     try (RecordingReader reader = format().open(file, ReadOptions.DEFAULT)) {
       StreamRecorder stream = read(reader);
       assertEquals(EventPackets.join(packets), stream.events());
-      assertEquals(4, stream.notices(Reset.class).size());
+      assertEquals(4, stream.notifications(Reset.class).size());
       assertEquals(5, reader.segments().size());
     }
   }
@@ -267,7 +267,7 @@ abstract class EvtContract extends RecordingFormatContract {
         StreamRecorder expected = read(usual);
         StreamRecorder got = read(small);
         assertEquals(expected.events(), got.events(), "seed " + seed);
-        assertEquals(expected.notices(), got.notices(), "seed " + seed);
+        assertEquals(expected.notifications(), got.notifications(), "seed " + seed);
         assertEquals(usual.violations().describe(), small.violations().describe(), "seed " + seed);
       }
     }

@@ -95,8 +95,9 @@ class RoadSceneTest {
 
     assertTrue(stream.largestPacket() <= 4096);
     assertEquals(
-        new SensorGeometry(320, 240), stream.notices(StreamStarted.class).get(0).geometry());
-    assertEquals(stream.events().lastTimeUs(), stream.notices(EndOfStream.class).get(0).lastUs());
+        new SensorGeometry(320, 240), stream.notifications(StreamStarted.class).get(0).geometry());
+    assertEquals(
+        stream.events().lastTimeUs(), stream.notifications(EndOfStream.class).get(0).lastUs());
     assertTrue(stream.events().firstTimeUs() >= 1_000_000);
     assertTrue(stream.events().lastTimeUs() < 1_100_000);
     assertTrue(stream.events().lastTimeUs() > 1_099_900);
