@@ -217,11 +217,11 @@ public final class ChainEditor {
   }
 
   /** Makes the chain what it was when it was written down. */
-  private void restore(String json) {
+  private void restore(AtomicReference<String> json) {
     change(
         chain -> {
           try {
-            replaceAll(chain, ChainFile.parse(json, "the chain before", chain.geometry()));
+            replaceAll(chain, ChainFile.parse(json.get(), "the chain before", chain.geometry()));
           } catch (IOException impossible) {
             throw new UncheckedIOException(impossible);
           }
@@ -342,26 +342,27 @@ public final class ChainEditor {
                             })));
   }
 
-  /** Changes the order or the number of the filters, so that it can be taken back. */
+  /**
+   * Changes the order or the number of the filters. It can be taken back at once: what is undone
+   * meanwhile waits behind the change.
+   */
   private void restructure(String words, Consumer<FilterChain> change) {
     AtomicReference<String> before = new AtomicReference<>();
     AtomicReference<String> after = new AtomicReference<>();
-    Optional<ChainAccess> edited = player;
+    if (player.isPresent()) {
+      made(words, before, () -> restore(before), () -> restore(after));
+    }
     change(
             chain -> {
               before.set(ChainFile.write(chain));
               change.accept(chain);
               after.set(ChainFile.write(chain));
             })
-        .thenRun(
-            () ->
-                Platform.runLater(
-                    () -> {
-                      if (player.equals(edited)) {
-                        made(
-                            words, before, () -> restore(before.get()), () -> restore(after.get()));
-                      }
-                    }));
+        .exceptionally(
+            refused -> {
+              Platform.runLater(() -> history.forget(before));
+              return null;
+            });
   }
 
   private CompletableFuture<Void> change(Consumer<FilterChain> change) {

@@ -44,6 +44,13 @@ public final class EditHistory {
     listener.run();
   }
 
+  /** Forgets a change that could not be made. */
+  void forget(Object subject) {
+    done.removeIf(step -> step.subject() == subject);
+    undone.removeIf(step -> step.subject() == subject);
+    listener.run();
+  }
+
   /** Whether there is a change to take back. */
   public boolean canUndo() {
     return !done.isEmpty();

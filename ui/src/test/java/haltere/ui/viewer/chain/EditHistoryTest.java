@@ -54,4 +54,18 @@ class EditHistoryTest {
     assertEquals("", history.redo());
     assertEquals(5, value);
   }
+
+  @Test
+  void aChangeThatWasRefusedIsNeitherTakenBackNorMadeAgain() {
+    set(1, 0);
+    Object refused = new Object();
+    history.made("refused", refused, () -> value = -1, () -> value = -2, 10_000_000_000L);
+    history.forget(refused);
+    assertEquals("the value", history.undo());
+    assertEquals(0, value);
+    history.made("refused", refused, () -> value = -1, () -> value = -2, 20_000_000_000L);
+    history.undo();
+    history.forget(refused);
+    assertEquals("", history.redo());
+  }
 }
