@@ -5,8 +5,6 @@ package haltere.filters.cluster;
  * for another cluster after a death: {@link #id} tells them apart.
  *
  * <p>Thread rule: that of its tracker.
- *
- * @since 0.1
  */
 public final class Cluster {
   /** Identity, 0 until the cluster is visible for the first time. */

@@ -12,7 +12,6 @@ import haltere.filters.selection.PolaritySettings.Keep;
  * @param polarity polarity of the events that count
  * @param inhibition mass that an event in the surround takes away
  * @param edgeThickness thickness of the edge whose events move a cluster, as a share of its radius
- * @since 0.1
  */
 public record ClusterEventSettings(
     @Help("Polarity of the events that count; the others are ignored.") Keep polarity,

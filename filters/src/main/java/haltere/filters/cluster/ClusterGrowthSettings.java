@@ -13,7 +13,6 @@ import haltere.core.settings.Unit;
  * @param aspect whether the ratio of the half axes adapts
  * @param maxScale largest ratio of a radius to the a-priori one, and of that to the radius
  * @param surround capture region over cluster, while the size adapts
- * @since 0.1
  */
 public record ClusterGrowthSettings(
     @Help(value = "The radius adapts to the spread of the events.", label = "Adaptive size")

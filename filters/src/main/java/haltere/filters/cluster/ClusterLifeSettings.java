@@ -15,7 +15,6 @@ import haltere.core.settings.Unit;
  * @param visibleRateHz event rate of a pixel that is support
  * @param minSpeedPxS slower clusters are not visible
  * @param border when a cluster dies at the sensor's border
- * @since 0.1
  */
 public record ClusterLifeSettings(
     @Help("Mass: events of a cluster, each of which decays with this time constant.")

@@ -3,8 +3,6 @@ package haltere.filters.cluster;
 /**
  * Is told what a {@link ClusterTracker} does at regular times of the events. Called on the thread
  * of the tracker, which must not be given events meanwhile.
- *
- * @since 0.1
  */
 public interface ClusterListener {
   /**

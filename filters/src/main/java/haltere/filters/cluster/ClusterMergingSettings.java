@@ -12,7 +12,6 @@ import haltere.core.settings.Unit;
  * @param overlap nearness of two clusters that merge
  * @param differentAngleDeg difference of two directions of motion from which on they do not
  * @param joinSize whether the merged cluster has the size of both together
- * @since 0.1
  */
 public record ClusterMergingSettings(
     @Help("Clusters merge.") boolean allowed,

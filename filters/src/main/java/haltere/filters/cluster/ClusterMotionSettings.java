@@ -16,7 +16,6 @@ import haltere.core.settings.Unit;
  * @param frictionTimeUs time constant with which the velocity decays, 0 for no decay
  * @param startVelocity velocity at birth
  * @param neighbourRadii neighbourhood whose fastest cluster limits the speed, 0 for no limit
- * @since 0.1
  */
 public record ClusterMotionSettings(
     @Help("Weight of an event: constant, lower at high event rates, or of a time constant.")

@@ -13,7 +13,6 @@ import haltere.core.settings.Unit;
  * @param reportRateHz reports a second of recording time
  * @param pathPoints positions of a path
  * @param onlyClustered whether events outside visible clusters are removed from the stream
- * @since 0.1
  */
 public record ClusterOutputSettings(
     @Help("Largest number of clusters at a time; at this number none is born.")

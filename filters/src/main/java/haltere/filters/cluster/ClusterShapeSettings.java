@@ -13,7 +13,6 @@ import haltere.core.settings.Unit;
  * @param angleDeg rotation, counterclockwise, degrees
  * @param angle source of the angle after birth
  * @param type which events are inside
- * @since 0.1
  */
 public record ClusterShapeSettings(
     @Help("A-priori radius of a cluster as a share of the longer side of the sensor.")

@@ -21,7 +21,6 @@ import haltere.filters.trail.TrailPoint;
  * @param mass events, each decayed with the time constant of the mass
  * @param rateHz events a second
  * @param ageUs time since its birth, microseconds; it was born before it was visible
- * @since 0.1
  */
 public record ClusterTrack(
     @Column("t_us") long timeUs,

@@ -22,8 +22,6 @@ import java.util.Objects;
  * depend on how the stream is cut into packets.
  *
  * <p>Thread rule: not safe for use by two threads at a time.
- *
- * @since 0.1
  */
 public final class ClusterTracker {
   private static final double US = 1e-6;

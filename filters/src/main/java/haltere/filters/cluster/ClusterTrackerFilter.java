@@ -17,8 +17,6 @@ import java.util.Map;
  * {@link ClusterTracker} as a stage of a chain. Publishes a {@link ClusterTrack} for each visible
  * cluster at each report, and all of them together as a {@link TrailSnapshot}, once also when there
  * is none any more. Passes all events on unless its settings say otherwise.
- *
- * @since 0.1
  */
 public final class ClusterTrackerFilter extends PublishingFilter<ClusterTrackerSettings> {
   private final Outlet<ClusterTrack> clusters = outlet("clusters", ClusterTrack.class);

@@ -17,7 +17,6 @@ import java.util.Map;
  * @param perspective how the size depends on the position
  * @param events which events count
  * @param output bounds and results
- * @since 0.1
  */
 public record ClusterTrackerSettings(
     ClusterShapeSettings shape,

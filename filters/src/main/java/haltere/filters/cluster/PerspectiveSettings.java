@@ -13,7 +13,6 @@ import haltere.core.settings.Unit;
  * @param vanishingX column of the vanishing point as a share of the sensor's width
  * @param vanishingY row of the vanishing point as a share of the sensor's height, 1 at the top
  * @param minScale the smallest scale, at the vanishing point
- * @since 0.1
  */
 public record PerspectiveSettings(
     @Help("Clusters are the smaller the nearer they are to the vanishing point.") boolean enabled,

@@ -7,8 +7,6 @@ import haltere.filters.estimation.GaussianState;
  * that move as they like. States are (x, vx, y, vy) in pixels and px/s.
  *
  * <p>Thread rule: one thread at a time.
- *
- * @since 0.1
  */
 public class MotionModel {
   /**

@@ -25,7 +25,6 @@ import haltere.filters.trail.TrailPoint;
  * @param eventRateHz events a second of its present motion, each pixel at most once in 10 ms
  * @param ageS time since its first events, seconds
  * @param lowYPx row of its lowest edge, where half the usual events of a row are, pixels
- * @since 0.1
  */
 public record ObjectTrack(
     @Column("t_us") long timeUs,

@@ -29,8 +29,6 @@ import java.util.Comparator;
  * </ul>
  *
  * <p>Thread rule: as {@link haltere.core.chain.EventFilter}.
- *
- * @since 0.1
  */
 public final class ObjectTrackerFilter extends PublishingFilter<ObjectTrackerSettings> {
   /** How much older than the latest row those of an identity may be that is decided, seconds. */

@@ -14,7 +14,6 @@ import haltere.core.settings.Unit;
  * @param rememberS how long the identity of an object that makes no events is kept
  * @param reportRateHz how often objects are reported
  * @param pathS how long a piece of an object's path is drawn
- * @since 0.1
  */
 public record ObjectTrackerSettings(
     @Help(

@@ -7,5 +7,7 @@
  * {@code RegionFinder} splits them, {@code ObjectRelations} decides which of them are one {@code
  * TrackedObject}. {@code ObjectTracker} runs these steps, {@link
  * haltere.filters.object.ObjectTrackerFilter} is the stage of a chain.
+ *
+ * @since 0.1
  */
 package haltere.filters.object;

@@ -14,8 +14,6 @@ import org.ejml.dense.row.CommonOps_DDRM;
  *
  * <p>(u, v) are pixels from the first of the four points. Pixels with w ≤ 0 are beyond the horizon
  * of the plane. Units on the plane are those of the points.
- *
- * @since 0.1
  */
 public final class Homography implements PlaneMapping {
   /** Smallest area of a triangle of three of the points, as a share of the extent squared. */

@@ -8,7 +8,6 @@ package haltere.filters.plane;
  * @param xv derivative of x by v
  * @param yu derivative of y by u
  * @param yv derivative of y by v
- * @since 0.1
  */
 public record PlaneJacobian(double xu, double xv, double yu, double yv) {
   /** {@return the Jacobian of the inverse map, J⁻¹, not finite where J is singular} */

@@ -6,8 +6,6 @@ package haltere.filters.plane;
  * the mapping, metres unless it says otherwise.
  *
  * <p>Thread rule: implementations are immutable and may be used from any thread.
- *
- * @since 0.1
  */
 public interface PlaneMapping {
   /** The picture itself: positions on the plane are pixels. */

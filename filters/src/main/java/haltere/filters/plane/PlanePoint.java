@@ -17,7 +17,6 @@ import haltere.filters.estimation.GaussianState;
  * @param sdYM standard deviation of the second coordinate, metres
  * @param sdVxMS standard deviation of the first velocity, metres a second
  * @param sdVyMS standard deviation of the second velocity, metres a second
- * @since 0.1
  */
 public record PlanePoint(
     @Column("t_us") long timeUs,

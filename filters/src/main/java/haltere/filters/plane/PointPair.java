@@ -7,7 +7,6 @@ package haltere.filters.plane;
  * @param yPx row, upwards
  * @param x first coordinate on the plane, in a unit of the user's choice
  * @param y second coordinate on the plane, in the same unit
- * @since 0.1
  */
 public record PointPair(double xPx, double yPx, double x, double y) {
   /** Checks that the numbers are finite. */

@@ -18,8 +18,6 @@ import haltere.core.event.SensorGeometry;
  * </pre>
  *
  * <p>Pixels are square: δ holds across the road as along it. Rows at or above y_v see no road.
- *
- * @since 0.1
  */
 public final class RoadMapping implements PlaneMapping {
   private final double heightM;

@@ -13,7 +13,6 @@ import haltere.core.settings.Unit;
  * @param nearestM distance along the road, from below the camera, that the bottom row sees
  * @param farthestM distance along the road that the row of the vanishing point sees
  * @param vanishingPoint where the road vanishes in the picture
- * @since 0.1
  */
 public record RoadViewSettings(
     @Help("Height of the camera above the road.")

@@ -12,7 +12,6 @@ import haltere.core.settings.Unit;
  * @param marked whether it is the marked one; else it is the middle of the top row
  * @param xPx column of the mark, pixels; may lie beside the sensor
  * @param yPx row of the mark above the bottom row, pixels; may lie above the sensor
- * @since 0.1
  */
 public record VanishingPoint(
     @Help("On, the vanishing point is the marked one; off, the middle of the top row.")

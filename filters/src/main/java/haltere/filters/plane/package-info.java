@@ -1,5 +1,7 @@
 /**
  * Maps from pixels to a plane in the scene and back: a road seen from a bridge, an arena, a belt.
  * Trackers that state positions in metres stand on it.
+ *
+ * @since 0.1
  */
 package haltere.filters.plane;

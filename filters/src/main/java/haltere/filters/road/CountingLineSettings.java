@@ -11,7 +11,6 @@ import haltere.core.settings.Unit;
  * @param lines their number
  * @param firstM distance of the nearest one along the road, metres
  * @param apartM distance from one to the next, metres
- * @since 0.1
  */
 public record CountingLineSettings(
     @Help("Number of lines across the road at which vehicles are counted, 0 for none.")

@@ -11,7 +11,6 @@ import haltere.core.settings.Unit;
  * @param lanes their number
  * @param leftEdgeM left edge of the leftmost one, metres to the right of the camera's axis
  * @param widthM width of each, metres
- * @since 0.1
  */
 public record LaneSettings(
     @Help("Number of lanes of both directions together, 0 for none.")

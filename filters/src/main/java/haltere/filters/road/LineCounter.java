@@ -12,8 +12,6 @@ import java.util.function.Consumer;
  * beyond a line was not seen to cross it and is not counted.
  *
  * <p>Thread rule: not safe for use by two threads at a time.
- *
- * @since 0.1
  */
 public final class LineCounter implements Consumer<PlanePoint> {
   /** Distance from a line from which on the side is known: 95 % of the errors are smaller. */

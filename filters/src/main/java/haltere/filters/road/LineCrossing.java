@@ -14,7 +14,6 @@ import haltere.core.sink.Column;
  * @param sdSpeedKmH standard deviation of the speed, kilometres an hour
  * @param countAway crossings of this line in this lane away from the camera, this one included
  * @param countTowards crossings of this line in this lane towards the camera, this one included
- * @since 0.1
  */
 public record LineCrossing(
     @Column("t_us") long timeUs,

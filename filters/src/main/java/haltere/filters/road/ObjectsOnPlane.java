@@ -16,7 +16,6 @@ import java.util.function.Function;
  * <p>Thread rule: immutable.
  *
  * @param mapping pixels to the plane
- * @since 0.1
  */
 public record ObjectsOnPlane(PlaneMapping mapping)
     implements Function<ObjectTrack, Optional<PlanePoint>> {

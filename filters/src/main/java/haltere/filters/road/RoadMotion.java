@@ -14,8 +14,6 @@ import org.ejml.data.DMatrixRMaj;
  * pixel, whatever its height, and the motion in the picture follows without knowing it.
  *
  * <p>Thread rule: one thread at a time.
- *
- * @since 0.1
  */
 public final class RoadMotion extends MotionModel {
   /**

@@ -30,7 +30,6 @@ import haltere.core.settings.Unit;
  * @param heightM usual height of a vehicle; its standard deviation is half of it
  * @param lowEdgeM usual height above the road of the lowest edge that is seen of a vehicle, and its
  *     standard deviation
- * @since 0.1
  */
 public record VehiclePrior(
     @Help("Usual speed along the road; what is twice as fast is rare.")

@@ -14,8 +14,6 @@ import java.util.function.Function;
  * come in the order of their times. The place is empty until the extent of the vehicle is known.
  *
  * <p>Thread rule: not safe for use by two threads at a time.
- *
- * @since 0.1
  */
 public final class VehiclesOnRoad implements Function<ObjectTrack, Optional<PlanePoint>> {
   private final RoadMapping mapping;

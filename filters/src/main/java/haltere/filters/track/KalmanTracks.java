@@ -47,12 +47,8 @@ final class KalmanTracks {
   private Consumer<TrackUpdate> updates = update -> {};
 
   /**
-   * Tracks that have seen nothing.
-   *
-   * @param geometry the sensor whose events they will see
-   * @param settings what to do
-   * @param atReport is called at each report time, in microseconds, while there is a track and once
-   *     when there is none any more; it may ask for {@link #forEach}
+   * Tracks that have seen nothing. At each report time, while there is a track and once when there
+   * is none any more, atReport is called, which may ask for {@link #forEach}.
    */
   public KalmanTracks(
       SensorGeometry geometry, KalmanTracksSettings settings, LongConsumer atReport) {
@@ -116,8 +112,6 @@ final class KalmanTracks {
   /**
    * Takes new settings from the next packet on. Tracks and clusters go on, unless the road changes:
    * then tracks start anew.
-   *
-   * @param newSettings the settings to use
    */
   public void apply(KalmanTracksSettings newSettings) {
     if (settings == null || !settings.road().equals(newSettings.road())) {
@@ -138,11 +132,7 @@ final class KalmanTracks {
     clusters.apply(settings.clusters());
   }
 
-  /**
-   * Takes events.
-   *
-   * @param packet only read, unless events outside clusters are to be removed
-   */
+  /** Takes events; a packet is only read, unless events outside clusters are to be removed. */
   public void track(EventPacket packet) {
     clusters.track(packet);
   }

@@ -20,8 +20,6 @@ import java.util.Optional;
  * {@link KalmanTracks} as a stage of a chain. Publishes at each report a {@link TrackPoint} for
  * each track in the picture and, where there is a road, a {@link PlanePoint} right after it; and a
  * {@link TrackUpdate} for each update of each track.
- *
- * @since 0.1
  */
 public final class KalmanTracksFilter extends PublishingFilter<KalmanTracksSettings> {
   /** Distance of a label from the position, pixels: beside an ellipse of usual size. */

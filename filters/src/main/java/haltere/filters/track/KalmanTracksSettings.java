@@ -14,7 +14,6 @@ import java.util.Map;
  * @param filter variances of the filters
  * @param life when tracks start, are updated and end
  * @param road the road that they are on, if they are on one
- * @since 0.1
  */
 public record KalmanTracksSettings(
     ClusterTrackerSettings clusters,

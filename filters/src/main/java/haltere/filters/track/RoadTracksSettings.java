@@ -12,7 +12,6 @@ import haltere.filters.plane.RoadViewSettings;
  * @param mapToRoad whether tracks are on a road
  * @param view how the camera sees the road
  * @param processVariance process noise on the road: as a density m²/s³; per update m² and m²/s²
- * @since 0.1
  */
 public record RoadTracksSettings(
     @Help("The state of a track is on the road, in metres, instead of in the picture.")

@@ -16,7 +16,6 @@ import haltere.core.settings.Unit;
  * @param varianceMixingFactor share of the way to their ends that dynamic variances go at each
  *     update
  * @param launchSpeedPxS standard deviation of the velocity of a new track
- * @since 0.1
  */
 public record TrackFilterSettings(
     @Help("Process noise as a density per second, or the same at every update.") Noise noise,

@@ -14,7 +14,6 @@ import haltere.core.settings.Unit;
  * @param feedbackToCluster whether a cluster is moved to the estimate of its track
  * @param coastTimeS how long a track goes on without a visible cluster
  * @param gateSigmas largest distance of a new cluster from a track that takes it
- * @since 0.1
  */
 public record TrackLifeSettings(
     @Help("Tracks look at their clusters at this interval, at updates of the clusters.")

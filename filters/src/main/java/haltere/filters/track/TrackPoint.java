@@ -17,7 +17,6 @@ import haltere.filters.trail.TrailPoint;
  * @param sdVxPxS standard deviation of the velocity to the right, pixels a second
  * @param sdVyPxS standard deviation of the velocity upwards, pixels a second
  * @param events events that the track has taken since it began
- * @since 0.1
  */
 public record TrackPoint(
     @Column("t_us") long timeUs,

@@ -1,5 +1,7 @@
 /**
  * Kalman filters on the clusters of {@code haltere.filters.cluster}, after Cardinale (2006). {@code
  * docs/tracking.md} has the equations.
+ *
+ * @since 0.1
  */
 package haltere.filters.track;

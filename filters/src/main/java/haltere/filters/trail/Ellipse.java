@@ -6,7 +6,6 @@ package haltere.filters.trail;
  * @param majorPx half axis at the angle, pixels; the longer one unless said otherwise
  * @param minorPx half axis across it, pixels
  * @param angleRad direction of the first half axis, counterclockwise from +x, radians
- * @since 0.1
  */
 public record Ellipse(double majorPx, double minorPx, double angleRad) {
   /**

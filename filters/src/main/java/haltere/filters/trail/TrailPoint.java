@@ -1,10 +1,6 @@
 package haltere.filters.trail;
 
-/**
- * A row of a tracker: where an object is in the picture at one time, and how fast it moves.
- *
- * @since 0.1
- */
+/** A row of a tracker: where an object is in the picture at one time, and how fast it moves. */
 public interface TrailPoint {
   /** {@return time on the clock of the events, microseconds} */
   long timeUs();

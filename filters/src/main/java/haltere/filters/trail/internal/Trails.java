@@ -12,11 +12,6 @@ public final class Trails {
   private final Map<Integer, ArrayDeque<TrailPoint>> paths = new LinkedHashMap<>();
   private final Map<Integer, TrailMark> marks = new LinkedHashMap<>();
 
-  /** No object yet. */
-  public Trails() {
-    // the fields are enough
-  }
-
   /**
    * Adds the latest row of an object.
    *
@@ -33,12 +28,7 @@ public final class Trails {
     marks.put(row.id(), mark);
   }
 
-  /**
-   * Forgets the objects that have no row at a time or after it.
-   *
-   * @param timeUs time of a report, microseconds
-   * @return the other ones
-   */
+  /** Forgets the objects that have no row at the time of a report or after it; gives the others. */
   public TrailSnapshot at(long timeUs) {
     paths.values().removeIf(path -> path.getLast().timeUs() < timeUs);
     marks.keySet().retainAll(paths.keySet());

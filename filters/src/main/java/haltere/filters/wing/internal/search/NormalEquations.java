@@ -58,13 +58,7 @@ final class NormalEquations {
     }
   }
 
-  /**
-   * Adds a prior belief about one unknown.
-   *
-   * @param index the unknown
-   * @param difference believed value minus present value
-   * @param sd standard deviation of the belief, positive
-   */
+  /** Adds a prior of one unknown: its mean minus the present value, and its standard deviation. */
   void believe(int index, double difference, double sd) {
     double weight = 1 / (sd * sd);
     a.data[index * n + index] += weight;

@@ -34,11 +34,8 @@ final class WingPairFit {
   double turnRad;
 
   /**
-   * Moves both fits to where they go together.
-   *
-   * @param fits the wing counterclockwise of the axis, and the other
-   * @param axisRad from which their angles are measured
-   * @return false if that cannot be worked out; nothing is moved then
+   * Moves both fits, that of the wing counterclockwise of the axis first, to where they go
+   * together. False if the equations have no solution; nothing is moved then.
    */
   boolean bring(StrokeFit[] fits, double axisRad) {
     Arrays.fill(moved, 0);
