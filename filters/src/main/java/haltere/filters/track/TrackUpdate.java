@@ -29,12 +29,7 @@ import haltere.core.sink.Column;
  * @param y estimated position
  * @param vx estimated velocity
  * @param vy estimated velocity
- * @param pXx entry of P after the update
- * @param pXvx entry of P
- * @param pVxvx entry of P
- * @param pYy entry of P
- * @param pYvy entry of P
- * @param pVyvy entry of P
+ * @param pXx entry of P after the update, as are pXvx to pVyvy
  */
 record TrackUpdate(
     @Column("t_us") long timeUs,

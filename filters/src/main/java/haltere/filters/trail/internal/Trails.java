@@ -28,7 +28,12 @@ public final class Trails {
     marks.put(row.id(), mark);
   }
 
-  /** Forgets the objects that have no row at the time of a report or after it; gives the others. */
+  /**
+   * Forgets the objects that have no row at a time or after it.
+   *
+   * @param timeUs time of a report, microseconds
+   * @return the other ones
+   */
   public TrailSnapshot at(long timeUs) {
     paths.values().removeIf(path -> path.getLast().timeUs() < timeUs);
     marks.keySet().retainAll(paths.keySet());
