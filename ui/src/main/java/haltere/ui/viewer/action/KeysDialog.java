@@ -1,6 +1,7 @@
 package haltere.ui.viewer.action;
 
 import atlantafx.base.theme.Styles;
+import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Windows;
 import javafx.geometry.Insets;
 import javafx.scene.control.Label;
@@ -31,8 +32,7 @@ public final class KeysDialog {
       String own = action.menu().isEmpty() ? "Other" : action.menu();
       if (!own.equals(menu)) {
         menu = own;
-        Label heading = new Label(menu.replace("/", " > "));
-        heading.getStyleClass().add(Styles.TEXT_MUTED);
+        Label heading = Controls.label(menu.replace("/", " > "), Styles.TEXT_MUTED);
         grid.add(heading, 0, row++, 2, 1);
       }
       row = add(grid, row, ViewerKeys.words(action.key()), action.words());
@@ -62,8 +62,7 @@ public final class KeysDialog {
   }
 
   private static int add(GridPane grid, int row, String key, String words) {
-    Label name = new Label(key);
-    name.getStyleClass().add(Styles.TEXT_BOLD);
+    Label name = Controls.label(key, Styles.TEXT_BOLD);
     name.setMinWidth(110);
     grid.addRow(row, name, new Label(words));
     return row + 1;

@@ -13,6 +13,7 @@ import haltere.core.playback.CameraPlayable;
 import haltere.device.simulated.Plug;
 import haltere.filters.frequency.PixelRegion;
 import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.controls.Texts;
 import haltere.ui.viewer.feature.PanelPlace;
 import haltere.ui.viewer.feature.ViewerContext;
@@ -23,6 +24,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.function.Supplier;
 import javafx.animation.PauseTransition;
 import javafx.application.Platform;
 import javafx.beans.property.BooleanProperty;
@@ -74,23 +76,16 @@ public final class CameraFeature implements ViewerFeature {
     window = installed;
     panel = new CameraPanel(this::tell);
     comingSoon.setOnFinished(over -> list());
-    BooleanProperty shown =
-        window.addPanel("camera", "Camera", "Shortcut+Shift+C", PanelPlace.SIDE, () -> panel);
-    window.add(
-        ViewerAction.of("list-cameras", "Look for cameras", MENU, this::list)
-            .withHelp("Lists the cameras that are plugged in now, and the simulated ones."),
-        ViewerAction.of("camera-reset-time", "Reset time stamps", MENU, this::resetTime)
-            .unless(() -> open.isPresent() ? "" : "no camera is open")
-            .withHelp("Sets the camera's clock to 0; a recording goes on in a new part."),
-        ViewerAction.toggle("camera-region", "Draw the camera's region", MENU, drawing)
-            .unless(() -> open.isPresent() ? "" : "no camera is open")
-            .withHelp("Only events of a part of the sensor are sent; a click takes it away."),
-        ViewerAction.of("camera-plug", "Unplug or plug in", MENU, this::togglePlug)
-            .unless(() -> open.isPresent() ? "" : "no camera is open")
-            .withHelp("For simulated cameras: see what happens then."));
+    BooleanProperty shown = window.addPanel("camera", PanelPlace.SIDE, () -> panel);
+    ViewerActions actions = window.actions();
+    Supplier<String> obstacle = () -> open.isPresent() ? "" : "no camera is open";
+    actions.add("list-cameras", this::list);
+    actions.add("camera-reset-time", this::resetTime, obstacle);
+    actions.add("camera-region", drawing, () -> drawing.set(!drawing.get()), obstacle);
+    actions.add("camera-plug", this::togglePlug, obstacle);
     window.bindTool(
         drawing, new RegionTool(() -> open.orElseThrow().geometry(), region -> setRegion(region)));
-    window.sessions().sessionProperty().addListener((property, was, is) -> follow(is, shown));
+    window.sessions().sessionProperty().subscribe((was, is) -> follow(is, shown));
     window.panels().onPulse(this::pulse);
     window.stage().addEventHandler(WindowEvent.WINDOW_HIDDEN, event -> end());
   }

@@ -2,6 +2,7 @@ package haltere.ui.viewer.compare;
 
 import atlantafx.base.theme.Styles;
 import haltere.ui.plot.PlotField;
+import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.Texts;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
@@ -102,8 +103,7 @@ final class ComparisonTable extends ScrollPane {
   }
 
   private static Label small(String words) {
-    Label label = new Label(words);
-    label.getStyleClass().add(Styles.TEXT_SMALL);
+    Label label = Controls.label(words, Styles.TEXT_SMALL);
     return label;
   }
 }

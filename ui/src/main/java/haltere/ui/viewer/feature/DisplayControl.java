@@ -61,7 +61,7 @@ public final class DisplayControl {
   /** Looks as in a new window. */
   public DisplayControl() {
     // a theme brings the colours that go with it
-    theme.addListener((property, was, is) -> colours.set(is.colours()));
+    theme.subscribe((was, is) -> colours.set(is.colours()));
   }
 
   /** How the window looks; a change brings the colours that go with it. */
@@ -131,9 +131,9 @@ public final class DisplayControl {
 
   /** Calls something after each change of {@link #options()}. */
   public void onChange(Runnable listener) {
-    colours.addListener((property, was, is) -> listener.run());
-    mode.addListener((property, was, is) -> listener.run());
-    gradient.addListener((property, was, is) -> listener.run());
-    decayUs.addListener((property, was, is) -> listener.run());
+    colours.subscribe((was, is) -> listener.run());
+    mode.subscribe((was, is) -> listener.run());
+    gradient.subscribe((was, is) -> listener.run());
+    decayUs.subscribe((was, is) -> listener.run());
   }
 }

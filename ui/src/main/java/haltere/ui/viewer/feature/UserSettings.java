@@ -70,6 +70,15 @@ public final class UserSettings {
     return Optional.ofNullable(values.get(name));
   }
 
+  /** A copy of a value that is a map; empty if it is none. */
+  public Map<String, Object> map(String name) {
+    Map<String, Object> copy = new LinkedHashMap<>();
+    if (values.get(name) instanceof Map<?, ?> kept) {
+      kept.forEach((key, value) -> copy.put(key.toString(), value));
+    }
+    return copy;
+  }
+
   /** Sets a value that JSON can hold. */
   public void put(String name, Object value) {
     if (!value.equals(values.put(name, value))) {
@@ -90,7 +99,7 @@ public final class UserSettings {
             () -> write.apply(property.getValue()), value -> property.setValue(read.apply(value)));
     properties.put(name, made);
     get(name).ifPresent(value -> choose(Map.of(name, value)));
-    property.addListener((observed, was, is) -> put(name, write.apply(is)));
+    property.subscribe((was, is) -> put(name, write.apply(is)));
   }
 
   /**

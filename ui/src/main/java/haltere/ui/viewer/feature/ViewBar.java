@@ -21,7 +21,6 @@ import javafx.scene.control.Label;
 import javafx.scene.control.Slider;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.layout.HBox;
-import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 
 /**
@@ -41,8 +40,7 @@ public final class ViewBar extends HBox {
             .collect(
                 Collectors.toMap(
                     Function.identity(), DisplayMode::words, (a, b) -> a, LinkedHashMap::new));
-    Region space = new Region();
-    HBox.setHgrow(space, Priority.ALWAYS);
+    Region space = Controls.growing(new Region());
     tools.setAlignment(Pos.CENTER_RIGHT);
     getChildren()
         .addAll(
@@ -72,8 +70,7 @@ public final class ViewBar extends HBox {
     ToggleButton button = Controls.toggle("frames", Icons.FRAME, "Frames below the events");
     button.getStyleClass().add(Styles.SMALL);
     button.selectedProperty().bindBidirectional(on);
-    Slider slider = new Slider(0.1, 1, opacity.get());
-    slider.setId("frame-opacity");
+    Slider slider = Controls.named(new Slider(0.1, 1, opacity.get()), "frame-opacity");
     slider.setAccessibleText("Opacity of the frames");
     Controls.help(slider, "Opacity of the frames");
     slider.setPrefWidth(80);
@@ -96,9 +93,7 @@ public final class ViewBar extends HBox {
   }
 
   private static Label muted(String words) {
-    Label label = new Label(words);
-    label.getStyleClass().addAll(Styles.TEXT_MUTED, Styles.TEXT_SMALL);
-    label.setMinWidth(Region.USE_PREF_SIZE);
+    Label label = Controls.whole(words, Styles.TEXT_MUTED, Styles.TEXT_SMALL);
     return label;
   }
 

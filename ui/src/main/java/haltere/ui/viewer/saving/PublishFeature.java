@@ -3,7 +3,6 @@ package haltere.ui.viewer.saving;
 import haltere.core.pipeline.LiveResults;
 import haltere.core.playback.Player;
 import haltere.core.sink.LineOutputs;
-import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.controls.Questions;
 import haltere.ui.viewer.controls.Texts;
 import haltere.ui.viewer.feature.ViewerContext;
@@ -30,15 +29,8 @@ public final class PublishFeature implements ViewerFeature {
   @Override
   public void install(ViewerContext installed) {
     window = installed;
-    window.sessions().sessionProperty().addListener((property, was, is) -> stop());
-    window.add(
-        ViewerAction.toggle(
-                "publish",
-                "Send results to other programs\u2026",
-                "Tools",
-                publishing.getReadOnlyProperty(),
-                on -> toggle())
-            .withHelp("A line of JSON for each result, over TCP, UDP or ZeroMQ."));
+    window.sessions().sessionProperty().subscribe((was, is) -> stop());
+    window.actions().add("publish", publishing, this::toggle, () -> "");
   }
 
   private void toggle() {

@@ -1,6 +1,6 @@
 package haltere.ui.viewer.saving;
 
-import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.controls.FileDialogs;
 import haltere.ui.viewer.feature.StatusLine;
 import haltere.ui.viewer.feature.ViewerContext;
@@ -15,7 +15,6 @@ import java.nio.file.Path;
  * <p>Thread rule: JavaFX thread only.
  */
 public final class SavingFeature implements ViewerFeature {
-  private static final String MENU = "File";
 
   private ViewerContext window;
   private Saving saving;
@@ -28,40 +27,17 @@ public final class SavingFeature implements ViewerFeature {
     saving = new Saving(window.background(), window.editor(), status::showError);
     recording = new RecordingControl(window.background(), status::showError, status::setActivity);
     // what is open is about to be closed, or is closed with the window
-    window.sessions().sessionProperty().addListener((property, was, is) -> recording.stop());
+    window.sessions().sessionProperty().subscribe((was, is) -> recording.stop());
     FileDialogs dialogs = window.dialogs();
-    window.add(
-        ViewerAction.of(
-                "load-chain",
-                "Load chain\u2026",
-                MENU,
-                () -> dialogs.chainToLoad().ifPresent(this::loadChain))
-            .withKey("Shortcut+L"),
-        ViewerAction.of(
-                "save-chain",
-                "Save chain\u2026",
-                MENU,
-                () -> dialogs.chainToSave().ifPresent(this::saveChain))
-            .withKey("Shortcut+S")
-            .unless(this::obstacle),
-        ViewerAction.toggle(
-                "record",
-                "Record\u2026",
-                MENU,
-                recording.recordingProperty(),
-                on -> toggleRecording())
-            .withKey("Shortcut+E")
-            .unless(this::obstacle)
-            .withHelp("Writes what comes out of the chain to a file while it plays."),
-        ViewerAction.of(
-                "save-picture",
-                "Save picture\u2026",
-                MENU,
-                () -> dialogs.picture().ifPresent(this::savePicture))
-            .withKey("Shortcut+P")
-            .unless(this::obstacle));
+    ViewerActions actions = window.actions();
+    actions.add("load-chain", () -> dialogs.chainToLoad().ifPresent(this::loadChain));
+    actions.add(
+        "save-chain", () -> dialogs.chainToSave().ifPresent(this::saveChain), this::obstacle);
+    actions.add("record", recording.recordingProperty(), this::toggleRecording, this::obstacle);
+    actions.add(
+        "save-picture", () -> dialogs.picture().ifPresent(this::savePicture), this::obstacle);
     RecordButton button = new RecordButton(this::toggleRecording, window.background());
-    recording.recordingProperty().addListener((property, was, is) -> button.setOn(is));
+    recording.recordingProperty().subscribe((was, is) -> button.setOn(is));
     window.panels().transport().addTool(button);
     window.panels().onPulse(() -> button.pulse(recording.file()));
   }

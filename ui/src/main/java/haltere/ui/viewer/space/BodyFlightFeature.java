@@ -2,7 +2,6 @@ package haltere.ui.viewer.space;
 
 import haltere.filters.orientation.camera.ObservationFile;
 import haltere.ui.space.BodyFlight;
-import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.controls.Windows;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
@@ -21,12 +20,7 @@ public final class BodyFlightFeature implements ViewerFeature {
   @Override
   public void install(ViewerContext installed) {
     window = installed;
-    window.add(
-        ViewerAction.of("body-flight", "Orientation in space\u2026", "File", this::choose)
-            .withHelp(
-                "Shows a body's axis in space, how sure it is, and the cameras; from a table"
-                    + " of observations (CSV, or HDF5 of Flydra) and a file of cameras, or a"
-                    + " .braidz file."));
+    window.actions().add("body-flight", this::choose);
   }
 
   private void choose() {

@@ -8,6 +8,7 @@ import haltere.filters.wing.WingTrackerSettings;
 import haltere.filters.wing.tracker.WingTracker;
 import haltere.filters.wing.tracker.WingTrackerFilter;
 import haltere.ui.viewer.action.ViewerAction;
+import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.feature.PanelPlace;
 import haltere.ui.viewer.feature.ViewerContext;
@@ -18,6 +19,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.Supplier;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleBooleanProperty;
@@ -50,32 +52,24 @@ public final class WingsFeature implements ViewerFeature, WingsPanel.Actions {
   public void install(ViewerContext installed) {
     window = installed;
     log = new WingLogControl(window);
-    shown = window.addPanel("wings", "Wing filters", "Shortcut+W", PanelPlace.SIDE, this::panel);
+    shown = window.addPanel("wings", PanelPlace.SIDE, this::panel);
     window.panels().onPulse(this::pulse);
     window
         .sessions()
         .sessionProperty()
-        .addListener(
-            (property, was, is) -> {
+        .subscribe(
+            (was, is) -> {
               log.leave();
               placing.set(false);
               seen = Optional.empty();
             });
     window.bindTool(placing, new FlyTool(() -> seen, this::place));
-    window
-        .actions()
-        .add(
-            ViewerAction.toggle("wings-place", "Place the fly", MENU, placing)
-                .unless(this::obstacle)
-                .withHelp("A click sets the body; drags turn the head or set the region."),
-            ViewerAction.of("wings-flip", "Exchange head and tail", MENU, this::flip)
-                .unless(this::obstacle),
-            ViewerAction.of("wings-search", "Search the fly anew", MENU, this::search)
-                .unless(this::obstacle)
-                .withHelp("What was said of the fly's place stays."),
-            ViewerAction.toggle("wings-log", "Log\u2026", MENU, log.writing(), on -> toggleLog())
-                .unless(this::obstacle)
-                .withHelp("Writes what is tracked to a file that explains itself."));
+    ViewerActions actions = window.actions();
+    Supplier<String> obstacle = this::obstacle;
+    actions.add("wings-place", placing, () -> placing.set(!placing.get()), obstacle);
+    actions.add("wings-flip", this::flip, obstacle);
+    actions.add("wings-search", this::search, obstacle);
+    actions.add("wings-log", log.writing(), this::toggleLog, obstacle);
     for (WingLogFormat format : formats()) {
       window
           .actions()
@@ -136,9 +130,7 @@ public final class WingsFeature implements ViewerFeature, WingsPanel.Actions {
   }
 
   private static Button button(String id, String words, String help, Runnable action) {
-    Button button = new Button(words);
-    button.setId(id);
-    button.getStyleClass().add(Styles.SMALL);
+    Button button = Controls.named(new Button(words), id, Styles.SMALL);
     Controls.help(button, help);
     button.setOnAction(event -> action.run());
     return button;
