@@ -41,7 +41,10 @@ final class PlotFeature implements ViewerFeature {
     actions.add("plots-apart", apart);
     actions.add(
         "save-plot-table",
-        () -> dialogs.table().ifPresent(file -> saving.plots(file, plots.table())));
+        () ->
+            dialogs
+                .save("Save plots as table", "plots.csv", "Tables", "*.csv")
+                .ifPresent(file -> saving.plots(file, plots.table())));
     actions.add(
         "save-plot-picture",
         () -> dialogs.picture().ifPresent(file -> saving.plots(file, plots.snapshot(null, null))));

@@ -95,8 +95,18 @@ public final class ExportFeature implements ViewerFeature {
     window = installed;
     FileDialogs dialogs = window.dialogs();
     ViewerActions actions = window.actions();
-    actions.add("export-film", () -> dialogs.film().ifPresent(this::exportFilm));
-    actions.add("export-data", () -> dialogs.recordingToExport().ifPresent(this::exportData));
+    actions.add(
+        "export-film",
+        () ->
+            dialogs
+                .save("Export film", "haltere.gif", "Films", "*.gif", "*.mp4")
+                .ifPresent(this::exportFilm));
+    actions.add(
+        "export-data",
+        () ->
+            dialogs
+                .save("Export recording", "part.aedat4", "All files", "*")
+                .ifPresent(this::exportData));
     actions.add("stop-export", this::stop);
   }
 

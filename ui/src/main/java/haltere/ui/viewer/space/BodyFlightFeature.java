@@ -24,21 +24,23 @@ public final class BodyFlightFeature implements ViewerFeature {
   }
 
   private void choose() {
-    Optional<Path> observations = window.dialogs().observations();
-    observations.ifPresent(
-        file ->
-            window
-                .background()
-                .file(
-                    () -> ObservationFile.hasCameras(file), own -> open(file, own), this::failed));
+    window
+        .dialogs()
+        .open(
+            "Open observations of several cameras",
+            "Observations",
+            "*.csv",
+            "*.braidz",
+            "*.h5",
+            "*.hdf5")
+        .ifPresent(
+            file -> window.file(() -> ObservationFile.hasCameras(file), own -> open(file, own)));
   }
 
   private void open(Path observations, boolean hasCameras) {
     Optional<Path> cameras = hasCameras ? Optional.empty() : window.dialogs().cameras();
     if (hasCameras || cameras.isPresent()) {
-      window
-          .background()
-          .file(() -> BodyFlight.load(observations, cameras), this::show, this::failed);
+      window.file(() -> BodyFlight.load(observations, cameras), this::show);
     }
   }
 
@@ -46,9 +48,5 @@ public final class BodyFlightFeature implements ViewerFeature {
     BodyFlightPane pane = new BodyFlightPane(flight);
     pane.setTheme(window.display().themeProperty().get());
     Windows.beside(window.stage(), "Orientation in space", pane, 800, 600).show();
-  }
-
-  private void failed(Exception problem) {
-    window.status().showProblem(problem);
   }
 }

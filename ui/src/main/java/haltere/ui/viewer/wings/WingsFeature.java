@@ -11,6 +11,7 @@ import haltere.ui.viewer.action.ViewerAction;
 import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.feature.PanelPlace;
+import haltere.ui.viewer.feature.PlayedOutput;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.wing.WingLogFormat;
@@ -24,7 +25,6 @@ import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleObjectProperty;
-import javafx.scene.control.Button;
 
 /**
  * What a person can do with the wing tracker: see and change its filters while they run, say where
@@ -41,25 +41,23 @@ public final class WingsFeature implements ViewerFeature, WingsPanel.Actions {
       new SimpleObjectProperty<>(
           new WingLogFormat(WingLogFormat.Rows.TICK, WingLogFormat.Layout.TABLE));
   private ViewerContext window;
-  private WingLogControl log;
+  private PlayedOutput<WrittenLog> log;
   private BooleanProperty shown;
   private WingsPanel panel;
   private Optional<WingsView> seen = Optional.empty();
   private boolean looking;
-  private long lookedNanos;
 
   @Override
   public void install(ViewerContext installed) {
     window = installed;
-    log = new WingLogControl(window);
+    log = new PlayedOutput<>(window);
     shown = window.addPanel("wings", PanelPlace.SIDE, this::panel);
-    window.panels().onPulse(this::pulse);
+    window.every(LOOK_NANOS, this::pulse);
     window
         .sessions()
         .sessionProperty()
         .subscribe(
             (was, is) -> {
-              log.leave();
               placing.set(false);
               seen = Optional.empty();
             });
@@ -69,7 +67,7 @@ public final class WingsFeature implements ViewerFeature, WingsPanel.Actions {
     actions.add("wings-place", placing, () -> placing.set(!placing.get()), obstacle);
     actions.add("wings-flip", this::flip, obstacle);
     actions.add("wings-search", this::search, obstacle);
-    actions.add("wings-log", log.writing(), this::toggleLog, obstacle);
+    actions.add("wings-log", log.runningProperty(), this::toggleLog, obstacle);
     for (WingLogFormat format : formats()) {
       window
           .actions()
@@ -117,38 +115,39 @@ public final class WingsFeature implements ViewerFeature, WingsPanel.Actions {
     panel =
         new WingsPanel(
             List.of(
-                button("wings-panel-flip", "Flip", "Exchanges head and tail", this::flip),
-                button(
+                Controls.button(
+                    "wings-panel-flip",
+                    "Flip",
+                    "Exchanges head and tail",
+                    this::flip,
+                    Styles.SMALL),
+                Controls.button(
                     "wings-panel-place",
                     "Place",
                     "Click the body, drag the head or the circle",
-                    () -> placing.set(!placing.get())),
-                button("wings-panel-search", "Search", "Searches the fly anew", this::search),
-                button("wings-panel-log", "Log\u2026", "Starts or ends a log", this::toggleLog)),
+                    () -> placing.set(!placing.get()),
+                    Styles.SMALL),
+                Controls.button(
+                    "wings-panel-search",
+                    "Search",
+                    "Searches the fly anew",
+                    this::search,
+                    Styles.SMALL),
+                Controls.button(
+                    "wings-panel-log",
+                    "Log\u2026",
+                    "Starts or ends a log",
+                    this::toggleLog,
+                    Styles.SMALL)),
             this);
     return panel;
-  }
-
-  private static Button button(String id, String words, String help, Runnable action) {
-    Button button = Controls.named(new Button(words), id, Styles.SMALL);
-    Controls.help(button, help);
-    button.setOnAction(event -> action.run());
-    return button;
   }
 
   private void pulse() {
     if ((!shown.get() && !placing.get()) || looking) {
       return;
     }
-    long now = System.nanoTime();
-    if (now - lookedNanos >= LOOK_NANOS) {
-      looking = true;
-      lookedNanos = now;
-      look();
-    }
-  }
-
-  private void look() {
+    looking = true;
     window
         .editor()
         .read(
@@ -217,25 +216,21 @@ public final class WingsFeature implements ViewerFeature, WingsPanel.Actions {
   }
 
   private static Consumer<FilterChain> work(Change change) {
-    return chain ->
-        change.make(
-            chain,
-            WingsView.of(chain)
-                .orElseThrow(
-                    () -> new IllegalArgumentException("there is no wing tracker in the chain")));
+    return chain -> change.make(chain, WingsView.orRefuse(chain));
   }
 
   private void toggleLog() {
-    if (log.writing().get()) {
+    if (log.runningProperty().get()) {
       log.stop();
     } else {
-      window.dialogs().log().ifPresent(this::log);
+      window.dialogs().save("Log wings to", "wings.txt", "Logs", "*.txt").ifPresent(this::log);
     }
   }
 
   /** Starts a log; a file that is there is replaced. */
   void log(Path file) {
-    log.start(file, logFormat.get());
+    WingLogFormat format = logFormat.get();
+    log.start(open -> WrittenLog.begin(file, format, open.player()));
   }
 
   /** The fly and its filters as they were seen last. */

@@ -67,11 +67,13 @@ final class WingsPanel extends ScrollPane {
     choice.setAccessibleText("Which filter is shown");
     choice.setMinWidth(CHOICE_WIDTH);
     choice.setOnAction(event -> tables.ifPresent(shown -> rebuild()));
-    Button restart = Controls.named(new Button("Reset filter"), "wings-restart", Styles.SMALL);
-    Controls.help(
-        restart, "Begins the filter anew: where it is, but unsure, with the noise of the settings");
-    restart.setOnAction(
-        event -> Optional.ofNullable(choice.getValue()).ifPresent(actions::restart));
+    Button restart =
+        Controls.button(
+            "wings-restart",
+            "Reset filter",
+            "Begins the filter anew: where it is, but unsure, with the noise of the settings",
+            () -> Optional.ofNullable(choice.getValue()).ifPresent(actions::restart),
+            Styles.SMALL);
     FlowPane head = new FlowPane(6, 6);
     head.getChildren().addAll(buttons);
     FlowPane taken = new FlowPane(10, 4);
