@@ -91,8 +91,7 @@ final class Manual {
   }
 
   private static Label label(String markdown) {
-    Label label = Controls.paragraph(plain(markdown));
-    return label;
+    return Controls.paragraph(plain(markdown));
   }
 
   /** The words of a block in one line, without pictures, links and emphasis. */

@@ -23,7 +23,7 @@ final class PlotFeature implements ViewerFeature {
   @Override
   public void install(ViewerContext window) {
     PlotPanel plots = window.panels().plots();
-    Saving saving = new Saving(window.background(), window.editor(), window.status()::showError);
+    Saving saving = new Saving(window);
     BooleanProperty shown = window.addPanel("plots", PanelPlace.BELOW, () -> plots);
     window.onSession(
         made -> {

@@ -3,7 +3,9 @@ package haltere.ui.viewer;
 import haltere.core.event.SensorGeometry;
 import haltere.filters.frequency.PixelRegion;
 import haltere.ui.viewer.action.ViewerActions;
+import haltere.ui.viewer.controls.Icons;
 import haltere.ui.viewer.feature.DisplayControl;
+import haltere.ui.viewer.feature.ViewBar;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.picture.EventView;
@@ -54,7 +56,9 @@ public final class SeeingFeature implements ViewerFeature {
     actions.add("clear-region", () -> setRegion(Optional.empty()));
     actions.add("zoom-region", () -> layer.region().ifPresent(view::zoomTo));
     addZoom(view);
-    window.panels().viewBar().addTools(measuring, drawingRegion);
+    ViewBar bar = window.panels().viewBar();
+    bar.tool("tool-measure", Icons.TAPE, "Measure a length and an angle (T)", measuring);
+    bar.tool("tool-region", Icons.REGION, "Draw the region of interest (G)", drawingRegion);
   }
 
   private void putAside() {

@@ -27,12 +27,7 @@ final class SettingsFeature implements ViewerFeature {
 
   private static void save(ViewerContext window) {
     if (window.settings().hasChanged()) {
-      window.file(
-          () -> {
-            window.settings().save();
-            return true;
-          },
-          saved -> {});
+      window.run(window.settings()::save);
     }
   }
 

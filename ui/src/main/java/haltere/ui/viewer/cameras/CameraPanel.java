@@ -10,13 +10,13 @@ import haltere.core.settings.Parameter;
 import haltere.ui.viewer.controls.Controls;
 import haltere.ui.viewer.controls.SettingField;
 import haltere.ui.viewer.controls.Texts;
+import haltere.ui.viewer.feature.BackgroundWork;
 import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.Callable;
 import java.util.function.Consumer;
 import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.Label;
@@ -39,7 +39,7 @@ final class CameraPanel extends ScrollPane {
   /** Tells a camera something in the background. */
   interface Teller {
     /** Does it, then calls the one or the other on the JavaFX thread. */
-    void tell(Callable<?> telling, Runnable done, Consumer<String> refused);
+    void tell(BackgroundWork.Action telling, Runnable done, Consumer<String> refused);
   }
 
   private static final Map<BiasSliders.Slider, String> WORDS =
@@ -111,23 +111,21 @@ final class CameraPanel extends ScrollPane {
   private void addSliders(BiasSliders facet) {
     for (BiasSliders.Slider which : BiasSliders.Slider.values()) {
       Slider slider =
-          Controls.named(
-              new Slider(-1, 1, 0),
-              "camera-slider-" + which.name().toLowerCase(Locale.ROOT).replace('_', '-'));
+          Controls.slider(
+              "camera-slider-" + which.name().toLowerCase(Locale.ROOT).replace('_', '-'),
+              HELP.get(which),
+              -1,
+              1);
+      slider.setValue(0);
       slider.setAccessibleText(WORDS.get(which));
       slider.setBlockIncrement(0.05);
-      Controls.help(slider, HELP.get(which));
       slider
           .valueProperty()
           .subscribe(
               (was, is) -> {
                 if (!showing) {
                   double value = is.doubleValue();
-                  tell(
-                      () -> {
-                        facet.set(which, value);
-                        return facet;
-                      });
+                  tell(() -> facet.set(which, value));
                 }
               });
       sliders.put(which, slider);
@@ -144,11 +142,7 @@ final class CameraPanel extends ScrollPane {
         event -> {
           String chosen = sets.getValue();
           if (chosen != null) {
-            tell(
-                () -> {
-                  facet.apply(chosen);
-                  return facet;
-                });
+            tell(() -> facet.apply(chosen));
           }
         });
     HBox.setHgrow(sets, Priority.ALWAYS);
@@ -163,11 +157,9 @@ final class CameraPanel extends ScrollPane {
               parameter,
               (value, refused) ->
                   teller.tell(
-                      () -> {
-                        facet.set(
-                            parameter.name(), ((Number) parameter.convert(value)).doubleValue());
-                        return facet;
-                      },
+                      () ->
+                          facet.set(
+                              parameter.name(), ((Number) parameter.convert(value)).doubleValue()),
                       this::refresh,
                       refused));
       fields.add(field);
@@ -175,7 +167,7 @@ final class CameraPanel extends ScrollPane {
     }
   }
 
-  private void tell(Callable<?> telling) {
+  private void tell(BackgroundWork.Action telling) {
     teller.tell(
         telling,
         () -> {

@@ -97,13 +97,10 @@ final class ComparisonTable extends ScrollPane {
   }
 
   private static Label heading(String words) {
-    Label label = small(words);
-    label.getStyleClass().add(Styles.TEXT_BOLD);
-    return label;
+    return Controls.label(words, Styles.TEXT_SMALL, Styles.TEXT_BOLD);
   }
 
   private static Label small(String words) {
-    Label label = Controls.label(words, Styles.TEXT_SMALL);
-    return label;
+    return Controls.label(words, Styles.TEXT_SMALL);
   }
 }

@@ -3,7 +3,6 @@ package haltere.ui.viewer.feature;
 import haltere.core.format.AtomicFile;
 import haltere.core.json.internal.Json;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -147,10 +146,7 @@ public final class UserSettings {
       return;
     }
     Files.createDirectories(file.get().toAbsolutePath().getParent());
-    try (AtomicFile output = AtomicFile.create(file.get(), true)) {
-      output.stream().write((Json.write(changed.get()) + "\n").getBytes(StandardCharsets.UTF_8));
-      output.commit();
-    }
+    AtomicFile.write(file.get(), Json.write(changed.get()) + "\n", true);
     if (unsaved.equals(changed)) {
       unsaved = Optional.empty();
     }

@@ -17,7 +17,6 @@ import javafx.beans.value.ObservableBooleanValue;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.ChoiceBox;
-import javafx.scene.control.Label;
 import javafx.scene.control.Slider;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.layout.HBox;
@@ -49,7 +48,7 @@ public final class ViewBar extends HBox {
                 "What the colour of a pixel says about its events",
                 display.modeProperty(),
                 modes),
-            muted("Fading"),
+            Controls.whole("Fading", Styles.TEXT_MUTED, Styles.TEXT_SMALL),
             choice(
                 "fading",
                 "How fast events fade, or that only those of the last slice are shown",
@@ -59,20 +58,13 @@ public final class ViewBar extends HBox {
             tools);
   }
 
-  /** Adds the buttons of the measuring tape and of the region. */
-  public void addTools(BooleanProperty measuring, BooleanProperty drawingRegion) {
-    tool("tool-measure", Icons.TAPE, "Measure a length and an angle (T)", measuring);
-    tool("tool-region", Icons.REGION, "Draw the region of interest (G)", drawingRegion);
-  }
-
   /** Adds the switch of the camera's frames and their opacity, where what is open has frames. */
   public void addFrames(BooleanProperty on, DoubleProperty opacity, ObservableBooleanValue seen) {
     ToggleButton button = Controls.toggle("frames", Icons.FRAME, "Frames below the events");
     button.getStyleClass().add(Styles.SMALL);
     button.selectedProperty().bindBidirectional(on);
-    Slider slider = Controls.named(new Slider(0.1, 1, opacity.get()), "frame-opacity");
-    slider.setAccessibleText("Opacity of the frames");
-    Controls.help(slider, "Opacity of the frames");
+    Slider slider = Controls.slider("frame-opacity", "Opacity of the frames", 0.1, 1);
+    slider.setValue(opacity.get());
     slider.setPrefWidth(80);
     slider.setMinWidth(40);
     slider.valueProperty().bindBidirectional(opacity);
@@ -90,11 +82,6 @@ public final class ViewBar extends HBox {
     button.getStyleClass().add(Styles.SMALL);
     button.selectedProperty().bindBidirectional(on);
     tools.getChildren().add(button);
-  }
-
-  private static Label muted(String words) {
-    Label label = Controls.whole(words, Styles.TEXT_MUTED, Styles.TEXT_SMALL);
-    return label;
   }
 
   private static <T> Node choice(

@@ -102,6 +102,11 @@ public record ViewerContext(
     background.file(work, done, status::showProblem);
   }
 
+  /** Does something with files in the background; what goes wrong the bottom line says. */
+  public void run(BackgroundWork.Action work) {
+    background.file(work, () -> {}, status::showProblem);
+  }
+
   private void callWhileShown(ViewerSession made, Consumer<ViewerSession> listener) {
     sessions.session().filter(shown -> shown == made).ifPresent(listener);
   }

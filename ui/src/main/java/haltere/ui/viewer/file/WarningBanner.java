@@ -95,8 +95,7 @@ final class WarningBanner extends VBox {
   }
 
   private static Label line(String warning) {
-    Label label = Controls.paragraph(sentence(warning));
-    return label;
+    return Controls.paragraph(sentence(warning));
   }
 
   private static String sentence(String warning) {

@@ -3,7 +3,6 @@ package haltere.ui.viewer.saving;
 import haltere.ui.viewer.action.ViewerActions;
 import haltere.ui.viewer.controls.FileDialogs;
 import haltere.ui.viewer.feature.PlayedOutput;
-import haltere.ui.viewer.feature.StatusLine;
 import haltere.ui.viewer.feature.ViewerContext;
 import haltere.ui.viewer.feature.ViewerFeature;
 import haltere.ui.viewer.picture.Overlays;
@@ -24,8 +23,7 @@ public final class SavingFeature implements ViewerFeature {
   @Override
   public void install(ViewerContext installed) {
     window = installed;
-    StatusLine status = window.status();
-    saving = new Saving(window.background(), window.editor(), status::showError);
+    saving = new Saving(window);
     recording = new PlayedOutput<>(window);
     FileDialogs dialogs = window.dialogs();
     ViewerActions actions = window.actions();

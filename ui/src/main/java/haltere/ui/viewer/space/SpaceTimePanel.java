@@ -192,9 +192,7 @@ final class SpaceTimePanel extends BorderPane {
   }
 
   private Slider slider(String id, String help, double least, double most) {
-    Slider slider = Controls.named(new Slider(least, most, least), id);
-    slider.setAccessibleText(help);
-    Controls.help(slider, help);
+    Slider slider = Controls.slider(id, help, least, most);
     slider.getStyleClass().add(Styles.SMALL);
     slider.setPrefWidth(90);
     slider.setBlockIncrement((most - least) / 50);
@@ -203,8 +201,6 @@ final class SpaceTimePanel extends BorderPane {
   }
 
   private static HBox named(String name, Node control) {
-    Label label = Controls.label(name, Styles.TEXT_SMALL, Styles.TEXT_MUTED);
-    HBox box = Controls.row(4, label, control);
-    return box;
+    return Controls.row(4, Controls.label(name, Styles.TEXT_SMALL, Styles.TEXT_MUTED), control);
   }
 }

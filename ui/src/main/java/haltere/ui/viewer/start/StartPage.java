@@ -47,7 +47,8 @@ final class StartPage extends ScrollPane {
     setFitToWidth(true);
     setHbarPolicy(ScrollBarPolicy.NEVER);
     Label title = Controls.label("Haltere", Styles.TITLE_2);
-    Label purpose = muted("Plays, filters and tracks the events of event cameras.");
+    Label purpose =
+        Controls.label("Plays, filters and tracks the events of event cameras.", Styles.TEXT_MUTED);
     problem.setWrapText(true);
     problem.setMinHeight(Region.USE_PREF_SIZE);
     problem.setMaxWidth(Double.MAX_VALUE);
@@ -57,7 +58,9 @@ final class StartPage extends ScrollPane {
     opening.setOnAction(event -> open.run());
     back.setOnAction(event -> close.run());
     setBack(Optional.empty());
-    HBox actions = Controls.row(10, opening, back, muted("or drop a file on the window"));
+    HBox actions =
+        Controls.row(
+            10, opening, back, Controls.label("or drop a file on the window", Styles.TEXT_MUTED));
     VBox page =
         new VBox(
             10,
@@ -65,11 +68,11 @@ final class StartPage extends ScrollPane {
             purpose,
             problem,
             actions,
-            heading("Recent"),
+            Controls.label("Recent", Styles.TITLE_4),
             recent,
-            heading("Scenes"),
+            Controls.label("Scenes", Styles.TITLE_4),
             scenes,
-            heading("Cameras"),
+            Controls.label("Cameras", Styles.TITLE_4),
             cameras);
     page.getStyleClass().addAll("start-content");
     page.setMaxWidth(1080);
@@ -93,7 +96,10 @@ final class StartPage extends ScrollPane {
     List<Node> lines = actions.stream().limit(MAX_RECENT).<Node>map(StartPage::recentLine).toList();
     recent
         .getChildren()
-        .setAll(lines.isEmpty() ? List.of(muted("Recordings that you open stand here.")) : lines);
+        .setAll(
+            lines.isEmpty()
+                ? List.of(Controls.label("Recordings that you open stand here.", Styles.TEXT_MUTED))
+                : lines);
   }
 
   private static Node recentLine(ViewerAction action) {
@@ -102,10 +108,9 @@ final class StartPage extends ScrollPane {
     link.setMinWidth(Region.USE_PREF_SIZE);
     link.setMnemonicParsing(false);
     link.setOnAction(event -> action.work().run());
-    Label folder = muted(action.help());
+    Label folder = Controls.label(action.help(), Styles.TEXT_MUTED);
     folder.setMinWidth(0);
-    HBox line = Controls.row(8, link, folder);
-    return line;
+    return Controls.row(8, link, folder);
   }
 
   /** Offers scenes. */
@@ -115,7 +120,7 @@ final class StartPage extends ScrollPane {
 
   private static Node tile(ViewerAction action) {
     Label name = Controls.label(action.words(), Styles.TEXT_BOLD);
-    Label sentence = muted(action.help());
+    Label sentence = Controls.label(action.help(), Styles.TEXT_MUTED);
     sentence.setWrapText(true);
     sentence.getStyleClass().add(Styles.TEXT_SMALL);
     sentence.setPrefSize(PICTURE_WIDTH, SENTENCE_HEIGHT);
@@ -160,17 +165,8 @@ final class StartPage extends ScrollPane {
                 })
             .toList();
     Button again = Controls.button("start-look", Icons.RESET, "Look for cameras", look);
-    HBox none = Controls.row(8, muted("No camera is plugged in."), again);
+    HBox none =
+        Controls.row(8, Controls.label("No camera is plugged in.", Styles.TEXT_MUTED), again);
     cameras.getChildren().setAll(lines.isEmpty() ? List.of(none) : lines);
-  }
-
-  private static Label heading(String words) {
-    Label label = Controls.label(words, Styles.TITLE_4);
-    return label;
-  }
-
-  private static Label muted(String words) {
-    Label label = Controls.label(words, Styles.TEXT_MUTED);
-    return label;
   }
 }

@@ -93,8 +93,7 @@ final class FilterTables extends VBox {
   }
 
   private static Label heading(String words) {
-    Label label = Controls.whole(words, Styles.TEXT_SMALL, Styles.TEXT_BOLD);
-    return label;
+    return Controls.whole(words, Styles.TEXT_SMALL, Styles.TEXT_BOLD);
   }
 
   /** Columns of names, of entries and of what follows from them. */
@@ -106,8 +105,7 @@ final class FilterTables extends VBox {
   }
 
   private static Label name(String words) {
-    Label label = Controls.paragraph(words, Styles.TEXT_SMALL);
-    return label;
+    return Controls.paragraph(words, Styles.TEXT_SMALL);
   }
 
   private Label derived(ToDoubleFunction<WingFilterState> number) {
